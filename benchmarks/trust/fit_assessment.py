@@ -47,7 +47,7 @@ DISPLACED = {  # voxels, degrees
 }
 SLIDE = 3.3  # [m] along the street or the tunnel
 SLID = 2.0  # [voxels] minimum displacement of a pose that slid, after ICP
-ODDS = ("FRACTION_WEIGHT", "FIRMNESS_WEIGHT", "OFFSET")
+ODDS = ("FRACTION_WEIGHT", "FIRMNESS_WEIGHT", "ODDS_BIAS")
 SAME_PLACE = ("halves of real scans",)  # most show one kitchen, so that a cloud of another pair may match rightly
 WITHIN = ("shifted by 0.5 voxels", "rotated by 2 degrees")  # the score refines these poses
 RIDGE = 1e-3  # of the regression, for features that separate the poses
@@ -137,7 +137,7 @@ def fit_displacement(rows: Sequence[Row]) -> tuple[float, float]:
 
     def detected(what: str) -> list[float]:
         return [
-            row.found.alignment.displacement * constants.VOXELS / row.found.max_correspondence_distance
+            row.found.alignment.displacement * constants.MATCH_VOXELS / row.found.max_correspondence_distance
             for row in rows
             if row.what == what and row.found.alignment.is_supported and not row.found.alignment.aligned
         ]

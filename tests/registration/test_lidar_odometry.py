@@ -14,7 +14,7 @@ from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.odometry import odometry_sampling
 from pointloom.kernels.odometry.map_aligner import Leg, MapAligner
-from pointloom.kernels.odometry.map_course import CONVERGED, EXHAUSTED
+from pointloom.kernels.odometry.map_course import LEG_CONVERGED, LEG_EXHAUSTED
 from pointloom.kernels.odometry.odometry_sampling import first_in_voxels
 from pointloom.kernels.odometry.voxel_map import VoxelMap
 from pointloom.registration import LidarOdometry, evaluate_trajectory, run_odometry
@@ -170,7 +170,7 @@ def test_a_scan_pose_matches_the_explicit_loop(device, street_pair, tolerances, 
     aligner = MapAligner(radius)
     aligner.load(upload(source, vec3, where), None, voxel_map)
     (end,), information = aligner.run([Leg(np.eye(4), 0.9, kappa, 1e-9, 6, 500, to_planes=radius > 0)])
-    assert end.state == CONVERGED
+    assert end.state == LEG_CONVERGED
     np.testing.assert_allclose(end.pose, T, atol=tolerances.odometry_pose)
     assert end.paired == matched.sum()
     np.testing.assert_allclose(end.sqsum, (r**2).sum(), rtol=1e-4)
@@ -239,7 +239,7 @@ def test_the_iteration_limit_is_respected_and_reported(device, rng, iterations):
     aligner = MapAligner(0.0)
     aligner.load(upload(points + np.float32(0.1), vec3, where), None, voxel_map)
     (end,), _ = aligner.run([Leg(np.eye(4), 0.9, 0.2, 0.0, 6, iterations)])
-    assert (end.state, end.iterations) == (EXHAUSTED, iterations)
+    assert (end.state, end.iterations) == (LEG_EXHAUSTED, iterations)
 
 
 @pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])
@@ -342,10 +342,14 @@ def test_files_preserve_their_times(device, fast_drive, tmp_path):
     np.testing.assert_array_equal([step.pose for step in steps], follow(fast_drive, device, 4).poses)
 
 
+# Fmt: skip
 FILES = (
-    "registration/lidar/lidar_odometry.py", "registration/lidar/scan_matching.py", "kernels/odometry/voxel_map.py",
-    "kernels/arrays/hash_table.py", "kernels/arrays/atomic_changes.py",
-)  # fmt: skip
+    "registration/lidar/lidar_odometry.py",
+    "registration/lidar/scan_matching.py",
+    "kernels/odometry/voxel_map.py",
+    "kernels/arrays/hash_table.py",
+    "kernels/arrays/atomic_changes.py",
+)
 SHIFTS = (0.0, 0.4, 0.8, 9.0, 9.4)  # voxels are dropped on the way; the fourth scan is far from its predicted pose
 
 

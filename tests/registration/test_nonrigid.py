@@ -311,7 +311,7 @@ def test_tree_search_matches_all_pairs(device, monkeypatch):
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
     results = []
     for near in (0.0, 100.0):
-        monkeypatch.setattr(module, "NEAR", near)
+        monkeypatch.setattr(module, "MAX_TREE_DEVIATION", near)
         results.append(drift(*clouds, max_iterations=25, tolerance=1e-12))
     assert results[0].deviation < 0.15
     np.testing.assert_allclose(results[0].transformation, results[1].transformation, atol=1e-9)

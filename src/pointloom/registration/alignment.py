@@ -53,7 +53,7 @@ class Alignment(AssessedRecord):
     @property
     def is_supported(self) -> bool:
         """True if the surfaces match after the correction, along each motion."""
-        return self.matches >= constants.ENOUGH and self.support >= constants.MIN_SUPPORT
+        return self.matches >= constants.MIN_MATCHES and self.support >= constants.MIN_SUPPORT
 
     @property
     def warnings(self) -> tuple[str, ...]:

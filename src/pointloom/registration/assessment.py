@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..core.reports import Assessed, Fields, Report, as_json, failed, with_warnings
 from ..core.wording import format_fraction
 from .alignment import Alignment
-from .assessment_constants import MIN_DISPLACEMENT, MIN_SCORE, VOXELS
+from .assessment_constants import MATCH_VOXELS, MIN_DISPLACEMENT, MIN_SCORE
 from .evidence import Evidence
 from .pose_errors import PoseCovariance
 from .unobservable_motions import Localizability, describe_motions
@@ -59,7 +59,7 @@ class RegistrationAssessment(Report, Assessed):
     @property
     def notes(self) -> tuple[str, ...]:
         """A detected displacement below the resolution of a registration."""
-        limit = MIN_DISPLACEMENT * self.max_correspondence_distance / VOXELS
+        limit = MIN_DISPLACEMENT * self.max_correspondence_distance / MATCH_VOXELS
         is_small = self.alignment.is_supported and self.alignment.displacement < limit
         return self.alignment.warnings if is_small else ()
 

@@ -34,34 +34,38 @@ PLACES = "fitted: benchmarks/trust/fit_assessment.py, rooms, sites, streets and 
 OPEN_SITES = "fitted: three synthetic corridors, a tunnel, a field; doors of 6 cm and far boxes, 2026-11-25"
 
 # Surfaces
-VOXELS: Annotated[float, Constant("match distance", VOXEL, "usual for downsampled clouds")] = 1.5
-NARROW: Annotated[float, Constant("radius for normals", VOXEL, "28 voxels of a plane")] = 3.0
-WIDE: Annotated[float, Constant("radius for the side of normals", VOXEL, "beyond the radius for normals")] = 5.0
-NEAR: Annotated[float, Constant("distance within which surfaces should match", MATCH, CHOSEN)] = 4.0
-COSINE: Annotated[
+MATCH_VOXELS: Annotated[float, Constant("match distance", VOXEL, "usual for downsampled clouds")] = 1.5
+NORMAL_RADIUS: Annotated[float, Constant("radius for normals", VOXEL, "28 voxels of a plane")] = 3.0
+SIDE_RADIUS: Annotated[float, Constant("radius for sides of normals", VOXEL, "beyond the radius for normals")] = 5.0
+SURFACE_DISTANCE: Annotated[float, Constant("distance within which surfaces should match", MATCH, CHOSEN)] = 4.0
+MIN_NORMAL_COSINE: Annotated[
     float, Constant("cosine of the normals of a match", "", "30 degrees: most correct ones differ by less")
 ] = 0.866
-ENOUGH: Annotated[int, Constant("matches below which they may be chance", "", CHOSEN)] = 30
-FINER: Annotated[float, Constant("source voxel", "target voxels", "avoids aligned grids")] = 0.8
-FINE: Annotated[float, Constant("voxel of displacements", "voxels of the score", CHOSEN)] = 0.5
-RIGID: Annotated[float, Constant("deviation of R R^T from the identity", "", "a larger one is a scale")] = 0.05
+MIN_MATCHES: Annotated[int, Constant("matches below which they may be chance", "", CHOSEN)] = 30
+SOURCE_VOXEL_FACTOR: Annotated[float, Constant("source voxel", "target voxels", "avoids aligned grids")] = 0.8
+FINE_VOXEL_FACTOR: Annotated[float, Constant("voxel of displacements", "voxels of the score", CHOSEN)] = 0.5
+MAX_DISTORTION: Annotated[float, Constant("deviation of R R^T from identity", "", "beyond: a scale")] = 0.05
 
 # Score: agreement of all matches
 MIN_SCORE: Annotated[float, Constant("score up to which a pose is rejected", "", "even odds")] = 0.5
-TIGHT: Annotated[float, Constant("distance along the normal at which a match counts 0", MATCH, "0.3 voxels")] = 0.2
+MAX_NORMAL_DISTANCE: Annotated[float, Constant("normal distance at which a match counts 0", MATCH, "0.3 voxels")] = 0.2
 OVERLAP_RIDGE: Annotated[float, Constant("ridge of the overlap", "mean eigenvalue", "weak overlap is no evidence")] = (
     1e-3
 )
 FRACTION_WEIGHT: Annotated[float, Constant("log odds per ln(fraction)", "", ODDS)] = 5.15
 FIRMNESS_WEIGHT: Annotated[float, Constant("log odds per ln(firmness)", "", ODDS)] = 0.48
-OFFSET: Annotated[float, Constant("log odds", "", f"{ODDS}; lowered to require 25 % more than even evidence")] = 10.2
+ODDS_BIAS: Annotated[float, Constant("log odds", "", f"{ODDS}; lowered to require 25 % more than even evidence")] = 10.2
 FRACTION_FLOOR: Annotated[float, Constant("added to the fraction", "", "the logarithm of 0 is none")] = 0.01
 FIRMNESS_FLOOR: Annotated[float, Constant("added to the firmness", "", "the logarithm of 0 is none")] = 3e-4
-FIRM: Annotated[float, Constant("minimum firmness", "", "planes, spheres, tubes: a quarter of it at most")] = 0.002
-FITS: Annotated[float, Constant("fraction of surfaces that match although a motion is undetermined", "", CHOSEN)] = 0.5
+MIN_FIRMNESS: Annotated[float, Constant("minimum firmness", "", "planes, spheres, tubes: at most a quarter of it")] = (
+    0.002
+)
+FITTING_FRACTION: Annotated[float, Constant("matching fraction although a motion is undetermined", "", CHOSEN)] = 0.5
 # Score: number of matches
-CHANCE: Annotated[float, Constant("fraction times the root of the matches", "", FEW)] = 4.4
-STEEP: Annotated[float, Constant("steepness of scores at their limits", "", "20 % beyond the limit give 0.67")] = 4.0
+MATCH_CHANCE: Annotated[float, Constant("fraction times the root of the matches", "", FEW)] = 4.4
+LIMIT_STEEPNESS: Annotated[
+    float, Constant("steepness of a score at its limit", "", "20 % beyond the limit give 0.67")
+] = 4.0
 # Score: matches beside the three main planes
 MIN_REST: Annotated[float, Constant("fraction beside the planes relative to the total", "", ROOMS)] = 0.25
 MIN_ALIGNED: Annotated[float, Constant("the same, if parallel to the planes", "", BOXES)] = 0.18
@@ -72,7 +76,7 @@ PART_BESIDE: Annotated[float, Constant("the same, relative to all matches", "", 
 FEW_ALIGNED: Annotated[float, Constant("parallel fraction from which their number counts", "", WRONG_BOXES)] = 0.37
 MANY_ALIGNED: Annotated[float, Constant("parallel fraction from which it counts fully", "", WRONG_BOXES)] = 0.47
 # Score: free space
-MARGIN: Annotated[float, Constant("distance of an occluding surface", VOXEL, CHOSEN)] = 4.0
+OCCLUSION_MARGIN: Annotated[float, Constant("distance of an occluding surface", VOXEL, CHOSEN)] = 4.0
 MAX_BLOCKED: Annotated[float, Constant("occluding points relative to matches", "", BLOCKED)] = 0.02
 # Score: details
 MIN_DETAIL: Annotated[float, Constant("fraction beside the planes, within the borders", "", IMAGES)] = 0.19
@@ -82,15 +86,19 @@ VISIBLE_CHANCE: Annotated[float, Constant("the same times the root of the matche
 MIN_RELIEF: Annotated[float, Constant("correlation of the slopes on planes", "", IMAGES)] = 0.75
 RELIEF_MATCHES: Annotated[int, Constant("number of these slopes", "", IMAGES)] = 400
 MIN_VISIBLE_WITH_RELIEF: Annotated[float, Constant("fraction of all matches with relief", "", IMAGES)] = 0.45
-SIGMAS: Annotated[float, Constant("distance of a contradicting pair", SIGMA, "0.3 % of a normal distribution")] = 3.0
+CONFLICT_SIGMAS: Annotated[
+    float, Constant("distance of a contradicting pair", SIGMA, "0.3 % of a normal distribution")
+] = 3.0
 NOISE_RADIUS: Annotated[float, Constant("radius of the noise", MATCH, "2 voxels")] = 4 / 3
 
 # Displacement and covariance
-REACH: Annotated[float, Constant("distance of nearest points that are pairs", VOXEL, "twice the match distance")] = 3.0
-BLOCK: Annotated[float, Constant("edge of blocks with correlated errors", VOXEL, CHOSEN)] = 10.0
-ROUNDS: Annotated[int, Constant("reweighted solutions", "", CHOSEN)] = 5
+PAIR_RADIUS: Annotated[
+    float, Constant("distance of nearest points that are pairs", VOXEL, "twice the match distance")
+] = 3.0
+BLOCK_VOXELS: Annotated[float, Constant("edge of blocks with correlated errors", VOXEL, CHOSEN)] = 10.0
+REWEIGHTING_ITERATIONS: Annotated[int, Constant("reweighted solutions", "", CHOSEN)] = 5
 TO_SIGMA: Annotated[float, Constant("standard deviation", "median absolute deviations", "normal distribution")] = 1.4826
-WIDTH: Annotated[float, Constant("residual with a quarter of the weight", SIGMA, "5 % of a normal distribution")] = 2.0
+WEIGHT_WIDTH: Annotated[float, Constant("residual of weight 1/4", SIGMA, "5 % of a normal distribution")] = 2.0
 MOTION_RIDGE: Annotated[float, Constant("ridge of the step", "matrix of a row", "for undetermined motions")] = 1e-6
 MODEL_ERROR: Annotated[float, Constant("error common to all points", "residuals", SCANS)] = 0.005
 NORMAL_ERROR: Annotated[float, Constant("the same by biased normals", "squared residuals per voxel", SCANS)] = 0.35

@@ -68,12 +68,14 @@ class Evidence(NamedTuple):
             return -np.inf
         weighed = constants.FRACTION_WEIGHT * math.log(self.fraction + constants.FRACTION_FLOOR)
         firm = constants.FIRMNESS_WEIGHT * math.log(self.firmness + constants.FIRMNESS_FLOOR)
-        return float(weighed + firm + constants.OFFSET)
+        return float(weighed + firm + constants.ODDS_BIAS)
 
     @property
     def score_with_planes(self) -> float:
         """The score if matches beside the planes are not required."""
-        certainty = min(1.0, self.firmness / constants.FIRM) ** 2 * min(1.0, self.matches / constants.ENOUGH)
+        certainty = min(1.0, self.firmness / constants.MIN_FIRMNESS) ** 2 * min(
+            1.0, self.matches / constants.MIN_MATCHES
+        )
         return float(certainty / (1 + math.exp(-self.odds))) if self.matches else 0.0
 
     @property
@@ -105,7 +107,7 @@ class Evidence(NamedTuple):
     @property
     def score_of_number(self) -> float:
         """Limit 0..1 for few matches, where a search finds an equal pose by chance."""
-        return _exceeds(self.fraction * math.sqrt(max(self.matches, 1.0)) / constants.CHANCE)
+        return _exceeds(self.fraction * math.sqrt(max(self.matches, 1.0)) / constants.MATCH_CHANCE)
 
     @property
     def score_beside_planes(self) -> float:
@@ -113,7 +115,7 @@ class Evidence(NamedTuple):
         square = _fraction_between(self.aligned, constants.SOME_ALIGNED, constants.ALL_ALIGNED)
         min_rest = self._min_rest
         min_rest += square * max(constants.MIN_ALIGNED - min_rest, 0.0)
-        return 1 / (1 + (min_rest / max(self.rest, 1e-9)) ** constants.STEEP)
+        return 1 / (1 + (min_rest / max(self.rest, 1e-9)) ** constants.LIMIT_STEEPNESS)
 
     @property
     def _min_rest(self) -> float:
@@ -122,14 +124,16 @@ class Evidence(NamedTuple):
     @property
     def score_of_view(self) -> float:
         """Limit 0..1 for occluding points."""
-        return 1 / (1 + (self.blocked / constants.MAX_BLOCKED) ** constants.STEEP)
+        return 1 / (1 + (self.blocked / constants.MAX_BLOCKED) ** constants.LIMIT_STEEPNESS)
 
     @property
     def problem(self) -> str:
         """What rejects the pose."""
         if self.score_with_planes <= 0.5:
             fits = (
-                self.firmness < constants.FIRM and self.fraction > constants.FITS and self.matches >= constants.ENOUGH
+                self.firmness < constants.MIN_FIRMNESS
+                and self.fraction > constants.FITTING_FRACTION
+                and self.matches >= constants.MIN_MATCHES
             )
             slides = "the surfaces match, but the pose can rotate or slide, as on a sphere, cylinder or plane"
             return slides if fits else "the clouds hardly match under the best pose found"
@@ -152,7 +156,7 @@ def _fraction_between(value: float, low: float, high: float) -> float:
 
 def _exceeds(ratio: float) -> float:
     """Score 0..1 of a value relative to its minimum: 0.5 if they are equal."""
-    return 1 / (1 + max(ratio, 1e-9) ** -constants.STEEP)
+    return 1 / (1 + max(ratio, 1e-9) ** -constants.LIMIT_STEEPNESS)
 
 
 NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
@@ -162,7 +166,7 @@ class Witness:
     """The surface of a cloud, and the viewpoints from which it may have been seen."""
 
     def __init__(self, surface: Surface, voxel_size: float):
-        self.surface, self._margin = surface, constants.MARGIN * voxel_size
+        self.surface, self._margin = surface, constants.OCCLUSION_MARGIN * voxel_size
 
     def __len__(self) -> int:
         return len(self.surface)
@@ -175,7 +179,7 @@ class Witness:
 
 def witness_of(cloud: PointCloud, distance: float) -> Witness:
     """The surface of a cloud for `rate_poses` at a match distance [m]."""
-    size = distance / constants.VOXELS
+    size = distance / constants.MATCH_VOXELS
     return Witness(surface_for(cloud, size, distance), size)
 
 
@@ -259,9 +263,9 @@ def compare_details(source: Surface, target: Surface, pose: NDArray[np.float64],
     counts, covariances, *variances = weigh_reliefs(pairs, *limits).T
     scale = np.sqrt(variances[0] * variances[1])
     relief = float((covariances / np.maximum(scale, 1e-300)).min())
-    tight = constants.TIGHT * distance / constants.SIGMAS
+    tight = constants.MAX_NORMAL_DISTANCE * distance / constants.CONFLICT_SIGMAS
     radius = constants.NOISE_RADIUS * distance
-    deviating = count_deviating(pairs, *limits, radius=radius, sigmas=constants.SIGMAS, floor=tight)
+    deviating = count_deviating(pairs, *limits, radius=radius, sigmas=constants.CONFLICT_SIGMAS, floor=tight)
     return Details(
         visible.fraction, rest.fraction, rest.matches, relief, float(counts.min()), float(deviating[:, 1].max())
     )
@@ -274,7 +278,8 @@ def both_ways(
 
 
 def limits_of(distance: float) -> tuple[float, float, float, float]:
-    return distance, constants.NEAR * distance, constants.COSINE, constants.TIGHT * distance
+    near, tight = constants.SURFACE_DISTANCE * distance, constants.MAX_NORMAL_DISTANCE * distance
+    return distance, near, constants.MIN_NORMAL_COSINE, tight
 
 
 def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evidence:

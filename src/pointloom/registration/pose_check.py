@@ -27,12 +27,12 @@ def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, may_be_op
     """
     given, (source, T) = source, as_rigid(source, T)
     try:
-        distance = constants.VOXELS * resolvable_voxel_size(source, target)
+        distance = constants.MATCH_VOXELS * resolvable_voxel_size(source, target)
         witnesses = witness_of(source, distance), witness_of(target, distance)
     except ValueError:  # no finite points, or outliers so far away that no grid of voxels contains them
         return ""
-    if min(map(len, witnesses)) < constants.ENOUGH:
-        return "" if source is given else SHRUNK.format(len(witnesses[0]), distance / constants.VOXELS)
+    if min(map(len, witnesses)) < constants.MIN_MATCHES:
+        return "" if source is given else SHRUNK.format(len(witnesses[0]), distance / constants.MATCH_VOXELS)
     pose = to_local(T, source.origin, target.origin)
     evidence = compare_surfaces(witnesses[0].surface, witnesses[1].surface, pose, distance)
     if evidence.score_with_planes <= constants.MIN_SCORE:
@@ -83,7 +83,7 @@ def _contradiction(evidence: Evidence, source: Witness, target: Witness, pose: M
 def _weakness(evidence: Evidence, source: Witness, target: Witness, pose: Matrix, distance: float) -> str:
     """Why matches are no support: they allow a motion, or they are too few."""
     judged = judge_motions(source.surface, target.surface, pose, distance)
-    is_enough = evidence.fraction > constants.MIN_OPEN_FRACTION and evidence.matches >= constants.ENOUGH
+    is_enough = evidence.fraction > constants.MIN_OPEN_FRACTION and evidence.matches >= constants.MIN_MATCHES
     if is_enough and judged is not None and len(judged.open_motions):
         return describe_open(judged.open_motions)
     return APART.format(evidence.fraction)

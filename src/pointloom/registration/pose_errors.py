@@ -76,7 +76,7 @@ class Step(NamedTuple):
 
     @property
     def is_solved(self) -> bool:
-        return len(self.rows) >= constants.ENOUGH
+        return len(self.rows) >= constants.MIN_MATCHES
 
     @property
     def scatter(self) -> Matrix:
@@ -87,7 +87,7 @@ class Step(NamedTuple):
 
 def step_of(surfaces: SurfacePair, pose: Matrix) -> Step | None:
     """The step of the fine surfaces at a pose T_target_source about the clouds' origins. None without a surface."""
-    return step_between(*surfaces.fine, pose, surfaces.distance, constants.FINE * surfaces.voxel_size)
+    return step_between(*surfaces.fine, pose, surfaces.distance, constants.FINE_VOXEL_FACTOR * surfaces.voxel_size)
 
 
 def covariance_of(
@@ -116,14 +116,14 @@ def step_between(
     """
     if not (len(source) and len(target)):
         return None
-    voxel, axes = distance / constants.VOXELS, list(free)
-    reach = constants.REACH * voxel
-    rows = AlignmentRows(PairedSurfaces(source, target, pose, invert_pose(pose), reach, constants.COSINE))
+    voxel, axes = distance / constants.MATCH_VOXELS, list(free)
+    reach = constants.PAIR_RADIUS * voxel
+    rows = AlignmentRows(PairedSurfaces(source, target, pose, invert_pose(pose), reach, constants.MIN_NORMAL_COSINE))
     parts = rows, source, target, pose, distance, size, axes
-    if len(rows) < constants.ENOUGH:
+    if len(rows) < constants.MIN_MATCHES:
         d = len(axes)
         return Step(*parts, np.zeros(d), np.zeros((0, d)), None, np.eye(d), np.zeros(d), math.nan)
-    return Step(*parts, *_solve(rows, axes, constants.BLOCK * voxel, np.eye(4) if frame is None else frame))
+    return Step(*parts, *_solve(rows, axes, constants.BLOCK_VOXELS * voxel, np.eye(4) if frame is None else frame))
 
 
 def common_covariance(step: Step, motions: Callable[[], Localizability | None]) -> Matrix:
@@ -132,7 +132,9 @@ def common_covariance(step: Step, motions: Callable[[], Localizability | None]) 
     `motions` returns the result of `judge_motions` at the pose of the step. It is called if one may be undetermined.
     """
     apart = float(matmul(step.motion, solve(step.unit, step.motion))) / len(step.free)
-    model = step.noise * (constants.MODEL_ERROR + constants.NORMAL_ERROR * step.noise * constants.FINE / step.voxel)
+    model = step.noise * (
+        constants.MODEL_ERROR + constants.NORMAL_ERROR * step.noise * constants.FINE_VOXEL_FACTOR / step.voxel
+    )
     covariance = (model**2 + constants.STEP_FACTOR * apart) * step.unit
     if step.fractions[0] < constants.SUSPECT_FRACTION and (found := motions()) is not None:
         covariance = covariance + _open_motions(step, found)
@@ -162,7 +164,7 @@ def _solve(
     rows: AlignmentRows, free: list[int], block_size: float, frame: Matrix
 ) -> tuple[NDArray[np.float64], Matrix, LongIntegers, Matrix, NDArray[np.float64], float]:
     motion = np.zeros(6)
-    for _ in range(constants.ROUNDS):
+    for _ in range(constants.REWEIGHTING_ITERATIONS):
         _, matrix, right, _ = _normal_equations(rows, motion, free)
         motion[free] = -solve(matrix, right)
     weight, matrix, _, width = _normal_equations(rows, motion, free)
@@ -170,14 +172,14 @@ def _solve(
     inverse, count = inv(matrix), len(scores)
     influences = -matmul(scores[:, free], inverse.T) * math.sqrt(count / max(count - len(free), 1))
     unit = weight * (inverse + inverse.T) / 2
-    return motion[free], influences, blocks, unit, eigvalsh(matrix / weight), width / constants.WIDTH
+    return motion[free], influences, blocks, unit, eigvalsh(matrix / weight), width / constants.WEIGHT_WIDTH
 
 
 def _normal_equations(
     rows: AlignmentRows, motion: NDArray[np.float64], free: list[int]
 ) -> tuple[float, Matrix, NDArray[np.float64], float]:
     """Sum of the weights at a motion, normal matrix with a ridge, right side, and width of the weights [m]."""
-    width = constants.WIDTH * constants.TO_SIGMA * max(rows.median_residual(motion), 1e-9)
+    width = constants.WEIGHT_WIDTH * constants.TO_SIGMA * max(rows.median_residual(motion), 1e-9)
     weight, triangle, right = rows.system(motion, width)
     (matrix,) = symmetric_matrices(triangle[None])
     return weight, (matrix + constants.MOTION_RIDGE * weight * np.eye(6))[np.ix_(free, free)], right[free], width

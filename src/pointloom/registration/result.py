@@ -26,11 +26,11 @@ from .pose_errors import PoseCovariance
 from .unobservable_motions import describe_open
 
 MIN_TARGETS = 10  # minimum matched targets for a scale
-SHARED = 10  # source points per target point above which the scale is undetermined
+MAX_SOURCES_PER_TARGET = 10  # source points per target point above which the scale is undetermined
 MIN_FITNESS = 0.1  # results below are unreliable
 # RMS distance of correspondences in match distances below which one cloud is a copy of the other. Rounding to float32
 # gives 1e-6 and less, two samplings of a surface at least 0.02 (a tenth of the point spacing).
-COINCIDENT = 1e-4
+MAX_COPY_RMSE = 1e-4
 _lock = threading.RLock()  # an assessment is computed once, also if several threads read it
 
 
@@ -169,7 +169,7 @@ class RegistrationResult(Assessed):
         if self._clouds is None:
             return ""
         source, target, distance = self._clouds
-        coincide = self.fitness > 0.5 and self.inlier_rmse < COINCIDENT * distance
+        coincide = self.fitness > 0.5 and self.inlier_rmse < MAX_COPY_RMSE * distance
         may_be_open = coincide or self.free is not None or not self._uses_surfaces_only
         return find_problem(source, target, self._assessed_pose, may_be_open=may_be_open)
 
@@ -188,7 +188,7 @@ class RegistrationResult(Assessed):
         on_device = isinstance(pairs, wp.array) or is_on_gpu(pairs)
         rows = download(share_numbers("pairs", pairs)) if on_device else np.asarray(pairs)
         targets = len(np.unique(rows[:, 1]))
-        if targets < MIN_TARGETS and len(rows) > SHARED * targets:
+        if targets < MIN_TARGETS and len(rows) > MAX_SOURCES_PER_TARGET * targets:
             self.converged = False
             self.warnings = (f"scale not determined: {len(rows):,} source points match {targets} target points",)
 

@@ -11,7 +11,7 @@ from ..core.quaternions import nearest_rotations
 from ..kernels.linear_algebra import cube_root, det, inv, matmul, norm
 
 Matrix = NDArray[np.float64]
-ROUNDED = 1e-12  # deviation of R R^T above which it is rounded to fewer digits than float64
+MAX_FLOAT64_DEVIATION = 1e-12  # deviation of R R^T above which it is rounded to fewer digits than float64
 # Entries of a symmetric 6x6 matrix in the row-major upper triangle.
 TRIANGLE_INDICES = np.zeros((6, 6), np.int64)
 TRIANGLE_INDICES[np.triu_indices(6)] = np.arange(21)
@@ -88,7 +88,7 @@ def make_pose(R: Matrix, t: NDArray[np.float64]) -> Matrix:
 def invert_pose(T: Matrix) -> Matrix:
     """Inverse of a pose. The transpose of a rounded rotation would be meters off far from zero."""
     R = T[:3, :3]
-    rounded = np.abs(matmul(R.T, R) - np.eye(3)).max() > ROUNDED
+    rounded = np.abs(matmul(R.T, R) - np.eye(3)).max() > MAX_FLOAT64_DEVIATION
     back = inv(R) if rounded else R.T
     return make_pose(back, matmul(-back, T[:3, 3]))
 

@@ -23,7 +23,7 @@ class RobustKernel:
     The scale `k` has the residual's unit: meters for point-to-plane, none for generalized ICP.
     """
 
-    kind: ClassVar[int] = robust_weights.L2
+    kind: ClassVar[int] = robust_weights.L2_LOSS
 
     @property
     def parameters(self) -> tuple[int, float, float]:
@@ -49,14 +49,14 @@ class L2Loss(RobustKernel):
 class Geometry(RobustKernel):
     """Not a kernel: for rows that only determine degenerate motions."""
 
-    kind = robust_weights.GEOMETRY
+    kind = robust_weights.GEOMETRY_ONLY
 
 
 @dataclasses.dataclass(frozen=True)
 class L1Loss(RobustKernel):
     """Least absolute residuals: `1 / |r|`, clamped at 1e-9 (Open3D divides by zero there)."""
 
-    kind = robust_weights.L1
+    kind = robust_weights.L1_LOSS
 
     def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return 1 / np.maximum(r, MIN_RESIDUAL)
@@ -74,7 +74,7 @@ class _Scaled(RobustKernel):
 class HuberLoss(_Scaled):
     """`k / max(|r|, k)`: least squares up to k, absolute residuals beyond."""
 
-    kind = robust_weights.HUBER
+    kind = robust_weights.HUBER_LOSS
 
     def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return self.k / np.maximum(r, self.k)
@@ -84,7 +84,7 @@ class HuberLoss(_Scaled):
 class CauchyLoss(_Scaled):
     """1 / (1 + (r / k)^2)."""
 
-    kind = robust_weights.CAUCHY
+    kind = robust_weights.CAUCHY_LOSS
 
     def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return 1 / (1 + (r / self.k) ** 2)
@@ -104,7 +104,7 @@ class GMLoss(_Scaled):
 class TukeyLoss(_Scaled):
     """(1 - (r / k)^2)^2 up to k, zero beyond."""
 
-    kind = robust_weights.TUKEY
+    kind = robust_weights.TUKEY_LOSS
 
     def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         return (1 - np.minimum(1, r / self.k) ** 2) ** 2
@@ -123,7 +123,7 @@ class GeneralizedLoss(_Scaled):
     """
 
     shape: float = 1.0
-    kind = robust_weights.GENERAL
+    kind = robust_weights.GENERAL_LOSS
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -10,14 +10,21 @@ from numpy.typing import NDArray
 from ..kernels.linear_algebra import det, matmul
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.cloud import PointCloud
-from .assessment_constants import FINE, FINER, NARROW, RIGID, VOXELS, WIDE
+from .assessment_constants import (
+    FINE_VOXEL_FACTOR,
+    MATCH_VOXELS,
+    MAX_DISTORTION,
+    NORMAL_RADIUS,
+    SIDE_RADIUS,
+    SOURCE_VOXEL_FACTOR,
+)
 from .rigid import nearest_rotation
 
 
 def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
     bare = cloud.with_arrays({"points": cloud.arrays["points"]})
     thinned = bare.voxel_down_sample(voxel_size)
-    return Surface(thinned.arrays["points"], NARROW * voxel_size, WIDE * voxel_size)
+    return Surface(thinned.arrays["points"], NORMAL_RADIUS * voxel_size, SIDE_RADIUS * voxel_size)
 
 
 def surface_for(cloud: PointCloud, voxel_size: float, distance: float) -> Surface:
@@ -35,7 +42,7 @@ class SurfacePair:
     """
 
     def __init__(self, source: PointCloud, target: PointCloud, distance: float):
-        self.source, self.target, self.distance, self.voxel_size = source, target, distance, distance / VOXELS
+        self.source, self.target, self.distance, self.voxel_size = source, target, distance, distance / MATCH_VOXELS
 
     @cached_property
     def coarse(self) -> tuple[Surface, Surface]:
@@ -43,16 +50,16 @@ class SurfacePair:
 
     @cached_property
     def fine(self) -> tuple[Surface, Surface]:
-        return self._in_voxels(FINE * self.voxel_size)
+        return self._in_voxels(FINE_VOXEL_FACTOR * self.voxel_size)
 
     def _in_voxels(self, size: float) -> tuple[Surface, Surface]:
-        source = surface_for(self.source, FINER * size, self.distance)
+        source = surface_for(self.source, SOURCE_VOXEL_FACTOR * size, self.distance)
         return source, surface_for(self.target, size, self.distance)
 
 
 def as_rigid(source: PointCloud, T: NDArray[np.float64]) -> tuple[PointCloud, NDArray[np.float64]]:
     """The source and a rigid pose. Under a pose with a scale or shear, the transformed source and the identity."""
-    if np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() > RIGID or det(T[:3, :3]) < 0:
+    if np.abs(matmul(T[:3, :3], T[:3, :3].T) - np.eye(3)).max() > MAX_DISTORTION or det(T[:3, :3]) < 0:
         source, T = source.transform(T), np.eye(4)
     T = np.array(T)
     T[:3, :3] = nearest_rotation(T[:3, :3])

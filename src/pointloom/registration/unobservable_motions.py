@@ -76,10 +76,12 @@ def judge_motions(
     """
     if not (len(source) and len(target)):
         return None
-    constraint = find_pose_constraint(source, target, pose, distance, constants.NEAR * distance, constants.COSINE)
-    if constraint.matches < constants.ENOUGH:
+    constraint = find_pose_constraint(
+        source, target, pose, distance, constants.SURFACE_DISTANCE * distance, constants.MIN_NORMAL_COSINE
+    )
+    if constraint.matches < constants.MIN_MATCHES:
         return None
-    size = distance / constants.VOXELS
+    size = distance / constants.MATCH_VOXELS
     (matrix,) = symmetric_matrices(constraint.triangle[None])
     axes = list(free)
     fractions, free_vectors = eigh(matrix[np.ix_(axes, axes)] / constraint.matches)
@@ -91,7 +93,7 @@ def judge_motions(
     if len(suspects):
         steps = [sign * constants.STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
         poses = np.array([pose, *(moved(pose, step, about=constraint.middle) for step in steps)])
-        limits = constants.RADIUS_VOXELS * size, constants.COSINE, size
+        limits = constants.RADIUS_VOXELS * size, constants.MIN_NORMAL_COSINE, size
         rises = compare_pair(source, target, constants.JUDGING_POINTS, poses, *limits)
         is_constrained: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
         kinds[: len(suspects)] = ["partial" if constrained else "none" for constrained in is_constrained.tolist()]

@@ -13,7 +13,7 @@ from ..pcd.search import NearestNeighborSearch
 from .correspondence_input import check_cloud
 
 # This gives some 5,000 to 15,000 occupied voxels for a room, an object or a street.
-VOXELS_TO_MIDDLE, WITHIN = 32.0, 0.75
+VOXELS_TO_MIDDLE, EXTENT_QUANTILE = 32.0, 0.75
 
 
 def choose_voxel_size(*clouds: PointCloud) -> float:
@@ -71,5 +71,5 @@ def _lengths_of(name: str, cloud: PointCloud) -> tuple[float, float]:
     if not len(probes):
         contents = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
         raise ValueError(f"{name}: expected finite points, got {contents}")
-    extent = float(np.quantile(np.linalg.norm(probes - np.median(probes, axis=0), axis=1), WITHIN))
+    extent = float(np.quantile(np.linalg.norm(probes - np.median(probes, axis=0), axis=1), EXTENT_QUANTILE))
     return extent, distance_of_nearest(NearestNeighborSearch(cloud), probes, 2) or 0.0

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pointloom.kernels.features.pair_angles import UNSURE, exact_bins, quick_bins
+from pointloom.kernels.features.pair_angles import UNSURE_BINS, exact_bins, quick_bins
 from pointloom.kernels.lang import array, int32, kernel, launch, tid, vec3
 from pointloom.kernels.memory import empty, upload
 
@@ -66,7 +66,7 @@ def assert_agree(device, pairs):
     expected = np.clip(np.floor(levels), 0, 10).astype(int)
     near = np.abs(levels - np.round(levels)) < 1e-9
     assert ((split(exact) == expected) | near).all()
-    sure = quick != UNSURE
+    sure = quick != UNSURE_BINS
     np.testing.assert_array_equal(quick[sure], exact[sure])
     return sure
 
@@ -124,4 +124,4 @@ def test_points_along_the_normal_have_no_angles(device):
     pairs = [(up, up, up), (up, [0, 0, -2], side), (up, none, side), (side, up, up), (none, [1, 2, 3], none)]
     n, q, m = (np.array(column, float) for column in zip(*pairs, strict=True))
     quick, exact = both_bins(device, np.zeros((5, 3)), n, q, m)
-    assert (quick == UNSURE).all() and (split(exact) == 5).all()
+    assert (quick == UNSURE_BINS).all() and (split(exact) == 5).all()

@@ -11,7 +11,7 @@ from pointloom.kernels.memory import download, empty, upload, write
 from pointloom.kernels.poses import control_lattice
 from pointloom.kernels.poses.control_lattice import bend_normals, bend_points, make_lattice, motion_of
 from pointloom.kernels.poses.fragment_rows import Fragments, Pairs
-from pointloom.kernels.poses.fragment_steps import DAMPING, FragmentStep, StepSystem
+from pointloom.kernels.poses.fragment_steps import DIAGONAL_DAMPING, FragmentStep, StepSystem
 
 SIZE = 0.375
 
@@ -253,7 +253,7 @@ class Oracle:
         J = np.concatenate([np.array(self.rows), tie_rows])
         r = np.concatenate([self.residuals, tie_residuals])
         H = J.T @ J
-        H += DAMPING * np.diag(np.diag(H))
+        H += DIAGONAL_DAMPING * np.diag(np.diag(H))
         free = np.repeat(~self.scene.is_fixed, 6).tolist() + [True] * (self.size - 6 * len(self.scene.parts))
         x = np.zeros(self.size)
         x[free] = np.linalg.solve(H[np.ix_(free, free)], -(J.T @ r)[free])

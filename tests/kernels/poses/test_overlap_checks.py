@@ -9,7 +9,7 @@ from pointloom.kernels.lang import int64, uint8, vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.poses import line_of_sight
 from pointloom.kernels.poses.line_of_sight import MAX_VIEWPOINTS, Sight, find_sight
-from pointloom.kernels.poses.main_planes import VOTERS, MainPlanes, find_main_planes, leave_out_planes
+from pointloom.kernels.poses.main_planes import MAX_VOTERS, MainPlanes, find_main_planes, leave_out_planes
 from pointloom.kernels.poses.point_sums import count_agreeing, position_moments
 from pointloom.kernels.search.nearest_point import NO_POINT
 
@@ -46,7 +46,7 @@ def planes_of(arrays, max_planes):
     [
         ((500, 2000, 1000, 200), [1, 2, 0], [1.5, 1.5, 1.5]),
         ((1500, 20, 20, 1000), [0, 0], [1.5, 3.5]),
-        ((6 * VOTERS, 3 * VOTERS), [0, 1], [1.5, 1.5]),
+        ((6 * MAX_VOTERS, 3 * MAX_VOTERS), [0, 1], [1.5, 1.5]),
     ],
     ids=["planes", "parallel ones are two", "a large cloud is subsampled"],
 )
@@ -146,7 +146,7 @@ def test_a_cloud_invisible_from_every_viewpoint_has_no_sight(device, rng, monkey
     ways[:3000] *= 0.6  # a ball in a ball
     points, _ = shifted(ways, device)
     assert find_sight(points, 0.1) is not None
-    monkeypatch.setattr(line_of_sight, "HIDDEN", 0.01)
+    monkeypatch.setattr(line_of_sight, "MAX_HIDDEN", 0.01)
     assert find_sight(points, 0.1) is None and find_sight(shifted(np.empty((0, 3)), device)[0], 0.1) is None
 
 

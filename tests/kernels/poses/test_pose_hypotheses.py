@@ -16,10 +16,10 @@ from pointloom.kernels.poses.consensus_poses import (
     order_descending,
     seed_poses,
 )
-from pointloom.kernels.poses.pair_fits import BLOCK, PairCoordinates
+from pointloom.kernels.poses.pair_fits import PAIRS_PER_BLOCK, PairCoordinates
 from pointloom.kernels.poses.pose_fitness import PoseFitness
-from pointloom.kernels.poses.pose_hypotheses import REFUSED, Checks, Samples, score_poses
-from pointloom.kernels.poses.pose_search import MAX_DISTINCT, RANKED, PoseSearch
+from pointloom.kernels.poses.pose_hypotheses import REJECTED_SCORE, Checks, Samples, score_poses
+from pointloom.kernels.poses.pose_search import MAX_DISTINCT, MAX_RANKED, PoseSearch
 from pointloom.kernels.poses.similar_tuples import similar_tuples
 from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_tree import PointTree
@@ -194,7 +194,7 @@ def test_accepted_hypotheses_match_the_checkers_of_open3d(device, clutter, oracl
     device_normals = [upload(n, vec3, device) for n in (normals, rotated)]
     _, scores = drawn.fit(checks, device_normals, False)
     passed = np.zeros(500, bool)
-    passed[similar[download(scores) != REFUSED]] = True
+    passed[similar[download(scores) != REJECTED_SCORE]] = True
     rows, samples, everything = draw(search, 500, 3)  # every pose, to ask Open3D about
     poses = download(everything.fit(Checks(), device_normals, False)[0]).copy()
     a, b = (middle.astype(float) for middle in search.fitness.middles)
@@ -206,19 +206,21 @@ def test_accepted_hypotheses_match_the_checkers_of_open3d(device, clutter, oracl
     assert 0 < passed.sum() < 450, "else the check was never put to the test"
 
 
-@pytest.mark.parametrize("count", [3, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK + 5])
+@pytest.mark.parametrize(
+    "count", [3, PAIRS_PER_BLOCK - 1, PAIRS_PER_BLOCK, PAIRS_PER_BLOCK + 1, 3 * PAIRS_PER_BLOCK + 5]
+)
 def test_scores_are_the_correspondences_that_agree(device, rng, count):
-    pose_count = {3: 1, BLOCK: 21, 3 * BLOCK + 5: 21}.get(count, 8)
+    pose_count = {3: 1, PAIRS_PER_BLOCK: 21, 3 * PAIRS_PER_BLOCK + 5: 21}.get(count, 8)
     source, target = rng.uniform(-1, 1, (2, count, 3)).astype(np.float32)
     search = search_over(source, target, identity_pairs(count), device)
     poses = random_poses(rng, pose_count)
     refused = np.arange(pose_count) % 5 == 3
-    scores = upload(np.where(refused, REFUSED, 0), int32, device)
+    scores = upload(np.where(refused, REJECTED_SCORE, 0), int32, device)
     score_poses(search.ranking, upload(poses, mat44d, device), 0.8, scores)
     a, b = (middle.astype(float) for middle in search.fitness.middles)
     d = np.array([np.linalg.norm(moved(source - a, pose) - (target - b), axis=1) for pose in poses])
     unclear = np.abs(d - 0.8).min(axis=1) < 1e-5
-    expected = np.where(refused, REFUSED, (d < 0.8).sum(axis=1))
+    expected = np.where(refused, REJECTED_SCORE, (d < 0.8).sum(axis=1))
     assert (np.asarray(download(scores)) == expected)[~unclear].all()
 
 
@@ -242,13 +244,13 @@ def test_coincident_and_collapsing_samples_are_refused(device, rng):
     source[:3], target[:3] = [[-1, 0, 0], [0, 0, 0], [1, 0, 0]], [[0, -1, 0], [0, 2, 0], [0, -1, 1e-9]]
     search = search_over(source, target, np.array([[0, 0], [1, 1], [2, 2]]), device)
     _, scores = draw(search, 20, 3)[2].fit(Checks(), [empty(0, vec3, device)] * 2, True)
-    assert (download(scores) == REFUSED).all()
+    assert (download(scores) == REJECTED_SCORE).all()
 
 
 def first_apart(poses, scores, size, distance):
     """By NumPy: the best poses, each of which moves the middle or a place on an axis away from where others do."""
     order = np.argsort(-scores, kind="stable")
-    order = order[scores[order] > REFUSED][:RANKED]
+    order = order[scores[order] > REJECTED_SCORE][:MAX_RANKED]
     probes = np.concatenate([poses[:, :3, 3:], poses[:, :3, :3] * size + poses[:, :3, 3:]], axis=2)[order]
     left, selected = np.ones(len(order), bool), []
     while left.any() and len(selected) < MAX_DISTINCT:
@@ -260,13 +262,13 @@ def first_apart(poses, scores, size, distance):
 
 
 @pytest.mark.parametrize(
-    ("count", "distance"), [(1, 0.1), (31, 0.0), (33, 50.0), (700, 0.1), (700, 0.4), (RANKED + 500, 0.1)]
+    ("count", "distance"), [(1, 0.1), (31, 0.0), (33, 50.0), (700, 0.1), (700, 0.4), (MAX_RANKED + 500, 0.1)]
 )
 def test_the_best_poses_that_are_unlike_each_other_are_chosen(device, rng, count, distance):
     search = search_over(rng.random((40, 3)), rng.random((40, 3)), identity_pairs(40), device)
     poses = near_poses(rng, count, 0.2, 0.2)
     poses[rng.random(count) < 0.3] = poses[0]
-    scores = rng.integers(REFUSED, 20, count).astype(np.int32)
+    scores = rng.integers(REJECTED_SCORE, 20, count).astype(np.int32)
     chosen_count = search._select_distinct(upload(poses, mat44d, device), upload(scores, int32, device), distance)
     chosen, selected = first_apart(poses, scores, search.fitness.size, distance), download(search._distinct)
     assert download(search._distinct_count)[0] == len(chosen) and chosen_count in (len(chosen), MAX_DISTINCT)

@@ -6,7 +6,7 @@ import pytest
 from pointloom.kernels.lang import float32, uint8
 from pointloom.kernels.memory import download, upload, zeros
 from pointloom.kernels.rgbd import stream_views as at
-from pointloom.kernels.rgbd.keyframe_codes import FERNS, compare_codes, encode_frame
+from pointloom.kernels.rgbd.keyframe_codes import FERN_COUNT, compare_codes, encode_frame
 from pointloom.kernels.rgbd.stream_views import compare_views, hide_cells, hide_near, view_stream
 from pointloom.rgbd.slam.stream_check import shift_of
 
@@ -62,10 +62,10 @@ def test_colors_give_the_shift(device, shift):
 def test_depth_images_are_compared_bitwise(device):
     depth, color = images()
     before = view(device, depth, color)
-    assert sums(view(device, depth, color), before)[at.OTHER] == 0
+    assert sums(view(device, depth, color), before)[at.CHANGED_AT] == 0
     depth[100, 100] += 0.001
-    assert sums(view(device, depth, color), before)[at.OTHER] == 1
-    assert sums(before, before)[at.MEASURED] == before.columns * before.rows
+    assert sums(view(device, depth, color), before)[at.CHANGED_AT] == 1
+    assert sums(before, before)[at.MEASURED_AT] == before.columns * before.rows
 
 
 def test_a_blank_wall_has_no_shift(device):
@@ -115,9 +115,9 @@ def difference(code, other):
 def test_an_image_equals_itself_and_differs_from_another(device, rng):
     one, other = image(rng), image(rng)
     code = code_of(device, *one)
-    assert difference(code, code) == (4 * FERNS, 0.0)
+    assert difference(code, code) == (4 * FERN_COUNT, 0.0)
     common, fraction = difference(code, code_of(device, *other))
-    assert common == 4 * FERNS and fraction > 0.15
+    assert common == 4 * FERN_COUNT and fraction > 0.15
 
 
 def test_noise_and_exposure_change_few_bits_and_the_start_of_an_image_in_its_array_none(device, rng):
@@ -125,7 +125,7 @@ def test_noise_and_exposure_change_few_bits_and_the_start_of_an_image_in_its_arr
     code, noisy = code_of(device, depth, brightness), depth + rng.normal(0, 0.01, depth.shape).astype(np.float32)
     assert difference(code, code_of(device, noisy, 0.6 * brightness))[1] < 0.03
     shifted = [np.concatenate([np.full(7, 9, np.float32), x.reshape(-1)]) for x in (depth, brightness)]
-    assert difference(code, code_of(device, *shifted, first=7)) == (4 * FERNS, 0.0)
+    assert difference(code, code_of(device, *shifted, first=7)) == (4 * FERN_COUNT, 0.0)
 
 
 def test_holes_give_no_bits(device, rng):
@@ -133,7 +133,7 @@ def test_holes_give_no_bits(device, rng):
     torn = depth.copy()
     torn[:, ::2] = 0
     common, fraction = difference(code_of(device, depth, brightness), code_of(device, torn, brightness))
-    assert fraction == 0.0 and 2 * FERNS < common < 4 * FERNS
+    assert fraction == 0.0 and 2 * FERN_COUNT < common < 4 * FERN_COUNT
     nothing = code_of(device, np.zeros_like(depth), np.full_like(depth, -1))
     assert difference(nothing, nothing) == (0, 0.0)
 
@@ -141,11 +141,11 @@ def test_holes_give_no_bits(device, rng):
 def test_without_color_depth_decides(device, rng):
     depth, brightness = image(rng)
     gray = code_of(device, depth, np.full_like(depth, -1))
-    assert difference(gray, code_of(device, depth, brightness)) == (2 * FERNS, 0.0)
+    assert difference(gray, code_of(device, depth, brightness)) == (2 * FERN_COUNT, 0.0)
 
 
 def test_codes_are_stored_in_rows_and_each_is_compared(device, rng):
-    codes = zeros(3 * FERNS, uint8, device)
+    codes = zeros(3 * FERN_COUNT, uint8, device)
     images = [image(rng) for _ in range(3)]
     for row, (depth, brightness) in enumerate(images):
         code_of(device, depth, brightness, codes=codes, row=row)

@@ -119,7 +119,7 @@ def test_frames_without_noise_have_a_positive_covariance(device):
 
 def sums(excess):
     values = np.zeros(28)
-    values[[at.PLANES, at.EXCESS]] = 100.0, 100.0 * excess
+    values[[at.PLANE_COUNT, at.EXCESS_SUM]] = 100.0, 100.0 * excess
     return values
 
 

@@ -99,13 +99,13 @@ def test_a_moving_object_does_not_affect_the_camera_pose(device):
 
 def fault_of(*, blur=0.0, **sums):
     """The fault of a pair of 1,000 pixels, 900 with depth and 800 on the surface, with other sums."""
-    figures = np.zeros(at.EXCESS + 1)
+    figures = np.zeros(at.EXCESS_SUM + 1)
     good = {"PIXELS": 1000, "SEEN": 900, "INLIERS": 800, "IN_FRONT": 10, "NORMALS": 800, "AGREEING": 780, "PLANES": 800}
     for name, value in (good | {"EXCESS": 800.0} | sums).items():
         figures[getattr(at, name)] = value
     none = np.zeros(21)
     alignment = Alignment(np.eye(4), 5, np.ones(4), none, figures, none, none)
-    return _first_fault(alignment, *(figures[k] for k in (at.PIXELS, at.SEEN, at.INLIERS)), blur)
+    return _first_fault(alignment, *(figures[k] for k in (at.PIXEL_COUNT, at.SEEN_COUNT, at.INLIER_COUNT)), blur)
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,7 @@ NEAR = 0.03  # [m] voxels are 4 cm
 def _soon(monkeypatch):
     """A loss of four frames begins a new map, and four frames make a map."""
     monkeypatch.setattr(maps, "LOST_FOR_LONG", 4)
-    monkeypatch.setattr(maps, "TRIAL", 4)
+    monkeypatch.setattr(maps, "TRIAL_FRAMES", 4)
 
 
 def away(device: str, **options):

@@ -40,10 +40,10 @@ from ..lang import (
 )
 from ..memory import download, empty, full, zeros
 from ..meshes.vertex_neighbors import VertexNeighbors
-from .deformation_graph import MEMBERS, DeformationGraph, Influence, deformed_position
+from .deformation_graph import NODES_PER_POINT, DeformationGraph, Influence, deformed_position
 
-DAMPING = 1.0e-9  # of the diagonal: fixes parts of a body without rows, negligible elsewhere
-TOLERANCE = 1.0e-6  # of a solve: remaining fraction of the right side in the preconditioner's norm
+DIAGONAL_DAMPING = 1.0e-9  # of the diagonal: fixes parts of a body without rows, negligible elsewhere
+SOLVE_TOLERANCE = 1.0e-6  # of a solve: remaining fraction of the right side in the preconditioner's norm
 MAX_ITERATIONS = 2000
 pull_sums = vector(6, float64)
 pull_block = vector(21, float64)
@@ -65,8 +65,8 @@ class BendingRows:
         self.count, device = influence.count, influence.points.device
         self.targets, self.normals = zeros(self.count, vec3d, device), zeros(self.count, vec3, device)
         self.plane_weights, self.point_weights = zeros(self.count, float64, device), zeros(self.count, float64, device)
-        self.arms, self.forces = zeros(MEMBERS * self.count, vec3d, device), zeros(self.count, vec3d, device)
-        keys, starts = empty(MEMBERS * self.count, int64, device), empty(graph.count + 1, int32, device)
+        self.arms, self.forces = zeros(NODES_PER_POINT * self.count, vec3d, device), zeros(self.count, vec3d, device)
+        keys, starts = empty(NODES_PER_POINT * self.count, int64, device), empty(graph.count + 1, int32, device)
         launch(key_ends_kernel, keys.size, [influence, graph.count, keys])
         keys, self.order = argsort_keys(keys, max(1, graph.count.bit_length()))
         find_key_starts(keys, starts)
@@ -98,10 +98,10 @@ def begin_rows_kernel(graph: DeformationGraph, influence: Influence, rows: Bendi
     force = vec3d(0.0, 0.0, 0.0)
     if isfinite(influence.points[i]):
         p = widen(influence.points[i])
-        n = int(MEMBERS)
+        n = int(NODES_PER_POINT)
         for k in range(n):
-            node = influence.members[MEMBERS * i + k]
-            rows.arms[MEMBERS * i + k] = graph.rotations[node] @ (p - widen(graph.nodes[node]))
+            node = influence.members[NODES_PER_POINT * i + k]
+            rows.arms[NODES_PER_POINT * i + k] = graph.rotations[node] @ (p - widen(graph.nodes[node]))
         force = pull_of(i, deformed_position(i, graph, influence) - rows.targets[i], rows)
     rows.forces[i] = force
 
@@ -111,12 +111,12 @@ def map_rows_kernel(steps: array(dtype=vec3d), influence: Influence, rows: Bendi
     """Change of the rows' gradients under a step: two vectors per node (rotation, shift)."""
     i = tid()
     d = vec3d(0.0, 0.0, 0.0)
-    n = int(MEMBERS)
+    n = int(NODES_PER_POINT)
     for k in range(n):
-        fraction = influence.fractions[MEMBERS * i + k]
+        fraction = influence.fractions[NODES_PER_POINT * i + k]
         if fraction > 0.0:
-            node = influence.members[MEMBERS * i + k]
-            d += fraction * (cross(steps[2 * node], rows.arms[MEMBERS * i + k]) + steps[2 * node + 1])
+            node = influence.members[NODES_PER_POINT * i + k]
+            d += fraction * (cross(steps[2 * node], rows.arms[NODES_PER_POINT * i + k]) + steps[2 * node + 1])
     rows.forces[i] = pull_of(i, d, rows)
 
 
@@ -124,7 +124,7 @@ def map_rows_kernel(steps: array(dtype=vec3d), influence: Influence, rows: Bendi
 def sum_node_pulls(influence: Influence, rows: BendingRows) -> pull_sums:
     i = tid()
     end = rows.order[i]
-    f = influence.fractions[end] * rows.forces[end // MEMBERS]
+    f = influence.fractions[end] * rows.forces[end // NODES_PER_POINT]
     m = cross(rows.arms[end], f)
     return pull_sums(m[0], m[1], m[2], f[0], f[1], f[2])
 
@@ -155,7 +155,7 @@ def add_squares(block: pull_block, arm: vec3d, weight: float64) -> pull_block:
 def sum_node_squares(influence: Influence, rows: BendingRows) -> pull_block:
     i = tid()
     end = rows.order[i]
-    row = end // MEMBERS
+    row = end // NODES_PER_POINT
     w = influence.fractions[end] * influence.fractions[end]
     total = add_square(pull_block(0.0), rows.arms[end], widen(rows.normals[row]), w * rows.plane_weights[row])
     return add_squares(total, rows.arms[end], w * rows.point_weights[row])
@@ -253,7 +253,7 @@ def factor_nodes_kernel(graph: DeformationGraph, stiffness: float64, system: Nod
         at = triangle_index(k, k)
         if k >= 3:
             total[at] = total[at] + others
-        lifts[k] = float64(DAMPING) * total[at]
+        lifts[k] = float64(DIAGONAL_DAMPING) * total[at]
         total[at] = total[at] + lifts[k]
     system.lifts[2 * i] = vec3d(lifts[0], lifts[1], lifts[2])
     system.lifts[2 * i + 1] = vec3d(lifts[3], lifts[4], lifts[5])
@@ -314,7 +314,7 @@ class BendingSteps:
         reduce_segments(sum_node_squares, rows.blocks, self.live, blocks, self.square_partials, system.squares)
         launch(factor_nodes_kernel, count, [graph, stiffness, system])
         start, unit = zeros(2 * count, vec3d, graph.nodes.device), zeros(1, vec2d, graph.nodes.device)
-        state = Gradients(start, TOLERANCE * TOLERANCE, MAX_ITERATIONS, unit)
+        state = Gradients(start, SOLVE_TOLERANCE * SOLVE_TOLERANCE, MAX_ITERATIONS, unit)
         launch(pull_nodes_kernel, count, [graph, stiffness, system, state.residual])
 
         def map_search() -> None:

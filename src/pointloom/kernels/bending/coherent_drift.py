@@ -2,7 +2,7 @@
 coherent point drift", PAMI 2010, eqs. 6 and 7).
 
 p_mn = e_mn / (sum_k e_kn + c), e_mn = exp(-|x_n - y_m|^2 / 2 s^2). Two passes give the denominators, sum_n p_mn and
-sum_n p_mn x_n without an M x N matrix. Gaussians end at FARTHEST (2e-19), so small s uses trees. The CPU vectorizes
+sum_n p_mn x_n without an M x N matrix. Gaussians end at MAX_EXPONENT (2e-19), so small s uses trees. The CPU vectorizes
 eight points per thread, each sum in its own order.
 """
 
@@ -30,13 +30,13 @@ from ..memory import empty
 from ..search.bucket_walk import points_within
 from ..search.point_tree import PointTree, find_bucket
 
-FARTHEST = 43.0  # maximum exponent
+MAX_EXPONENT = 43.0  # maximum exponent
 INVERSE_LOG2 = 1.4426950408889634
 LOG2_HIGH = 0.693147180369123816490  # of ln 2: 32 bits, so that integer multiples are exact
 LOG2_LOW = 1.90821492927058770002e-10
 MAX_HALVINGS = 62.5  # of a Gaussian before it is cut off
 EXPONENT_BIAS, EXPONENT_SHIFT = 127, 23  # of a float32
-LANES = 8  # points per CPU thread
+POINTS_PER_THREAD = 8  # points per CPU thread
 RADIUS_SLACK = 1.001  # factor of a squared radius in float32, so that a tree omits nothing
 octet = vector(8, float64)  # one number per point of a thread
 pulls = vector(4, float64)  # sum of p, sum of p x
@@ -46,7 +46,7 @@ pull_moments = vector(22, float64)
 
 @func
 def falloff(x: float64) -> float64:
-    """exp(-x) for x >= 0, to 2e-16, bitwise identical everywhere and branch-free. 0 beyond FARTHEST."""
+    """exp(-x) for x >= 0, to 2e-16, bitwise identical everywhere and branch-free. 0 beyond MAX_EXPONENT."""
     halvings = x * float64(INVERSE_LOG2) + 0.5
     n = int(halvings if halvings < float64(MAX_HALVINGS) else float64(MAX_HALVINGS))
     k = float64(n)
@@ -64,7 +64,7 @@ def falloff(x: float64) -> float64:
     s = s * r + 1.0
     s = s * r + 1.0
     value = s * float64(bits_float((EXPONENT_BIAS - n) << EXPONENT_SHIFT))  # s / 2^n, exact
-    return value if x <= float64(FARTHEST) else float64(0.0)
+    return value if x <= float64(MAX_EXPONENT) else float64(0.0)
 
 
 @func
@@ -97,24 +97,24 @@ def weigh_targets_kernel(
     inverses: array(dtype=float64),
     fractions: array(dtype=float64),
 ):
-    """Inverse denominator and inlier probability of each target. LANES targets per thread, the last one may repeat."""
+    """Inverse denominator and inlier probability of each target. The last target of a thread may repeat."""
     i = tid()
     last = targets.shape[0] - 1
     x = octet(0.0)
     y = octet(0.0)
     z = octet(0.0)
     total = octet(0.0)
-    for lane in range(LANES):
-        p = targets[min(LANES * i + lane, last)]
+    for lane in range(POINTS_PER_THREAD):
+        p = targets[min(POINTS_PER_THREAD * i + lane, last)]
         x[lane] = p[0]
         y[lane] = p[1]
         z[lane] = p[2]
     for j in range(count):
         q = moved[j]
-        for lane in range(LANES):
+        for lane in range(POINTS_PER_THREAD):
             total[lane] += falloff_between(x[lane] - q[0], y[lane] - q[1], z[lane] - q[2], scale)
-    for lane in range(LANES):
-        index = LANES * i + lane
+    for lane in range(POINTS_PER_THREAD):
+        index = POINTS_PER_THREAD * i + lane
         if index <= last:
             inverse = inverse_of(total[lane], uniform)
             inverses[index] = inverse
@@ -151,7 +151,7 @@ def pull_sources_kernel(
     inverses: array(dtype=float64),
     sums: array(dtype=pulls),
 ):
-    """Weighted sums at each source, LANES per thread."""
+    """Weighted sums at each source, POINTS_PER_THREAD per thread."""
     i = tid()
     last = moved.shape[0] - 1
     x = octet(0.0)
@@ -161,22 +161,22 @@ def pull_sources_kernel(
     along_x = octet(0.0)
     along_y = octet(0.0)
     along_z = octet(0.0)
-    for lane in range(LANES):
-        p = moved[min(LANES * i + lane, last)]
+    for lane in range(POINTS_PER_THREAD):
+        p = moved[min(POINTS_PER_THREAD * i + lane, last)]
         x[lane] = p[0]
         y[lane] = p[1]
         z[lane] = p[2]
     for j in range(count):
         q = targets[j]
         inverse = inverses[j]
-        for lane in range(LANES):
+        for lane in range(POINTS_PER_THREAD):
             fraction = falloff_between(q[0] - x[lane], q[1] - y[lane], q[2] - z[lane], scale) * inverse
             total[lane] += fraction
             along_x[lane] += fraction * q[0]
             along_y[lane] += fraction * q[1]
             along_z[lane] += fraction * q[2]
-    for lane in range(LANES):
-        index = LANES * i + lane
+    for lane in range(POINTS_PER_THREAD):
+        index = POINTS_PER_THREAD * i + lane
         if index <= last:
             sums[index] = pulls(total[lane], along_x[lane], along_y[lane], along_z[lane])
 
@@ -312,10 +312,10 @@ class Drift:
     def weigh(self, moved: Positions, variance: float, uniform: float, *, near: float) -> None:
         """Correspondences at a variance. By trees if the Gaussian's range is below `near`."""
         targets, scale = self.targets, 0.5 / variance
-        sqradius = FARTHEST / scale * RADIUS_SLACK
+        sqradius = MAX_EXPONENT / scale * RADIUS_SLACK
         outputs: list[Doubles] = [self.inverses, self.fractions]
         if sqradius > near * near:
-            each = 1 if targets.device.is_cuda else LANES
+            each = 1 if targets.device.is_cuda else POINTS_PER_THREAD
             given = [targets, moved, moved.size, scale, uniform]
             launch(weigh_targets_kernel, -(-targets.size // each), [*given, *outputs])
             given = [moved, targets, targets.size, scale]

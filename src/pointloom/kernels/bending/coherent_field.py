@@ -30,7 +30,7 @@ from ..linear_algebra import solve
 from ..memory import download, empty, upload, zeros
 from .coherent_drift import falloff, pulls
 
-WIDE = 4  # products of a row summed together by a thread
+PRODUCTS_PER_THREAD = 4  # products of a row summed together by a thread
 CHECK_INTERVAL = 32  # rows between two checks of the remainder
 
 
@@ -74,11 +74,11 @@ def square_rows_kernel(
     points: int,
     out: array(dtype=float64, ndim=2),
 ):
-    """Lower triangle of L diag(sum of p) L^T, WIDE numbers per thread."""
+    """Lower triangle of L diag(sum of p) L^T, PRODUCTS_PER_THREAD numbers per thread."""
     i = tid()
-    across = (count + WIDE - 1) // WIDE
+    across = (count + PRODUCTS_PER_THREAD - 1) // PRODUCTS_PER_THREAD
     row = i // across
-    first = (i % across) * WIDE
+    first = (i % across) * PRODUCTS_PER_THREAD
     if first <= row:
         a = min(first + 1, count - 1)
         b = min(first + 2, count - 1)
@@ -189,7 +189,7 @@ class CoherentField:
         """Move the positions to equilibrium. Returns the row coefficients (k, 3). Float64 on the host, one sync."""
         device, count, size = self.positions.device, self.count, self.positions.size
         square = zeros((count, count), float64, device)
-        across = -(-count // WIDE)
+        across = -(-count // PRODUCTS_PER_THREAD)
         launch(square_rows_kernel, count * across, [self.rows, count, sums, size, square])
         right = empty(count, vec3d, device)
         launch(pull_rows_kernel, count, [self.rows, self.positions, sums, size, right])

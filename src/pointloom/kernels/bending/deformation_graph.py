@@ -35,10 +35,10 @@ from ..meshes.vertex_neighbors import VertexNeighbors
 from ..search.point_tree import PointTree
 from ..search.tree_search import search_nearest
 
-MEMBERS = 4  # nodes that influence a point, as in the paper
-LISTED = 5  # plus the next one, where the weight becomes zero
-PAIRS = 6  # pairs of members
-WIDE = 2.0  # with fewer nodes, weights vanish at this multiple of the farthest distance
+NODES_PER_POINT = 4  # nodes that influence a point, as in the paper
+LISTED_NODES = 5  # plus the next one, where the weight becomes zero
+MEMBER_PAIRS = 6  # pairs of members
+FEW_NODES_RADIUS = 2.0  # with fewer nodes, weights vanish at this multiple of the farthest distance
 
 
 @struct
@@ -52,13 +52,13 @@ class DeformationGraph:
 
     def __init__(self, nodes: Points, rotations: Array1[mat33d], centers: Positions) -> None:
         self.nodes, self.rotations, self.centers = nodes, rotations, centers
-        self.count, self.listed = nodes.size, min(LISTED, nodes.size)
+        self.count, self.listed = nodes.size, min(LISTED_NODES, nodes.size)
         self.tree = PointTree(nodes)
 
 
 @struct
 class Influence:
-    """Nodes of points: `near` (n listed); influencing `members` (MEMBERS n); `fractions`: weights, 0 if missing."""
+    """Nodes of points: `near` (n listed); influencing `members` (four each); `fractions`: weights, 0 if missing."""
 
     points: array(dtype=vec3)
     near: array(dtype=int32)
@@ -69,7 +69,8 @@ class Influence:
         count, device = points.size, points.device
         self.points, self.count = points, count
         self.near = flat(search_nearest(graph.tree, points, graph.listed)[0])
-        self.members, self.fractions = empty(MEMBERS * count, int32, device), empty(MEMBERS * count, float64, device)
+        listed = NODES_PER_POINT * count
+        self.members, self.fractions = empty(listed, int32, device), empty(listed, float64, device)
         launch(share_nodes_kernel, count, [graph, self])
 
 
@@ -83,12 +84,12 @@ def distance_between(p: vec3d, q: vec3d) -> float64:
 def end_of_weights(p: vec3d, first: int, near: array(dtype=int32), graph: DeformationGraph) -> float64:
     """Distance of zero weight."""
     farthest = distance_between(p, widen(graph.nodes[near[first + graph.listed - 1]]))
-    return farthest if graph.listed == LISTED else float64(WIDE) * farthest
+    return farthest if graph.listed == LISTED_NODES else float64(FEW_NODES_RADIUS) * farthest
 
 
 @func
 def members_of(listed: int) -> int:
-    return min(listed, MEMBERS)
+    return min(listed, NODES_PER_POINT)
 
 
 @kernel
@@ -97,37 +98,37 @@ def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
     i = tid()
     p = widen(influence.points[i])
     first = graph.listed * i
-    n = int(MEMBERS)
+    n = int(NODES_PER_POINT)
     for k in range(n):
-        influence.members[MEMBERS * i + k] = 0
-        influence.fractions[MEMBERS * i + k] = 0.0
+        influence.members[NODES_PER_POINT * i + k] = 0
+        influence.fractions[NODES_PER_POINT * i + k] = 0.0
     if isfinite(p) and influence.near[first] >= 0:
         end = end_of_weights(p, first, influence.near, graph)
         total = float64(0.0)
         for k in range(members_of(graph.listed)):
             node = influence.near[first + k]
-            influence.members[MEMBERS * i + k] = node
+            influence.members[NODES_PER_POINT * i + k] = node
             weight = float64(0.0)
             if end > 0.0:
                 weight = max(1.0 - distance_between(p, widen(graph.nodes[node])) / end, 0.0)
-            influence.fractions[MEMBERS * i + k] = weight * weight
+            influence.fractions[NODES_PER_POINT * i + k] = weight * weight
             total += weight * weight
         if total > 0.0:
             for k in range(n):
-                influence.fractions[MEMBERS * i + k] = influence.fractions[MEMBERS * i + k] / total
+                influence.fractions[NODES_PER_POINT * i + k] = influence.fractions[NODES_PER_POINT * i + k] / total
         else:
-            influence.fractions[MEMBERS * i] = 1.0
+            influence.fractions[NODES_PER_POINT * i] = 1.0
 
 
 @func
 def deformed_position(i: int, graph: DeformationGraph, influence: Influence) -> vec3d:
     p = widen(influence.points[i])
     total = vec3d(0.0, 0.0, 0.0)
-    n = int(MEMBERS)
+    n = int(NODES_PER_POINT)
     for k in range(n):
-        fraction = influence.fractions[MEMBERS * i + k]
+        fraction = influence.fractions[NODES_PER_POINT * i + k]
         if fraction > 0.0:
-            node = influence.members[MEMBERS * i + k]
+            node = influence.members[NODES_PER_POINT * i + k]
             total += fraction * (graph.rotations[node] @ (p - widen(graph.nodes[node])) + graph.centers[node])
     return total
 
@@ -150,7 +151,7 @@ def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
     pulls = mat33d(zero, zero, zero, zero, zero, zero, zero, zero, zero)
     for k in range(members_of(graph.listed)):
         node = influence.near[first + k]
-        fraction = influence.fractions[MEMBERS * i + k]
+        fraction = influence.fractions[NODES_PER_POINT * i + k]
         arm = p - widen(graph.nodes[node])
         away = sqrt(dot(arm, arm))
         slope = slope + fraction * graph.rotations[node]
@@ -266,14 +267,15 @@ def key_neighbors_kernel(influence: Influence, bits: int, keys: array(dtype=int6
     """Keys of node pairs that share a point, lower first. The maximum for none."""
     i = tid()
     none = (int64(1) << int64(2 * bits)) - 1
-    at = PAIRS * i
-    n = int(MEMBERS)
+    at = MEMBER_PAIRS * i
+    n = int(NODES_PER_POINT)
+    first = n * i
     for a in range(n):
         for b in range(a + 1, n):
             key = none
-            if influence.fractions[MEMBERS * i + a] > 0.0 and influence.fractions[MEMBERS * i + b] > 0.0:
-                low = min(influence.members[MEMBERS * i + a], influence.members[MEMBERS * i + b])
-                high = max(influence.members[MEMBERS * i + a], influence.members[MEMBERS * i + b])
+            if influence.fractions[first + a] > 0.0 and influence.fractions[first + b] > 0.0:
+                low = min(influence.members[first + a], influence.members[first + b])
+                high = max(influence.members[first + a], influence.members[first + b])
                 key = (int64(low) << int64(bits)) | int64(high)
             keys[at] = key
             at += 1
@@ -294,7 +296,7 @@ class NodePairs:
 
     def __init__(self, graph: DeformationGraph, influence: Influence) -> None:
         device, bits = graph.nodes.device, max(1, graph.count.bit_length())
-        keys = empty(PAIRS * influence.count, int64, device)
+        keys = empty(MEMBER_PAIRS * influence.count, int64, device)
         launch(key_neighbors_kernel, influence.count, [influence, bits, keys])
         unique = UniqueKeys(keys, 2 * bits)  # sync
         unique.drop_last((1 << (2 * bits)) - 1)

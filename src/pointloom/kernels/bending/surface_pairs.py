@@ -12,8 +12,8 @@ from ..search.point_tree import PointTree
 from ..search.tree_search import search_nearest
 from .bending_steps import BendingRows
 
-BORDER = 0.3  # of the neighborhood radius: between boundary and interior
-AROUND = 20  # neighbors. Points with fewer than half of them are not classified
+BORDER_FRACTION = 0.3  # of the neighborhood radius: between boundary and interior
+BORDER_NEIGHBORS = 20  # neighbors. Points with fewer than half of them are not classified
 
 
 @struct
@@ -55,7 +55,7 @@ def find_borders_kernel(
     i = tid()
     is_border = 0
     count = counts[i]
-    if count > AROUND // 2:
+    if count > BORDER_NEIGHBORS // 2:
         p = widen(points[i])
         total = vec3d(0.0, 0.0, 0.0)
         for k in range(count):
@@ -64,7 +64,7 @@ def find_borders_kernel(
         n = widen(normals[i])
         total = total - dot(total, n) * n
         sqradius = float64(sqdists[i, count - 1])
-        if dot(total, total) > float64(BORDER * BORDER) * sqradius:
+        if dot(total, total) > float64(BORDER_FRACTION * BORDER_FRACTION) * sqradius:
             is_border = 1
     borders[i] = is_border
 
@@ -131,7 +131,7 @@ def pin_rows_kernel(first: int, targets: array(dtype=vec3d), weight: float64, ro
 
 
 def find_borders(tree: PointTree, normals: Vectors) -> Integers:
-    near: tuple[Array2[int32], Array2[float32], Integers] = search_nearest(tree, tree.source, AROUND)
+    near: tuple[Array2[int32], Array2[float32], Integers] = search_nearest(tree, tree.source, BORDER_NEIGHBORS)
     borders = empty(tree.source.size, int32, tree.device)
     launch(find_borders_kernel, borders.size, [tree.source, normals, *near, borders])
     return borders

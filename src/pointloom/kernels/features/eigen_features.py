@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from ..search.point_tree import PointTree
 
 MIN_NEIGHBORS = 3.0  # fewer points define no plane
-BALL = 4.18879020478639  # the volume of a ball of radius 1
-FLAT = 1.0e-15  # of the largest eigenvalue: below is rounding
+UNIT_BALL_VOLUME = 4.18879020478639  # the volume of a ball of radius 1
+MIN_RELATIVE_EIGENVALUE = 1.0e-15  # of the largest eigenvalue: below is rounding
 SHAPES = (
     "linearity",
     "planarity",
@@ -42,7 +42,7 @@ SHAPES = (
 def eigenvalues_of(m: moments) -> vec3d:
     """Eigenvalues [m^2] of the covariance in ascending order. Zero below rounding."""
     values = eigenvalues(covariance_of(m))
-    floor_value = values[2] * float64(FLAT)
+    floor_value = values[2] * float64(MIN_RELATIVE_EIGENVALUE)
     low = float64(0.0)
     middle = float64(0.0)
     if values[0] > floor_value:
@@ -88,7 +88,7 @@ def density_of(count: float64, sqdist: float) -> float:
     density = float(NAN)
     if sqdist > 0.0 and sqdist < LARGEST_SQDIST:
         radius = sqrt(float64(sqdist))
-        density = float(count / (radius * radius * radius * float64(BALL)))
+        density = float(count / (radius * radius * radius * float64(UNIT_BALL_VOLUME)))
     return density
 
 

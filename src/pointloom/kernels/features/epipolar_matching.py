@@ -11,8 +11,8 @@ from ..lang import array, float64, func, int32, kernel, launch, struct, tid, uin
 from ..memory import download, empty, upload
 
 NO_MATCH = -1
-FARTHEST = 0x7FFFFFFF  # above any squared descriptor distance
-WIDTH = 128  # numbers of a descriptor
+MAX_SQUARED_DISTANCE = 0x7FFFFFFF  # above any squared descriptor distance
+DESCRIPTOR_SIZE = 128  # numbers of a descriptor
 
 
 @struct
@@ -60,7 +60,7 @@ def search_of(thread: int, starts: array(dtype=int32)) -> int:
 @func
 def descriptor_sqdist(a: int, b: int, descriptors: array(dtype=uint8, ndim=2)) -> int:
     total = int(0)
-    for k in range(WIDTH):
+    for k in range(DESCRIPTOR_SIZE):
         difference = int(descriptors[a, k]) - int(descriptors[b, k])
         total += difference * difference
     return total
@@ -88,8 +88,8 @@ def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, mat
     e20 = searches.essential[s, 6]
     e21 = searches.essential[s, 7]
     best = int(NO_MATCH)
-    min_sqdist = int(FARTHEST)
-    second_sqdist = int(FARTHEST)
+    min_sqdist = int(MAX_SQUARED_DISTANCE)
+    second_sqdist = int(MAX_SQUARED_DISTANCE)
     for j in range(features.firsts[second], features.firsts[second + 1]):
         u = features.rays[j, 0]
         v = features.rays[j, 1]
@@ -112,7 +112,7 @@ def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, mat
 
 
 def match_along_lines(searches: LineSearches, features: LineFeatures, count: int) -> np.ndarray:
-    """int32 (count, 3) per search thread: match or NO_MATCH, its squared distance and the second, or FARTHEST."""
+    """int32 (count, 3) per search thread: match or NO_MATCH, its squared distance and the second (or the maximum)."""
     matches: Array2[int32] = empty((count, 3), int32, searches.starts.device)
     launch(match_along_lines_kernel, count, [searches, features, matches])
     return download(matches)  # sync

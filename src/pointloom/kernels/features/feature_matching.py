@@ -33,16 +33,27 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full, zeros
-from .feature_tree import AXES, BOXED, FAN, GROUP, SIDES, STEP, FeatureRows, FeatureTree, axes, find_axes
+from .feature_tree import (
+    BOX_AXES,
+    FAN_OUT,
+    NUMBERS_PER_NODE,
+    NUMBERS_PER_STEP,
+    ROW_AXES,
+    ROWS_PER_GROUP,
+    FeatureRows,
+    FeatureTree,
+    axes,
+    find_axes,
+)
 
 NO_ROW_KEY = 0x7F80_0000_FFFF_FFFF  # above all other keys: infinite distance, no row
-BITS = 0xFFFF  # pending bits of one level
-ABOVE = 0xFFFF_FFFF_0000  # pending bits of the upper levels
-EQUAL = 1  # a group of equal rows ...
+LEVEL_BITS = 0xFFFF  # pending bits of one level
+UPPER_BITS = 0xFFFF_FFFF_0000  # pending bits of the upper levels
+EQUAL_ROWS = 1  # a group of equal rows ...
 FIRST_TWO = 3  # ... of which these two lanes are sufficient
-REPEATED = 2  # equal to the previous group, which has lower numbers
+REPEATED_ROWS = 2  # equal to the previous group, which has lower numbers
 WIDEST_LIMIT = 3.0e38  # initial limit: below infinity, which marks missing children
-TINY = 1.0e-30  # covers subnormal products, whose rounding is not relative
+MIN_PRODUCT = 1.0e-30  # covers subnormal products, whose rounding is not relative
 
 lanes = vector(16, float32)
 eight = vector(8, float32)
@@ -53,9 +64,9 @@ closest = vector(2, int64)  # keys of the nearest row and the second nearest
 def square_distance(a: int, some: array(dtype=float32), b: int, others: array(dtype=float32), width: int) -> float:
     """|a - b|^2 of packed rows, as eight parallel sums. Symmetric."""
     sums = eight(0.0)
-    for c in range(width // STEP):
-        for j in range(STEP):
-            gap = some[a + c * STEP + j] - others[b + c * STEP + j]
+    for c in range(width // NUMBERS_PER_STEP):
+        for j in range(NUMBERS_PER_STEP):
+            gap = some[a + c * NUMBERS_PER_STEP + j] - others[b + c * NUMBERS_PER_STEP + j]
             sums[j] += gap * gap
     return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]))
 
@@ -67,13 +78,13 @@ def limit_of(key: int64, slack: float, margin: float) -> float:
     `slack` covers (d / 8 + 6) u of the row's distance and 20 u of the coordinates'.
     """
     bound = sqrt(key_number(key)) * slack + margin
-    return smaller(bound * bound * slack + TINY, WIDEST_LIMIT)
+    return smaller(bound * bound * slack + MIN_PRODUCT, WIDEST_LIMIT)
 
 
 @func
 def lanes_within(sqdists: lanes, limit: float) -> int:
     bits = 0
-    for j in range(FAN):
+    for j in range(FAN_OUT):
         bits = bits | ((1 if sqdists[j] <= limit else 0) << j)
     return bits
 
@@ -82,7 +93,7 @@ def lanes_within(sqdists: lanes, limit: float) -> int:
 def smallest_lane(sqdists: lanes) -> int:
     lane = 0
     smallest = sqdists[0]
-    for j in range(1, FAN):
+    for j in range(1, FAN_OUT):
         if sqdists[j] < smallest:
             smallest = sqdists[j]
             lane = j
@@ -92,12 +103,12 @@ def smallest_lane(sqdists: lanes) -> int:
 @func
 def measure_children(node: int, boxes: array(dtype=float32), y: axes) -> lanes:
     """Squared distances to the boxes of a node's children, infinite for missing children."""
-    at = node * SIDES
+    at = node * NUMBERS_PER_NODE
     sqdists = lanes(0.0)
-    for k in range(BOXED):
+    for k in range(BOX_AXES):
         x = y[k]
-        for j in range(FAN):
-            gap = larger(larger(boxes[at + k * FAN + j] - x, x - boxes[at + (BOXED + k) * FAN + j]), 0.0)
+        for j in range(FAN_OUT):
+            gap = larger(larger(boxes[at + k * FAN_OUT + j] - x, x - boxes[at + (BOX_AXES + k) * FAN_OUT + j]), 0.0)
             sqdists[j] += gap * gap
     return sqdists
 
@@ -105,19 +116,19 @@ def measure_children(node: int, boxes: array(dtype=float32), y: axes) -> lanes:
 @func
 def rows_within(group: int, grouped: array(dtype=float32), y: axes, limit: float) -> int:
     """Bit mask of a group's rows within the limit by coordinates."""
-    at = group * AXES * GROUP
+    at = group * ROW_AXES * ROWS_PER_GROUP
     sqdists = lanes(0.0)
-    for k in range(BOXED):
+    for k in range(BOX_AXES):
         x = y[k]
-        for j in range(GROUP):
-            gap = grouped[at + k * GROUP + j] - x
+        for j in range(ROWS_PER_GROUP):
+            gap = grouped[at + k * ROWS_PER_GROUP + j] - x
             sqdists[j] += gap * gap
     bits = lanes_within(sqdists, limit)
     if bits != 0:
-        for k in range(BOXED, AXES):
+        for k in range(BOX_AXES, ROW_AXES):
             x = y[k]
-            for j in range(GROUP):
-                gap = grouped[at + k * GROUP + j] - x
+            for j in range(ROWS_PER_GROUP):
+                gap = grouped[at + k * ROWS_PER_GROUP + j] - x
                 sqdists[j] += gap * gap
         bits = lanes_within(sqdists, limit)
     return bits
@@ -126,9 +137,9 @@ def rows_within(group: int, grouped: array(dtype=float32), y: axes, limit: float
 @func
 def coordinates_of(position: int, tree: FeatureTree) -> axes:
     y = axes(0.0)
-    at = (position // GROUP) * AXES * GROUP + position % GROUP
-    for k in range(AXES):
-        y[k] = tree.grouped[at + k * GROUP]
+    at = (position // ROWS_PER_GROUP) * ROW_AXES * ROWS_PER_GROUP + position % ROWS_PER_GROUP
+    for k in range(ROW_AXES):
+        y[k] = tree.grouped[at + k * ROWS_PER_GROUP]
     return y
 
 
@@ -140,14 +151,14 @@ def offer_group(
     best = keys[0]
     next_best = keys[1]
     left = 0
-    if tree.alike[group] != REPEATED:
+    if tree.alike[group] != REPEATED_ROWS:
         left = rows_within(group, tree.grouped, y, limit)
-        if tree.alike[group] == EQUAL:
+        if tree.alike[group] == EQUAL_ROWS:
             left = left & FIRST_TWO
     while left != 0:
         lowest = left & (-left)
         left = left ^ lowest
-        row = group * GROUP + bit_count(lowest - 1)
+        row = group * ROWS_PER_GROUP + bit_count(lowest - 1)
         sqdist = square_distance(position * tree.width, queries.packed, row * tree.width, tree.packed, tree.width)
         key = pack_key(sqdist, tree.labels[row])
         if key < best:
@@ -168,9 +179,9 @@ def closest_group(y: axes, tree: FeatureTree) -> int:
         lane = smallest_lane(sqdists)
         if sqdists[lane] < min_sqdist:
             min_sqdist = sqdists[lane]
-            node = root * FAN + lane
-    node = node * FAN + smallest_lane(measure_children(tree.second + node, tree.boxes, y))
-    return node * FAN + smallest_lane(measure_children(node, tree.boxes, y))
+            node = root * FAN_OUT + lane
+    node = node * FAN_OUT + smallest_lane(measure_children(tree.second + node, tree.boxes, y))
+    return node * FAN_OUT + smallest_lane(measure_children(node, tree.boxes, y))
 
 
 @func
@@ -195,27 +206,27 @@ def search_rows(
         level = 3  # of the node; children of level 1 are groups
         left = int64(lanes_within(measure_children(tree.third + root, tree.boxes, y), limit)) << 32
         while left != 0 and searching == 1:
-            shift = int64(FAN * (level - 1))
-            bits = int(left >> shift) & BITS
+            shift = int64(FAN_OUT * (level - 1))
+            bits = int(left >> shift) & LEVEL_BITS
             if bits == 0:
-                node = node // FAN
+                node = node // FAN_OUT
                 level += 1
             else:
                 lowest = bits & (-bits)
                 left = left ^ (int64(lowest) << shift)
-                child = node * FAN + bit_count(lowest - 1)
+                child = node * FAN_OUT + bit_count(lowest - 1)
                 if level > 1:
                     node = child
                     level -= 1
                     first = 0 if level == 1 else tree.second
                     inside = lanes_within(measure_children(first + node, tree.boxes, y), limit)
-                    left = left | (int64(inside) << int64(FAN * (level - 1)))
+                    left = left | (int64(inside) << int64(FAN_OUT * (level - 1)))
                 elif child != searched:
                     now = offer_group(child, y, limit, position, queries, tree, updated)
                     if now[counted] < updated[counted]:
                         limit = limit_of(now[counted], slack, margin)
                         inside = lanes_within(measure_children(node, tree.boxes, y), limit)
-                        left = left & (int64(inside) | int64(ABOVE))
+                        left = left & (int64(inside) | int64(UPPER_BITS))
                         searching = 1 - stop
                     updated = now
     return updated

@@ -33,20 +33,20 @@ from ..lang import (
 )
 from ..memory import download, empty, upload, zeros
 
-LEADING = 15  # principal axes
-AXES = 16  # plus the residual length. With 9, three times as many rows need full comparisons
-BOXED = 6  # axes of a box: 9 would visit 10 % fewer groups in the same time
-GROUP = 16  # rows stored interleaved
-FAN = 16  # children of a node
-SIDES = 2 * BOXED * FAN  # numbers of child boxes: low per axis, then high
-STEP = 8  # numbers of a row summed in parallel
+LEADING_AXES = 15  # principal axes
+ROW_AXES = 16  # plus the residual length. With 9, three times as many rows need full comparisons
+BOX_AXES = 6  # axes of a box: 9 would visit 10 % fewer groups in the same time
+ROWS_PER_GROUP = 16  # rows stored interleaved
+FAN_OUT = 16  # children of a node
+NUMBERS_PER_NODE = 2 * BOX_AXES * FAN_OUT  # numbers of child boxes: low per axis, then high
+NUMBERS_PER_STEP = 8  # numbers of a row summed in parallel
 LARGEST_NUMBER = 1.0e15  # its squares can be summed in float32. Rows with larger numbers are excluded
-SAMPLE = 512  # rows per side for the axes
-ROUNDS = 4  # axes that rows are sorted along
-SKEW = 1.6  # ratio of slab counts along successive axes: the first ones separate best
+SAMPLED_ROWS = 512  # rows per side for the axes
+SORTED_AXES = 4  # axes that rows are sorted along
+SLAB_RATIO = 1.6  # ratio of slab counts along successive axes: the first ones separate best
 POWER_STEPS = 3  # power iterations per axis. More do not pay off
-INDEPENDENT = 1.0e-3  # minimum independent component of a vector that becomes an axis
-TINY = 1.0e-300  # replaces zero divisors
+MIN_INDEPENDENT_LENGTH = 1.0e-3  # minimum independent component of a vector that becomes an axis
+MIN_DIVISOR = 1.0e-300  # replaces zero divisors
 MAX_NUMBERS = 2**31 - 1  # of one array
 
 axes = vector(16, float32)
@@ -70,16 +70,16 @@ class FeatureRows:
         self.count = self.rows.size
 
     def sample(self) -> Array2[float32]:
-        sample = empty((min(SAMPLE, self.count), self.columns), float32, self.device)
+        sample = empty((min(SAMPLED_ROWS, self.count), self.columns), float32, self.device)
         launch(gather_sample_kernel, sample.shape[0], [self, sample])
         return sample
 
 
 @struct
 class FeatureTree:
-    """Ordered feature rows with boxes. `packed`: zero-padded rows; `grouped`: coordinates, GROUP rows interleaved;
-    `alike`: 1 if all rows of a group are equal, 2 if equal to the previous group's too; `boxes`: SIDES numbers per
-    node, lowest level first; `extent`: squared length of the longest coordinates.
+    """Ordered feature rows with boxes. `packed`: zero-padded rows; `grouped`: coordinates, interleaved by group;
+    `alike`: 1 if all rows of a group are equal, 2 if equal to the previous group's too; `boxes`: of the children of
+    each node, lowest level first; `extent`: squared length of the longest coordinates.
     """
 
     count: int
@@ -97,13 +97,13 @@ class FeatureTree:
     def __init__(self, source: FeatureRows, basis: Array2[float64]) -> None:
         """Sort a FeatureRows along the axes of `find_axes`, shared by both sides. Raises ValueError if too large."""
         self.device, self.count = source.device, source.count
-        self.width = -(-source.columns // STEP) * STEP
-        max_count = MAX_NUMBERS // max(self.width, AXES)
-        if self.count + GROUP > max_count:
+        self.width = -(-source.columns // NUMBERS_PER_STEP) * NUMBERS_PER_STEP
+        max_count = MAX_NUMBERS // max(self.width, ROW_AXES)
+        if self.count + ROWS_PER_GROUP > max_count:
             raise ValueError(
                 f"{self.count} features of {source.columns} numbers: one search holds {max_count}; split them"
             )
-        coordinates = empty((self.count, AXES), float32, self.device)
+        coordinates = empty((self.count, ROW_AXES), float32, self.device)
         launch(project_rows_kernel, self.count, [source, basis, coordinates])
         before, moves = self._sort(coordinates)
         order, self.labels = empty(self.count, int32, self.device), empty(self.count, int32, self.device)
@@ -123,17 +123,17 @@ class FeatureTree:
         return before, moves
 
     def _bound(self, coordinates: Array2[float32], order: Indices) -> None:
-        sizes = [max(1, -(-self.count // GROUP))]
+        sizes = [max(1, -(-self.count // ROWS_PER_GROUP))]
         for _ in range(3):
-            sizes.append(-(-sizes[-1] // FAN))
+            sizes.append(-(-sizes[-1] // FAN_OUT))
         groups, second, third, self.roots = sizes
         self.second, self.third = second, second + third
-        self.boxes = empty((second + third + self.roots) * SIDES, float32, self.device)
-        self.grouped = empty(groups * GROUP * AXES, float32, self.device)
+        self.boxes = empty((second + third + self.roots) * NUMBERS_PER_NODE, float32, self.device)
+        self.grouped = empty(groups * ROWS_PER_GROUP * ROW_AXES, float32, self.device)
         self.extent, self.alike = zeros(1, float32, self.device), zeros(groups, int32, self.device)
-        launch(bound_groups_kernel, second * FAN, [coordinates, order, self])
-        launch(bound_children_kernel, third * FAN, [0, self.second, self.boxes])
-        launch(bound_children_kernel, self.roots * FAN, [self.second, self.third, self.boxes])
+        launch(bound_groups_kernel, second * FAN_OUT, [coordinates, order, self])
+        launch(bound_children_kernel, third * FAN_OUT, [0, self.second, self.boxes])
+        launch(bound_children_kernel, self.roots * FAN_OUT, [self.second, self.third, self.boxes])
 
 
 @kernel
@@ -167,12 +167,12 @@ def project_rows_kernel(
     for c in range(source.features.shape[1]):
         x = float64(source.features[row, c]) - basis[c, 0]
         left += x * x
-        for k in range(LEADING):
+        for k in range(LEADING_AXES):
             along[k] += x * basis[c, 1 + k]
-    for k in range(LEADING):
+    for k in range(LEADING_AXES):
         left -= along[k] * along[k]
         coordinates[i, k] = float32(along[k])
-    coordinates[i, LEADING] = float32(sqrt(max(left, 0.0)))
+    coordinates[i, LEADING_AXES] = float32(sqrt(max(left, 0.0)))
 
 
 @kernel
@@ -234,34 +234,34 @@ def is_one_row(first: int, last: int, tree: FeatureTree) -> int:
 def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(dtype=int32), tree: FeatureTree):
     """Interleaved coordinates, box, `alike` flag and maximum length of a group. Padding is at infinity."""
     i = tid()
-    first = i * GROUP
-    size = max(0, min(GROUP, order.shape[0] - first))
+    first = i * ROWS_PER_GROUP
+    size = max(0, min(ROWS_PER_GROUP, order.shape[0] - first))
     low = boxed(INFINITY)
     high = boxed(-INFINITY)
     longest = 0.0
     for lane in range(size):
         position = order[first + lane]
         sqlength = 0.0
-        for k in range(AXES):
+        for k in range(ROW_AXES):
             x = coordinates[position, k]
-            tree.grouped[(i * AXES + k) * GROUP + lane] = x
+            tree.grouped[(i * ROW_AXES + k) * ROWS_PER_GROUP + lane] = x
             sqlength += x * x
-        for k in range(BOXED):
+        for k in range(BOX_AXES):
             low[k] = smaller(low[k], coordinates[position, k])
             high[k] = larger(high[k], coordinates[position, k])
         longest = larger(longest, sqlength)
-    at = (i // FAN) * SIDES + i % FAN
-    for k in range(BOXED):
-        tree.boxes[at + k * FAN] = low[k]
-        tree.boxes[at + (BOXED + k) * FAN] = high[k]
+    at = (i // FAN_OUT) * NUMBERS_PER_NODE + i % FAN_OUT
+    for k in range(BOX_AXES):
+        tree.boxes[at + k * FAN_OUT] = low[k]
+        tree.boxes[at + (BOX_AXES + k) * FAN_OUT] = high[k]
     if i < tree.alike.shape[0]:
-        for lane in range(size, GROUP):
-            for k in range(AXES):
-                tree.grouped[(i * AXES + k) * GROUP + lane] = INFINITY
+        for lane in range(size, ROWS_PER_GROUP):
+            for k in range(ROW_AXES):
+                tree.grouped[(i * ROW_AXES + k) * ROWS_PER_GROUP + lane] = INFINITY
     if size > 0:
         equal = is_one_row(first, first + size, tree)
         if equal == 1 and i > 0:
-            equal += is_one_row(first - GROUP, first + size, tree)
+            equal += is_one_row(first - ROWS_PER_GROUP, first + size, tree)
         tree.alike[i] = equal
         atomic_max(tree.extent, 0, longest)  # maximum: order-independent
 
@@ -270,24 +270,24 @@ def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(
 def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
     """Copy the node boxes of a level into their parents. Empty for missing nodes."""
     i = tid()
-    at = (first + i // FAN) * SIDES + i % FAN
-    for k in range(BOXED):
+    at = (first + i // FAN_OUT) * NUMBERS_PER_NODE + i % FAN_OUT
+    for k in range(BOX_AXES):
         low = float(INFINITY)
         high = -float(INFINITY)
         if below + i < first:
-            for j in range(FAN):
-                child = (below + i) * SIDES + k * FAN + j
+            for j in range(FAN_OUT):
+                child = (below + i) * NUMBERS_PER_NODE + k * FAN_OUT + j
                 low = smaller(low, boxes[child])
-                high = larger(high, boxes[child + BOXED * FAN])
-        boxes[at + k * FAN] = low
-        boxes[at + (BOXED + k) * FAN] = high
+                high = larger(high, boxes[child + BOX_AXES * FAN_OUT])
+        boxes[at + k * FAN_OUT] = low
+        boxes[at + (BOX_AXES + k) * FAN_OUT] = high
 
 
 def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
-    """Mean and leading axes of samples of two FeatureRows, float64 (d, 1 + LEADING), or zeros for missing axes."""
+    """Mean and leading axes of samples of two FeatureRows, float64 (d, 1 + LEADING_AXES), or zeros for missing axes."""
     samples = concatenate_rows([side.sample().flatten() for side in (source, target)])
     rows = download(samples).astype(np.float64).reshape(-1, source.columns)  # sync
-    basis = np.zeros((source.columns, 1 + LEADING))
+    basis = np.zeros((source.columns, 1 + LEADING_AXES))
     if len(rows):
         basis[:, 0] = rows.mean(axis=0)
         rows -= basis[:, 0]
@@ -297,17 +297,17 @@ def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
 
 def leading_axes(scatter: np.ndarray) -> np.ndarray:
     """Approximate leading eigenvectors by power iterations. LAPACK's spinning threads would delay the next kernels."""
-    axes = np.zeros((len(scatter), LEADING))
-    left = scatter / max(np.trace(scatter), TINY)
-    for k in range(min(LEADING, len(scatter))):
+    axes = np.zeros((len(scatter), LEADING_AXES))
+    left = scatter / max(np.trace(scatter), MIN_DIVISOR)
+    for k in range(min(LEADING_AXES, len(scatter))):
         axis = left[:, np.argmax(np.diag(left))]
         for _ in range(POWER_STEPS):
             axis = np.einsum("ij,j->i", left, axis)
-            axis = axis / max(np.sqrt((axis * axis).sum()), TINY)
+            axis = axis / max(np.sqrt((axis * axis).sum()), MIN_DIVISOR)
         for _ in range(2):  # the second pass corrects rounding of the first
             axis = axis - np.einsum("ij,j->i", axes, np.einsum("ij,i->j", axes, axis))
             length = np.sqrt((axis * axis).sum())
-            if length < INDEPENDENT:
+            if length < MIN_INDEPENDENT_LENGTH:
                 return axes
             axis = axis / length
         axes[:, k] = axis
@@ -319,8 +319,8 @@ def leading_axes(scatter: np.ndarray) -> np.ndarray:
 
 def slab_sizes(count: int) -> list[int]:
     """Row counts of the slabs in each round."""
-    fan = max(1.0, count / GROUP) ** (1 / ROUNDS)
-    sizes = [GROUP]
-    for k in range(ROUNDS - 1):
-        sizes.append(sizes[-1] * max(1, round(fan * SKEW ** (k - (ROUNDS - 1) / 2))))
+    fan = max(1.0, count / ROWS_PER_GROUP) ** (1 / SORTED_AXES)
+    sizes = [ROWS_PER_GROUP]
+    for k in range(SORTED_AXES - 1):
+        sizes.append(sizes[-1] * max(1, round(fan * SLAB_RATIO ** (k - (SORTED_AXES - 1) / 2))))
     return [max(1, count), *reversed(sizes[1:])]

@@ -38,7 +38,7 @@ from ..search.distinct_points import by_distinct_points, distinct_points
 from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of, store_members
 from ..search.point_tree import LEAF
-from .pair_angles import BIN_BITS, BIN_MASK, BINS, COLUMNS, MIDDLE, quick_bins, resolved_bins
+from .pair_angles import BIN_BITS, BIN_MASK, BINS_PER_ANGLE, FEATURE_COLUMNS, ZERO_BIN, quick_bins, resolved_bins
 
 if TYPE_CHECKING:
     from ..search.point_tree import PointTree
@@ -86,8 +86,8 @@ def bin_listed(
                 other = key_index(key)
                 bins = resolved_bins(pairs[j], p, n, neighborhood.tree.points[other], normals[other])
                 counts[bins & BIN_MASK] += 1
-                counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
-                counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
+                counts[BINS_PER_ANGLE + ((bins >> BIN_BITS) & BIN_MASK)] += 1
+                counts[2 * BINS_PER_ANGLE + (bins >> (2 * BIN_BITS))] += 1
     return counts
 
 
@@ -101,8 +101,8 @@ def bin_by_traversal(rank: int, neighborhood: Neighborhood, normals: array(dtype
         q = neighborhood.tree.points[j]
         bins = resolved_bins(quick_bins(q - p, n, normals[j]), p, n, q, normals[j])
         counts[bins & BIN_MASK] += 1
-        counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
-        counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
+        counts[BINS_PER_ANGLE + ((bins >> BIN_BITS) & BIN_MASK)] += 1
+        counts[2 * BINS_PER_ANGLE + (bins >> (2 * BIN_BITS))] += 1
     return counts
 
 
@@ -110,12 +110,12 @@ def bin_by_traversal(rank: int, neighborhood: Neighborhood, normals: array(dtype
 def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float32, ndim=2)):
     """Write a point's histogram, 100 per angle, without itself (middle bins) or, as in Open3D, a duplicate."""
     pairs = -1
-    for j in range(BINS):
+    for j in range(BINS_PER_ANGLE):
         pairs += counts[j]
     fraction = 100.0 / float(max(pairs, 1))
-    for j in range(COLUMNS):
+    for j in range(FEATURE_COLUMNS):
         own = 0
-        if j % BINS == MIDDLE:
+        if j % BINS_PER_ANGLE == ZERO_BIN:
             own = 1
         histograms[rank, j] = float(counts[j] - own) * fraction
 
@@ -144,14 +144,14 @@ def count_angles(neighborhood: Neighborhood, normals: Vectors, ranks: Integers) 
     """Histograms at the tree positions `ranks`, float32 (tree.count, 33), else zeros; `normals` in tree order."""
     tree = neighborhood.tree
     make = empty if ranks.size == tree.count else zeros  # a tie may read an unwritten row, with zero weight
-    histograms = make((tree.count, COLUMNS), float32, tree.device)
+    histograms = make((tree.count, FEATURE_COLUMNS), float32, tree.device)
     neighborhood.visit(count_angles_kernel, ranks, [normals, histograms])
     return histograms
 
 
-HALF = 16  # columns of a vector register. A row has two of them and one number
-HEAVIEST = 1.0e30  # [1 / m^2] weight of points closer than 1e-15 m: finite for any number of neighbors
-MAX_POINTS = (2**31 - 1) // COLUMNS  # array elements are counted in 32 bits
+HALF_COLUMNS = 16  # columns of a vector register. A row has two of them and one number
+MAX_WEIGHT = 1.0e30  # [1 / m^2] weight of points closer than 1e-15 m: finite for any number of neighbors
+MAX_POINTS = (2**31 - 1) // FEATURE_COLUMNS  # array elements are counted in 32 bits
 half_row = vector(16, float32)
 
 
@@ -190,7 +190,7 @@ def copy_features_kernel(
     """Features in the requested order. NaN for points without."""
     i = tid()
     position = positions[rows[i]]
-    for c in range(COLUMNS):
+    for c in range(FEATURE_COLUMNS):
         value = float(NAN)
         if position < count:
             value = compact[slots[position], c]
@@ -201,7 +201,7 @@ def copy_features_kernel(
 def fill_missing_features_kernel(order: array(dtype=int32), count: int, features: array(dtype=float32, ndim=2)):
     i = tid()
     row = order[count + i]
-    for c in range(COLUMNS):
+    for c in range(FEATURE_COLUMNS):
         features[row, c] = NAN
 
 
@@ -210,7 +210,7 @@ def weight_of(sqdist: float) -> float:
     """1 / squared distance [1 / m^2]. 0 for coincident points."""
     weight = 0.0
     if sqdist > 0.0:
-        weight = min(1.0 / sqdist, HEAVIEST)
+        weight = min(1.0 / sqdist, MAX_WEIGHT)
     return weight
 
 
@@ -249,21 +249,21 @@ def sum_listed(
         i1 = key_index(keys[min(j + 1, last)])
         i2 = key_index(keys[min(j + 2, last)])
         i3 = key_index(keys[min(j + 3, last)])
-        for c in range(HALF):
+        for c in range(HALF_COLUMNS):
             low[c] += (w0 * histograms[i0, c] + w1 * histograms[i1, c]) + (
                 w2 * histograms[i2, c] + w3 * histograms[i3, c]
             )
-        for c in range(HALF):
-            high[c] += (w0 * histograms[i0, HALF + c] + w1 * histograms[i1, HALF + c]) + (
-                w2 * histograms[i2, HALF + c] + w3 * histograms[i3, HALF + c]
+        for c in range(HALF_COLUMNS):
+            high[c] += (w0 * histograms[i0, HALF_COLUMNS + c] + w1 * histograms[i1, HALF_COLUMNS + c]) + (
+                w2 * histograms[i2, HALF_COLUMNS + c] + w3 * histograms[i3, HALF_COLUMNS + c]
             )
-        end += (w0 * histograms[i0, 2 * HALF] + w1 * histograms[i1, 2 * HALF]) + (
-            w2 * histograms[i2, 2 * HALF] + w3 * histograms[i3, 2 * HALF]
+        end += (w0 * histograms[i0, 2 * HALF_COLUMNS] + w1 * histograms[i1, 2 * HALF_COLUMNS]) + (
+            w2 * histograms[i2, 2 * HALF_COLUMNS] + w3 * histograms[i3, 2 * HALF_COLUMNS]
         )
-    for c in range(HALF):
+    for c in range(HALF_COLUMNS):
         features[row, c] = low[c]
-        features[row, HALF + c] = high[c]
-    features[row, 2 * HALF] = end
+        features[row, HALF_COLUMNS + c] = high[c]
+    features[row, 2 * HALF_COLUMNS] = end
 
 
 @func
@@ -280,15 +280,15 @@ def sum_by_traversal(
     end = 0.0
     for j, sqdist in neighbors_of(rank, neighborhood):
         weight = weight_of(sqdist)
-        for c in range(HALF):
+        for c in range(HALF_COLUMNS):
             low[c] += weight * histograms[j, c]
-        for c in range(HALF):
-            high[c] += weight * histograms[j, HALF + c]
-        end += weight * histograms[j, 2 * HALF]
-    for c in range(HALF):
+        for c in range(HALF_COLUMNS):
+            high[c] += weight * histograms[j, HALF_COLUMNS + c]
+        end += weight * histograms[j, 2 * HALF_COLUMNS]
+    for c in range(HALF_COLUMNS):
         features[row, c] = low[c]
-        features[row, HALF + c] = high[c]
-    features[row, 2 * HALF] = end
+        features[row, HALF_COLUMNS + c] = high[c]
+    features[row, 2 * HALF_COLUMNS] = end
 
 
 @func
@@ -305,10 +305,10 @@ def finish_row(rank: int, histograms: array(dtype=float32, ndim=2), row: int, fe
     """Scale the sum to 100 per angle and add the point's own histogram."""
     for angle in range(3):
         total = 0.0
-        for j in range(angle * BINS, angle * BINS + BINS):
+        for j in range(angle * BINS_PER_ANGLE, angle * BINS_PER_ANGLE + BINS_PER_ANGLE):
             total += features[row, j]
         scale = scale_of(total)
-        for j in range(angle * BINS, angle * BINS + BINS):
+        for j in range(angle * BINS_PER_ANGLE, angle * BINS_PER_ANGLE + BINS_PER_ANGLE):
             features[row, j] = features[row, j] * scale + histograms[rank, j]
 
 
@@ -362,7 +362,7 @@ def sum_histograms_of_lanes_kernel(
                 key = scratch.keys[i - own + owner + (chunk * WARP + min(own, left - 1)) * scratch.stride]
                 weight = weight_of(key_number(key))
                 if own < left:
-                    end += weight * histograms[key_index(key), 2 * HALF]
+                    end += weight * histograms[key_index(key), 2 * HALF_COLUMNS]
                 for j in range(left):
                     total += shuffle(weight, j) * histograms[shuffle(key_index(key), j), own]
             if count < 0:
@@ -370,19 +370,19 @@ def sum_histograms_of_lanes_kernel(
                     weight = weight_of(sqdist)
                     total += weight * histograms[j, own]
                     if own == 0:
-                        end += weight * histograms[j, 2 * HALF]
+                        end += weight * histograms[j, 2 * HALF_COLUMNS]
             end = sum_of_lanes(end)
             sums = vec3(0.0, 0.0, 0.0)
-            for c in range(BINS):
-                third = shuffle(total, min(2 * BINS + c, 2 * HALF - 1))
-                if c == BINS - 1:
+            for c in range(BINS_PER_ANGLE):
+                third = shuffle(total, min(2 * BINS_PER_ANGLE + c, 2 * HALF_COLUMNS - 1))
+                if c == BINS_PER_ANGLE - 1:
                     third = end  # the column behind the lanes
-                sums += vec3(shuffle(total, c), shuffle(total, BINS + c), third)
-            angle = own // BINS
+                sums += vec3(shuffle(total, c), shuffle(total, BINS_PER_ANGLE + c), third)
+            angle = own // BINS_PER_ANGLE
             per_angle = sums[0] if angle == 0 else (sums[1] if angle == 1 else sums[2])
             features[row, own] = total * scale_of(per_angle) + histograms[rank, own]
             if own == 0:
-                features[row, 2 * HALF] = end * scale_of(sums[2]) + histograms[rank, 2 * HALF]
+                features[row, 2 * HALF_COLUMNS] = end * scale_of(sums[2]) + histograms[rank, 2 * HALF_COLUMNS]
         sync_lanes()  # before the next group overwrites the keys
         sync_lanes()
 
@@ -428,7 +428,7 @@ def _in_tree_order(tree: "PointTree", normals: Vectors) -> Vectors:
 
 def _compute_all(tree: "PointTree", sorted_normals: Vectors, radius: float, max_nn: int | None) -> Array2[float32]:
     n, device = tree.source.size, tree.device
-    features = empty((n, COLUMNS), float32, device)
+    features = empty((n, FEATURE_COLUMNS), float32, device)
     neighborhood = Neighborhood(tree, radius, max_nn)
     histograms = count_angles(neighborhood, sorted_normals, neighborhood.positions)
     sum_histograms(neighborhood, histograms, neighborhood.positions, tree.order, features)
@@ -452,8 +452,8 @@ def _compute_chosen(
     slots, within = empty(count, int32, device), empty(centers.size, int32, device)
     launch(fill_positions_kernel, centers.size, [within])
     launch(number_rows_kernel, centers.size, [centers, slots])
-    compact = empty((centers.size, COLUMNS), float32, device)
+    compact = empty((centers.size, FEATURE_COLUMNS), float32, device)
     sum_histograms(neighborhood, histograms, centers, within, compact)
-    features = empty((rows.size, COLUMNS), float32, device)
+    features = empty((rows.size, FEATURE_COLUMNS), float32, device)
     launch(copy_features_kernel, rows.size, [rows, positions, count, slots, compact, features])
     return features

@@ -19,9 +19,10 @@ from ..surface.neighbor_moments import sum_neighbor_moments
 
 SALIENT_SPACINGS = 6.0  # Open3D's default radii, in mean nearest neighbor distances
 NON_MAX_SPACINGS = 4.0
-FLAT = 1.0e-12  # of the squared radius: float32 rounding of an exact plane is a millionth of the radius
-TIE = 1.0e-14  # of the squared radius: closer saliencies are equal up to summation order
-NOWHERE = -1.0  # [m^2] a squared radius that ends a traversal
+# Of the squared radius: float32 rounding of an exact plane is a millionth of the radius
+MIN_RELATIVE_EIGENVALUE = 1.0e-12
+EQUAL_SALIENCY = 1.0e-14  # of the squared radius: closer saliencies are equal up to summation order
+END_RADIUS = -1.0  # [m^2] a squared radius that ends a traversal
 one = vector(1, float64)
 
 
@@ -85,7 +86,7 @@ def keep_maxima_kernel(
     for j, sqdist in points_within(rank // BUCKET, tree.points[rank], bound, tree):
         neighbor_count += 1
         if saliency[j] > own:
-            bound = float(NOWHERE)  # ends the traversal
+            bound = float(END_RADIUS)  # ends the traversal
     flag = 0
     if bound == sqradius and neighbor_count >= min_neighbors:
         flag = 1
@@ -116,10 +117,10 @@ def find_iss_keypoints(
     saliency, salient = empty(tree.count, float64, tree.device), empty(tree.count, uint8, tree.device)
     sums = sum_neighbor_moments(Neighborhood(tree, salient_radius, None))
     square = salient_radius * salient_radius
-    shape = [gamma_21, gamma_32, min_neighbors, FLAT * square]
+    shape = [gamma_21, gamma_32, min_neighbors, MIN_RELATIVE_EIGENVALUE * square]
     launch(measure_saliency_kernel, tree.count, [sums, *shape, saliency, salient])
     ranks = positions_of(salient)  # sync
     keypoints = zeros(tree.source.size, uint8, tree.device)
     search = [ranks, tree, squared_radius(non_max_radius), min_neighbors]
-    launch(keep_maxima_kernel, ranks.size, [*search, TIE * square, saliency, keypoints])
+    launch(keep_maxima_kernel, ranks.size, [*search, EQUAL_SALIENCY * square, saliency, keypoints])
     return positions_of(keypoints)  # sync

@@ -15,13 +15,13 @@ f1 21 u r, w . b 29 u r, sector border 37 u r, f2 7 u. The margins are at least 
 from ..algebra.plain_min_max import larger, smaller
 from ..lang import acos, atan2, cross, dot, float64, floor, func, sqrt, vec3, vec3d
 
-BINS = 11
-COLUMNS = 33  # bins of all three
-MIDDLE = 5  # the bin of zero
+BINS_PER_ANGLE = 11
+FEATURE_COLUMNS = 33  # bins of all three
+ZERO_BIN = 5  # the bin of zero
 BIN_BITS = 4
 BIN_MASK = 15
-UNSURE = -1
-PI = 3.141592653589793
+UNSURE_BINS = -1
+PI_64 = 3.141592653589793
 
 # Sectors of f0 are mirror images in the x axis: borders at 1, 3, 5, 7 and 9 elevenths of pi above it.
 COS_1, SIN_1 = 0.9594929736144974, 0.2817325568414297
@@ -35,9 +35,9 @@ SECTOR_MARGIN = 4.0e-6  # times r
 SIDE_MARGIN = 2.0e-5  # [bins] times r
 SLOPE_MARGIN = 1.0e-5  # [bins]
 TIE_MARGIN = 2.0e-6  # of |d|: which normal is closer to the line. The error 8 u is 5e-7
-LONGEST = 1.00005  # squared normal length above which Open3D's arc cosines are NaN, so it does not swap
-STEEP = 1.0e-4  # squared sine between line and normal: smaller makes r too large
-SMALL = 1.0e-30  # [m^2] squares that underflow are not trusted
+MAX_SQUARED_NORMAL = 1.00005  # squared normal length above which Open3D's arc cosines are NaN, so it does not swap
+MIN_SQUARED_SINE = 1.0e-4  # squared sine between line and normal: smaller makes r too large
+MIN_SQUARED_LENGTH = 1.0e-30  # [m^2] squares that underflow are not trusted
 FLAT_SLOPE = 0.05  # of |d|: below half a bin of f2 ...
 FLAT_COSINE = 0.95  # ... and with w . b below 0.11, this a . b is in the middle sector: both orders give these bins
 SAME_LENGTH = 1.0e-6
@@ -45,7 +45,7 @@ SAME_LENGTH = 1.0e-6
 
 @func
 def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
-    """Bins of a pair, four bits each, f0 lowest. UNSURE near an edge. `d` leads from normal `n1` to `n2`."""
+    """Bins of a pair, four bits each, f0 lowest. UNSURE_BINS near an edge. `d` leads from normal `n1` to `n2`."""
     sqdist = dot(d, d)
     along1 = dot(n1, d)
     along2 = dot(n2, d)
@@ -82,19 +82,19 @@ def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
     gap = distance if flat + alike == 3 else tie
     # Every comparison is false for NaN, and all of them must be true.
     sure = (
-        int(sqdist > SMALL)
-        + int(across > square * STEEP)
+        int(sqdist > MIN_SQUARED_LENGTH)
+        + int(across > square * MIN_SQUARED_SINE)
         + int(smaller(border, seam) > SECTOR_MARGIN * ratio)
         + int(abs(f1 - level1 - 0.5) < 0.5 - SIDE_MARGIN * ratio)
         + int(abs(f2 - level2 - 0.5) < 0.5 - SLOPE_MARGIN)
         + int(gap > TIE_MARGIN * distance)
-        + int(larger(sqlength1, sqlength2) < LONGEST)
+        + int(larger(sqlength1, sqlength2) < MAX_SQUARED_NORMAL)
     )
-    bin0 = MIDDLE + sectors if y >= 0.0 else MIDDLE - sectors
+    bin0 = ZERO_BIN + sectors if y >= 0.0 else ZERO_BIN - sectors
     bin1 = int(smaller(larger(level1, 0.0), 10.0))
     bin2 = int(smaller(larger(level2, 0.0), 10.0))
     bins = bin0 | (bin1 << BIN_BITS) | (bin2 << (2 * BIN_BITS))
-    return bins if sure == 7 else UNSURE
+    return bins if sure == 7 else UNSURE_BINS
 
 
 @func
@@ -131,7 +131,7 @@ def exact_bins(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
             f1 = dot(v, b)
             f2 = slope
     bins = float64(11.0)
-    pi = float64(PI)
+    pi = float64(PI_64)
     bin0 = bin_of(bins * (f0 + pi) / (2.0 * pi))
     bin1 = bin_of(bins * (f1 + 1.0) * 0.5)
     bin2 = bin_of(bins * (f2 + 1.0) * 0.5)
@@ -140,8 +140,8 @@ def exact_bins(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
 
 @func
 def resolved_bins(bins: int, p: vec3, n: vec3, q: vec3, m: vec3) -> int:
-    """The quick bins, or the exact ones if UNSURE."""
+    """The quick bins, or the exact ones if UNSURE_BINS."""
     resolved = bins
-    if bins == UNSURE:
+    if bins == UNSURE_BINS:
         resolved = exact_bins(p, n, q, m)
     return resolved

@@ -34,7 +34,7 @@ from ..search.point_tree import PointTree
 from ..search.tree_search import squared_radius
 
 MIN_NEIGHBORS = 4.0  # including the point itself. With fewer, noise dominates the gradient
-FLATTEST = 1.0e-6  # of the squared neighborhood length: thinner ones (1:1000) determine one direction
+MIN_RELATIVE_DETERMINANT = 1.0e-6  # of the squared neighborhood length: thinner ones (1:1000) determine one direction
 plane_sums = vector(6, float64)  # count. A^2, a b, b^2. A c, b c of plane coordinates (a, b) and differences c
 
 
@@ -76,7 +76,7 @@ def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
     b = float64(0.0)
     if total[0] >= float64(MIN_NEIGHBORS) and largest > 0.0:
         det = total[1] * total[3] - total[2] * total[2]  # product of both eigenvalues
-        if det > float64(FLATTEST) * largest * largest:
+        if det > float64(MIN_RELATIVE_DETERMINANT) * largest * largest:
             a = (total[3] * total[4] - total[2] * total[5]) / det
             b = (total[1] * total[5] - total[2] * total[4]) / det
         else:

@@ -33,10 +33,10 @@ from .freedom import (
     shift_of_state,
     target_rotation_of_state,
 )
-from .job_states import NOT_FINITE, RUNNING, free_directions
+from .job_states import JOB_RUNNING, NOT_FINITE, free_directions
 from .matches import Matches
 from .rows import COUNT_AT, RESIDUAL_AT, SPREAD_AT, mean_source, row_sums, row_system
-from .step import PAIRS, Progress, StepRules, end_job, judge_job, length_of, note_step
+from .step import FIT_PAIRS, Progress, StepRules, end_job, judge_job, length_of, note_step
 
 MIN_NOISE = 1.0e-6  # of the source's spread: minimum residual, so that a prior counts beside exact pairs
 
@@ -186,7 +186,7 @@ def pair_system(sums: row_sums) -> tuple[triangle, vec6d]:
 def variance_of(sums: row_sums, method: int, rows: int, size: float64) -> float64:
     """Mean square of the residuals, at least the float32 rounding of a perfect fit."""
     total = sums[RESIDUAL_AT]
-    if method == PAIRS:
+    if method == FIT_PAIRS:
         total = sums[16] + sums[17] - 2.0 * (sums[7] + sums[11] + sums[15])
     min_noise = float64(MIN_NOISE) * size
     return max(total / (float64(rows) * sums[COUNT_AT]), min_noise * min_noise)
@@ -194,10 +194,10 @@ def variance_of(sums: row_sums, method: int, rows: int, size: float64) -> float6
 
 MIN_PRIOR_FRACTION = 1.0e-12  # of the trace of the prior's information: less counts as none
 SMALLEST_FACTOR = 0.5  # of the scale per step
-FIXED = 0  # motion kinds: fixed, determined by pairs, by the prior only, undetermined
-PAIRED = 1
+FIXED_MOTION = 0  # motion kinds: fixed, determined by pairs, by the prior only, undetermined
+PAIRED_MOTION = 1
 BY_PRIOR = 2
-LOOSE = 3
+LOOSE_MOTION = 3
 scale_row = vector(8, float64)  # products of a scale with the six motions and itself, and its right side
 
 
@@ -233,7 +233,7 @@ def prior_columns(q: square, moved: vec3d, arm: vec3d, size: float64) -> square:
 def undetermined(
     geometry: square, reduced: square, min_eigenvalue: float64, free: array(dtype=int32)
 ) -> tuple[square, vec6d]:
-    """Eigenvectors of a reduced system (columns) and kinds PAIRED, LOOSE, FIXED. Relative to the largest of all six."""
+    """Eigenvectors of a reduced system (columns) and kinds of motions. Relative to the largest of all six."""
     n = int(UNKNOWNS)
     system = diagonalize(geometry, UNKNOWNS)
     own = diagonalize(reduced, UNKNOWNS)
@@ -246,9 +246,9 @@ def undetermined(
         basis[i] = own[i]
     for k in range(n):
         if free[k] != 0:  # a fixed one has an empty row, so eigenvector k is its axis
-            kinds[k] = float64(PAIRED)
+            kinds[k] = float64(PAIRED_MOTION)
             if not (own[36 + k] > min_eigenvalue * largest):
-                kinds[k] = float64(LOOSE)
+                kinds[k] = float64(LOOSE_MOTION)
     return basis, kinds
 
 
@@ -260,14 +260,14 @@ def align_with_prior(basis: square, kinds: vec6d, information: square) -> tuple[
     trace = float64(0.0)
     for k in range(n):
         trace += information[k * UNKNOWNS + k]
-        if kinds[k] == float64(LOOSE):
+        if kinds[k] == float64(LOOSE_MOTION):
             for i in range(n):
                 loose[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
     system = diagonalize(between(loose, information, loose), UNKNOWNS)
     aligned = basis
     aligned_kinds = kinds
     for k in range(n):
-        if kinds[k] == float64(LOOSE):
+        if kinds[k] == float64(LOOSE_MOTION):
             if system[36 + k] > float64(MIN_PRIOR_FRACTION) * trace:
                 aligned_kinds[k] = float64(BY_PRIOR)
             for i in range(n):
@@ -288,7 +288,7 @@ def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: F
     for step in range(steps):
         wanted = float64(BY_PRIOR)
         if step == 1:
-            wanted = float64(LOOSE)
+            wanted = float64(LOOSE_MOTION)
             freedom.prior_counts[job] = count
         for k in range(n):
             if kinds[k] == wanted:
@@ -311,9 +311,9 @@ def solve_partly(h: square, g: vec6d, information: square, pull: vec6d, basis: s
     paired = square(0.0)
     for k in range(n):
         for i in range(n):
-            if kinds[k] == float64(PAIRED) or kinds[k] == float64(BY_PRIOR):
+            if kinds[k] == float64(PAIRED_MOTION) or kinds[k] == float64(BY_PRIOR):
                 determined[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
-            if kinds[k] == float64(PAIRED):
+            if kinds[k] == float64(PAIRED_MOTION):
                 paired[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
     system = between(paired, h, paired) + between(determined, information, determined)
     right = -(along_columns(paired, g) + along_columns(determined, pull))
@@ -348,7 +348,7 @@ def reduced_step(
     for k in range(n):
         basis[k * UNKNOWNS + k] = 1.0
         if freedom.free[k] != 0:
-            kinds[k] = float64(PAIRED)
+            kinds[k] = float64(PAIRED_MOTION)
     # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
     if not (trace_of_inverse(padded) * trace * min_eigenvalue < 1.0):
         eigenvectors, loose = undetermined(geometry, own, min_eigenvalue, freedom.free)
@@ -407,7 +407,7 @@ def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Fre
     h, g = row_system(sums)
     geometry, _ = row_system(progress.plain_totals[i])
     origin = vec3d(0.0)  # origin of the sums
-    if rules.method == PAIRS:
+    if rules.method == FIT_PAIRS:
         origin = progress.pivots[i]
         h, g = pair_system(sums)
         geometry, _ = pair_system(sums)
@@ -476,7 +476,7 @@ def motion_between(before: mat44d, after: mat44d) -> mat44d:
 @func
 def move_constrained(i: int, x: scale_row, matches: Matches, progress: Progress, freedom: Freedom) -> int:
     """Update a job's pose and search margin. Returns whether the motion is finite."""
-    outcome = int(RUNNING)
+    outcome = int(JOB_RUNNING)
     state = state_after(freedom.states[i], x, freedom.free_rotation)
     pose = pose_of_state(freedom.firsts[i], freedom.pivots[i], freedom.frames[0], state, freedom.free_rotation)
     length = length_of(motion_between(matches.poses[i], pose), mean_source(progress.totals[i]), progress.sizes[i])
@@ -496,8 +496,8 @@ def step_constrained_kernel(rules: StepRules, matches: Matches, progress: Progre
     if matches.live[i] != 0:
         outcome = judge_job(i, rules, matches, progress)
         matches.earlier[i] = matches.poses[i]
-        if outcome == RUNNING:
+        if outcome == JOB_RUNNING:
             x = solve_constrained(i, rules, progress, freedom)
             outcome = move_constrained(i, x, matches, progress, freedom)
-        if outcome != RUNNING:
+        if outcome != JOB_RUNNING:
             end_job(i, outcome, matches, progress)

@@ -46,7 +46,7 @@ lane_integers = vector(8, int32)
 motion = vector(12, float32)
 LARGEST_BITS = 0x7F7F_FFFF  # of the largest float32
 NO_LEAF = 0x7FFF_FFFF  # beyond all leaves
-SLACK = 1.0e-6  # of a coordinate: exceeds the rounding of a moved point and its distance
+COORDINATE_SLACK = 1.0e-6  # of a coordinate: exceeds the rounding of a moved point and its distance
 
 
 @func
@@ -132,7 +132,7 @@ def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
     z = d[6] * p[0] + d[7] * p[1] + d[8] * p[2] + d[11]
     size = larger(larger(abs(q[0]), abs(q[1])), abs(q[2]))
     extent = larger(larger(abs(p[0]), abs(p[1])), abs(p[2]))
-    return lower - sqrt(x * x + y * y + z * z) * (1.0 + SLACK) - SLACK * (size + extent)
+    return lower - sqrt(x * x + y * y + z * z) * (1.0 + COORDINATE_SLACK) - COORDINATE_SLACK * (size + extent)
 
 
 @loop
@@ -227,7 +227,7 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
                     bound = min(none, float_bits(square) + 1)
                     if square <= matches.max_sqdist:
                         pair = position
-                if distance * (1.0 + SLACK) >= lower and isfinite(q):
+                if distance * (1.0 + COORDINATE_SLACK) >= lower and isfinite(q):
                     wanted[j] = 1
                     xs[j] = q[0]
                     ys[j] = q[1]
@@ -268,7 +268,7 @@ def match_points_kernel(matches: Matches, forest: PointForest):
                 best = min(best, float_bits(square) + 1)
                 if square <= matches.max_sqdist:
                     pair = position
-            if distance * (1.0 + SLACK) >= lower:
+            if distance * (1.0 + COORDINATE_SLACK) >= lower:
                 target = matches.jobs.job_targets[job]
                 bucket = position // BUCKET - forest.levels[target * HEIGHTS]
                 if position < 0:
@@ -333,7 +333,7 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
             best = min(best, float_bits(square) + 1)
             if square <= matches.max_sqdist:
                 pair = position
-        if distance * (1.0 + SLACK) >= lower:
+        if distance * (1.0 + COORDINATE_SLACK) >= lower:
             is_searching = 1
             pair = -1
             bucket = position // BUCKET - forest.levels[target * HEIGHTS]

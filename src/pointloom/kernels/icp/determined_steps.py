@@ -35,7 +35,7 @@ from .centered_systems import about, vector_about
 from .job_states import free_directions
 from .rows import SPREAD_AT, row_sums
 
-EXPONENT = 0x7F80_0000  # exponent bits of a float32
+EXPONENT_BITS = 0x7F80_0000  # exponent bits of a float32
 eighteen = vector(18, float64)
 
 
@@ -141,7 +141,7 @@ def determined_step(
 @func
 def power_of_two_below(size: float64) -> float64:
     """Largest power of two up to a size. 1 if float32 has none."""
-    power = float64(bits_float(float_bits(float(size)) & EXPONENT))
+    power = float64(bits_float(float_bits(float(size)) & EXPONENT_BITS))
     if not (power > 0.0 and power - power == 0.0):
         power = 1.0
     return power

@@ -30,12 +30,12 @@ from ..lang import (
 )
 from ..memory import full, zeros
 from .determined_steps import constrained_step
-from .job_states import CONVERGED, FEW_PAIRS, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, RUNNING, free_directions
+from .job_states import FEW_PAIRS, JOB_CONVERGED, JOB_RUNNING, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, free_directions
 from .normal_distributions import RESIDUALS_AT, NormalDistributions, sum_distribution_rows
 from .rows import COUNT_AT, DISTANCE_AT, RESIDUAL_AT, mean_source, row_sums, row_system
 from .step import about_pivot, broadcast_from_leader, job_of, leads, motion_of_angles
 
-ROUNDING = 2.0**-52  # smallest mean residual that a change is compared with
+MIN_MEAN_RESIDUAL = 2.0**-52  # smallest mean residual that a change is compared with
 
 
 @struct
@@ -83,7 +83,7 @@ class DistributionLoop:
         values = {
             "poses": (pose[None], mat44d),
             "iterations": (np.zeros(1), int32),
-            "outcomes": (np.full(1, RUNNING), int32),
+            "outcomes": (np.full(1, JOB_RUNNING), int32),
             "is_last": (np.zeros(1), int32),
             "residuals": (np.zeros(1), float64),
             "fitness": (np.zeros(1), float64),
@@ -120,9 +120,9 @@ def judge_sums(job: int, state: DistributionLoop) -> int:
     """Store fitness, rmse and the mean residual of the pose. Returns whether the loop continues or how it ends."""
     sums = state.totals[job]
     count = sums[COUNT_AT]
-    outcome = int(RUNNING)
+    outcome = int(JOB_RUNNING)
     if state.is_last[job] == 1:
-        outcome = CONVERGED
+        outcome = JOB_CONVERGED
     total = float64(0.0)
     for j in range(36):
         total += sums[j]
@@ -130,14 +130,14 @@ def judge_sums(job: int, state: DistributionLoop) -> int:
         outcome = NO_PAIRS
     elif total - total != 0.0:
         outcome = NOT_FINITE
-    elif outcome == RUNNING and sums[RESIDUALS_AT] < float64(UNKNOWNS):
+    elif outcome == JOB_RUNNING and sums[RESIDUALS_AT] < float64(UNKNOWNS):
         outcome = FEW_PAIRS
     residual = sums[RESIDUAL_AT] / max(sums[RESIDUALS_AT], 1.0)
-    if outcome == RUNNING and state.iterations[job] > 0:
+    if outcome == JOB_RUNNING and state.iterations[job] > 0:
         before = state.residuals[job]
-        if abs(before - residual) < state.min_change * max(before, float64(ROUNDING)):
-            outcome = CONVERGED
-    if outcome == RUNNING and state.iterations[job] >= state.max_iterations:
+        if abs(before - residual) < state.min_change * max(before, float64(MIN_MEAN_RESIDUAL)):
+            outcome = JOB_CONVERGED
+    if outcome == JOB_RUNNING and state.iterations[job] >= state.max_iterations:
         outcome = OUT_OF_ITERATIONS
     state.residuals[job] = residual
     state.fitness[job] = count / state.source_count
@@ -162,11 +162,11 @@ def step_distributions_kernel(state: DistributionLoop):
     """Evaluate the pose by its sums, and take the next step or stop."""
     i = tid()
     job = job_of(i)
-    outcome = int(RUNNING)
+    outcome = int(JOB_RUNNING)
     if leads() == 1:
         outcome = judge_sums(job, state)
     outcome = broadcast_from_leader(outcome)
-    if outcome == RUNNING:
+    if outcome == JOB_RUNNING:
         x = solve_sums(job, state)
         outcome = broadcast_from_leader(outcome)
         motion = about_pivot(motion_of_angles(x), mean_source(state.totals[job]))
@@ -181,6 +181,6 @@ def step_distributions_kernel(state: DistributionLoop):
                     state.is_last[job] = 1
             else:
                 outcome = NOT_FINITE
-    if leads() == 1 and outcome != RUNNING:
+    if leads() == 1 and outcome != JOB_RUNNING:
         state.outcomes[job] = outcome
         state.running[job] = 0

@@ -33,7 +33,7 @@ from ..lang import (
 motion_state = vector(8, float64)  # roll, pitch, yaw [rad] and 0, or a quaternion xyzw; translation [m]. Scale
 SHIFT_AT = 4
 SCALE_AT = 7
-STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+NO_MOTION = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 STILL_TURNING = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 SMALL_ANGLE = 1.0e-4  # [rad] below, the series of the logarithm's derivative is exact to rounding
 

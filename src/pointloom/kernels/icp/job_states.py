@@ -10,8 +10,8 @@ from ..lang import float32, float64, int32, mat44d, vec3d, vector
 if TYPE_CHECKING:
     from .jobs import Jobs
 
-RUNNING = 0  # job outcomes
-CONVERGED = 1
+JOB_RUNNING = 0  # job outcomes
+JOB_CONVERGED = 1
 OUT_OF_ITERATIONS = 2
 NO_PAIRS = 3
 NOT_FINITE = 4
@@ -42,7 +42,7 @@ def job_states(jobs: "Jobs", poses: np.ndarray) -> SideBySide:
         "sizes": (np.zeros(count), float64),
         "source_counts": (np.maximum(jobs.counts, 1), float64),
         "iterations": (np.zeros(count), int32),
-        "outcomes": (np.full(count, RUNNING), int32),
+        "outcomes": (np.full(count, JOB_RUNNING), int32),
         "fitness": (np.zeros(count), float64),
         "rmse": (np.zeros(count), float64),
         "free_counts": (np.zeros(count), int32),

@@ -16,7 +16,7 @@ from .freedom import Freedom
 from .job_states import job_states, match_states
 from .jobs import Jobs
 from .matches import Matches, PointColumns
-from .robust_weights import L2, Loss
+from .robust_weights import L2_LOSS, Loss
 from .rows import COUNT_AT, DISTANCE_AT, DopplerRule, row_sums, sum_information, sum_point_rows
 from .step import Progress, StepRules, measure_velocities_kernel, step_jobs_kernel
 from .voxel_gaussians import VoxelGaussians, match_voxels_kernel
@@ -65,7 +65,7 @@ class Matching:
     def measure_pairs(self) -> tuple[np.ndarray, np.ndarray]:
         """Fitness and rmse [m] of the pairs of each job, float64 (jobs)."""
         jobs, matches = self.jobs, self.matches
-        arguments = [matches, Loss(L2, 1.0, 0.0), zeros(jobs.count, vec3d, jobs.device)]
+        arguments = [matches, Loss(L2_LOSS, 1.0, 0.0), zeros(jobs.count, vec3d, jobs.device)]
         reduce_segments(sum_point_rows, jobs.blocks, matches.live, arguments, self.partials, self.totals)
         sums = download(self.totals)  # sync
         counts = sums[:, COUNT_AT]

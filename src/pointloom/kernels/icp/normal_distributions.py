@@ -47,9 +47,10 @@ from .rows import COUNT_AT, DISTANCE_AT, SOURCE_AT, TARGET_AT, row_sums, sum_blo
 from .voxel_gaussians import CellGrid, cell_at, cell_of, enclosing_grid, key_of_cell
 
 RESIDUALS_AT = TARGET_AT  # number of residuals, in place of the sum of target points
-FACES = 6  # neighbors of a voxel
-THIN = 0.1  # of the largest eigenvalue: distributions are thin along those below, as in odometry/map_icp.py
-WEAK = 0.1  # weight of the shapes of lines and scattered points, beside 1 of planes
+FACE_NEIGHBORS = 6  # neighbors of a voxel
+# Of the largest eigenvalue: distributions are thin along those below, as in odometry/map_icp.py
+MIN_EIGENVALUE_RATIO = 0.1
+WEAK_SHAPE_WEIGHT = 0.1  # weight of the shapes of lines and scattered points, beside 1 of planes
 
 
 @struct
@@ -82,7 +83,7 @@ class NormalDistributions:
         with_neighbors: bool,
     ) -> None:
         device = points.device
-        self.points, self.neighbors, self.limit = points, FACES if with_neighbors else 0, limit
+        self.points, self.neighbors, self.limit = points, FACE_NEIGHBORS if with_neighbors else 0, limit
         self.grid, bits, self.finite_count = enclosing_grid(points, voxel_size, 1, corner)  # sync
         keys, skipped = empty(points.size, int64, device), 1 << bits
         launch(encode_cells_kernel, points.size, [points, self.grid, skipped, keys])
@@ -140,15 +141,15 @@ def shape_of(system: three_system, largest: float64) -> mat33d:
     thin = 0
     for k in range(3):
         v = vec3d(system[k], system[3 + k], system[6 + k])
-        if system[9 + k] < float64(THIN) * largest:
+        if system[9 + k] < float64(MIN_EIGENVALUE_RATIO) * largest:
             thin += 1
         if system[9 + k] < largest:
-            shape += outer(v, v) * float64(WEAK)
+            shape += outer(v, v) * float64(WEAK_SHAPE_WEIGHT)
     if thin == 1:
         shape = mat33d(0.0)
         for k in range(3):
             v = vec3d(system[k], system[3 + k], system[6 + k])
-            if system[9 + k] < float64(THIN) * largest:
+            if system[9 + k] < float64(MIN_EIGENVALUE_RATIO) * largest:
                 shape = outer(v, v)
     return shape
 

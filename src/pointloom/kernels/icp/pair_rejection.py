@@ -31,10 +31,10 @@ from .correspondences import LARGEST_BITS
 from .jobs import source_position
 from .matches import NO_PAIR, Matches, moved_source
 
-BINS = 2048  # per round: 11 bits, three rounds for 31
+BIN_COUNT = 2048  # per round: 11 bits, three rounds for 31
 BIN_BITS = 11
 SQUARE_SHIFT = 20  # for fractional RMSDs in one round: the eleven highest bits below the sign
-ROUNDING = 2.0**-20  # of a source's spread: smaller distances are float32 rounding, and equal
+DISTANCE_ROUNDING = 2.0**-20  # of a source's spread: smaller distances are float32 rounding, and equal
 MIN_FRACTION = 0.1  # minimum fraction of pairs kept: a few coincidental matches are not the overlap
 
 
@@ -87,7 +87,8 @@ def count_bits_kernel(
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0 and bits[i] != LARGEST_BITS:
         if int(int64(bits[i]) >> int64(shift + BIN_BITS)) == prefixes[job]:  # in 64 bits: the shift may exceed 31
-            atomic_add(counts, job * BINS + ((bits[i] >> shift) & (BINS - 1)), 1)  # integer sum: order-independent
+            bin_number = (bits[i] >> shift) & (BIN_COUNT - 1)
+            atomic_add(counts, job * BIN_COUNT + bin_number, 1)  # integer sum: order-independent
 
 
 @kernel
@@ -97,13 +98,13 @@ def pick_bin_kernel(
     """Extend the prefix by the bin that contains the rank. All bits set if there are fewer."""
     i = tid()
     if live[i] != 0:
-        chosen = int(BINS - 1)
+        chosen = int(BIN_COUNT - 1)
         passed = 0
         rank = ranks[i]
         searching = 1
         b = 0
-        while searching == 1 and b < BINS:
-            here = counts[i * BINS + b]
+        while searching == 1 and b < BIN_COUNT:
+            here = counts[i * BIN_COUNT + b]
             if passed + here > rank:
                 chosen = b
                 searching = 0
@@ -124,15 +125,15 @@ def pick_min_rmsd_kernel(
     i = tid()
     if live[i] != 0:
         total = float64(0.0)
-        for b in range(BINS):
-            total += float64(counts[i * BINS + b])
-        rounding = sizes[i] * float64(ROUNDING)
+        for b in range(BIN_COUNT):
+            total += float64(counts[i * BIN_COUNT + b])
+        rounding = sizes[i] * float64(DISTANCE_ROUNDING)
         selected = float64(0.0)
         sqdists = float64(0.0)
         min_score = float64(0.0)
         chosen = -1
-        for b in range(BINS):
-            count = counts[i * BINS + b]
+        for b in range(BIN_COUNT):
+            count = counts[i * BIN_COUNT + b]
             if count > 0:
                 selected += float64(count)
                 middle = bits_float((b << SQUARE_SHIFT) + (1 << (SQUARE_SHIFT - 1)))
@@ -172,7 +173,7 @@ class PairRejection:
             self.wanted, self.ranks = upload(wanted, int32, device), empty(jobs.count, int32, device)
         if wanted is not None or sizes is not None:
             self.bits = empty(matches.pairs.size, int32, device)
-            self.counts = empty(jobs.count * BINS, int32, device)
+            self.counts = empty(jobs.count * BIN_COUNT, int32, device)
             self.prefixes = empty(jobs.count, int32, device)
 
     def run(self) -> None:

@@ -4,14 +4,14 @@ Geman-McClure k / (k + r^2)^2, and the general kernel of Barron 2019, eq. 9.
 
 from ..lang import exp, float64, func, pow, struct
 
-GEOMETRY = -1  # not a kernel: rows that only measure which motions are determined
-L2 = 0
-L1 = 1
-HUBER = 2
-CAUCHY = 3
+GEOMETRY_ONLY = -1  # not a kernel: rows that only measure which motions are determined
+L2_LOSS = 0
+L1_LOSS = 1
+HUBER_LOSS = 2
+CAUCHY_LOSS = 3
 GEMAN_MCCLURE = 4
-TUKEY = 5
-GENERAL = 6
+TUKEY_LOSS = 5
+GENERAL_LOSS = 6
 MIN_RESIDUAL = 1.0e-9  # [m] lower limit of |r|: exact matches get a large finite weight
 TO_TWO = 2.0e-3  # closer shapes count as 2, as in Open3D
 TO_ZERO = 1.0e-8
@@ -20,7 +20,7 @@ MINUS_INFINITY = -1.0e7  # smaller shapes use the limit at minus infinity
 
 @struct
 class Loss:
-    """A robust kernel: `kind` L2, L1, ..., or GEOMETRY. Scale `k` in the residual's unit; `shape` if general."""
+    """A robust kernel: `kind` is one of the constants above. Scale `k` in the residual's unit; `shape` if general."""
 
     kind: int
     k: float64
@@ -50,17 +50,17 @@ def general_weight(r: float64, k: float64, shape: float64) -> float64:
 def robust_weight(loss: Loss, r: float64) -> float64:
     size = abs(r)
     weight = float64(1.0)
-    if loss.kind == L1:
+    if loss.kind == L1_LOSS:
         weight = 1.0 / max(size, float64(MIN_RESIDUAL))
-    if loss.kind == HUBER:
+    if loss.kind == HUBER_LOSS:
         weight = loss.k / max(size, loss.k)
-    if loss.kind == CAUCHY:
+    if loss.kind == CAUCHY_LOSS:
         weight = 1.0 / (1.0 + (r / loss.k) * (r / loss.k))
     if loss.kind == GEMAN_MCCLURE:
         weight = loss.k / ((loss.k + r * r) * (loss.k + r * r))
-    if loss.kind == TUKEY:
+    if loss.kind == TUKEY_LOSS:
         rest = 1.0 - min(1.0, size / loss.k) * min(1.0, size / loss.k)
         weight = rest * rest
-    if loss.kind == GENERAL:
+    if loss.kind == GENERAL_LOSS:
         weight = general_weight(r, loss.k, loss.shape)
     return weight

@@ -36,7 +36,7 @@ from ..lang import (
 from ..search.point_tree import LEAF
 from .jobs import source_position
 from .matches import Matches, PointColumns, pair_of, paired_target, weight_of
-from .robust_weights import GEOMETRY, L2, Loss, robust_weight
+from .robust_weights import GEOMETRY_ONLY, L2_LOSS, Loss, robust_weight
 
 
 @func
@@ -245,7 +245,7 @@ def sum_point_rows(matches: Matches, loss: Loss, pivots: array(dtype=vec3d)) -> 
         a = p - pivot
         b = q - pivot
         w = 1.0
-        if loss.kind != L2:
+        if loss.kind != L2_LOSS:
             d = p - q
             w = robust_weight(loss, sqrt(dot(d, d)))
         w = w * weight_of(i, matches)
@@ -303,10 +303,10 @@ def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, tar
             pose, read_covariance(source.covariances, at)
         )
         d = p - q
-        if loss.kind <= L2:
+        if loss.kind <= L2_LOSS:
             A = inverse(M)
             scale = weight_of(i, matches)
-            if loss.kind == GEOMETRY:
+            if loss.kind == GEOMETRY_ONLY:
                 # in-plane covariance fixes no motion of a smooth surface: remove it, and count pairs equally
                 floor = 1.0 / sqrt(trace_of_square(M))  # upper bound of the eigenvalues of M is this root
                 for row in range(3):

@@ -49,7 +49,7 @@ from ..lang import (
 )
 from ..memory import host_view, zeros
 from .determined_steps import constrained_step, note_free_rotations
-from .job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, RUNNING, free_directions
+from .job_states import JOB_CONVERGED, JOB_RUNNING, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS, free_directions
 from .jobs import Jobs, first_moments
 from .matches import Matches
 from .rows import COUNT_AT, DISTANCE_AT, mean_source, mean_target, row_sums, row_system
@@ -132,8 +132,8 @@ def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
 
 
 GAUSS_NEWTON = 0  # step methods
-PAIRS = 1  # best fit of pairs
-SYMMETRIC = 2
+FIT_PAIRS = 1  # best fit of pairs
+FIT_SYMMETRIC = 2
 
 LOOK_AHEAD = 4.0  # steps that a match should remain valid for: each takes up to twice its length from the gap
 WIDEST_LOOK = 2.0  # of the rmse: a wider search costs more than it saves
@@ -284,7 +284,7 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
     if count > 0.0:
         fraction = count / progress.source_counts[i]
         error = sqrt(sums[DISTANCE_AT] / count)
-    outcome = int(RUNNING)
+    outcome = int(JOB_RUNNING)
     if count == 0.0:
         outcome = NO_PAIRS
     total = float64(0.0)
@@ -292,11 +292,11 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
         total += sums[j]
     if total - total != 0.0:
         outcome = NOT_FINITE  # a zero step would be mistaken for convergence
-    if outcome == RUNNING and progress.iterations[i] > 0:
+    if outcome == JOB_RUNNING and progress.iterations[i] > 0:
         tolerance = rules.rmse_tolerance + rules.size_tolerance * moved_size(i, matches, progress)
         if abs(fraction - progress.fitness[i]) < rules.fitness_tolerance and abs(error - progress.rmse[i]) < tolerance:
-            outcome = CONVERGED
-    if outcome == RUNNING and progress.iterations[i] >= rules.max_iterations:
+            outcome = JOB_CONVERGED
+    if outcome == JOB_RUNNING and progress.iterations[i] >= rules.max_iterations:
         outcome = OUT_OF_ITERATIONS
     progress.fitness[i] = fraction
     progress.rmse[i] = error
@@ -309,13 +309,13 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
     step = vec6d(0.0)
     sums = progress.totals[i]
     size = progress.sizes[i]
-    if rules.method == PAIRS:
+    if rules.method == FIT_PAIRS:
         if leads() == 1:
             note_free_rotations(sums, size, rules.min_eigenvalue, i, progress.free_counts, progress.free)
     else:
         center = mean_source(sums)
         plain = progress.plain_totals[i]
-        if rules.method == SYMMETRIC:
+        if rules.method == FIT_SYMMETRIC:
             sums = center_symmetric(sums)
             plain = center_symmetric(plain)
             center = vec3d(0.0, 0.0, 0.0)
@@ -369,9 +369,9 @@ def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
     shift = cross(vec3d(x[0], x[1], x[2]), pivot)
     about = vec6d(x[0], x[1], x[2], x[3] + shift[0], x[4] + shift[1], x[5] + shift[2])
     motion = about_pivot(motion_of_angles(about), pivot)
-    if rules.method == PAIRS:
+    if rules.method == FIT_PAIRS:
         motion = best_fit(progress.totals[i], progress.pivots[i], rules.scaling)
-    if rules.method == SYMMETRIC:
+    if rules.method == FIT_SYMMETRIC:
         p = mean_source(progress.totals[i])
         q = mean_target(progress.totals[i])
         size = 2.0 * progress.sizes[i]
@@ -414,7 +414,7 @@ def end_job(i: int, outcome: int, matches: Matches, progress: Progress):
 @func
 def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> int:
     """Update a job's pose and search margin. Returns whether the motion is finite."""
-    outcome = int(RUNNING)
+    outcome = int(JOB_RUNNING)
     length = length_of(motion, mean_source(progress.totals[i]), progress.sizes[i])
     if length - length == 0.0:
         matches.poses[i] = multiply44(motion, matches.poses[i])
@@ -430,16 +430,16 @@ def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
     i = tid()
     job = job_of(i)
     if matches.live[job] != 0:
-        outcome = int(RUNNING)
+        outcome = int(JOB_RUNNING)
         if leads() == 1:
             outcome = judge_job(job, rules, matches, progress)
             matches.earlier[job] = matches.poses[job]
         outcome = broadcast_from_leader(outcome)
-        if outcome == RUNNING:
+        if outcome == JOB_RUNNING:
             step = solve_job(job, rules, progress)
             outcome = broadcast_from_leader(outcome)
             motion = motion_of(job, step, rules, progress)
             if leads() == 1:
                 outcome = move_job(job, motion, matches, progress)
-        if leads() == 1 and outcome != RUNNING:
+        if leads() == 1 and outcome != JOB_RUNNING:
             end_job(job, outcome, matches, progress)

@@ -39,7 +39,7 @@ from ..search.point_tree import LEAF, square_distance
 from .jobs import source_position
 from .matches import NO_PAIR, Matches
 
-COLUMNS = 10  # mean, upper triangle of the covariance, point count
+GAUSSIAN_COLUMNS = 10  # mean, upper triangle of the covariance, point count
 CELL_LIMIT = 2.0**53  # integers exact in float64
 KEY_BITS = 62
 VOXEL_STEPS = 1  # for matching: the own voxel and its six face neighbors
@@ -97,7 +97,7 @@ class VoxelGaussians:
         groups = UniqueKeys(keys, bits + 1)  # sync
         groups.drop_last(skipped)  # sync
         self.count, self.keys = groups.count, groups.keys
-        self.gaussians = zeros((self.count, COLUMNS), float32, device)
+        self.gaussians = zeros((self.count, GAUSSIAN_COLUMNS), float32, device)
         launch(average_gaussians_kernel, self.count, [points, covariances, groups.order, groups.starts, self.gaussians])
         self.table = HashTable(device)
         self.table.append(self.keys, self.count, self.count)

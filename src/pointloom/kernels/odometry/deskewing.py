@@ -16,7 +16,7 @@ from ..lang import INFINITY, NAN, array, cross, float64, func, isfinite, kernel,
 from ..linear_algebra import matmul
 from ..memory import empty, full
 
-RUN = 4096  # times per thread on the CPU: two atomics cost less than 1 % of the reads
+TIMES_PER_THREAD = 4096  # times per thread on the CPU: two atomics cost less than 1 % of the reads
 TINY_ANGLE = 1.0e-12  # [rad] below, a rotation is negligible in float32
 
 
@@ -104,7 +104,7 @@ def deskew_points_kernel(
 
 def bound_times(points: Points, times: Doubles) -> Doubles:
     """First and last time of measured points, float64 (2) on the device; inf and -inf without any."""
-    runs = Runs(points.size, points.device, RUN)
+    runs = Runs(points.size, points.device, TIMES_PER_THREAD)
     ends, span = full(2 * runs.rows, -INFINITY, float64, points.device), empty(2, float64, points.device)
     launch(bound_times_kernel, runs.threads, [points, times, runs, ends])
     launch(fold_times_kernel, 1, [ends, span])

@@ -12,18 +12,14 @@ from ..algebra.rigid_solve import TRIANGLE, UNKNOWNS
 from ..array_types import Device, Points
 from ..lang import DeviceLoop, float64, launch
 from ..memory import download, empty, write
-from . import map_course
 from .map_course import (
-    FOLD,
-    GIVEN,
-    ITERATIONS,
+    FROM_GIVEN,
     MAX_LEGS,
-    ORDER,
     PLANE_RUN,
-    RESULT,
-    SQSUM,
-    STATE,
+    ROWS_PER_SUM,
     Course,
+    LegOptions,
+    LegResults,
     add_planes_kernel,
     associate_points_kernel,
     begin_course_kernel,
@@ -32,20 +28,20 @@ from .map_course import (
     step_pose_kernel,
     sum_planes_kernel,
 )
-from .map_icp import SUMS
+from .map_icp import SYSTEM_SIZE
 from .voxel_map import VoxelMap
 
 CPU_RUN = 32  # points per thread: some tens of threads and rows per scan
-CUDA_RUN = 1  # a GPU needs the threads. A second stage sums FOLD rows each
+CUDA_RUN = 1  # a GPU needs the threads. A second stage sums ROWS_PER_SUM rows each
 MIN_PAIRS = 6  # fewer do not fix a pose against noise
 MIN_ROOM = 1024  # minimum room for scan points
 
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """Options of an ICP loop: start `pose` if GIVEN; `max_distance` [m], within 27 voxels. Geman-McClure `kernel_scale`
-    [m^2]; `tolerance` of the motion (rad, m). At least `min_pairs`, else lost; at most `iterations`; `few`: use the
-    reduced scan; `is_regularized`: add the course's matrix; `is_needed`: stop if lost.
+    """Options of an ICP loop. It starts at `pose`, or elsewhere by `start`. `max_distance` [m] is within 27 voxels,
+    Geman-McClure `kernel_scale` [m^2], `tolerance` of the motion (rad, m). At least `min_pairs`, else lost; at most
+    `iterations`; `few`: use the reduced scan; `is_regularized`: add the matrix; `is_needed`: stop if lost.
     """
 
     pose: np.ndarray
@@ -57,7 +53,7 @@ class Leg:
     to_planes: bool = False
     few: bool = False
     is_regularized: bool = False
-    start: int = GIVEN
+    start: int = FROM_GIVEN
     is_needed: bool = False
 
 
@@ -106,9 +102,9 @@ class MapAligner:
         course = Course(room, voxel_map, float(self._plane_voxels * voxel_map.voxel_size), device)
         run = CUDA_RUN if device.is_cuda else CPU_RUN
         threads = -(-room // run)
-        rows = empty((threads, SUMS), float64, device)
-        folded = empty((-(-threads // FOLD), SUMS), float64, device) if device.is_cuda else rows
-        per_row = run * FOLD if device.is_cuda else run
+        rows = empty((threads, SYSTEM_SIZE), float64, device)
+        folded = empty((-(-threads // ROWS_PER_SUM), SYSTEM_SIZE), float64, device) if device.is_cuda else rows
+        per_row = run * ROWS_PER_SUM if device.is_cuda else run
 
         def iterate() -> None:
             launch(associate_points_kernel, threads, [run, course, rows])
@@ -125,42 +121,53 @@ class MapAligner:
         """
         course, corner = self._course, np.triu_indices(UNKNOWNS)
         assert course is not None
-        write(course.orders, self._orders(legs, None if regularization is None else regularization[corner]))
+        write(course.options.buffer, self._options(legs, None if regularization is None else regularization[corner]))
         launch(begin_course_kernel, len(legs), [course])
         self._loop.run()
         if legs[-1].to_planes:
             launch(sum_planes_kernel, self._plane_rows.shape[0], [course, self._plane_rows])
             launch(add_planes_kernel, TRIANGLE, [self._plane_rows, course])
-        results = download(course.results)  # sync
+        results = LegResults.in_host(download(course.results.buffer))  # sync
         information = np.zeros((UNKNOWNS, UNKNOWNS))
         if legs[-1].to_planes:
-            information[corner] = results[MAX_LEGS, :TRIANGLE]
+            information[corner] = results["plane_information"]
             information += np.triu(information, 1).T
-        return [self._reached(leg, row) for leg, row in zip(legs, results, strict=False)], information
+        return [self._reached(leg, k, results) for k, leg in enumerate(legs)], information
 
-    def _orders(self, legs: Sequence[Leg], regularization: np.ndarray | None) -> np.ndarray:
+    def _options(self, legs: Sequence[Leg], regularization: np.ndarray | None) -> np.ndarray:
+        """The buffer of LegOptions."""
         if len(legs) > MAX_LEGS:
             raise ValueError(f"legs: expected up to {MAX_LEGS}, got {len(legs)}")
-        orders = np.zeros((MAX_LEGS + 1, ORDER))
-        for row, leg in zip(orders, legs, strict=False):
-            row[:16] = leg.pose.ravel()
-            row[16:] = (
-                np.float32(leg.max_distance) ** 2, leg.kernel_scale, leg.tolerance, max(leg.min_pairs, MIN_PAIRS),
-                leg.iterations, leg.to_planes, self._counts[0] if leg.few else 0, self._counts[leg.few],
-                leg.is_regularized, leg.start, leg.is_needed,
-            )  # fmt: skip
+        assert self._course is not None
+        buffer = np.zeros(self._course.options.buffer.size)
+        options = LegOptions.in_host(buffer)
+        for k, leg in enumerate(legs):
+            options["poses"][16 * k : 16 * k + 16] = leg.pose.ravel()
+            options["max_sqdistances"][k] = np.float32(leg.max_distance) ** 2
+            options["kernel_scales"][k] = leg.kernel_scale
+            options["tolerances"][k] = leg.tolerance
+            options["min_pairs"][k] = max(leg.min_pairs, MIN_PAIRS)
+            options["max_iterations"][k] = leg.iterations
+            options["to_planes"][k] = leg.to_planes
+            options["first_points"][k] = self._counts[0] if leg.few else 0
+            options["point_counts"][k] = self._counts[leg.few]
+            options["regularized"][k] = leg.is_regularized
+            options["starts"][k] = leg.start
+            options["needed"][k] = leg.is_needed
         if regularization is not None:
-            orders[MAX_LEGS, :TRIANGLE] = regularization
-        orders[MAX_LEGS, map_course.LEGS] = len(legs)
-        return orders
+            options["regularization"][:] = regularization
+        options["leg_count"][0] = len(legs)
+        return buffer
 
-    def _reached(self, leg: Leg, row: np.ndarray) -> Reached:
-        sqsum, paired, cost, informative = row[SQSUM:RESULT].tolist()
+    def _reached(self, leg: Leg, k: int, results: dict[str, np.ndarray]) -> Reached:
+        paired, cost, informative = (float(results[name][k]) for name in ("pair_counts", "costs", "informative_counts"))
         unpaired = self._counts[leg.few] - paired
-        disagreement = cost / informative if informative > 0 else 0.0
-        cost = (cost + unpaired) / (informative + unpaired) if informative + unpaired > 0 else 1.0
-        pose = row[:16].reshape(4, 4).copy()
-        return Reached(pose, int(row[STATE]), int(row[ITERATIONS]), int(paired), sqsum, cost, disagreement)
+        pose, state, iterations = results["poses"][16 * k : 16 * k + 16], results["states"][k], results["iterations"][k]
+        return Reached(
+            pose=pose.reshape(4, 4).copy(), state=int(state), iterations=int(iterations), paired=int(paired),
+            sqsum=float(results["sqsums"][k]), disagreement=cost / informative if informative > 0 else 0.0,
+            cost=(cost + unpaired) / (informative + unpaired) if informative + unpaired > 0 else 1.0,
+        )  # fmt: skip
 
 
 def _is_same(a: Any, b: Any) -> bool:

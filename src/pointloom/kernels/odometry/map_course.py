@@ -5,6 +5,10 @@ sync. An iteration is two launches, three on CUDA: runs of points are matched an
 solves, moves the pose and decides. Source: as map_icp.py.
 """
 
+from inspect import get_annotations
+
+import numpy as np
+
 from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import (
     TRIANGLE,
@@ -19,39 +23,97 @@ from ..algebra.rigid_solve import (
 from ..algebra.transform import widen
 from ..array_types import Device
 from ..lang import INFINITY, array, cross, float64, func, int32, kernel, mat44d, sqrt, struct, tid, vec3, vec3d
-from ..memory import empty, zeros
-from .map_icp import PAIRS, SQUARES, SUMS, add_pair, plane, plane_around, sums
+from ..memory import empty, rows_of, zeros
+from .map_icp import (
+    COST_AT,
+    INFORMATIVE_COUNT_AT,
+    PAIR_COUNT_AT,
+    SQUARED_SUM_AT,
+    SYSTEM_SIZE,
+    add_pair,
+    plane,
+    plane_around,
+    sums,
+)
 from .voxel_map import VoxelMap
 from .voxel_map_search import find_nearest_in_map
 
 PLANE_RUN = 32  # points per thread for plane information
-FOLD = 64  # rows per second-stage sum on CUDA
+ROWS_PER_SUM = 64  # rows per second-stage sum on CUDA
 MAX_LEGS = 64
-RUNNING, CONVERGED, EXHAUSTED, LOST = 0, 1, 2, 3  # states of a leg
-GIVEN, OF_FIRST, CHEAPEST = 0, 1, 2  # starts of a leg
-# columns of an order: pose (16), then these
-LIMIT, SCALE, TOLERANCE, REQUIRED_PAIRS, MAX_ITERATIONS, TO_PLANES, FIRST, COUNT, REGULARIZED, START, NEEDED = range(
-    16, 27
-)
-ORDER = 27
-LEGS = TRIANGLE  # column in the last row, behind the regularization matrix, with the number of legs
-# columns of a result: pose (16), then these, and the cost and count of informative pairs
-STATE, ITERATIONS, SQSUM, PAIRED = range(16, 20)
-RESULT = 22
+LEG_RUNNING, LEG_CONVERGED, LEG_EXHAUSTED, LEG_LOST = 0, 1, 2, 3  # states of a leg
+FROM_GIVEN, FROM_FIRST, FROM_CHEAPEST = 0, 1, 2  # starts of a leg
+
+
+FIELD_SIZES = {"poses": 16 * MAX_LEGS, "regularization": TRIANGLE, "leg_count": 1, "plane_information": TRIANGLE}
+
+
+class OneBuffer:
+    """Arrays over one float64 `buffer`, which one copy moves. Fields without a size above have a number per leg."""
+
+    def __init__(self, device: Device) -> None:
+        parts = self.parts()
+        self.buffer = zeros(max(part.stop for part in parts.values()), float64, device)
+        vars(self).update({name: rows_of(self.buffer, part.start, part.stop) for name, part in parts.items()})
+
+    @classmethod
+    def parts(cls) -> dict[str, slice]:
+        sizes = {name: FIELD_SIZES.get(name, MAX_LEGS) for name in get_annotations(cls)}
+        ends = np.cumsum(list(sizes.values())).tolist()
+        return {name: slice(end - size, end) for (name, size), end in zip(sizes.items(), ends, strict=True)}
+
+    @classmethod
+    def in_host(cls, buffer: np.ndarray) -> dict[str, np.ndarray]:
+        return {name: buffer[part] for name, part in cls.parts().items()}
+
+
+@struct
+class LegOptions(OneBuffer):
+    """Options of all legs, an array per field: `poses` have 16 numbers each. Points from `first_points`, `point_counts`
+    of them. Flags are 0 or 1. `regularization`: upper triangle, for legs with `regularized`.
+    """
+
+    poses: array(dtype=float64)
+    max_sqdistances: array(dtype=float64)
+    kernel_scales: array(dtype=float64)
+    tolerances: array(dtype=float64)
+    min_pairs: array(dtype=float64)
+    max_iterations: array(dtype=float64)
+    to_planes: array(dtype=float64)
+    first_points: array(dtype=float64)
+    point_counts: array(dtype=float64)
+    regularized: array(dtype=float64)
+    starts: array(dtype=float64)
+    needed: array(dtype=float64)
+    regularization: array(dtype=float64)
+    leg_count: array(dtype=float64)
+
+
+@struct
+class LegResults(OneBuffer):
+    """Results of all legs, an array per field, and the information of the planes of the last one (upper triangle)."""
+
+    poses: array(dtype=float64)
+    states: array(dtype=float64)
+    iterations: array(dtype=float64)
+    sqsums: array(dtype=float64)
+    pair_counts: array(dtype=float64)
+    costs: array(dtype=float64)
+    informative_counts: array(dtype=float64)
+    plane_information: array(dtype=float64)
 
 
 @struct
 class Course:
-    """State of a course: `points` with the reduced scan behind. `planes` and `known`: map positions (-1) per point. A
-    row per leg in `orders` (last: regularization matrix, leg count) and `results` (last: plane information). `states`:
-    leg and iteration; `poses` T_map_sensor; `plane_radius` [m].
+    """State of a course: `points` with the reduced scan behind. `planes` and `known`: map positions (-1) per point.
+    `states`: leg and iteration; `poses` T_map_sensor; `plane_radius` [m].
     """
 
     points: array(dtype=vec3)
     planes: array(dtype=plane)
     known: array(dtype=int32)
-    orders: array(dtype=float64, ndim=2)
-    results: array(dtype=float64, ndim=2)
+    options: LegOptions
+    results: LegResults
     states: array(dtype=int32)
     running: array(dtype=int32)
     poses: array(dtype=mat44d)
@@ -61,50 +123,44 @@ class Course:
     def __init__(self, room: int, voxel_map: VoxelMap, plane_radius: float, device: Device) -> None:
         self.points, self.planes = empty(room, vec3, device), empty(room, plane, device)
         self.known, self.states, self.running = (empty(n, int32, device) for n in (room, 2, 1))
-        self.orders = zeros((MAX_LEGS + 1, ORDER), float64, device)
-        self.results = zeros((MAX_LEGS + 1, RESULT), float64, device)
+        self.options, self.results = LegOptions(device), LegResults(device)
         self.poses, self.voxel_map, self.plane_radius = empty(1, mat44d, device), voxel_map, plane_radius
 
 
 @func
-def leg_number(leg: int, column: int, course: Course) -> int:
-    return int(course.orders[leg, column])
-
-
-@func
-def pose_in(rows: array(dtype=float64, ndim=2), row: int) -> mat44d:
+def pose_of_leg(poses: array(dtype=float64), leg: int) -> mat44d:
     pose = mat44d(0.0)
     for i in range(4):
         for j in range(4):
-            pose[i, j] = rows[row, 4 * i + j]
+            pose[i, j] = poses[16 * leg + 4 * i + j]
     return pose
 
 
 @func
 def cost_of(leg: int, course: Course) -> float64:
-    unpaired = course.orders[leg, COUNT] - course.results[leg, PAIRED]
-    informative = course.results[leg, PAIRED + 2]
+    unpaired = course.options.point_counts[leg] - course.results.pair_counts[leg]
+    informative = course.results.informative_counts[leg]
     cost = float64(1.0)
     if informative + unpaired > 0.0:
-        cost = (course.results[leg, PAIRED + 1] + unpaired) / (informative + unpaired)
+        cost = (course.results.costs[leg] + unpaired) / (informative + unpaired)
     return cost
 
 
 @func
 def start_of(leg: int, course: Course) -> mat44d:
-    pose = pose_in(course.orders, leg)
-    start = leg_number(leg, START, course)
-    if start != GIVEN:
+    pose = pose_of_leg(course.options.poses, leg)
+    start = int(course.options.starts[leg])
+    if start != FROM_GIVEN:
         chosen = int(0)
-        if start == CHEAPEST:
+        if start == FROM_CHEAPEST:
             min_cost = float64(INFINITY)
             for k in range(1, leg):
-                if course.results[k, STATE] != float64(LOST):
+                if course.results.states[k] != float64(LEG_LOST):
                     cost = cost_of(k, course)
                     if cost < min_cost:
                         min_cost = cost
                         chosen = k
-        pose = pose_in(course.results, chosen)
+        pose = pose_of_leg(course.results.poses, chosen)
     return pose
 
 
@@ -124,8 +180,8 @@ def load_scan_kernel(points: array(dtype=vec3), few: array(dtype=vec3), course: 
 def begin_course_kernel(course: Course):
     """Initialize the first leg and all results. One thread per leg."""
     i = tid()
-    course.results[i, STATE] = float64(RUNNING)
-    course.results[i, ITERATIONS] = 0.0
+    course.results.states[i] = float64(LEG_RUNNING)
+    course.results.iterations[i] = 0.0
     if i == 0:
         course.poses[0] = start_of(0, course)
         course.states[0] = 0
@@ -138,12 +194,12 @@ def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64,
     """Sums over a run of points with their nearest map points within sqrt(limit), or planes, which are cached."""
     i = tid()
     leg = course.states[0]
-    begin = leg_number(leg, FIRST, course)
-    count = leg_number(leg, COUNT, course)
+    begin = int(course.options.first_points[leg])
+    count = int(course.options.point_counts[leg])
     if i * run < count:
-        limit = float(course.orders[leg, LIMIT])
-        kernel_scale = course.orders[leg, SCALE]
-        to_planes = leg_number(leg, TO_PLANES, course)
+        limit = float(course.options.max_sqdistances[leg])
+        kernel_scale = course.options.kernel_scales[leg]
+        to_planes = int(course.options.to_planes[leg])
         pose = course.poses[0]
         t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
         total = sums(0.0)
@@ -164,7 +220,7 @@ def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64,
                         course.known[j] = nearest
                         course.planes[j] = at
                 total = add_pair(total, y, r, at, kernel_scale)
-        for column in range(SUMS):
+        for column in range(SYSTEM_SIZE):
             rows[i, column] = total[column]
 
 
@@ -173,11 +229,11 @@ def fold_rows_kernel(
     run: int, course: Course, rows: array(dtype=float64, ndim=2), folded: array(dtype=float64, ndim=2)
 ):
     i = tid()
-    block = i // SUMS
-    column = i % SUMS
-    count = (leg_number(course.states[0], COUNT, course) + run - 1) // run
+    block = i // SYSTEM_SIZE
+    column = i % SYSTEM_SIZE
+    count = (int(course.options.point_counts[course.states[0]]) + run - 1) // run
     total = float64(0.0)
-    for j in range(block * FOLD, block * FOLD + min(FOLD, count - block * FOLD)):
+    for j in range(block * ROWS_PER_SUM, block * ROWS_PER_SUM + min(ROWS_PER_SUM, count - block * ROWS_PER_SUM)):
         total += rows[j, column]
     folded[block, column] = total
 
@@ -198,13 +254,16 @@ def end_leg(leg: int, state: int, total: sums, course: Course):
     pose = course.poses[0]
     for i in range(4):
         for j in range(4):
-            course.results[leg, 4 * i + j] = pose[i, j]
-        course.results[leg, SQSUM + i] = total[SQUARES + i]
-    course.results[leg, STATE] = float64(state)
-    course.results[leg, ITERATIONS] = float64(course.states[1])
+            course.results.poses[16 * leg + 4 * i + j] = pose[i, j]
+    course.results.sqsums[leg] = total[SQUARED_SUM_AT]
+    course.results.pair_counts[leg] = total[PAIR_COUNT_AT]
+    course.results.costs[leg] = total[COST_AT]
+    course.results.informative_counts[leg] = total[INFORMATIVE_COUNT_AT]
+    course.results.states[leg] = float64(state)
+    course.results.iterations[leg] = float64(course.states[1])
     following = leg + 1
-    count = leg_number(MAX_LEGS, LEGS, course)
-    if state == LOST and course.orders[leg, NEEDED] == 1.0:
+    count = int(course.options.leg_count[0])
+    if state == LEG_LOST and course.options.needed[leg] == 1.0:
         count = following
     if following == count:
         course.running[0] = 0
@@ -220,21 +279,21 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
     i = tid()
     leg = course.states[0]
     total = sums(0.0)
-    for j in range((leg_number(leg, COUNT, course) + per_row - 1) // per_row):
-        for column in range(SUMS):
+    for j in range((int(course.options.point_counts[leg]) + per_row - 1) // per_row):
+        for column in range(SYSTEM_SIZE):
             total[column] = total[column] + rows[j, column]
     iterations = course.states[1] + 1
     course.states[1] = iterations
-    state = int(RUNNING)
-    if total[PAIRS] < course.orders[leg, REQUIRED_PAIRS]:
-        state = int(LOST)
+    state = int(LEG_RUNNING)
+    if total[PAIR_COUNT_AT] < course.options.min_pairs[leg]:
+        state = int(LEG_LOST)
     else:
         h = triangle(0.0)
         trace = total[triangle_index(3, 3)] + total[triangle_index(4, 4)] + total[triangle_index(5, 5)]
         for k in range(TRIANGLE):
             h[k] = total[k]
-            if course.orders[leg, REGULARIZED] == 1.0:
-                h[k] = h[k] + course.orders[MAX_LEGS, k] * trace
+            if course.options.regularized[leg] == 1.0:
+                h[k] = h[k] + course.options.regularization[k] * trace
         b = vec6d(0.0)
         for k in range(UNKNOWNS):
             b[k] = total[TRIANGLE + k]
@@ -244,14 +303,14 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
             size += x[k] * x[k]
         if size - size == 0.0:
             course.poses[i] = moved_by(x, course.poses[i])
-            if sqrt(size) < course.orders[leg, TOLERANCE]:
-                state = int(CONVERGED)
+            if sqrt(size) < course.options.tolerances[leg]:
+                state = int(LEG_CONVERGED)
             else:
-                if iterations >= leg_number(leg, MAX_ITERATIONS, course):
-                    state = int(EXHAUSTED)
+                if iterations >= int(course.options.max_iterations[leg]):
+                    state = int(LEG_EXHAUSTED)
         else:
-            state = int(LOST)
-    if state != RUNNING:
+            state = int(LEG_LOST)
+    if state != LEG_RUNNING:
         end_leg(leg, state, total, course)
 
 
@@ -260,8 +319,8 @@ def sum_planes_kernel(course: Course, rows: array(dtype=float64, ndim=2)):
     """Plane information of a run of points: squares of (rotation about the sensor, translation) along normals."""
     i = tid()
     leg = course.states[0]
-    begin = leg_number(leg, FIRST, course)
-    count = leg_number(leg, COUNT, course)
+    begin = int(course.options.first_points[leg])
+    count = int(course.options.point_counts[leg])
     pose = course.poses[0]
     total = triangle(0.0)
     for k in range(i * PLANE_RUN, i * PLANE_RUN + min(PLANE_RUN, count - i * PLANE_RUN)):
@@ -285,4 +344,4 @@ def add_planes_kernel(rows: array(dtype=float64, ndim=2), course: Course):
     total = float64(0.0)
     for j in range(rows.shape[0]):
         total += rows[j, i]
-    course.results[MAX_LEGS, i] = total
+    course.results.plane_information[i] = total

@@ -14,18 +14,18 @@ from ..lang import float32, float64, func, mat33d, outer, transpose, vec3d, vect
 from .voxel_map import VoxelMap
 from .voxel_map_search import covariance_of, map_moments, mean_of, moments_in_map
 
-SUMS = 31  # upper triangle, right side, then squared distance, pairs, cost, informative pairs
+SYSTEM_SIZE = 31  # upper triangle, right side, then squared distance, pairs, cost, informative pairs
 sums = vector(31, float64)
 plane = vector(5, float32)  # normal, weight along it, isotropic weight
-SQUARES = 27
-PAIRS = 28
-COST = 29
-INFORMATIVE = 30
-FEW = 5.0  # points around the nearest one. Fewer define no plane
-FLAT = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
+SQUARED_SUM_AT = 27
+PAIR_COUNT_AT = 28
+COST_AT = 29
+INFORMATIVE_COUNT_AT = 30
+MIN_PLANE_POINTS = 5.0  # points around the nearest one. Fewer define no plane
+MAX_FLAT_RATIO = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
 WIDE_WEIGHT = 0.5  # of planes in the wider neighborhoods
 WIDE_SQUARE = 16.0  # factor of squared distances from them: a point off such a plane is often of another surface
-SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one changes often
+SCATTERED_WEIGHT = 0.1  # weight of a pair among scattered points, whose nearest one changes often
 WEAK_WEIGHT = 1.0e-3  # weight of undetermined directions: keeps the system solvable
 
 
@@ -33,15 +33,15 @@ WEAK_WEIGHT = 1.0e-3  # weight of undetermined directions: keeps the system solv
 def plane_of(m: map_moments) -> plane:
     """Plane from the moments of the points around the nearest one."""
     result = plane(0.0, 0.0, 0.0, 0.0, WEAK_WEIGHT)
-    if m[0] >= FEW:
+    if m[0] >= MIN_PLANE_POINTS:
         C = covariance_of(m, mean_of(m))
         spread = eigenvalues(C)
-        if spread[1] > float64(FLAT) * spread[2]:
-            if spread[0] < float64(FLAT) * spread[1]:
+        if spread[1] > float64(MAX_FLAT_RATIO) * spread[2]:
+            if spread[0] < float64(MAX_FLAT_RATIO) * spread[1]:
                 normal = smallest_eigenvector(C)
                 result = plane(float(normal[0]), float(normal[1]), float(normal[2]), 1.0, WEAK_WEIGHT)
             else:
-                result = plane(0.0, 0.0, 0.0, 0.0, SCATTERED)
+                result = plane(0.0, 0.0, 0.0, 0.0, SCATTERED_WEIGHT)
     return result
 
 
@@ -88,9 +88,9 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     result[TRIANGLE] = result[TRIANGLE] - (y[1] * f[2] - y[2] * f[1])
     result[TRIANGLE + 1] = result[TRIANGLE + 1] - (y[2] * f[0] - y[0] * f[2])
     result[TRIANGLE + 2] = result[TRIANGLE + 2] - (y[0] * f[1] - y[1] * f[0])
-    result[SQUARES] = result[SQUARES] + sqdist
-    result[PAIRS] = result[PAIRS] + 1.0
+    result[SQUARED_SUM_AT] = result[SQUARED_SUM_AT] + sqdist
+    result[PAIR_COUNT_AT] = result[PAIR_COUNT_AT] + 1.0
     if at[3] == 1.0 or at[4] > 2.0 * WEAK_WEIGHT:
-        result[COST] = result[COST] + 1.0 - root
-        result[INFORMATIVE] = result[INFORMATIVE] + 1.0
+        result[COST_AT] = result[COST_AT] + 1.0 - root
+        result[INFORMATIVE_COUNT_AT] = result[INFORMATIVE_COUNT_AT] + 1.0
     return result

@@ -13,18 +13,18 @@ from ..algebra.transform import widen
 from ..array_types import Points
 from ..lang import array, cross, dot, float32, float64, func, kernel, launch, mat44d, tid, vec3, vec3d, vec3i, vector
 from ..memory import download, empty, upload
-from ..poses.cost_differences import COLUMNS, compare_costs, run_length
+from ..poses.cost_differences import RISE_COLUMNS, compare_costs, run_length
 from .local_cells import cell_holding, offset_in_cell
-from .map_icp import FLAT
+from .map_icp import MAX_FLAT_RATIO
 from .voxel_map import VoxelMap
 from .voxel_map_search import covariance_of, find_nearest_in_map, mean_of, moments_in_map, side_in_order, voxels_around
 
 MIN_POINTS = 6.0  # of a patch
-GRAZING = 0.01  # squared sine of the angle between a patch and its ray
+MIN_SQUARED_SINE = 0.01  # squared sine of the angle between a patch and its ray
 MIN_SECTORS = 5  # of 8 around a patch's middle: a bent line has 4 at most
-INNER = 0.0625  # of the squared radius: nearer points have no clear direction
-ROW = 7  # of a point: derivatives by rotation and translation, and the distance
-SURE = 0.005  # squared error [rad^2] of a patch's normal
+INNER_RADIUS_SQUARED = 0.0625  # of the squared radius: nearer points have no clear direction
+ROW_SIZE = 7  # of a point: derivatives by rotation and translation, and the distance
+MAX_NORMAL_ERROR = 0.005  # squared error [rad^2] of a patch's normal
 patch = vector(8, float64)  # normal, middle relative to the nearest point, points, middle eigenvalue [m^2]
 
 
@@ -41,7 +41,7 @@ def sectors_in_map(center: vec3d, radius: float, u: vec3d, v: vec3d, voxel_map: 
         for slot in range(first, first + voxel_map.counts[voxel]):
             d = widen(voxel_map.offsets[slot] + shift - position)
             sqdist = float(dot(d, d))
-            if sqdist < sqradius and sqdist > INNER * sqradius:
+            if sqdist < sqradius and sqdist > INNER_RADIUS_SQUARED * sqradius:
                 a = dot(d, u)
                 b = dot(d, v)
                 octant = int(0)
@@ -68,11 +68,11 @@ def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> p
         mean = mean_of(m)
         C = covariance_of(m, mean)
         spread = eigenvalues(C)
-        is_flat = spread[1] > float64(FLAT) * spread[2] and spread[0] < float64(FLAT) * spread[1]
-        if is_flat and spread[0] < float64(SURE) * n * spread[1]:
+        is_flat = spread[1] > float64(MAX_FLAT_RATIO) * spread[2] and spread[0] < float64(MAX_FLAT_RATIO) * spread[1]
+        if is_flat and spread[0] < float64(MAX_NORMAL_ERROR) * n * spread[1]:
             normal = smallest_eigenvector(C)
             incidence = dot(normal, ray)
-            if incidence * incidence > float64(GRAZING) * dot(ray, ray):
+            if incidence * incidence > float64(MIN_SQUARED_SINE) * dot(ray, ray):
                 u = orthogonal_direction(normal)
                 if sectors_in_map(center, radius, u, cross(normal, u), voxel_map) >= MIN_SECTORS:
                     result = patch(normal[0], normal[1], normal[2], mean[0], mean[1], mean[2], n, spread[1])
@@ -124,7 +124,7 @@ def find_patches_kernel(
             for axis in range(3):
                 rows[j, axis] = turning[axis]
                 rows[j, 3 + axis] = normal[axis]
-            rows[j, ROW - 1] = residual
+            rows[j, ROW_SIZE - 1] = residual
 
 
 def compare_surfaces(
@@ -137,12 +137,12 @@ def compare_surfaces(
     device = points.device
     step = max(1, points.size // max(max_points, 1))
     count = -(-points.size // step)
-    squares, rows = empty((len(poses), count), float32, device), empty((count, ROW), float64, device)
+    squares, rows = empty((len(poses), count), float32, device), empty((count, ROW_SIZE), float64, device)
     run = 1 if device.is_cuda else run_length(squares)  # a point takes long, and there are few
     device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
     limit = np.float32(2 * radius) ** 2
     threads = len(poses) * -(-count // run)
     launch(find_patches_kernel, threads, [points, step, device_poses, run, limit, radius, voxel_map, squares, rows])
     at_first = download(rows)  # sync
-    rises = compare_costs(squares, voxel_map.voxel_size) if len(poses) > 1 else np.zeros((1, COLUMNS))
+    rises = compare_costs(squares, voxel_map.voxel_size) if len(poses) > 1 else np.zeros((1, RISE_COLUMNS))
     return rises, at_first[at_first[:, 3:6].any(axis=1)]

@@ -43,7 +43,7 @@ from .overlap_evidence import move_surface_kernel
 motions = vector(6, float64)
 position_sums = vector(9, float64)  # x, y, z, xx, xy, xz, yy, yz, zz
 system_sums = vector(28, float64)  # weight, upper triangle, right side
-TRIANGLE = 21
+TRIANGLE_SIZE = 21
 
 
 @struct
@@ -231,7 +231,7 @@ class AlignmentRows:
     def system(self, motion: np.ndarray, width: float) -> tuple[float, np.ndarray, np.ndarray]:
         """Sum of the weights at a motion, upper triangle (21) of the normal matrix, and right side (6). One sync."""
         sums = download(reduce(sum_system, len(self), [self._rows, self._residuals, motions(*motion), width]))[0]
-        return float(sums[0]), sums[1 : 1 + TRIANGLE], sums[1 + TRIANGLE :]
+        return float(sums[0]), sums[1 : 1 + TRIANGLE_SIZE], sums[1 + TRIANGLE_SIZE :]
 
     def block_scores(
         self, motion: np.ndarray, width: float, block_size: float, frame: np.ndarray

@@ -2,7 +2,7 @@
 
 from ..algebra.rotations import best_rotation
 from ..lang import array, dot, float64, func, kernel, mat33d, outer, reduction, tid, vec2d, vec3d
-from .control_lattice import AROUND, ControlLattice
+from .control_lattice import ANCHOR_NEIGHBORS, ControlLattice
 
 
 @func
@@ -21,9 +21,9 @@ def fit_anchor_rotations_kernel(lattice: ControlLattice, rotations: array(dtype=
     """Rotation that best fits the displacement of an anchor's neighbors."""
     i = tid()
     sums = mat33d(0.0)
-    n = int(AROUND)
+    n = int(ANCHOR_NEIGHBORS)
     for k in range(n):
-        other = lattice.around[AROUND * i + k]
+        other = lattice.around[ANCHOR_NEIGHBORS * i + k]
         if other >= 0:
             rest = rest_between(k, lattice.cell_size)
             sums += outer(rest, rest + lattice.shifts[i] - lattice.shifts[other])
@@ -44,9 +44,9 @@ def pull_anchors_kernel(
     """Add half the gradient of the regularization to that of the rows."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
-    n = int(AROUND)
+    n = int(ANCHOR_NEIGHBORS)
     for k in range(n):
-        other = lattice.around[AROUND * i + k]
+        other = lattice.around[ANCHOR_NEIGHBORS * i + k]
         if other >= 0:
             own = stretch_between(i, k, other, lattice, rotations[i])
             across = stretch_between(other, k ^ 1, i, lattice, rotations[other])
@@ -60,9 +60,9 @@ def sum_stretch(lattice: ControlLattice, tie: float64, rotations: array(dtype=ma
     """(regularization error, 0) of an anchor."""
     i = tid()
     total = float64(0.0)
-    n = int(AROUND)
+    n = int(ANCHOR_NEIGHBORS)
     for k in range(n):
-        other = lattice.around[AROUND * i + k]
+        other = lattice.around[ANCHOR_NEIGHBORS * i + k]
         if other >= 0:
             d = stretch_between(i, k, other, lattice, rotations[i])
             total += tie * dot(d, d)

@@ -43,7 +43,7 @@ from ..memory import cast, download, empty, upload, zeros
 from ..search.tree_walk import lowest_bit
 from .pair_fits import (
     MIN_PAIRS,
-    SUMS,
+    MOMENT_COUNT,
     PairCoordinates,
     PoseSums,
     all_sums,
@@ -57,8 +57,8 @@ from .pair_fits import (
 )
 from .pose_hypotheses import score_poses
 
-WORD = 32  # bits a word
-WORK = 2**29  # words read when counting common neighbors: half a second on one core
+BITS_PER_WORD = 32  # bits a word
+WORDS_READ = 2**29  # words read when counting common neighbors: half a second on one core
 SUM_BITS = 45  # of a sum of common neighbors: below m^2, with m^2 / 8 bytes in memory
 
 
@@ -75,14 +75,14 @@ class CompatibilityGraph:
 
     def __init__(self, pairs: PairCoordinates, bound: float, min_length: float) -> None:
         self.pairs, self.device, self.count = pairs, pairs.device, pairs.count
-        self.words = -(-self.count // WORD)
+        self.words = -(-self.count // BITS_PER_WORD)
         self.bits = empty(self.count * self.words, int32, self.device)
         self.degrees = empty(self.count, int32, self.device)
         self.warp = WARP if self.device.is_cuda else 1  # threads of a row
         self.warps = self.words * WARP if self.device.is_cuda else 1
         launch(connect_pairs_kernel, self.count * self.warp, [self, bound, min_length])
 
-    def support(self, work: int = WORK) -> LongIntegers:
+    def support(self, work: int = WORDS_READ) -> LongIntegers:
         """Twice the triangles of each vertex, int64 (m). 0 for low degrees beyond `work` words."""
         sums, degrees = zeros(self.count, int64, self.device), empty(self.count, int64, self.device)
         launch(widen_counts_kernel, self.count, [self.degrees, degrees])
@@ -138,9 +138,9 @@ def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, min_length: fl
     q = target_of(i, graph.pairs)
     degree = 0
     for w in range(graph.words):
-        first = w * WORD
+        first = w * BITS_PER_WORD
         word = 0
-        for j in range(first, min(first + WORD, graph.pairs.count)):
+        for j in range(first, min(first + BITS_PER_WORD, graph.pairs.count)):
             word = word | (is_edge(p, q, j, graph, bound, min_length) << (j - first))
         graph.bits[i * graph.words + w] = word
         degree += bit_count(word)
@@ -156,7 +156,7 @@ def connect_in_lanes_kernel(graph: CompatibilityGraph, bound: float, min_length:
     q = target_of(row, graph.pairs)
     degree = 0
     for w in range(graph.words):
-        j = w * WORD + lane()
+        j = w * BITS_PER_WORD + lane()
         edge = 0
         if j < graph.pairs.count:
             edge = is_edge(p, q, j, graph, bound, min_length)
@@ -213,7 +213,7 @@ def sum_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), sums:
         while left != 0:
             lowest = left & (-left)
             left = left ^ lowest
-            total += int64(count_shared(rows[i], w * WORD + bit_count(lowest - 1), graph))
+            total += int64(count_shared(rows[i], w * BITS_PER_WORD + bit_count(lowest - 1), graph))
     sums[rows[i]] = total
 
 
@@ -226,7 +226,7 @@ def sum_common_in_lanes_kernel(graph: CompatibilityGraph, rows: array(dtype=int3
     left = graph.bits[row * graph.words + w]
     shared = 0
     while left != 0:
-        shared += shared_by_lane(row, w * WORD + lowest_bit(left), graph)
+        shared += shared_by_lane(row, w * BITS_PER_WORD + lowest_bit(left), graph)
         left = left & (left - 1)
     total = sum_int_of_lanes(shared)
     if lane() == 0 and total > 0:
@@ -245,7 +245,7 @@ def list_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), comm
         while left != 0:
             lowest = left & (-left)
             left = left ^ lowest
-            column = w * WORD + bit_count(lowest - 1)
+            column = w * BITS_PER_WORD + bit_count(lowest - 1)
             common[i * graph.pairs.count + column] = count_shared(rows[i], column, graph)
 
 
@@ -255,11 +255,11 @@ def list_common_in_lanes_kernel(graph: CompatibilityGraph, rows: array(dtype=int
     i = tid()
     row = i // WARP // graph.words
     w = i // WARP % graph.words
-    column = w * WORD + lane()
+    column = w * BITS_PER_WORD + lane()
     left = graph.bits[rows[row] * graph.words + w]
     own = 0
     while left != 0:
-        other = w * WORD + lowest_bit(left)
+        other = w * BITS_PER_WORD + lowest_bit(left)
         shared = sum_int_of_lanes(shared_by_lane(rows[row], other, graph))
         if column == other:
             own = shared
@@ -323,16 +323,14 @@ def order_descending(values: LongIntegers, bit_count: int = SUM_BITS) -> Indices
     return argsort_keys(keys, bit_count)[1]
 
 
-SEEDS = 256  # poses scored
-NEIGHBORS = 20  # correspondences per seed fit: SC2-PCR uses 20 to 30; at most the lanes of a warp
-LARGEST = 0x7FFF_FFFF  # above all numbers of common neighbors
-FITTED = 32  # distinct poses refitted
-SAME = 3.0  # inlier distances: closer poses are equal
-STEPS = 14  # of graduated non-convexity: mu grows from 1/3 by STEP to 40
-FIRST_FRACTION, STEP = (
-    1.0 / 3.0,
-    1.4,
-)  # mu of the paper: weights initially vanish at sqrt((mu + 1) / mu) = 2 noise bounds
+MAX_SEEDS = 256  # poses scored
+MAX_SEED_PAIRS = 20  # correspondences per seed fit: SC2-PCR uses 20 to 30; at most the lanes of a warp
+MAX_INT = 0x7FFF_FFFF  # above all numbers of common neighbors
+MAX_REFITTED = 32  # distinct poses refitted
+MIN_POSE_DISTANCE = 3.0  # inlier distances: closer poses are equal
+ANNEALING_STEPS = 14  # of graduated non-convexity: mu grows from 1/3 by MU_GROWTH to 40
+# Mu of the paper: weights initially vanish at sqrt((mu + 1) / mu) = 2 noise bounds
+FIRST_FRACTION, MU_GROWTH = 1.0 / 3.0, 1.4
 
 
 @func
@@ -394,7 +392,7 @@ def fit_seeds_kernel(
 @cuda_func
 def threshold_of_lanes(common: array(dtype=int32), row: int, count: int, wanted: int) -> int:
     """`common_threshold` in one pass: each of the first `wanted` lanes keeps one of the largest numbers."""
-    kept = 0 if lane() < wanted else int(LARGEST)
+    kept = 0 if lane() < wanted else int(MAX_INT)
     lowest = 0
     for step in range((count + WARP - 1) // WARP):
         j = step * WARP + lane()
@@ -494,7 +492,7 @@ def step_poses_kernel(
     """Cost reduction of each pose. Then refit it, except in the last step."""
     i = tid()
     total = fold_blocks(partials, i * blocks, blocks)
-    saved[i] = total[SUMS]
+    saved[i] = total[MOMENT_COUNT]
     if last == 0 and total[0] >= float64(MIN_PAIRS):
         poses[i] = fit_of(total, poses[i], 0)
 
@@ -502,19 +500,19 @@ def step_poses_kernel(
 def seed_poses(graph: CompatibilityGraph, seeds: Integers) -> tuple[Poses, Indices]:
     """Poses of seeds and their best neighbors: (mat44d (s), int32 (s) of zeros)."""
     poses, scores = empty(seeds.size, mat44d, graph.device), empty(seeds.size, int32, graph.device)
-    wanted = min(NEIGHBORS, graph.count)
+    wanted = min(MAX_SEED_PAIRS, graph.count)
     launch(fit_seeds_kernel, seeds.size * graph.warp, [graph.pairs, seeds, graph.common(seeds), wanted, poses, scores])
     return poses, scores
 
 
-def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps: int = STEPS) -> Doubles:
+def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps: int = ANNEALING_STEPS) -> Doubles:
     """Fit poses (in place) by graduated non-convexity. Returns inlier sums of 1 - (residual / distance)^2."""
     saved = empty(poses.size, float64, pairs.device)
     sums, limit, fraction = PoseSums(pairs, poses.size), distance * distance, FIRST_FRACTION
     for step in range(steps + 1):
         sums.add_up(sum_truncated_kernel, sum_truncated, [poses, limit, fraction])
         launch(step_poses_kernel, poses.size, [sums.rows, sums.blocks, int(step == steps), poses, saved])
-        fraction *= STEP
+        fraction *= MU_GROWTH
     return saved
 
 
@@ -559,17 +557,17 @@ def find_consensus(
     if pairs.count < MIN_PAIRS:
         return nothing
     graph = CompatibilityGraph(pairs, bound, bound)
-    seeds = graph.peaks(graph.support(), 2 * distance, SEEDS)
+    seeds = graph.peaks(graph.support(), 2 * distance, MAX_SEEDS)
     if seeds.size == 0:
         return nothing
     poses, scores = seed_poses(graph, seeds)
     score_poses(pairs, poses, distance, scores)
     ranked, host_poses = read_poses(poses, cast(scores, float64))  # sync
     order = np.argsort(-ranked, kind="stable")
-    order = order[distinct_poses(host_poses[order], spread, SAME * distance)][:FITTED]
+    order = order[distinct_poses(host_poses[order], spread, MIN_POSE_DISTANCE * distance)][:MAX_REFITTED]
     chosen = upload(host_poses[order], mat44d, pairs.device)
     saved, refitted = read_poses(chosen, refit_truncated(pairs, chosen, distance))  # sync
     best = np.argsort(-saved, kind="stable")
     fitted = refitted[best]
-    distinct = distinct_poses(fitted, spread, SAME * distance)
+    distinct = distinct_poses(fitted, spread, MIN_POSE_DISTANCE * distance)
     return fitted[distinct], saved[best][distinct]

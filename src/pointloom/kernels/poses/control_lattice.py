@@ -36,11 +36,11 @@ from ..lang import (
 )
 from ..memory import download, empty, zeros
 
-CORNERS = 8
-AROUND = 6
-FARTHEST = 1 << 19  # cells from the origin: range of a key, with room for neighbors
-MAX_COORDINATE = float(FARTHEST)
-NOWHERE = 0x7FFF_FFFF_FFFF_FFFF  # key of points outside all cells
+CELL_CORNERS = 8
+ANCHOR_NEIGHBORS = 6
+MAX_CELL = 1 << 19  # cells from the origin: range of a key, with room for neighbors
+MAX_COORDINATE = float(MAX_CELL)
+OUTSIDE_KEY = 0x7FFF_FFFF_FFFF_FFFF  # key of points outside all cells
 
 
 @struct
@@ -62,14 +62,14 @@ class ControlLattice:
         device = cell_keys.device
         self.cell_size, self.cell_keys, self.cell_count = float(cell_size), cell_keys, cell_keys.size
         self.cells = list_keys(cell_keys, self.cell_count, self.cell_count)
-        corner_keys = empty(CORNERS * self.cell_count, int64, device)
+        corner_keys = empty(CELL_CORNERS * self.cell_count, int64, device)
         launch(key_corners_kernel, self.cell_count, [cell_keys, corner_keys])
         self.anchor_keys = UniqueKeys(corner_keys).keys  # sync
         self.anchor_count = self.anchor_keys.size
         self.anchors = list_keys(self.anchor_keys, self.anchor_count, self.anchor_count)
         self.corners = self.anchors.find(corner_keys)[0]
-        self.sharers = empty(CORNERS * self.anchor_count, int32, device)
-        self.around = empty(AROUND * self.anchor_count, int32, device)
+        self.sharers = empty(CELL_CORNERS * self.anchor_count, int32, device)
+        self.around = empty(ANCHOR_NEIGHBORS * self.anchor_count, int32, device)
         self.shifts = zeros(self.anchor_count, vec3d, device)
         given = [self.anchor_keys, self.cells, self.anchors, self.sharers, self.around]
         launch(join_anchors_kernel, self.anchor_count, given)
@@ -77,10 +77,10 @@ class ControlLattice:
 
 @func
 def find_cell(p: vec3, cell_size: float64) -> vec3i:
-    """Cell of a finite position; (FARTHEST, ..) beyond all keys."""
+    """Cell of a finite position; (MAX_CELL, ..) beyond all keys."""
     scaled = widen(p) / cell_size
     limit = float64(MAX_COORDINATE)
-    cell = vec3i(FARTHEST, FARTHEST, FARTHEST)
+    cell = vec3i(MAX_CELL, MAX_CELL, MAX_CELL)
     if max(abs(scaled[0]), max(abs(scaled[1]), abs(scaled[2]))) < limit:
         cell = vec3i(int(floor(scaled[0])), int(floor(scaled[1])), int(floor(scaled[2])))
     return cell
@@ -131,10 +131,10 @@ def corner_slope(corner: int, fraction: vec3d) -> vec3d:
 def key_cells_kernel(points: array(dtype=vec3), cell_size: float64, keys: array(dtype=int64)):
     i = tid()
     p = points[i]
-    key = int64(NOWHERE)
+    key = int64(OUTSIDE_KEY)
     if isfinite(p):
         cell = find_cell(p, cell_size)
-        if cell[0] < FARTHEST:
+        if cell[0] < MAX_CELL:
             key = block_key(cell[0], cell[1], cell[2])
     keys[i] = key
 
@@ -143,9 +143,9 @@ def key_cells_kernel(points: array(dtype=vec3), cell_size: float64, keys: array(
 def key_corners_kernel(cell_keys: array(dtype=int64), keys: array(dtype=int64)):
     i = tid()
     cell = key_block(cell_keys[i])
-    n = int(CORNERS)
+    n = int(CELL_CORNERS)
     for k in range(n):
-        keys[CORNERS * i + k] = block_key(cell[0] + (k >> 2), cell[1] + ((k >> 1) & 1), cell[2] + (k & 1))
+        keys[CELL_CORNERS * i + k] = block_key(cell[0] + (k >> 2), cell[1] + ((k >> 1) & 1), cell[2] + (k & 1))
 
 
 @kernel
@@ -158,11 +158,11 @@ def join_anchors_kernel(
 ):
     i = tid()
     position = key_block(anchor_keys[i])
-    n = int(CORNERS)
+    n = int(CELL_CORNERS)
     for k in range(n):
         key = block_key(position[0] - (k >> 2), position[1] - ((k >> 1) & 1), position[2] - (k & 1))
-        sharers[CORNERS * i + k] = find_position(key, cells)
-    m = int(AROUND)
+        sharers[CELL_CORNERS * i + k] = find_position(key, cells)
+    m = int(ANCHOR_NEIGHBORS)
     for k in range(m):
         step = 2 * (k & 1) - 1
         x = position[0]
@@ -174,7 +174,7 @@ def join_anchors_kernel(
             y += step
         if (k >> 1) == 2:
             z += step
-        around[AROUND * i + k] = find_position(block_key(x, y, z), anchors)
+        around[ANCHOR_NEIGHBORS * i + k] = find_position(block_key(x, y, z), anchors)
 
 
 @kernel
@@ -184,7 +184,7 @@ def locate_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, cel
     cell_index = -1
     if isfinite(p):
         cell = find_cell(p, lattice.cell_size)
-        if cell[0] < FARTHEST:
+        if cell[0] < MAX_CELL:
             cell_index = find_position(block_key(cell[0], cell[1], cell[2]), lattice.cells)
     cells[i] = cell_index
 
@@ -197,12 +197,12 @@ def bend_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, moved
     q = p + vec3(0.0, 0.0, 0.0)
     if isfinite(p):
         cell = find_cell(p, lattice.cell_size)
-        if cell[0] < FARTHEST:
+        if cell[0] < MAX_CELL:
             fraction = fraction_of(p, cell, lattice.cell_size)
             total = vec3d(0.0, 0.0, 0.0)
             weights = float64(0.0)
             missing = 0
-            n = int(CORNERS)
+            n = int(CELL_CORNERS)
             for k in range(n):
                 key = block_key(cell[0] + (k >> 2), cell[1] + ((k >> 1) & 1), cell[2] + (k & 1))
                 anchor = find_position(key, lattice.anchors)
@@ -229,16 +229,16 @@ def bend_normals_kernel(
     m = n + vec3(0.0, 0.0, 0.0)
     if isfinite(p):
         cell = find_cell(p, lattice.cell_size)
-        if cell[0] < FARTHEST:
+        if cell[0] < MAX_CELL:
             cell_index = find_position(block_key(cell[0], cell[1], cell[2]), lattice.cells)
             if cell_index >= 0:
                 fraction = fraction_of(p, cell, lattice.cell_size)
                 x = vec3d(1.0, 0.0, 0.0)
                 y = vec3d(0.0, 1.0, 0.0)
                 z = vec3d(0.0, 0.0, 1.0)
-                count = int(CORNERS)
+                count = int(CELL_CORNERS)
                 for k in range(count):
-                    shift = lattice.shifts[lattice.corners[CORNERS * cell_index + k]]
+                    shift = lattice.shifts[lattice.corners[CELL_CORNERS * cell_index + k]]
                     slope = corner_slope(k, fraction) / lattice.cell_size
                     x += shift[0] * slope
                     y += shift[1] * slope
@@ -293,7 +293,7 @@ def make_lattice(cell_size: float, points: Points, known: ControlLattice | None 
     keys = empty(points.size, int64, device)
     launch(key_cells_kernel, points.size, [points, float(cell_size), keys])
     groups = UniqueKeys(keys)
-    groups.drop_last(NOWHERE)
+    groups.drop_last(OUTSIDE_KEY)
     cell_keys = groups.keys
     if known is not None and known.cell_count:
         cell_keys = UniqueKeys(concatenate_rows([known.cell_keys, cell_keys])).keys

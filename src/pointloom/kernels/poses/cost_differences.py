@@ -10,11 +10,11 @@ from ..memory import download, empty, full
 
 CPU_RUN = 64  # points per thread
 CUDA_RUN = 4
-ROUNDS = 3
-SCALES = 9.0  # squared: costs reach one half at three standard deviations
+SCALE_ITERATIONS = 3
+HALF_COST_SQUARED = 9.0  # squared: costs reach one half at three standard deviations
 FIRST_SCALE = 0.1  # squared voxel edges: scale of the last ICP of LiDAR odometry
 MIN_SCALE = 2.0e-4  # likewise: a synthetic noise-free scan has no spread
-COLUMNS = 4
+RISE_COLUMNS = 4
 
 
 @kernel
@@ -46,7 +46,7 @@ def scale_costs_kernel(rows: array(dtype=float64, ndim=2), min_scale: float64, s
         total += rows[j, 0]
         weight += rows[j, 1]
     if weight > 0.0:
-        scales[i] = max(min_scale, min(scales[i], float64(SCALES) * total / weight))
+        scales[i] = max(min_scale, min(scales[i], float64(HALF_COST_SQUARED) * total / weight))
 
 
 @kernel
@@ -82,8 +82,8 @@ def compare_squares_kernel(
 @kernel
 def add_runs_kernel(rows: array(dtype=float64, ndim=3), sums: array(dtype=float64, ndim=2)):
     i = tid()
-    k = i // COLUMNS
-    column = i % COLUMNS
+    k = i // RISE_COLUMNS
+    column = i % RISE_COLUMNS
     total = float64(0.0)
     for r in range(rows.shape[1]):
         total += rows[k, r, column]
@@ -102,10 +102,10 @@ def compare_costs(squares: Array2[float32], voxel_size: float) -> np.ndarray:
     runs = -(-count // run)
     first, min_scale = (scale * voxel_size * voxel_size for scale in (FIRST_SCALE, MIN_SCALE))
     scales, weights = full(1, first, float64, device), empty((runs, 2), float64, device)
-    for _ in range(ROUNDS):
+    for _ in range(SCALE_ITERATIONS):
         launch(weigh_squares_kernel, runs, [squares, run, scales, weights])
         launch(scale_costs_kernel, 1, [weights, min_scale, scales])
-    rows, sums = empty((k, runs, COLUMNS), float64, device), empty((k, COLUMNS), float64, device)
+    rows, sums = empty((k, runs, RISE_COLUMNS), float64, device), empty((k, RISE_COLUMNS), float64, device)
     launch(compare_squares_kernel, k * runs, [squares, run, scales, rows])
-    launch(add_runs_kernel, k * COLUMNS, [rows, sums])
+    launch(add_runs_kernel, k * RISE_COLUMNS, [rows, sums])
     return download(sums)  # sync

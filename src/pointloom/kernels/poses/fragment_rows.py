@@ -43,7 +43,7 @@ from ..memory import download, empty, upload, zeros
 from ..search.nearest_point import find_nearest
 from ..search.point_tree import PointTree
 from .control_lattice import (
-    CORNERS,
+    CELL_CORNERS,
     ControlLattice,
     bend_normals,
     bend_points,
@@ -221,9 +221,9 @@ def shift_within(cell: int, fraction: vec3, lattice: ControlLattice, first: int,
     """Displacement at a position in a cell by the anchors' steps from row `first` on."""
     total = vec3d(0.0, 0.0, 0.0)
     if cell >= 0:
-        n = int(CORNERS)
+        n = int(CELL_CORNERS)
         for k in range(n):
-            total += corner_weight(k, widen(fraction)) * steps[first + lattice.corners[CORNERS * cell + k]]
+            total += corner_weight(k, widen(fraction)) * steps[first + lattice.corners[CELL_CORNERS * cell + k]]
     return total
 
 

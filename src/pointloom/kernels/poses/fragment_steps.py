@@ -35,11 +35,12 @@ from ..lang import (
 )
 from ..memory import download, empty, full, upload, zeros
 from .anchor_ties import fit_anchor_rotations_kernel, pull_anchors_kernel, sum_stretch
-from .control_lattice import AROUND, CORNERS, ControlLattice, corner_weight
+from .control_lattice import ANCHOR_NEIGHBORS, CELL_CORNERS, ControlLattice, corner_weight
 from .fragment_rows import FragmentRows, corner_sums, map_rows_kernel, slope_sums
 
-DAMPING = 1.0e-6  # of the diagonal: fixes undetermined unknowns, negligible elsewhere
-TOLERANCE = 1.0e-4  # of a solve: remaining fraction of the right side (preconditioned). 1e-6 changes no point by 10 um
+DIAGONAL_DAMPING = 1.0e-6  # of the diagonal: fixes undetermined unknowns, negligible elsewhere
+# Of a solve: remaining fraction of the right side (preconditioned). 1e-6 changes no point by 10 um
+SOLVE_TOLERANCE = 1.0e-4
 MAX_ITERATIONS = 1000
 pose_block = vector(21, float64)
 anchor_block = vector(6, float64)  # xx, xy, xz, yy, yz, zz
@@ -135,7 +136,7 @@ def sum_cell_slopes(rows: FragmentRows, values: array(dtype=float64)) -> corner_
     n = end_normal(end, rows) * values[end // 2]
     fraction = end_fraction(end, rows)
     total = corner_sums(0.0)
-    for k in range(CORNERS):
+    for k in range(CELL_CORNERS):
         w = corner_weight(k, fraction)
         total[3 * k] = w * n[0]
         total[3 * k + 1] = w * n[1]
@@ -188,17 +189,17 @@ def gather_anchors_kernel(
     i = tid()
     first = 2 * system.fragment_count
     total = vec3d(0.0, 0.0, 0.0)
-    n = int(CORNERS)
+    n = int(CELL_CORNERS)
     for k in range(n):
-        cell = lattice.sharers[CORNERS * i + k]
+        cell = lattice.sharers[CELL_CORNERS * i + k]
         if cell >= 0:
             total += vec3d(
                 system.cell_sums[cell][3 * k], system.cell_sums[cell][3 * k + 1], system.cell_sums[cell][3 * k + 2]
             )
     x = steps[first + i]
-    m = int(AROUND)
+    m = int(ANCHOR_NEIGHBORS)
     for k in range(m):
-        other = lattice.around[AROUND * i + k]
+        other = lattice.around[ANCHOR_NEIGHBORS * i + k]
         if other >= 0:
             total += 2.0 * system.tie * (x - steps[first + other])
     lift = system.lifts[first + i]
@@ -225,7 +226,7 @@ def factor_fragments_kernel(damping: float64, system: StepSystem):
 @kernel
 def add_anchor_blocks_kernel(corner: int, lattice: ControlLattice, system: StepSystem):
     i = tid()
-    cell = lattice.sharers[CORNERS * i + corner]
+    cell = lattice.sharers[CELL_CORNERS * i + corner]
     if cell >= 0:
         b = system.cell_blocks[cell]
         system.blocks[i] = system.blocks[i] + mat33d(b[0], b[1], b[2], b[1], b[3], b[4], b[2], b[4], b[5])
@@ -253,9 +254,9 @@ def invert_anchors_kernel(damping: float64, lattice: ControlLattice, system: Ste
     i = tid()
     block = system.blocks[i]
     ties = float64(0.0)
-    n = int(AROUND)
+    n = int(ANCHOR_NEIGHBORS)
     for k in range(n):
-        if lattice.around[AROUND * i + k] >= 0:
+        if lattice.around[ANCHOR_NEIGHBORS * i + k] >= 0:
             ties += 2.0 * system.tie
     lift = vec3d(damping * (block[0, 0] + ties), damping * (block[1, 1] + ties), damping * (block[2, 2] + ties))
     for k in range(3):
@@ -309,7 +310,7 @@ class FragmentStep:
         (squares, count), (stretch, _) = download(concatenate_rows([residuals, stretches])).tolist()  # sync
         return squares, int(count), stretch
 
-    def solve(self, tolerance: float = TOLERANCE) -> tuple[Positions, int]:
+    def solve(self, tolerance: float = SOLVE_TOLERANCE) -> tuple[Positions, int]:
         """The step, vec3d (2 fragments + anchors), and the iteration count."""
         system, device = self.system, self.lattice.shifts.device
         self._make_blocks()
@@ -349,16 +350,16 @@ class FragmentStep:
         system, lattice, rows = self.system, self.lattice, self.rows
         partials = rows.sums.partials(pose_block)
         reduce_segments(sum_pair_squares, rows.sums, self.live_pairs, [rows], partials, system.pair_blocks)
-        launch(factor_fragments_kernel, system.fragment_count, [DAMPING, system])
+        launch(factor_fragments_kernel, system.fragment_count, [DIAGONAL_DAMPING, system])
         if lattice.cell_count:
             partials = rows.cells.partials(anchor_block)
             launch(clear_blocks_kernel, lattice.anchor_count, [system.blocks])
-            for corner in range(CORNERS):
+            for corner in range(CELL_CORNERS):
                 reduce_segments(
                     sum_cell_squares, rows.cells, self.live_cells, [rows, corner], partials, system.cell_blocks
                 )
                 launch(add_anchor_blocks_kernel, lattice.anchor_count, [corner, lattice, system])
-            launch(invert_anchors_kernel, lattice.anchor_count, [DAMPING, lattice, system])
+            launch(invert_anchors_kernel, lattice.anchor_count, [DIAGONAL_DAMPING, lattice, system])
 
 
 @kernel

@@ -31,14 +31,15 @@ from ..lang import (
 )
 from ..memory import contiguous, download, full, upload, zeros
 
-WIDTH = 40  # cells per face edge: 2.25 degrees, some 5 cm at 1.3 m
+EDGE_CELLS = 40  # cells per face edge: 2.25 degrees, some 5 cm at 1.3 m
 VIEWPOINTS_PER_AXIS = 8  # viewpoints per axis of the box: 0.5 to 1 m apart in a room
-SAMPLE = 2048  # maximum points used to compare viewpoints
+MAX_COMPARED_POINTS = 2048  # maximum points used to compare viewpoints
 MAX_VIEWPOINTS = 48
-EQUAL = 0.02  # of the points: tolerance on hidden points relative to the best viewpoint, since sensors move a little
-HIDDEN = 0.1  # of the points hidden from the best viewpoint, above which no viewpoint is accepted
-SLACK = 0.1  # of a distance: minimum separation of two surfaces, since a cell is 2.25 degrees wide
-RUN = 32  # points per thread
+# Of the points: tolerance on hidden points relative to the best viewpoint, since sensors move a little
+HIDDEN_TOLERANCE = 0.02
+MAX_HIDDEN = 0.1  # of the points hidden from the best viewpoint, above which no viewpoint is accepted
+MIN_SEPARATION = 0.1  # of a distance: minimum separation of two surfaces, since a cell is 2.25 degrees wide
+POINTS_PER_THREAD = 32  # points per thread
 
 
 @struct
@@ -53,22 +54,22 @@ class Sight:
 
     def __init__(self, points: Points, viewpoints: np.ndarray, margin: float) -> None:
         """Render finite points from viewpoints, float64 (k, 3)."""
-        self.viewpoint_count, self.width, self.margin, self.device = len(viewpoints), WIDTH, margin, points.device
+        self.viewpoint_count, self.width, self.margin, self.device = len(viewpoints), EDGE_CELLS, margin, points.device
         self.viewpoints = upload(viewpoints, vec3d, points.device)
-        self.ranges = full(self.viewpoint_count * 6 * WIDTH * WIDTH, INFINITY, float32, points.device)
+        self.ranges = full(self.viewpoint_count * 6 * EDGE_CELLS * EDGE_CELLS, INFINITY, float32, points.device)
         launch(draw_ranges_kernel, self.viewpoint_count * points.size, [points, self, self.ranges])
 
     def count_hidden(self, points: Points) -> np.ndarray:
         """Points behind the surface from each viewpoint: int32 (k). One sync."""
         counts = zeros(self.viewpoint_count, int32, self.device)
-        runs = -(-points.size // RUN)
+        runs = -(-points.size // POINTS_PER_THREAD)
         launch(count_hidden_kernel, self.viewpoint_count * runs, [points, points.size, self, counts])
         return download(counts)  # sync
 
     def count_occluding(self, points: Points, pose: np.ndarray) -> Integers:
         """Posed points in front of the surface from each viewpoint: int32 (k)."""
         counts = zeros(self.viewpoint_count, int32, self.device)
-        runs = -(-points.size // RUN)
+        runs = -(-points.size // POINTS_PER_THREAD)
         arguments = [points, points.size, mat44d(*pose.ravel().tolist()), self, counts]
         launch(count_occluding_kernel, self.viewpoint_count * runs, arguments)
         return counts
@@ -96,12 +97,12 @@ def draw_ranges_kernel(points: array(dtype=vec3), sight: Sight, ranges: array(dt
 def count_hidden_kernel(points: array(dtype=vec3), count: int, sight: Sight, counts: array(dtype=int32)):
     i = tid()
     viewpoint = i % sight.viewpoint_count
-    first = i // sight.viewpoint_count * RUN
+    first = i // sight.viewpoint_count * POINTS_PER_THREAD
     hidden = 0
-    for k in range(first, min(first + RUN, count)):
+    for k in range(first, min(first + POINTS_PER_THREAD, count)):
         p = widen(points[k]) - sight.viewpoints[viewpoint]
         cell = viewpoint * 6 * sight.width * sight.width + cell_of(p, sight.width)
-        if float(length(p)) > sight.ranges[cell] * float(1.0 + SLACK) + sight.margin:
+        if float(length(p)) > sight.ranges[cell] * float(1.0 + MIN_SEPARATION) + sight.margin:
             hidden += 1
     if hidden > 0:
         atomic_add(counts, viewpoint, hidden)  # integer sum: order-independent
@@ -129,11 +130,11 @@ def count_occluding_kernel(
 ):
     i = tid()
     viewpoint = i % sight.viewpoint_count
-    first = i // sight.viewpoint_count * RUN
+    first = i // sight.viewpoint_count * POINTS_PER_THREAD
     before = 0
-    for k in range(first, min(first + RUN, count)):
+    for k in range(first, min(first + POINTS_PER_THREAD, count)):
         p = move(pose, widen(points[k])) - sight.viewpoints[viewpoint]
-        if float(length(p)) < min_range_around(sight, viewpoint, p) * float(1.0 - SLACK) - sight.margin:
+        if float(length(p)) < min_range_around(sight, viewpoint, p) * float(1.0 - MIN_SEPARATION) - sight.margin:
             before += 1
     if before > 0:
         atomic_add(counts, viewpoint, before)  # integer sum: order-independent
@@ -143,14 +144,14 @@ def find_sight(points: Points, margin: float) -> Sight | None:
     """Candidate viewpoints of finite points. None if none sees most of the cloud. Deterministic, two syncs."""
     if not points.size:
         return None
-    some = contiguous(points[:: max(1, -(-points.size // SAMPLE))])
+    some = contiguous(points[:: max(1, -(-points.size // MAX_COMPARED_POINTS))])
     low, high = (corner.astype(np.float64) for corner in bound_points(some)[:2])  # sync
     step = (high - low) / VIEWPOINTS_PER_AXIS
     axes = [low[k] + step[k] * (np.arange(VIEWPOINTS_PER_AXIS) + 0.5) for k in range(3)]
     viewpoints = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
     hidden = Sight(some, viewpoints, margin).count_hidden(some) / some.size
     order = np.argsort(hidden, kind="stable")
-    selected = order[hidden[order] <= hidden[order[0]] + EQUAL]
-    if hidden[order[0]] > HIDDEN:
+    selected = order[hidden[order] <= hidden[order[0]] + HIDDEN_TOLERANCE]
+    if hidden[order[0]] > MAX_HIDDEN:
         return None
     return Sight(points, viewpoints[selected[:: -(-len(selected) // MAX_VIEWPOINTS)]], margin)

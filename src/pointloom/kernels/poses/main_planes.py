@@ -38,8 +38,8 @@ from ..lang import (
 from ..memory import download, empty, host_view, upload, zeros
 from ..search.nearest_point import NO_POINT
 
-VOTERS, PLANES = 2048, 256  # maxima, evenly spaced: a dominant plane has 10 % of the voters
-PARALLEL = 0.95  # 18 degrees: cosine between a plane normal and its points' normals
+MAX_VOTERS, MAX_PROPOSALS = 2048, 256  # maxima, evenly spaced: a dominant plane has 10 % of the voters
+PARALLEL_COSINE = 0.95  # 18 degrees: cosine between a plane normal and its points' normals
 FIT_STEPS = 2  # of the plane to its inliers: the first normal comes from a few voxels
 MIN_POINTS = 5  # points of a plane
 
@@ -75,7 +75,7 @@ class MainPlanes:
 @struct
 class Voters:
     """Subset of points and the current plane (`point`, `normal`). `normals`, zero once assigned; `firsts`: original
-    normals; `sizes`: voter count, proposal step, 1 when finished; `best`: VOTERS minus the inliers, above the proposal.
+    normals; `sizes`: voter count, proposal step, 1 when finished; `best`: non-inliers, above the proposal.
     """
 
     points: array(dtype=vec3)
@@ -87,7 +87,7 @@ class Voters:
     normal: array(dtype=vec3d)
 
     def __init__(self, device: Device) -> None:
-        self.points, self.normals, self.firsts = (empty(VOTERS, vec3, device) for _ in range(3))
+        self.points, self.normals, self.firsts = (empty(MAX_VOTERS, vec3, device) for _ in range(3))
         self.sizes, self.best = empty(3, int32, device), empty(1, int64, device)
         self.point, self.normal = empty(1, vec3d, device), empty(1, vec3d, device)
 
@@ -99,7 +99,7 @@ def choose_voters_kernel(
     """Choose evenly spaced flagged points as voters. Ranks are prefix sums of the flags."""
     i = tid()
     total = ranks[ranks.shape[0] - 1]
-    step = max(1, (total + VOTERS - 1) // VOTERS)
+    step = max(1, (total + MAX_VOTERS - 1) // MAX_VOTERS)
     before = 0
     if i > 0:
         before = ranks[i - 1]
@@ -111,7 +111,7 @@ def choose_voters_kernel(
     if i == 0:
         count = (total + step - 1) // step
         voters.sizes[VOTERS_AT] = count
-        voters.sizes[STEP_AT] = max(1, (count + PLANES - 1) // PLANES)
+        voters.sizes[STEP_AT] = max(1, (count + MAX_PROPOSALS - 1) // MAX_PROPOSALS)
         voters.sizes[DONE_AT] = 1 if total == 0 else 0
         voters.best[0] = int64(NO_KEY)
 
@@ -119,7 +119,7 @@ def choose_voters_kernel(
 @func
 def offer_plane(proposal: int, inliers: int, voters: Voters):
     """Keep the proposal with most inliers, the first of equal ones. Minimum: order-independent."""
-    atomic_min(voters.best, 0, pack_bits(VOTERS - inliers, proposal))
+    atomic_min(voters.best, 0, pack_bits(MAX_VOTERS - inliers, proposal))
 
 
 @func
@@ -263,12 +263,12 @@ def find_main_planes(
     voters = Voters(device)
     launch(choose_voters_kernel, points.size, [points, normals, _ranks_of(mask), voters])
     for _ in range(plane_count):
-        launch(count_coplanar_kernel, PLANES * (WARP if device.is_cuda else 1), [voters, tight, PARALLEL])
+        launch(count_coplanar_kernel, MAX_PROPOSALS * (WARP if device.is_cuda else 1), [voters, tight, PARALLEL_COSINE])
         launch(choose_plane_kernel, 1, [voters])
         for step in range(FIT_STEPS):
-            sums = reduce(sum_coplanar, VOTERS, [voters, tight, PARALLEL])
+            sums = reduce(sum_coplanar, MAX_VOTERS, [voters, tight, PARALLEL_COSINE])
             launch(fit_plane_kernel, 1, [sums, int(step == FIT_STEPS - 1), voters, planes])
-        launch(silence_coplanar_kernel, VOTERS, [voters, slab, cosine])
+        launch(silence_coplanar_kernel, MAX_VOTERS, [voters, slab, cosine])
     return planes
 
 

@@ -52,13 +52,13 @@ evidence_sums = vector(46, float64)  # normal matrices of near points and matche
 motions = vector(6, float64)
 NEAR_AT, AGREEING_AT, MATCHED_AT, ALIGNED_AT = 42, 43, 44, 45
 
-PLANES = 3  # sufficient to fix a pose
+PLANE_COUNT = 3  # sufficient to fix a pose
 MAX_DIRECTIONS = 6  # of plane normals, and orthogonal to two of them
 # In match distances (1.5 voxels): half a voxel to the points that fit a plane, one voxel to those on it,
 # three voxels to those whose normals it bends.
-FITTED, ON_PLANE, BENT = 0.35, 0.75, 2.0
-SQUARE = 0.17  # 10 degrees: cosine between normals of orthogonal planes
-ALIGNED = 0.95  # 18 degrees: cosine between a normal and a plane's, as in plane fitting
+FITTED_DISTANCE, ON_PLANE, BENT_DISTANCE = 0.35, 0.75, 2.0
+MAX_ORTHOGONAL_COSINE = 0.17  # 10 degrees: cosine between normals of orthogonal planes
+MIN_ALIGNED_COSINE = 0.95  # 18 degrees: cosine between a normal and a plane's, as in plane fitting
 
 
 @kernel
@@ -138,12 +138,12 @@ class Overlap:
         count = self.moved.size
         mask = empty(count, uint8, self.moved.device)
         launch(mask_matched_kernel, count, [self, mask])
-        fitted, slab = FITTED * self.distance, ON_PLANE * self.distance
-        return find_main_planes(self.moved, self.moved_normals, mask, PLANES, fitted, slab, self.cosine)
+        fitted, slab = FITTED_DISTANCE * self.distance, ON_PLANE * self.distance
+        return find_main_planes(self.moved, self.moved_normals, mask, PLANE_COUNT, fitted, slab, self.cosine)
 
     def leave_out_planes(self, planes: MainPlanes) -> None:
         """Remove the points on planes."""
-        slab, edge = ON_PLANE * self.distance, BENT * self.distance
+        slab, edge = ON_PLANE * self.distance, BENT_DISTANCE * self.distance
         leave_out_planes(self.moved, self.moved_normals, planes, slab, self.cosine, edge, self.nearest)
         self.find_middle()
         find_directions(planes, self.frame, self.frame_size)
@@ -152,7 +152,7 @@ class Overlap:
         return reduce(sum_evidence, self.moved.size, [self])
 
     def weigh_relief(self, planes: MainPlanes) -> Array1[Any]:
-        slab, edge = ON_PLANE * self.distance, BENT * self.distance
+        slab, edge = ON_PLANE * self.distance, BENT_DISTANCE * self.distance
         return reduce(sum_relief, self.moved.size, [self, planes, slab, edge])
 
 
@@ -189,7 +189,7 @@ def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), co
         for j in range(k):
             a = planes.directions[k]
             b = planes.directions[j]
-            if abs(dot(a, b)) < SQUARE:
+            if abs(dot(a, b)) < MAX_ORTHOGONAL_COSINE:
                 third = cross(a, b)
                 directions[total] = third * (1.0 / length(third))
                 total += 1
@@ -197,7 +197,7 @@ def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), co
 
 
 def find_directions(planes: MainPlanes, directions: Vectors, count: Integers) -> None:
-    """Write the directions of planes and their count, at most MAX_DIRECTIONS of PLANES."""
+    """Write the directions of planes and their count, at most MAX_DIRECTIONS of PLANE_COUNT."""
     launch(find_directions_kernel, 1, [planes, directions, count])
 
 
@@ -225,7 +225,7 @@ def is_aligned(overlap: Overlap, i: int) -> int:
     """True if a normal is along a removed plane's normal, or orthogonal to two."""
     aligned = 0
     for k in range(overlap.frame_size[0]):
-        if abs(dot(overlap.frame[k], overlap.moved_normals[i])) > ALIGNED:
+        if abs(dot(overlap.frame[k], overlap.moved_normals[i])) > MIN_ALIGNED_COSINE:
             aligned = 1
     return aligned
 

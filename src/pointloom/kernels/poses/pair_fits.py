@@ -40,11 +40,11 @@ from ..lang import (
 )
 from ..memory import empty, fill, full, zeros
 
-BLOCK = 512  # correspondences whose coordinates (12 KB) stay in the L1 cache
-SUMS = 18  # numbers of a fit
-COLUMNS = SUMS + 1  # plus the weighted sum of squared distances
+PAIRS_PER_BLOCK = 512  # correspondences whose coordinates (12 KB) stay in the L1 cache
+MOMENT_COUNT = 18  # numbers of a fit
+SUM_COLUMNS = MOMENT_COUNT + 1  # plus the weighted sum of squared distances
 MIN_PAIRS = 3  # correspondences that fix a pose
-WITHIN = 0  # weighting: 1 below a squared distance
+WITHIN_LIMIT = 0  # weighting: 1 below a squared distance
 GEMAN_MCCLURE = 1  # weighting: (mu / (mu + d^2))^2
 all_sums = vector(19, float64)
 
@@ -73,12 +73,12 @@ class PairCoordinates:
         self.coordinates = empty(6 * self.count, float32, device)
         middles = [vec3(*source_middle), vec3(*target_middle)]
         launch(split_pairs_kernel, self.count, [source, target, *middles, self])
-        self.blocks = -(-self.count // BLOCK)
+        self.blocks = -(-self.count // PAIRS_PER_BLOCK)
 
     def select(self, rows: Indices) -> "PairCoordinates":
         """Correspondences at some rows (int32 device array), which may repeat."""
         chosen = PairCoordinates.__new__(PairCoordinates)
-        chosen.device, chosen.count, chosen.blocks = self.device, rows.size, -(-rows.size // BLOCK)
+        chosen.device, chosen.count, chosen.blocks = self.device, rows.size, -(-rows.size // PAIRS_PER_BLOCK)
         chosen.rows = empty((rows.size, 2), int32, self.device)
         launch(gather_pairs_kernel, rows.size, [self.rows, rows, chosen.rows])
         chosen.coordinates = empty(6 * rows.size, float32, self.device)
@@ -99,7 +99,7 @@ class PairCoordinates:
         fill(scores, -1.0)
         limits, sums = full(k, distance * distance, float64, self.device), PoseSums(self, k)
         for _ in range(steps + 1):
-            sums.add_up(sum_pairs_kernel, sum_weighted, [poses, limits, WITHIN])
+            sums.add_up(sum_pairs_kernel, sum_weighted, [poses, limits, WITHIN_LIMIT])
             launch(refit_poses_kernel, k, [sums.rows, sums.blocks, int(with_scaling), poses, best, scores])
         return best, scores
 
@@ -118,17 +118,17 @@ class PairCoordinates:
 
 
 class PoseSums:
-    """Reusable sums under `count` poses: `rows` float64 (count * blocks, COLUMNS), on CUDA one block."""
+    """Reusable sums under `count` poses: `rows` float64 (count * blocks, SUM_COLUMNS), on CUDA one block."""
 
     def __init__(self, pairs: PairCoordinates, count: int) -> None:
         device = self.device = pairs.device
         self.pairs, self.count, self.blocks = pairs, count, pairs.blocks
         if not device.is_cuda:
-            self.rows = empty((count * pairs.blocks, COLUMNS), float64, device)
+            self.rows = empty((count * pairs.blocks, SUM_COLUMNS), float64, device)
             return
         self.blocks = 1
         self._segments = SegmentBlocks(np.arange(count) * pairs.count, np.full(count, pairs.count), device)
-        self.rows = zeros((count, COLUMNS), float64, device)
+        self.rows = zeros((count, SUM_COLUMNS), float64, device)
         self._live, self._totals = full(count, 1, int32, device), part_of(self.rows, 0, all_sums, count)
         self._partials = self._segments.partials(all_sums)
 
@@ -194,7 +194,7 @@ def target_point(pairs: PairCoordinates, row: int) -> vec3d:
 @loop
 def residuals_of_block(block: int, pose: mat44d, pairs: PairCoordinates) -> tuple[vec3d, vec3d, float64]:
     """End points of a block's correspondences and their squared distances [m^2] under a pose."""
-    for j in range(block * BLOCK, min((block + 1) * BLOCK, pairs.count)):
+    for j in range(block * PAIRS_PER_BLOCK, min((block + 1) * PAIRS_PER_BLOCK, pairs.count)):
         p = source_point(pairs, j)
         q = target_point(pairs, j)
         r = move(pose, p) - q
@@ -204,9 +204,9 @@ def residuals_of_block(block: int, pose: mat44d, pairs: PairCoordinates) -> tupl
 
 @func
 def store_sums(i: int, s: pair_sums, last: float64, partials: array(dtype=float64, ndim=2)):
-    for k in range(SUMS):
+    for k in range(MOMENT_COUNT):
         partials[i, k] = s[k]
-    partials[i, SUMS] = last
+    partials[i, MOMENT_COUNT] = last
 
 
 @func
@@ -226,7 +226,7 @@ def joined_sums(s: pair_sums, last: float64) -> all_sums:
     total = all_sums(0.0)
     for k in range(18):
         total[k] = s[k]
-    total[SUMS] = last
+    total[MOMENT_COUNT] = last
     return total
 
 
@@ -268,7 +268,7 @@ def sum_pairs_kernel(
 def fold_blocks(partials: array(dtype=float64, ndim=2), first: int, blocks: int) -> all_sums:
     total = all_sums(0.0)
     for block in range(first, first + blocks):
-        for k in range(COLUMNS):
+        for k in range(SUM_COLUMNS):
             total[k] = total[k] + partials[block, k]
     return total
 
@@ -277,7 +277,7 @@ def fold_blocks(partials: array(dtype=float64, ndim=2), first: int, blocks: int)
 def fit_of(total: all_sums, pose: mat44d, with_scaling: int) -> mat44d:
     """Weighted best fit. The old pose if the weights are zero."""
     s = pair_sums(0.0)
-    for k in range(SUMS):
+    for k in range(MOMENT_COUNT):
         s[k] = total[k]
     fitted = pose * 1.0
     if total[0] > 0.0:
@@ -300,12 +300,12 @@ def refit_poses_kernel(
     better = 0
     if total[0] > scores[i, 0]:
         better = 1
-    if total[0] == scores[i, 0] and total[SUMS] < scores[i, 1]:
+    if total[0] == scores[i, 0] and total[MOMENT_COUNT] < scores[i, 1]:
         better = 1
     if better == 1:
         best_poses[i] = poses[i]
         scores[i, 0] = total[0]
-        scores[i, 1] = total[SUMS]
+        scores[i, 1] = total[MOMENT_COUNT]
     if total[0] >= float64(MIN_PAIRS):
         poses[i] = fit_of(total, poses[i], with_scaling)
 

@@ -41,10 +41,10 @@ from ..search.many_clouds import ManyClouds
 from ..search.nearest_point import NO_POINT, find_nearest, lane_numbers
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, find_bucket, measure_boxes
 from ..search.tree_search import squared_radius
-from .pair_fits import MIN_PAIRS, SUMS
+from .pair_fits import MIN_PAIRS, MOMENT_COUNT
 
 CPU_RUN, CUDA_RUN = 16, 1  # groups of LEAF points per thread: few atomics on the CPU, many threads on CUDA
-STILL = 1.0e-6  # relative decrease of the sum that counts as progress
+MIN_COST_DECREASE = 1.0e-6  # relative decrease of the sum that counts as progress
 lane_flags = vector(8, int32)
 match_sums = vector(19, float64)
 
@@ -271,9 +271,9 @@ def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums
         p = widen(fitness.source[i]) - widen(fitness.source_middle)
         q = widen(fitness.target[key_index(key)]) - widen(fitness.target_middle)
         s = sums_of_pair(p, q, 1.0)
-        for k in range(SUMS):
+        for k in range(MOMENT_COUNT):
             out[k] = s[k]
-        out[SUMS] = float64(key_number(key))
+        out[MOMENT_COUNT] = float64(key_number(key))
     return out
 
 
@@ -282,17 +282,17 @@ def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_sca
     """Keep and refit a pose whose cost is below the best. Else stop."""
     i = tid()
     total = sums[i]
-    cost = total[SUMS] - total[0] * limit  # minus that of all unmatched points
+    cost = total[MOMENT_COUNT] - total[0] * limit  # minus that of all unmatched points
     course.running[i] = 0
-    if not (cost >= course.costs[i] - float64(STILL) * abs(cost)):
+    if not (cost >= course.costs[i] - float64(MIN_COST_DECREASE) * abs(cost)):
         course.best[i] = course.poses[i]
         course.counts[i] = int(total[0])
-        course.squares[i] = total[SUMS]
+        course.squares[i] = total[MOMENT_COUNT]
         course.costs[i] = cost
         course.left[i] = course.left[i] - 1
         if course.left[i] > 0 and total[0] >= float64(MIN_PAIRS):
             s = pair_sums(0.0)
-            for k in range(SUMS):
+            for k in range(MOMENT_COUNT):
                 s[k] = total[k]
             course.poses[i] = fit_pose(s, with_scaling)
             course.running[i] = 1

@@ -1,7 +1,7 @@
 """Pose hypotheses from random samples of correspondences, drawn, checked and scored in batches.
 
 Fischler and Bolles, "Random sample consensus", CACM 1981. Samples depend only on (seed, hypothesis number). A length
-check rejects most samples before fitting. A thread scores GROUP poses on a run of blocks with integer counts.
+check rejects most samples before fitting. A thread scores eight poses on a run of blocks with integer counts.
 """
 
 import math
@@ -39,14 +39,14 @@ from ..lang import (
     vector,
 )
 from ..memory import empty
-from .pair_fits import BLOCK, PairCoordinates, source_point, target_point
+from .pair_fits import PAIRS_PER_BLOCK, PairCoordinates, source_point, target_point
 
-GROUP = 8  # poses per thread
+POSES_PER_THREAD = 8  # poses per thread
 CPU_RUN = 16  # blocks per thread: few atomics
 CUDA_BLOCK = 1024  # correspondences per warp
-REFUSED = -1  # score of a rejected hypothesis
-COLLAPSED = 1.0e-6  # of the target's extent: samples shrunk below by scaling are rejected
-eight_counts = vector(GROUP, int32)
+REJECTED_SCORE = -1  # score of a rejected hypothesis
+MIN_SAMPLE_EXTENT = 1.0e-6  # of the target's extent: samples shrunk below by scaling are rejected
+eight_counts = vector(POSES_PER_THREAD, int32)
 pose_numbers = vector(12, float32)
 
 
@@ -96,7 +96,7 @@ class Samples:
     def fit(
         self, checks: Checks, normals: Sequence[Vectors], with_scaling: bool, chosen: Indices | None = None
     ) -> tuple[Poses, Integers]:
-        """Poses of `chosen` samples (None: those whose lengths agree), and scores: 0, or REFUSED without a pose."""
+        """Poses of `chosen` samples (None: of similar lengths), and scores: REJECTED_SCORE without a pose, else 0."""
         chosen, device = self.similar if chosen is None else chosen, self.pairs.device
         poses, scores = empty(chosen.size, mat44d, device), empty(chosen.size, int32, device)
         launch(fit_samples_kernel, chosen.size, [self, chosen, checks, *normals, int(with_scaling), poses, scores])
@@ -164,10 +164,10 @@ def fit_samples_kernel(
     poses: array(dtype=mat44d),
     scores: array(dtype=int32),
 ):
-    """Pose of each chosen sample. Score 0, or REFUSED if a check fails."""
+    """Pose of each chosen sample. Score 0, or REJECTED_SCORE if a check fails."""
     i = tid()
     if samples.is_valid[chosen[i]] == 0:
-        scores[i] = REFUSED
+        scores[i] = REJECTED_SCORE
         return
     base = chosen[i] * samples.size
     middle_p = source_point(samples.pairs, samples.rows[base])
@@ -180,8 +180,8 @@ def fit_samples_kernel(
     pose = fit_pose(s, with_scaling)
     scale = scale_of(pose)
     score = 0
-    if scale * scale * s[16] < float64(COLLAPSED * COLLAPSED) * s[17]:
-        score = REFUSED
+    if scale * scale * s[16] < float64(MIN_SAMPLE_EXTENT * MIN_SAMPLE_EXTENT) * s[17]:
+        score = REJECTED_SCORE
     shift = middle_q - rotate(pose, middle_p)
     for axis in range(3):
         pose[axis, 3] = pose[axis, 3] + shift[axis]
@@ -189,13 +189,13 @@ def fit_samples_kernel(
         row = samples.rows[j]
         r = move(pose, source_point(samples.pairs, row)) - target_point(samples.pairs, row)
         if dot(r, r) > checks.distance * checks.distance:
-            score = REFUSED
+            score = REJECTED_SCORE
         if source_normals.shape[0] > 0:
             n = rotate(pose, widen(source_normals[samples.pairs.rows[row, 0]]))
             if dot(n, widen(target_normals[samples.pairs.rows[row, 1]])) < checks.cosine * scale:
-                score = REFUSED
+                score = REJECTED_SCORE
     if is_rotation_within(pose, scale, checks.rotation) == 0:
-        score = REFUSED
+        score = REJECTED_SCORE
     poses[i] = pose
     scores[i] = score
 
@@ -232,16 +232,16 @@ def score_poses_kernel(
 ):
     """Count correspondences within a squared distance under each pose. Integer sums."""
     i = tid()
-    groups = (poses.shape[0] + GROUP - 1) // GROUP
+    groups = (poses.shape[0] + POSES_PER_THREAD - 1) // POSES_PER_THREAD
     head = (i // groups) * run
-    start = (i % groups) * GROUP
-    size = min(GROUP, poses.shape[0] - start)
+    start = (i % groups) * POSES_PER_THREAD
+    size = min(POSES_PER_THREAD, poses.shape[0] - start)
     totals = eight_counts(0)
     for block in range(head, min(head + run, (pairs.count + size_of_block - 1) // size_of_block)):
         first = block * size_of_block
         last = min(first + size_of_block, pairs.count)
         for k in range(size):
-            if scores[start + k] != REFUSED:
+            if scores[start + k] != REJECTED_SCORE:
                 pose = narrow_pose(poses[start + k])
                 count = 0
                 for j in range(first, last):
@@ -264,12 +264,12 @@ def score_in_lanes_kernel(
 ):
     """CUDA variant, one correspondence per lane. A warp skips refused poses together."""
     i = tid()
-    groups = (poses.shape[0] + GROUP - 1) // GROUP
+    groups = (poses.shape[0] + POSES_PER_THREAD - 1) // POSES_PER_THREAD
     first = (i // WARP // groups) * size_of_block
     last = min(first + size_of_block, pairs.count)
-    start = (i // WARP % groups) * GROUP
-    for k in range(start, min(start + GROUP, poses.shape[0])):
-        if scores[k] != REFUSED:
+    start = (i // WARP % groups) * POSES_PER_THREAD
+    for k in range(start, min(start + POSES_PER_THREAD, poses.shape[0])):
+        if scores[k] != REJECTED_SCORE:
             pose = narrow_pose(poses[k])
             count = 0
             for step in range((last - first + WARP - 1) // WARP):
@@ -284,7 +284,7 @@ def score_in_lanes_kernel(
 
 
 def score_poses(pairs: PairCoordinates, poses: Poses, distance: float, scores: Integers) -> None:
-    """Add the correspondences closer than `distance` [m] under each pose to `scores` int32 (k), except REFUSED."""
-    run, block, lanes = (1, CUDA_BLOCK, WARP) if pairs.device.is_cuda else (CPU_RUN, BLOCK, 1)
-    threads = -(-pairs.count // (block * run)) * -(-poses.size // GROUP) * lanes
+    """Add the correspondences closer than `distance` [m] under each pose to `scores` int32 (k), unless rejected."""
+    run, block, lanes = (1, CUDA_BLOCK, WARP) if pairs.device.is_cuda else (CPU_RUN, PAIRS_PER_BLOCK, 1)
+    threads = -(-pairs.count // (block * run)) * -(-poses.size // POSES_PER_THREAD) * lanes
     launch(score_poses_kernel, threads, [pairs, run, block, poses, distance * distance, scores])

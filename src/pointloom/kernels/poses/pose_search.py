@@ -18,19 +18,20 @@ from ..memory import download, empty, upload, zeros
 from ..search.tree_walk import lowest_bit
 from ..segmentation.plane_fit import samples_needed
 from .pair_fits import PairCoordinates
-from .pose_hypotheses import REFUSED, Checks, Samples, score_poses
+from .pose_hypotheses import REJECTED_SCORE, Checks, Samples, score_poses
 
 if TYPE_CHECKING:
     from .pose_fitness import PoseFitness
 
 FIRST_ROUND, MIN_ROUND, MAX_ROUND = 4096, 1024, 16384  # hypotheses per round
-SCORED = 4096  # correspondences that rank the hypotheses of a round. At 1 % inliers 40 of them support a correct one
-RANKED = 2048  # hypotheses of a round considered for refitting
+# Correspondences that rank the hypotheses of a round. At 1 % inliers 40 of them support a correct one
+RANKING_PAIRS = 4096
+MAX_RANKED = 2048  # hypotheses of a round considered for refitting
 MAX_DISTINCT = 16  # distinct ones scored by the whole cloud
 MIN_SEPARATION = 2.0  # match distances: minimum displacement of some source box point between distinct poses
-CONTENDER = 0.25  # of the best inlier count: minimum for scoring by the whole cloud
-FITS = 4  # refits to the inliers of each of these
-PROBE = 12  # numbers of the four points that distinguish two poses
+MIN_CONTENDER_SUPPORT = 0.25  # of the best inlier count: minimum for scoring by the whole cloud
+REFIT_COUNT = 4  # refits to the inliers of each of these
+PROBE_NUMBERS = 12  # numbers of the four points that distinguish two poses
 probe = vector(12, float64)
 LAST_FITS = 8  # refits of the winner to the clouds themselves, while it improves
 
@@ -59,9 +60,9 @@ def is_apart(p: probe, k: int, probes: array(dtype=float64), limit: float64) -> 
     farthest = float64(0.0)
     total = float64(0.0)
     for point in range(4):
-        x = p[3 * point] - probes[k * PROBE + 3 * point]
-        y = p[3 * point + 1] - probes[k * PROBE + 3 * point + 1]
-        z = p[3 * point + 2] - probes[k * PROBE + 3 * point + 2]
+        x = p[3 * point] - probes[k * PROBE_NUMBERS + 3 * point]
+        y = p[3 * point + 1] - probes[k * PROBE_NUMBERS + 3 * point + 1]
+        z = p[3 * point + 2] - probes[k * PROBE_NUMBERS + 3 * point + 2]
         square = x * x + y * y + z * z
         farthest = max(farthest, square)
         total += square
@@ -82,12 +83,12 @@ def select_distinct_kernel(
     """The first MAX_DISTINCT distinct poses in order, up to the REFUSED, in one thread. The rest repeats the first."""
     i = tid()
     count = 0
-    ranked = min(order.shape[0], RANKED)
+    ranked = min(order.shape[0], MAX_RANKED)
     k = 0
     while k < ranked and count < MAX_DISTINCT:
         row = order[k]
         k += 1
-        if scores[row] == REFUSED:
+        if scores[row] == REJECTED_SCORE:
             k = ranked
         else:
             p = probe_of(poses[row], size)
@@ -96,8 +97,8 @@ def select_distinct_kernel(
                 if is_distinct == 1:
                     is_distinct = is_apart(p, j, probes, limit)
             if is_distinct == 1:
-                for j in range(PROBE):
-                    probes[count * PROBE + j] = p[j]
+                for j in range(PROBE_NUMBERS):
+                    probes[count * PROBE_NUMBERS + j] = p[j]
                 distinct[count] = poses[row]
                 count += 1
     if count > 0:
@@ -120,14 +121,14 @@ def select_distinct_in_lanes_kernel(
     """CUDA variant: a warp tests 32 poses at a time."""
     i = tid()
     count = 0
-    ranked = min(order.shape[0], RANKED)
+    ranked = min(order.shape[0], MAX_RANKED)
     head = 0
     while head < ranked and count < MAX_DISTINCT:
         row = -1
         p = probe(0.0)
         if head + i < ranked:
             row = order[head + i]
-            if scores[row] == REFUSED:
+            if scores[row] == REJECTED_SCORE:
                 row = -1
             else:
                 p = probe_of(poses[row], size)
@@ -138,8 +139,8 @@ def select_distinct_in_lanes_kernel(
         waiting = ballot(1 if row >= 0 else 0)
         while waiting != 0 and count < MAX_DISTINCT:
             if i == lowest_bit(waiting):
-                for j in range(PROBE):
-                    probes[count * PROBE + j] = p[j]
+                for j in range(PROBE_NUMBERS):
+                    probes[count * PROBE_NUMBERS + j] = p[j]
                 distinct[count] = poses[row]
                 row = -1
             sync_lanes()
@@ -169,7 +170,7 @@ def mark_contenders_kernel(
     best = float64(best_inliers)
     for k in range(distinct_count[0]):
         best = max(best, scores[k, 0])
-    contender = 1 if i < distinct_count[0] and scores[i, 0] >= float64(CONTENDER) * best else 0
+    contender = 1 if i < distinct_count[0] and scores[i, 0] >= float64(MIN_CONTENDER_SUPPORT) * best else 0
     for k in range(i):
         alike = 1
         for row in range(4):
@@ -199,8 +200,8 @@ class PoseSearch:
         self.fitness, self.device = fitness, source.device
         self.pairs = PairCoordinates(source, target, pairs, *fitness.middles)
         self.ranking = self.pairs
-        if self.pairs.count > SCORED:
-            rows = np.arange(SCORED, dtype=np.int64) * self.pairs.count // SCORED
+        if self.pairs.count > RANKING_PAIRS:
+            rows = np.arange(RANKING_PAIRS, dtype=np.int64) * self.pairs.count // RANKING_PAIRS
             self.ranking = self.pairs.select(upload(rows, int32, self.device))
         values = {
             "best": (np.tile(np.eye(4), (MAX_DISTINCT, 1, 1)), mat44d),
@@ -213,7 +214,7 @@ class PoseSearch:
             upload(values["best"][0], mat44d, self.device),
             zeros(1, int32, self.device),
         )
-        self._probes = empty(MAX_DISTINCT * PROBE, float64, self.device)
+        self._probes = empty(MAX_DISTINCT * PROBE_NUMBERS, float64, self.device)
 
     def find(
         self,
@@ -266,7 +267,7 @@ class PoseSearch:
         best, inliers, contends, counts = (
             self._round_states.arrays[name][:count] for name in ("best", "inliers", "contends", "counts")
         )
-        self.pairs.refine(self._distinct[:count], distance, FITS, with_scaling, (best, inliers))
+        self.pairs.refine(self._distinct[:count], distance, REFIT_COUNT, with_scaling, (best, inliers))
         launch(mark_contenders_kernel, count, [best, inliers, self._distinct_count, result.inliers, contends, counts])
         self.fitness.add_counts(best, contends, distance, counts)
         states = self._round_states.download()  # sync

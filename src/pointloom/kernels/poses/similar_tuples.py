@@ -10,7 +10,7 @@ from ..lang import array, dot, float64, func, int32, kernel, launch, sqrt, tid, 
 from ..memory import empty
 from .pair_fits import PairCoordinates, source_point, target_point
 
-TRIPLE = 3
+TUPLE_SIZE = 3
 CPU_BATCH, CUDA_BATCH, MAX_BATCH = 8192, 2**17, 2**20  # smaller batches would save a GPU less than a sync takes
 
 
@@ -31,12 +31,12 @@ def test_tuples_kernel(
 ):
     """Draw triple `first + i`. 1 if all sides agree within the ratio."""
     i = tid()
-    for j in range(TRIPLE):
+    for j in range(TUPLE_SIZE):
         tuples[i, j] = random_below(random_bits(seed, first + i, j), pairs.count)
     similar = 1
-    for j in range(TRIPLE):
+    for j in range(TUPLE_SIZE):
         row = tuples[i, j]
-        other = tuples[i, (j + 1) % TRIPLE]
+        other = tuples[i, (j + 1) % TUPLE_SIZE]
         a = distance_of(source_point(pairs, row), source_point(pairs, other))
         b = distance_of(target_point(pairs, row), target_point(pairs, other))
         if not (a * ratio < b and b < a / ratio):
@@ -47,7 +47,7 @@ def test_tuples_kernel(
 @kernel
 def list_tuples_kernel(tuples: array(dtype=int32, ndim=2), chosen: array(dtype=int32), rows: array(dtype=int32)):
     i = tid()
-    rows[i] = tuples[chosen[i // TRIPLE], i % TRIPLE]
+    rows[i] = tuples[chosen[i // TUPLE_SIZE], i % TUPLE_SIZE]
 
 
 def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float, max_triples: int) -> Integers:
@@ -56,12 +56,12 @@ def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float,
     batch = CUDA_BATCH if device.is_cuda else CPU_BATCH
     while done < trials and total < max_triples and pairs.count:
         size = min(batch, trials - done)
-        tuples, passed = empty((size, TRIPLE), int32, device), empty(size, uint8, device)
+        tuples, passed = empty((size, TUPLE_SIZE), int32, device), empty(size, uint8, device)
         launch(test_tuples_kernel, size, [pairs, seed, done, ratio, tuples, passed])
         chosen = positions_of(passed)  # sync
         if chosen.size:
             chosen = chosen[: min(chosen.size, max_triples - total)]
-            rows = empty(TRIPLE * chosen.size, int32, device)
+            rows = empty(TUPLE_SIZE * chosen.size, int32, device)
             launch(list_tuples_kernel, rows.size, [tuples, chosen, rows])
             batches.append(rows)
             total += chosen.size

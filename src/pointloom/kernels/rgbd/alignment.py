@@ -42,7 +42,7 @@ from ..memory import on_give_back
 from .alignment_rows import (
     BRIGHTNESS_COUNT,
     BRIGHTNESS_ERROR,
-    SHADES,
+    SHADE_SUMS_AT,
     SURFACE_COUNT,
     SURFACE_ERROR,
     AlignmentRules,
@@ -72,7 +72,8 @@ if TYPE_CHECKING:
 certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
 MIN_SLOPE = 0.015  # of brightness [1 / px]: three 8-bit gray levels, rare as noise in means of 16 px
 EDGE_STEP = 0.03  # relative depth deviation from the plane at a depth edge
-ALIKE = 0.1  # fraction of brightness weighted by the estimated noise: its errors are correlated between pixels
+# Fraction of brightness weighted by the estimated noise: its errors are correlated between pixels
+CORRELATED_FRACTION = 0.1
 SHADE_NOISE = 0.04  # brightness deviation between frames of real cameras
 
 
@@ -166,12 +167,12 @@ def sum_certainty(
                     k = brightness_row(p, sample, other, target)
                     weight = 1.0 / (SHADE_NOISE * SHADE_NOISE)
                     if margin > 0:
-                        weight = scales[1] * ALIKE
+                        weight = scales[1] * CORRELATED_FRACTION
                     h = k * (brightness_fraction * weight)
     return squares_of(g, j, h, k, count)
 
 
-DAMPING = 1.0e-6  # of the diagonal: fixes undetermined motions
+DIAGONAL_DAMPING = 1.0e-6  # of the diagonal: fixes undetermined motions
 MIN_PIXELS = 12.0  # fewer determine nothing
 MIN_NOISE, MAX_NOISE = 0.25, 100.0  # factor of the depth variance
 MIN_SHADE_NOISE, MAX_SHADE_NOISE = 0.004, 0.2  # brightness deviation, 0..1
@@ -189,7 +190,7 @@ def damped_solution(total: row_sums) -> vec6d:
         h[k] = total[k]
     for k in range(n):
         at = triangle_index(k, k)
-        h[at] = h[at] * (1.0 + float64(DAMPING)) + 1.0e-12
+        h[at] = h[at] * (1.0 + float64(DIAGONAL_DAMPING)) + 1.0e-12
         b[k] = -total[21 + k]
     return solve_system(h, b)
 
@@ -232,11 +233,11 @@ def learn_noise(total: row_sums, state: AlignmentState):
         low = float64(MIN_SHADE_NOISE) * float64(MIN_SHADE_NOISE)
         high = float64(MAX_SHADE_NOISE) * float64(MAX_SHADE_NOISE)
         state.scales[1] = float(1.0 / bounded(total[BRIGHTNESS_ERROR] / count, low, high))
-        weight = total[SHADES]
-        source = total[SHADES + 1] / weight
-        target = total[SHADES + 2] / weight
-        source_variance = total[SHADES + 3] / weight - source * source
-        target_variance = total[SHADES + 4] / weight - target * target
+        weight = total[SHADE_SUMS_AT]
+        source = total[SHADE_SUMS_AT + 1] / weight
+        target = total[SHADE_SUMS_AT + 2] / weight
+        source_variance = total[SHADE_SUMS_AT + 3] / weight - source * source
+        target_variance = total[SHADE_SUMS_AT + 4] / weight - target * target
         gain = float64(1.0)
         if min(source_variance, target_variance) > float64(MIN_VARIANCE):
             gain = bounded(sqrt(target_variance / source_variance), float64(MIN_GAIN), float64(MAX_GAIN))
@@ -295,7 +296,7 @@ def begin_alignment_kernel(source: FrameLevels, level: int, state: AlignmentStat
 
 MAX_CACHED = 8  # loops: 24 B per level pixel of both frames, 5 MB for VGA
 SUM_NAMES = ("consistency", "certainty", "firm")
-EDGE = 27.0  # 1/27 of the columns (3 px of 80): margin at surface edges, for plane windows and rounding
+COLUMNS_PER_MARGIN = 27.0  # 1/27 of the columns (3 px of 80): margin at surface edges, for plane windows and rounding
 
 
 @kernel
@@ -443,7 +444,7 @@ def align_levels(
         arguments = [source, target, check_level, check_level + rules.shift, state.warps, state.scales]
         consistency = reduce(sum_consistency, count, arguments)
         fractions = [float(rules.surface_fraction > 0), float(rules.brightness_fraction > 0)]  # all nonzero terms
-        edge = max(1, round(float(source.sizes[check_level, 0]) / EDGE))
+        edge = max(1, round(float(source.sizes[check_level, 0]) / COLUMNS_PER_MARGIN))
         certainty = reduce(sum_certainty, count, [*arguments[:4], *fractions, 0, *arguments[4:]])
         firm = reduce(sum_certainty, count, [*arguments[:4], *fractions, edge, *arguments[4:]])
         launch(copy_sums_kernel, 1, [consistency, certainty, firm, *(buffers.arrays[name] for name in SUM_NAMES)])

@@ -22,10 +22,10 @@ from .seen_pixels import (
 
 SURFACE_COUNT, SURFACE_ERROR, SURFACE_SQUARES = 27, 28, 29  # behind 21 of the matrix and 6 of the right side
 BRIGHTNESS_COUNT, BRIGHTNESS_ERROR = 30, 31
-SHADES = 32  # weights, source, target, source^2, target^2, their product
+SHADE_SUMS_AT = 32  # weights, source, target, source^2, target^2, their product
 row_sums = vector(38, float64)
 extra_sums = vector(11, float32)
-NU = 5.0  # degrees of freedom of the t distribution (Kerl et al. 2013)
+T_FREEDOM = 5.0  # degrees of freedom of the t distribution (Kerl et al. 2013)
 
 
 @struct
@@ -131,7 +131,7 @@ def sum_alignment_rows(
                 if sample[3] > 0.0:
                     s = sample[0] - shade * state.scales[2] - state.scales[3]
                     k = brightness_row(p, sample, other, target)
-                    t = (NU + 1.0) / (NU + s * s * state.scales[1])
+                    t = (T_FREEDOM + 1.0) / (T_FREEDOM + s * s * state.scales[1])
                     h = k * (t * state.scales[1] * rules.brightness_fraction)
                     extra[3] = 1.0
                     extra[4] = t * s * s
@@ -146,7 +146,7 @@ def sum_alignment_rows(
                 r = dot(axis(plane), p) - plane[3]
                 inverse = 1.0 / (noise * noise)
                 square = r * r * inverse
-                t = (NU + 1.0) / (NU + square * state.scales[0])
+                t = (T_FREEDOM + 1.0) / (T_FREEDOM + square * state.scales[0])
                 j = surface_row(p, plane)
                 g = j * (t * inverse * state.scales[0] * rules.surface_fraction)
                 extra[0] = 1.0

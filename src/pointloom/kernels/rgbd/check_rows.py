@@ -6,17 +6,17 @@ from ..lang import array, dot, float32, float64, func, reduction, tid, vec3, vec
 from .pyramid import FrameLevels
 from .seen_pixels import SLOPE_MARGIN, axis, depth_noise, moved_point, seen_at, seen_brightness
 
-PIXELS, INSIDE, SEEN, INLIERS, IN_FRONT, BEHIND = 0, 1, 2, 3, 4, 5
-NORMALS, COSINES, AGREEING = 6, 7, 8
+PIXEL_COUNT, INSIDE_COUNT, SEEN_COUNT, INLIER_COUNT, IN_FRONT_COUNT, BEHIND_COUNT = 0, 1, 2, 3, 4, 5
+NORMAL_COUNT, COSINE_SUM, AGREEING_COUNT = 6, 7, 8
 SHADE_COUNT = 9  # then source, target, source^2, target^2, product
-SQUARES, SHADE_SQUARES = 15, 16  # of plane distances [m^2], of brightness differences
-POINTS = 17  # sums of the inliers' target points, then of products above the diagonal
-PLANES, EXCESS = 26, 27  # pixels with a plane, and bounded sum of squares in noise variances
+DISTANCE_SQUARES, SHADE_SQUARES = 15, 16  # of plane distances [m^2], of brightness differences
+POINT_MOMENTS = 17  # sums of the inliers' target points, then of products above the diagonal
+PLANE_COUNT, EXCESS_SUM = 26, 27  # pixels with a plane, and bounded sum of squares in noise variances
 consistency_sums = vector(28, float64)
 consistency_row = vector(28, float32)
 INLIER_LIMIT = 4.0  # deviations of the noise
 MAX_EXCESS = 16.0  # per pixel, the squared limit: pixels of thin objects must not dominate
-AGREEMENT = 0.8  # cosine between normals of one surface
+MIN_AGREEING_COSINE = 0.8  # cosine between normals of one surface
 
 
 @reduction
@@ -36,37 +36,37 @@ def sum_consistency(
     out = consistency_row(0.0)
     inlier = vec3(0.0)
     if z > 0.0:
-        out[PIXELS] = 1.0
+        out[PIXEL_COUNT] = 1.0
         p = moved_point(float(e % size[0]), float(e // size[0]), z, warps)
         u, v, at = seen_at(p, other, target)
         there = 0.0
         if at >= 0:
-            out[INSIDE] = 1.0
+            out[INSIDE_COUNT] = 1.0
             there = target.depth[at]
         if there > 0.0:
-            out[SEEN] = 1.0
+            out[SEEN_COUNT] = 1.0
             gap = p[2] - there
             noise = depth_noise(p[2])
             limit = INLIER_LIMIT * (noise + SLOPE_MARGIN * p[2])
             if gap < -limit:
-                out[IN_FRONT] = 1.0
+                out[IN_FRONT_COUNT] = 1.0
             elif gap > limit:
-                out[BEHIND] = 1.0
+                out[BEHIND_COUNT] = 1.0
             else:
-                out[INLIERS] = 1.0
+                out[INLIER_COUNT] = 1.0
                 inlier = p
                 plane = target.planes[at]
                 if plane[3] < 0.0:
                     r = dot(axis(plane), p) - plane[3]
-                    out[SQUARES] = r * r
-                    out[PLANES] = 1.0
-                    out[EXCESS] = min(r * r / (noise * noise), MAX_EXCESS)
+                    out[DISTANCE_SQUARES] = r * r
+                    out[PLANE_COUNT] = 1.0
+                    out[EXCESS_SUM] = min(r * r / (noise * noise), MAX_EXCESS)
                     if source.planes[i][3] < 0.0:
                         cosine = dot(rotated_normal(source.planes[i], source.lenses[level], warps), axis(plane))
-                        out[NORMALS] = 1.0
-                        out[COSINES] = cosine
-                        if cosine > AGREEMENT:
-                            out[AGREEING] = 1.0
+                        out[NORMAL_COUNT] = 1.0
+                        out[COSINE_SUM] = cosine
+                        if cosine > MIN_AGREEING_COSINE:
+                            out[AGREEING_COUNT] = 1.0
                 shade = source.brightness[i]
                 if shade >= 0.0:
                     sample = seen_brightness(u, v, other, target)
@@ -98,11 +98,11 @@ def summed(sums: consistency_row, p: vec3) -> consistency_sums:
     for k in range(28):
         out[k] = float64(sums[k])
     for a in range(3):
-        out[POINTS + a] = float64(p[a])
-    out[POINTS + 3] = float64(p[0] * p[0])
-    out[POINTS + 4] = float64(p[0] * p[1])
-    out[POINTS + 5] = float64(p[0] * p[2])
-    out[POINTS + 6] = float64(p[1] * p[1])
-    out[POINTS + 7] = float64(p[1] * p[2])
-    out[POINTS + 8] = float64(p[2] * p[2])
+        out[POINT_MOMENTS + a] = float64(p[a])
+    out[POINT_MOMENTS + 3] = float64(p[0] * p[0])
+    out[POINT_MOMENTS + 4] = float64(p[0] * p[1])
+    out[POINT_MOMENTS + 5] = float64(p[0] * p[2])
+    out[POINT_MOMENTS + 6] = float64(p[1] * p[1])
+    out[POINT_MOMENTS + 7] = float64(p[1] * p[2])
+    out[POINT_MOMENTS + 8] = float64(p[2] * p[2])
     return out

@@ -8,10 +8,10 @@ from ..arrays.random import random_uniform
 from ..lang import array, float32, func, int32, kernel, launch, tid, uint8, vec4
 from ..memory import empty
 
-FERNS = 512  # 2,048 tests, one byte each
+FERN_COUNT = 512  # 2,048 tests, one byte each
 PIXEL_STREAM, RATIO_STREAM = 0, 1  # streams of random numbers
-SHALLOWEST, RANGE = 0.4, 4.0  # [m] depth thresholds: minimum and range
-MIN_RATIO, RATIOS = 0.6, 0.9  # ratios of depths or brightnesses: minimum and range
+MIN_THRESHOLD_DEPTH, THRESHOLD_RANGE = 0.4, 4.0  # [m] depth thresholds: minimum and range
+MIN_RATIO, RATIO_RANGE = 0.6, 0.9  # ratios of depths or brightnesses: minimum and range
 VALID_SHIFT = 4  # shift of the validity bits
 
 
@@ -51,8 +51,8 @@ def encode_ferns_kernel(
     a = first + fern_pixel(u[0], i, 2, seed, width, height)
     b = first + fern_pixel(u[1], i, 3, seed, width, height)
     c = first + fern_pixel(u[2], i, 4, seed, width, height)
-    ratios = vec4(w[0], w[1], w[2], w[3]) * RATIOS + vec4(MIN_RATIO, MIN_RATIO, MIN_RATIO, MIN_RATIO)
-    code = comparison_bits(0, depth[a], SHALLOWEST + w[0] * RANGE, 1.0)
+    ratios = vec4(w[0], w[1], w[2], w[3]) * RATIO_RANGE + vec4(MIN_RATIO, MIN_RATIO, MIN_RATIO, MIN_RATIO)
+    code = comparison_bits(0, depth[a], MIN_THRESHOLD_DEPTH + w[0] * THRESHOLD_RANGE, 1.0)
     code = code | comparison_bits(1, depth[a], depth[b], ratios[1])
     code = code | comparison_bits(2, brightness[a], brightness[b], ratios[2])
     code = code | comparison_bits(3, brightness[b], brightness[c], ratios[3])
@@ -72,7 +72,7 @@ def compare_codes_kernel(code: array(dtype=uint8), codes: array(dtype=uint8), co
     different = 0
     for j in range(code.shape[0]):
         x = int(code[j])
-        y = int(codes[i * FERNS + j])
+        y = int(codes[i * FERN_COUNT + j])
         both = (x & y) >> VALID_SHIFT
         common += count_bits(both)
         different += count_bits((x ^ y) & both)
@@ -93,8 +93,8 @@ def encode_frame(
 ) -> Bytes:
     """Code of a small image (such as 40 x 30), in `row` of `codes` if given. Depth 0, brightness below 0: missing."""
     if codes is None:
-        codes = empty(FERNS, uint8, depth.device)
-    launch(encode_ferns_kernel, FERNS, [depth, brightness, first, width, height, seed, row * FERNS, codes])
+        codes = empty(FERN_COUNT, uint8, depth.device)
+    launch(encode_ferns_kernel, FERN_COUNT, [depth, brightness, first, width, height, seed, row * FERN_COUNT, codes])
     return codes
 
 

@@ -18,7 +18,7 @@ def hide_unseen(depth: Scalars, brightness: Scalars) -> None:
     launch(hide_unseen_kernel, depth.size, [depth, brightness])
 
 
-GRAY = 0.5  # color of empty pixels
+EMPTY_COLOR = 0.5  # color of empty pixels
 
 
 @func
@@ -34,7 +34,7 @@ def round_half_even(x: float) -> int:
 @kernel
 def write_colors_kernel(depth: array(dtype=float32), colors: array(dtype=vec3), pixels: array(dtype=uint8, ndim=2)):
     i = tid()
-    color = vec3(GRAY, GRAY, GRAY)
+    color = vec3(EMPTY_COLOR, EMPTY_COLOR, EMPTY_COLOR)
     if depth[i] > 0.0:
         color = colors[i]
     for k in range(3):

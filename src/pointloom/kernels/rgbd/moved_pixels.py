@@ -13,9 +13,9 @@ from ..linear_algebra import inv, matmul
 from ..memory import empty
 from .pyramid import NO_DEPTH, SAME_SURFACE, FrameLevels, nearest_depth
 
-NEARER = 0.05  # relative depth by which a pixel is in front of what the earlier frame saw, and
-MARGIN = 0.05  # [m] in addition: exceeds noise and pose error
-NEAREST = 0.1  # [m] in front of the earlier camera
+RELATIVE_MARGIN = 0.05  # relative depth by which a pixel is in front of what the earlier frame saw, and
+DEPTH_MARGIN = 0.05  # [m] in addition: exceeds noise and pose error
+MIN_DEPTH = 0.1  # [m] in front of the earlier camera
 
 
 @kernel
@@ -68,11 +68,11 @@ def was_free(u: float, v: float, d: float, earlier: EarlierView) -> int:
     """True if an earlier frame saw through a pixel's point at depth d."""
     p = (earlier.along_u * u + earlier.along_v * v + earlier.ray) * d + earlier.start
     free = 0
-    if p[2] > NEAREST:
+    if p[2] > MIN_DEPTH:
         x = int(floor(p[0] / p[2] * earlier.lens[0] + earlier.lens[2] + 0.5))
         y = int(floor(p[1] / p[2] * earlier.lens[1] + earlier.lens[3] + 0.5))
         if x >= 0 and y >= 0 and x < earlier.size[0] and y < earlier.size[1]:
-            if earlier.min_depth[y * earlier.size[0] + x] > p[2] + MARGIN + NEARER * p[2]:
+            if earlier.min_depth[y * earlier.size[0] + x] > p[2] + DEPTH_MARGIN + RELATIVE_MARGIN * p[2]:
                 free = 1
     return free
 

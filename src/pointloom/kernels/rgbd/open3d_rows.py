@@ -1,6 +1,8 @@
-"""Normal equations of Open3D 0.20's odometries, for conformance. LEGACY truncates u + 0.5, also behind the camera, and
-uses plain squares. TENSOR rounds, drops points behind, and bounds residuals only in the right side (Huber 1964 would
-bound the matrix too). Float64 sums, where Open3D has float32.
+"""Normal equations of Open3D 0.20's odometries, for conformance.
+
+LEGACY_FORM truncates u + 0.5, also behind the camera, and uses plain squares. TENSOR_FORM rounds, drops points behind,
+and bounds residuals only in the right side (Huber 1964 would bound the matrix too). Float64 sums, where Open3D has
+float32.
 """
 
 from collections.abc import Sequence
@@ -9,11 +11,12 @@ from ..algebra.rigid_solve import move, vec6d
 from ..array_types import Scalars, Vectors
 from ..lang import array, float32, float64, floor, func, isfinite, mat44d, reduction, struct, tid, vec3, vec3d, vector
 
-LEGACY, TENSOR = 0, 1
-COLOR, HYBRID, PLANE, PAIRS = 0, 1, 2, 3  # terms. PAIRS only counts pairs
-SQUARES, COUNT, SOURCE_SHADE, TARGET_SHADE = 27, 28, 29, 30  # behind 21 of the matrix and 6 of the right side
+LEGACY_FORM, TENSOR_FORM = 0, 1
+COLOR_TERM, HYBRID_TERM, PLANE_TERM, PAIRS_ONLY = 0, 1, 2, 3  # terms. PAIRS_ONLY only counts pairs
+# Behind 21 of the matrix and 6 of the right side
+SQUARED_SUM_AT, PAIR_COUNT_AT, SOURCE_SHADE_AT, TARGET_SHADE_AT = 27, 28, 29, 30
 open3d_sums = vector(31, float64)
-SOBEL = 0.125
+SOBEL_SCALE = 0.125
 
 
 @struct
@@ -53,7 +56,7 @@ class Open3DLevel:
 
 @struct
 class Open3DRules:
-    """Odometry variant: LEGACY or TENSOR. COLOR, HYBRID or PLANE; `max_distance` [m]. Huber limits; weight roots."""
+    """Odometry variant: form, term, `max_distance` [m]. Huber limits; weight roots."""
 
     form: int
     method: int
@@ -140,7 +143,7 @@ def rounded_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
     """Column and row of a target camera point, rounded as in the form, and 1 inside."""
     pu = target.fx * p[0] / p[2] + target.cx
     pv = target.fy * p[1] / p[2] + target.cy
-    if form == LEGACY:
+    if form == LEGACY_FORM:
         pu = floor(pu + 0.5)
         pv = floor(pv + 0.5)
     else:
@@ -158,17 +161,17 @@ def rounded_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
 def image_part(
     p: vec3d, at: int, gap: float64, source_shade: float64, rules: Open3DRules, target: Open3DLevel
 ) -> open3d_sums:
-    """Rows of brightness and, for HYBRID, depth, at target pixel `at`."""
+    """Rows of brightness and, for HYBRID_TERM, depth, at target pixel `at`."""
     total = open3d_sums(0.0)
-    total[COUNT] = 1.0
+    total[PAIR_COUNT_AT] = 1.0
     target_shade = float64(target.brightness[at])
-    total[SOURCE_SHADE] = source_shade
-    total[TARGET_SHADE] = target_shade
+    total[SOURCE_SHADE_AT] = source_shade
+    total[TARGET_SHADE_AT] = target_shade
     d_along = float64(0.0)
     d_down = float64(0.0)
-    if rules.method == HYBRID:
-        d_along = float64(SOBEL) * float64(target.depth_along[at])
-        d_down = float64(SOBEL) * float64(target.depth_down[at])
+    if rules.method == HYBRID_TERM:
+        d_along = float64(SOBEL_SCALE) * float64(target.depth_along[at])
+        d_down = float64(SOBEL_SCALE) * float64(target.depth_down[at])
     missing = 0
     if not isfinite(d_along):
         missing = 1
@@ -176,23 +179,23 @@ def image_part(
     if not isfinite(d_down):
         missing = 1
         d_down = 0.0
-    if rules.form == TENSOR and missing == 1:
-        total[COUNT] = 0.0
-    elif rules.method != PAIRS:
-        along = float64(SOBEL) * float64(target.along[at])
-        down = float64(SOBEL) * float64(target.down[at])
+    if rules.form == TENSOR_FORM and missing == 1:
+        total[PAIR_COUNT_AT] = 0.0
+    elif rules.method != PAIRS_ONLY:
+        along = float64(SOBEL_SCALE) * float64(target.along[at])
+        down = float64(SOBEL_SCALE) * float64(target.down[at])
         j = motion_row(p, slope_in_space(p, along, down, target.fx, target.fy)) * rules.shade_root
         r = rules.shade_root * (target_shade - source_shade)
-        if rules.form == TENSOR:
-            total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.shade_delta)
+        if rules.form == TENSOR_FORM:
+            total[SQUARED_SUM_AT] = total[SQUARED_SUM_AT] + bounded_loss(r, rules.shade_delta)
             r = bounded_slope(r, rules.shade_delta)
         total = with_row(total, j, r)
-        if rules.method == HYBRID:
+        if rules.method == HYBRID_TERM:
             c = slope_in_space(p, d_along, d_down, target.fx, target.fy)
             c = vec3d(c[0], c[1], c[2] - 1.0)
             r = rules.depth_root * gap
-            if rules.form == TENSOR:
-                total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.depth_delta)
+            if rules.form == TENSOR_FORM:
+                total[SQUARED_SUM_AT] = total[SQUARED_SUM_AT] + bounded_loss(r, rules.depth_delta)
                 r = bounded_slope(r, rules.depth_delta)
             total = with_row(total, motion_row(p, c) * rules.depth_root, r)
     return total
@@ -214,7 +217,7 @@ def sum_open3d_rows(
         u = float64(i % target.width)
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
-        if p[2] != 0.0 and (rules.form == LEGACY or p[2] > 0.0):
+        if p[2] != 0.0 and (rules.form == LEGACY_FORM or p[2] > 0.0):
             pixel = rounded_pixel(p, rules.form, target)
             pu = pixel[0]
             pv = pixel[1]
@@ -222,7 +225,7 @@ def sum_open3d_rows(
                 at = int(pv) * target.width + int(pu)
                 there = float64(target.depth[at])
                 gap = there - p[2]
-                if rules.method == PLANE:
+                if rules.method == PLANE_TERM:
                     n = target.normals[at]
                     if isfinite(there) and isfinite(n[0]):
                         normal = vec3d(float64(n[0]), float64(n[1]), float64(n[2]))
@@ -231,8 +234,8 @@ def sum_open3d_rows(
                         r = (p[0] - qx) * normal[0] + (p[1] - qy) * normal[1] + (p[2] - there) * normal[2]
                         if abs(r) <= rules.max_distance:
                             total = with_row(total, motion_row(p, normal), bounded_slope(r, rules.depth_delta))
-                            total[SQUARES] = bounded_loss(r, rules.depth_delta)
-                            total[COUNT] = 1.0
+                            total[SQUARED_SUM_AT] = bounded_loss(r, rules.depth_delta)
+                            total[PAIR_COUNT_AT] = 1.0
                 elif abs(gap) <= rules.max_distance:
                     total = image_part(p, at, gap, float64(source_brightness[i]), rules, target)
     return total
@@ -245,7 +248,7 @@ information_sums = vector(11, float64)  # pairs, sums of q and of its products a
 def sum_open3d_information(
     source_depth: array(dtype=float32), target: Open3DLevel, pose: mat44d, form: int, max_distance: float64
 ) -> information_sums:
-    """Target points of pairs whose depths (LEGACY) or points (TENSOR) are within `max_distance`."""
+    """Target points of pairs whose depths (LEGACY_FORM) or points (TENSOR_FORM) are within `max_distance`."""
     i = tid()
     total = information_sums(0.0)
     z = float64(source_depth[i])
@@ -254,7 +257,7 @@ def sum_open3d_information(
         u = float64(i % target.width)
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
-        if p[2] != 0.0 and (form == LEGACY or p[2] > 0.0):
+        if p[2] != 0.0 and (form == LEGACY_FORM or p[2] > 0.0):
             pixel = rounded_pixel(p, form, target)
             pu = pixel[0]
             pv = pixel[1]
@@ -263,7 +266,7 @@ def sum_open3d_information(
                 x = (pu - target.cx) * there / target.fx
                 y = (pv - target.cy) * there / target.fy
                 gap = abs(p[2] - there)
-                if form == TENSOR:
+                if form == TENSOR_FORM:
                     square = (p[0] - x) * (p[0] - x) + (p[1] - y) * (p[1] - y) + gap * gap
                     gap = 2.0 * max_distance
                     if square <= max_distance * max_distance:

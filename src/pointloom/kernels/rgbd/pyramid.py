@@ -15,7 +15,7 @@ from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT, intensity_of
 from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i, vector
 from ..memory import empty, full, upload
 
-LANES = 8  # pixels of a thread that fits planes, which a CPU fits at once
+PIXELS_PER_THREAD = 8  # pixels of a thread that fits planes, which a CPU fits at once
 nine = vector(9, float32)  # sums over a window: 1, u, v, u^2, u v, v^2, w, u w, v w, relative to the center
 five = vector(5, float32)  # a plane, and its depth on the ray of a pixel
 octet = vector(8, float32)  # one number per pixel of a thread
@@ -223,13 +223,13 @@ def plane_of(sums: nine, z: float, u: float, v: float, lens: vec4, support: floa
 
 @func
 def group_count(size: vec4i) -> int:
-    return size[1] * ((size[0] + LANES - 1) // LANES)
+    return size[1] * ((size[0] + PIXELS_PER_THREAD - 1) // PIXELS_PER_THREAD)
 
 
 @kernel
 def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4), smoothed: array(dtype=float32)):
     """Least-squares planes: w = 1 / z = a (u - u0) + b (v - v0) + c = n . (x, y, 1) / (n . q), x = (u - cx) / fx. Over
-    window pixels on the surface of a pixel. A thread fits LANES pixels of a row."""
+    window pixels on the surface of a pixel. A thread fits PIXELS_PER_THREAD pixels of a row."""
     i = tid()
     level = 0
     group = i
@@ -241,8 +241,8 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
     size = levels.layout[level]
     lens = levels.lenses[level]
     width = size[0]
-    first = group % ((width + LANES - 1) // LANES) * LANES
-    v = group // ((width + LANES - 1) // LANES)
+    first = group % ((width + PIXELS_PER_THREAD - 1) // PIXELS_PER_THREAD) * PIXELS_PER_THREAD
+    v = group // ((width + PIXELS_PER_THREAD - 1) // PIXELS_PER_THREAD)
     line = size[2] + v * width
     z = octet(0.0)
     d = octet(0.0)
@@ -255,22 +255,22 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
     sw = octet(0.0)
     suw = octet(0.0)
     svw = octet(0.0)
-    for lane in range(LANES):
+    for lane in range(PIXELS_PER_THREAD):
         z[lane] = levels.depth[line + min(first + lane, width - 1)]
     for dv in range(max(-radius, -v), min(radius, size[1] - 1 - v) + 1):
         y = float(dv)
         for du in range(-radius, radius + 1):
             x = float(du)
             start = first + du
-            if start >= 0 and start + LANES <= width:
-                for lane in range(LANES):
+            if start >= 0 and start + PIXELS_PER_THREAD <= width:
+                for lane in range(PIXELS_PER_THREAD):
                     d[lane] = levels.depth[line + dv * width + start + lane]
             else:
-                for lane in range(LANES):
+                for lane in range(PIXELS_PER_THREAD):
                     column = min(max(start + lane, 0), width - 1)
                     value = levels.depth[line + dv * width + column]
                     d[lane] = value if column == start + lane else 0.0
-            for lane in range(LANES):
+            for lane in range(PIXELS_PER_THREAD):
                 is_near = abs(d[lane] - z[lane]) <= WINDOW_SURFACE * z[lane]
                 one = 1.0 if is_near else 0.0
                 w = 1.0 / d[lane] - 1.0 / z[lane] if is_near else 0.0  # relative to the center
@@ -284,7 +284,7 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
                 suw[lane] += x * w
                 svw[lane] += y * w
     support = MIN_SUPPORT * float(2 * radius + 1) * float(2 * radius + 1)
-    for lane in range(LANES):
+    for lane in range(PIXELS_PER_THREAD):
         sums = nine(
             count[lane], su[lane], sv[lane], suu[lane], suv[lane], svv[lane], sw[lane], suw[lane], svw[lane]
         )  # fmt: skip
@@ -294,7 +294,7 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
         suu[lane] = plane[2]
         suv[lane] = plane[3]
         svv[lane] = plane[4]
-    for lane in range(LANES):
+    for lane in range(PIXELS_PER_THREAD):
         if first + lane < width:
             at = line + first + lane
             if z[lane] > 0.0:
@@ -379,7 +379,7 @@ def make_levels(
         arguments = [levels.depth, levels.brightness, first, width, columns, out, levels.depth, levels.brightness]
         launch(halve_level_kernel, int(levels.counts[k]), arguments)
     smoothed = empty(levels.total, float32, device)
-    groups = sum(rows * -(-columns // LANES) for columns, rows in sizes)
+    groups = sum(rows * -(-columns // PIXELS_PER_THREAD) for columns, rows in sizes)
     launch(fit_planes_kernel, groups, [radius, levels, levels.planes, smoothed])
     levels.depth = smoothed
     if normals is not None and not halvings:

@@ -8,7 +8,7 @@ from .pyramid import FrameLevels
 row = vector(6, float32)
 NOISE_FLOOR, NOISE_SLOPE = 0.0012, 0.0019  # depth deviation [m] and its growth [1/m] (Nguyen et al. 2012, Kinect)
 NOISE_NEAR = 0.4  # [m] start of the growth
-NEAREST = 1.0e-3  # [m] minimum depth
+MIN_DEPTH = 1.0e-3  # [m] minimum depth
 SLOPE_MARGIN = 0.01  # of the depth, in addition to noise: slope within a pixel
 
 
@@ -38,7 +38,7 @@ def seen_at(p: vec3, level: int, frame: FrameLevels) -> tuple[float, float, int]
     u = 0.0
     v = 0.0
     at = -1
-    if p[2] > NEAREST:
+    if p[2] > MIN_DEPTH:
         lens = frame.lenses[level]
         size = frame.layout[level]
         u = lens[0] * p[0] / p[2] + lens[2]

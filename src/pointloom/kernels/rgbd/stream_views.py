@@ -46,11 +46,12 @@ def hide_cells_kernel(
     shown[i] = value
 
 
-CELLS = 80  # per view width: a cell of VGA is 8 x 8 pixels, so fast rotations move by few cells
-FULL = 0.75  # minimum fraction of a cell's pixels with depth
+CELLS_PER_ROW = 80  # per view width: a cell of VGA is 8 x 8 pixels, so fast rotations move by few cells
+MIN_DEPTH_FRACTION = 0.75  # minimum fraction of a cell's pixels with depth
 stream_sums = vector(8, float64)
-BRIGHT = 0  # offset of the sums of brightness: squared gradients u u, u v, v v, then u d, v d
-OTHER, MEASURED, SHADES = (5, 6, 7)  # cells whose nearness changed. Cells with nearness. Squared differences
+BRIGHTNESS_AT = 0  # offset of the sums of brightness: squared gradients u u, u v, v v, then u d, v d
+# Cells whose nearness changed. Cells with nearness. Squared differences
+CHANGED_AT, MEASURED_AT, SHADE_SQUARES_AT = 5, 6, 7
 
 
 @struct
@@ -100,7 +101,7 @@ def view_stream_kernel(
     if has_color == 1:
         brightness[i] = shade / area
     nearness[i] = 0.0
-    if count >= FULL * area:
+    if count >= MIN_DEPTH_FRACTION * area:
         nearness[i] = near / count
 
 
@@ -114,29 +115,29 @@ def sum_motion(now: StreamView, before: StreamView, columns: int, rows: int) -> 
     a = now.nearness[i]
     b = before.nearness[i]
     if a != b:
-        out[OTHER] = float64(1.0)
+        out[CHANGED_AT] = float64(1.0)
     if a > 0.0:
-        out[MEASURED] = float64(1.0)
+        out[MEASURED_AT] = float64(1.0)
     if now.brightness[i] >= 0.0 and before.brightness[i] >= 0.0:
         d = now.brightness[i] - before.brightness[i]
-        out[SHADES] = float64(d * d)
+        out[SHADE_SQUARES_AT] = float64(d * d)
         if u > 0 and v > 0 and u < columns - 1 and v < rows - 1:
             x = now.brightness[i + 1] - now.brightness[i - 1] + before.brightness[i + 1] - before.brightness[i - 1]
             y = now.brightness[i + columns] - now.brightness[i - columns]
             y += before.brightness[i + columns] - before.brightness[i - columns]
             x = 0.25 * x
             y = 0.25 * y
-            out[BRIGHT] = float64(x * x)
-            out[BRIGHT + 1] = float64(x * y)
-            out[BRIGHT + 2] = float64(y * y)
-            out[BRIGHT + 3] = float64(x * d)
-            out[BRIGHT + 4] = float64(y * d)
+            out[BRIGHTNESS_AT] = float64(x * x)
+            out[BRIGHTNESS_AT + 1] = float64(x * y)
+            out[BRIGHTNESS_AT + 2] = float64(y * y)
+            out[BRIGHTNESS_AT + 3] = float64(x * d)
+            out[BRIGHTNESS_AT + 4] = float64(y * d)
     return out
 
 
 def view_stream(depth: Scalars, pixels: Array2[uint8] | None, width: int, height: int) -> StreamView:
     """StreamView of a frame: depth [m] float32 (height * width), 0 for none. 8-bit colors (pixels, 3) or None."""
-    side = max(1, width // CELLS)
+    side = max(1, width // CELLS_PER_ROW)
     view = StreamView(max(width // side, 1), max(height // side, 1), depth.device)
     shown = zeros((1, 3), uint8, depth.device) if pixels is None else pixels
     arguments = [depth, shown, int(pixels is not None), width, side, view.columns, view.brightness, view.nearness]
@@ -152,6 +153,6 @@ def compare_views(now: StreamView, before: StreamView) -> Array1[Any]:
 def hide_cells(depth: Scalars, hidden: Mask, view: StreamView, width: int) -> Scalars:
     """Depth [m], float32 (pixels), without the cells of a view where `hidden`, uint8 (cells), is not 0."""
     shown = empty(depth.size, float32, depth.device)
-    side = max(1, width // CELLS)
+    side = max(1, width // CELLS_PER_ROW)
     launch(hide_cells_kernel, depth.size, [depth, hidden, width, side, view.columns, view.rows, shown])
     return shown

@@ -42,10 +42,10 @@ Array = NDArray[np.float64]
 Kind = Literal["rigid", "affine", "deformable"]
 KINDS = ("rigid", "affine", "deformable")
 MIN_POINTS = 4
-NEAR = 0.7  # relative to the source's radius: below it, trees are faster than all pairs
-LEFT = 1e-9  # relative diagonal residual of the factorization
+MAX_TREE_DEVIATION = 0.7  # relative to the source's radius: below it, trees are faster than all pairs
+MAX_DIAGONAL_RESIDUAL = 1e-9  # relative diagonal residual of the factorization
 MAX_ROWS = 1000  # maximum rank
-FLOOR = 1e-10  # minimum variance relative to the squared radius
+MIN_VARIANCE = 1e-10  # minimum variance relative to the squared radius
 MIN_FRACTION, MAX_SPREAD = 0.5, 2.5
 
 
@@ -214,7 +214,7 @@ class _DriftRegistration:
         source_sums, target_sums = (np.asarray(part, np.float64).ravel() for part in read_together(sums))  # sync
         cross = matmul(source_sums[:3], target_sums[:3])
         squares = self.number * source_sums[3] + self.size * target_sums[3] - 2 * cross
-        self.variance = max(squares / (3 * self.size * self.number), FLOOR)
+        self.variance = max(squares / (3 * self.size * self.number), MIN_VARIANCE)
         self.odds, self.taken, self.matched = outliers / (1 - outliers), 0, 1.0
         self.field: CoherentField | None = None
         self.values = np.zeros((0, 3))
@@ -226,7 +226,7 @@ class _DriftRegistration:
 
     def begin_field(self, width: float, stiffness: float) -> None:
         try:
-            self.field = CoherentField(self.positions, width, LEFT, MAX_ROWS)
+            self.field = CoherentField(self.positions, width, MAX_DIAGONAL_RESIDUAL, MAX_ROWS)
         except ValueError as error:
             raise ValueError(
                 f"width: Gaussians of {width:g} of the source's radius require {error}. Use a larger width"
@@ -237,13 +237,13 @@ class _DriftRegistration:
     def step(self, kind: Kind, with_scaling: bool) -> float:
         """One EM step. Returns the relative change of the variance."""
         uniform = (2 * np.pi * self.variance) ** 1.5 * self.odds * self.size / self.number
-        self.drift.weigh(self.moved, self.variance, uniform, near=NEAR)
+        self.drift.weigh(self.moved, self.variance, uniform, near=MAX_TREE_DEVIATION)
         before = self.variance
         if kind == "deformable":
             self._bend()
         else:
             self._map(with_scaling if kind == "rigid" else None)
-        self.variance, self.taken = max(self.variance, FLOOR), self.taken + 1
+        self.variance, self.taken = max(self.variance, MIN_VARIANCE), self.taken + 1
         return abs(before - self.variance) / before
 
     def _sums(self, positions: Any) -> tuple[Array, Array]:

@@ -19,7 +19,7 @@ from ...core.serialized import Serialized
 from ...kernels.lang import launch, vec3, vec3d
 from ...kernels.memory import download, empty, upload, write
 from ...kernels.poses.control_lattice import (
-    FARTHEST,
+    MAX_CELL,
     ControlLattice,
     anchor_positions_kernel,
     bend_normals,
@@ -103,9 +103,9 @@ class ControlGrid(Serialized):
         points = self._points_of("cloud", cloud, first=True)
         low, high = (np.asarray(bound) for bound in cloud._device_bounds())
         max_offset = max(np.abs(low - self._origin).max(), np.abs(high - self._origin).max()) if len(cloud) else 0.0
-        if max_offset >= (FARTHEST - 2) * self.grid_size:
+        if max_offset >= (MAX_CELL - 2) * self.grid_size:
             raise ValueError(
-                f"cloud: expected points within {(FARTHEST - 2) * self.grid_size:g} m of the grid's origin "
+                f"cloud: expected points within {(MAX_CELL - 2) * self.grid_size:g} m of the grid's origin "
                 f"{self._origin.tolist()}, got one {max_offset:g} m away. Take a larger grid_size or remove outliers"
             )
         self._lattice, self._library = make_lattice(self.grid_size, points, self._lattice), cloud.array_library

@@ -61,16 +61,16 @@ from ..icp.icp import check_poses, registration_icp
 from ..rigid import fit_pose, to_local
 
 Array = NDArray[np.float64]
-STIFFNESS = (100.0, 10.0, 1.0, 0.1)
+DEFAULT_STIFFNESS = (100.0, 10.0, 1.0, 0.1)
 NODES_ACROSS = 16  # per bounding box diagonal
 MAX_ACROSS = 1000
 MIN_COSINE = 0.5  # 60 degrees: larger angles are different surfaces
 POINT_WEIGHT = 0.1  # relative weight of point-to-point terms, against sliding on flat areas
 NORMAL_NEIGHBORS = 20
 MIN_POINTS = 10
-TRIM = 4.0  # times the median pair distance: outliers in the final stages
+TRIM_MEDIANS = 4.0  # times the median pair distance: outliers in the final stages
 DOUBTED_STRAIN = 0.12  # strain above which rotated starts are tried
-BETTER = 0.75  # strain ratio of a better start
+MAX_STRAIN_RATIO = 0.75  # strain ratio of a better start
 
 
 @explain_argument_errors
@@ -83,7 +83,7 @@ def register_nonrigid(
     init: ArrayLike | None = None,
     landmarks: tuple[ArrayLike, ArrayLike] | None = None,
     landmark_weight: float = 10.0,
-    stiffness: Sequence[float] = STIFFNESS,
+    stiffness: Sequence[float] = DEFAULT_STIFFNESS,
     max_iterations: int = 30,
     tolerance: float = 1e-3,
     progress: ReportProgress | None = None,
@@ -172,7 +172,7 @@ def _retry_rotated(source: PointCloud, result: NonRigidResult, bend: Any, *, is_
             other = bend(matmul(result.rigid_pose, half_rotation), "bend, rotated")
         except ValueError:  # no point near the target from this start
             continue
-        if other.strain < BETTER * best.strain and other.matched >= 0.98 * best.matched:
+        if other.strain < MAX_STRAIN_RATIO * best.strain and other.matched >= 0.98 * best.matched:
             best, begin = other, matmul(result.rigid_pose, half_rotation)
     if begin is None or not is_given:
         return best
@@ -321,7 +321,11 @@ class _NonRigidRegistration:
         if 2 * stage < stages:
             return self.max_distance
         medians = quantiles_of(self.distances, [0.5])  # sync
-        return min(self.max_distance, max(TRIM * medians[0], 0.25 * self.spacing)) if medians else self.max_distance
+        return (
+            min(self.max_distance, max(TRIM_MEDIANS * medians[0], 0.25 * self.spacing))
+            if medians
+            else self.max_distance
+        )
 
     def _measure(self, moved: Any) -> tuple[Array, float, float]:
         residuals = empty(self.count, float64, self.tree.device)
@@ -368,7 +372,7 @@ def _fraction_within(nearest: Any, distance: float, count: int) -> float:
     return float(((keys >= 0) & (squares <= distance * distance)).sum()) / max(count, 1)
 
 
-SAME = 1e-3  # of the node spacing: smaller differences are ignored
+RMSE_TOLERANCE = 1e-3  # of the node spacing: smaller differences are ignored
 MIN_FRACTION, MAX_FOLDED, MAX_STRAIN = 0.75, 0.01, 0.22
 
 
@@ -419,7 +423,8 @@ class NonRigidResult(Report, Assessed):
     def is_rigid(self) -> bool:
         """True if the source matches the target equally well without deformation."""
         return (
-            self.rigid_matched >= 0.98 * self.matched and self.rigid_rmse <= 1.1 * self.rmse + SAME * self.node_spacing
+            self.rigid_matched >= 0.98 * self.matched
+            and self.rigid_rmse <= 1.1 * self.rmse + RMSE_TOLERANCE * self.node_spacing
         )
 
     @property

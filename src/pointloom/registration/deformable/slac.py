@@ -38,7 +38,7 @@ from .control_grid import GRID_SIZE, ControlGrid
 
 Array = NDArray[np.float64]
 MAX_ITERATIONS = 1000
-NEIGHBORS, DEVIATIONS = 20, 2.0  # outlier removal, as intended in Open3D
+OUTLIER_NEIGHBORS, OUTLIER_DEVIATIONS = 20, 2.0  # outlier removal, as intended in Open3D
 NORMAL_NEIGHBORS = 30
 MIN_COSINE = 0.5  # 60 degrees: larger angles are different surfaces
 
@@ -278,7 +278,7 @@ def _prepare(given: Sequence[Any], voxel_size: float) -> tuple[list[PointCloud],
         sided = sided and "normals" in cloud
         if voxel_size:
             cloud = cloud.voxel_down_sample(voxel_size)
-        cloud = cloud.remove_statistical_outlier(NEIGHBORS, DEVIATIONS)[0]
+        cloud = cloud.remove_statistical_outlier(OUTLIER_NEIGHBORS, OUTLIER_DEVIATIONS)[0]
         if voxel_size or "normals" not in cloud:
             cloud = cloud.estimate_normals(max_nn=NORMAL_NEIGHBORS)
         clouds.append(cloud)

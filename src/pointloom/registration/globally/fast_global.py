@@ -29,9 +29,9 @@ from .rating import score_registration
 
 MIN_CORRESPONDENCES = 10  # minimum correspondences, as in Open3D
 RATED_WITHIN = 3.0  # half a voxel is given here, rating uses one and a half
-TRIALS = 100  # tested triples per correspondence
-EVERY = 2  # steps per scale division (the paper: four Gauss-Newton steps)
-STILL = 1e-3  # [rad, and of the half diagonal] convergence of the last step
+TRIALS_PER_PAIR = 100  # tested triples per correspondence
+STEPS_PER_DIVISION = 2  # steps per scale division (the paper: four Gauss-Newton steps)
+CONVERGED_STEP = 1e-3  # [rad, and of the half diagonal] convergence of the last step
 MAX_STEPS = 10_000
 MAX_TUPLES = 10_000_000
 
@@ -206,7 +206,7 @@ def _register(
         return no_pose(f"{MIN_CORRESPONDENCES} correspondences of finite points needed, {pairs.count} given", source)
     if option.tuple_test:
         max_tuples = option.maximum_tuple_count
-        pairs = pairs.select(similar_tuples(pairs, seed, TRIALS * pairs.count, option.tuple_scale, max_tuples))
+        pairs = pairs.select(similar_tuples(pairs, seed, TRIALS_PER_PAIR * pairs.count, option.tuple_scale, max_tuples))
         if pairs.count < MIN_CORRESPONDENCES:
             return no_pose(
                 f"{MIN_CORRESPONDENCES} correspondences needed, {pairs.count} left after the tuple test", source
@@ -215,13 +215,13 @@ def _register(
     pose = upload(np.eye(4)[None], mat44d, source.device)
     mu = 1.0 if option.use_absolute_scale else radius * radius
     min_mu = option.maximum_correspondence_distance**2 if option.decrease_mu else np.inf
-    before = pairs.anneal(pose, mu, min_mu, option.division_factor, EVERY, option.iteration_number)
+    before = pairs.anneal(pose, mu, min_mu, option.division_factor, STEPS_PER_DIVISION, option.iteration_number)
     local, previous = download(concatenate_rows([pose, before])).astype(np.float64)  # sync
     T = to_world(local, *world_middles(source, target, middles))
     result = evaluate_registration(source, target, option.maximum_correspondence_distance, T)
     change = np.abs(local - previous)
     result.iterations = option.iteration_number
-    result.converged = bool(change[:3, :3].max() < STILL and change[:3, 3].max() < STILL * radius)
+    result.converged = bool(change[:3, :3].max() < CONVERGED_STEP and change[:3, 3].max() < CONVERGED_STEP * radius)
     moving = f"the pose still changed after {option.iteration_number} iterations"
     result.warnings = () if result.converged else (moving,)
     max_distance = RATED_WITHIN * option.maximum_correspondence_distance

@@ -36,18 +36,18 @@ from .ransac import no_pose
 from .rating import moved_samples, refine_poses, score_registration
 
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
-NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
+NOISE_VOXELS = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
 MIN_POINTS = 10  # minimum surface points
 MAX_CANDIDATES = 8  # maximum number of refined poses
-RIVAL = 0.3  # minimum relative support of a rival
+MIN_RIVAL_SUPPORT = 0.3  # minimum relative support of a rival
 # Relative share above which evidence is equal, chosen with those of rating.py. Second poses of right results have up to
 # 0.33 beside the planes. A staircase moved by one step has 0.74.
-ALIKE = 0.7
-APART = 2.0  # match distances between distinct poses
+EQUAL_EVIDENCE_RATIO = 0.7
+POSE_SEPARATION = 2.0  # match distances between distinct poses
 # Motions with eigenvalues below this fraction of the largest are not refined. ICP leaves out those below 5e-3, such as
 # shifts along ground with slopes of 3 degrees, and 7 poses stayed 0.03 to 0.3 m off there. All converged with 1e-3.
-WEAK = 1e-3
-FIRST_STEPS, STEPS = 8, 30  # ICP iterations: before the comparison, and for the best pose and its alternatives
+MIN_EIGENVALUE_RATIO = 1e-3
+FIRST_STEPS, FINAL_STEPS = 8, 30  # ICP iterations: before the comparison, and for the best pose and its alternatives
 
 
 class Description(NamedTuple):
@@ -148,7 +148,7 @@ def register_described(
                 f"{name}: expected at least {MIN_POINTS} voxels of {size:g} with a surface, got {len(surface)}", source
             )
     pairs = pair_features(left.features, right.features, mutual=True, mutual_consistency_ratio=0.0)
-    consensus = find_poses(left.surface.points, right.surface.points, pairs, NOISE * size, seed)
+    consensus = find_poses(left.surface.points, right.surface.points, pairs, NOISE_VOXELS * size, seed)
     if not len(consensus.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
     poses, support = consensus.poses, consensus.support
@@ -158,9 +158,9 @@ def register_described(
         if not len(poses):
             tilt = np.degrees(MAX_TILT)
             return _unknown(f"all {len(consensus.poses)} candidate poses tilt by {tilt:.0f} degrees or more", source)
-    rivals = int((support >= RIVAL * support[0]).sum())
+    rivals = int((support >= MIN_RIVAL_SUPPORT * support[0]).sum())
     witnesses = left.witness, right.witness
-    result, evidence, others = _choose(*witnesses, poses[:MAX_CANDIDATES], rivals, NOISE * size, refine, free)
+    result, evidence, others = _choose(*witnesses, poses[:MAX_CANDIDATES], rivals, NOISE_VOXELS * size, refine, free)
     score, equals = evidence.score, 1 + len(others)
     T = to_world(result.transformation, source.origin, target.origin)
     pair = source.copy(), target.copy()  # as they are now
@@ -168,13 +168,13 @@ def register_described(
         T,
         result.fitness,
         result.inlier_rmse,
-        lambda: evaluate_registration(*pair, NOISE * size, T).correspondence_set,
+        lambda: evaluate_registration(*pair, NOISE_VOXELS * size, T).correspondence_set,
         iterations=result.iterations,
         degenerate_directions=result.degenerate_directions,
         free=result.free,
         score=score / equals,
         converged=score / equals > 0.5,
-        clouds=(*pair, NOISE * size),
+        clouds=(*pair, NOISE_VOXELS * size),
     )
     if score <= 0.5:
         chosen.warnings = (evidence.problem,)
@@ -198,7 +198,7 @@ def _choose(
 ) -> tuple[RegistrationResult, Evidence, list[NDArray[np.float64]]]:
     """The refined pose with most evidence of the first candidates, its evidence, and equally good poses of all."""
     steps, refined = FIRST_STEPS if refine else 0, partial(refine_poses, [source.surface], [target.surface])
-    first = refined(candidates[:rivals], distance, steps, free, WEAK)
+    first = refined(candidates[:rivals], distance, steps, free, MIN_EIGENVALUE_RATIO)
     poses = np.array([result.transformation for result in first])
     evidences = compare_under(source.surface, target.surface, poses, distance)
     order = _distinct_poses(
@@ -211,7 +211,7 @@ def _choose(
     best = max((k for k in order if rated[k].score > 0.5), key=lambda k: rated[k].rest, default=order[0])
     result = first[best]
     if refine:
-        result = refined(poses[best : best + 1], distance, STEPS, free, WEAK)[0]
+        result = refined(poses[best : best + 1], distance, FINAL_STEPS, free, MIN_EIGENVALUE_RATIO)[0]
         result.iterations += first[best].iterations
         # The reported free motions are those of ICP, which include weakly determined ones.
         last = refined(result.transformation[None], distance, 1, free)[0]
@@ -220,13 +220,15 @@ def _choose(
     if evidence.score <= 0.5:
         equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
         return result, evidence, [poses[k] for k in equals]
-    more = refined(candidates[rivals:], distance, steps, free, WEAK)
+    more = refined(candidates[rivals:], distance, steps, free, MIN_EIGENVALUE_RATIO)
     poses = np.array([result.transformation, *poses, *(one.transformation for one in more)])
     order = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     totals = compare_under(source.surface, target.surface, poses[order], distance)
-    alike = [k for k, total in zip(order, totals, strict=True) if total.fraction >= ALIKE * evidence.fraction]
+    alike = [
+        k for k, total in zip(order, totals, strict=True) if total.fraction >= EQUAL_EVIDENCE_RATIO * evidence.fraction
+    ]
     if refine:  # an alternative is another minimum, not a pose on the way to the same one
-        converged = refined(poses[alike], distance, STEPS, free, WEAK)
+        converged = refined(poses[alike], distance, FINAL_STEPS, free, MIN_EIGENVALUE_RATIO)
         poses = np.array([result.transformation, *(one.transformation for one in converged)])
         alike = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     others = [k for k in alike if _is_equal(rate_surfaces(source, target, poses[k], distance, details=True), evidence)]
@@ -237,7 +239,7 @@ def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[
     """Indices, in order, of poses that move the source differently from all earlier ones."""
     moved, selected = moved_samples(source, poses), [int(order[0])]
     for k in order[1:].tolist():
-        if ((moved[selected] - moved[k]) ** 2).sum(axis=2).mean(axis=1).min() > (APART * distance) ** 2:
+        if ((moved[selected] - moved[k]) ** 2).sum(axis=2).mean(axis=1).min() > (POSE_SEPARATION * distance) ** 2:
             selected.append(k)
     return selected
 
@@ -245,8 +247,12 @@ def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[
 def _is_equal(evidence: Evidence, best: Evidence) -> bool:
     """True if a pose has about as much evidence as the best, in total and without planes."""
     if best.score <= 0.5:
-        return 0 < ALIKE * best.fraction <= evidence.fraction
-    return evidence.score > 0.5 and ALIKE * best.fraction <= evidence.fraction and ALIKE * best.rest <= evidence.rest
+        return 0 < EQUAL_EVIDENCE_RATIO * best.fraction <= evidence.fraction
+    return (
+        evidence.score > 0.5
+        and EQUAL_EVIDENCE_RATIO * best.fraction <= evidence.fraction
+        and EQUAL_EVIDENCE_RATIO * best.rest <= evidence.rest
+    )
 
 
 def _ambiguity(shifts: NDArray[np.float64]) -> str:
@@ -267,8 +273,8 @@ def _unknown(warning: str, source: PointCloud) -> RegistrationResult:
 
 MAX_PAIRS = 2**14  # all pairs are compared: 33 MB of bits
 MIN_CORRESPONDENCES = 3  # minimum correspondences for a pose
-CHANCE = 3.0  # correspondences that agree with any pose by chance
-SURE, STEEP = 2.2, 4.0  # support ratio with score 0.5, and its steepness
+CHANCE_SUPPORT = 3.0  # correspondences that agree with any pose by chance
+EVEN_SUPPORT_RATIO, SUPPORT_STEEPNESS = 2.2, 4.0  # support ratio with score 0.5, and its steepness
 
 
 class Consensus(NamedTuple):
@@ -410,9 +416,9 @@ def rate_support(support: NDArray[np.float64]) -> float:
     """Confidence 0..1 in the first pose by the ratio of its support to that of the second."""
     if not len(support):
         return 0.0
-    chance = max(CHANCE, support[1] if len(support) > 1 else 0.0)
-    ratio = max(float(support[0]), 1e-9) / (SURE * chance)
-    return float(1 / (1 + ratio**-STEEP))
+    chance = max(CHANCE_SUPPORT, support[1] if len(support) > 1 else 0.0)
+    ratio = max(float(support[0]), 1e-9) / (EVEN_SUPPORT_RATIO * chance)
+    return float(1 / (1 + ratio**-SUPPORT_STEEPNESS))
 
 
 def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) -> Consensus:

@@ -51,7 +51,7 @@ METHODS: dict[str, Callable[[], TransformationEstimation]] = {
 
 # Correspondence distance: neighbors on a downsampled surface are about one voxel apart. A given start may be less
 # exact, so coarser clouds come first.
-DISTANCE = 2.0  # [voxels]
+PAIR_DISTANCE_VOXELS = 2.0  # [voxels]
 COARSE_TO_FINE, AT_ONCE = (4.0, 2.0, 1.0), (1.0,)
 
 SEARCHED, GIVEN = "global", "given"  # initial poses
@@ -253,7 +253,7 @@ def register_pair(
         )
         alternatives = initial.alternatives
     report_progress("refine", 0, 0)
-    limits = [max_distance or DISTANCE * scale * size for scale in scales]
+    limits = [max_distance or PAIR_DISTANCE_VOXELS * scale * size for scale in scales]
     coarse_to_fine = [scale * size for scale in scales], [ICPConvergenceCriteria()] * len(scales), limits, start
     options: dict[str, Any] = {"estimate_normals": True, "constraint": constraint}
     result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)

@@ -14,14 +14,14 @@ from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ..alignment import alignment_of
 from ..assessment import RegistrationAssessment
-from ..assessment_constants import VOXELS
+from ..assessment_constants import MATCH_VOXELS
 from ..correspondence_input import check_clouds
 from ..evidence import NO_EVIDENCE, Evidence, Witness, rate_surfaces
 from ..icp.constraint import Constraint
 from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.evaluation import evaluate_registration
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
-from ..icp.iterative import DEGENERACY
+from ..icp.iterative import MIN_DETERMINED_EIGENVALUE
 from ..pose_errors import covariance_of, step_of
 from ..result import RegistrationResult
 from ..rigid import nearest_rotation, to_local
@@ -31,8 +31,8 @@ from ..voxel_size import choose_for
 
 Matrix = NDArray[np.float64]
 
-STILL = 1e-5  # of the match distance: error change that ends ICP
-SAMPLES = 64  # sample points for pose comparison
+MIN_ERROR_CHANGE = 1e-5  # of the match distance: error change that ends ICP
+COMPARED_POINTS = 64  # sample points for pose comparison
 
 
 def assess_registration(
@@ -79,7 +79,7 @@ def assess_registration(
     moved, rigid = as_rigid(source, T)
     distance = max_correspondence_distance
     if distance is None:
-        distance = VOXELS * choose_for({"source": moved, "target": target})
+        distance = MATCH_VOXELS * choose_for({"source": moved, "target": target})
     distance = check_positive("max_correspondence_distance", distance)
     evaluation = evaluate_registration(source, target, distance, T)
     surfaces, pose = SurfacePair(moved, target, distance), to_local(rigid, moved.origin, target.origin)
@@ -140,7 +140,7 @@ def refine_poses(
     distance: float,
     steps: int = 30,
     free: Sequence[str] | None = None,
-    degeneracy: float = DEGENERACY,
+    degeneracy: float = MIN_DETERMINED_EIGENVALUE,
 ) -> list[RegistrationResult]:
     """Refine poses about the clouds' origins by point-to-plane ICP with free motions: of one pair, or one per pose."""
     if not len(poses):
@@ -152,13 +152,13 @@ def refine_poses(
             clouds[id(surface)] = PointCloud.from_device_arrays(arrays, np.zeros(3))
             clouds[id(surface)].arrays.tree.adopt(surface.tree)
     left, right = [clouds[id(s)] for s in sources], [clouds[id(s)] for s in targets]
-    rules = ICPConvergenceCriteria(1e-4, STILL * distance, steps)
+    rules = ICPConvergenceCriteria(1e-4, MIN_ERROR_CHANGE * distance, steps)
     plane, bound = TransformationEstimationPointToPlane(), Constraint(free)
     return registration_icp_batch(left, right, distance, poses, plane, rules, constraint=bound, degeneracy=degeneracy)
 
 
 def moved_samples(surface: Surface, poses: NDArray[np.float64]) -> NDArray[np.float64]:
     """About 64 surface points under each pose, float64 [k, p, 3], to compare poses in meters."""
-    some = surface.points[:: max(1, len(surface) // SAMPLES)]
+    some = surface.points[:: max(1, len(surface) // COMPARED_POINTS)]
     points = download(contiguous(some)).astype(np.float64)  # sync
     return np.einsum("kij,pj->kpi", poses[:, :3, :3], points) + poses[:, None, :3, 3]

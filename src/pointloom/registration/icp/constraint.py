@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_list, check_numeric, check_positive, check_rigid, check_shape, shown
 from ...kernels.algebra.rigid_solve import square
-from ...kernels.icp.freedom import STILL, STILL_TURNING, Freedom, motion_state
+from ...kernels.icp.freedom import NO_MOTION, STILL_TURNING, Freedom, motion_state
 from ...kernels.icp.loop import RegistrationLoop
 from ...kernels.lang import int32, mat33d, mat44d, vec3d
 from ...kernels.linear_algebra import cube_root, det, eigh, eigvalsh, matmul, norm
@@ -20,12 +20,12 @@ from ...kernels.memory import download
 from ..rigid import nearest_rotation, rotation_vector, to_local
 
 MOTIONS = ("roll", "pitch", "yaw", "x", "y", "z")  # in the order of the unknowns
-ORTHONORMAL = 1e-6  # tolerance of F^T F - I
-SYMMETRIC = 1e-9  # relative to the largest entry
-INDEFINITE = 1e-9  # relative to the largest eigenvalue
+MAX_FRAME_DEVIATION = 1e-6  # tolerance of F^T F - I
+MAX_ASYMMETRY = 1e-9  # relative to the largest entry
+MAX_NEGATIVE_EIGENVALUE = 1e-9  # relative to the largest eigenvalue
 MIN_SIGMA, MAX_SIGMA = 1e-12, 1e12  # [m], [rad] valid range of sigmas
 MAX_SIGMAS = 5.0  # maximum distance of a prior from reachable poses, in sigmas
-ROUNDS = 20  # Gauss-Newton iterations of that check
+PRIOR_ITERATIONS = 20  # Gauss-Newton iterations of that check
 Matrix = NDArray[np.float64]
 
 
@@ -82,10 +82,10 @@ class Prior:
 def check_information(name: str, matrix: Any) -> Matrix:
     M = check_finite(name, check_shape(name, matrix, (6, 6)))
     largest = float(np.abs(M).max())
-    if np.abs(M - M.T).max() > SYMMETRIC * largest:
+    if np.abs(M - M.T).max() > MAX_ASYMMETRY * largest:
         raise ValueError(f"{name}: expected a symmetric matrix, got entries that differ by {np.abs(M - M.T).max():.3g}")
     values = eigvalsh((M + M.T) / 2)
-    if values[0] < -INDEFINITE * max(values[-1], -values[0]):
+    if values[0] < -MAX_NEGATIVE_EIGENVALUE * max(values[-1], -values[0]):
         raise ValueError(f"{name}: expected no negative eigenvalue, got {values[0]:.3g}; invert a covariance first")
     return (M + M.T) / 2
 
@@ -217,7 +217,7 @@ def check_free(free: Any) -> tuple[str, ...]:
 def _check_frame(frame: Any) -> Matrix:
     F = check_finite("frame", check_shape("frame", frame, (3, 3)))
     error = float(np.abs(matmul(F.T, F) - np.eye(3)).max())
-    if error > ORTHONORMAL:
+    if error > MAX_FRAME_DEVIATION:
         raise ValueError(f"frame: expected orthonormal columns, the axes, got F^T F - I up to {error:.3g}")
     if det(F) < 0:
         raise ValueError("frame: expected right-handed axes, got left-handed ones; negate one of the columns")
@@ -264,7 +264,7 @@ def make_freedom(
         if not free.all():
             _check_prior(prior, rotations[job], shifted[job], constraint, free)
         information[job] = np.asarray(prior.information).reshape(36)
-    still = STILL_TURNING if free[:3].all() else STILL
+    still = STILL_TURNING if free[:3].all() else NO_MOTION
     values: dict[str, tuple[np.ndarray, Any]] = {
         "firsts": (poses, mat44d),
         "pivots": (np.zeros((count, 3)) if pivots is None else pivots, vec3d),
@@ -310,7 +310,7 @@ def _check_prior(
         return np.concatenate([rotation_vector(matmul(D, rotation)), shifted + matmul(constraint.frame, x[3:])])
 
     steps = 1e-6 * np.eye(6)[free]
-    for _ in range(ROUNDS):
+    for _ in range(PRIOR_ITERATIONS):
         J = np.stack([(away(x + s) - away(x - s)) / 2e-6 for s in steps], axis=1)
         x[free] -= np.linalg.lstsq(matmul(root, J), matmul(root, away(x)), rcond=1e-9)[0]
     xi = away(x)

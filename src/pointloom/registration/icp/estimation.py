@@ -23,7 +23,7 @@ from ...kernels.icp.rows import (
     sum_point_rows,
     sum_symmetric_rows,
 )
-from ...kernels.icp.step import GAUSS_NEWTON, PAIRS, SYMMETRIC
+from ...kernels.icp.step import FIT_PAIRS, FIT_SYMMETRIC, GAUSS_NEWTON
 from ...pcd.cloud import PointCloud
 from ..robust_kernels import Geometry, L2Loss, RobustKernel
 from .preparation import colored_source, colored_target, doppler_measurements, generalized_covariances, normals_of
@@ -95,7 +95,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
     with_scaling: bool = False
     kernel: RobustKernel = MIN_SQUARES
     rows = sum_point_rows
-    method = PAIRS
+    method = FIT_PAIRS
     residual_count = 3
 
     @property
@@ -142,7 +142,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
 
     kernel: RobustKernel = MIN_SQUARES
     rows = sum_symmetric_rows
-    method = SYMMETRIC
+    method = FIT_SYMMETRIC
     constrainable = False  # half of each rotation applies to the target
     needs_normals = ("source", "target")
 

@@ -31,7 +31,7 @@ from ..result import RegistrationResult
 from ..rigid import nearest_rotation, scale_of
 from .constraint import Constraint, JobConstraints, constraints_of
 from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
-from .iterative import DEGENERACY, IterativeRegistration
+from .iterative import MIN_DETERMINED_EIGENVALUE, IterativeRegistration
 
 MAX_STEPS = 100_000
 Watcher = Callable[[dict[str, Any]], None]
@@ -71,7 +71,7 @@ def registration_icp(
     *,
     overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
-    degeneracy: float = DEGENERACY,
+    degeneracy: float = MIN_DETERMINED_EIGENVALUE,
     callback_after_iteration: Watcher | None = None,
     constraint: Constraint | None = None,
     weights: ArrayLike | str | None = None,
@@ -171,7 +171,7 @@ def registration_icp_batch(
     *,
     overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
-    degeneracy: float = DEGENERACY,
+    degeneracy: float = MIN_DETERMINED_EIGENVALUE,
     constraint: Constraint | None = None,
     weights: ArrayLike | str | None = None,
 ) -> list[RegistrationResult]:
@@ -281,7 +281,7 @@ def _make_problem(
     *,
     overlap: float | None = 1.0,
     max_normal_angle: float | None = None,
-    degeneracy: float = DEGENERACY,
+    degeneracy: float = MIN_DETERMINED_EIGENVALUE,
     constraint: JobConstraints | None = None,
     weights: ArrayLike | str | None = None,
 ) -> IterativeRegistration:
@@ -328,7 +328,7 @@ def _jobs_of(
 
 
 LOW_FITNESS = 0.05  # fitness below which the positions are checked
-APART = 5.0  # distance in lengths of the longer cloud: too far for ICP
+MAX_SEPARATION = 5.0  # distance in lengths of the longer cloud: too far for ICP
 SURELY_OTHER_UNIT = 500.0  # size ratio even if some points match: millimeters and meters
 OTHER_UNIT = 20.0  # size ratio: not two scans of one scene
 
@@ -340,7 +340,7 @@ def warn_of_low_fitness(
     hint, ratio, apart = _describe_positions(source, target, pose, max_distance)
     if result.fitness == 0:
         result.warnings = (f"no correspondences: {hint}",)
-        remedy = "; pass an initial pose as init, such as from register_globally" if apart > APART else ""
+        remedy = "; pass an initial pose as init, such as from register_globally" if apart > MAX_SEPARATION else ""
         if (remedy or ratio > OTHER_UNIT) and called_by_user():
             warn_of_units(f"no correspondences: {hint}{remedy}")
     elif ratio > SURELY_OTHER_UNIT and called_by_user():

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...kernels.arrays.concatenation import joined_rows
 from ...kernels.icp.freedom import Freedom
-from ...kernels.icp.job_states import CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
+from ...kernels.icp.job_states import JOB_CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
 from ...kernels.icp.jobs import Jobs
 from ...kernels.icp.loop import RegistrationLoop
 from ...kernels.icp.matches import PointColumns
@@ -35,9 +35,9 @@ FAILURES = {
 # Relative to the largest eigenvalue: below it, noise of the normals may determine the motion. Planes with noise of
 # 1/1000 of their size have up to 0.0008, corridors and tubes with normals from 2,000 points 0.005, bumps of 5 cm on 2 m
 # 0.006, scans of rooms, streets, terrain and objects at least 0.03.
-DEGENERACY = 5e-3
+MIN_DETERMINED_EIGENVALUE = 5e-3
 # Default rmse change that ends ICP, relative to the source's spread: Open3D's 1e-6 m for 1 m, at any scale.
-STILL = 1e-6
+MIN_RMSE_CHANGE = 1e-6
 
 
 class IterativeRegistration(MatchedClouds[RegistrationLoop]):
@@ -53,7 +53,7 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         *,
         overlap: float | None = 1.0,
         max_normal_angle: float | None = None,
-        degeneracy: float = DEGENERACY,
+        degeneracy: float = MIN_DETERMINED_EIGENVALUE,
         constraint: JobConstraints | None = None,
         weights: ArrayLike | str | None = None,
     ):
@@ -109,9 +109,9 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         relative_rmse: float | None,
         watch: Callable[[], bool] | None = None,
     ) -> None:
-        """Run all jobs. The default `relative_rmse` [m] is STILL times each source's spread."""
+        """Run all jobs. The default `relative_rmse` [m] is MIN_RMSE_CHANGE times each source's spread."""
         estimation, loop = self.estimation, self.loop
-        limits = (0.0, STILL) if relative_rmse is None else (relative_rmse, 0.0)
+        limits = (0.0, MIN_RMSE_CHANGE) if relative_rmse is None else (relative_rmse, 0.0)
         criteria = max_iteration, relative_fitness, *limits
         rules = StepRules(estimation.method, estimation.scales, criteria, self.degeneracy)
 
@@ -152,7 +152,7 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
                 rmse,
                 lambda job=job: self._pairs_of(job),
                 iterations=iterations,
-                converged=outcome == CONVERGED,
+                converged=outcome == JOB_CONVERGED,
                 warnings=_warnings_of(outcome, iterations),
                 degenerate_directions=states["free"][job].reshape(6, 6)[:free_count].copy(),
                 clouds=self._clouds_of(job),

@@ -11,7 +11,7 @@ from ...core.checks import check_direction, check_rigid
 from ...kernels.linear_algebra import matmul, norm
 from ..rigid import nearest_rotation, rotation_of
 
-OPPOSITE = 1e-9  # sine: nearly opposite directions have no shortest rotation
+MIN_SINE = 1e-9  # sine: nearly opposite directions have no shortest rotation
 
 
 def leveled(
@@ -48,7 +48,7 @@ def leveled(
     up, wanted = up / norm(up), check_direction("up_in_target", up_in_target)
     axis = np.cross(up, wanted)
     sine, cosine = float(norm(axis)), float(matmul(up, wanted))
-    if sine > OPPOSITE:
+    if sine > MIN_SINE:
         T[:3, :3] = matmul(rotation_of(axis * (math.atan2(sine, cosine) / sine)), T[:3, :3])
     elif cosine < 0:
         raise ValueError("up_in_source: points down under init, so the shortest rotation is ambiguous; is it gravity?")

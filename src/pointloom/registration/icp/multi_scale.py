@@ -25,8 +25,8 @@ from .icp import ICPConvergenceCriteria, Watcher, check_poses, check_rules, run_
 from .preparation import point_weights
 
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 3.0, 30  # [voxels] radius, and maximum neighbors of normals
-NEAR = 2.0  # [voxels] distance of overlapping points
-LITTLE = 0.5  # overlap below which border points bias the pose
+OVERLAP_VOXELS = 2.0  # [voxels] distance of overlapping points
+MIN_OVERLAP = 0.5  # overlap below which border points bias the pose
 MIN_OVERLAP_RATIO = 0.9  # minimum ratio of overlap after the restart: otherwise it matches only a part
 WEIGHTS = "weights of multi_scale_icp"  # the attribute that downsampling averages
 _ROLES = ("source", "target")
@@ -101,7 +101,7 @@ def multi_scale_icp(
         left, right = (_with_normals(c, size) if n in wanted else c for n, c in zip(_ROLES, clouds, strict=True))
         watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
         with standing_for(source=source, target=target, scale_index=scale, voxel_size=size):
-            near = min(NEAR * size, distance) or distance
+            near = min(OVERLAP_VOXELS * size, distance) or distance
             run = partial(run_icp, left, right, distance, pose, method, rules, watch, jobs)
             result = _register(run, left, right, distance, near, overlap, None if weights is None else WEIGHTS)
         if jobs is not None:
@@ -126,7 +126,7 @@ def _register(
     if overlap is not None or result.fitness == 0:
         return result
     met = evaluate_registration(source, target, near, result.transformation).fitness
-    if met >= LITTLE:
+    if met >= MIN_OVERLAP:
         return result
     trimmed = run(overlap=None, weights=weights)
     if evaluate_registration(source, target, near, trimmed.transformation).fitness < MIN_OVERLAP_RATIO * met:

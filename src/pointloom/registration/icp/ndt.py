@@ -15,7 +15,7 @@ from ...kernels.arrays.row_numbers import list_partners
 from ...kernels.arrays.sort import positions
 from ...kernels.extent.mean_covariance import mean_and_covariance
 from ...kernels.icp.distribution_loop import DistributionLoop
-from ...kernels.icp.job_states import CONVERGED, FEW_PAIRS
+from ...kernels.icp.job_states import FEW_PAIRS, JOB_CONVERGED
 from ...kernels.icp.normal_distributions import NormalDistributions, match_distributions
 from ...kernels.icp.step import SMALLEST_SIZE
 from ...kernels.lang import int32
@@ -27,7 +27,7 @@ from ..result import Pairs, RegistrationResult
 from ..rigid import to_local, to_world
 from .estimation import TransformationEstimationPointToPoint
 from .icp import LOW_FITNESS, MAX_STEPS, check_degeneracy, check_poses, warn_of_low_fitness
-from .iterative import DEGENERACY, FAILURES
+from .iterative import FAILURES, MIN_DETERMINED_EIGENVALUE
 
 MIN_POINTS = 4  # of a voxel: fewer do not determine a covariance
 NDT_FAILURES = {outcome: text.replace("ICP", "NDT") for outcome, text in FAILURES.items()}
@@ -83,7 +83,7 @@ def registration_ndt(
     option: NormalDistributionsTransformOption | None = None,
     init: ArrayLike | None = None,
     *,
-    degeneracy: float = DEGENERACY,
+    degeneracy: float = MIN_DETERMINED_EIGENVALUE,
 ) -> RegistrationResult:
     """Register a source to a target from a nearby pose by the normal distributions transform (NDT).
 
@@ -173,7 +173,7 @@ def _run(
         float(states["rmse"][0]),
         lambda: _pairs_of(source, loop),
         iterations=iterations,
-        converged=outcome == CONVERGED,
+        converged=outcome == JOB_CONVERGED,
         warnings=(NDT_FAILURES[outcome].format(iterations),) if outcome in NDT_FAILURES else (),
         degenerate_directions=states["free"][0].reshape(6, 6)[: states["free_counts"][0]].copy(),
         clouds=(source.copy(), target.copy(), rules.voxel_size),

@@ -10,7 +10,8 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from typing import Any
+from operator import attrgetter
+from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
 import warp as wp
@@ -47,6 +48,7 @@ from .scan_matching import (
     PLANE_VOXELS,
     START_RINGS,
     AdaptiveThreshold,
+    DownsampledScan,
     ScanMatch,
     headings,
     match_scan,
@@ -172,7 +174,7 @@ class LidarOdometry(Serialized):
         where = "no device yet" if self.device is None else self.device
         return f"LidarOdometry({len(self.steps)} scans, {self.voxel_size} m voxels, {where})"
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> NoReturn:
         raise TypeError("LidarOdometry cannot be copied or pickled: keep its poses (odometry.poses, odometry.map)")
 
     @property
@@ -300,47 +302,45 @@ class LidarOdometry(Serialized):
         ends = np.array([step.pose for step in (*self._steps[:1], *self._steps[-1:])])
         index, sigma = len(self._steps), threshold.value(ends)
         if scan.dense.size == 0:
-            return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, False, True, NO_POINTS)
+            return OdometryStep.unaligned(index, predicted, sigma, NO_POINTS)
         if voxel_map.count == 0:
-            return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, True, False, FIRST_SCAN)
+            return OdometryStep.unaligned(index, predicted, sigma, FIRST_SCAN)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
         search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
-        few = scan.few() if further else None
-        match = match_scan(
-            self._aligner, scan.sparse, voxel_map, predicted, sigma, further, few, scan.dense, search_range
-        )
+        match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further, search_range)
         step = self._step_of(match, predicted, sigma, has_prior)
-        if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:
-            guesses = rotated_guesses(predicted, self._last_pose())
-            again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few(), scan.dense)
-            rotated = self._step_of(again, predicted, sigma, has_prior)
-            if rotated.is_sound and (rotated.disagreement < step.disagreement or not step.is_sound):
-                step, match = rotated, again
-        if not step.is_sound or self._loses_overlap(step):
-            guesses = headings(predicted)
-            again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few(), scan.dense)
-            turned = self._step_of(again, predicted, sigma, has_prior)
-            if turned.is_sound and (again.cost < match.cost or not step.is_sound):
-                return turned
+        searches = (
+            WiderSearch(partial(rotated_guesses, predicted, self._last_pose()), disagrees, attrgetter("disagreement")),
+            WiderSearch(partial(headings, predicted), self._loses_overlap, attrgetter("cost")),
+        )
+        for search in searches:
+            if search.is_needed(step):
+                other = match_scan(self._aligner, scan, voxel_map, predicted, sigma, search.guesses())
+                candidate = self._step_of(other, predicted, sigma, has_prior)
+                if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
+                    step, match = candidate, other
         return step
 
     def _loses_overlap(self, step: OdometryStep) -> bool:
         """True if the overlap with the map is much less than before, as after a fast rotation."""
         last = self._steps[-1]
-        return last.is_sound and step.fitness < MIN_OVERLAP * last.fitness
+        return not step.is_sound or (last.is_sound and step.fitness < MIN_OVERLAP * last.fitness)
 
     def _step_of(self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool) -> OdometryStep:
         status = ("converged" if match.converged else "max_iteration") if match.is_matched else "no overlap"
         rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
-        return OdometryStep(
-            len(self._steps), match.pose if match.is_matched else predicted, sigma, match.inliers, match.fitness, rmse,
-            match.iterations, match.converged, not match.is_matched, status, rmse / self.voxel_size, match.disagreement,
-            () if match.open is None else match.open.translations(),
-            () if match.open is None else match.open.rotations(),
-            match.ways_to_rivals(), has_prior,
-            match_error=match.error(self.voxel_size, self._known.threshold.initial, self.max_range)
-            if match.is_matched else MatchError(),
+        step = OdometryStep(
+            index=len(self._steps), pose=predicted, threshold=sigma, inliers=match.inliers, fitness=match.fitness,
+            inlier_rmse=rmse, iterations=match.iterations, converged=match.converged, is_predicted=not match.is_matched,
+            status=status, misfit=rmse / self.voxel_size, disagreement=match.disagreement,
+            undetermined=() if match.open is None else match.open.translations(),
+            undetermined_turns=() if match.open is None else match.open.rotations(),
+            rivals=match.ways_to_rivals(), has_prior=has_prior,
         )  # fmt: skip
+        if not match.is_matched:
+            return step
+        error = match.error(self.voxel_size, self._known.threshold.initial, self.max_range)
+        return replace(step, pose=match.pose, match_error=error)
 
     def _next_state(
         self, step: OdometryStep, scan: DownsampledScan, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan
@@ -429,6 +429,18 @@ class LidarOdometry(Serialized):
             self._known = replace(state, map=near, pruned_at=position.copy(), map_error=map_error)
 
 
+def disagrees(step: OdometryStep) -> bool:
+    return step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted
+
+
+class WiderSearch(NamedTuple):
+    """A search from more guesses for scans that do not fit. It must lower this cost of the match."""
+
+    guesses: Callable[[], list[Matrix]]
+    is_needed: Callable[[OdometryStep], bool]
+    cost: Callable[[ScanMatch], float]
+
+
 START_SCANS = 3  # scans after the first: later, wrongly matched scans match the map
 
 
@@ -511,8 +523,8 @@ class MapUpdate:
             self.known.map.add(points, pose, max_range)
 
 
-SAMPLE = 4096  # points for the estimate of a sweep
-BINS = 32  # time bins of a scan
+SWEEP_SAMPLE = 4096  # points for the estimate of a sweep
+SWEEP_BINS = 32  # time bins of a scan
 MIN_SWEEP = np.radians(20)  # minimum sweep of a spinning sensor
 FULL_SWEEP = np.radians(345)
 
@@ -552,7 +564,7 @@ def part_of_interval(
         first, last = download(bound_times(points, times))  # sync
         check_resolution(times, first, last, are_single)
         return float(last - first) / interval if last > first else 1.0
-    step = points.size // SAMPLE | 1
+    step = points.size // SWEEP_SAMPLE | 1
     p, t = (download(contiguous(values[::step])) for values in (points, times))  # sync
     p = p.astype(np.float64) + origin
     is_valid = np.isfinite(p).all(axis=1) & np.isfinite(t) & p.any(axis=1)
@@ -565,20 +577,11 @@ def part_of_interval(
         warn_of_coarse_times(len(np.unique(t)), len(t))
     if not span > 0:
         return 1.0
-    bins = np.minimum(((t - t.min()) / span * BINS).astype(np.int64), BINS - 1)
-    x, y = (np.bincount(bins, column / np.where(length > 0, length, 1), BINS) for column in p.T[:2])
+    bins = np.minimum(((t - t.min()) / span * SWEEP_BINS).astype(np.int64), SWEEP_BINS - 1)
+    x, y = (np.bincount(bins, column / np.where(length > 0, length, 1), SWEEP_BINS) for column in p.T[:2])
     known = (x != 0) | (y != 0)
     angles = np.diff(elementwise(math.atan2, y[known], x[known]))
     angles = (angles + np.pi) % (2 * np.pi) - np.pi
-    sweep = abs(float(angles.sum())) * BINS / max(int(known.sum()) - 1, 1)  # between the outer bin centers
+    sweep = abs(float(angles.sum())) * SWEEP_BINS / max(int(known.sum()) - 1, 1)  # between the outer bin centers
     is_steady = known.all() and ((angles > 0).all() or (angles < 0).all())
     return sweep / (2 * np.pi) if is_steady and MIN_SWEEP < sweep < FULL_SWEEP else 1.0
-
-
-@dataclass(frozen=True, eq=False)
-class DownsampledScan:
-    """A scan about the sensor, downsampled for the map, for registration, and for trying many starts."""
-
-    dense: wp.array
-    sparse: wp.array
-    few: Callable[[], wp.array]

@@ -36,7 +36,7 @@ MAX_UNSETTLED = 0.2
 MAX_UNDETERMINED, MAX_UNDETERMINED_ON_END = 0.1, 10
 # Stationary: moved less than this in three scans [m, rad]. Fitness is then 0.99 to 1.00. 0.97 to 0.99 with passing
 # trucks. 0.88 to 0.98 among trucks that drive along. Half of such scans, at least five, trigger the check.
-STATIONARY, STATIONARY_FITNESS, MAX_CONTRADICTED, MIN_STATIONARY = (0.1, 0.02), 0.97, 0.5, 5
+MAX_STATIONARY_MOTION, STATIONARY_FITNESS, MAX_CONTRADICTED, MIN_STATIONARY = (0.1, 0.02), 0.97, 0.5, 5
 # Unmatched points of the farther half of a scan, minus those of the nearer half (fractions). At rest the median is up
 # to 0.001, at 2 cm a scan in a wood 0.009, negative among trucks that pass by; 0.027 to 0.27 among trucks that drive
 # along at 0.4 to 1 m a scan.
@@ -99,6 +99,14 @@ class OdometryStep(AssessedRecord):
     rest_change: float = 0.0
     covariance: PoseCovariance = field(default_factory=lambda: PoseCovariance(np.zeros((6, 6)), np.zeros(3)))
     match_error: MatchError = field(default_factory=MatchError)
+
+    @classmethod
+    def unaligned(cls, index: int, pose: Matrix, threshold: float, status: str) -> OdometryStep:
+        """A scan with nothing to align: `status` is NO_POINTS or FIRST_SCAN."""
+        return cls(
+            index=index, pose=pose, threshold=threshold, inliers=0, fitness=0.0, inlier_rmse=0.0, iterations=0,
+            converged=status == FIRST_SCAN, is_predicted=status == NO_POINTS, status=status,
+        )  # fmt: skip
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -325,7 +333,8 @@ def _stationary(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
 def appears_stationary(before: OdometryStep, step: OdometryStep) -> bool:
     way = norm(step.pose[:3, 3] - before.pose[:3, 3])
     angle = norm(step.pose[:3, :3] - before.pose[:3, :3]) / math.sqrt(2)
-    return bool(step.is_sound and step.iterations and way < STATIONARY[0] and angle < STATIONARY[1])
+    max_way, max_angle = MAX_STATIONARY_MOTION
+    return bool(step.is_sound and step.iterations and way < max_way and angle < max_angle)
 
 
 def _open_motions(steps: Sequence[OdometryStep]) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import eigh, inv, is_positive_definite, matmul, solve
-from ..assessment_constants import SUSPECT_FRACTION, TO_SIGMA, WIDTH
+from ..assessment_constants import SUSPECT_FRACTION, TO_SIGMA, WEIGHT_WIDTH
 from ..pose_errors import PoseCovariance
 
 Matrix = NDArray[np.float64]
@@ -19,10 +19,10 @@ Matrix = NDArray[np.float64]
 MODEL_ERROR = 0.02  # relative to the residuals: an error common to all points
 STEP_FACTOR = 1.0  # of the mean squared distance from the pose that the surfaces alone determine
 SHIFT_FACTOR = 4.0  # of the outer product of the motion to that pose
-RENEWAL = 0.3  # renewed fraction of the map, relative to the ratio of new voxels and points of a scan
-PLANES = 0.2  # number of surface patches that count as much as all planes, which beams form too
-ROUNDS = 3  # reweighted solutions
-RIDGE = 1e-4  # relative to the normal matrix of a row: undetermined motions
+RENEWED_FRACTION = 0.3  # renewed fraction of the map, relative to the ratio of new voxels and points of a scan
+PLANE_PRIOR_PATCHES = 0.2  # number of surface patches that count as much as all planes, which beams form too
+REWEIGHTED_SOLUTIONS = 3  # reweighted solutions
+MOTION_RIDGE = 1e-4  # relative to the normal matrix of a row: undetermined motions
 SMALLEST_WIDTH = 1e-4  # voxels
 
 
@@ -52,18 +52,18 @@ def match_error(information: Matrix, rows: Matrix, residual: float, size: float)
     planes = max(float(np.trace(information[3:, 3:])), 1e-9)
     lever = max(math.sqrt(float(np.trace(information[:3, :3])) / planes), size)
     scale = np.array([lever] * 3 + [1.0] * 3)
-    ridge = RIDGE * np.eye(6)
+    ridge = MOTION_RIDGE * np.eye(6)
     of_planes = information / np.outer(scale, scale) / planes + ridge
     J, r, count = rows[:, :6] / scale, rows[:, 6], len(rows)
-    N = (matmul(J.T, J) + PLANES * of_planes) / (count + PLANES) + ridge
+    N = (matmul(J.T, J) + PLANE_PRIOR_PATCHES * of_planes) / (count + PLANE_PRIOR_PATCHES) + ridge
     step, square = np.zeros(6), 0.0
-    for _ in range(ROUNDS if count >= 6 else 0):
+    for _ in range(REWEIGHTED_SOLUTIONS if count >= 6 else 0):
         left = r + matmul(J, step)
-        width = WIDTH * max(TO_SIGMA * float(np.median(np.abs(left))), SMALLEST_WIDTH * size)
+        width = WEIGHT_WIDTH * max(TO_SIGMA * float(np.median(np.abs(left))), SMALLEST_WIDTH * size)
         w = 1 / (1 + (left / width) ** 2) ** 2
-        total = float(w.sum()) + PLANES
+        total = float(w.sum()) + PLANE_PRIOR_PATCHES
         weighted = (J * w[:, None]).T
-        A = matmul(weighted, J) / total + PLANES / total * of_planes + ridge
+        A = matmul(weighted, J) / total + PLANE_PRIOR_PATCHES / total * of_planes + ridge
         step = -solve(A, matmul(weighted, r) / total)
         square = float(matmul(step, A, step)) / 6
     variance = (MODEL_ERROR * residual) ** 2 + STEP_FACTOR * square
@@ -101,7 +101,7 @@ class MapError:
         The error of a scan counts as much as it renews the map: errors common to the scans that see a surface are
         those of the surface, and errors of different surfaces are independent.
         """
-        fraction = min(RENEWAL * max(voxels - self.voxels, 0) / self.points, 1.0)
+        fraction = min(RENEWED_FRACTION * max(voxels - self.voxels, 0) / self.points, 1.0)
         last = self.last
         matrix = self.covariance.matrix + fraction * (last.matrix - last.lasting) + last.lasting
         return PoseCovariance(matrix, self.covariance.center)

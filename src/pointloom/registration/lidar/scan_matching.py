@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
-from ...kernels.odometry.map_course import CHEAPEST, CONVERGED, LOST, OF_FIRST
+from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, LEG_CONVERGED, LEG_LOST
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.surface_patches import compare_surfaces
 from ...kernels.odometry.voxel_map import VoxelMap
@@ -29,11 +28,11 @@ from .path_errors import MatchError, match_error, prediction_error
 
 Matrix = NDArray[np.float64]
 
-SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
-MOVED = 5.0  # times min_motion from the start, below which the initial threshold is used
+THRESHOLD_SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
+MIN_MOTIONS_FROM_START = 5.0  # times min_motion from the start, below which the initial threshold is used
 MAX_ITERATIONS = 50  # three are usual. Oscillating pairs do not converge with more
-TOLERANCE = 1e-4  # [rad, m] step that ends the iterations
-ROUGH = 1e-2  # likewise if other iterations follow
+FINE_TOLERANCE = 1e-4  # [rad, m] step that ends the iterations
+ROUGH_TOLERANCE = 1e-2  # likewise if other iterations follow
 LOST_FRACTION = 0.1  # minimum fraction of points with a correspondence
 JUDGED_VOXELS = 2.0  # voxels: larger distances count as missing
 PLANE_VOXELS = 1.0  # voxels: radius of plane neighborhoods
@@ -85,43 +84,52 @@ class ScanMatch:
         return error.plus_lasting(deviation**2 * matmul(rays, rays.T))
 
 
+@dataclass(frozen=True, eq=False)
+class DownsampledScan:
+    """A scan about the sensor, downsampled for the map, for registration, and for trying many starts."""
+
+    dense: wp.array
+    sparse: wp.array
+    few: Callable[[], wp.array]
+
+
 def match_scan(
     aligner: MapAligner,
-    points: wp.array,
+    scan: DownsampledScan,
     voxel_map: VoxelMap,
     guess: Matrix,
     sigma: float,
     further: Sequence[Matrix] = (),
-    few: wp.array | None = None,
-    dense: wp.array | None = None,
     search_range: float = 0.0,
 ) -> ScanMatch:
     """Align a scan with the map.
 
     Robust point-to-point ICP (eqs. 9 to 12) has a wide basin but favors no motion, since scan rings move with the
     sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses. The least cost wins.
-    `sigma` [m] is the standard deviation of the guess, `few` and `dense` are sparser and denser points of the scan, and
-    `search_range` [m] limits the search along poorly determined directions. Motions that only the pattern of the scan
-    determines are reported as open, and keep their estimate.
+    `sigma` [m] is the standard deviation of the guess. `search_range` [m] limits the search along poorly determined
+    directions. Motions that only the pattern of the scan determines are reported as open, and keep their estimate.
     """
+    points, dense, few = scan.sparse, scan.dense, scan.few() if further else None
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
-    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH, few=few is not None)
+    first = _leg(guess, count, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE)
+    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH_TOLERANCE)
+    near, last_leg = replace(near, few=few is not None), _leg(guess, count, limit, fine, FINE_TOLERANCE)
     legs = [
-        _leg(guess, count, SIGMAS * sigma, sigma / 3, ROUGH, to_planes=False, is_needed=True),
+        replace(first, to_planes=False, is_needed=True),
         near,
-        replace(near, start=OF_FIRST),
+        replace(near, start=FROM_FIRST),
         *(replace(near, pose=start) for start in further),
-        _leg(guess, count, limit, fine, TOLERANCE, start=CHEAPEST),
+        replace(last_leg, start=FROM_CHEAPEST),
     ]
     aligner.load(points, few, voxel_map)
     results, information = aligner.run(legs)  # sync
     iterations = sum(reached.iterations for reached in results)
-    if results[0].state == LOST or results[-1].state == LOST:
+    if results[0].state == LEG_LOST or results[-1].state == LEG_LOST:
         far = _match_of(results[0], legs[0], count, np.zeros((6, 6)))
         return replace(far, iterations=iterations) if far.is_matched else far
     last = _match_of(results[-1], legs[-1], count, information)
-    dense, rivals = points if dense is None else dense, ()
+    rivals: tuple[Matrix, ...] = ()
     for way in weak_directions(last.information, count) if search_range > 0 else ():
         last, others = _search_along(aligner, points, voxel_map, dense, last, guess, way, search_range)
         iterations, rivals = iterations + last.iterations, rivals + others
@@ -132,7 +140,7 @@ def match_scan(
     if free.is_blind:
         return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
-    constrained = _align(aligner, _leg(start, count, limit, fine, TOLERANCE, is_regularized=True), count, free.weight())
+    constrained = _align(aligner, replace(last_leg, pose=start, is_regularized=True), count, free.weight())
     return replace(
         constrained if constrained.is_matched else replace(last, pose=start),
         iterations=iterations + constrained.iterations,
@@ -153,7 +161,7 @@ def _search_along(
     """The best pose along a poorly determined direction (of equal ones, the nearest to the guess), and its rivals."""
     size, count = voxel_map.voxel_size, points.size
     starts, worst = poses_along(dense, voxel_map, first.pose, guess, way, search_range)
-    leg = _leg(guess, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH)
+    leg = _leg(guess, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH_TOLERANCE)
     legs = [replace(leg, pose=T) for T in starts]
     tried = (
         [_match_of(*pair, count, first.information) for pair in zip(aligner.run(legs)[0], legs, strict=True)]
@@ -169,7 +177,7 @@ def _search_along(
     alike = [match for match, is_worse in zip(candidates, rises_clearly(rises[1:]), strict=True) if not is_worse]
     chosen = min(alike, key=lambda match: _distance(match.pose, guess))
     if chosen is not first:
-        chosen = _align(aligner, replace(leg, pose=chosen.pose, tolerance=TOLERANCE), count)
+        chosen = _align(aligner, replace(leg, pose=chosen.pose, tolerance=FINE_TOLERANCE), count)
     others = [
         match.pose
         for match, (total, _, visible, _) in zip(candidates, rises[1:], strict=True)
@@ -184,17 +192,8 @@ def _distance(A: Matrix, B: Matrix) -> float:
     return float(norm(A[:3, 3] - B[:3, 3]))
 
 
-def _leg(
-    pose: Matrix,
-    count: int,
-    max_distance: float,
-    scale: float,
-    tolerance: float,
-    *,
-    to_planes: bool = True,
-    **more: Any,
-) -> Leg:
-    return Leg(pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes, **more)
+def _leg(pose: Matrix, count: int, max_distance: float, scale: float, tolerance: float) -> Leg:
+    return Leg(pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes=True)
 
 
 def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None = None) -> ScanMatch:
@@ -203,11 +202,12 @@ def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None 
 
 
 def _match_of(reached: Reached, leg: Leg, count: int, information: Matrix) -> ScanMatch:
-    T, is_matched = reached.pose, reached.state != LOST
+    T, is_matched = reached.pose, reached.state != LEG_LOST
     return ScanMatch(
-        make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_matched else leg.pose, is_matched,
-        reached.state == CONVERGED, reached.iterations, reached.paired, reached.paired / count, reached.sqsum,
-        reached.cost, reached.disagreement, information,
+        pose=make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_matched else leg.pose, is_matched=is_matched,
+        converged=reached.state == LEG_CONVERGED, iterations=reached.iterations, inliers=reached.paired,
+        fitness=reached.paired / count, sqsum=reached.sqsum, cost=reached.cost, disagreement=reached.disagreement,
+        information=information,
     )  # fmt: skip
 
 
@@ -253,7 +253,7 @@ class AdaptiveThreshold:
 
     def value(self, poses: Matrix) -> float:
         """The threshold for the next scan. The initial one until the sensor has moved."""
-        if not len(poses) or norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MOVED * self.min_motion:
+        if not len(poses) or norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MIN_MOTIONS_FROM_START * self.min_motion:
             return self.initial
         return math.sqrt(self.sqsum / self.count)
 
@@ -283,7 +283,7 @@ MAX_RIVALS = 4  # examined in detail
 RIVAL_RISE = 0.25
 RIVAL_SEEN = 0.75  # minimum ratio of points with a plane, compared with the best pose: floors may be out of range
 MIN_SEEN = 0.5  # minimum ratio to the maximum over all poses: few points match well at the map border
-SAFETY = 1e-6  # relative margin for rounding: undecided matrices are decided by their eigenvalues
+ROUNDING_MARGIN = 1e-6  # relative margin for rounding: undecided matrices are decided by their eigenvalues
 FIXED_WEIGHT = 1.0e6  # weight of a fixed motion, relative to all pairs
 
 
@@ -402,7 +402,7 @@ def _scaled(information: Matrix, size: float, lever: float | None = None) -> tup
 
 def _exceeds(A: Matrix, limit: float) -> bool:
     """True if all eigenvalues surely exceed a limit: a quick check before `eigh`."""
-    return is_positive_definite(A - (1 + SAFETY) * limit * np.eye(len(A)))
+    return is_positive_definite(A - (1 + ROUNDING_MARGIN) * limit * np.eye(len(A)))
 
 
 def weak_directions(information: Matrix, count: int) -> Matrix:

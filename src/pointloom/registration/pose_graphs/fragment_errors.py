@@ -11,7 +11,7 @@ from ...core.quaternions import nearest_rotations
 from ...kernels.linear_algebra import matmul
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ..assessment_constants import FINE, FINER, VOXELS
+from ..assessment_constants import FINE_VOXEL_FACTOR, MATCH_VOXELS, SOURCE_VOXEL_FACTOR
 from ..pose_errors import PoseCovariance, common_covariance, motions_of_source, root_of_covariance, step_between
 from ..rigid import to_local
 from ..surfaces import surface_of
@@ -21,8 +21,8 @@ from .pose_graph import GraphArrays, PoseGraph, PoseGraphEdge, center_frames, ch
 from .pose_graph_system import EdgeMeasurements, NodePoses, NormalEquations
 
 Array = NDArray[np.float64]
-DAMPING = 1e-12  # relative to the stiffness of the nodes: edges need not determine all motions
-LOOSE = 1e-3  # fraction of the stiffness along a motion that is damping: undetermined
+NODE_DAMPING = 1e-12  # relative to the stiffness of the nodes: edges need not determine all motions
+MAX_DAMPING_FRACTION = 1e-3  # fraction of the stiffness along a motion that is damping: undetermined
 
 
 def fragment_covariances(
@@ -59,8 +59,8 @@ def _gains(
     system = NormalEquations(edges, np.arange(len(rotations)) == 0, None if is_free.all() else is_free)
     errors = edges.errors(poses)
     system.linearize(poses, errors, arrays.confidences)
-    solved = system.inverse(DAMPING)
-    damped = np.diag(solved) * system.scale * DAMPING  # fraction of the stiffness along each motion
+    solved = system.inverse(NODE_DAMPING)
+    damped = np.diag(solved) * system.scale * NODE_DAMPING  # fraction of the stiffness along each motion
     inverse = np.zeros((len(rotations), 6, len(solved)))
     inverse[system.free] = solved.reshape(len(system.free), 6, -1)
     inverse[:, ~is_free] = 0.0
@@ -71,7 +71,7 @@ def _gains(
         moved = matmul(by_source[k], inverse[arrays.source[k]]) + matmul(by_target[k], inverse[arrays.target[k]])
         return matmul(information[k], moved)
 
-    return system.free, damped.reshape(-1, 6).max(axis=1) > LOOSE, gain
+    return system.free, damped.reshape(-1, 6).max(axis=1) > MAX_DAMPING_FRACTION, gain
 
 
 class _Pairs:
@@ -83,9 +83,9 @@ class _Pairs:
 
     def covariance(self, edge: PoseGraphEdge, center: Array) -> Array:
         """Of the motion of the source in its own axes about a center. As large as the source if no surfaces match."""
-        a, b, size = edge.source_node_id, edge.target_node_id, FINE * self.voxel_size
+        a, b, size = edge.source_node_id, edge.target_node_id, FINE_VOXEL_FACTOR * self.voxel_size
         pose = to_local(edge.transformation, self.clouds[a].origin, self.clouds[b].origin)
-        step = step_between(*self.surfaces(a, b, size), pose, VOXELS * self.voxel_size, size, self.motions)
+        step = step_between(*self.surfaces(a, b, size), pose, MATCH_VOXELS * self.voxel_size, size, self.motions)
         if step is None or not step.is_solved:
             radius = Extent.of(self.clouds[a]).radius
             return np.diag(np.repeat([1.0, radius**2], 3)[self.motions])
@@ -96,7 +96,7 @@ class _Pairs:
         return matmul(to_source, step.scatter + common, to_source.T)
 
     def surfaces(self, a: int, b: int, size: float) -> tuple[Surface, Surface]:
-        return self._surface(a, FINER * size), self._surface(b, size)
+        return self._surface(a, SOURCE_VOXEL_FACTOR * size), self._surface(b, size)
 
     def _surface(self, i: int, size: float) -> Surface:
         if (i, size) not in self.known:

@@ -29,10 +29,10 @@ Clouds = Sequence[PointCloud] | Mapping[int, PointCloud]
 Box = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 MAX_DISTANCE = 1.5  # [voxels] of a correspondence
-CONSISTENT = 4.0  # [voxels] maximum closure error over three clouds
-OVERLAP = 0.3  # minimum overlap of the smaller cloud for a loop closure
-PRUNE = 0.25  # confidence at which a loop closure is removed
-FINE = ICPConvergenceCriteria(max_iteration=50)  # scale invariant limits
+MAX_CLOSURE_VOXELS = 4.0  # [voxels] maximum closure error over three clouds
+MIN_LOOP_OVERLAP = 0.3  # minimum overlap of the smaller cloud for a loop closure
+MIN_LOOP_CONFIDENCE = 0.25  # confidence at which a loop closure is removed
+FINE_CRITERIA = ICPConvergenceCriteria(max_iteration=50)  # scale invariant limits
 GENERALIZED = TransformationEstimationForGeneralizedICP()
 
 
@@ -92,7 +92,7 @@ def poses_from_pairs(
 ) -> FragmentGraph:
     """The optimized graph of the largest group, initialized by a tree of mutually consistent pairs."""
     count = len(extents)
-    support = _agreement(extents, pairs, CONSISTENT * size)
+    support = _agreement(extents, pairs, MAX_CLOSURE_VOXELS * size)
     tree, groups = spanning_tree(pairs, support, count)
     largest = int(np.bincount(groups).argmax())
     members = np.flatnonzero(groups == largest)
@@ -125,7 +125,7 @@ def refine_pairs(
         constraint = constraints_of(Constraint(free))
         ends = [clouds[pair.source]], [clouds[pair.target]]
         problem = IterativeRegistration(*ends, start, MAX_DISTANCE * size, GENERALIZED, constraint=constraint)
-        problem.run(FINE.max_iteration, FINE.relative_fitness, FINE.relative_rmse)
+        problem.run(FINE_CRITERIA.max_iteration, FINE_CRITERIA.relative_fitness, FINE_CRITERIA.relative_rmse)
         (result,), (matrix,) = problem.results(), problem.information()
         refined.append(pair._replace(transformation=result.transformation, fitness=result.fitness))
         # the edge's matrix is in source coordinates, the problem's in target coordinates
@@ -171,7 +171,7 @@ def _optimize(
     ]
     graph = PoseGraph([PoseGraphNode(poses[m]) for m in members], edges)
     option = GlobalOptimizationOption(
-        max_correspondence_distance=MAX_DISTANCE * size, edge_prune_threshold=PRUNE, reference_node=0
+        max_correspondence_distance=MAX_DISTANCE * size, edge_prune_threshold=MIN_LOOP_CONFIDENCE, reference_node=0
     )
     return global_optimization(graph, option=option, free=free)
 
@@ -196,7 +196,7 @@ def overlapping_pairs(clouds: Clouds, candidates: Sequence[FragmentPair], size: 
     problem = IterativeRegistration(left, right, start, MAX_DISTANCE * size, GENERALIZED)
     problem.run(0, 0.0, 0.0)
     overlaps = [r.fitness for r in problem.results()]
-    return [p for p, fraction in zip(candidates, overlaps, strict=True) if fraction >= OVERLAP]
+    return [p for p, fraction in zip(candidates, overlaps, strict=True) if fraction >= MIN_LOOP_OVERLAP]
 
 
 def transformed_box(cloud: PointCloud, pose: Matrices) -> Box:

@@ -51,7 +51,7 @@ from .reports import GlobalOptimizationReport
 Matrices = NDArray[np.float64]
 
 ALL_PAIRS = 40  # maximum clouds for all pairs: 780
-NEARBY = 5  # following clouds tried with each, if there are more
+FOLLOWING_CLOUDS = 5  # following clouds tried with each, if there are more
 # Minimum fraction of the source's voxels on the target of a pair in the graph. Below it, practically no surface is
 # shared, so the clouds do not support the relative pose.
 MIN_FITNESS = 0.02
@@ -305,7 +305,7 @@ def fragments_result(
 
 def pairs_to_try(count: int, neighbors: Any, pairs: Any) -> list[tuple[int, int]]:
     if pairs is None:
-        nearby = count if count <= ALL_PAIRS else NEARBY
+        nearby = count if count <= ALL_PAIRS else FOLLOWING_CLOUDS
         span = nearby if neighbors is None else check_count("neighbors", neighbors)
         return [(i, j) for i in range(count) for j in range(i + 1, min(i + span, count - 1) + 1)]
     if neighbors is not None:

@@ -14,8 +14,8 @@ from ...core.errors import FileError
 from ...core.json_files import check_keys, read_json_object
 from .pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode, check_pose_graph
 
-VERSION = {"version_major": 1, "version_minor": 0}
-_FRAME_KEYS = frozenset(("class_name", *VERSION))
+FORMAT_VERSION = {"version_major": 1, "version_minor": 0}
+_FRAME_KEYS = frozenset(("class_name", *FORMAT_VERSION))
 _GRAPH_KEYS = _FRAME_KEYS | {"nodes", "edges"}
 _NODE_KEYS = _FRAME_KEYS | {"pose"}
 _EDGE_KEYS = _FRAME_KEYS | {
@@ -89,14 +89,14 @@ def write_pose_graph(path: str | os.PathLike[str], pose_graph: PoseGraph, *, ove
                 "target_node_id": target,
                 "transformation": _columns(edge.transformation),
                 "uncertain": bool(edge.uncertain),
-                **VERSION,
+                **FORMAT_VERSION,
             }
             for edge, source, target in zip(
                 pose_graph.edges, arrays.source.tolist(), arrays.target.tolist(), strict=True
             )
         ],
-        "nodes": [{"class_name": "PoseGraphNode", "pose": _columns(T), **VERSION} for T in arrays.poses],
-        **VERSION,
+        "nodes": [{"class_name": "PoseGraphNode", "pose": _columns(T), **FORMAT_VERSION} for T in arrays.poses],
+        **FORMAT_VERSION,
     }
     text = json.dumps(content, indent=1) + "\n"
     with atomic_write(path, overwrite=overwrite) as file:
@@ -112,7 +112,7 @@ def _check_frame(path: str | os.PathLike[str], content: Any, name: str, keys: fr
     if not isinstance(content, dict):
         raise FileError(path, f"expected an object, got a {type(content).__name__}", where=f"key {location}")
     check_keys(path, content, required=keys, where=where)
-    for key, expected in (("class_name", name), *VERSION.items()):
+    for key, expected in (("class_name", name), *FORMAT_VERSION.items()):
         if content[key] != expected or isinstance(content[key], bool):
             raise FileError(path, f"expected {expected!r}, got {str(content[key])[:40]!r}", where=f"key {where}{key}")
 

@@ -331,9 +331,9 @@ def _with_report(
 INITIAL_DAMPING = 1e-5  # relative to the stiffness: nearly full first steps (Nielsen, for good initial values)
 # Lower bound of the damping: keeps undetermined motions at rest without slowing others.
 MIN_DAMPING = 1e-12
-GROWTH = 2.0  # factor of the damping after a failed step, doubled each time
+DAMPING_GROWTH = 2.0  # factor of the damping after a failed step, doubled each time
 # Relative change of the residual due to rounding in sums of some thousand float64 products.
-ROUNDING = 1e-12
+MIN_CHANGE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -397,7 +397,7 @@ class _Descent:
         self.system = NormalEquations(self.edges, anchored, motions)
         self.poses = poses
         self.errors, self.confidences, self.residual = self._evaluate(poses)
-        self.damping, self.growth, self.iterations = INITIAL_DAMPING if damped else MIN_DAMPING, GROWTH, 0
+        self.damping, self.growth, self.iterations = INITIAL_DAMPING if damped else MIN_DAMPING, DAMPING_GROWTH, 0
 
     def run(self) -> str:
         if not len(self.system.free):
@@ -435,7 +435,7 @@ class _Descent:
                 self.poses, self.errors, self.confidences, self.residual = poses, errors, confidences, residual
                 self.iterations += 1
                 return "min_relative_residual_increment" if is_converged else ""
-            fraction = ROUNDING if self.damped else max(ROUNDING, criteria.min_relative_residual_increment)
+            fraction = MIN_CHANGE if self.damped else max(MIN_CHANGE, criteria.min_relative_residual_increment)
             if -gain <= fraction * self.residual:
                 return "min_relative_residual_increment"
             self._increase_damping()
@@ -450,14 +450,14 @@ class _Descent:
 
     def _increase_damping(self) -> None:
         self.damping *= self.growth
-        self.growth *= GROWTH
+        self.growth *= DAMPING_GROWTH
 
     def _reduce_damping(self, ratio: float) -> None:
         """Reduce the damping by the gain ratio (Nielsen 1999, eq. 2.21)."""
         if self.damped:
             factor = 1 - (2 * ratio - 1) ** 3
             factor = min(max(factor, self.criteria.lower_scale_factor), self.criteria.upper_scale_factor)
-            self.damping, self.growth = max(self.damping * factor, MIN_DAMPING), GROWTH
+            self.damping, self.growth = max(self.damping * factor, MIN_DAMPING), DAMPING_GROWTH
 
 
 def _length(values: Array) -> float:

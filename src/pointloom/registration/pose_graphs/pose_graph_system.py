@@ -22,7 +22,7 @@ from .pose_graph import GraphArrays
 
 Array = NDArray[np.float64]
 # SuperLU as a symmetric solver: no pivoting off the diagonal, an ordering for A + A^T.
-SYMMETRIC = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
+SYMMETRIC_MODE = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
 
 
 @dataclass(frozen=True, eq=False)
@@ -186,7 +186,7 @@ def _fill_reducing_order(source: NDArray[np.int64], target: NDArray[np.int64], c
     if not count:
         return np.empty(0, np.int64)
     system = (links + sp.diags(degrees + 1.0)).tocsc()
-    return splu(system, permc_spec="MMD_AT_PLUS_A", **SYMMETRIC).perm_c.astype(np.int64)
+    return splu(system, permc_spec="MMD_AT_PLUS_A", **SYMMETRIC_MODE).perm_c.astype(np.int64)
 
 
 def _sums(rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]) -> sp.csr_matrix:

@@ -27,12 +27,12 @@ from .observations import Array, ControlPoint, StationPair, TargetObservation
 from .pair_errors import PairErrors
 
 LEVEL_ROWS = [2, 3, 4, 5]  # yaw, x, y, z of the six motions
-NOTHING = 1e-12  # relative to the largest eigenvalue: undetermined below
+MIN_EIGENVALUE_RATIO = 1e-12  # relative to the largest eigenvalue: undetermined below
 NO_MOTION = 1e-12  # squared length of a zero vector of motions
-UNTESTABLE = 1e-6  # minimum redundancy of a tested row
+MIN_ROW_REDUNDANCY = 1e-6  # minimum redundancy of a tested row
 MAX_STEPS, MAX_HALVINGS = 60, 12
 CONVERGED_STEP = 1e-7  # total step in standard deviations at convergence
-ROUNDING = 1e-12  # relative to the sum of squares
+SQUARES_ROUNDING = 1e-12  # relative to the sum of squares
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,7 +220,7 @@ def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0)
 def root_of(information: Array) -> Array:
     """W with W^T W = information, one row per informative direction."""
     values, vectors = eigh((information + information.T) / 2)
-    is_positive = values > NOTHING * max(values[-1], 0.0)
+    is_positive = values > MIN_EIGENVALUE_RATIO * max(values[-1], 0.0)
     return np.sqrt(values[is_positive])[:, None] * vectors[:, is_positive].T
 
 
@@ -241,7 +241,7 @@ def _descend(
         for _ in range(MAX_HALVINGS):
             moved = network.moved(poses, points, step)
             rows = network.rows(*moved)
-            if float(sum((part * part).sum() for part in rows.right)) <= squares * (1 + ROUNDING):
+            if float(sum((part * part).sum() for part in rows.right)) <= squares * (1 + SQUARES_ROUNDING):
                 break
             step = step / 2
         else:
@@ -255,7 +255,7 @@ def _null_space(A: sp.csr_matrix) -> tuple[Array, Array]:
     stiff = np.sqrt(np.maximum(np.diag(N), 1e-300))
     stiff = np.where(np.diag(N) > 0, stiff, 1.0)
     values, vectors = eigh(N / stiff[:, None] / stiff[None])
-    return vectors[:, values < NOTHING * max(values[-1], 1.0)], stiff
+    return vectors[:, values < MIN_EIGENVALUE_RATIO * max(values[-1], 1.0)], stiff
 
 
 def _conditions(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Array, Array, Array, Array]:
@@ -337,7 +337,7 @@ def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:
     dense = np.asarray(part[:, columns].todense())
     R = np.eye(len(dense)) - matmul(dense, Q[np.ix_(columns, columns)], dense.T)
     values, vectors = eigh((R + R.T) / 2)
-    is_testable = values > UNTESTABLE
+    is_testable = values > MIN_ROW_REDUNDANCY
     along = matmul(vectors[:, is_testable].T, right[group.rows])
     statistic = float((along * along / values[is_testable]).sum()) if is_testable.any() else np.nan
     fraction = float(np.clip(np.trace(R) / max(len(R), 1), 0, 1))

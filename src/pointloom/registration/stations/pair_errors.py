@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import eigh, eigvalsh, inv, matmul
 from ...kernels.memory import download
 from ...kernels.surface.hollow_side import Surface
-from ..assessment_constants import VOXELS
+from ..assessment_constants import MATCH_VOXELS
 from ..pose_errors import common_covariance, motions_of_source, step_between
 from ..unobservable_motions import judge_motions
 from .observations import Array
 
 MIN_BLOCKS = 12  # minimum occupied blocks for an error estimate
-UNKNOWN = 1e-3  # constraint relative to the largest one: motions below have no information
-OPEN = 0.1  # standard deviation relative to the lever: undetermined
+MIN_INFORMATION_RATIO = 1e-3  # constraint relative to the largest one: motions below have no information
+MAX_RELATIVE_ERROR = 0.1  # standard deviation relative to the lever: undetermined
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,12 +53,12 @@ def pair_errors(
     `frame`: T_survey_target about the target's origin, in which space is divided into blocks. None: the target's.
     Returns None if too few points match.
     """
-    step = step_between(*surfaces, pose, VOXELS * size, size, free, frame)
+    step = step_between(*surfaces, pose, MATCH_VOXELS * size, size, free, frame)
     if step is None or step.blocks is None or len(step.influences) < MIN_BLOCKS:
         return None
     common = common_covariance(step, lambda: judge_motions(*surfaces, pose, step.distance, step.free))
     values, vectors = eigh(step.unit)
-    V = vectors[:, values * UNKNOWN < values[0]]
+    V = vectors[:, values * MIN_INFORMATION_RATIO < values[0]]
     covariance = matmul(V.T, step.scatter + (common + common.T) / 2, V)
     to_source = motions_of_source(step, origins[0])
     from_source, motion = inv(to_source), matmul(to_source, V, V.T)
@@ -68,5 +68,5 @@ def pair_errors(
         matmul(step.influences, motion.T),
         matmul(motion, common, motion.T),
         (information + information.T) / 2,
-        V.shape[1] < len(V) or float(eigvalsh(covariance)[-1]) > (OPEN * step.rows.lever) ** 2,
+        V.shape[1] < len(V) or float(eigvalsh(covariance)[-1]) > (MAX_RELATIVE_ERROR * step.rows.lever) ** 2,
     )

@@ -22,8 +22,8 @@ from .loops import Loop
 from .observations import Array, ControlPoint, StationPair, TargetObservation
 from .snooping import Outlier
 
-MM = 1000.0
-SHOWN = 6  # names per line
+MM_PER_METER = 1000.0
+MAX_LISTED = 6  # names per line
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +110,7 @@ class StationsResult(Report, Assessed):
                 "add targets, or stations between"
             )
         if self.outliers:
-            descriptions = [self._outlier_in_words(one) for one in self.outliers[:SHOWN]]
+            descriptions = [self._outlier_in_words(one) for one in self.outliers[:MAX_LISTED]]
             reasons.append(f"{len(self.outliers)} observations contradict the rest: {'; '.join(descriptions)}")
         if self.redundancy and self.sigma0 > self.limits[1]:
             reasons.append(
@@ -135,7 +135,7 @@ class StationsResult(Report, Assessed):
 
     def fields(self) -> Fields:
         is_adjusted = self.placed & np.isfinite(self.sigmas[:, 0])
-        worst = float(self.sigmas[is_adjusted, :3].max(initial=0.0)) * MM
+        worst = float(self.sigmas[is_adjusted, :3].max(initial=0.0)) * MM_PER_METER
         target_count = sum(group.kind == "target" for group in self.groups)
         control_count = sum(group.kind == "control" for group in self.groups)
         frame = "control" if self.reference is None else f"station {self.names[self.reference]}"
@@ -210,7 +210,7 @@ class StationsResult(Report, Assessed):
         return one.name if isinstance(one, ControlPoint) else self.names[one]
 
     def _outlier_in_words(self, one: Outlier) -> str:
-        size = float(norm(one.group.residual[-3:])) * MM
+        size = float(norm(one.group.residual[-3:])) * MM_PER_METER
         description = f"{one.group.kind} {self._name_of(one.group)}, {size:.0f} mm off"
         if one.exchanged:
             return f"{description} (its name and {one.exchanged} look exchanged)"
@@ -222,7 +222,7 @@ class StationsResult(Report, Assessed):
         for name, T, sigma, is_placed in zip(self.names, self.poses, self.sigmas, self.placed, strict=True):
             yaw = np.degrees(np.arctan2(T[1, 0], T[0, 0]))
             pose = [f"{v:.4f}" for v in T[:3, 3]] + [f"{yaw:.5f}"]
-            spread = [f"{v * MM:.2f}" for v in sigma[:3]] + [f"{np.degrees(sigma[5]) * 3600:.1f}"]
+            spread = [f"{v * MM_PER_METER:.2f}" for v in sigma[:3]] + [f"{np.degrees(sigma[5]) * 3600:.1f}"]
             rows.append([name, *(pose + spread if is_placed else ["not placed"] + [""] * 7)])
         return "STATIONS\n" + _table(rows)
 
@@ -232,8 +232,8 @@ class StationsResult(Report, Assessed):
         for g in groups:
             angle = float(norm(g.residual[:-3]))
             rows.append(
-                [self._name_of(g), f"{g.observation.fitness:.0%}", f"{g.observation.rms * MM:.1f}",
-                 f"{norm(g.residual[-3:]) * MM:.2f}", f"{np.degrees(angle) * 3600:.1f}",
+                [self._name_of(g), f"{g.observation.fitness:.0%}", f"{g.observation.rms * MM_PER_METER:.1f}",
+                 f"{norm(g.residual[-3:]) * MM_PER_METER:.2f}", f"{np.degrees(angle) * 3600:.1f}",
                  _test(g), f"{g.redundancy:.2f}"]
             )  # fmt: skip
         table = "PAIRS\n" + _table(rows) if groups else ""
@@ -249,7 +249,7 @@ class StationsResult(Report, Assessed):
                 angles = [f'{np.degrees(v) * 3600:.1f}"' for v in g.residual]
                 rows.append([g.kind, self._name_of(g), *angles, "", _test(g), f"{g.redundancy:.2f}"])
             else:
-                off = [f"{v * MM:.2f}" for v in g.residual]
+                off = [f"{v * MM_PER_METER:.2f}" for v in g.residual]
                 rows.append([g.kind, self._name_of(g), *off, _test(g), f"{g.redundancy:.2f}"])
         return "TARGETS AND CONTROL\n" + _table(rows) if groups else ""
 
@@ -257,7 +257,7 @@ class StationsResult(Report, Assessed):
         rows = [["loop", "closure [mm]", 'closure ["]']]
         for loop in self.loops:
             way = " - ".join(self.names[i] for i in (*loop.stations, loop.stations[0]))
-            rows.append([way, f"{loop.translation * MM:.2f}", f"{np.degrees(loop.rotation) * 3600:.1f}"])
+            rows.append([way, f"{loop.translation * MM_PER_METER:.2f}", f"{np.degrees(loop.rotation) * 3600:.1f}"])
         return "LOOPS OF PAIRS\n" + _table(rows) if self.loops else ""
 
     def _taken_out(self) -> str:
@@ -271,7 +271,7 @@ def _test(group: Group) -> str:
 
 
 def _listed(names: Sequence[str]) -> str:
-    return ", ".join(names[:SHOWN]) + (f" and {len(names) - SHOWN} more" if len(names) > SHOWN else "")
+    return ", ".join(names[:MAX_LISTED]) + (f" and {len(names) - MAX_LISTED} more" if len(names) > MAX_LISTED else "")
 
 
 def _table(rows: Sequence[Sequence[str]]) -> str:

@@ -15,10 +15,10 @@ from .observations import TargetObservation
 FALSE_ALARM = 0.01  # probability of any false outlier in a survey
 TESTED = ("pair", "target", "control")
 MIN_PAIRS = 5  # minimum number of tested pairs to judge their sigmas
-MEDIAN = 0.5
-RIVALS = 3  # suspects tried: gross errors distort the tests
-TIED = 1e-6  # relative difference of statistics that cannot be separated
-EXCHANGED = 0.1  # residual ratio of two targets with exchanged names
+MEDIAN_PROBABILITY = 0.5
+TRIED_SUSPECTS = 3  # suspects tried: gross errors distort the tests
+MAX_TIED_DIFFERENCE = 1e-6  # relative difference of statistics that cannot be separated
+MAX_EXCHANGED_RATIO = 0.1  # residual ratio of two targets with exchanged names
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,14 +47,14 @@ def _cleaned(first: Array, observed: Observed, level: bool, reference: int) -> t
     while len(outliers) < max_outliers:
         suspects = _suspects(adjusted)
         tried = []
-        for group in suspects[:RIVALS]:
+        for group in suspects[:TRIED_SUSPECTS]:
             again = adjust(adjusted.poses, observed.without(group), level=level, reference=reference)
             if again.loose.sum() == loose and again.datum == adjusted.datum:
                 tried.append((again.squares, len(tried), group, again))
         if not tried:
             break
         _, _, group, again = min(tried, key=lambda one: one[:2])
-        ties = (g for g in suspects if g is not group and abs(g.statistic / group.statistic - 1) < TIED)
+        ties = (g for g in suspects if g is not group and abs(g.statistic / group.statistic - 1) < MAX_TIED_DIFFERENCE)
         outliers.append(Outlier(group, _critical(group.freedom, len(adjusted.groups)), tuple(ties)))
         adjusted, observed = again, observed.without(group)
     return adjusted, observed, outliers
@@ -78,7 +78,7 @@ def _pair_factor(adjusted: Adjusted) -> float:
     tested = [g for g in adjusted.groups if g.kind == "pair" and g.freedom]
     if len(tested) < MIN_PAIRS:
         return 1.0
-    return max(1.0, float(np.sqrt(np.median([g.statistic / chdtri(g.freedom, MEDIAN) for g in tested]))))
+    return max(1.0, float(np.sqrt(np.median([g.statistic / chdtri(g.freedom, MEDIAN_PROBABILITY) for g in tested]))))
 
 
 def _with_exchange(outlier: Outlier, outliers: list[Outlier], adjusted: Adjusted) -> Outlier:
@@ -97,6 +97,6 @@ def _with_exchange(outlier: Outlier, outliers: list[Outlier], adjusted: Adjusted
         misses = [
             norm(matmul(T[:3, :3], np.asarray(p.position)) + T[:3, 3] - adjusted.targets[name]) for p, name in crossed
         ]
-        if max(misses) < EXCHANGED * apart:
+        if max(misses) < MAX_EXCHANGED_RATIO * apart:
             return dataclasses.replace(outlier, exchanged=other.name)
     return outlier

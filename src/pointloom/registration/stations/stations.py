@@ -37,8 +37,8 @@ from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from ..assessment_constants import FINER as SOURCE_FINER
 from ..assessment_constants import MIN_SCORE
+from ..assessment_constants import SOURCE_VOXEL_FACTOR as SOURCE_FINER
 from ..evidence import Witness, witness_of
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import LEVEL
@@ -47,7 +47,7 @@ from ..icp.constraint import Constraint
 from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.evaluation import fitness_of
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
-from ..icp.multi_scale import LITTLE, MIN_OVERLAP_RATIO
+from ..icp.multi_scale import MIN_OVERLAP, MIN_OVERLAP_RATIO
 from ..pose_errors import PoseCovariance
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.spanning_tree import chain, spanning_tree
@@ -63,10 +63,10 @@ from .pair_errors import PairErrors, pair_errors
 from .result import StationsResult
 from .snooping import snoop
 
-AGREES = 4.0  # [voxels] maximum closure error over three stations
-BAND = 0.01  # fraction of surveys with sigma0 outside its limits
-ENOUGH = 10  # minimum redundancy for scaling by sigma0
-ROUGH = 2.0  # [m]
+MAX_CLOSURE_VOXELS = 4.0  # [voxels] maximum closure error over three stations
+OUTSIDE_FRACTION = 0.01  # fraction of surveys with sigma0 outside its limits
+MIN_SCALING_REDUNDANCY = 10  # minimum redundancy for scaling by sigma0
+APPROXIMATE_POSE_ERROR = 2.0  # [m]
 MAX_VOXELS = 1e6  # maximum per axis of a cloud
 
 
@@ -76,7 +76,7 @@ def register_stations(
     poses: ArrayLike | None = None,
     positions: ArrayLike | None = None,
     position_sigma: float | None = None,
-    rough: float = ROUGH,
+    rough: float = APPROXIMATE_POSE_ERROR,
     level: bool = True,
     level_sigma: float | None = None,
     targets: Sequence[TargetObservation] | None = None,
@@ -181,7 +181,7 @@ def _adjust_and_refine(
         pairs = [_check_distance(pair, survey.positions, rough) for pair in pairs]
         used = dataclasses.replace(observed, pairs=[pair for pair in pairs if pair.reliable], errors=finder.errors)
         rejected = [pair for pair in pairs if not pair.reliable]
-        result = adjust_stations(survey, used, rejected, reference, AGREES * finder.size)
+        result = adjust_stations(survey, used, rejected, reference, MAX_CLOSURE_VOXELS * finder.size)
     assert result is not None
     report_progress("adjust", 2, 2)
     return result
@@ -206,7 +206,7 @@ def adjust_stations(
     adjusted, remaining, outliers = snoop(first, observed, level=survey.level, reference=fixed_station)
     is_determined = ~adjusted.loose & ((parts == main) | (fixed[parts] & anchored))
     sigma0, limits = _sigma0(adjusted)
-    scale = max(sigma0, 1.0) if adjusted.redundancy >= ENOUGH else 1.0
+    scale = max(sigma0, 1.0) if adjusted.redundancy >= MIN_SCALING_REDUNDANCY else 1.0
     is_fixed = np.arange(survey.count) == (fixed_station if adjusted.datum == adjusted.covariances.shape[1] else -1)
     covariances = _pose_covariances(adjusted, is_determined, is_fixed, scale)
     is_wide = [bool(covariance.sigmas[3:].max() > tolerance) for covariance in covariances]
@@ -365,7 +365,7 @@ def _sigma0(adjusted: Adjusted) -> tuple[float, tuple[float, float]]:
     r = adjusted.redundancy
     if r <= 0:
         return 1.0, (0.0, np.inf)
-    limits = (np.sqrt(chdtri(r, 1 - BAND / 2) / r), np.sqrt(chdtri(r, BAND / 2) / r))
+    limits = (np.sqrt(chdtri(r, 1 - OUTSIDE_FRACTION / 2) / r), np.sqrt(chdtri(r, OUTSIDE_FRACTION / 2) / r))
     return float(np.sqrt(adjusted.squares / r)), (float(limits[0]), float(limits[1]))
 
 
@@ -491,18 +491,19 @@ def onto_control(
     return moved, fixed
 
 
-FINER = 3.0  # finer voxels for normals, per voxel edge
+NORMAL_VOXEL_DIVISOR = 3.0  # finer voxels for normals, per voxel edge
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 1.5, 60  # [voxels]
 COARSE_TO_FINE = (8.0, 4.0, 2.0)  # [voxels] ICP distances from an approximate pose
 MAX_DISTANCE = 2.0  # [voxels] of a correspondence
-TUKEY = 4.685  # standard deviations: 95% efficiency for normal errors
+TUKEY_CUTOFF = 4.685  # standard deviations: 95% efficiency for normal errors
 TO_DEVIATION = 1.4826  # MAD to standard deviation
 MIN_LIMIT = 0.01  # [voxels]
-GRADED = (12.0, 6.0, 3.0, 1.5, 1.0)  # decreasing factors of the cutoff
+CUTOFF_FACTORS = (12.0, 6.0, 3.0, 1.5, 1.0)  # decreasing factors of the cutoff
 MAX_BENT = np.radians(30.0)  # maximum angle between the normals of a pair
 RATED_WITHIN = 1.5  # [voxels]
-SAME = 0.25  # [voxels] maximum displacement of points to keep a rating, which first refines the pose itself
-NEAR = 4.0  # [voxels] overlap distance for approximate poses
+# [voxels] maximum displacement of points to keep a rating, which first refines the pose itself
+MAX_RATED_DISPLACEMENT = 0.25
+OVERLAP_VOXELS = 4.0  # [voxels] overlap distance for approximate poses
 ALL_PAIRS = 40  # maximum stations for all pairs without approximate positions
 PLANE = TransformationEstimationPointToPlane()
 
@@ -516,7 +517,7 @@ class Scan:
 
 
 def prepare(cloud: PointCloud, size: float) -> Scan:
-    fine = cloud.thin(size / FINER)
+    fine = cloud.thin(size / NORMAL_VOXEL_DIVISOR)
     fine = fine.estimate_normals(radius=NORMAL_RADIUS * size, max_nn=NORMAL_NEIGHBORS)
     thinned = fine.thin(size)
     ranges = np.sqrt((thinned.points**2).sum(axis=1))
@@ -549,7 +550,7 @@ class PairFinder:
                 f"Pass rough positions or poses, or at most {ALL_PAIRS} stations"
             )
         if poses is not None and pairs:
-            max_distance = max(NEAR * self.size, min(rough, MAX_DISTANCE * COARSE_TO_FINE[0] * self.size))
+            max_distance = max(OVERLAP_VOXELS * self.size, min(rough, MAX_DISTANCE * COARSE_TO_FINE[0] * self.size))
             between = [matmul(invert_pose(poses[b]), poses[a]) for a, b in pairs]
             overlaps = self._overlaps(pairs, between, max_distance)
             pairs = [pair for pair, overlap in zip(pairs, overlaps, strict=True) if overlap >= self.min_overlap]
@@ -612,7 +613,7 @@ class PairFinder:
             return poses, np.array(fitness_of(*clouds, distance, poses))
 
         poses, matched = register(list(range(len(starts))), 1.0)
-        few = np.flatnonzero((matched > 0) & (matched < LITTLE))
+        few = np.flatnonzero((matched > 0) & (matched < MIN_OVERLAP))
         if len(few):
             trimmed, still_matched = register(few.tolist(), None)
             is_better = still_matched >= MIN_OVERLAP_RATIO * matched[few]
@@ -663,7 +664,7 @@ class PairFinder:
                 results = registration_icp_batch(sources, targets, voxels * self.size, poses, PLANE, rules, **options)
                 poses = np.array([result.transformation for result in results])
             self.limit = self._limit(pairs, results)
-        for factor in (1.0,) if earlier else GRADED:
+        for factor in (1.0,) if earlier else CUTOFF_FACTORS:
             method = TransformationEstimationPointToPlane(TukeyLoss(factor * self.limit))
             results = registration_icp_batch(
                 sources, targets, MAX_DISTANCE * self.size, poses, method, rules, **options
@@ -688,7 +689,7 @@ class PairFinder:
     def _limit(self, pairs: Sequence[tuple[int, int]], results: Sequence[RegistrationResult]) -> float:
         sizes = [float(np.median(np.abs(self._residuals(*each)))) for each in zip(pairs, results, strict=True)
                  if len(each[1].correspondence_set)]  # fmt: skip
-        return max(TUKEY * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, MIN_LIMIT * self.size)
+        return max(TUKEY_CUTOFF * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, MIN_LIMIT * self.size)
 
     def _judged(
         self,
@@ -721,7 +722,7 @@ class PairFinder:
         """True if a pose differs so little from an earlier one that it needs no new rating."""
         D = matmul(invert_pose(pair.transformation), X)
         angle = float(norm(rotation_vector(D[:3, :3])))
-        return float(norm(D[:3, 3])) + angle * self.scans[pair.source].radius < SAME * self.size
+        return float(norm(D[:3, 3])) + angle * self.scans[pair.source].radius < MAX_RATED_DISPLACEMENT * self.size
 
     def _information(self, pair: tuple[int, int], X: Array, stations: Array | None) -> Array:
         """Information of the pose in the source frame, zero if undetermined."""

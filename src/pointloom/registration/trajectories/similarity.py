@@ -32,14 +32,14 @@ from ..rigid import fit_pose, scale_of
 
 MIN_PAIRS = 3  # minimum pairs. They leave 2 of 9 numbers, so their residuals are small even if one is wrong
 MAX_ROTATION_UNCERTAINTY = 5.0  # [degrees] 9 cm per meter from the cameras
-TRIPLES = 2000  # with half outliers, one triple of eight is correct
-CHUNK = 256  # triples per block
-SIGMAS = 2.5  # outlier threshold in standard deviations
+MAX_TRIPLES = 2000  # with half outliers, one triple of eight is correct
+TRIPLES_PER_BLOCK = 256  # triples per block
+OUTLIER_SIGMAS = 2.5  # outlier threshold in standard deviations
 TO_SIGMA = 1.4826  # MAD to standard deviation
 MAX_REFITS = 20  # refits to the inliers
-STRAIGHT = 1e-6  # relative lateral extent below which cameras are collinear
-ROUNDED = 1e-14  # float64 rounding relative to the coordinates
-EXACT = 1e-9  # relative to the extent: smaller errors are rounding
+MIN_LATERAL_RATIO = 1e-6  # relative lateral extent below which cameras are collinear
+ROUND_OFF = 1e-14  # float64 rounding relative to the coordinates
+EXACT_RATIO = 1e-9  # relative to the extent: smaller errors are rounding
 
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
@@ -117,7 +117,7 @@ def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, di
     positions = [_position_of(model, name, value) for name, value in (("a", a), ("b", b))]
     measured = float(norm(positions[1] - positions[0]))
     extent = max(float(np.abs(position).max()) for position in positions)
-    if not measured > EXACT * extent:
+    if not measured > EXACT_RATIO * extent:
         raise ValueError("a, b: expected two different positions in the model, got equal ones")
     return wanted / measured
 
@@ -196,7 +196,7 @@ def _check_model(model: Any) -> None:
 
 def _check_spread(name: str, positions: NDArray[np.float64]) -> None:
     spread = np.linalg.svd(positions - positions.mean(axis=0), compute_uv=False)
-    if not spread[1] > STRAIGHT * spread[0]:
+    if not spread[1] > MIN_LATERAL_RATIO * spread[0]:
         what = "at one position" if not spread[0] > 0 else "on a line"
         raise ValueError(
             f"{name}: expected cameras that are spread out, got all {what}, which leaves the rotation undetermined"
@@ -208,7 +208,7 @@ def _best_of_triples(
 ) -> tuple[NDArray[np.float64], float]:
     count = len(source)
     best, chosen = (math.inf, math.inf), None
-    floor = EXACT * float(np.abs(target - target.mean(axis=0)).max()) + ROUNDED * float(np.abs(target).max())
+    floor = EXACT_RATIO * float(np.abs(target - target.mean(axis=0)).max()) + ROUND_OFF * float(np.abs(target).max())
     for triples in _triples(count, seed):
         fits = _fit_triples(source[triples], target[triples])
         gaps = np.einsum("kij,nj->kni", fits[:, :3, :3], source) + fits[:, None, :3, 3] - target
@@ -228,19 +228,19 @@ def _best_of_triples(
     if limit is None:
         # small sample correction of the median (Rousseeuw and Leroy 1987)
         slack = 1.0 + 5.0 / max(count - MIN_PAIRS, 1)
-        limit = SIGMAS * TO_SIGMA * slack * math.sqrt(best[0])
+        limit = OUTLIER_SIGMAS * TO_SIGMA * slack * math.sqrt(best[0])
     return chosen, max(limit, floor)
 
 
 def _triples(count: int, seed: int):
-    if math.comb(count, 3) <= TRIPLES:
+    if math.comb(count, 3) <= MAX_TRIPLES:
         every = np.array(list(itertools.combinations(range(count), 3)))
     else:
         rng = np.random.Generator(np.random.PCG64(seed))
-        every = rng.integers(0, count, (TRIPLES, 3))
+        every = rng.integers(0, count, (MAX_TRIPLES, 3))
         every = every[(every[:, 0] != every[:, 1]) & (every[:, 1] != every[:, 2]) & (every[:, 0] != every[:, 2])]
-    for begin in range(0, len(every), CHUNK):
-        yield every[begin : begin + CHUNK]
+    for begin in range(0, len(every), TRIPLES_PER_BLOCK):
+        yield every[begin : begin + TRIPLES_PER_BLOCK]
 
 
 def _fit_triples(source: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -253,7 +253,7 @@ def _fit_triples(source: NDArray[np.float64], target: NDArray[np.float64]) -> ND
     R = matmul(U * signs[:, None], Vt)
     with np.errstate(all="ignore"):
         scale = (D * signs).sum(axis=1) / (s * s).sum(axis=(1, 2))
-        scale[~((D[:, 1] > STRAIGHT * D[:, 0]) & (scale > 0))] = np.nan  # collinear
+        scale[~((D[:, 1] > MIN_LATERAL_RATIO * D[:, 0]) & (scale > 0))] = np.nan  # collinear
         T = np.tile(np.eye(4), (len(s), 1, 1))
         T[:, :3, :3] = scale[:, None, None] * R
         T[:, :3, 3] = means[1] - np.einsum("kij,kj->ki", T[:, :3, :3], means[0])

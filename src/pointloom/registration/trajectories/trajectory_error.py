@@ -29,7 +29,7 @@ Matrix = NDArray[np.float64]
 
 KITTI_LENGTHS = (100.0, 200.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0)  # [m]
 KITTI_STEP = 10  # poses between segment starts: one second of KITTI
-STRAIGHT = 1e-6  # relative lateral extent below which a path is a line, which leaves a rotation undetermined
+MIN_LATERAL_RATIO = 1e-6  # relative lateral extent below which a path is a line, which leaves a rotation undetermined
 # Minimum poses of an alignment. It removes 6 of the 3n numbers of n positions, so the rmse of independent errors is too
 # small by the factor sqrt(1 - 2 / n): 0 for 2 poses, 0.77 for 5, 0.89 for 10.
 MIN_POSES = 10
@@ -343,10 +343,10 @@ def _alignment(P: Matrix, Q: Matrix, align: bool | str | None, with_scale: bool)
     values, axes = eigh(np.block([[np.zeros((3, 3)), cross], [cross.T, np.zeros((3, 3))]]))
     smaller, larger = values[4:].tolist()  # singular values of `cross`
     extent = math.sqrt(float((s * s).sum() * (t * t).sum()))
-    if smaller > STRAIGHT**2 * extent:
+    if smaller > MIN_LATERAL_RATIO**2 * extent:
         T = fit_pose(source, target, with_scaling=with_scale)
         return T, scale_of(T)
-    if larger > STRAIGHT**2 * extent:
+    if larger > MIN_LATERAL_RATIO**2 * extent:
         R = fit_pose(source, target)[:3, :3]
         R = matmul(_rotation_about(math.sqrt(2) * axes[:3, 5], Q[:, :3, :3], matmul(R, P[:, :3, :3])), R)
         scale = larger / float((s * s).sum()) if with_scale else 1.0
@@ -409,10 +409,10 @@ def _statistics(errors: NDArray[np.float64]) -> ErrorStatistics:
 
 MIN_MOTIONS = 10  # fewer may determine the six parameters by chance
 MAX_MOTIONS = 200
-ITERATIONS = 10
+REWEIGHTING_ITERATIONS = 10
 MIN_ERROR = 0.01  # relative to the motion length: below it the motions agree
 MAX_LEFT = 0.25  # maximum remaining error ratio with the offset
-DETERMINED = 0.05  # relative to the largest singular value: undetermined lever arm directions
+MIN_SINGULAR_RATIO = 0.05  # relative to the largest singular value: undetermined lever arm directions
 MAX_ARM = 50.0  # [m] maximum sensor distance
 MIN_ROTATION = 0.05  # [rad] smaller rotations have less weight than the translations
 
@@ -467,9 +467,9 @@ def _solve(A: Matrix, B: Matrix) -> Matrix:
     deviations = A[:, :3, :3] - np.eye(3)
     normal = np.einsum("nki,nkj->ij", deviations, deviations)
     values, vectors = eigh(normal)
-    known = vectors[:, values > max(DETERMINED**2 * values[-1], 1e-12)]
+    known = vectors[:, values > max(MIN_SINGULAR_RATIO**2 * values[-1], 1e-12)]
     arm, R = np.zeros(3), np.eye(3)
-    for _ in range(ITERATIONS):
+    for _ in range(REWEIGHTING_ITERATIONS):
         shifted = A[:, :3, 3] + matmul(deviations, arm)
         R = nearest_rotation(correlation + matmul(shifted.T, B[:, :3, 3]))
         wanted = matmul(B[:, :3, 3], R.T) - A[:, :3, 3]

@@ -26,8 +26,8 @@ MAX_SIGMA = 4.0  # [degrees] maximum standard deviation
 MIN_SIGN = 0.2  # minimum mean cosine that separates up from down
 ATTITUDE_SIGMA = 1.0  # [degrees] gimbal accuracy
 MAX_APART = 10.0  # [degrees] maximum median difference between attitudes and the model
-ITERATIONS = 10
-_CUT = 2.5 * 1.4826  # in median deviations, for outliers
+REWEIGHTING_ITERATIONS = 10
+_OUTLIER_MEDIANS = 2.5 * 1.4826  # in median deviations, for outliers
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,9 +82,9 @@ def _median_way(ways: Array) -> tuple[Array, NDArray[np.bool_]]:
     cosines = matmul(ways, ways.T)
     way = ways[int(np.argmax(np.median(cosines, axis=1)))]  # more than half are near it
     is_inlier = np.ones(len(ways), bool)
-    for _ in range(ITERATIONS):
+    for _ in range(REWEIGHTING_ITERATIONS):
         gaps = np.linalg.norm(ways - way, axis=1)
-        is_inlier = gaps <= max(_CUT * float(np.median(gaps)), math.radians(1.0))
+        is_inlier = gaps <= max(_OUTLIER_MEDIANS * float(np.median(gaps)), math.radians(1.0))
         mean = ways[is_inlier].mean(axis=0)
         way = mean / norm(mean)
     return way, is_inlier
@@ -97,11 +97,11 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
     x, down, ahead = rotations[:, 0], rotations[:, 1], rotations[:, 2]
     is_inlier = np.ones(count, bool)
     way, values = np.zeros(3), np.zeros(3)
-    for _ in range(ITERATIONS):
+    for _ in range(REWEIGHTING_ITERATIONS):
         values, axes = eigh(matmul(x[is_inlier].T, x[is_inlier]) / is_inlier.sum())
         way, before = axes[:, 0], is_inlier
         tilts = np.abs(matmul(x, way))
-        is_inlier = tilts <= max(_CUT * float(np.median(tilts)), math.radians(2.0))
+        is_inlier = tilts <= max(_OUTLIER_MEDIANS * float(np.median(tilts)), math.radians(2.0))
         if is_inlier.sum() < MIN_CAMERAS or (is_inlier == before).all():
             break
     if is_inlier.sum() < max(MIN_CAMERAS, count / 2) or float(np.median(np.abs(matmul(x, way)))) > MAX_TILT:

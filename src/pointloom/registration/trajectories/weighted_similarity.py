@@ -21,9 +21,9 @@ from .up_direction import upright_rotation
 Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 50  # Gauss-Newton iterations. Five are usual
-PAIRS = 4000  # tested camera pairs
-STILL = 1e-12  # step at convergence
-OPEN = 1e-14  # relative to the largest eigenvalue, undetermined below
+MAX_PAIRS = 4000  # tested camera pairs
+CONVERGED_STEP = 1e-12  # step at convergence
+MIN_EIGENVALUE_RATIO = 1e-14  # relative to the largest eigenvalue, undetermined below
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,14 +78,14 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
         unit[unit == 0] = 1.0
         normal = matmul(J.T, J)
         values = eigvalsh(normal / np.outer(unit, unit))
-        if not values[0] > OPEN * values[-1]:
+        if not values[0] > MIN_EIGENVALUE_RATIO * values[-1]:
             raise UndeterminedError("the observations do not determine scale, rotation or position")
         step = -solve(normal / np.outer(unit, unit), matmul((J / unit).T, r)) / unit
         step[:4] *= min(1.0, 0.5 / float(np.abs(step[:4]).max() + 1e-300))
         scale *= math.exp(step[0])
         R = matmul(rotation_of(step[1:4]), R)
         translation = translation + step[4:]
-        if np.abs(step[:4]).max() < STILL and np.abs(step[4:]).max() < STILL * (1 + np.abs(y).max()):
+        if np.abs(step[:4]).max() < CONVERGED_STEP and np.abs(step[4:]).max() < CONVERGED_STEP * (1 + np.abs(y).max()):
             break
     R = nearest_rotation(R)  # accumulated rounding
     pose = np.eye(4)
@@ -152,8 +152,8 @@ def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Arra
 
 
 def _pairs(count: int, seed: int) -> NDArray[np.int64]:
-    if math.comb(count, 2) <= PAIRS:
+    if math.comb(count, 2) <= MAX_PAIRS:
         return np.array(list(itertools.combinations(range(count), 2)))
     rng = np.random.Generator(np.random.PCG64(seed))
-    pairs = rng.integers(0, count, (PAIRS, 2))
+    pairs = rng.integers(0, count, (MAX_PAIRS, 2))
     return pairs[pairs[:, 0] != pairs[:, 1]]

@@ -14,9 +14,9 @@ from ...meshing.volume.tsdf import TSDFVolume
 Pose = NDArray[np.float64]
 
 MAX_FRAMES = 16  # sampled frames
-WIDTH = 80  # [px] of the sampled depth maps
-NOISE = 0.02  # relative depth noise
-CONTRADICTED = 0.15  # fraction off the surface: correct poses have 1 to 5%, poses 15 cm off half
+SAMPLED_WIDTH = 80  # [px] of the sampled depth maps
+RELATIVE_DEPTH_NOISE = 0.02  # relative depth noise
+MAX_OFF_SURFACE = 0.15  # fraction off the surface: correct poses have 1 to 5%, poses 15 cm off half
 
 
 class PoseCheck:
@@ -24,7 +24,7 @@ class PoseCheck:
 
     def __init__(self, intrinsic: PinholeCameraIntrinsic, depth_unit: float, depth_max: float):
         self._unit, self.depth_max = depth_unit, depth_max
-        self._step = max(1, intrinsic.width // WIDTH)
+        self._step = max(1, intrinsic.width // SAMPLED_WIDTH)
         rows, columns = (len(range(0, n, self._step)) for n in (intrinsic.height, intrinsic.width))
         K, s = intrinsic, self._step
         self._camera = PinholeCameraIntrinsic(columns, rows, K.fx / s, K.fy / s, K.cx / s, K.cy / s)
@@ -73,6 +73,6 @@ class PoseCheck:
             model = np.asarray(view.depth).reshape(depth.shape)
             met = seen & (model > 0)
             if met.any():
-                limit = np.maximum(0.5 * volume.truncation, NOISE * z[met])
+                limit = np.maximum(0.5 * volume.truncation, RELATIVE_DEPTH_NOISE * z[met])
                 fractions.append(float((np.abs(z[met] - model[met]) > limit).mean()))
         return float(np.median(fractions)) if len(fractions) > 1 else None

@@ -14,10 +14,10 @@ from ...io.frames.frames import why_out_of_range
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
-from .pose_check import CONTRADICTED
+from .pose_check import MAX_OFF_SURFACE
 from .refine import PoseRefinement
 
-COARSE = 0.05  # of the seen extent: larger voxels show no shape
+MAX_VOXEL_FRACTION = 0.05  # of the seen extent: larger voxels show no shape
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -74,7 +74,7 @@ class FusionResult(Assessed):
     def _why_no_surface(self) -> str | None:
         if reason := why_out_of_range(self.depth_fraction, self.used_fraction, self.depth_max):
             return reason
-        if self.seen_extent and self.volume.voxel_size > COARSE * self.seen_extent:
+        if self.seen_extent and self.volume.voxel_size > MAX_VOXEL_FRACTION * self.seen_extent:
             return self._why_coarse(self.seen_extent)
         if not len(self.mesh):
             return (
@@ -96,7 +96,7 @@ class FusionResult(Assessed):
 
     @property
     def _why_contradicted(self) -> str | None:
-        if self.fraction_off is None or self.fraction_off <= CONTRADICTED:
+        if self.fraction_off is None or self.fraction_off <= MAX_OFF_SURFACE:
             return None
         return (
             f"{format_fraction(self.fraction_off)} of the measured depth is off the fused surface: the poses are "

@@ -19,7 +19,7 @@ from .results import OdometryResult
 
 OUTLIER_LIMIT = 25.0  # in standard deviations of the depth noise
 SHORT_STEP = 0.03  # [px]
-STEPS = (12, 12, 10, 8, 6)  # maximum per level, the coarsest first
+MAX_STEPS = (12, 12, 10, 8, 6)  # maximum per level, the coarsest first
 BRIGHTNESS_FRACTION = 0.02  # relative weight of the brightness term: its errors correlate between pixels
 
 
@@ -66,7 +66,7 @@ def align_frames(
     if not isinstance(method, OdometryMethod):
         raise TypeError(f"method: expected a loom.rgbd.OdometryMethod, got {type(method).__name__}")
     start = np.eye(4) if init is None else check_rigid("init", init)
-    return align_steps(source, target, start, method, STEPS)
+    return align_steps(source, target, start, method, MAX_STEPS)
 
 
 def align_steps(
@@ -74,7 +74,7 @@ def align_steps(
     target: OdometryFrame,
     start: NDArray[np.float64],
     method: OdometryMethod,
-    steps: Sequence[int] = STEPS,
+    steps: Sequence[int] = MAX_STEPS,
     fraction: float = BRIGHTNESS_FRACTION,
 ) -> OdometryResult:
     """As `align_frames` without checks, with maximum steps per level (coarsest first) and a brightness weight."""
@@ -87,7 +87,7 @@ def descend(
     target: OdometryFrame,
     start: NDArray[np.float64],
     method: OdometryMethod,
-    steps: Sequence[int] = STEPS,
+    steps: Sequence[int] = MAX_STEPS,
     fraction: float = BRIGHTNESS_FRACTION,
 ) -> tuple[Alignment, int]:
     """The final pose over all levels, and the level that was judged."""

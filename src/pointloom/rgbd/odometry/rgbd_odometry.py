@@ -42,7 +42,7 @@ from .options import (
 from .results import OdometryResult, spread_information
 
 WEIGHTS = ("robust", "open3d")
-WIDEST = 20.0  # image sides per focal length: 168 degrees
+MAX_SIDE_PER_FOCAL = 20.0  # image sides per focal length: 168 degrees
 Jacobian = RGBDOdometryJacobianFromColorTerm | RGBDOdometryJacobianFromHybridTerm
 
 
@@ -245,7 +245,7 @@ def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCam
             result = PinholeCameraIntrinsic.from_matrix(matrix, width, height)
         except ValueError as error:
             raise ValueError(f"{name}: {error}") from None
-        if result.fx * WIDEST < width or result.fy * WIDEST < height:
+        if result.fx * MAX_SIDE_PER_FOCAL < width or result.fy * MAX_SIDE_PER_FOCAL < height:
             raise ValueError(
                 f"{name}: expected fx and fy in pixels, got {result.fx:g} and {result.fy:g}, a field of view of nearly "
                 f"180 degrees at {width} x {height} pixels; pass a matrix in pixels or a PinholeCameraIntrinsic"
@@ -315,12 +315,12 @@ def run_legacy(
         depths.append(images.smooth(marked, width, height))
         gray = intensity_of(image.color_array) if image.color_array.dtype == uint8 else image.color_array
         shades.append(images.smooth(gray, width, height))
-    paired = rows.Open3DRules(rows.LEGACY, rows.PAIRS, option.depth_diff_max)
+    paired = rows.Open3DRules(rows.LEGACY_FORM, rows.PAIRS_ONLY, option.depth_diff_max)
     sums = _sum(depths[0], shades[0], _level((width, height), lens, depths[1], shades[1]), start, paired)
-    if not sums[rows.COUNT]:
+    if not sums[rows.PAIR_COUNT_AT]:
         return _failed(start, "no pixels correspond at the initial pose")
-    for k, total in enumerate(sums[[rows.SOURCE_SHADE, rows.TARGET_SHADE]]):
-        shades[k] = images.scale(shades[k], 0.5 / (total / sums[rows.COUNT]))
+    for k, total in enumerate(sums[[rows.SOURCE_SHADE_AT, rows.TARGET_SHADE_AT]]):
+        shades[k] = images.scale(shades[k], 0.5 / (total / sums[rows.PAIR_COUNT_AT]))
     levels = []
     size, depth, shade, camera = (width, height), depths, shades, lens
     for _ in option.iteration_number_per_pyramid_level:
@@ -328,9 +328,9 @@ def run_legacy(
         shade = [images.halve(images.smooth(s, *size), *size) for s in shade]
         depth = [images.halve(d, *size) for d in depth]
         size, camera = (size[0] // 2, size[1] // 2), camera / 2
-    method = rows.HYBRID if with_depth else rows.COLOR
+    method = rows.HYBRID_TERM if with_depth else rows.COLOR_TERM
     roots = {"depth_root": DEPTH_FRACTION**0.5, "shade_root": (1 - DEPTH_FRACTION) ** 0.5} if with_depth else {}
-    rules = rows.Open3DRules(rows.LEGACY, method, option.depth_diff_max, **roots)
+    rules = rows.Open3DRules(rows.LEGACY_FORM, method, option.depth_diff_max, **roots)
     pose, steps = start, 0
     for count, level in zip(option.iteration_number_per_pyramid_level, levels[::-1], strict=True):
         for _ in range(count):
@@ -339,7 +339,7 @@ def run_legacy(
             if step is None:
                 return _failed(pose, "the pixels do not determine the motion", steps)
             pose, steps = matmul(step, pose), steps + 1
-    information, pixels = _information(depths[0], levels[0][2], pose, rows.LEGACY, option.depth_diff_max)
+    information, pixels = _information(depths[0], levels[0][2], pose, rows.LEGACY_FORM, option.depth_diff_max)
     inliers = int(information[5, 5])
     return OdometryResult(pose, information, inliers=inliers, fitness=inliers / max(pixels, 1), iterations=steps)
 
@@ -356,23 +356,23 @@ def run_tensor(
 ) -> OdometryResult:
     levels = _tensor_levels(source, target, intrinsic, depth_max, len(criteria), method, params)
     kind = {
-        OdometryMethod.Intensity: rows.COLOR,
-        OdometryMethod.Hybrid: rows.HYBRID,
-        OdometryMethod.PointToPlane: rows.PLANE,
+        OdometryMethod.Intensity: rows.COLOR_TERM,
+        OdometryMethod.Hybrid: rows.HYBRID_TERM,
+        OdometryMethod.PointToPlane: rows.PLANE_TERM,
     }[method]
     root = HALF_ROOT if method is OdometryMethod.Hybrid else 1.0
     deltas = (params.depth_huber_delta, params.intensity_huber_delta)
-    rules = rows.Open3DRules(rows.TENSOR, kind, params.depth_outlier_trunc, *deltas, root, root)
+    rules = rows.Open3DRules(rows.TENSOR_FORM, kind, params.depth_outlier_trunc, *deltas, root, root)
     pose, steps, rmse, fitness = start, 0, 0.0, 1.0
     for criterion, level in zip(criteria, levels[::-1], strict=True):
         for _ in range(criterion.max_iteration):
             sums = _sum(level[0], level[1], level[2], pose, rules)
-            count = sums[rows.COUNT]
+            count = sums[rows.PAIR_COUNT_AT]
             step = _solve(sums) if count else None
             if step is None:
                 return _failed(pose, "the pixels do not determine the motion", steps)
             pose, steps = matmul(step, pose), steps + 1
-            new_rmse, new_fitness = sums[rows.SQUARES] / count, count / level[0].size
+            new_rmse, new_fitness = sums[rows.SQUARED_SUM_AT] / count, count / level[0].size
             has_converged = abs(fitness - new_fitness) < criterion.relative_fitness * fitness
             if has_converged and abs(rmse - new_rmse) < criterion.relative_rmse * rmse:
                 break
@@ -380,7 +380,7 @@ def run_tensor(
     depths = [images.mark_missing(image.depth_array, 0.0, _below(depth_max)) for image in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     target_level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
-    information, _ = _information(depths[0], target_level, pose, rows.TENSOR, params.depth_outlier_trunc)
+    information, _ = _information(depths[0], target_level, pose, rows.TENSOR_FORM, params.depth_outlier_trunc)
     return OdometryResult(
         pose, information, inliers=int(information[5, 5]), fitness=fitness, inlier_rmse=rmse, iterations=steps
     )
@@ -398,7 +398,7 @@ def measure_information(
     depths = [images.mark_missing(depth, 0.0, _below(depth_max)) for depth in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
-    return _information(depths[0], level, pose, rows.TENSOR, max_distance)[0]
+    return _information(depths[0], level, pose, rows.TENSOR_FORM, max_distance)[0]
 
 
 def _below(depth_max: float) -> float:

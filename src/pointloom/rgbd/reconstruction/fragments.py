@@ -40,7 +40,7 @@ from .volumes import cloud_of, fuse_frames, make_volume
 Matrix = NDArray[np.float64]
 
 STAGE = "fragment"
-PRUNE = 0.25  # confidence at which a loop closure is removed, as in Open3D
+MIN_LOOP_CONFIDENCE = 0.25  # confidence at which a loop closure is removed, as in Open3D
 SETTINGS = (
     *("depth_min", "depth_max", "depth_diff_max", "odometry_method", "n_frames_per_fragment", "n_frames_least"),
     *("n_keyframes_per_n_frame", "preference_loop_closure_odometry"),
@@ -224,7 +224,7 @@ def make_edge(source: int, target: int, T_target_source: Matrix, information: Ma
 def _optimize(graph: PoseGraph, config: ReconstructionConfig) -> PoseGraph:
     option = GlobalOptimizationOption(
         max_correspondence_distance=config.depth_diff_max,
-        edge_prune_threshold=PRUNE,
+        edge_prune_threshold=MIN_LOOP_CONFIDENCE,
         preference_loop_closure=config.preference_loop_closure_odometry,
         reference_node=0,
     )
@@ -321,7 +321,7 @@ METHODS = {
     "intensity": OdometryMethod.Intensity,
     "point_to_plane": OdometryMethod.PointToPlane,
 }
-BRIDGE = 30  # maximum frames between two linked fragments: a second
+MAX_LINK_FRAMES = 30  # maximum frames between two linked fragments: a second
 
 
 @dataclass(frozen=True, eq=False)
@@ -469,7 +469,7 @@ class DraftBuilder:
 
     def _bridge(self, frame: ReadFrame, current: OdometryFrame) -> Joint | None:
         """Align a frame with the end of the previous fragment across skipped frames."""
-        if self._anchor is None or not 1 < frame.index - self._anchor[1] <= BRIDGE:
+        if self._anchor is None or not 1 < frame.index - self._anchor[1] <= MAX_LINK_FRAMES:
             return None
         result = align(self.config, current, self._anchor[0], np.eye(4))
         if not result.reliable:
@@ -513,8 +513,8 @@ def align(
     return align_frames(source, target, T_target_source, method=method)
 
 
-SAMPLES = 300  # sampled depth pixels per keyframe
-SHARED = 0.35  # minimum common fraction. Open3D uses 0.3 between fragments
+SAMPLED_PIXELS = 300  # sampled depth pixels per keyframe
+MIN_SHARED_FRACTION = 0.35  # minimum common fraction. Open3D uses 0.3 between fragments
 SAME_DEPTH = 0.1  # relative depth difference beyond which a sample is occluded
 MAX_LOOPS = 3  # per keyframe: the most distant in time, and its neighbor
 
@@ -534,7 +534,7 @@ class Keyframe:
         step = max(1, min(depth.shape) // 60)
         depths = depth[::step, ::step].copy()
         rows, columns = np.nonzero(depths)
-        chosen = slice(None, None, max(1, len(rows) // SAMPLES))
+        chosen = slice(None, None, max(1, len(rows) // SAMPLED_PIXELS))
         rows, columns = rows[chosen], columns[chosen]
         z = depths[rows, columns].astype(np.float64)
         x = (columns * step - intrinsic.cx) / intrinsic.fx * z
@@ -565,7 +565,7 @@ def find_candidates(
             T = matmul(invert_pose(poses[target.index]), poses[source.index])
             if source.index - target.index < 2:
                 continue  # the pair of odometry
-            if min(_fractions(source, target, T, intrinsic)) >= SHARED:
+            if min(_fractions(source, target, T, intrinsic)) >= MIN_SHARED_FRACTION:
                 chosen.append((b, a, T))
         candidates += chosen if len(chosen) <= MAX_LOOPS else [*chosen[: MAX_LOOPS - 1], chosen[-1]]
     return candidates

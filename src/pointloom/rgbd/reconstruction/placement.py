@@ -26,8 +26,8 @@ Matrix = NDArray[np.float64]
 
 STAGE = "register"
 SETTINGS = ("voxel_size", "seed")
-THINNED = 4.0  # finest downsampling, per voxel edge
-SURE = 1.0  # confidence of odometry links
+VOXEL_DIVISOR = 4.0  # finest downsampling, per voxel edge
+ODOMETRY_CONFIDENCE = 1.0  # confidence of odometry links
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +99,7 @@ def register_fragments(
             return result
     clouds = read_clouds(fragments, config, where)
     known = [
-        FragmentPair(f.number, f.joint.fragment, f.T_earlier(fragments[f.joint.fragment]), 0.0, SURE)
+        FragmentPair(f.number, f.joint.fragment, f.T_earlier(fragments[f.joint.fragment]), 0.0, ODOMETRY_CONFIDENCE)
         for f in fragments
         if f.joint is not None
     ]
@@ -114,7 +114,7 @@ def register_fragments(
 
 
 def read_clouds(fragments: list[Fragment], config: ReconstructionConfig, device: Any) -> list[PointCloud]:
-    size = config.voxel_size / THINNED
+    size = config.voxel_size / VOXEL_DIVISOR
     return [fragment.read_cloud(device).voxel_down_sample(size) for fragment in fragments]
 
 

@@ -28,7 +28,7 @@ from ...registration.pose_graphs.pose_graph_files import write_pose_graph
 from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizationOption, global_optimization
 from ...registration.rigid import invert_pose
 from .config import ReconstructionConfig
-from .fragments import PRUNE, Fragment, fragments_in, make_edge
+from .fragments import MIN_LOOP_CONFIDENCE, Fragment, fragments_in, make_edge
 from .job_files import JobFiles
 from .placement import Placement, placement_of, read_clouds, read_placement, write_placement
 
@@ -36,10 +36,10 @@ Matrix = NDArray[np.float64]
 
 STAGE = "refine"
 SETTINGS = ("voxel_size", "icp_method", "preference_loop_closure_registration")
-SCALES = ((1.0, 50), (2.0, 30), (4.0, 14))  # voxel factors and iterations, as in Open3D
+SCALES_AND_STEPS = ((1.0, 50), (2.0, 30), (4.0, 14))  # voxel factors and iterations, as in Open3D
 MAX_DISTANCE = 1.4  # [voxels] correspondence distance, as in Open3D
-STILL = 1e-6  # convergence threshold, as in Open3D
-ASTRAY = 2.0  # [coarsest voxels] maximum displacement; beyond it the match is wrong
+MIN_RELATIVE_CHANGE = 1e-6  # convergence threshold, as in Open3D
+MAX_DISPLACEMENT_VOXELS = 2.0  # [coarsest voxels] maximum displacement; beyond it the match is wrong
 METHODS: dict[str, type[TransformationEstimation]] = {
     "point_to_point": TransformationEstimationPointToPoint,
     "point_to_plane": TransformationEstimationPointToPlane,
@@ -88,7 +88,7 @@ def refine_registration(
     write_pose_graph(job.refined_graph, graph)
     option = GlobalOptimizationOption(
         max_correspondence_distance=MAX_DISTANCE * config.voxel_size,
-        edge_prune_threshold=PRUNE,
+        edge_prune_threshold=MIN_LOOP_CONFIDENCE,
         preference_loop_closure=config.preference_loop_closure_registration,
         reference_node=0,
     )
@@ -116,18 +116,18 @@ def _refine_edges(
     start = np.array([matmul(invert_pose(nodes[e.target_node_id].pose), nodes[e.source_node_id].pose) for e in edges])
     poses, method = start, method_for(config, clouds)
     information: Sequence[Matrix] = []
-    for done, (fineness, steps) in enumerate(SCALES):
-        report_progress("refine", done, len(SCALES))
+    for done, (fineness, steps) in enumerate(SCALES_AND_STEPS):
+        report_progress("refine", done, len(SCALES_AND_STEPS))
         size = config.voxel_size / fineness
         level = [cloud.voxel_down_sample(size) for cloud in clouds]
         sources, targets = [level[e.source_node_id] for e in edges], [level[e.target_node_id] for e in edges]
         problem = IterativeRegistration(sources, targets, poses, MAX_DISTANCE * size, method)
-        problem.run(steps, STILL, STILL)
+        problem.run(steps, MIN_RELATIVE_CHANGE, MIN_RELATIVE_CHANGE)
         poses, information = np.array([r.transformation for r in problem.results()]), list(problem.information())
-    report_progress("refine", len(SCALES), len(SCALES))
+    report_progress("refine", len(SCALES_AND_STEPS), len(SCALES_AND_STEPS))
     refined = []
     for edge, first, last, matrix in zip(edges, start, poses, information, strict=True):
-        if _moved(clouds[edge.source_node_id], first, last) > ASTRAY * config.voxel_size:
+        if _moved(clouds[edge.source_node_id], first, last) > MAX_DISPLACEMENT_VOXELS * config.voxel_size:
             refined.append(edge)
         else:
             ends = edge.source_node_id, edge.target_node_id

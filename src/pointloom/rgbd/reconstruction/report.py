@@ -15,7 +15,7 @@ from .frames import LostFrame
 from .placement import Placement
 from .scene import Scene
 
-_SHOWN = 5  # listed runs of lost frames
+_MAX_LISTED_RUNS = 5  # listed runs of lost frames
 
 
 @dataclass(frozen=True)
@@ -127,8 +127,8 @@ class SystemReport(Report, Assessed):
             fragments += f"; {self.resumed} reused from an earlier run"
         fields = [("frames", f"{self.used} of {self.frames} in the model{where}"), ("fragments", fragments)]
         if self.lost:
-            runs = [str(run) for run in self.lost[:_SHOWN]]
-            fields.append(("lost", "\n".join([*runs, *(["and more"] if len(self.lost) > _SHOWN else [])])))
+            runs = [str(run) for run in self.lost[:_MAX_LISTED_RUNS]]
+            fields.append(("lost", "\n".join([*runs, *(["and more"] if len(self.lost) > _MAX_LISTED_RUNS else [])])))
         if self.slac:
             fields.append(("slac", _slac_line(self.slac)))
         return fields

@@ -46,7 +46,7 @@ Pose = NDArray[np.float64]
 # Fused frames that can be withdrawn, 2 MB each at 640 x 480. A time offset is detected after 20 to 25 frames with
 # rotation. Earlier frames before it had no rotation, so their color and depth agree.
 MAX_UNCHECKED = 90
-YOUNG = 60  # frames in which a model with moving objects restarts: two seconds at 30 Hz
+MAX_RESTART_FRAMES = 60  # frames in which a model with moving objects restarts: two seconds at 30 Hz
 
 
 class DenseSLAM(Serialized):
@@ -429,7 +429,7 @@ class DenseSLAM(Serialized):
         layers = self.foreground.part(frame, self.stream.view, expected)
         if layers is not None and pose is None:
             pose = layers.pose
-        if pose is None or self.model.frame_count > YOUNG:
+        if pose is None or self.model.frame_count > MAX_RESTART_FRAMES:
             return False
         self._maps.here.begin_again(clean_pose(pose), self._new_recorder(self.model))
         self._unchecked.clear()

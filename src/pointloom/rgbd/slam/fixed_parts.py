@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download, upload
-from ...kernels.rgbd.stream_views import CELLS, StreamView, hide_cells
+from ...kernels.rgbd.stream_views import CELLS_PER_ROW, StreamView, hide_cells
 from ...registration.rigid import invert_pose, rotation_vector
-from ..odometry.alignment import BRIGHTNESS_FRACTION, STEPS, OdometryMethod, descend
+from ..odometry.alignment import BRIGHTNESS_FRACTION, MAX_STEPS, OdometryMethod, descend
 from ..odometry.motion_checks import judge
 from .frame_checks import FIRM_OVERLAP, MIN_EIGENVALUE
 from .frames import SensorFrame
@@ -27,17 +27,18 @@ Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 FROM_FIRST = 12  # frames that are compared with the first one, and all checked
-BACK = 8  # frames back to the reference of later ones
-EVERY = 4  # frames between later checks
+REFERENCE_DISTANCE = 8  # frames back to the reference of later ones
+CHECK_INTERVAL = 4  # frames between later checks
 SAME_DEPTH = 0.02  # relative depth difference of an unchanged cell: sensor noise of a cell up to 0.007
 SAME_SHADE = 0.03  # brightness difference, 0..1; noise of a cell up to 0.004
-CONTRADICTED = 2.0  # factor of both at the predicted position
+PREDICTED_TOLERANCE = 2.0  # factor of both at the predicted position
 MIN_SHIFT, MIN_ROTATION = 0.03, np.deg2rad(1.5)  # [m], [rad] minimum motion of the camera
 MIN_FIXED = 0.25  # minimum fraction of the unchanged cells that are contradicted: scenes up to 0.15 | objects 0.37
-BESIDE = 1.5  # minimum ratio to that of changed cells, at edges of the scene: scenes up to 0.7 | objects 1.8 and more
+# Minimum ratio to that of changed cells, at edges of the scene: scenes up to 0.7 | objects 1.8 and more
+MIN_CHANGED_RATIO = 1.5
 MIN_CELLS = 0.02  # minimum fraction of measured cells
 MIN_AGREEMENT = 0.9  # fraction of the rest on the earlier surface
-CLOSED = 2  # [cells] gaps that are filled
+MAX_FILLED_GAP = 2  # [cells] gaps that are filled
 MAX_CHANGED = 0.5  # fraction of changed cells at which the object has gone
 
 
@@ -76,9 +77,9 @@ class FixedParts:
         size = view.rows, view.columns
         look = Look(frame, view.host_nearness.reshape(size), download(view.brightness).reshape(size))  # sync
         pose = None
-        if self._looks and (self._count <= FROM_FIRST or self._count % EVERY == 0):
+        if self._looks and (self._count <= FROM_FIRST or self._count % CHECK_INTERVAL == 0):
             pose = self._search(look, view, expected)
-        self._looks = [*self._looks[:1], *self._looks[1:][-BACK:], look]
+        self._looks = [*self._looks[:1], *self._looks[1:][-REFERENCE_DISTANCE:], look]
         if pose is None:
             self._drop_changed(look)
         if self.hidden is not None:
@@ -102,7 +103,7 @@ class FixedParts:
         is_other = contradicted(motion, look, earlier, cell_lens(look.frame, view))
         is_fixed = is_still & is_other
         usual = float((is_other & ~is_still).sum()) / max(measured - int(is_still.sum()), 1)
-        min_fraction = max(MIN_FIXED, BESIDE * usual)
+        min_fraction = max(MIN_FIXED, MIN_CHANGED_RATIO * usual)
         if is_fixed.sum() < MIN_CELLS * measured or is_fixed.sum() < min_fraction * is_still.sum():
             return None
         is_new = self.hidden is None
@@ -121,7 +122,7 @@ class FixedParts:
         """T_earlier_now by the other cells. None if it is small or uncertain."""
         source = look.frame.pyramid_of(self._without(look.frame, view, hidden))
         target = earlier.frame.pyramid_of(self._without(earlier.frame, view, hidden))
-        alignment, level = descend(source, target, start, OdometryMethod.Hybrid, STEPS, BRIGHTNESS_FRACTION)
+        alignment, level = descend(source, target, start, OdometryMethod.Hybrid, MAX_STEPS, BRIGHTNESS_FRACTION)
         result = judge(alignment, source, level)
         T = result.transformation
         if not np.isfinite(T).all() or result.contradiction or result.smallest_eigenvalue < MIN_EIGENVALUE:
@@ -139,8 +140,8 @@ class FixedParts:
         """Show cells again that changed. If most of them did, the object has gone."""
         if self._core is None or self._shape is None or self._shade is None:
             return
-        is_unchanged = (look.nearness == 0.0) | same_nearness(look.nearness, self._shape, CONTRADICTED)
-        kept = self._core & is_unchanged & same_shade(look.shade, self._shade, CONTRADICTED)
+        is_unchanged = (look.nearness == 0.0) | same_nearness(look.nearness, self._shape, PREDICTED_TOLERANCE)
+        kept = self._core & is_unchanged & same_shade(look.shade, self._shade, PREDICTED_TOLERANCE)
         if kept.sum() < (1.0 - MAX_CHANGED) * self._core.sum():
             self._core, self.hidden, self._looks = None, None, [look]
         else:
@@ -158,7 +159,7 @@ def same_shade(now: NDArray[np.float32], before: NDArray[np.float32], factor: fl
 
 def cell_lens(frame: SensorFrame, view: StreamView) -> tuple[float, float, float, float]:
     """Focal lengths and center in cells."""
-    side, camera = max(1, frame.intrinsic.width // CELLS), frame.intrinsic
+    side, camera = max(1, frame.intrinsic.width // CELLS_PER_ROW), frame.intrinsic
     return camera.fx / side, camera.fy / side, (camera.cx + 0.5) / side - 0.5, (camera.cy + 0.5) / side - 0.5
 
 
@@ -175,8 +176,8 @@ def contradicted(T_earlier_now: Floats, look: Look, earlier: Look, lens: tuple[f
     is_inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
     at = np.where(is_inside, row * columns + column, 0)
     nearness, shade = earlier.nearness.reshape(-1)[at], earlier.shade.reshape(-1)[at]
-    is_other = (nearness > 0.0) & ~same_nearness((1.0 / depth).astype(np.float32), nearness, CONTRADICTED)
-    is_other |= ~same_shade(look.shade.reshape(-1), shade, CONTRADICTED)
+    is_other = (nearness > 0.0) & ~same_nearness((1.0 / depth).astype(np.float32), nearness, PREDICTED_TOLERANCE)
+    is_other |= ~same_shade(look.shade.reshape(-1), shade, PREDICTED_TOLERANCE)
     return (is_inside & is_other & (look.nearness.reshape(-1) > 0.0)).reshape(rows, columns)
 
 
@@ -195,4 +196,4 @@ def opened(mask: Mask) -> Mask:
 
 def closed(mask: Mask) -> Mask:
     """Fill gaps of a few cells."""
-    return ~widened(~widened(mask, CLOSED), CLOSED) | mask
+    return ~widened(~widened(mask, MAX_FILLED_GAP), MAX_FILLED_GAP) | mask

@@ -29,12 +29,12 @@ from ..odometry.results import OdometryResult
 from .tracking import track
 
 MIN_ROTATION = 12.0  # [degrees] rotation of a pair: resolves 10% of the focal length, with enough overlap
-PAIRS = 8
+FRAME_PAIRS = 8
 MIN_PAIRS = 3  # minimum for a result
-FACTORS = (0.8, 0.9, 1.1, 1.25)  # tested focal length factors
-BETTER = 0.95  # residual ratio of a better focal length: noise stays above 0.99
+FOCAL_FACTORS = (0.8, 0.9, 1.1, 1.25)  # tested focal length factors
+MAX_RESIDUAL_RATIO = 0.95  # residual ratio of a better focal length: noise stays above 0.99
 MIN_OVERLAP = 0.2
-MISS = 0.05  # [m] cost of a pixel off the surface
+MISS_COST = 0.05  # [m] cost of a pixel off the surface
 
 
 @dataclasses.dataclass(frozen=True)
@@ -149,7 +149,7 @@ def _judged(residuals: Sequence[Sequence[float]]) -> FocalCheck | None:
     ratios = np.median(table[:, 1:] / table[:, :1], axis=0)
     best = int(np.argmin(ratios))
     given = float(np.median(table[:, 0]))
-    factor, ratio = (FACTORS[best], float(ratios[best])) if ratios[best] < BETTER else (1.0, 1.0)
+    factor, ratio = (FOCAL_FACTORS[best], float(ratios[best])) if ratios[best] < MAX_RESIDUAL_RATIO else (1.0, 1.0)
     return FocalCheck(len(residuals), given, factor, given * ratio)
 
 
@@ -157,7 +157,7 @@ def rotated_pairs(path: Trajectory) -> list[tuple[int, int]]:
     """Index pairs of poses that are rotated against each other, spread over the path."""
     axes = path.poses[:, :3, 2]
     pairs = []
-    for first in range(0, len(path), max(1, len(path) // PAIRS)):
+    for first in range(0, len(path), max(1, len(path) // FRAME_PAIRS)):
         rotated = np.flatnonzero(matmul(axes[first + 1 :], axes[first]) < math.cos(math.radians(MIN_ROTATION)))
         if len(rotated) and first + 1 + int(rotated[0]) not in (second for _, second in pairs):
             pairs.append((first, first + 1 + int(rotated[0])))
@@ -194,7 +194,7 @@ def _residuals(
     except FileError:
         return None
     results = []
-    for factor in (1.0, *FACTORS):
+    for factor in (1.0, *FOCAL_FACTORS):
         camera = _stretched(source.intrinsic, factor)
         first, second = (
             OdometryFrame(frame.depth, camera, frame.color, depth_scale=depth_unit(source, frame), **options)
@@ -208,7 +208,7 @@ def _residuals(
 
 def _residual(result: OdometryResult) -> float:
     fraction = result.fitness / result.overlap
-    return math.sqrt(fraction * result.inlier_rmse**2 + (1 - fraction) * MISS**2)
+    return math.sqrt(fraction * result.inlier_rmse**2 + (1 - fraction) * MISS_COST**2)
 
 
 def _stretched(camera: PinholeCameraIntrinsic, factor: float) -> PinholeCameraIntrinsic:

@@ -16,7 +16,7 @@ from ...kernels.linear_algebra import matmul, norm
 from ...kernels.rgbd import check_rows as at
 from ...kernels.rgbd.stream_views import StreamView, hide_near
 from ...registration.rigid import invert_pose, rotation_vector
-from ..odometry.alignment import BRIGHTNESS_FRACTION, STEPS, OdometryMethod, descend
+from ..odometry.alignment import BRIGHTNESS_FRACTION, MAX_STEPS, OdometryMethod, descend
 from ..odometry.frames import OdometryFrame
 from ..odometry.motion_checks import MIN_EIGENVALUE, judge
 from ..odometry.results import OdometryResult
@@ -24,22 +24,22 @@ from .frames import SensorFrame
 
 Pose = NDArray[np.float64]
 
-BACK = 4  # frames back to the reference, and, alternating, ...
+REFERENCE_DISTANCE = 4  # frames back to the reference, and, alternating, ...
 BACK_FAR = 16  # ... this many: slow motion is detected there, fast motion by the nearer one
-FIRST = 60  # frames with the very first as reference
-EVERY = 4  # frames between checks, after ...
+FIRST_FRAMES = 60  # frames with the very first as reference
+CHECK_INTERVAL = 4  # frames between checks, after ...
 AT_ONCE = 12  # ... this many, which are all checked: a new model cannot contradict a wrong pose
-NEAREST, FARTHEST, BINS = 0.25, 2.5, 64  # nearness bins [1/m]: 4 m to 0.4 m
+MIN_NEARNESS, MAX_NEARNESS, NEARNESS_BINS = 0.25, 2.5, 64  # nearness bins [1/m]: 4 m to 0.4 m
 MIN_LAYER = 0.05  # minimum image fraction of each layer
-APART = 3.0  # residual ratio: static scenes up to 1.6 | moving 2.5 at once, 7 to 300 soon
-NOISE = 0.3  # minimum difference in noise variances
-ALIKE = 2.0  # maximum residual ratio of a common motion
-AGREED = 8  # consecutive checks until the near part is static again: a second
+MIN_RESIDUAL_RATIO = 3.0  # residual ratio: static scenes up to 1.6 | moving 2.5 at once, 7 to 300 soon
+MIN_DIFFERENCE = 0.3  # minimum difference in noise variances
+MAX_COMMON_RATIO = 2.0  # maximum residual ratio of a common motion
+MIN_AGREEING_CHECKS = 8  # consecutive checks until the near part is static again: a second
 MIN_SHIFT, MIN_ROTATION = 0.02, np.deg2rad(1.0)  # [m], [rad] minimum camera motion between the two frames
-STRIDE = 1.3  # factor of the next tried limits
-AS_GOOD, SLACK = 1.15, 0.02  # factor, and variances, by which a nearer limit may fit worse
+LIMIT_FACTOR = 1.3  # factor of the next tried limits
+AS_GOOD, RESIDUAL_SLACK = 1.15, 0.02  # factor, and variances, by which a nearer limit may fit worse
 MIN_LEFT = 0.25  # minimum image fraction beyond it
-PLAIN = 2.5  # noise variances: a far part with a larger residual also contains moving objects
+MAX_STATIC = 2.5  # noise variances: a far part with a larger residual also contains moving objects
 MAX_SHIFT, MAX_ROTATION = 0.3, np.deg2rad(20.0)  # [m], [rad] maximum motion: larger view changes hide moving objects
 MIN_OVERLAP = 0.6  # minimum overlap of the far part: border effects dominate below
 FIRM_AGREEMENT = 0.9  # minimum agreement of the visible far part
@@ -78,13 +78,16 @@ class Layers:
     @property
     def are_apart(self) -> bool:
         """True if the near part moves differently."""
-        return self.is_conclusive and self.full.residual > APART * self.far.residual + NOISE
+        return self.is_conclusive and self.full.residual > MIN_RESIDUAL_RATIO * self.far.residual + MIN_DIFFERENCE
 
     @property
     def are_one(self) -> bool:
         """True if both move alike, with enough motion to decide."""
         shift, angle = self._moved
-        is_plain = self.far.residual < PLAIN and self.full.residual < ALIKE * self.far.residual + NOISE
+        is_plain = (
+            self.far.residual < MAX_STATIC
+            and self.full.residual < MAX_COMMON_RATIO * self.far.residual + MIN_DIFFERENCE
+        )
         return self.is_conclusive and (shift > MIN_SHIFT or angle > MIN_ROTATION) and is_plain
 
     @property
@@ -108,9 +111,9 @@ class Foreground:
         """Remove the near part of the next frame if it moves. Returns the Layers if that was detected just now."""
         self._count += 1
         was_apart, layers = self.is_apart, None
-        if self._count > AT_ONCE and self._count % EVERY and not was_apart:
+        if self._count > AT_ONCE and self._count % CHECK_INTERVAL and not was_apart:
             return None
-        if self._count <= AT_ONCE or self._count % EVERY == 0:
+        if self._count <= AT_ONCE or self._count % CHECK_INTERVAL == 0:
             nearness = view.host_nearness  # sync
             if self._earlier and (limit := depth_between(nearness)) > 0.0:
                 self._judge(*self._look(frame, limit, nearness, expected))
@@ -131,15 +134,15 @@ class Foreground:
             self.is_apart, self._agreed = True, 0
         elif layers.are_one:
             self._agreed += 1
-            self.is_apart = self.is_apart and self._agreed < AGREED
+            self.is_apart = self.is_apart and self._agreed < MIN_AGREEING_CHECKS
         self._limit = limit
 
     def _look(
         self, frame: SensorFrame, limit: float, nearness: NDArray[np.float32], expected: Pose | None
     ) -> tuple[Layers, float]:
         """The Layers and their depth limit: Otsu's; once separated the last one, or a nearer one if as good."""
-        is_far = (self._count // (1 if self._count <= AT_ONCE else EVERY)) % 2 == 1
-        back = BACK if not is_far else BACK_FAR if self._count > FIRST else FIRST
+        is_far = (self._count // (1 if self._count <= AT_ONCE else CHECK_INTERVAL)) % 2 == 1
+        back = REFERENCE_DISTANCE if not is_far else BACK_FAR if self._count > FIRST_FRAMES else FIRST_FRAMES
         _, earlier, pose = next(entry for entry in self._earlier if entry[0] >= self._count - back)
         start = np.eye(4) if pose is None or expected is None else matmul(invert_pose(pose), expected)
         full = _fit(frame.pyramid, earlier, start)
@@ -150,27 +153,27 @@ class Foreground:
         if not self.is_apart:
             return parted(limit), limit
         layers = parted(self._limit)
-        if layers.are_apart and layers.far.residual < PLAIN:
-            nearer = parted(self._limit / STRIDE)
-            is_as_good = nearer.are_apart and nearer.far.residual < AS_GOOD * layers.far.residual + SLACK
-            return (nearer, self._limit / STRIDE) if is_as_good else (layers, self._limit)
+        if layers.are_apart and layers.far.residual < MAX_STATIC:
+            nearer = parted(self._limit / LIMIT_FACTOR)
+            is_as_good = nearer.are_apart and nearer.far.residual < AS_GOOD * layers.far.residual + RESIDUAL_SLACK
+            return (nearer, self._limit / LIMIT_FACTOR) if is_as_good else (layers, self._limit)
         candidates = [(layers, self._limit)]
-        if layers.far.residual > PLAIN or not layers.is_conclusive:
-            is_left = np.mean((nearness > 0.0) & (nearness * self._limit * STRIDE < 1.0)) > MIN_LEFT
-            others = [limit, self._limit * STRIDE] if is_left else [limit]
+        if layers.far.residual > MAX_STATIC or not layers.is_conclusive:
+            is_left = np.mean((nearness > 0.0) & (nearness * self._limit * LIMIT_FACTOR < 1.0)) > MIN_LEFT
+            others = [limit, self._limit * LIMIT_FACTOR] if is_left else [limit]
             candidates += [(parted(other), other) for other in others]
         return min(candidates, key=lambda pair: (not pair[0].is_conclusive, pair[0].far.residual))
 
     def _keep(self, pyramid: OdometryFrame) -> None:
         """Keep a frame as reference: the first for a while, and the last ones."""
-        first = 0 if self._count < FIRST else self._count
+        first = 0 if self._count < FIRST_FRAMES else self._count
         recent = [entry for entry in self._earlier if entry[0] == first or entry[0] >= self._count - BACK_FAR]
         self._earlier = [*recent, (self._count, pyramid, None)]
 
 
 def depth_between(nearness: NDArray[np.float32]) -> float:
     """Otsu threshold (1979) of nearness as depth [m]. 0 if one class is almost empty."""
-    counts, edges = np.histogram(nearness[nearness > 0.0], BINS, (NEAREST, FARTHEST))
+    counts, edges = np.histogram(nearness[nearness > 0.0], NEARNESS_BINS, (MIN_NEARNESS, MAX_NEARNESS))
     total = counts.sum()
     if not total:
         return 0.0
@@ -182,8 +185,8 @@ def depth_between(nearness: NDArray[np.float32]) -> float:
 
 
 def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> Fit:
-    alignment, level = descend(source, target, start, OdometryMethod.Hybrid, STEPS, BRIGHTNESS_FRACTION)
+    alignment, level = descend(source, target, start, OdometryMethod.Hybrid, MAX_STEPS, BRIGHTNESS_FRACTION)
     sums = alignment.consistency
-    shown = max(sums[at.SEEN] - sums[at.BEHIND], 1.0)
-    residual, agreement = sums[at.EXCESS] / max(sums[at.PLANES], 1.0), sums[at.INLIERS] / shown
+    shown = max(sums[at.SEEN_COUNT] - sums[at.BEHIND_COUNT], 1.0)
+    residual, agreement = sums[at.EXCESS_SUM] / max(sums[at.PLANE_COUNT], 1.0), sums[at.INLIER_COUNT] / shown
     return Fit(float(residual), float(agreement), judge(alignment, source, level))

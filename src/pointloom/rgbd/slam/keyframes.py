@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import copy, download, zeros
-from ...kernels.rgbd.keyframe_codes import FERNS, compare_codes, encode_frame
+from ...kernels.rgbd.keyframe_codes import FERN_COUNT, compare_codes, encode_frame
 from ...registration.rigid import rotation_vector
 from ..odometry.frames import OdometryFrame
 
 Pose = NDArray[np.float64]
 
-APART = 0.25  # [m] minimum distance to the nearest keyframe, or ...
+MIN_KEYFRAME_DISTANCE = 0.25  # [m] minimum distance to the nearest keyframe, or ...
 MIN_ROTATION = np.deg2rad(18.0)  # ... minimum rotation of a new view
 MIN_COMMON = 0.15  # minimum fraction of tests valid in both frames
 
@@ -29,14 +29,14 @@ class Keyframes:
         self.device, self.seed = device, seed
         self.poses: list[Pose] = []
         self.numbers: list[int] = []
-        self._codes: Any = zeros(64 * FERNS, uint8, device)
+        self._codes: Any = zeros(64 * FERN_COUNT, uint8, device)
 
     def __len__(self) -> int:
         return len(self.poses)
 
     def add(self, frame: OdometryFrame, pose: Pose, number: int) -> int:
         index = len(self.poses)
-        if (index + 1) * FERNS > self._codes.size:
+        if (index + 1) * FERN_COUNT > self._codes.size:
             larger: Any = zeros(2 * self._codes.size, uint8, self.device)
             copy(larger, self._codes, count=self._codes.size)
             self._codes = larger
@@ -48,12 +48,12 @@ class Keyframes:
     def extend(self, others: Keyframes, T: Pose) -> None:
         """Add the views of others (with the same tests), whose poses T transforms."""
         count = len(self)
-        needed = (count + len(others)) * FERNS
+        needed = (count + len(others)) * FERN_COUNT
         if needed > self._codes.size:
             larger: Any = zeros(max(needed, 2 * self._codes.size), uint8, self.device)
-            copy(larger, self._codes, count=count * FERNS)
+            copy(larger, self._codes, count=count * FERN_COUNT)
             self._codes = larger
-        copy(self._codes, others._codes, count=len(others) * FERNS, offset=count * FERNS)
+        copy(self._codes, others._codes, count=len(others) * FERN_COUNT, offset=count * FERN_COUNT)
         self.poses += [matmul(T, pose) for pose in others.poses]
         self.numbers += others.numbers
 
@@ -86,6 +86,6 @@ class Keyframes:
 
 
 def view_distance(a: Pose, b: Pose) -> float:
-    """Distance of two views: 1 for APART meters, or for MIN_ROTATION radians."""
-    shift = float(norm(a[:3, 3] - b[:3, 3])) / APART
+    """Distance of two views: 1 for MIN_KEYFRAME_DISTANCE meters, or for MIN_ROTATION radians."""
+    shift = float(norm(a[:3, 3] - b[:3, 3])) / MIN_KEYFRAME_DISTANCE
     return shift + float(norm(rotation_vector(matmul(a[:3, :3].T, b[:3, :3])))) / MIN_ROTATION

@@ -31,13 +31,13 @@ from .submaps import Submap
 
 Matrix = NDArray[np.float64]
 
-FAR = 5.0  # [voxels] initial correspondence distance. Larger errors are also registered globally
+FAR_VOXELS = 5.0  # [voxels] initial correspondence distance. Larger errors are also registered globally
 MAX_DISTANCE = 1.5  # [voxels] final correspondence distance
-OVERLAP = 0.2  # minimum overlap of the smaller submap
-SURE = 0.5  # minimum score of a predicted pose
-SURER = 0.95  # minimum score at the drift limit: wrong poses with 0.5 to 0.7 are far off
-STEPS = 30  # ICP iterations per distance
-STILL = 1e-6
+MIN_SUBMAP_OVERLAP = 0.2  # minimum overlap of the smaller submap
+MIN_SCORE = 0.5  # minimum score of a predicted pose
+DRIFTED_SCORE = 0.95  # minimum score at the drift limit: wrong poses with 0.5 to 0.7 are far off
+MAX_ITERATIONS = 30  # ICP iterations per distance
+MIN_FITNESS_CHANGE = 1e-6
 AT_ONCE = 64  # pairs per launch
 
 
@@ -173,7 +173,7 @@ def verify_far(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate
     loops = []
     for c in candidates:
         result = register_described(surfaces[c.source].described, surfaces[c.target].described, seed=seed)
-        if result.score is not None and result.score > SURE:  # one of two equally good poses is rejected
+        if result.score is not None and result.score > MIN_SCORE:  # one of two equally good poses is rejected
             loops += _register(surfaces, [c], result.transformation[None], coarse=False)
     return loops
 
@@ -186,12 +186,12 @@ def _register(
     size, poses = surfaces[candidates[0].source].voxel_size, starts
     if coarse:
         plane = TransformationEstimationPointToPlane()
-        first = IterativeRegistration(left, right, poses, FAR * size, plane)  # type: ignore[arg-type]
-        first.run(STEPS, STILL, None)
+        first = IterativeRegistration(left, right, poses, FAR_VOXELS * size, plane)  # type: ignore[arg-type]
+        first.run(MAX_ITERATIONS, MIN_FITNESS_CHANGE, None)
         poses = np.array([result.transformation for result in first.results()])
     fine = TransformationEstimationForGeneralizedICP()
     last = IterativeRegistration(left, right, poses, MAX_DISTANCE * size, fine)  # type: ignore[arg-type]
-    last.run(STEPS, STILL, None)
+    last.run(MAX_ITERATIONS, MIN_FITNESS_CHANGE, None)
     information = last.information()
     loops = []
     for c, result, matrix in zip(candidates, last.results(), information, strict=True):
@@ -210,12 +210,12 @@ def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, informati
     shift, score, refused = shift_of(source.box, c.T_target_source, T), 0.0, ""
     if shift > c.limit:
         refused = f"it differs by {shift:.2f} m from tracking, whose error is at most {c.limit:.2f} m"
-    elif fraction < OVERLAP:
-        refused = f"{fraction:.0%} of the smaller submap overlaps with the other, {OVERLAP:.0%} is required"
+    elif fraction < MIN_SUBMAP_OVERLAP:
+        refused = f"{fraction:.0%} of the smaller submap overlaps with the other, {MIN_SUBMAP_OVERLAP:.0%} is required"
     else:
         local = to_local(T, source.cloud.origin, target.cloud.origin)
         score = rate_surfaces(source.witness, target.witness, local, MAX_DISTANCE * source.voxel_size).score
-        required = SURE + (SURER - SURE) * shift / c.limit if np.isfinite(c.limit) else SURE
+        required = MIN_SCORE + (DRIFTED_SCORE - MIN_SCORE) * shift / c.limit if np.isfinite(c.limit) else MIN_SCORE
         if score <= required:
             refused = f"score {score:.2f} is too low: {required:.2f} is required for {shift:.2f} m off tracking"
     return Loop(c.source, c.target, T, information, score, fitness, shift, c.limit, refused)
@@ -230,7 +230,7 @@ def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loo
         starts = np.array([p.T_target_source for p in part])
         max_distance = MAX_DISTANCE * surfaces[part[0].source].voxel_size / 2
         problem = IterativeRegistration(left, right, starts, max_distance, TransformationEstimationForGeneralizedICP())
-        problem.run(STEPS, STILL, None)
+        problem.run(MAX_ITERATIONS, MIN_FITNESS_CHANGE, None)
         for p, result, matrix in zip(part, problem.results(), problem.information(), strict=True):
             T = result.transformation
             A = adjoint_of(T)

@@ -15,7 +15,7 @@ from ...kernels.linear_algebra import norm
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
-from .submaps import FRAMES as SUBMAP_FRAMES
+from .submaps import SUBMAP_FRAMES as SUBMAP_FRAMES
 from .tracked_path import TrackedPath
 from .tracking import make_slam, track_with
 

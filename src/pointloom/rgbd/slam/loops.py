@@ -22,7 +22,7 @@ from ...registration.rigid import invert_pose, make_pose, rotation_of, rotation_
 from ..odometry.results import spread_information
 from .loop_closure import LoopClosure
 from .loop_pairs import (
-    FAR,
+    FAR_VOXELS,
     MAX_DISTANCE,
     Candidate,
     Loop,
@@ -37,23 +37,23 @@ from .submaps import Submap, check_poses, check_submaps, tracked_run, way_betwee
 
 Matrix = NDArray[np.float64]
 
-VOXELS = 2.5  # volume voxels per registration voxel
+VOXEL_RATIO = 2.5  # volume voxels per registration voxel
 MIN_VOXEL = 0.05  # [m] for rooms
-DRIFT = 0.05  # maximum drift relative to the path: trackers have 1 to 2%
-SLACK = 0.05  # [m] additional drift
+MAX_DRIFT = 0.05  # maximum drift relative to the path: trackers have 1 to 2%
+DRIFT_OFFSET = 0.05  # [m] additional drift
 CONTRADICTED = "it contradicts tracking or other loops"
-PRUNE = 0.25  # confidence at which a loop is removed
-KNOWN = 3.0  # residuals: accuracy of a loop, since depth distortion affects poses too
-USUAL = 0.2  # typical drift relative to the maximum
-STILL = 1e-3  # [m] drift of a stationary camera
-ROUNDS = 3  # search and optimization rounds: corrected poses reveal more loops
+MIN_LOOP_CONFIDENCE = 0.25  # confidence at which a loop is removed
+LOOP_ERROR_RESIDUALS = 3.0  # residuals: accuracy of a loop, since depth distortion affects poses too
+TYPICAL_DRIFT_FRACTION = 0.2  # typical drift relative to the maximum
+STATIONARY_DRIFT = 1e-3  # [m] drift of a stationary camera
+SEARCH_ITERATIONS = 3  # search and optimization rounds: corrected poses reveal more loops
 
 
 def close_loops(
     submaps: Sequence[Submap],
     *,
     voxel_size: float | None = None,
-    drift: float = DRIFT,
+    drift: float = MAX_DRIFT,
     seed: int = 0,
     progress: ReportProgress | None = None,
 ) -> LoopClosure:
@@ -96,7 +96,7 @@ def close_loops(
     """
     ordered, order = _in_order(submaps)
     coarsest = max(submap.volume.voxel_size for submap in ordered)
-    size = max(VOXELS * coarsest, MIN_VOXEL) if voxel_size is None else check_positive("voxel_size", voxel_size)
+    size = max(VOXEL_RATIO * coarsest, MIN_VOXEL) if voxel_size is None else check_positive("voxel_size", voxel_size)
     fraction, chooser = check_positive("drift", drift), check_seed(seed)
     report_progress = check_progress(progress)
     surfaces = []
@@ -140,13 +140,13 @@ class _Search:
         self.graph = self._optimized()
 
     def run(self) -> None:
-        for iteration in range(ROUNDS):
-            self.report_progress("loops", iteration, ROUNDS)
+        for iteration in range(SEARCH_ITERATIONS):
+            self.report_progress("loops", iteration, SEARCH_ITERATIONS)
             new_loops = self._find(self._candidates())
             if not new_loops:
                 break
             self._take(new_loops)
-        self.report_progress("loops", ROUNDS, ROUNDS)
+        self.report_progress("loops", SEARCH_ITERATIONS, SEARCH_ITERATIONS)
 
     def _ways(self) -> Matrix:
         links = [*self.steps, *((loop.source, loop.target, 0.0) for loop in self.loops)]
@@ -156,14 +156,14 @@ class _Search:
         known = {(loop.source, loop.target) for loop in self.loops}
         known |= {(b, a) for a, b, _ in self.steps}
         known |= {pair for pair, loop in self.refused.items() if loop.refused == CONTRADICTED}
-        return find_candidates(self.surfaces, self.poses, SLACK + self.drift * self._ways(), known)
+        return find_candidates(self.surfaces, self.poses, DRIFT_OFFSET + self.drift * self._ways(), known)
 
     def _find(self, candidates: list[Candidate]) -> list[Loop]:
         near = [c for c in candidates if np.isfinite(c.limit)]
         loops = verify_near(self.surfaces, near)
         taken = {(loop.source, loop.target) for loop in loops if not loop.refused}
         if not taken:
-            far = [c for c in candidates if c.limit > FAR * self.size and (c.source, c.target) not in self.tried]
+            far = [c for c in candidates if c.limit > FAR_VOXELS * self.size and (c.source, c.target) not in self.tried]
             self.tried |= {(c.source, c.target) for c in far}
             loops += verify_far(self.surfaces, far, self.seed)
         for loop in loops:
@@ -216,7 +216,7 @@ class _Search:
         preference = float(np.mean([loop.information[5, 5] for loop in self.loops]) / usual)
         option = GlobalOptimizationOption(
             max_correspondence_distance=MAX_DISTANCE * self.size,
-            edge_prune_threshold=PRUNE,
+            edge_prune_threshold=MIN_LOOP_CONFIDENCE,
             preference_loop_closure=preference,
             reference_node=0,
         )
@@ -227,8 +227,8 @@ class _Search:
         T = matmul(invert_pose(self.submaps[a].T_world_submap), self.submaps[b].T_world_submap)
         weight = 1.0
         if self.loops:
-            known = KNOWN * float(np.median([loop.residual for loop in self.loops]))
-            weight = (known / (USUAL * self.drift * way + STILL)) ** 2
+            known = LOOP_ERROR_RESIDUALS * float(np.median([loop.residual for loop in self.loops]))
+            weight = (known / (TYPICAL_DRIFT_FRACTION * self.drift * way + STATIONARY_DRIFT)) ** 2
         return PoseGraphEdge(b, a, T, weight * _point_information(self.surfaces[b]), uncertain=False)
 
     def result(self, order: list[int]) -> LoopClosure:

@@ -23,19 +23,19 @@ from .frame_checks import FIRM_OVERLAP, MIN_OVERLAP, SURE_AGREEMENT, agreement_o
 from .frames import SensorFrame
 from .keyframes import view_distance
 from .maps import SlamMap
-from .tracker import AGREED, NEAR_AGAIN, clean_pose
+from .tracker import MAX_SHAPE_DIFFERENCE, NEAR_AGAIN, clean_pose
 
 Pose = NDArray[np.float64]
 
-AGREEING = 5  # frames that confirm a proposal
-FAILING = 3  # frames that refute it
-WAY = 0.5  # view_distance between the first and the last of them: 12 cm or 9 degrees
+MIN_AGREEING_FRAMES = 5  # frames that confirm a proposal
+MIN_REFUTING_FRAMES = 3  # frames that refute it
+MIN_VIEW_DISTANCE = 0.5  # view_distance between the first and the last of them: 12 cm or 9 degrees
 MAX_VIEWS = 24  # per map
 MIN_VIEWS = 2  # distinct views that confirm a join
 MAX_AGAINST = 0.25  # ratio to the confirming views: rarely seen map borders are inexact
-CONTRADICTING = 0.5  # agreement below which a view contradicts
-OFF = 0.06  # [m], [rad] maximum correction of a view: above the drift of maps
-VOXELS, MIN_VOXEL = 2.5, 0.05  # voxels of the registration, as for loops
+MIN_AGREEMENT = 0.5  # agreement below which a view contradicts
+MAX_CORRECTION = 0.06  # [m], [rad] maximum correction of a view: above the drift of maps
+VOXEL_RATIO, MIN_VOXEL = 2.5, 0.05  # voxels of the registration, as for loops
 MAX_DISTANCE = 1.5  # [voxels] match distance
 MIN_SCORE = 0.5  # of `registration`
 
@@ -71,17 +71,17 @@ class Proposal:
 
     @property
     def is_refuted(self) -> bool:
-        return self._missed >= FAILING
+        return self._missed >= MIN_REFUTING_FRAMES
 
     def check(self, frame: SensorFrame, pose: Pose) -> bool:
         """Test a tracked frame in the other map. True once enough frames agree."""
         expected = matmul(self.T_other_here, pose)
         attempt = self.other.tracker.try_pose(frame, expected)
-        if attempt.status != "tracked" or apart(matmul(invert_pose(expected), attempt.pose)) > AGREED:
+        if attempt.status != "tracked" or apart(matmul(invert_pose(expected), attempt.pose)) > MAX_SHAPE_DIFFERENCE:
             self._missed += 1
             return False
         self._agreed += 1
-        return self._agreed >= AGREEING and view_distance(self._first, pose) >= WAY
+        return self._agreed >= MIN_AGREEING_FRAMES and view_distance(self._first, pose) >= MIN_VIEW_DISTANCE
 
 
 def apart(T: Pose) -> float:
@@ -134,7 +134,7 @@ def _agrees(result: OdometryResult) -> bool:
 
 
 def _contradicts(result: OdometryResult) -> bool:
-    return agreement_of(result) < CONTRADICTING or apart(result.transformation) > OFF
+    return agreement_of(result) < MIN_AGREEMENT or apart(result.transformation) > MAX_CORRECTION
 
 
 def _count_apart(poses: list[Pose]) -> int:
@@ -151,7 +151,7 @@ def _mean(poses: list[Pose]) -> Pose:
 
 
 def _rate(target: SlamMap, source: SlamMap, T: Pose) -> float:
-    size = max(VOXELS * target.model.volume.voxel_size, MIN_VOXEL)
+    size = max(VOXEL_RATIO * target.model.volume.voxel_size, MIN_VOXEL)
     left, right = (_thinned(known, size) for known in (source, target))
     if min(len(left), len(right)) < MIN_POINTS:
         return 0.0

@@ -13,15 +13,15 @@ from ...meshing.volume.volume_fusion import fuse_volumes
 from ...registration.rigid import adjoint_of, invert_pose, make_pose
 from .frames import SensorFrame
 from .loop_pairs import Candidate, Loop, SubmapSurface, refine, verify_far
-from .map_joins import MIN_VOXEL, VOXELS, MapJoin, Proposal, apart, judge_join
+from .map_joins import MIN_VOXEL, VOXEL_RATIO, MapJoin, Proposal, apart, judge_join
 from .maps import Maps, SlamMap, map_sizes
 from .results import TrackingResult, with_pose
 from .submaps import Submap
-from .tracker import AGREED, clean_pose, join_covariance
+from .tracker import MAX_SHAPE_DIFFERENCE, clean_pose, join_covariance
 
 Pose = NDArray[np.float64]
 
-TRIED = 3  # verified poses, by descending score
+MAX_VERIFIED_POSES = 3  # verified poses, by descending score
 
 
 def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], seed: int) -> MapJoin | None:
@@ -29,7 +29,7 @@ def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], s
     pieces = [_pieces(known, results) for known in (target, source)]
     if not all(pieces):
         return None
-    size = max(VOXELS * target.model.volume.voxel_size, MIN_VOXEL)
+    size = max(VOXEL_RATIO * target.model.volume.voxel_size, MIN_VOXEL)
     surfaces = [SubmapSurface(piece, size) for part in pieces for piece in part]
     count = len(pieces[0])
     pairs = [
@@ -41,7 +41,7 @@ def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], s
     loops = [loop for loop in verify_far(surfaces, pairs, seed) if not loop.refused]
     submap_poses = [piece.T_world_submap for part in pieces for piece in part]
     judged: list[MapJoin] = []
-    for T in _distinct(refine(surfaces, loops), submap_poses)[:TRIED]:
+    for T in _distinct(refine(surfaces, loops), submap_poses)[:MAX_VERIFIED_POSES]:
         judged.append(judge_join(target, source, T))
         if not judged[-1].refused:
             return judged[-1]
@@ -61,7 +61,7 @@ def _pieces(known: SlamMap, results: list[TrackingResult]) -> list[Submap]:
 def _distinct(loops: list[Loop], submap_poses: list[Pose]) -> list[Pose]:
     """Distinct relative poses of the maps, those with most agreeing loops first."""
     poses = [clean_pose(matmul(submap_poses[p.target], p.T_target_source, inv(submap_poses[p.source]))) for p in loops]
-    near = [[apart(matmul(inv(a), b)) < AGREED for b in poses] for a in poses]
+    near = [[apart(matmul(inv(a), b)) < MAX_SHAPE_DIFFERENCE for b in poses] for a in poses]
     order = sorted(range(len(poses)), key=lambda k: (-sum(near[k]), -loops[k].score, k))
     selected: list[int] = []
     for k in order:

@@ -22,7 +22,7 @@ from .tracker import Attempt, Tracker
 Pose = NDArray[np.float64]
 
 LOST_FOR_LONG = 20  # frames with content: a lost camera was then searched by shape four times (tracker.py)
-TRIAL = 10  # fused frames that confirm a new map; before, a lost frame ends it
+TRIAL_FRAMES = 10  # fused frames that confirm a new map; before, a lost frame ends it
 LONGEST_TRIAL = 30  # maximum frames of a trial
 MAX_MAPS = 4  # kept with a model; beyond it the smallest inactive one is freed
 
@@ -104,11 +104,11 @@ class Maps:
         self._lost = 0
         if self.is_on_trial:
             self._taken += 1
-            if self.here.model.frame_count >= TRIAL:
+            if self.here.model.frame_count >= TRIAL_FRAMES:
                 self._before = None
 
     def is_failing(self) -> bool:
-        return self.is_on_trial and self._taken >= LONGEST_TRIAL and self.here.model.frame_count < TRIAL
+        return self.is_on_trial and self._taken >= LONGEST_TRIAL and self.here.model.frame_count < TRIAL_FRAMES
 
     def lost(self) -> bool:
         """Note a frame with content that no map matches. True if a new map should begin."""

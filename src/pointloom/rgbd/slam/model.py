@@ -28,9 +28,9 @@ Pose = NDArray[np.float64]
 
 SEEN_OFTEN = 3  # minimum weight of rendered voxels, as in Open3D
 DEPTH_MIN = 0.1  # [m] start of rays
-BLUR = 0.1  # voxels: SDF interpolation error at curved surfaces
+BLUR_VOXELS = 0.1  # voxels: SDF interpolation error at curved surfaces
 MIN_FRAMES = 10  # with fewer frames, planes are fitted, since the border has no gradients
-COARSE = 0.03  # [m] voxels above which SDF gradients are better normals than fitted planes
+MIN_SHADED_VOXEL = 0.03  # [m] voxels above which SDF gradients are better normals than fitted planes
 
 
 class SlamModel(Serialized):
@@ -203,12 +203,12 @@ class SlamModel(Serialized):
         """
         threshold = self.threshold if weight_threshold is None else weight_threshold
         edge = self.volume.voxel_size
-        is_shaded = edge >= COARSE and self.frame_count >= MIN_FRAMES
+        is_shaded = edge >= MIN_SHADED_VOXEL and self.frame_count >= MIN_FRAMES
         limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": is_shaded}
         maps: Any = self.volume._render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
             hide_unseen(maps.depth, maps.intensity)
-        surface = {"normals": maps.normals, "blur": BLUR * edge}
+        surface = {"normals": maps.normals, "blur": BLUR_VOXELS * edge}
         return OdometryFrame._from_device_maps(maps.depth, maps.intensity, self._view, MAX_PIXELS, **surface)
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:

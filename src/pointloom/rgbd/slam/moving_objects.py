@@ -14,9 +14,9 @@ from .frames import SensorFrame
 
 Pose = NDArray[np.float64]
 
-EVERY = 6  # fused frames between kept ones
-WINDOW = 5  # stored frames: the last second, at 30 Hz
-COMPARED = (0, 2)  # compared ones, from the oldest: old ones for slow motion, recent ones for fast
+FRAME_INTERVAL = 6  # fused frames between kept ones
+MAX_STORED_FRAMES = 5  # stored frames: the last second, at 30 Hz
+COMPARED_FRAMES = (0, 2)  # compared ones, from the oldest: old ones for slow motion, recent ones for fast
 
 
 class Movers:
@@ -31,13 +31,13 @@ class Movers:
 
     def still_depth(self, frame: SensorFrame, pose: Pose) -> Any:
         """The frame's depth on its device, 0 for pixels in space that was free before."""
-        compared = [self._earlier[index] for index in COMPARED if index < len(self._earlier)]
+        compared = [self._earlier[index] for index in COMPARED_FRAMES if index < len(self._earlier)]
         if not compared:
             return frame.depth
         views = [(free, matmul(invert_pose(its_pose), pose)) for free, its_pose in compared]
         return hide_moved(frame.depth, frame.intrinsic, views)
 
     def add(self, frame: SensorFrame, pose: Pose) -> None:
-        if self._count % EVERY == 0:
-            self._earlier = [*self._earlier[-WINDOW + 1 :], (FreeSpace(frame.pyramid.levels), pose.copy())]
+        if self._count % FRAME_INTERVAL == 0:
+            self._earlier = [*self._earlier[-MAX_STORED_FRAMES + 1 :], (FreeSpace(frame.pyramid.levels), pose.copy())]
         self._count += 1

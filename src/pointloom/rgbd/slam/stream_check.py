@@ -27,31 +27,33 @@ from .frames import SensorFrame
 Floats = NDArray[np.float64]
 
 STALE = "its depth image repeats the previous one"
-STALLED = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
+MAX_STALLED_FRAMES = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
 STALLED_SECONDS = 0.12  # likewise with timestamps
 MIN_CELLS = 0.02  # minimum fraction of measured cells
-MOVED = 0.1  # [cells] color motion since the depth image: a tenth of a degree; noise 0.01
-CHANGED = 0.03  # or root mean square brightness change of a cell. Camera noise 0.01
+MIN_COLOR_MOTION = 0.1  # [cells] color motion since the depth image: a tenth of a degree; noise 0.01
+MIN_BRIGHTNESS_CHANGE = 0.03  # or root mean square brightness change of a cell. Camera noise 0.01
 
-STEPS, STEPS_SMALL = (10, 8, 0), (10, 8)  # per level, the finest last: 320 x 240 pixels are halved twice
+STEPS_PER_LEVEL, STEPS_SMALL = (10, 8, 0), (10, 8)  # per level, the finest last: 320 x 240 pixels are halved twice
 COLOR_NOISE = math.radians(0.05)  # of a rotation by brightness: 0.02 with correct depth, 0.06 with depth 0.7 s late
 MAX_NOISE = math.radians(0.25)  # of a rotation by surface; directions with more are undetermined
-CAPPED = 9.0  # squared difference in variances, against single errors
-FARTHEST = 45  # maximum delay in frames
-WINDOW, MIN_WINDOW = 25, 20  # compared frames
+MAX_SQUARED_DIFFERENCE = 9.0  # squared difference in variances, against single errors
+MAX_DELAY = 45  # maximum delay in frames
+WINDOW_FRAMES, MIN_WINDOW = 25, 20  # compared frames
 MIN_COUNT, MIN_FRACTION = 20, 0.6  # minimum number of compared directions, also as a fraction of those without a delay
 MIN_MOTION = 0.3  # minimum mean square rotation in variances: below it nothing can be compared
-TOGETHER = 0.35  # of the median residual over all delays: correct delays 0.02 to 0.31
-BESIDE = 2.5  # minimum ratio of the residual without a delay: synchronized 1.0 to 1.3, 2 frames apart 9 and more
+MAX_DELAY_RESIDUAL = 0.35  # of the median residual over all delays: correct delays 0.02 to 0.31
+# Minimum ratio of the residual without a delay: synchronized 1.0 to 1.3, 2 frames apart 9 and more
+MIN_UNDELAYED_RATIO = 2.5
 MIN_RESIDUAL = 0.12  # minimum of it in variances: synchronized up to 0.04 | 2 frames apart 0.44 and more
-SHORT = 0.04  # [s] accepted offset: a frame of a slow camera, which costs millimeters
+MAX_OFFSET = 0.04  # [s] accepted offset: a frame of a slow camera, which costs millimeters
 SHORT_FRAMES = 1.2  # likewise without timestamps
-RECENT = 8  # frames at the end of a synchronized window that may be apart already, and that end an offset
+RECENT_FRAMES = 8  # frames at the end of a synchronized window that may be apart already, and that end an offset
 
-FROZEN = 20.0  # minimum squared rotation by colors in variances
-STILL = 0.1  # maximum ratio of the rotation by surface
+MIN_FROZEN_ROTATION = 20.0  # minimum squared rotation by colors in variances
+MAX_SURFACE_RATIO = 0.1  # maximum ratio of the rotation by surface
 MAX_FROZEN_WINDOW = 15  # frames with the rotation
-SPREAD, UNCHANGED = 90.0, 1.3  # percentile of the changes of cells, and its maximum growth over the window
+# Percentile of the changes of cells, and its maximum growth over the window
+CHANGE_PERCENTILE, MAX_CHANGE_GROWTH = 90.0, 1.3
 
 
 @dataclasses.dataclass(frozen=True)
@@ -102,7 +104,7 @@ class StreamCheck:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             return ""
         sums = motion_between(view, last)
-        is_repeated = sums[at.OTHER] == 0 and sums[at.MEASURED] > MIN_CELLS * view.columns * view.rows
+        is_repeated = sums[at.CHANGED_AT] == 0 and sums[at.MEASURED_AT] > MIN_CELLS * view.columns * view.rows
         if not is_repeated:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             return ""
@@ -111,7 +113,7 @@ class StreamCheck:
         if has_moved(motion_between(view, fresh), view):
             self.stalled += 1
         age = frame.seconds_since(since)
-        is_old = self.stalled > STALLED if math.isnan(age) else age > STALLED_SECONDS
+        is_old = self.stalled > MAX_STALLED_FRAMES if math.isnan(age) else age > STALLED_SECONDS
         return STALE if self.stalled and is_old else ""
 
     def compare(self, frame: SensorFrame) -> str:
@@ -144,7 +146,7 @@ def motion_between(now: StreamView, before: StreamView) -> Floats:
 
 def shift_of(sums: Floats) -> Floats:
     """The shift of the colors [cells], float64 [2]. NaN if their gradients do not determine it."""
-    a, b, c, d, e = sums[at.BRIGHT : at.BRIGHT + 5]
+    a, b, c, d, e = sums[at.BRIGHTNESS_AT : at.BRIGHTNESS_AT + 5]
     determinant = a * c - b * b
     if determinant <= 1e-6 * (a + c) ** 2 or a + c <= 0.0:
         return np.full(2, math.nan)
@@ -152,8 +154,8 @@ def shift_of(sums: Floats) -> Floats:
 
 
 def has_moved(sums: Floats, view: StreamView) -> bool:
-    changed = math.sqrt(sums[at.SHADES] / (view.columns * view.rows))
-    return bool(norm(shift_of(sums)) > MOVED) or changed > CHANGED
+    changed = math.sqrt(sums[at.SHADE_SQUARES_AT] / (view.columns * view.rows))
+    return bool(norm(shift_of(sums)) > MIN_COLOR_MOTION) or changed > MIN_BRIGHTNESS_CHANGE
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -181,7 +183,7 @@ class Rotations:
 
 def rotations_between(now: OdometryFrame, before: OdometryFrame) -> Rotations | None:
     """The Rotations of two frames. None if an alignment failed."""
-    steps = STEPS if now.levels.count > 2 else STEPS_SMALL
+    steps = STEPS_PER_LEVEL if now.levels.count > 2 else STEPS_SMALL
     by_color, _ = descend(now, before, np.eye(4), OdometryMethod.Intensity, steps)
     by_depth, _ = descend(now, before, np.eye(4), OdometryMethod.PointToPlane, steps)
     sums = by_depth.consistency
@@ -221,9 +223,9 @@ class StreamLag:
 
     def add_rotations(self, rotations: Rotations | None, time: float | None) -> None:
         """Add the rotations of the next frame, and compare the last frames at each delay."""
-        self._rotations = [*self._rotations[-FARTHEST:], rotations]
-        self._times = [*self._times[1 - WINDOW :], time]
-        self._costs = [*self._costs[1 - WINDOW :], costs_at_delays(self._rotations)]
+        self._rotations = [*self._rotations[-MAX_DELAY:], rotations]
+        self._times = [*self._times[1 - WINDOW_FRAMES :], time]
+        self._costs = [*self._costs[1 - WINDOW_FRAMES :], costs_at_delays(self._rotations)]
         self._count += 1
         self._judge()
 
@@ -236,29 +238,29 @@ class StreamLag:
 
     def _judge(self) -> None:
         residual, count, motion = np.sum(self._costs, axis=0)
-        is_known = count >= max(MIN_COUNT, MIN_FRACTION * count[FARTHEST])
-        has_moved = motion[FARTHEST] > MIN_MOTION * count[FARTHEST]
-        if len(self._costs) < MIN_WINDOW or not is_known[FARTHEST] or not has_moved:
+        is_known = count >= max(MIN_COUNT, MIN_FRACTION * count[MAX_DELAY])
+        has_moved = motion[MAX_DELAY] > MIN_MOTION * count[MAX_DELAY]
+        if len(self._costs) < MIN_WINDOW or not is_known[MAX_DELAY] or not has_moved:
             return
         mean = np.where(is_known, residual / np.maximum(count, 1.0), math.inf)
         best = int(np.argmin(mean))
         usual = float(np.median(mean[is_known]))
-        if mean[best] > TOGETHER * usual:
+        if mean[best] > MAX_DELAY_RESIDUAL * usual:
             return
-        delay = best - FARTHEST + between(mean, best)
+        delay = best - MAX_DELAY + between(mean, best)
         step = self._step()
-        is_short = abs(delay) < SHORT_FRAMES if math.isnan(step) else abs(delay) * step < SHORT or abs(delay) < 0.5
+        is_short = abs(delay) < SHORT_FRAMES if math.isnan(step) else abs(delay) * step < MAX_OFFSET or abs(delay) < 0.5
         if is_short:
-            self.synchronized, self.current = max(self._count - RECENT, 0), None
-        elif mean[FARTHEST] > max(BESIDE * mean[best], MIN_RESIDUAL) and not self._has_ended(best):
+            self.synchronized, self.current = max(self._count - RECENT_FRAMES, 0), None
+        elif mean[MAX_DELAY] > max(MIN_UNDELAYED_RATIO * mean[best], MIN_RESIDUAL) and not self._has_ended(best):
             self._note(delay, delay * step)
 
     def _has_ended(self, best: int) -> bool:
         """True if the last frames are synchronized again."""
-        residual, count, _ = np.sum(self._costs[-RECENT:], axis=0)
-        is_together = count[FARTHEST] >= RECENT and BESIDE * residual[FARTHEST] < residual[best]
+        residual, count, _ = np.sum(self._costs[-RECENT_FRAMES:], axis=0)
+        is_together = count[MAX_DELAY] >= RECENT_FRAMES and MIN_UNDELAYED_RATIO * residual[MAX_DELAY] < residual[best]
         if self.current is not None and is_together:
-            self.synchronized, self.current = max(self._count - RECENT, 0), None
+            self.synchronized, self.current = max(self._count - RECENT_FRAMES, 0), None
         return is_together
 
     def _note(self, delay: float, seconds: float) -> None:
@@ -287,10 +289,10 @@ def between(values: Floats, best: int) -> float:
 def costs_at_delays(rotations: Sequence[Rotations | None]) -> Floats:
     """Compare the last color with earlier depth and the last depth with earlier colors.
 
-    Returns float64 [3, 2 * FARTHEST + 1] over the delays of depth: capped squared differences, the number of compared
+    Returns float64 [3, 2 * MAX_DELAY + 1] over the delays of depth: capped squared differences, the number of compared
     directions, and squared rotations. 0 where unknown.
     """
-    out = np.zeros((3, 2 * FARTHEST + 1))
+    out = np.zeros((3, 2 * MAX_DELAY + 1))
     last, others = rotations[-1], [(back, other) for back, other in enumerate(reversed(rotations)) if other is not None]
     if last is None:
         return out
@@ -299,8 +301,8 @@ def costs_at_delays(rotations: Sequence[Rotations | None]) -> Floats:
         np.array([getattr(other, name) for _, other in others]) for name in ("color", "depth", "axes", "variances")
     )
     earlier = Rotations(last.color, depths, axes, variances)
-    for delays, color, pair in ((FARTHEST + back, colors, last), (FARTHEST - back, last.color, earlier)):
-        out[0, delays] = np.minimum(pair.along(color - pair.depth), CAPPED).sum(axis=-1)
+    for delays, color, pair in ((MAX_DELAY + back, colors, last), (MAX_DELAY - back, last.color, earlier)):
+        out[0, delays] = np.minimum(pair.along(color - pair.depth), MAX_SQUARED_DIFFERENCE).sum(axis=-1)
         out[1, delays] = pair.determined.sum(axis=-1)
         out[2, delays] = pair.along(color).sum(axis=-1)
     return out
@@ -326,10 +328,10 @@ class FrozenDepth:
         count = 0
         for color_square, depth_square in reversed(self._squares):
             color, depth, count = color + color_square, depth + depth_square, count + 1
-            if color > FROZEN and count > STALLED:
+            if color > MIN_FROZEN_ROTATION and count > MAX_STALLED_FRAMES:
                 break
-        if color > FROZEN and count > STALLED:
-            self._is_frozen = depth < STILL * color and self._is_unchanged(count)
+        if color > MIN_FROZEN_ROTATION and count > MAX_STALLED_FRAMES:
+            self._is_frozen = depth < MAX_SURFACE_RATIO * color and self._is_unchanged(count)
         return count if self._is_frozen else 0
 
     def _is_unchanged(self, count: int) -> bool:
@@ -340,5 +342,5 @@ class FrozenDepth:
             both = (now > 0.0) & (other > 0.0)
             if not both.any():
                 return False
-            changes.append(float(np.percentile(np.abs(now - other)[both], SPREAD)))
-        return changes[1] <= UNCHANGED * changes[0] + 1e-6
+            changes.append(float(np.percentile(np.abs(now - other)[both], CHANGE_PERCENTILE)))
+        return changes[1] <= MAX_CHANGE_GROWTH * changes[0] + 1e-6

@@ -23,9 +23,9 @@ from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rota
 
 Matrix = NDArray[np.float64]
 
-FRAMES = 100  # 3 s at 30 Hz, in which tracking drifts by millimeters
-SHARED = 0.2  # fraction shared with the previous submap, which determines their relative pose
-ARM = 1.0  # [m] radius at which rotations count as path
+SUBMAP_FRAMES = 100  # 3 s at 30 Hz, in which tracking drifts by millimeters
+SHARED_FRACTION = 0.2  # fraction shared with the previous submap, which determines their relative pose
+ROTATION_RADIUS = 1.0  # [m] radius at which rotations count as path
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -111,7 +111,7 @@ def _rigid(name: str, pose: ArrayLike) -> Matrix:
 def way_between(first: Matrix, second: Matrix) -> float:
     """Path length between two poses [m]. Rotations count at 1 m radius."""
     motion = matmul(invert_pose(first), second)
-    return float(norm(motion[:3, 3]) + ARM * norm(rotation_vector(motion[:3, :3])))
+    return float(norm(motion[:3, 3]) + ROTATION_RADIUS * norm(rotation_vector(motion[:3, :3])))
 
 
 class _Recording:
@@ -170,9 +170,9 @@ class SubmapRecorder(Serialized):
         truncation: float | None = None,
         depth_scale: float = DEPTH_SCALE,
         depth_max: float = DEPTH_MAX,
-        frames: int = FRAMES,
+        frames: int = SUBMAP_FRAMES,
         max_length: float | None = None,
-        shared: float = SHARED,
+        shared: float = SHARED_FRACTION,
         color: bool = True,
         device: Any = None,
     ):

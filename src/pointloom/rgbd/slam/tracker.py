@@ -56,17 +56,18 @@ from .results import Status
 Pose = NDArray[np.float64]
 
 MIN_FRAMES = 5  # minimum frames of a model for relocalization: any wall matches another
-CANDIDATES = 5  # keyframes tried for a lost frame
+MAX_CANDIDATES = 5  # keyframes tried for a lost frame
 LONGEST_STEP = 3.0  # times the usual frame interval; beyond it the motion is unknown
-SUSPECT = 1.15  # times the typical brightness residual: moving objects may pull the surface
-PLAINLY = 0.95  # required ratio of the brightness residual if brightness leads
-PULLED = 0.008  # [m], [rad] difference of the two poses; below it the surface is more reliable
-RECENT = 0.1  # weight of the latest frame in running means
+SUSPECT_BRIGHTNESS_RATIO = 1.15  # times the typical brightness residual: moving objects may pull the surface
+MAX_BRIGHTNESS_RATIO = 0.95  # required ratio of the brightness residual if brightness leads
+MIN_PULL = 0.008  # [m], [rad] difference of the two poses; below it the surface is more reliable
+RUNNING_WEIGHT = 0.1  # weight of the latest frame in running means
 NEAR_AGAIN = 0.05  # [m], [rad] maximum correction of a relocalized pose
 MAX_SHAPE_CORRECTION = 0.15  # likewise for a pose found by shape, at voxels of some centimeters
-AGREED = 0.06  # [m], [rad] maximum difference of two frames found by shape
-HAND, AIM = 10.0, 0.05  # [m/s^2] hand acceleration, [m] besides: error of the extrapolation
-NOTHING = OdometryResult(np.eye(4), np.zeros((6, 6)), ("no frame",))
+MAX_SHAPE_DIFFERENCE = 0.06  # [m], [rad] maximum difference of two frames found by shape
+# [m/s^2] hand acceleration, [m] besides: error of the extrapolation
+HAND_ACCELERATION, AIM_ERROR = 10.0, 0.05
+NO_RESULT = OdometryResult(np.eye(4), np.zeros((6, 6)), ("no frame",))
 
 
 @dataclasses.dataclass
@@ -106,14 +107,14 @@ class Motion:
     def max_distance(self, frame: SensorFrame) -> float:
         """Maximum distance of the camera from its last or predicted position [m]."""
         limit, seconds = MAX_SHIFT * (self.missed + 1), frame.seconds_since(self.time)
-        return limit if math.isnan(seconds) else min(limit, AIM + HAND / 2 * seconds * seconds)
+        return limit if math.isnan(seconds) else min(limit, AIM_ERROR + HAND_ACCELERATION / 2 * seconds * seconds)
 
     def learn(self, result: OdometryResult) -> None:
         before = result.inlier_rmse if math.isnan(self.gap) else self.gap
-        self.gap = (1 - RECENT) * before + RECENT * result.inlier_rmse
+        self.gap = (1 - RUNNING_WEIGHT) * before + RUNNING_WEIGHT * result.inlier_rmse
         if not math.isnan(result.intensity_rmse):
             before = result.intensity_rmse if math.isnan(self.shades) else self.shades
-            self.shades = (1 - RECENT) * before + RECENT * result.intensity_rmse
+            self.shades = (1 - RUNNING_WEIGHT) * before + RUNNING_WEIGHT * result.intensity_rmse
 
     def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
         """Add a pose. One from a keyframe, or one that may have slid, gives no velocity."""
@@ -166,7 +167,7 @@ class Tracker:
             self._tries = 0
             return still, False
         if depth_fraction(frame.pyramid) < MIN_DEPTH:
-            return Attempt(np.eye(4), NOTHING, "lost", (BLANK,)), False
+            return Attempt(np.eye(4), NO_RESULT, "lost", (BLANK,)), False
         if not self.motion.missed:
             followed = self._follow(frame, frame.pyramid)
             if followed.status != "lost":
@@ -203,7 +204,7 @@ class Tracker:
     def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
         assert self.motion.pose is not None
         starts = [(self.motion.pose, SURE_OVERLAP), *((ahead, RIM_OVERLAP) for ahead in self.motion.ahead())]
-        alike = self.keyframes.recognize(frame.pyramid, CANDIDATES)
+        alike = self.keyframes.recognize(frame.pyramid, MAX_CANDIDATES)
         starts += [(self.keyframes.poses[index], SURE_OVERLAP) for index, _ in alike]
         for pose, overlap in starts:
             attempt = self._recognize(frame, pose, overlap)
@@ -227,7 +228,7 @@ class Tracker:
         for start in starts:
             rival = self._recognize(frame, start, RIM_OVERLAP)
             is_seen = rival.result.overlap >= RIM_OVERLAP
-            if (is_seen or not is_anew) and all(_way(rival.pose, [other.pose]) > APART for other in tried):
+            if (is_seen or not is_anew) and all(_way(rival.pose, [other.pose]) > MIN_RIVAL_DISTANCE for other in tried):
                 tried.append(rival if is_seen else dataclasses.replace(rival, pose=start))
         best = attempt
         for rival in tried[1:]:
@@ -245,7 +246,7 @@ class Tracker:
         before, self._proposal = self._proposal, None
         pose_by_shape = self.shape_search.find(frame)
         if pose_by_shape is None:
-            return Attempt(np.eye(4), NOTHING, "lost", ("its shape does not match the model",))
+            return Attempt(np.eye(4), NO_RESULT, "lost", ("its shape does not match the model",))
         attempt = self._recognize(frame, pose_by_shape, SURE_OVERLAP)
         if attempt.status == "tracked":
             return attempt
@@ -258,7 +259,10 @@ class Tracker:
         if before is not None:
             pyramid, its_pose = before
             step = align_frames(frame.pyramid, pyramid)
-            if step.reliable and _apart(matmul(invert_pose(matmul(its_pose, step.transformation)), pose)) < AGREED:
+            if (
+                step.reliable
+                and _apart(matmul(invert_pose(matmul(its_pose, step.transformation)), pose)) < MAX_SHAPE_DIFFERENCE
+            ):
                 return Attempt(pose, result, "tracked")
         self._proposal = frame.pyramid, pose
         return Attempt(pose, result, "lost", ("relocalized by shape; the next frame must confirm it",))
@@ -315,10 +319,10 @@ class Tracker:
         """Align a frame with the model rendered at `at`, and judge the result by the expected pose."""
         T = matmul(invert_pose(at), start)
         result = align_frames(pyramid, seen, T)
-        if result.intensity_rmse > SUSPECT * self.motion.shades:
+        if result.intensity_rmse > SUSPECT_BRIGHTNESS_RATIO * self.motion.shades:
             by_shades = align_steps(pyramid, seen, T, OdometryMethod.Hybrid, fraction=1.0)
             between = _apart(matmul(invert_pose(result.transformation), by_shades.transformation))
-            if between > PULLED and by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
+            if between > MIN_PULL and by_shades.intensity_rmse < MAX_BRIGHTNESS_RATIO * result.intensity_rmse:
                 result = by_shades
         pose = clean_pose(matmul(at, result.transformation))
         status, warning = judge_tracking(result, matmul(invert_pose(expected), pose), self.motion.gap)
@@ -344,9 +348,9 @@ def _score(attempt: Attempt) -> float:
 
 Matrix = NDArray[np.float64]
 
-STRIDE = 2  # pixel stride at the coarsest level
-NEAR, NEAR_FRACTION = 0.05, 0.03  # [m] and relative: depth difference of a point that a keyframe saw
-OPEN = 1e-3  # relative to the largest entry: below it points only count by number
+PIXEL_STRIDE = 2  # pixel stride at the coarsest level
+DEPTH_TOLERANCE, NEAR_FRACTION = 0.05, 0.03  # [m] and relative: depth difference of a point that a keyframe saw
+MIN_CONSTRAINT = 1e-3  # relative to the largest entry: below it points only count by number
 
 
 # Errors of a frame and of one that becomes a keyframe: factor of `check_covariance`, and common error of all pixels
@@ -382,7 +386,7 @@ class Drift:
         scale = np.abs(full).max()
         if scale > 0:
             fractions = np.trace(parts, axis1=1, axis2=2)
-            even = OPEN * scale * np.eye(6)
+            even = MIN_CONSTRAINT * scale * np.eye(6)
             parts += even * (fractions / fractions.sum())[:, None, None]
             row = solve(full + even, np.concatenate(list(parts), 1))
         else:  # unseen points refer to the latest keyframe
@@ -420,7 +424,7 @@ class Drift:
     def _parts(self, frame: OdometryFrame, pose: Pose) -> NDArray[np.float64]:
         """Normal equations of a frame's points, by the keyframes that saw them, float64 [keyframes, 6, 6]."""
         depth, lens, planes = coarsest_level(frame)
-        v, u = np.mgrid[: depth.shape[0] : STRIDE, : depth.shape[1] : STRIDE]
+        v, u = np.mgrid[: depth.shape[0] : PIXEL_STRIDE, : depth.shape[1] : PIXEL_STRIDE]
         z, plane = depth[v, u], planes[v, u]
         chosen = (z > 0) & (plane[..., 3] < 0)
         z, plane, u, v = z[chosen], plane[chosen], u[chosen], v[chosen]
@@ -441,7 +445,7 @@ class Drift:
         v = np.rint(lens[1] * local[:, 1] / z + lens[3])
         inside = (local[:, 2] > 0) & (u >= 0) & (v >= 0) & (u < depth.shape[1]) & (v < depth.shape[0])
         there = depth[np.where(inside, v, 0).astype(int), np.where(inside, u, 0).astype(int)]
-        return inside & (there > 0) & (np.abs(there - z) < NEAR + NEAR_FRACTION * z)
+        return inside & (there > 0) & (np.abs(there - z) < DEPTH_TOLERANCE + NEAR_FRACTION * z)
 
 
 def join_covariance(T_here_other: Pose, deviation: float) -> Matrix:
@@ -455,10 +459,10 @@ def _about(position: NDArray[np.float64]) -> Matrix:
     return adjoint_of(make_pose(np.eye(3), -position))
 
 
-VOXELS = 2.0  # model voxels per registration voxel. Larger ones miss small overlaps
+VOXEL_RATIO = 2.0  # model voxels per registration voxel. Larger ones miss small overlaps
 MIN_VOXEL = 0.04  # [m] below it normals of a single frame are noise
-SURE = 0.8  # minimum score. Half of it may be wrong for poses on a tenth of a frame
-FIRST, RETRY_INTERVAL = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterward
+MIN_SHAPE_SCORE = 0.8  # minimum score. Half of it may be wrong for poses on a tenth of a frame
+FIRST_ATTEMPTS, RETRY_INTERVAL = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterward
 
 
 class ShapeSearch:
@@ -466,12 +470,12 @@ class ShapeSearch:
 
     def __init__(self, model: SlamModel, seed: int):
         self.model, self.seed = model, seed
-        self.voxel_size = max(VOXELS * model.volume.voxel_size, MIN_VOXEL)
+        self.voxel_size = max(VOXEL_RATIO * model.volume.voxel_size, MIN_VOXEL)
         self._described: tuple[int, Description | None] = (-1, None)
 
     def is_due(self, attempts: int) -> bool:
         """True if the `attempts`-th lost frame in a row (from 1) is tried."""
-        return attempts in FIRST or (attempts > FIRST[-1] and attempts % RETRY_INTERVAL == 0)
+        return attempts in FIRST_ATTEMPTS or (attempts > FIRST_ATTEMPTS[-1] and attempts % RETRY_INTERVAL == 0)
 
     def find(self, frame: SensorFrame) -> Pose | None:
         target = self._model()
@@ -480,7 +484,7 @@ class ShapeSearch:
         if target is None or len(cloud) < MIN_POINTS:
             return None
         result = register_described(describe(cloud, self.voxel_size), target, seed=self.seed)
-        return result.transformation if result.score is not None and result.score > SURE else None
+        return result.transformation if result.score is not None and result.score > MIN_SHAPE_SCORE else None
 
     def _model(self) -> Description | None:
         count = self.model.frame_count
@@ -491,25 +495,25 @@ class ShapeSearch:
         return self._described[1]
 
 
-FARTHEST = 4.0  # [m] maximum distance of a rival: the range of a depth camera
-APART = 0.15  # [m] minimum distance of rivals. Nearer ones are within one alignment
+MAX_RIVAL_DISTANCE = 4.0  # [m] maximum distance of a rival: the range of a depth camera
+MIN_RIVAL_DISTANCE = 0.15  # [m] minimum distance of rivals. Nearer ones are within one alignment
 MAX_RIVALS = 6  # examined rivals
-POINTS = 300  # shifted points per frame
-BLOCK = 8  # voxels per coarse step
-FINE = 2  # voxels per fine step: half the truncation of 4 voxels
+SHIFTED_POINTS = 300  # shifted points per frame
+COARSE_STEP_VOXELS = 8  # voxels per coarse step
+FINE_STEP_VOXELS = 2  # voxels per fine step: half the truncation of 4 voxels
 COARSE_FRACTION = 0.45  # fraction of the matched points at the found pose, in coarse steps, and ...
-ALIKE = 0.4  # ... in fine steps: a pose at the model border shows half of it and may be correct
+MIN_RIVAL_SCORE = 0.4  # ... in fine steps: a pose at the model border shows half of it and may be correct
 MAX_COARSE = 1000  # refined coarse shifts, the best first
 
 
-def find_rivals(model: SlamModel, frame: OdometryFrame, pose: Pose, farthest: float = FARTHEST) -> list[Pose]:
+def find_rivals(model: SlamModel, frame: OdometryFrame, pose: Pose, farthest: float = MAX_RIVAL_DISTANCE) -> list[Pose]:
     """Other poses T_world_camera up to `farthest` [m] away where the frame's surface fits, the best first."""
     points, axes = _points_of(frame, pose)
-    if len(points) < POINTS // 4:
+    if len(points) < SHIFTED_POINTS // 4:
         return []
     volume, threshold = model.volume, model.threshold
-    side = BLOCK * volume.voxel_size
-    coarse = matmul(_ball(int(min(farthest, FARTHEST) / side)) * side, axes.T)
+    side = COARSE_STEP_VOXELS * volume.voxel_size
+    coarse = matmul(_ball(int(min(farthest, MAX_RIVAL_DISTANCE) / side)) * side, axes.T)
     here = np.zeros((1, 3))
     limits: dict[str, Any] = {"weight_threshold": threshold, "min_score": 0.0}
     min_score = COARSE_FRACTION * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
@@ -518,9 +522,9 @@ def find_rivals(model: SlamModel, frame: OdometryFrame, pose: Pose, farthest: fl
     order = order[met[order] >= min_score]
     if not len(order):
         return []
-    fine = (coarse[order][:, None] + matmul(_steps() * FINE * volume.voxel_size, axes.T)).reshape(-1, 3)
-    fine = fine[np.linalg.norm(fine, axis=1) > APART]
-    min_score = ALIKE * float(score_shifts(volume, points, here, **limits)[0])
+    fine = (coarse[order][:, None] + matmul(_steps() * FINE_STEP_VOXELS * volume.voxel_size, axes.T)).reshape(-1, 3)
+    fine = fine[np.linalg.norm(fine, axis=1) > MIN_RIVAL_DISTANCE]
+    min_score = MIN_RIVAL_SCORE * float(score_shifts(volume, points, here, **limits)[0])
     scores = score_shifts(volume, points, fine, weight_threshold=threshold, min_score=0.8 * min_score)
     return [_moved(pose, shift) for shift in _best_apart(fine, scores, min_score)]
 
@@ -533,7 +537,7 @@ def _points_of(frame: OdometryFrame, pose: Pose) -> tuple[NDArray[np.float64], N
     rays = np.stack([(at % width - cx) / fx, (at // width - cy) / fy, np.ones(len(at))], 1)
     normals = planes[at, :3]
     _, axes = eigh(matmul(normals.T, normals))
-    selected = np.random.default_rng(0).permutation(len(at))[:POINTS]
+    selected = np.random.default_rng(0).permutation(len(at))[:SHIFTED_POINTS]
     points = rays[selected] * depth[at[selected], None]
     return matmul(points, pose[:3, :3].T) + pose[:3, 3], matmul(pose[:3, :3], axes)
 
@@ -545,7 +549,7 @@ def _best_apart(
     for index in np.argsort(-scores, kind="stable").tolist():
         if scores[index] < min_score or len(selected) == MAX_RIVALS:
             break
-        if all(norm(shifts[index] - other) > APART for other in selected):
+        if all(norm(shifts[index] - other) > MIN_RIVAL_DISTANCE for other in selected):
             selected.append(shifts[index])
     return selected
 
@@ -560,7 +564,7 @@ def _ball(radius: int) -> NDArray[np.float64]:
 
 @functools.cache
 def _steps() -> NDArray[np.float64]:
-    half = BLOCK // FINE / 2
+    half = COARSE_STEP_VOXELS // FINE_STEP_VOXELS / 2
     axis = np.arange(-half + 0.5, half)
     return np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)
 

@@ -140,7 +140,7 @@ def compute_odometry_result_point_to_plane(
 ) -> OdometryResult:
     """One step from vertices and normals (h, w, 3), NaN if missing. `transformation` is the increment."""
     depths = [flat(vertices[:, :, 2]) for vertices in (source_vertex_map, target_vertex_map)]
-    rules = rows.Open3DRules(rows.TENSOR, rows.PLANE, depth_outlier_trunc, depth_huber_delta)
+    rules = rows.Open3DRules(rows.TENSOR_FORM, rows.PLANE_TERM, depth_outlier_trunc, depth_huber_delta)
     level = _level(source_vertex_map, intrinsics, depths[1], depths[1])
     level.normals = flat_vectors(target_normal_map)
     return _step(depths[0], depths[0], level, init_source_to_target, rules)
@@ -160,7 +160,7 @@ def compute_odometry_result_intensity(
     intensity_huber_delta: float,
 ) -> OdometryResult:
     """One step from intensities and their Sobel gradients (h, w, 1). Depth [m], NaN if missing."""
-    rules = rows.Open3DRules(rows.TENSOR, rows.COLOR, depth_outlier_trunc, 0.0, intensity_huber_delta)
+    rules = rows.Open3DRules(rows.TENSOR_FORM, rows.COLOR_TERM, depth_outlier_trunc, 0.0, intensity_huber_delta)
     level = _level(source_depth, intrinsics, flat(target_depth), flat(target_intensity))
     level.along, level.down = flat(target_intensity_dx), flat(target_intensity_dy)
     return _step(flat(source_depth), flat(source_intensity), level, init_source_to_target, rules)
@@ -184,7 +184,7 @@ def compute_odometry_result_hybrid(
 ) -> OdometryResult:
     """One step from intensities, depths [m], NaN if missing, and the Sobel gradients of both (h, w, 1)."""
     deltas, root = (depth_huber_delta, intensity_huber_delta), rgbd_odometry.HALF_ROOT
-    rules = rows.Open3DRules(rows.TENSOR, rows.HYBRID, depth_outlier_trunc, *deltas, root, root)
+    rules = rows.Open3DRules(rows.TENSOR_FORM, rows.HYBRID_TERM, depth_outlier_trunc, *deltas, root, root)
     level = _level(source_depth, intrinsics, flat(target_depth), flat(target_intensity))
     level.along, level.down = flat(target_intensity_dx), flat(target_intensity_dy)
     level.depth_along, level.depth_down = flat(target_depth_dx), flat(target_depth_dy)
@@ -200,8 +200,8 @@ def _level(image: Tensor, intrinsics: Any, depth: Any, shade: Any) -> rows.Open3
 
 def _step(depth: Any, shade: Any, level: rows.Open3DLevel, start: Any, rules: rows.Open3DRules) -> OdometryResult:
     sums = rgbd_odometry._sum(depth, shade, level, on_host(start).astype(np.float64), rules)
-    count = sums[rows.COUNT]
+    count = sums[rows.PAIR_COUNT_AT]
     step = rgbd_odometry._solve(sums) if count else None
     if step is None:
         raise RuntimeError("init_source_to_target: the pixels do not determine the motion from this pose")
-    return OdometryResult(as_matrix(step), float(sums[rows.SQUARES] / count), float(count / depth.size))
+    return OdometryResult(as_matrix(step), float(sums[rows.SQUARED_SUM_AT] / count), float(count / depth.size))
