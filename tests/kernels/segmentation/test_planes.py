@@ -8,7 +8,7 @@ import pytest
 from pointloom.kernels.arrays.run_medians import find_statistics, order_statistics
 from pointloom.kernels.lang import float32, int32, uint8, vec3, vec4d
 from pointloom.kernels.memory import download, upload, write, zeros
-from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid
+from pointloom.kernels.segmentation.ground import DIAGONAL_FRACTION, DILATION_SIGN, EROSION_SIGN, HeightGrid
 from pointloom.kernels.segmentation.plane_fit import BLOCK, PlaneSearch, samples_needed
 
 
@@ -165,17 +165,17 @@ def swept(heights, dx, dy, half, choose):
     return out
 
 
-@pytest.mark.parametrize(("first", "then"), [(EROSION, DILATION), (DILATION, EROSION)])
+@pytest.mark.parametrize(("first", "then"), [(EROSION_SIGN, DILATION_SIGN), (DILATION_SIGN, EROSION_SIGN)])
 @pytest.mark.parametrize("radius", [1, 2, 5, 18])
 @pytest.mark.parametrize("shape", [(1, 1), (1, 9), (13, 7), (20, 31)])
 def test_a_window_opens_as_its_segments_do_one_by_one(device, rng, first, then, radius, shape):
     heights = rng.normal(size=shape).astype(np.float32)
     expected = heights
-    diagonal = int(DIAGONAL * radius + 0.5)
+    diagonal = int(DIAGONAL_FRACTION * radius + 0.5)
     straight = radius - 2 * diagonal
     segments = [(1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)]
     for side, (dx, dy, half) in [(first, s) for s in segments] + [(then, s) for s in reversed(segments)]:
-        expected = swept(expected, dx, dy, half, min if side == EROSION else max)
+        expected = swept(expected, dx, dy, half, min if side == EROSION_SIGN else max)
     grid = grid_of(heights, device)
     np.testing.assert_array_equal(download(grid._opened(grid.heights, radius, first)).reshape(shape), expected)
 
