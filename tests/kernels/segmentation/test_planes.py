@@ -9,7 +9,7 @@ from pointloom.kernels.arrays.run_medians import find_statistics, order_statisti
 from pointloom.kernels.lang import float32, int32, uint8, vec3, vec4d
 from pointloom.kernels.memory import download, upload, write, zeros
 from pointloom.kernels.segmentation.ground import DIAGONAL_FRACTION, DILATION_SIGN, EROSION_SIGN, HeightGrid
-from pointloom.kernels.segmentation.plane_fit import BLOCK, PlaneSearch, samples_needed
+from pointloom.kernels.segmentation.plane_fit import POINTS_PER_BLOCK, PlaneSearch, samples_needed
 
 
 def search_over(points, device, rows=None):
@@ -29,7 +29,7 @@ def brute_counts(search, points, planes, threshold):
     return (heights < threshold).sum(axis=0), unclear
 
 
-@pytest.mark.parametrize("count", [3, 4, BLOCK - 1, BLOCK, BLOCK + 1, 5 * BLOCK + 77])
+@pytest.mark.parametrize("count", [3, 4, *(POINTS_PER_BLOCK + k for k in (-1, 0, 1)), 5 * POINTS_PER_BLOCK + 77])
 @pytest.mark.parametrize("plane_count", [1, 8, 29])
 def test_counts_of_inliers_match_numpy(device, rng, count, plane_count):
     """Sorted along x, so that blocks are thin slabs and most are passed over."""
@@ -40,7 +40,7 @@ def test_counts_of_inliers_match_numpy(device, rng, count, plane_count):
     expected, unclear = brute_counts(search, points.astype(float), download(planes), 0.05)
     counts = download(search._score(planes, plane_count, 0.05))
     assert (counts == expected)[~unclear].all() and (np.abs(counts - expected) <= 2).all()
-    assert (~unclear).any() or count > BLOCK
+    assert (~unclear).any() or count > POINTS_PER_BLOCK
 
 
 def test_a_point_at_the_threshold_is_no_inlier_as_in_open3d(device):
@@ -57,8 +57,8 @@ def test_skipped_blocks_contain_no_inlier(device, rng, scale):
 
     Over kilometers float32 is off by a tenth of a millimetre: the slack must cover it.
     """
-    corners = np.repeat(rng.random((40, 3)), BLOCK, axis=0)
-    points = (scale * (corners + 0.2 * rng.random((40 * BLOCK, 3)))).astype(np.float32)
+    corners = np.repeat(rng.random((40, 3)), POINTS_PER_BLOCK, axis=0)
+    points = (scale * (corners + 0.2 * rng.random((40 * POINTS_PER_BLOCK, 3)))).astype(np.float32)
     search = search_over(points, device)
     planes = search._draw(3, 200, 0, 0)
     threshold = 0.001 * scale
