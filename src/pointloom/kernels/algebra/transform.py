@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..array_types import Array2, Points, Vectors
-from ..lang import array, float32, float64, func, kernel, launch, mat33d, sqrt, struct, tid, transpose, vec3, vec3d
+from ..lang import array, dot, float32, float64, func, kernel, launch, mat33d, sqrt, struct, tid, transpose, vec3, vec3d
 from ..memory import empty
 from .matrices import multiply33
 
@@ -32,6 +32,12 @@ def widen(p: vec3) -> vec3d:
 @func
 def narrow(p: vec3d) -> vec3:
     return vec3(float(p[0]), float(p[1]), float(p[2]))
+
+
+@func
+def distance_between(p: vec3d, q: vec3d) -> float64:
+    d = p - q
+    return sqrt(dot(d, d))
 
 
 @kernel
