@@ -35,9 +35,8 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 from ..meshes.mesh_edits import keep_triangles
-from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex, last_corner, next_corner
 from ..sampling.voxel_keys import VoxelGroups
-from .collapse_mesh import last_corner
 from .quadrics import minimum_point, plane_quadric, quadric
 from .unit_frame import UnitFrame
 
