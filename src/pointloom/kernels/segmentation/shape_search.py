@@ -19,7 +19,7 @@ from ..arrays.bounds import bound_points, box_of, find_extremes, fold_box_kernel
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.side_by_side import read_together
-from ..arrays.sort import argsort_keys
+from ..arrays.sort import argsort_keys, descending_keys
 from ..lang import (
     array,
     atomic_add,
@@ -30,7 +30,6 @@ from ..lang import (
     float64,
     func,
     int32,
-    int64,
     kernel,
     launch,
     sqrt,
@@ -545,12 +544,6 @@ def mark_cells_kernel(
 
 
 @kernel
-def key_scores_kernel(scores: array(dtype=int32), max_score: int, keys: array(dtype=int64)):
-    i = tid()
-    keys[i] = int64(max_score - scores[i])
-
-
-@kernel
 def take_shapes_kernel(
     order: array(dtype=int32),
     shapes: array(dtype=float64, ndim=2),
@@ -616,8 +609,7 @@ class ShapeSearch:
         drawn = [self.cloud, kind, kind_seed, first, self.levels, limits.distance, limits.cosine]
         launch(draw_shapes_kernel, count, [*drawn, limits.smallest, limits.largest, shapes, kinds])
         scores = score_shapes(self.part, shapes, kinds, limits.distance, limits.cosine)
-        keys = empty(count, int64, self.device)
-        launch(key_scores_kernel, count, [scores, self.part.count, keys])
+        keys = descending_keys(scores, self.part.count)
         order = argsort_keys(keys, max(1, self.part.count.bit_length()))[1]
         m = min(count, MAX_PROMISING)
         best, of = empty((m, SHAPE_NUMBERS), float64, self.device), empty(m, int32, self.device)
