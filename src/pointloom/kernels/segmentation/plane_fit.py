@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..array_types import Array1, Indices, Integers, Mask, Points
-from ..arrays.bounds import bound_points
+from ..arrays.bounds import bound_points, maximum_of
 from ..arrays.lanes import sum_int_of_lanes
 from ..arrays.prefix_sum import scan_together
 from ..arrays.select import gather_rows, positions_of
@@ -22,7 +22,6 @@ from ..lang import (
     WARP,
     array,
     atomic_add,
-    atomic_max,
     float64,
     int32,
     kernel,
@@ -49,14 +48,6 @@ if TYPE_CHECKING:
 MAX_PARTIAL_SUMS = 2**22  # partial sums of distances at a time
 COUNT_AT, SUM_AT = 4, 5  # in the record: after the plane its inlier count, and the sum of their distances [m]
 RECORD_NUMBERS = 6
-
-
-@kernel
-def find_top_kernel(counts: array(dtype=int32), top: array(dtype=int32)):
-    """Maximum inlier count. It does not depend on the order."""
-    i = tid()
-    if counts[i] > top[0]:  # a stale value only adds an atomic
-        atomic_max(top, 0, counts[i])
 
 
 @kernel
@@ -141,8 +132,7 @@ class BestPlane:
     def offer(self, planes: Array1[vec4d], counts: Integers) -> None:
         """Update the best plane from planes and their inlier counts. One sync."""
         search, blocks, size, device = self._search, self._search.blocks, planes.size, self._search.device
-        top, sums = zeros(1, int32, device), empty(size, float64, device)
-        launch(find_top_kernel, size, [counts, top])
+        top, sums = maximum_of(counts), empty(size, float64, device)
         step = max(1, MAX_PARTIAL_SUMS // blocks.block_count)
         for first in range(0, size, step):
             partials = empty((min(step, size - first), blocks.block_count), float64, device)
