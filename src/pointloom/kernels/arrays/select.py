@@ -136,3 +136,17 @@ def gather_rows(values: Array, rows: Indices) -> Array:
         chosen: Any = upload(download(values)[download(rows)], values.dtype, device)
         return chosen
     return contiguous(values[rows])
+
+
+@kernel
+def list_selected_kernel(rows: array(dtype=int32), offsets: array(dtype=int32), selected: array(dtype=int32)):
+    i = tid()
+    if offsets[i + 1] > offsets[i]:
+        selected[offsets[i]] = rows[i]
+
+
+def rows_by_offsets(rows: Indices, offsets: Indices, count: int) -> Indices:
+    """The `count` rows whose offset increases, in order. `offsets`: exclusive sums of 0 and 1, and the total."""
+    selected = empty(count, int32, rows.device)
+    launch(list_selected_kernel, rows.size if count else 0, [rows, offsets, selected])
+    return selected
