@@ -6,7 +6,7 @@ points (union_find.py). Other points join the low-curvature neighbor with the mo
 
 from ..array_types import Array2, Integers, Scalars, Vectors
 from ..arrays.select import number_rows_kernel, positions_of
-from ..arrays.union_find import flatten_sets_kernel, unite
+from ..arrays.union_find import flatten_sets_kernel, mask_roots_kernel, unite
 from ..lang import array, dot, float32, int32, isfinite, kernel, launch, tid, uint8, vec3
 from ..memory import empty, full
 from .cluster_labels import NOISE_LABEL, rank_by_size
@@ -36,12 +36,6 @@ def join_neighbors_kernel(
             if j >= 0 and j != i:
                 if parents[j] >= 0 and abs(dot(normals[i], normals[j])) >= cosine:
                     unite(parents, i, j)
-
-
-@kernel
-def mark_roots_kernel(parents: array(dtype=int32), marks: array(dtype=uint8)):
-    i = tid()
-    marks[i] = uint8(1 if parents[i] == i else 0)
 
 
 @kernel
@@ -87,7 +81,7 @@ def grow_regions(
     launch(join_neighbors_kernel, count, [normals, neighbors, cosine, parents])
     launch(flatten_sets_kernel, count, [parents])
     marks, numbers = empty(count, uint8, device), full(count, NOISE_LABEL, int32, device)
-    launch(mark_roots_kernel, count, [parents, marks])
+    launch(mask_roots_kernel, count, [parents, marks])
     heads = positions_of(marks)  # sync
     if not heads.size:
         return labels, 0
