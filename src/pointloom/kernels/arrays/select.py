@@ -57,6 +57,19 @@ def invert_mask(mask: Mask) -> Mask:
     return inverted
 
 
+@kernel
+def mark_negative_kernel(values: array(dtype=int32), marks: array(dtype=int32)):
+    i = tid()
+    marks[i] = 1 if values[i] < 0 else 0
+
+
+def mark_negative(values: Integers) -> Integers:
+    """int32: 1 where a value is negative, else 0."""
+    marks = empty(values.size, int32, values.device)
+    launch(mark_negative_kernel, values.size, [values, marks])
+    return marks
+
+
 def _ranks_of(mask: Mask) -> Integers:
     """Inclusive counts of set elements, for a nonempty GPU mask."""
     ranks = empty(mask.size, int32, mask.device)

@@ -5,7 +5,7 @@ One atomic on an integer per triangle, so the order does not matter.
 
 from ..array_types import Bytes, Indices, Mask
 from ..lang import array, atomic_add, int32, kernel, launch, tid, uint8
-from ..memory import empty, zeros
+from ..memory import zeros
 
 
 @kernel
@@ -49,16 +49,3 @@ def keep_alone(names: Indices, mask: Mask) -> None:
     counts = zeros(names.size, int32, names.device)
     launch(count_members_kernel, names.size, [names, counts])
     launch(mark_alone_kernel, names.size, [names, counts, mask])
-
-
-@kernel
-def mark_open_sides_kernel(twins: array(dtype=int32), is_open: array(dtype=int32)):
-    i = tid()
-    is_open[i] = 1 if twins[i] < 0 else 0
-
-
-def mark_open_sides(twins: Indices) -> Indices:
-    """int32: 1 for half-edges without an opposite."""
-    is_open = empty(twins.size, int32, twins.device)
-    launch(mark_open_sides_kernel, twins.size, [twins, is_open])
-    return is_open
