@@ -4,6 +4,7 @@ One atomic on an integer per triangle, so the order does not matter.
 """
 
 from ..array_types import Bytes, Indices, Mask
+from ..arrays.row_numbers import count_numbers
 from ..lang import array, atomic_add, int32, kernel, launch, tid, uint8
 from ..memory import zeros
 
@@ -25,12 +26,6 @@ def follow_votes_kernel(names: array(dtype=int32), balance: array(dtype=int32), 
 
 
 @kernel
-def count_members_kernel(names: array(dtype=int32), counts: array(dtype=int32)):
-    i = tid()
-    atomic_add(counts, names[i], 1)
-
-
-@kernel
 def mark_alone_kernel(names: array(dtype=int32), counts: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
     if counts[names[i]] != 1:
@@ -46,6 +41,4 @@ def follow_majority(names: Indices, marks: Bytes, other: bool = False) -> None:
 
 def keep_alone(names: Indices, mask: Mask) -> None:
     """Clear the mask of triangles whose component has others, in place."""
-    counts = zeros(names.size, int32, names.device)
-    launch(count_members_kernel, names.size, [names, counts])
-    launch(mark_alone_kernel, names.size, [names, counts, mask])
+    launch(mark_alone_kernel, names.size, [names, count_numbers(names, names.size), mask])

@@ -13,12 +13,12 @@ import numpy as np
 
 from ..array_types import Array2, Integers, Points, Vectors
 from ..arrays.concatenation import concatenate_rows
+from ..arrays.row_numbers import count_numbers
 from ..arrays.select import gather_rows, number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..lang import (
     INFINITY,
     array,
-    atomic_add,
     atomic_max,
     atomic_min,
     dot,
@@ -35,7 +35,7 @@ from ..lang import (
     uint8,
     vec3,
 )
-from ..memory import download, empty, fill, full, upload, upload_together, zeros
+from ..memory import download, empty, fill, full, upload, upload_together
 from .cluster_labels import rename_labels_kernel
 from .planar_patches import RunPlanes, Runs
 
@@ -269,13 +269,6 @@ def hand_over_kernel(cloud: PatchPoints, planes: PatchPlanes, targets: array(dty
 
 
 @kernel
-def count_labels_kernel(labels: array(dtype=int32), counts: array(dtype=int32)):
-    i = tid()
-    if labels[i] >= 0:
-        atomic_add(counts, labels[i], 1)
-
-
-@kernel
 def order_counts_kernel(counts: array(dtype=int32), keys: array(dtype=int64)):
     i = tid()
     keys[i] = int64(NO_OFFER - counts[i])
@@ -344,9 +337,7 @@ class Patches:
         return PatchPlanes(self.centers, self.directions, self.similar, self.near)
 
     def _count(self) -> Integers:
-        counts = zeros(len(self.near), int32, self.device)
-        launch(count_labels_kernel, self.labels.size, [self.labels, counts])
-        return counts
+        return count_numbers(self.labels, len(self.near))
 
     def _ranked(self, values: np.ndarray) -> tuple[Integers, np.ndarray]:
         """Ranks by decreasing value, and patches by rank, on the device and in NumPy."""
