@@ -15,7 +15,7 @@ from pointloom.kernels.lang import int32, vec3
 from pointloom.kernels.memory import download, full, upload
 from pointloom.kernels.search.point_tree import PointTree
 from pointloom.kernels.segmentation.border_labels import label_borders
-from pointloom.kernels.segmentation.cluster_labels import NOISE, rename_cores
+from pointloom.kernels.segmentation.cluster_labels import NOISE_LABEL, rename_cores
 from pointloom.kernels.segmentation.dbscan import cluster_cores
 from pointloom.tiling import label_join, tasks
 from pointloom.tiling.status import tile_status
@@ -281,7 +281,7 @@ def test_border_points_take_the_lowest_label_of_renamed_cores(device, names, exp
     points = np.zeros((9, 3), np.float32)
     points[:, 0] = x[order]
     tree = PointTree(upload(points, vec3, device))
-    labels = full(9, NOISE, int32, tree.device)
+    labels = full(9, NOISE_LABEL, int32, tree.device)
     cores, count = cluster_cores(tree, 0.95, 4, labels)
     assert count == 2
     rename_cores(cores, upload(np.array(names, np.int32), int32, tree.device), labels)

@@ -53,7 +53,7 @@ from .language.loops import Words
 from .language.source import Source, Vocabulary, compiled
 from .language.structs import JOINT, FieldPath, struct, type_at
 from .launches import (  # noqa: F401  handed on
-    BLOCK,
+    ELEMENTS_PER_BLOCK,
     DeviceLoop,
     cpu_compiler,
     current_cpu_compiler,

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .lang import Kernel, Reduction
 
 HAS_CUDA = wp.is_cuda_available()
-BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few to fold
+ELEMENTS_PER_BLOCK = 1024  # of a CPU partial sum: many blocks per core at 100k elements, few to fold
 
 _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
 
@@ -297,7 +297,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
                 reduction.prepared["cpu"] = _flattened(reduction, arguments, values, rest)
         else:
             chunks = taichi_compiler.start().chunks(blocks)
-            _run_taichi_sum(reduction, [*values, count, BLOCK, partials, out, *chunks])
+            _run_taichi_sum(reduction, [*values, count, ELEMENTS_PER_BLOCK, partials, out, *chunks])
     return out
 
 
@@ -309,7 +309,7 @@ def _arrays_of_sum(reduction: Reduction, count: int, device: Device) -> tuple[tu
         blocks = -(-count // size)
         sums = zeros(1 + warp_compiler.partial_rows(reduction.vector, blocks, 1), reduction.vector, device)
     else:
-        size, blocks = BLOCK, -(-count // BLOCK)
+        size, blocks = ELEMENTS_PER_BLOCK, -(-count // ELEMENTS_PER_BLOCK)
         sums = empty(1 + blocks, reduction.vector, device)
     return (count, size, blocks), rows_of(sums, 1, sums.size), rows_of(sums, 0, 1)
 

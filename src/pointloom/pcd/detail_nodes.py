@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..kernels.sampling.detail_levels import DEPTH, LEVELS
+from ..kernels.sampling.detail_levels import LEVEL_COUNT, MAX_DEPTH
 
 # Deeper points merged into their parent: this many, or a quarter of its own. An unmerged cell beside it is then at most
 # a quarter thinner, which is not visible. Smaller nodes cost more to address than to send.
@@ -20,7 +20,7 @@ FRACTION = 4
 
 MAX_POINTS = 49_152  # points of a node: half a megabyte, under a second on a slow connection
 
-_KEY_BITS = 3 * DEPTH
+_KEY_BITS = 3 * MAX_DEPTH
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -43,9 +43,9 @@ class _Rows:
     """Rows of points in Morton order, by level."""
 
     def __init__(self, levels: NDArray[np.uint8]):
-        self.ends = np.cumsum(np.bincount(levels, minlength=LEVELS)).tolist()
+        self.ends = np.cumsum(np.bincount(levels, minlength=LEVEL_COUNT)).tolist()
         self.indices = np.empty(len(levels), np.int32)
-        for level in range(LEVELS):
+        for level in range(LEVEL_COUNT):
             self.indices[self.begin(level) : self.ends[level]] = np.flatnonzero(levels == level)
 
     def begin(self, level: int) -> int:
@@ -85,8 +85,8 @@ def make_nodes(
     nodes: list[_Node] = []
     codes = keys[:1] >> (_KEY_BITS - 3 * depth)
     begins, ends = np.zeros(1, np.int64), np.full(1, len(keys), np.int64)
-    for level in range(depth, LEVELS if len(keys) else 0):
-        bounds = [(rows.count_before(j, begins), rows.count_before(j, ends)) for j in range(LEVELS)]
+    for level in range(depth, LEVEL_COUNT if len(keys) else 0):
+        bounds = [(rows.count_before(j, begins), rows.count_before(j, ends)) for j in range(LEVEL_COUNT)]
         counts = np.stack([last - first for first, last in bounds])
         level_counts, deeper = counts[level], counts[level + 1 :].sum(axis=0)
         closed = deeper <= np.maximum(min_points, level_counts // FRACTION)
@@ -112,7 +112,7 @@ def _parts(node: _Node, keys: NDArray[np.int64], rows: _Rows, max_points: int) -
     """Split a node that is too large, by octants, or by count if its points coincide."""
     if node.count <= max_points:
         return [node]
-    if node.depth == DEPTH:
+    if node.depth == MAX_DEPTH:
         cuts = [(at, min(at + max_points, end)) for begin, end in node.runs for at in range(begin, end, max_points)]
         return [dataclasses.replace(node, runs=[cut]) for cut in cuts]
     codes = node.code * 8 + np.arange(8)
@@ -151,6 +151,6 @@ def cells_of(codes: NDArray[np.int64]) -> NDArray[np.int64]:
 def _gather_bits(codes: NDArray[np.int64]) -> NDArray[np.int64]:
     """Compact every third bit."""
     out = np.zeros_like(codes)
-    for bit in range(DEPTH):
+    for bit in range(MAX_DEPTH):
         out |= ((codes >> (3 * bit)) & 1) << bit
     return out

@@ -15,10 +15,18 @@ from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.lang import NAN, float64, int32, uint8, vec3i
 from ..kernels.memory import cast, download, free_bytes, full, upload
-from ..kernels.terrain.cells import COUNT, HIGHEST, LOWEST, MEAN, CellGroups, FixedCells, check_cell_numbers
+from ..kernels.terrain.cells import (
+    CELL_COUNT,
+    CELL_MAX,
+    CELL_MEAN,
+    CELL_MIN,
+    CellGroups,
+    FixedCells,
+    check_cell_numbers,
+)
 from ..kernels.terrain.cells import heights_of as heights_of_points
 from ..kernels.terrain.inverse_distance import heights_above, interpolate_centers
-from ..kernels.terrain.triangle_heights import VALUES, keep_listed, lay_rows, triangle_heights
+from ..kernels.terrain.triangle_heights import TABLE_SIZE, keep_listed, lay_rows, triangle_heights
 from .cloud import PointCloud
 
 GROUND, NOISE = (2,), (7, 18)  # LAS classes
@@ -32,7 +40,13 @@ def check_classes(classes: Any) -> tuple[int, ...] | None:
     if classes is None:
         return None
     given = np.atleast_1d(check_numeric("classes", classes))
-    if given.ndim != 1 or not given.size or given.dtype.kind not in "iu" or given.min() < 0 or given.max() >= VALUES:
+    if (
+        given.ndim != 1
+        or not given.size
+        or given.dtype.kind not in "iu"
+        or given.min() < 0
+        or given.max() >= TABLE_SIZE
+    ):
         raise ValueError(f"classes: expected LAS classes from 0 to 255, such as (2, 8), got {shown(classes)}")
     return tuple(sorted({int(value) for value in given}))
 
@@ -118,11 +132,11 @@ def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool,
         raise ValueError(
             'cloud: has no classification; set cloud["classification"] to 2 where classify_ground(cloud) is True'
         )
-    table = np.zeros(VALUES, np.uint8)
-    table[list(range(VALUES) if classes is None else classes)] = 1
+    table = np.zeros(TABLE_SIZE, np.uint8)
+    table[list(range(TABLE_SIZE) if classes is None else classes)] = 1
     if classes is None:
         table[list(NOISE)] = 0
-    returns = np.zeros(VALUES, np.uint8)
+    returns = np.zeros(TABLE_SIZE, np.uint8)
     returns[:2] = 1  # some files do not number returns
     tables = [("classification", table)] if has_classes else []
     tables += [("return_number", returns)] if is_first and "return_number" in cloud else []
@@ -182,8 +196,8 @@ def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tu
         if column.ndim != 1:
             raise ValueError("intensity: expected one number per point")
         values = cast(column if rows is None else gather_rows(column, rows), float64)
-        return groups.measure(values, MEAN)
-    measure = {"density": COUNT, "lowest": LOWEST}.get(kind, HIGHEST)
+        return groups.measure(values, CELL_MEAN)
+    measure = {"density": CELL_COUNT, "lowest": CELL_MIN}.get(kind, CELL_MAX)
     return groups.measure(heights_of_points(chosen), measure)
 
 

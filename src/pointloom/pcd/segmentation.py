@@ -25,7 +25,7 @@ from ..kernels.segmentation.cluster_labels import rank_by_size
 from ..kernels.segmentation.dbscan import cluster_points
 from ..kernels.segmentation.octree_cells import Octree
 from ..kernels.segmentation.patch_growth import Patches
-from ..kernels.segmentation.planar_patches import ROUNDING, Limits, find_seeds
+from ..kernels.segmentation.planar_patches import RELATIVE_ROUNDING, Limits, find_seeds
 from ..kernels.segmentation.plane_fit import PlaneSearch, label_rows
 from ..kernels.segmentation.region_growth import grow_regions
 from ..kernels.segmentation.shape_rows import ascending, usable_in_order
@@ -191,7 +191,7 @@ class Segmentation(Selection):
             return []
         octree = Octree(points, rows)
         labels = full(len(self), -1, int32, self.device)
-        limits = Limits(math.cos(spread), math.cos(flatness), fraction, min_count, ROUNDING * octree.extent)
+        limits = Limits(math.cos(spread), math.cos(flatness), fraction, min_count, RELATIVE_ROUNDING * octree.extent)
         planes = find_seeds(points, normals, labels, limits, octree)
         if not len(planes[0]):
             return []

@@ -14,7 +14,14 @@ from ..kernels.arrays.side_by_side import read_together
 from ..kernels.segmentation.shape_alternatives import Band, Rival, RivalStarts, count_band
 from ..kernels.segmentation.shape_fit import FlatFit, ShapeFit, flat_fit
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
-from ..kernels.segmentation.shape_search import BANDS, SECTORS, DetectedShape, ShapeLimits, ShapeSearch, spread_of
+from ..kernels.segmentation.shape_search import (
+    BAND_COUNT,
+    SECTOR_COUNT,
+    DetectedShape,
+    ShapeLimits,
+    ShapeSearch,
+    spread_of,
+)
 from .shape import KINDS, Shape
 
 ROUNDING = 2e-6  # of the cloud's size: float32 rounding of positions
@@ -172,7 +179,7 @@ def is_small_part(kind: int, shape: Shape) -> bool:
     """True if points cover too little of a round surface to determine its kind."""
     if kind == PLANE:
         return False
-    cells = SECTORS if kind in (CYLINDER, CONE) else SECTORS * BANDS
+    cells = SECTOR_COUNT if kind in (CYLINDER, CONE) else SECTOR_COUNT * BAND_COUNT
     return bool(shape.coverage < COVERED * -np.expm1(-shape.support / cells))
 
 

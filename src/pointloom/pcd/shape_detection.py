@@ -21,7 +21,7 @@ from ..kernels.memory import full
 from ..kernels.search.distinct_points import without_copies
 from ..kernels.search.neighbor_distances import nearest_distances
 from ..kernels.segmentation.plane_fit import label_rows
-from ..kernels.segmentation.shape_models import CONE, NUMBERS, PLANE
+from ..kernels.segmentation.shape_models import CONE, PLANE, SHAPE_NUMBERS
 from ..kernels.segmentation.shape_parts import largest_part, rows_labeled, write_distances
 from ..kernels.segmentation.shape_search import DetectedShape, ShapeLimits, ShapeSearch, chance_of
 from .cloud import PointCloud
@@ -179,7 +179,11 @@ class _Rounds:
         self._drawn = dict.fromkeys(kinds, 0)  # samples per kind
         self._tried = dict.fromkeys(kinds, 0)  # samples since the last check for missed shapes
         self._has_detected = False  # a shape was detected since then, which most kept candidates may have been
-        self._shapes, self._of, self._counts = np.zeros((0, NUMBERS)), np.zeros(0, np.int64), np.zeros(0, np.int64)
+        self._shapes, self._of, self._counts = (
+            np.zeros((0, SHAPE_NUMBERS)),
+            np.zeros(0, np.int64),
+            np.zeros(0, np.int64),
+        )
 
     def next_shape(self) -> DetectedShape | None:
         """Next shape. None if no shape with enough points remains, at the required probability."""

@@ -13,7 +13,7 @@ from ..core.checks import check_finite, check_numeric, check_seed
 from ..core.exchange import on_host
 from ..kernels.lang import float64
 from ..kernels.memory import download, upload
-from ..kernels.segmentation.shape_alternatives import COMPARED, FREE_SIZE
+from ..kernels.segmentation.shape_alternatives import FREE_SIZE, MAX_COMPARED
 from ..kernels.segmentation.shape_fit import ShapeFit, ShapeFitter
 from ..kernels.segmentation.shape_models import CONE, PLANE
 from ..kernels.segmentation.shape_rows import every_of, rows_of_weight, usable_in_order
@@ -107,8 +107,8 @@ def _search_of(cloud: PointCloud, weights: NDArray[np.float64] | None) -> ShapeS
 
 def _best_start(search: ShapeSearch, kind: int, seed: int) -> ShapeFit | None:
     rows, fits = search.rows, []
-    if rows.size // COMPARED >= 2:
-        rows = every_of(rows, rows.size // COMPARED)
+    if rows.size // MAX_COMPARED >= 2:
+        rows = every_of(rows, rows.size // MAX_COMPARED)
     part = ShapeSearch(search.points, search.normals, rows, search)
     limits = ShapeLimits(0.0, 0.0, 0.0, FREE_SIZE * search.size)
     for level, fraction in enumerate(LEVELS):

@@ -22,7 +22,15 @@ from ..io.points.laz_chunks import LazChunks, is_alike
 from ..kernels.lang import vec3d
 from ..kernels.lru_cache import LruCache
 from ..kernels.memory import download, upload
-from ..kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, Cube, find_levels, sort_by_cell
+from ..kernels.sampling.detail_levels import (
+    LAST_CELL,
+    LEVEL_COUNT,
+    MAX_DEPTH,
+    NODE_BITS,
+    Cube,
+    find_levels,
+    sort_by_cell,
+)
 from ..pcd.detail_nodes import NodeTable, cells_of, make_nodes
 from .processes import Processes
 
@@ -144,7 +152,7 @@ class TileTree:
             if count <= MAX_POINTS:
                 leaves.append(Leaf(at, code, count))
                 continue
-            if at == min(depth, LEVELS - 1):
+            if at == min(depth, LEVEL_COUNT - 1):
                 position = self.corner + cells_of(np.array([code]))[0] * (self.side / 2**at)
                 size = f"{self.side / 2**at:g}"
                 reason = f"expected at most {MAX_POINTS:,} points within {size} of {position.tolist()}, got {count:,}"
@@ -188,7 +196,7 @@ class TileTree:
     def _levels_of(self, leaf: Leaf, rows: NDArray[Any], numbers: NDArray[np.int64]) -> Any:
         points = upload(self.positions(rows), vec3d, "cpu")
         keys, order, levels = find_levels(points, self.corner, self.side, numbers)
-        if len(rows) != leaf.points or ((keys >> 3 * (DEPTH - leaf.depth)) != leaf.code).any():
+        if len(rows) != leaf.points or ((keys >> 3 * (MAX_DEPTH - leaf.depth)) != leaf.code).any():
             raise FileError(self.files[0].path.parent, "the tiles changed while they were read")
         return keys, order, levels
 
@@ -209,7 +217,7 @@ class TileTree:
         return result
 
     def _gather(self, leaf: Leaf) -> tuple[NDArray[Any], NDArray[np.int64]]:
-        shift = DEPTH - leaf.depth
+        shift = MAX_DEPTH - leaf.depth
         low = cells_of(np.array([leaf.code]))[0] << shift
         high = low + (1 << shift) - 1
         low_steps, high_steps = self._steps_from(low), self._steps_from(high + 1) - 1
@@ -265,7 +273,7 @@ class _FirstPass:
         )
         points = upload(_positions(rows, self.scales, self.offsets), vec3d, "cpu")
         keys = download(sort_by_cell(points, Cube(self.corner, self.side))[0])
-        return *_counted(keys >> 3 * (DEPTH - GRID_DEPTH), None), lows, highs
+        return *_counted(keys >> 3 * (MAX_DEPTH - GRID_DEPTH), None), lows, highs
 
 
 def _positions(rows: NDArray[Any], scales: Any, offsets: Any) -> NDArray[np.float64]:

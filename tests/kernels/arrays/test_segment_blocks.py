@@ -10,7 +10,19 @@ from pointloom.kernels import lang
 from pointloom.kernels.arrays.open_rows import CHECKED_ROUNDS, ROUNDS, resolve_in_rounds
 from pointloom.kernels.arrays.runs import CUDA_MIN_LENGTH, CUDA_THREADS, Runs, elements_of, row_of
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
-from pointloom.kernels.lang import BLOCK, array, atomic_add, float32, float64, int32, int64, kernel, launch, tid, uint8
+from pointloom.kernels.lang import (
+    ELEMENTS_PER_BLOCK,
+    array,
+    atomic_add,
+    float32,
+    float64,
+    int32,
+    int64,
+    kernel,
+    launch,
+    tid,
+    uint8,
+)
 from pointloom.kernels.language import segment_launches
 from pointloom.kernels.memory import download, full, upload, zeros
 
@@ -52,7 +64,8 @@ def test_all_numbers_of_the_largest_arrays_fit_in_32_bits(count):
 
 
 pair = lang.vector(2, float64)
-SIZES = [0, 1, 2, 7, BLOCK - 1, BLOCK, BLOCK + 1, 0, 3 * BLOCK + 5, 0]
+N = ELEMENTS_PER_BLOCK
+SIZES = [0, 1, 2, 7, N - 1, N, N + 1, 0, 3 * N + 5, 0]
 FIRSTS = np.concatenate([[0], np.cumsum(SIZES)[:-1]])
 
 
@@ -103,13 +116,13 @@ def sums_of(device, values, firsts, counts, live=None, start=None):
 
 
 @settings(deadline=None)
-@given(st.lists(st.integers(0, 4 * BLOCK), max_size=12), st.integers(0, 9))
+@given(st.lists(st.integers(0, 4 * ELEMENTS_PER_BLOCK), max_size=12), st.integers(0, 9))
 def test_blocks_part_the_segments(counts, gap):
     firsts = np.concatenate([[0], np.cumsum(np.array(counts, int) + gap)[:-1]]).astype(int)[: len(counts)]
     blocks = SegmentBlocks(firsts, counts, "cpu")
     begin, end, owners = (a.numpy() for a in (blocks.firsts, blocks.lasts, blocks.owners))
     starts = blocks.starts.numpy()
-    assert blocks.count == len(begin) == starts[-1] and ((end - begin >= 0) & (end - begin <= BLOCK)).all()
+    assert blocks.count == len(begin) == starts[-1] and ((end - begin >= 0) & (end - begin <= ELEMENTS_PER_BLOCK)).all()
     for segment, (first, count) in enumerate(zip(firsts, counts, strict=True)):
         rows = slice(starts[segment], starts[segment + 1])
         assert (owners[rows] == segment).all()
@@ -134,7 +147,7 @@ def test_each_segment_has_its_sum(device, rng, tolerances):
 def test_sums_of_vectors_of_any_length_are_exact_for_small_integers(device, write_kernels, length, kind):
     name = f"sums_of_{length}_{kind.__name__}"
     kernels = write_kernels(name, VECTORS.format(length=length, kind=kind.__name__))
-    counts = [BLOCK * 9 + 1, 1, 70 * BLOCK]
+    counts = [ELEMENTS_PER_BLOCK * 9 + 1, 1, 70 * ELEMENTS_PER_BLOCK]
     values, blocks = np.arange(sum(counts)) % 7, SegmentBlocks(np.cumsum([0, *counts[:-1]]), counts, device)
     given, live = upload(values, int32, device), full(len(counts), 1, int32, device)
     partials, out = blocks.partials(kernels.numbers), zeros(len(counts), kernels.numbers, device)

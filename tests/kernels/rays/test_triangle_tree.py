@@ -7,7 +7,7 @@ from pointloom import TriangleMesh
 from pointloom.kernels.arrays.sort import positions
 from pointloom.kernels.memory import download
 from pointloom.kernels.rays.split_order import order_by_splits
-from pointloom.kernels.rays.triangle_tree import FAN, LEAF, TriangleTree
+from pointloom.kernels.rays.triangle_tree import FAN, LEAF_SIZE, TriangleTree
 
 
 def tree_over(vertices, triangles, device) -> TriangleTree:
@@ -22,7 +22,7 @@ def soup(count: int, seed: int = 0):
 
 
 def corners_in_tree(tree: TriangleTree) -> np.ndarray:
-    return download(tree.corners).reshape(-1, 3, 3, LEAF).transpose(0, 3, 1, 2).reshape(-1, 3, 3)
+    return download(tree.corners).reshape(-1, 3, 3, LEAF_SIZE).transpose(0, 3, 1, 2).reshape(-1, 3, 3)
 
 
 @pytest.mark.parametrize("count", [1, 2, 7, 8, 9, 63, 64, 65, 200, 700])
@@ -30,7 +30,7 @@ def test_the_tree_contains_each_triangle_once(device, count):
     vertices, triangles = soup(count)
     tree = tree_over(vertices, triangles, device)
     order = download(tree.order)
-    assert (tree.count, len(order)) == (count, -(-count // LEAF) * LEAF)
+    assert (tree.count, len(order)) == (count, -(-count // LEAF_SIZE) * LEAF_SIZE)
     assert np.sort(order[:count]).tolist() == list(range(count)) and (order[count:] == order[count - 1]).all()
     np.testing.assert_array_equal(corners_in_tree(tree), vertices[triangles[order]])
 
@@ -40,7 +40,7 @@ def test_a_box_is_that_of_the_triangles_below_it(device, count):
     tree = tree_over(*soup(count), device)
     boxes = download(tree.boxes).reshape(-1, 2, 3, FAN)
     corners = corners_in_tree(tree)
-    low, high = (f(corners.reshape(-1, LEAF * 3, 3), axis=1) for f in (np.min, np.max))
+    low, high = (f(corners.reshape(-1, LEAF_SIZE * 3, 3), axis=1) for f in (np.min, np.max))
     for level, first in enumerate(tree.level_firsts[:-1]):
         records = boxes[first : tree.level_firsts[level + 1]].transpose(1, 0, 3, 2).reshape(2, -1, 3)
         np.testing.assert_array_equal(records[0, : len(low)], low)

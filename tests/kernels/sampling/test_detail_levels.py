@@ -6,7 +6,7 @@ import pytest
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.kernels.sampling import farthest_points
-from pointloom.kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS, find_levels
+from pointloom.kernels.sampling.detail_levels import LAST_CELL, LEVEL_COUNT, MAX_DEPTH, NODE_BITS, find_levels
 from pointloom.kernels.sampling.farthest_points import choose_farthest
 from pointloom.kernels.search.point_tree import PointTree
 
@@ -23,16 +23,16 @@ def plain_priority(index):
 
 
 def cells_of(points, corner, side):
-    cells = np.floor((points.astype(np.float64) - corner) * (2.0**DEPTH / side)).astype(np.int64)
+    cells = np.floor((points.astype(np.float64) - corner) * (2.0**MAX_DEPTH / side)).astype(np.int64)
     return np.minimum(cells, LAST_CELL)
 
 
 def plain_levels(points, corner, side):
     """Voxel by voxel on every level, the points by index."""
     cells, ranks = cells_of(points, corner, side), np.array([plain_priority(i) for i in range(len(points))])
-    levels = np.full(len(points), LEVELS - 1)
-    for level in reversed(range(LEVELS - 1)):
-        voxels = cells >> (DEPTH - NODE_BITS - level)
+    levels = np.full(len(points), LEVEL_COUNT - 1)
+    for level in reversed(range(LEVEL_COUNT - 1)):
+        voxels = cells >> (MAX_DEPTH - NODE_BITS - level)
         best = {}
         for i, voxel in enumerate(map(tuple, voxels.tolist())):
             if voxel not in best or ranks[i] < ranks[best[voxel]]:
@@ -77,9 +77,9 @@ def test_a_level_has_one_point_per_voxel(device, rng):
     corner, side = np.full(3, -7.0), 64.0
     levels = levels_by_index(points, corner, side, device)
     cells = cells_of(points, corner, side)
-    for level in range(LEVELS - 1):
-        x, y, z = (cells >> (DEPTH - NODE_BITS - level)).T
-        voxels = (x << (2 * DEPTH)) | (y << DEPTH) | z
+    for level in range(LEVEL_COUNT - 1):
+        x, y, z = (cells >> (MAX_DEPTH - NODE_BITS - level)).T
+        voxels = (x << (2 * MAX_DEPTH)) | (y << MAX_DEPTH) | z
         standing = np.unique(voxels[levels <= level])
         assert len(standing) == (levels <= level).sum(), "none twice"
         assert len(standing) == len(np.unique(voxels)), "none missing"
@@ -163,7 +163,8 @@ def test_distances_beyond_float32_are_chosen_first(device, shape, rng):
 def test_choices_continue_across_launches_and_loops(device, rng, monkeypatch):
     points = rng.random((700, 3)).astype(np.float32)
     expected = plain(points, 200, 9)
-    cases = [("CHOICES", count, False) for count in (1, 2, 199, 200)]
-    for name, choices, at_once in [*cases, *(("LOOPED", k * farthest_points.STEPS, True) for k in (1, 2, 10))]:
+    cases = [("LAUNCH_CHOICES", count, False) for count in (1, 2, 199, 200)]
+    cases += [("LOOP_CHOICES", k * farthest_points.STEP_CHOICES, True) for k in (1, 2, 10)]
+    for name, choices, at_once in cases:
         monkeypatch.setattr(farthest_points, name, choices)
         assert choose(device, points, 200, 9, at_once) == expected

@@ -8,8 +8,8 @@ import pytest
 from pointloom.kernels.arrays.run_medians import find_statistics, order_statistics
 from pointloom.kernels.lang import float32, int32, uint8, vec3, vec4d
 from pointloom.kernels.memory import download, upload, write, zeros
-from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid
-from pointloom.kernels.segmentation.plane_fit import BLOCK, PlaneSearch, samples_needed
+from pointloom.kernels.segmentation.ground import DIAGONAL_FRACTION, DILATION_SIGN, EROSION_SIGN, HeightGrid
+from pointloom.kernels.segmentation.plane_fit import POINTS_PER_BLOCK, PlaneSearch, samples_needed
 
 
 def search_over(points, device, rows=None):
@@ -29,7 +29,7 @@ def brute_counts(search, points, planes, threshold):
     return (heights < threshold).sum(axis=0), unclear
 
 
-@pytest.mark.parametrize("count", [3, 4, BLOCK - 1, BLOCK, BLOCK + 1, 5 * BLOCK + 77])
+@pytest.mark.parametrize("count", [3, 4, *(POINTS_PER_BLOCK + k for k in (-1, 0, 1)), 5 * POINTS_PER_BLOCK + 77])
 @pytest.mark.parametrize("plane_count", [1, 8, 29])
 def test_counts_of_inliers_match_numpy(device, rng, count, plane_count):
     """Sorted along x, so that blocks are thin slabs and most are passed over."""
@@ -40,7 +40,7 @@ def test_counts_of_inliers_match_numpy(device, rng, count, plane_count):
     expected, unclear = brute_counts(search, points.astype(float), download(planes), 0.05)
     counts = download(search._score(planes, plane_count, 0.05))
     assert (counts == expected)[~unclear].all() and (np.abs(counts - expected) <= 2).all()
-    assert (~unclear).any() or count > BLOCK
+    assert (~unclear).any() or count > POINTS_PER_BLOCK
 
 
 def test_a_point_at_the_threshold_is_no_inlier_as_in_open3d(device):
@@ -57,8 +57,8 @@ def test_skipped_blocks_contain_no_inlier(device, rng, scale):
 
     Over kilometers float32 is off by a tenth of a millimetre: the slack must cover it.
     """
-    corners = np.repeat(rng.random((40, 3)), BLOCK, axis=0)
-    points = (scale * (corners + 0.2 * rng.random((40 * BLOCK, 3)))).astype(np.float32)
+    corners = np.repeat(rng.random((40, 3)), POINTS_PER_BLOCK, axis=0)
+    points = (scale * (corners + 0.2 * rng.random((40 * POINTS_PER_BLOCK, 3)))).astype(np.float32)
     search = search_over(points, device)
     planes = search._draw(3, 200, 0, 0)
     threshold = 0.001 * scale
@@ -165,17 +165,17 @@ def swept(heights, dx, dy, half, choose):
     return out
 
 
-@pytest.mark.parametrize(("first", "then"), [(EROSION, DILATION), (DILATION, EROSION)])
+@pytest.mark.parametrize(("first", "then"), [(EROSION_SIGN, DILATION_SIGN), (DILATION_SIGN, EROSION_SIGN)])
 @pytest.mark.parametrize("radius", [1, 2, 5, 18])
 @pytest.mark.parametrize("shape", [(1, 1), (1, 9), (13, 7), (20, 31)])
 def test_a_window_opens_as_its_segments_do_one_by_one(device, rng, first, then, radius, shape):
     heights = rng.normal(size=shape).astype(np.float32)
     expected = heights
-    diagonal = int(DIAGONAL * radius + 0.5)
+    diagonal = int(DIAGONAL_FRACTION * radius + 0.5)
     straight = radius - 2 * diagonal
     segments = [(1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)]
     for side, (dx, dy, half) in [(first, s) for s in segments] + [(then, s) for s in reversed(segments)]:
-        expected = swept(expected, dx, dy, half, min if side == EROSION else max)
+        expected = swept(expected, dx, dy, half, min if side == EROSION_SIGN else max)
     grid = grid_of(heights, device)
     np.testing.assert_array_equal(download(grid._opened(grid.heights, radius, first)).reshape(shape), expected)
 

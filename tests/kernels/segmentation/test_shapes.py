@@ -7,7 +7,7 @@ from scipy.sparse.csgraph import connected_components
 
 from pointloom.kernels.lang import int32, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.segmentation.shape_fit import EXACT, Selection, ShapeFitter
+from pointloom.kernels.segmentation.shape_fit import EXACT_GAIN, Selection, ShapeFitter
 from pointloom.kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
 from pointloom.kernels.segmentation.shape_parts import heights_across, largest_part, rows_labeled
 
@@ -71,7 +71,7 @@ def test_fits_from_several_starts_match_scipy_least_squares(device, rng, kind):
     starts = [begun(kind, rng) for _ in range(3)]
     fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
     rows = upload(np.arange(700), int32, device)
-    fits = fitter.fit_all([kind] * 3, starts, rows, EXACT)
+    fits = fitter.fit_all([kind] * 3, starts, rows, EXACT_GAIN)
     best = least_squares(lambda x: distances(kind, x, points.astype(float)), starts[0], xtol=1e-14, ftol=1e-14).fun
     for fit in fits:
         assert not fit.reason and fit.rms == pytest.approx(np.sqrt((best**2).mean()), rel=1e-7)
@@ -84,7 +84,7 @@ def test_fits_of_several_kinds_are_each_that_of_its_own(device, rng):
     fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
     rows = upload(np.arange(0, 1500, 2), int32, device)
     starts = [begun(kind, rng) for kind in NAMES]
-    together = fitter.fit_all(list(NAMES), starts, rows, EXACT)
+    together = fitter.fit_all(list(NAMES), starts, rows, EXACT_GAIN)
     alone = [fitter.fit(kind, start, rows) for kind, start in zip(NAMES, starts, strict=True)]
     for one, other in zip(together, alone, strict=True):
         np.testing.assert_array_equal(one.shape, other.shape)
@@ -113,7 +113,7 @@ def test_rows_on_a_shape_are_chosen_again_while_they_grow(device, rng):
     start = np.add(TRUE[SPHERE], [0.01, 0, 0, 0, 0, 0, -0.012, 0])
     near = Selection(upload(normals, vec3, device), 0.012, 0.9, 0.0, 10.0, 6)
     starts = [start, [9.0, 0, 0, *AXIS, 0.1, 1.0], start]
-    (fit, count), none, large = fitter.refine_all([SPHERE] * 3, starts, rows, near, EXACT)
+    (fit, count), none, large = fitter.refine_all([SPHERE] * 3, starts, rows, near, EXACT_GAIN)
     inside = np.abs(distances(SPHERE, fit.shape, points)) < 0.012
     unit = normals / np.linalg.norm(normals, axis=1)[:, None]
     outwards = points - fit.shape[:3]
@@ -121,9 +121,9 @@ def test_rows_on_a_shape_are_chosen_again_while_they_grow(device, rng):
     assert count == (inside & facing).sum() > 680
     assert none is None and large[1] == count
     small = Selection(near.normals, 0.012, 0.9, 0.0, 0.5, 6)
-    assert fitter.refine_all([SPHERE], [start], rows, small, EXACT) == [None]  # beyond the largest radius
+    assert fitter.refine_all([SPHERE], [start], rows, small, EXACT_GAIN) == [None]  # beyond the largest radius
     once = Selection(near.normals, 0.012, 0.9, 0.0, 10.0, 1)
-    assert fitter.refine_all([SPHERE], [start], rows, once, EXACT)[0][1] <= count
+    assert fitter.refine_all([SPHERE], [start], rows, once, EXACT_GAIN)[0][1] <= count
 
 
 def test_only_a_fit_far_from_its_points_is_stopped_early(device, rng):
@@ -131,9 +131,9 @@ def test_only_a_fit_far_from_its_points_is_stopped_early(device, rng):
     fitter = ShapeFitter(upload(points, vec3, device), np.zeros(3), 1.0)
     rows = upload(np.arange(700), int32, device)
     slow = np.array([*TRUE[TORUS][:3], *AXIS, 5.0, 4.0])
-    complete_fit, given_up = (fitter.fit_all([TORUS], [slow], rows, EXACT, hopeless)[0] for hopeless in (0.0, 1e-6))
-    assert given_up.rms > 1.01 * complete_fit.rms
-    near, same = (fitter.fit_all([TORUS], [slow], rows, EXACT, hopeless)[0] for hopeless in (0.0, 10.0))
+    complete, given_up = (fitter.fit_all([TORUS], [slow], rows, EXACT_GAIN, hopeless)[0] for hopeless in (0.0, 1e-6))
+    assert given_up.rms > 1.01 * complete.rms
+    near, same = (fitter.fit_all([TORUS], [slow], rows, EXACT_GAIN, hopeless)[0] for hopeless in (0.0, 10.0))
     np.testing.assert_array_equal(near.shape, same.shape)
 
 
@@ -147,7 +147,7 @@ def test_a_fit_ends_no_farther_from_its_points_than_it_began(device, rng, kind):
         axis = rng.normal(size=3)
         sizes = (0.8, 0.6) if kind == CONE else (1.0, 0.05)
         starts.append([*rng.uniform(-1, 1, 3), *axis / np.linalg.norm(axis), *sizes])
-    fits = fitter.fit_all([kind] * 20, starts, upload(np.arange(700), int32, device), EXACT)
+    fits = fitter.fit_all([kind] * 20, starts, upload(np.arange(700), int32, device), EXACT_GAIN)
     for fit, start in zip(fits, np.array(starts), strict=True):
         assert fit.rms <= 1.000001 * np.sqrt((distances(kind, start, points) ** 2).mean())
         assert (fit.shape[6:] > 0).all()

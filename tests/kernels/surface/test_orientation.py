@@ -11,7 +11,7 @@ from pointloom.kernels.search.point_tree import BUCKET, PointTree
 from pointloom.kernels.surface.hollow_side import find_sides
 from pointloom.kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from pointloom.kernels.surface.orientation import bridge_components
-from pointloom.kernels.surface.spanning_tree import HOPS, Forest, span_neighbors
+from pointloom.kernels.surface.spanning_tree import MAX_HOPS, Forest, span_neighbors
 from pointloom.kernels.surface.value_spreads import spread_values
 
 from ..vectors import vectors
@@ -123,7 +123,7 @@ def test_bridges_are_those_of_the_euclidean_spanning_tree(device, seed, count, s
     assert_same(forest, kruskal)
 
 
-@pytest.mark.parametrize("count", [2, HOPS, HOPS + 2, 9000])
+@pytest.mark.parametrize("count", [2, MAX_HOPS, MAX_HOPS + 2, 9000])
 def test_chains_of_any_length_are_one_component_after_one_round(device, count):
     """Each edge is lighter than the one before it, so every vertex hangs under the next."""
     angles = np.concatenate([[0], np.cumsum(np.linspace(1.2, 0.01, count - 1))])

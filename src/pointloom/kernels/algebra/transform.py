@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..array_types import Array2, Points, Vectors
-from ..lang import array, float32, float64, func, kernel, launch, mat33d, sqrt, struct, tid, transpose, vec3, vec3d
+from ..array_types import Array2, Points, Positions, Vectors
+from ..lang import array, dot, float32, float64, func, kernel, launch, mat33d, sqrt, struct, tid, transpose, vec3, vec3d
 from ..memory import empty
 from .matrices import multiply33
 
@@ -32,6 +32,12 @@ def widen(p: vec3) -> vec3d:
 @func
 def narrow(p: vec3d) -> vec3:
     return vec3(float(p[0]), float(p[1]), float(p[2]))
+
+
+@func
+def distance_between(p: vec3d, q: vec3d) -> float64:
+    d = p - q
+    return sqrt(dot(d, d))
 
 
 @kernel
@@ -85,3 +91,27 @@ def transform_covariances(covariances: Array2[float32], A: np.ndarray) -> Array2
     out = empty(covariances.shape, float32, covariances.device)
     launch(transform_covariances_kernel, covariances.shape[0], [covariances, mat33d(*A.ravel()), out])
     return out
+
+
+@kernel
+def widen_rows_kernel(rows: array(dtype=vec3), wide: array(dtype=vec3d)):
+    i = tid()
+    wide[i] = widen(rows[i])
+
+
+@kernel
+def narrow_rows_kernel(wide: array(dtype=vec3d), rows: array(dtype=vec3)):
+    i = tid()
+    rows[i] = narrow(wide[i])
+
+
+def widen_rows(rows: Vectors) -> Positions:
+    wide = empty(rows.size, vec3d, rows.device)
+    launch(widen_rows_kernel, rows.size, [rows, wide])
+    return wide
+
+
+def narrow_rows(wide: Positions) -> Vectors:
+    rows = empty(wide.size, vec3, wide.device)
+    launch(narrow_rows_kernel, wide.size, [wide, rows])
+    return rows

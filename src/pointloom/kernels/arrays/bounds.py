@@ -23,7 +23,7 @@ from ..lang import (
     tid,
     vec3,
 )
-from ..memory import download, empty, full, host_view
+from ..memory import download, empty, full, host_view, zeros
 from .lanes import high_of_lanes, low_of_lanes, sum_int_of_lanes
 from .runs import Runs, elements_of, row_of
 
@@ -160,3 +160,18 @@ def box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
     ends = (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32)
     # + 0: normalizes minus zero
     return np.float32(0) - ends[:3], ends[3:] + np.float32(0), count
+
+
+@kernel
+def find_maximum_kernel(values: array(dtype=int32), maximum: array(dtype=int32)):
+    """Maximum, which does not depend on the order."""
+    i = tid()
+    if values[i] > maximum[0]:  # a stale value only adds an atomic
+        atomic_max(maximum, 0, values[i])
+
+
+def maximum_of(values: Integers) -> Integers:
+    """Maximum of int32 values and zero, int32 (1) on the device."""
+    maximum = zeros(1, int32, values.device)
+    launch(find_maximum_kernel, values.size, [values, maximum])
+    return maximum

@@ -60,9 +60,9 @@ def start_offsets_kernel(
 
 
 @kernel
-def note_offsets_kernel(offsets: array(dtype=int32), indices: array(dtype=int32), noted: array(dtype=int32)):
+def gather_int_kernel(values: array(dtype=int32), rows: array(dtype=int32), out: array(dtype=int32)):
     i = tid()
-    noted[i] = offsets[indices[i]]
+    out[i] = values[rows[i]]
 
 
 def exclusive_scan(counts: Integers, largest: int = MAX_COUNT) -> tuple[Integers, int]:
@@ -157,7 +157,7 @@ def _gather(arrays: Sequence[Integers], positions: Sequence[Sequence[int]]) -> I
             copy(gathered, rows_of(values, at[0], at[-1] + 1), count=len(at), offset=first)
         else:
             arguments = [values, rows_of(wanted, first, last), rows_of(gathered, first, last)]
-            launch(note_offsets_kernel, len(at), arguments)
+            launch(gather_int_kernel, len(at), arguments)
         first = last
     return gathered
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..array_types import Array2, Indices, Integers, LongIntegers
-from ..lang import array, atomic_max, atomic_min, int32, int64, kernel, launch, tid, uint8
+from ..lang import array, atomic_add, atomic_max, atomic_min, int32, int64, kernel, launch, tid, uint8
 from ..memory import download, empty, fill_column, upload, zeros
 from .select import positions_of
 from .unique import UniqueKeys, count_runs_kernel
@@ -21,6 +21,21 @@ def find_limits_kernel(numbers: array(dtype=int64), first: int, step: int, limit
         atomic_min(limits, 0, number)
     if number > limits[1]:
         atomic_max(limits, 1, number)
+
+
+@kernel
+def count_numbers_kernel(numbers: array(dtype=int32), counts: array(dtype=int32)):
+    """Occurrences of each number, without negative ones."""
+    i = tid()
+    if numbers[i] >= 0:
+        atomic_add(counts, numbers[i], 1)
+
+
+def count_numbers(numbers: Integers, count: int) -> Integers:
+    """Occurrences of 0 to count - 1 in a list, int32. Negative numbers are ignored."""
+    counts = zeros(count, int32, numbers.device)
+    launch(count_numbers_kernel, numbers.size, [numbers, counts])
+    return counts
 
 
 @kernel

@@ -3,6 +3,7 @@
 from ..array_types import Array2, Indices, Vectors
 from ..lang import array, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
 from ..memory import empty
+from .prefix_sum import gather_int_kernel
 
 
 @kernel
@@ -62,12 +63,6 @@ def sum_columns_kernel(
     totals[run, column] = total
 
 
-@kernel
-def first_rows_kernel(order: array(dtype=int32), starts: array(dtype=int32), rows: array(dtype=int32)):
-    i = tid()
-    rows[i] = order[starts[i]]
-
-
 def average_vec3(values: Vectors, order: Indices, starts: Indices) -> Vectors:
     """Means of vec3 rows over runs `order[starts[i]:starts[i + 1]]`, shape (runs)."""
     means = empty(starts.size - 1, vec3, values.device)
@@ -85,5 +80,5 @@ def sum_columns(values: Array2[float64], order: Indices, starts: Indices, mean: 
 
 def first_rows(order: Indices, starts: Indices) -> Indices:
     rows = empty(starts.size - 1, int32, order.device)
-    launch(first_rows_kernel, rows.size, [order, starts, rows])
+    launch(gather_int_kernel, rows.size, [order, starts, rows])
     return rows

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..array_types import Array1, Device
-from ..lang import BLOCK, int32
+from ..lang import ELEMENTS_PER_BLOCK, int32
 from ..language.warp_compiler import partial_rows
 from ..memory import empty, upload_together, zeros
 
@@ -18,12 +18,12 @@ class SegmentBlocks:
 
     def __init__(self, firsts: ArrayLike, counts: ArrayLike, device: Device) -> None:
         firsts, counts = np.asarray(firsts, np.int64), np.asarray(counts, np.int64)
-        blocks = np.maximum(-(-counts // BLOCK), 1)
+        blocks = np.maximum(-(-counts // ELEMENTS_PER_BLOCK), 1)
         starts = np.concatenate([[0], np.cumsum(blocks)])
         owners = np.repeat(np.arange(len(counts)), blocks)
         rank = np.arange(starts[-1]) - starts[owners]
-        begin = firsts[owners] + rank * BLOCK
-        end = np.minimum(begin + BLOCK, (firsts + counts)[owners])
+        begin = firsts[owners] + rank * ELEMENTS_PER_BLOCK
+        end = np.minimum(begin + ELEMENTS_PER_BLOCK, (firsts + counts)[owners])
         self.firsts, self.lasts, self.owners, self.starts = upload_together([begin, end, owners, starts], int32, device)
         self.count = int(starts[-1])
         self.element_count = int((firsts + counts).max(initial=0))

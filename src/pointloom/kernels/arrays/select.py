@@ -57,6 +57,19 @@ def invert_mask(mask: Mask) -> Mask:
     return inverted
 
 
+@kernel
+def mark_negative_kernel(values: array(dtype=int32), marks: array(dtype=int32)):
+    i = tid()
+    marks[i] = 1 if values[i] < 0 else 0
+
+
+def mark_negative(values: Integers) -> Integers:
+    """int32: 1 where a value is negative, else 0."""
+    marks = empty(values.size, int32, values.device)
+    launch(mark_negative_kernel, values.size, [values, marks])
+    return marks
+
+
 def _ranks_of(mask: Mask) -> Integers:
     """Inclusive counts of set elements, for a nonempty GPU mask."""
     ranks = empty(mask.size, int32, mask.device)
@@ -136,3 +149,17 @@ def gather_rows(values: Array, rows: Indices) -> Array:
         chosen: Any = upload(download(values)[download(rows)], values.dtype, device)
         return chosen
     return contiguous(values[rows])
+
+
+@kernel
+def list_selected_kernel(rows: array(dtype=int32), offsets: array(dtype=int32), selected: array(dtype=int32)):
+    i = tid()
+    if offsets[i + 1] > offsets[i]:
+        selected[offsets[i]] = rows[i]
+
+
+def rows_by_offsets(rows: Indices, offsets: Indices, count: int) -> Indices:
+    """The `count` rows whose offset increases, in order. `offsets`: exclusive sums of 0 and 1, and the total."""
+    selected = empty(count, int32, rows.device)
+    launch(list_selected_kernel, rows.size if count else 0, [rows, offsets, selected])
+    return selected

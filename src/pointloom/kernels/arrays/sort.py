@@ -37,6 +37,19 @@ def positions(count: int, device: Device) -> Indices:
     return indices
 
 
+@kernel
+def list_descending_keys_kernel(scores: array(dtype=int32), max_score: int, keys: array(dtype=int64)):
+    i = tid()
+    keys[i] = int64(max_score - scores[i])
+
+
+def descending_keys(scores: Integers, max_score: int) -> LongIntegers:
+    """Keys of int32 scores whose ascending order is that of descending scores."""
+    keys = empty(scores.size, int64, scores.device)
+    launch(list_descending_keys_kernel, scores.size, [scores, max_score, keys])
+    return keys
+
+
 @struct
 class SortKeys:
     """Keys written with `put_key`, then sorted with `sort`, without a copy on CUDA, where they include scratch."""

@@ -9,7 +9,7 @@ No link is lost: a minimum that replaces `before` by `low` continues with the pa
 stores a number linked to the previous one. Each iteration lowers the higher number of the pair, so a thread terminates.
 """
 
-from ..lang import array, atomic_min, func, int32, kernel, tid
+from ..lang import array, atomic_min, func, int32, kernel, tid, uint8
 
 
 @func
@@ -64,3 +64,9 @@ def flatten_sets_kernel(parents: array(dtype=int32)):
     i = tid()
     if parents[i] >= 0:
         parents[i] = read_root(parents, i)
+
+
+@kernel
+def mask_roots_kernel(parents: array(dtype=int32), mask: array(dtype=uint8)):
+    i = tid()
+    mask[i] = uint8(1 if parents[i] == i else 0)

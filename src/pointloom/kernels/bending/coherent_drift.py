@@ -8,7 +8,7 @@ eight points per thread, each sum in its own order.
 
 import numpy as np
 
-from ..algebra.transform import narrow, widen
+from ..algebra.transform import narrow, narrow_rows, widen
 from ..array_types import Doubles, Points, Positions
 from ..lang import (
     array,
@@ -282,12 +282,6 @@ def sum_pulls(positions: array(dtype=vec3d), sums: array(dtype=pulls)) -> pull_m
     )  # fmt: skip
 
 
-@kernel
-def narrow_positions_kernel(positions: array(dtype=vec3d), out: array(dtype=vec3)):
-    i = tid()
-    out[i] = narrow(positions[i])
-
-
 def transform_to_positions(points: Points, A: np.ndarray, t: np.ndarray) -> Positions:
     transformed = empty(points.size, vec3d, points.device)
     launch(transform_to_positions_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), transformed])
@@ -295,9 +289,7 @@ def transform_to_positions(points: Points, A: np.ndarray, t: np.ndarray) -> Posi
 
 
 def tree_over(positions: Positions) -> PointTree:
-    points = empty(positions.size, vec3, positions.device)
-    launch(narrow_positions_kernel, positions.size, [positions, points])
-    return PointTree(points)
+    return PointTree(narrow_rows(positions))
 
 
 class Drift:

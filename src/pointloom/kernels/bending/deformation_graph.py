@@ -7,7 +7,7 @@ the first excluded node. Nodes with common points are neighbors.
 
 from typing import Any
 
-from ..algebra.transform import narrow, widen
+from ..algebra.transform import distance_between, narrow, widen
 from ..array_types import Array1, Doubles, Indices, Points, Positions, Scalars, Vectors
 from ..arrays.unique import UniqueKeys
 from ..lang import (
@@ -72,12 +72,6 @@ class Influence:
         listed = NODES_PER_POINT * count
         self.members, self.fractions = empty(listed, int32, device), empty(listed, float64, device)
         launch(share_nodes_kernel, count, [graph, self])
-
-
-@func
-def distance_between(p: vec3d, q: vec3d) -> float64:
-    d = p - q
-    return sqrt(dot(d, d))
 
 
 @func

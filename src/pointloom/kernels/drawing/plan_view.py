@@ -23,7 +23,7 @@ from ..lang import (
     vec3i,
 )
 from ..memory import empty, zeros
-from ..rays.ray_casting import BEFORE, NO_ID
+from ..rays.ray_casting import BEFORE_ALL, NO_ID
 from ..rays.ray_hits import next_hit
 from ..rays.scene_trees import SceneTrees
 from .shading import clamp_color
@@ -66,7 +66,7 @@ def look_down_kernel(cells: PlanCells, first_row: int, trees: SceneTrees, visibl
     x = cells.left + (float64(column) + 0.5) * cells.cell
     y = cells.top - (float64(row) + 0.5) * cells.cell
     o = vec3(float(x), float(y), cells.above)
-    hit = next_hit(o, vec3(0.0, 0.0, -1.0), 0.0, INFINITY, float64(BEFORE), NO_ID, 0, trees)
+    hit = next_hit(o, vec3(0.0, 0.0, -1.0), 0.0, INFINITY, float64(BEFORE_ALL), NO_ID, 0, trees)
     triangle = int(NO_ID)
     if isfinite(hit[0]):
         triangle = trees.order[int(hit[2])]

@@ -89,12 +89,12 @@ def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
     return volume
 
 
-GOLDEN = 0.3819660112501051
-STEP = 0.05  # [rad] between samples on an arc. Arcs of detailed hulls are shorter
+GOLDEN_FRACTION = 0.3819660112501051
+ARC_STEP = 0.05  # [rad] between samples on an arc. Arcs of detailed hulls are shorter
 MIN_SAMPLES, MAX_SAMPLES = 5, 40  # samples per range of solutions
-SPLIT = 16  # finer steps across a minimum: detailed hulls have several kinks in one
-ROUGH, FINE = 20, 60  # golden section steps: to 1e-4 of a step, and to rounding near the best box
-NEAR = 1.01  # of the best volume
+STEPS_PER_MINIMUM = 16  # finer steps across a minimum: detailed hulls have several kinks in one
+ROUGH_STEPS, FINE_STEPS = 20, 60  # golden section steps: to 1e-4 of a step, and to rounding near the best box
+MAX_VOLUME_RATIO = 1.01  # of the best volume
 FLAT_ARC = 1e-9  # [rad] facets closer than this are coplanar, and their edge is a diagonal
 
 
@@ -203,11 +203,11 @@ def search_dip(
     high = right
     best = vec2d(middle, volume)
     step = 0
-    last = int(ROUGH)
+    last = int(ROUGH_STEPS)
     while step < last:
-        t = best[0] - float64(GOLDEN) * (best[0] - low)
+        t = best[0] - float64(GOLDEN_FRACTION) * (best[0] - low)
         if high - best[0] > best[0] - low:
-            t = best[0] + float64(GOLDEN) * (high - best[0])
+            t = best[0] + float64(GOLDEN_FRACTION) * (high - best[0])
         there = volume_at(t, a, b, c, d, hull)
         if there < best[1]:
             if t > best[0]:
@@ -221,8 +221,8 @@ def search_dip(
             else:
                 low = t
         step = step + 1
-        if step == ROUGH and best[1] < bound * float64(NEAR):
-            last = FINE
+        if step == ROUGH_STEPS and best[1] < bound * float64(MAX_VOLUME_RATIO):
+            last = FINE_STEPS
     return best
 
 
@@ -247,7 +247,7 @@ def search_dips(
 ) -> vec2d:
     """Better of the best (t, volume) and the minima between finer samples."""
     result = best + 0.0 * best
-    count = int(SPLIT)
+    count = int(STEPS_PER_MINIMUM)
     step = (t1 - t0) / float64(count)
     before = float64(INFINITY)
     here = float64(INFINITY)
@@ -274,7 +274,7 @@ def search_range(
     """(t, volume) of the smallest box on a range. The best known with t = -1 if none is smaller."""
     result = vec2d(-1.0, best)
     arc = length(partner(a, b, c, d, t1) - partner(a, b, c, d, t0)) + length(b - a) * (t1 - t0)
-    count = min(max(int(arc / float64(STEP)) + 2, MIN_SAMPLES), MAX_SAMPLES)
+    count = min(max(int(arc / float64(ARC_STEP)) + 2, MIN_SAMPLES), MAX_SAMPLES)
     step = (t1 - t0) / float64(count - 1)
     before = float64(INFINITY)
     here = float64(INFINITY)

@@ -12,13 +12,13 @@ import numpy as np
 from ..lang import array, cross, dot, float64, func, int32, kernel, launch, struct, tid, vec3d, vec3i
 from ..memory import download, empty, host_view, upload
 
-ERROR = 1e-14  # of three lengths: the rounding of their volume is less (Shewchuk 1997: 5e-15)
-CORE = 1e-10  # size of the tetrahedron, of the distance of the first point
-CORNERS = 4  # of the tetrahedron, which are the first vertices
+RELATIVE_ERROR = 1e-14  # of three lengths: the rounding of their volume is less (Shewchuk 1997: 5e-15)
+RELATIVE_CORE_SIZE = 1e-10  # size of the tetrahedron, of the distance of the first point
+CORE_CORNERS = 4  # of the tetrahedron, which are the first vertices
 MAX_STEPS = 10_000  # of a walk
-GONE = -1  # corner of a triangle that was replaced
-UNCERTAIN = -1
-NONE = -1
+REPLACED_CORNER = -1  # corner of a triangle that was replaced
+NOT_DECIDED = -1
+NO_TRIANGLE = -1
 
 
 @struct
@@ -42,12 +42,12 @@ class Hull:
     core: float64
 
     def __init__(self, points: np.ndarray) -> None:
-        slots = 2 * (len(points) + CORNERS)
+        slots = 2 * (len(points) + CORE_CORNERS)
         self.points = upload(points, vec3d, "cpu")
         self.corners, self.neighbors, self.border = (empty(slots, vec3i, "cpu") for _ in range(3))
         self.marks, self.cavity, self.free = (empty(slots, int32, "cpu") for _ in range(3))
-        self.spokes, self.waiting = (empty(len(points) + CORNERS, int32, "cpu") for _ in range(2))
-        self.core = CORE * float(np.abs(points[0]).max())
+        self.spokes, self.waiting = (empty(len(points) + CORE_CORNERS, int32, "cpu") for _ in range(2))
+        self.core = RELATIVE_CORE_SIZE * float(np.abs(points[0]).max())
 
 
 @func
@@ -59,8 +59,8 @@ def largest_of(v: vec3d) -> float64:
 def vertex_at(v: int, hull: Hull) -> vec3d:
     size = hull.core
     p = vec3d(size, size, size)
-    if v >= CORNERS:
-        p = hull.points[v - CORNERS]
+    if v >= CORE_CORNERS:
+        p = hull.points[v - CORE_CORNERS]
     elif v == 1:
         p = vec3d(size, -size, -size)
     elif v == 2:
@@ -73,14 +73,14 @@ def vertex_at(v: int, hull: Hull) -> vec3d:
 @func
 def is_core(v: int) -> int:
     core = 0
-    if v < CORNERS:
+    if v < CORE_CORNERS:
         core = 1
     return core
 
 
 @func
 def facet_side(t: int, q: vec3d, hull: Hull) -> int:
-    """1 if a point is beyond a facet, 0 if not, or UNCERTAIN."""
+    """1 if a point is beyond a facet, 0 if not, or NOT_DECIDED."""
     c = hull.corners[t]
     # arms from a corner with another one near, so that the bound of the error is small
     first = 0
@@ -91,21 +91,21 @@ def facet_side(t: int, q: vec3d, hull: Hull) -> int:
     b = vertex_at(c[(first + 2) % 3], hull) - p
     d = q - p
     height = dot(cross(a, b), d)
-    error = float64(ERROR) * largest_of(a) * largest_of(b) * largest_of(d)
+    error = float64(RELATIVE_ERROR) * largest_of(a) * largest_of(b) * largest_of(d)
     side = 0
     if height > error:
         side = 1
     elif not height < -error:
-        side = UNCERTAIN
+        side = NOT_DECIDED
     return side
 
 
 @func
 def walk_to(q: vec3d, start: int, hull: Hull) -> int:
-    """The triangle that the ray of a point crosses, or NONE."""
+    """The triangle that the ray of a point crosses, or NO_TRIANGLE."""
     t = start
     steps = int(0)
-    before = int(NONE)
+    before = int(NO_TRIANGLE)
     going = int(1)
     while going == 1:
         c = hull.corners[t]
@@ -113,37 +113,37 @@ def walk_to(q: vec3d, start: int, hull: Hull) -> int:
         a = vertex_at(c[0], hull)
         b = vertex_at(c[1], hull)
         d = vertex_at(c[2], hull)
-        after = int(NONE)
+        after = int(NO_TRIANGLE)
         if n[0] != before and dot(cross(a, b), q) < 0.0:
             after = n[0]
         elif n[1] != before and dot(cross(b, d), q) < 0.0:
             after = n[1]
         elif n[2] != before and dot(cross(d, a), q) < 0.0:
             after = n[2]
-        if after == NONE:
+        if after == NO_TRIANGLE:
             going = 0
         else:
             before = t
             t = after
             steps += 1
             if steps > MAX_STEPS:
-                t = NONE
+                t = NO_TRIANGLE
                 going = 0
     return t
 
 
 @func
 def side_under(t: int, q: vec3d, hull: Hull) -> int:
-    """`facet_side` of a point over a facet, 0 if it is equal to a corner. Below a facet of the core is UNCERTAIN."""
+    """`facet_side` of a point over a facet, 0 if it is equal to a corner. Below a facet of the core is NOT_DECIDED."""
     side = facet_side(t, q, hull)
     if side != 1:
         c = hull.corners[t]
         for k in range(3):
-            if c[k] < CORNERS:
-                side = UNCERTAIN
+            if c[k] < CORE_CORNERS:
+                side = NOT_DECIDED
         for k in range(3):
-            if c[k] >= CORNERS:
-                if largest_of(hull.points[c[k] - CORNERS] - q) == 0.0:
+            if c[k] >= CORE_CORNERS:
+                if largest_of(hull.points[c[k] - CORE_CORNERS] - q) == 0.0:
                     side = 0
     return side
 
@@ -166,7 +166,7 @@ def find_cavity(q: vec3d, mark: int, start: int, hull: Hull) -> int:
                     hull.marks[t] = mark
                     hull.cavity[count] = t
                     count += 1
-                if side == UNCERTAIN:
+                if side == NOT_DECIDED:
                     count = 0
         k += 1
     return count
@@ -207,7 +207,7 @@ def fill_cavity(v: int, mark: int, count: int, used: vec3i, hull: Hull) -> vec3i
             if hull.marks[n[e]] != mark:
                 hull.border[edges] = vec3i(c[e], c[(e + 1) % 3], 3 * n[e] + edge_towards(hull.neighbors[n[e]], t))
                 edges += 1
-        hull.corners[t] = vec3i(GONE, GONE, GONE)
+        hull.corners[t] = vec3i(REPLACED_CORNER, REPLACED_CORNER, REPLACED_CORNER)
         hull.free[free] = t
         free += 1
     for k in range(edges):
@@ -221,7 +221,7 @@ def fill_cavity(v: int, mark: int, count: int, used: vec3i, hull: Hull) -> vec3i
         outer = edge[2] // 3
         hull.spokes[edge[0]] = t
         hull.corners[t] = vec3i(edge[0], edge[1], v)
-        hull.neighbors[t] = vec3i(outer, NONE, NONE)
+        hull.neighbors[t] = vec3i(outer, NO_TRIANGLE, NO_TRIANGLE)
         hull.marks[t] = 0
         hull.neighbors[outer] = with_neighbor(hull.neighbors[outer], edge[2] % 3, t)
     for k in range(edges):
@@ -235,21 +235,21 @@ def fill_cavity(v: int, mark: int, count: int, used: vec3i, hull: Hull) -> vec3i
 
 @func
 def insert_point(k: int, mark: int, used: vec3i, hull: Hull) -> vec3i:
-    """`used` after insertion of a point, or with UNCERTAIN slots."""
+    """`used` after insertion of a point, or with NOT_DECIDED slots."""
     q = hull.points[k]
     t = walk_to(q, used[2], hull)
-    side = int(UNCERTAIN)
-    if t != NONE:
+    side = int(NOT_DECIDED)
+    if t != NO_TRIANGLE:
         side = side_under(t, q, hull)
     result = used
     if side == 1:
         count = find_cavity(q, mark, t, hull)
         if count > 0:
-            result = fill_cavity(k + CORNERS, mark, count, used, hull)
+            result = fill_cavity(k + CORE_CORNERS, mark, count, used, hull)
         else:
-            side = UNCERTAIN
-    if side == UNCERTAIN:
-        result = vec3i(UNCERTAIN, 0, 0)
+            side = NOT_DECIDED
+    if side == NOT_DECIDED:
+        result = vec3i(NOT_DECIDED, 0, 0)
     return result
 
 
@@ -265,14 +265,14 @@ def build_hull_kernel(hull: Hull, counts: array(dtype=int32)):
     hull.neighbors[1] = vec3i(0, 3, 2)
     hull.neighbors[2] = vec3i(1, 3, 0)
     hull.neighbors[3] = vec3i(2, 1, 0)
-    for k in range(CORNERS):
+    for k in range(CORE_CORNERS):
         hull.marks[k] = 0
     used = vec3i(4, 0, 0)
     waiting = int(0)
     count = hull.points.shape[0]
     for k in range(count):
         state = insert_point(k, 2 * k + 2, used, hull)
-        if state[0] == UNCERTAIN:
+        if state[0] == NOT_DECIDED:
             hull.waiting[waiting] = k
             waiting += 1
         else:
@@ -280,7 +280,7 @@ def build_hull_kernel(hull: Hull, counts: array(dtype=int32)):
     left = int(0)
     for k in range(waiting):
         state = insert_point(hull.waiting[k], 2 * (count + k) + 2, used, hull)
-        if state[0] == UNCERTAIN:
+        if state[0] == NOT_DECIDED:
             left += 1
         else:
             used = state
@@ -299,5 +299,5 @@ def find_central_hull(points: np.ndarray) -> np.ndarray | None:
     used, uncertain = download(counts).tolist()
     if uncertain:
         return None
-    triangles = host_view(hull.corners)[:used] - CORNERS
-    return triangles[triangles[:, 0] != GONE - CORNERS]
+    triangles = host_view(hull.corners)[:used] - CORE_CORNERS
+    return triangles[triangles[:, 0] != REPLACED_CORNER - CORE_CORNERS]

@@ -12,8 +12,8 @@ from ..lang import array, float64, int32, isfinite, kernel, launch, reduce, tid
 from ..memory import copy, download, upload, zeros
 from ..search.neighbor_distances import count_sum, sum_finite
 
-RUN = 4096  # distances per thread on the CPU: few atomics
-DOUBLE = 8  # bytes
+DISTANCES_PER_THREAD = 4096  # on the CPU: few atomics
+FLOAT64_BYTES = 8
 
 
 @kernel
@@ -45,12 +45,12 @@ class DistanceSums:
 
     def __init__(self, distances: Doubles, radii: Sequence[float]) -> None:
         device, n = distances.device, distances.size
-        runs, limits = Runs(n, device, RUN), upload(np.array(radii), float64, device)
+        runs, limits = Runs(n, device, DISTANCES_PER_THREAD), upload(np.array(radii), float64, device)
         self._rows, self._radii = runs.rows, len(radii)
         counts = self._rows * self._radii
         self.buffer = zeros(2 + self._rows + (counts + 1) // 2, float64, device)
         copy(part_of(self.buffer, 0, count_sum, 1), reduce(sum_finite, n, [distances]), count=1)
-        within = part_of(self.buffer, (2 + self._rows) * DOUBLE, int32, counts)
+        within = part_of(self.buffer, (2 + self._rows) * FLOAT64_BYTES, int32, counts)
         self.largest = self.buffer[2 : 2 + self._rows]
         launch(count_below_kernel, runs.threads, [distances, runs, limits, within, self.largest])
 

@@ -2,7 +2,7 @@
 
 The farthest point per cube-map cell gives a coarse hull (host). About an inner center the hull is 1 / distance =
 g(direction), convex on each cube face, so g interpolated from grid nodes is never too small: one table lookup per
-point. MARGIN covers rounding, also Qhull's. The inner-polytope test of Akl and Toussaint, "A fast convex hull
+point. RELATIVE_MARGIN covers rounding, also Qhull's. The inner-polytope test of Akl and Toussaint, "A fast convex hull
 algorithm", IPL 1978, on a cube map.
 """
 
@@ -36,9 +36,9 @@ from ..linear_algebra import matmul
 from ..memory import download, empty, full, upload, zeros
 
 LAST_INDEX = 0x7FFFFFFF  # keys store it minus the index, so that the first of equal points wins
-MARGIN = 1e-9  # of the distance: Qhull's planes of unit coordinates are accurate to some 1e-15 over their facet
+RELATIVE_MARGIN = 1e-9  # of the distance: Qhull's planes of unit coordinates are accurate to 1e-15 over their facet
 MIN_OFFSET = 1e-5  # of the farthest corner: facets nearer to the center are too steep to divide by
-UNCOVERED = -1.0  # at nodes without a facet
+NODE_WITHOUT_FACET = -1.0  # at nodes without a facet
 
 
 @func
@@ -194,7 +194,7 @@ def mask_outer_kernel(
             v = 1.0 - v
         if min(min(near, right), up) >= 0.0:
             g = near + u * (right - near) + v * (up - near)
-            if location[3] * g < 1.0 - float64(MARGIN):
+            if location[3] * g < 1.0 - float64(RELATIVE_MARGIN):
                 keep = 0
     mask[i] = uint8(keep)
 
@@ -225,7 +225,7 @@ def mask_outer(points: Positions, center: np.ndarray, corners: np.ndarray, plane
     normals, offsets = planes[:, :3], -(planes[:, 3] + matmul(planes[:, :3], center))
     arms = corners - center
     ahead = offsets > MIN_OFFSET * np.abs(arms).max(initial=0)
-    nodes = full(6 * (width + 1) ** 2, UNCOVERED, float64, device)
+    nodes = full(6 * (width + 1) ** 2, NODE_WITHOUT_FACET, float64, device)
     facets = upload(arms[ahead].reshape(-1, 3), vec3d, device)
     slopes = upload(normals[ahead] / offsets[ahead, None], vec3d, device)
     launch(draw_facets_kernel, slopes.size, [facets, slopes, width, nodes])

@@ -39,14 +39,14 @@ from ..memory import download, empty, upload, zeros
 from .hull_filter import LAST_INDEX, grid_index, locate_direction
 
 ring_numbers = vector(9, float64)
-NOWHERE = 255  # face of a point that is not finite or at the camera
-MARGIN = 1e-11  # of the distance: covers the rounding of g (1e-16) and of the weights (1e-10 of the change of g)
+NO_FACE = 255  # face of a point that is not finite or at the camera
+RELATIVE_MARGIN = 1e-11  # of the distance: exceeds the rounding of g (1e-16) and of the weights (1e-10 of g's change)
 MIN_AREA = 1e-6  # of a cell: weights of flatter triangles are mostly rounding
-BLOCKS = 32  # blocks of cells per face edge
+EDGE_BLOCKS = 32  # blocks of cells per face edge
 POINTS_A_CELL = 6  # for uniformly distributed points; fewer find more hidden points in more time
 LARGEST_BLOCK = 64  # cells per block edge: 2048 per face
-FEW = 5000  # points of which the hull takes as long as the filter
-TRIANGLES = 12  # of a cell and its ring of eight: see `ring_triangle`
+MIN_FILTERED_POINTS = 5000  # points of which the hull takes as long as the filter
+RING_TRIANGLES = 12  # of a cell and its ring of eight: see `ring_triangle`
 
 
 @func
@@ -62,7 +62,7 @@ def flip_point(d: vec3d, radius: float64) -> vec3d:
 @func
 def cell_at(face: int, row: int, column: int, width: int, blocks: array(dtype=int32)) -> int:
     """Cell of a face position with blocks of `width` cells, or -1 without a block."""
-    block = blocks[(face * BLOCKS + row // width) * BLOCKS + column // width]
+    block = blocks[(face * EDGE_BLOCKS + row // width) * EDGE_BLOCKS + column // width]
     cell = -1
     if block >= 0:
         cell = (block * width + row % width) * width + column % width
@@ -75,7 +75,7 @@ def corner_at(
 ) -> vec3d:
     """Nearest point of a cell, g = 0 if empty. Rings end at face edges."""
     corner = vec3d(0.0, 0.0, 0.0)
-    edge = BLOCKS * width
+    edge = EDGE_BLOCKS * width
     if row >= 0 and row < edge and column >= 0 and column < edge:
         cell = cell_at(face, row, column, width, blocks)
         if cell >= 0:
@@ -102,7 +102,7 @@ def is_behind(p: vec3d, a: vec3d, b: vec3d, c: vec3d, min_area: float64) -> int:
     area = wa + wb + wc
     behind = 0
     if min(min(wa, wb), wc) >= zero and area > min_area:
-        if wa * (a[2] - p[2]) + wb * (b[2] - p[2]) + wc * (c[2] - p[2]) < -float64(MARGIN) * p[2] * area:
+        if wa * (a[2] - p[2]) + wb * (b[2] - p[2]) + wc * (c[2] - p[2]) < -float64(RELATIVE_MARGIN) * p[2] * area:
             behind = 1
     return behind
 
@@ -120,7 +120,7 @@ def view_points_kernel(
     i = tid()
     d = widen(points[i]) + offset
     location = locate_direction(flip_point(d, radius))
-    face = int(NOWHERE)
+    face = int(NO_FACE)
     view = vec3d(0.0, 0.0, 0.0)
     if isfinite(location[3]) and location[3] > 0.0:
         face = int(location[0])
@@ -149,7 +149,7 @@ def direct_positions_kernel(positions: array(dtype=vec3d), out: array(dtype=vec3
 def mark_viewed_kernel(faces: array(dtype=uint8), mask: array(dtype=uint8)):
     i = tid()
     viewed = 1
-    if int(faces[i]) == NOWHERE:
+    if int(faces[i]) == NO_FACE:
         viewed = 0
     mask[i] = uint8(viewed)
 
@@ -161,7 +161,7 @@ def mark_blocks_kernel(
     i = tid()
     view = views[rows[i]]
     face = int(faces[rows[i]])
-    block = (face * BLOCKS + grid_index(view[0], BLOCKS)) * BLOCKS + grid_index(view[1], BLOCKS)
+    block = (face * EDGE_BLOCKS + grid_index(view[0], EDGE_BLOCKS)) * EDGE_BLOCKS + grid_index(view[1], EDGE_BLOCKS)
     if marks[block] == 0:
         atomic_max(marks, block, 1)  # all writers set 1
 
@@ -180,7 +180,7 @@ def find_nearest_kernel(
     i = tid()
     row = rows[i]
     view = views[row]
-    edge = BLOCKS * width
+    edge = EDGE_BLOCKS * width
     cell = cell_at(int(faces[row]), grid_index(view[0], edge), grid_index(view[1], edge), width, blocks)
     nearness = int64(LAST_INDEX) - int64(float_bits(ranges[row]))
     key = (nearness << 32) | (int64(LAST_INDEX) - int64(row))
@@ -213,8 +213,8 @@ def mask_visible_kernel(
     i = tid()
     p = views[rows[i]]
     face = int(faces[rows[i]])
-    row = grid_index(p[0], BLOCKS * width)
-    column = grid_index(p[1], BLOCKS * width)
+    row = grid_index(p[0], EDGE_BLOCKS * width)
+    column = grid_index(p[1], EDGE_BLOCKS * width)
     # nine cells once: the ring counter-clockwise from +u, then the cell itself
     us = ring_numbers(0.0)
     vs = ring_numbers(0.0)
@@ -236,7 +236,7 @@ def mask_visible_kernel(
         vs[k] = corner[1]
         gs[k] = corner[2]
     hidden = 0
-    for t in range(TRIANGLES):
+    for t in range(RING_TRIANGLES):
         if hidden == 0:
             corners = ring_triangle(t)
             a = vec3d(us[corners[0]], vs[corners[0]], gs[corners[0]])
@@ -256,7 +256,7 @@ def visible_rows(points: Points, offset: np.ndarray, radius: float) -> tuple[Ind
     mask = empty(count, uint8, device)
     launch(mark_viewed_kernel, count, [faces, mask])
     rows = positions_of(mask)  # sync
-    if rows.size >= FEW:
+    if rows.size >= MIN_FILTERED_POINTS:
         rows = rule_out_hidden(rows, views, faces, ranges)
     mirrored = empty(rows.size, vec3d, device)
     launch(flip_points_kernel, rows.size, [points, rows, *camera, mirrored])
@@ -272,7 +272,7 @@ def direct_positions(positions: Positions) -> Points:
 
 def rule_out_hidden(rows: Indices, views: Positions, faces: Bytes, ranges: Scalars) -> Indices:
     device = rows.device
-    marks = zeros(6 * BLOCKS * BLOCKS, int32, device)
+    marks = zeros(6 * EDGE_BLOCKS * EDGE_BLOCKS, int32, device)
     launch(mark_blocks_kernel, rows.size, [rows, views, faces, marks])
     occupied = download(marks) > 0  # sync
     block_count = int(occupied.sum())
@@ -284,6 +284,6 @@ def rule_out_hidden(rows: Indices, views: Positions, faces: Bytes, ranges: Scala
     launch(find_nearest_kernel, rows.size, [rows, views, faces, ranges, width, blocks, keys])
     launch(gather_nearest_kernel, cell_count, [keys, views, nearest])
     mask = empty(rows.size, uint8, device)
-    min_area = MIN_AREA * (2 / (BLOCKS * width)) ** 2
+    min_area = MIN_AREA * (2 / (EDGE_BLOCKS * width)) ** 2
     launch(mask_visible_kernel, rows.size, [rows, views, faces, width, min_area, blocks, nearest, mask])
     return gather_rows(rows, positions_of(mask))  # sync

@@ -12,7 +12,7 @@ from ..arrays.unique import UniqueKeys
 from ..lang import array, atomic_min, func, int32, kernel, launch, tid, uint8, vec3i
 from ..memory import empty, full, zeros
 from .mesh_edges import find_edges, key_bits, run_indices, unite_corners_kernel
-from .mesh_edits import mask_and_index
+from .mesh_edits import find_first_positions_kernel, mask_and_index
 from .mesh_topology import CornersByVertex, corner_vertex
 
 NONE = 2**31 - 1  # above all vertices and corners
@@ -168,13 +168,6 @@ def drop_folded_corners_kernel(triangles: array(dtype=vec3i), around: CornersByV
 
 
 @kernel
-def find_lowest_corners_kernel(fans: array(dtype=int32), lowest: array(dtype=int32)):
-    """Lowest corner of each fan. The minimum does not depend on the order."""
-    i = tid()
-    atomic_min(lowest, fans[i], i)
-
-
-@kernel
 def name_fans_kernel(lowest: array(dtype=int32), fans: array(dtype=int32)):
     i = tid()
     fans[i] = lowest[fans[i]]
@@ -240,7 +233,7 @@ def split_fans(triangles: Triangles, vertex_count: int) -> tuple[Triangles, Indi
     launch(flatten_sets_kernel, corners, [fans])
     launch(drop_folded_corners_kernel, vertex_count, [triangles, CornersByVertex(triangles, vertex_count), fans])
     lowest = full(corners, NONE, int32, device)
-    launch(find_lowest_corners_kernel, corners, [fans, lowest])
+    launch(find_first_positions_kernel, corners, [fans, lowest])
     launch(name_fans_kernel, corners, [lowest, fans])
     firsts, further = full(vertex_count, NONE, int32, device), empty(corners, int32, device)
     launch(find_first_fans_kernel, corners, [triangles, fans, firsts])

@@ -13,6 +13,7 @@ from ..algebra.transform import narrow, widen
 from ..array_types import Indices, Integers, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import positions_of
+from ..arrays.union_find import mask_roots_kernel
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, int32, int64, kernel, launch, length, tid, uint8, vec3, vec3d, vec3i
 from ..memory import download, empty, upload
@@ -22,12 +23,6 @@ from ..memory import download, empty, upload
 def mark_owners_kernel(owners: array(dtype=int32), marks: array(dtype=int32)):
     i = tid()
     marks[i] = 1 if owners[i] == i else 0
-
-
-@kernel
-def mask_owners_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
-    i = tid()
-    mask[i] = uint8(1 if owners[i] == i else 0)
 
 
 @kernel
@@ -78,7 +73,7 @@ def list_owners(owners: Indices, indices: Integers, count: int) -> Indices:
         steps = download(indices)
         return upload(np.flatnonzero(steps[1:] != steps[:-1]).astype(np.int32), int32, device)
     mask = empty(owners.size, uint8, device)
-    launch(mask_owners_kernel, owners.size, [owners, mask])
+    launch(mask_roots_kernel, owners.size, [owners, mask])
     return positions_of(mask, count)
 
 

@@ -14,7 +14,7 @@ from ..arrays.select import positions_of
 from ..arrays.side_by_side import read_together
 from ..arrays.sort import argsort_keys, positions
 from ..arrays.union_find import flatten_sets_kernel, unite
-from ..lang import BLOCK, array, float64, int32, int64, kernel, launch, struct, tid, uint8
+from ..lang import ELEMENTS_PER_BLOCK, array, float64, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import download, empty, full, rows_of, zeros
 from .mesh_topology import sorted_edges
 from .surface_samples import measure_areas
@@ -173,9 +173,9 @@ def sum_part_blocks_kernel(
     i = tid()
     part = int(keys[i])
     if part < keys.shape[0]:
-        if (i - starts[part]) % BLOCK == 0:
+        if (i - starts[part]) % ELEMENTS_PER_BLOCK == 0:
             total = float64(0.0)
-            for j in range(i, min(i + BLOCK, starts[part + 1])):
+            for j in range(i, min(i + ELEMENTS_PER_BLOCK, starts[part + 1])):
                 total += values[order[j]]
             sums[i] = total
 
@@ -189,8 +189,8 @@ def fold_part_blocks_kernel(
     total = float64(0.0)
     if i < count[0]:
         first = starts[i]
-        for block in range((starts[i + 1] - first + BLOCK - 1) // BLOCK):
-            total += sums[first + block * BLOCK]
+        for block in range((starts[i + 1] - first + ELEMENTS_PER_BLOCK - 1) // ELEMENTS_PER_BLOCK):
+            total += sums[first + block * ELEMENTS_PER_BLOCK]
     totals[i] = total
 
 

@@ -88,6 +88,11 @@ def next_corner(h: int) -> int:
     return h + 1 if h % 3 < 2 else h - 2
 
 
+@func
+def last_corner(h: int) -> int:
+    return h - 1 if h % 3 > 0 else h + 2
+
+
 @kernel
 def pair_edges_kernel(
     triangles: array(dtype=vec3i),

@@ -4,8 +4,9 @@ One atomic on an integer per triangle, so the order does not matter.
 """
 
 from ..array_types import Bytes, Indices, Mask
+from ..arrays.row_numbers import count_numbers
 from ..lang import array, atomic_add, int32, kernel, launch, tid, uint8
-from ..memory import empty, zeros
+from ..memory import zeros
 
 
 @kernel
@@ -25,12 +26,6 @@ def follow_votes_kernel(names: array(dtype=int32), balance: array(dtype=int32), 
 
 
 @kernel
-def count_members_kernel(names: array(dtype=int32), counts: array(dtype=int32)):
-    i = tid()
-    atomic_add(counts, names[i], 1)
-
-
-@kernel
 def mark_alone_kernel(names: array(dtype=int32), counts: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
     if counts[names[i]] != 1:
@@ -46,19 +41,4 @@ def follow_majority(names: Indices, marks: Bytes, other: bool = False) -> None:
 
 def keep_alone(names: Indices, mask: Mask) -> None:
     """Clear the mask of triangles whose component has others, in place."""
-    counts = zeros(names.size, int32, names.device)
-    launch(count_members_kernel, names.size, [names, counts])
-    launch(mark_alone_kernel, names.size, [names, counts, mask])
-
-
-@kernel
-def mark_open_sides_kernel(twins: array(dtype=int32), is_open: array(dtype=int32)):
-    i = tid()
-    is_open[i] = 1 if twins[i] < 0 else 0
-
-
-def mark_open_sides(twins: Indices) -> Indices:
-    """int32: 1 for half-edges without an opposite."""
-    is_open = empty(twins.size, int32, twins.device)
-    launch(mark_open_sides_kernel, twins.size, [twins, is_open])
-    return is_open
+    launch(mark_alone_kernel, names.size, [names, count_numbers(names, names.size), mask])

@@ -84,9 +84,8 @@ class CompatibilityGraph:
 
     def support(self, work: int = WORDS_READ) -> LongIntegers:
         """Twice the triangles of each vertex, int64 (m). 0 for low degrees beyond `work` words."""
-        sums, degrees = zeros(self.count, int64, self.device), empty(self.count, int64, self.device)
-        launch(widen_counts_kernel, self.count, [self.degrees, degrees])
-        order = order_descending(degrees)
+        sums = zeros(self.count, int64, self.device)
+        order = order_descending(cast(self.degrees, int64))
         ranked = download(gather_rows(self.degrees, order)).cumsum(dtype="int64")  # sync
         counted = max(1, int((ranked * self.words <= work).sum()))
         launch(sum_common_kernel, counted * self.warps, [self, order[:counted], sums])
@@ -173,12 +172,6 @@ def descending_keys_kernel(values: array(dtype=int64), top: int64, keys: array(d
     """Keys whose ascending order is the descending order of the values."""
     i = tid()
     keys[i] = top - values[i]
-
-
-@kernel
-def widen_counts_kernel(counts: array(dtype=int32), values: array(dtype=int64)):
-    i = tid()
-    values[i] = int64(counts[i])
 
 
 @func

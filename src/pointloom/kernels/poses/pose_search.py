@@ -12,8 +12,8 @@ import numpy as np
 
 from ..array_types import AnyArray, Array2, Integers, Points, Poses
 from ..arrays.side_by_side import SideBySide
-from ..arrays.sort import argsort_keys, positions
-from ..lang import array, ballot, float64, func, int32, int64, kernel, launch, mat44d, sync_lanes, tid, vector
+from ..arrays.sort import argsort_keys, descending_keys, positions
+from ..lang import array, ballot, float64, func, int32, kernel, launch, mat44d, sync_lanes, tid, vector
 from ..memory import download, empty, upload, zeros
 from ..search.tree_walk import lowest_bit
 from ..segmentation.plane_fit import samples_needed
@@ -34,13 +34,6 @@ REFIT_COUNT = 4  # refits to the inliers of each of these
 PROBE_NUMBERS = 12  # numbers of the four points that distinguish two poses
 probe = vector(12, float64)
 LAST_FITS = 8  # refits of the winner to the clouds themselves, while it improves
-
-
-@kernel
-def rank_keys_kernel(scores: array(dtype=int32), max_score: int, keys: array(dtype=int64)):
-    """Keys whose ascending order is that of descending scores."""
-    i = tid()
-    keys[i] = int64(max_score - scores[i])
 
 
 @func
@@ -277,10 +270,8 @@ class PoseSearch:
 
     def _select_distinct(self, poses: Poses, scores: Integers, distance: float) -> int:
         """Keep the best distinct poses. Return how many to evaluate, all on CUDA."""
-        keys = empty(scores.size, int64, self.device)
         max_score = self.ranking.count
-        launch(rank_keys_kernel, scores.size, [scores, max_score, keys])
-        order = argsort_keys(keys, (max_score + 1).bit_length())[1]
+        order = argsort_keys(descending_keys(scores, max_score), (max_score + 1).bit_length())[1]
         threads = 32 if self.device.is_cuda else 1
         limits = [self.fitness.size, distance * distance, self._probes, self._distinct, self._distinct_count]
         launch(select_distinct_kernel, threads, [poses, scores, order, *limits])

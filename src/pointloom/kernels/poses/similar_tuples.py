@@ -2,22 +2,17 @@
 sides agree up to a ratio. The result depends only on the seed.
 """
 
+from ..algebra.transform import distance_between
 from ..array_types import Integers
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
-from ..lang import array, dot, float64, func, int32, kernel, launch, sqrt, tid, uint8, vec3d
+from ..lang import array, float64, int32, kernel, launch, tid, uint8
 from ..memory import empty
 from .pair_fits import PairCoordinates, source_point, target_point
 
 TUPLE_SIZE = 3
 CPU_BATCH, CUDA_BATCH, MAX_BATCH = 8192, 2**17, 2**20  # smaller batches would save a GPU less than a sync takes
-
-
-@func
-def distance_of(p: vec3d, q: vec3d) -> float64:
-    r = p - q
-    return sqrt(dot(r, r))
 
 
 @kernel
@@ -37,8 +32,8 @@ def test_tuples_kernel(
     for j in range(TUPLE_SIZE):
         row = tuples[i, j]
         other = tuples[i, (j + 1) % TUPLE_SIZE]
-        a = distance_of(source_point(pairs, row), source_point(pairs, other))
-        b = distance_of(target_point(pairs, row), target_point(pairs, other))
+        a = distance_between(source_point(pairs, row), source_point(pairs, other))
+        b = distance_between(target_point(pairs, row), target_point(pairs, other))
         if not (a * ratio < b and b < a / ratio):
             similar = 0
     passed[i] = uint8(similar)

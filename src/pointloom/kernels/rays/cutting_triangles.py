@@ -38,10 +38,17 @@ from ..lang import (
 from ..memory import empty
 from ..search.bucket_walk import level_children_within, next_step, start_traversal, traversal
 from ..search.point_tree import FAN, measure_boxes
-from .triangle_sides import UNSURE, ExactSides, exact_side_of_line, exact_side_of_plane, side_of_line, side_of_plane
-from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree
+from .triangle_sides import (
+    NOT_DECIDED,
+    ExactSides,
+    exact_side_of_line,
+    exact_side_of_plane,
+    side_of_line,
+    side_of_plane,
+)
+from .triangle_tree import LEAF_NUMBERS, LEAF_SIZE, TriangleTree
 
-APART, MEETING = 0, 1  # and UNSURE
+NO_CONTACT, IN_CONTACT = 0, 1  # and NOT_DECIDED
 six_signs = vector(6, int32)
 
 
@@ -65,7 +72,7 @@ def are_parted(sides: six_signs) -> int:
     for half in range(2):
         first = 3 * half
         a = sides[first]
-        if a != 0 and a != UNSURE and sides[first + 1] == a and sides[first + 2] == a:
+        if a != 0 and a != NOT_DECIDED and sides[first + 1] == a and sides[first + 2] == a:
             parted = 1
     return parted
 
@@ -79,33 +86,33 @@ def edge_through(p: int, q: int, t: vec3i, side3: callback) -> int:
     edges = int(3)
     for k in range(edges):
         sign = side3(p, q, t[k], t[(k + 1) % 3])
-        if sign == UNSURE:
+        if sign == NOT_DECIDED:
             unsure = 1
         low = min(low, sign)
         high = max(high, sign)
-    result = int(APART)
+    result = int(NO_CONTACT)
     if unsure == 1:
-        result = UNSURE
+        result = NOT_DECIDED
     elif low >= 0 or high <= 0:
-        result = MEETING
+        result = IN_CONTACT
     return result
 
 
 @func
 def edges_through(s: vec3i, t: vec3i, sides: six_signs, side3: callback) -> int:
     """True if an edge of one triangle that crosses or touches the other's plane meets the other triangle."""
-    result = int(APART)
+    result = int(NO_CONTACT)
     edges = int(6)
     for k in range(edges):
         n = k // 3 * 3 + (k + 1) % 3
-        if result != MEETING and sides[k] * sides[n] <= 0 and (sides[k] != 0 or sides[n] != 0):
+        if result != IN_CONTACT and sides[k] * sides[n] <= 0 and (sides[k] != 0 or sides[n] != 0):
             owner = t + vec3i(0, 0, 0)
             other = s + vec3i(0, 0, 0)
             if k >= 3:
                 owner = s + vec3i(0, 0, 0)
                 other = t + vec3i(0, 0, 0)
             edge_result = edge_through(owner[k % 3], owner[n % 3], other, side3)
-            if edge_result != APART:
+            if edge_result != NO_CONTACT:
                 result = edge_result
     return result
 
@@ -124,37 +131,37 @@ def boxes_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int) -> i
 
 @func
 def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side3: callback, side2: callback) -> int:
-    result = int(APART)
+    result = int(NO_CONTACT)
     if boxes_meet(vertices, p, q, a, b) == 1:
-        result = MEETING
+        result = IN_CONTACT
         before = 0
         questions = int(12)  # along each axis, both ends' sides of the other edge, and vice versa
         for n in range(questions):
-            if result != APART:
+            if result != NO_CONTACT:
                 k = n % 4
                 sign = 0
                 if k < 2:
                     sign = side2(n // 4, p, q, a if k == 0 else b)
                 else:
                     sign = side2(n // 4, a, b, p if k == 2 else q)
-                if sign == UNSURE:
-                    result = UNSURE
+                if sign == NOT_DECIDED:
+                    result = NOT_DECIDED
                 elif k % 2 == 1 and sign != 0 and sign == before:
-                    result = APART
+                    result = NO_CONTACT
                 before = sign
-        if result != APART:
+        if result != NO_CONTACT:
             twist = side3(p, q, a, b)
-            if twist == UNSURE:
-                result = UNSURE
+            if twist == NOT_DECIDED:
+                result = NOT_DECIDED
             elif twist != 0:
-                result = APART
+                result = NO_CONTACT
     return result
 
 
 @func
 def contains(t: vec3i, p: int, side2: callback) -> int:
-    """True if a triangle contains a point of its plane. APART if it is degenerate, since its edges are tested too."""
-    result = int(MEETING)
+    """True if a triangle contains a point of its plane. NO_CONTACT if it is degenerate: its edges are tested too."""
+    result = int(IN_CONTACT)
     has_area = 0
     low = 0
     high = 0
@@ -165,9 +172,9 @@ def contains(t: vec3i, p: int, side2: callback) -> int:
         if k == 0:
             low = 0
             high = 0
-        if sign == UNSURE:
-            if result == MEETING:
-                result = UNSURE
+        if sign == NOT_DECIDED:
+            if result == IN_CONTACT:
+                result = NOT_DECIDED
             sign = 0
             has_area = has_area | (1 if k == 3 else 0)
         if k < 3:
@@ -176,19 +183,19 @@ def contains(t: vec3i, p: int, side2: callback) -> int:
         elif sign != 0:
             has_area = 1
         if low < 0 and high > 0:
-            result = APART
+            result = NO_CONTACT
     if has_area == 0:
-        result = APART
+        result = NO_CONTACT
     return result
 
 
 @func
 def meet_in_plane(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callback, side2: callback) -> int:
-    result = int(APART)
+    result = int(NO_CONTACT)
     questions = int(11)
     for n in range(questions):
-        if result != MEETING:
-            part_result = int(APART)
+        if result != IN_CONTACT:
+            part_result = int(NO_CONTACT)
             if n < 2:
                 holder = s + vec3i(0, 0, 0)
                 corner = t[0]
@@ -200,24 +207,24 @@ def meet_in_plane(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callba
                 i = (n - 2) // 3
                 j = (n - 2) % 3
                 part_result = edges_meet(vertices, s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3], side3, side2)
-            if part_result != APART:
+            if part_result != NO_CONTACT:
                 result = part_result
     return result
 
 
 @func
 def triangles_meet(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callback, side2: callback) -> int:
-    """APART, MEETING or UNSURE."""
-    result = int(APART)
+    """NO_CONTACT, IN_CONTACT or NOT_DECIDED."""
+    result = int(NO_CONTACT)
     sides = plane_sides(s, t, side3)
     if are_parted(sides) == 0:
         flat = 0
         unsure = 0
         for k in range(6):
             flat += 1 if sides[k] == 0 else 0
-            unsure += 1 if sides[k] == UNSURE else 0
+            unsure += 1 if sides[k] == NOT_DECIDED else 0
         if unsure > 0:
-            result = UNSURE
+            result = NOT_DECIDED
         elif flat == 6:
             result = meet_in_plane(vertices, s, t, side3, side2)
         else:
@@ -225,7 +232,7 @@ def triangles_meet(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callb
     return result
 
 
-PART = 2**16  # pairs per exact-test launch: each thread needs scratch memory
+PAIRS_PER_LAUNCH = 2**16  # pairs per exact-test launch: each thread needs scratch memory
 
 
 @func
@@ -233,12 +240,12 @@ def lanes_touching(corners: array(dtype=float32), leaf: int, a: vec3, b: vec3) -
     """Bit mask of a leaf's triangles whose boxes touch the box (a, b)."""
     mask = 0
     at = leaf * LEAF_NUMBERS
-    for j in range(LEAF):
+    for j in range(LEAF_SIZE):
         apart = 0.0
         for axis in range(3):
-            x = corners[at + axis * LEAF + j]
-            y = corners[at + (3 + axis) * LEAF + j]
-            z = corners[at + (6 + axis) * LEAF + j]
+            x = corners[at + axis * LEAF_SIZE + j]
+            y = corners[at + (3 + axis) * LEAF_SIZE + j]
+            z = corners[at + (6 + axis) * LEAF_SIZE + j]
             apart = larger(apart, smaller(smaller(x, y), z) - b[axis])
             apart = larger(apart, a[axis] - larger(larger(x, y), z))
         mask = mask | ((1 << j) if apart <= 0.0 else 0)
@@ -267,16 +274,16 @@ def same_position(p: vec3, q: vec3) -> int:
 
 @func
 def classify_pair(vertices: array(dtype=vec3), s: vec3i, t: vec3i) -> int:
-    """APART if a triangle is on one side of the other, MEETING if two corners coincide, else UNSURE."""
+    """NO_CONTACT if a triangle is on one side of the other, IN_CONTACT if two corners coincide, else NOT_DECIDED."""
     same = 0
     pairs = int(9)
     for k in range(pairs):
         same += same_position(vertices[s[k // 3]], vertices[t[k % 3]])
-    result = int(MEETING)
+    result = int(IN_CONTACT)
     if same == 0:
-        result = UNSURE
+        result = NOT_DECIDED
         if are_parted(plane_sides(s, t, partial(side_of_plane, vertices))) == 1:
-            result = APART
+            result = NO_CONTACT
     return result
 
 
@@ -303,7 +310,7 @@ def find_partners(
         b = vec3(max(p[0], max(q[0], r[0])), max(p[1], max(q[1], r[1])), max(p[2], max(q[2], r[2])))
         step = start_traversal(0)
         leaves = int(FAN)
-        lanes = int(LEAF)
+        lanes = int(LEAF_SIZE)
         while int(step[0]) <= tree.root:
             bucket = int(step[2])
             distances = measure_boxes(tree.boxes, bucket, a, b)
@@ -312,7 +319,7 @@ def find_partners(
                     leaf = bucket * FAN + j
                     touching = lanes_touching(tree.corners, leaf, a, b)
                     for lane in range(lanes):
-                        index = leaf * LEAF + lane
+                        index = leaf * LEAF_SIZE + lane
                         if ((touching >> lane) & 1) == 1 and index < tree.count:
                             other = tree.order[index]
                             t = others[other]
@@ -321,7 +328,7 @@ def find_partners(
                                 wanted = 1 if other > i and share_vertex(s, t) == 0 else 0
                             if wanted == 1:
                                 result = classify_pair(vertices, s, t)
-                                if result != APART:
+                                if result != NO_CONTACT:
                                     if first >= 0:
                                         partners[first + count] = other
                                         results[first + count] = uint8(result)
@@ -390,12 +397,12 @@ def test_pairs_kernel(
     """Test pairs in float64; flags for meeting and for undecided pairs."""
     i = tid()
     result = int(results[i])
-    if result == UNSURE:
+    if result == NOT_DECIDED:
         s = triangles[owners[i]]
         t = others[partners[i]]
         result = triangles_meet(vertices, s, t, partial(side_of_plane, vertices), partial(side_of_line, vertices))
-    is_meeting[i] = uint8(1 if result == MEETING else 0)
-    is_open[i] = uint8(1 if result == UNSURE else 0)
+    is_meeting[i] = uint8(1 if result == IN_CONTACT else 0)
+    is_open[i] = uint8(1 if result == NOT_DECIDED else 0)
 
 
 @kernel
@@ -415,7 +422,7 @@ def resolve_pairs_kernel(
     result = triangles_meet(
         given.vertices, s, t, partial(exact_side_of_plane, i, given), partial(exact_side_of_line, i, given)
     )
-    is_meeting[row] = uint8(1 if result == MEETING else 0)
+    is_meeting[row] = uint8(1 if result == IN_CONTACT else 0)
 
 
 def exact_sides(vertices: Points, lowest: np.ndarray, extremes: np.ndarray, threads: int) -> ExactSides:
@@ -452,9 +459,9 @@ def find_meeting_pairs(
     (rows, open_rows), about = positions_beside((is_meeting, is_open), beside)  # sync
     if open_rows.size:
         lowest, extremes = about or read_together(_about(vertices))
-        given = exact_sides(vertices, lowest, extremes, min(open_rows.size, PART))
-        for first in range(0, open_rows.size, PART):
-            part = open_rows[first : min(first + PART, open_rows.size)]
+        given = exact_sides(vertices, lowest, extremes, min(open_rows.size, PAIRS_PER_LAUNCH))
+        for first in range(0, open_rows.size, PAIRS_PER_LAUNCH):
+            part = open_rows[first : min(first + PAIRS_PER_LAUNCH, open_rows.size)]
             launch(resolve_pairs_kernel, part.size, [part, *pairs, given, is_meeting])
         rows = positions_of(is_meeting)  # sync
     return gather_rows(owners, rows), gather_rows(partners, rows)

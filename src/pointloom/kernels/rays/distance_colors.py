@@ -4,7 +4,7 @@ from ..array_types import Doubles, Vectors
 from ..lang import array, float64, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
 
-STEPS = 4
+COLOR_STEPS = 4
 
 
 @kernel
@@ -17,8 +17,8 @@ def color_distances_kernel(distances: array(dtype=float64), largest: float, colo
         fraction = 0.0
         if largest > 0.0:
             fraction = min(d / largest, 1.0)
-        position = fraction * float(STEPS)
-        step = min(int(position), STEPS - 1)
+        position = fraction * float(COLOR_STEPS)
+        step = min(int(position), COLOR_STEPS - 1)
         rest = position - float(step)
         a = vec3(0.267, 0.005, 0.329)
         b = vec3(0.230, 0.322, 0.546)

@@ -44,15 +44,14 @@ from ..memory import full
 from ..search.bucket_walk import byte_shift
 from ..search.hilbert_order import order_in_box
 from ..search.point_tree import FAN, LARGEST_SQDIST, SIDES
-from .triangle_bounds import SMALLEST, bound_distance, load_corners, sqdist_at, sqdist_limit
-from .triangle_tree import LEAF, LEAF_NUMBERS, MAX_LEVEL, TriangleTree, level_keys
+from .triangle_bounds import MIN_SQDIST, bound_distance, load_corners, sqdist_at, sqdist_limit
+from .triangle_tree import LEAF_NUMBERS, LEAF_SIZE, MAX_LEVEL, TriangleTree, level_keys
 
-BYTE = 255
-CHILD = 7  # the bits of a child's index
+BYTE_MASK = 255
+CHILD_MASK = 7  # the bits of a child's index
 NO_CHILD = 0x7FFFFFFF  # above the bits of any distance
-EVERY = 255  # one byte, in 64 bits
-WIDER = 1.000002  # as triangle_bounds.SLACK, plus the rounding of this product
-LAST = 2147483647  # triangle number after all others
+SQDIST_ENLARGEMENT = 1.000002  # as triangle_bounds.BOX_SQDIST_FACTOR, plus the rounding of this product
+NUMBER_AFTER_ALL = 2147483647  # triangle number after all others
 
 
 @cuda_func
@@ -97,7 +96,7 @@ def choose_nearer(q: vec3, earlier: int, sqdist: float64, index: int, tree: Tria
 def nearest_of_group(q: vec3, index: int, sqdist: float64, tree: TriangleTree) -> vec2d:
     """Squared distance [m^2] and number of the group's nearest triangle (`index` or -1), infinite if none."""
     min_sqdist = float64(INFINITY)
-    number = int(LAST)
+    number = int(NUMBER_AFTER_ALL)
     if index >= 0:
         number = tree.order[index]
         min_sqdist = sqdist * 1.0
@@ -126,20 +125,20 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
     sqdist = float64(-1.0)  # and the exact one if it was needed
     level = tree.root
     node = 0
-    pending = int64(EVERY) << byte_shift(level)  # one byte per level from 1 on: pending children
-    distance = distance_of_child(tree, level, node, BYTE, q, searching, INFINITY)
+    pending = int64(BYTE_MASK) << byte_shift(level)  # one byte per level from 1 on: pending children
+    distance = distance_of_child(tree, level, node, BYTE_MASK, q, searching, INFINITY)
     above = float(INFINITY)  # distances of the node of level 1
     while ballot(searching) != 0:
         leaf = -1
         moving = searching + 0
         while ballot(moving) != 0:  # until each active group is at a leaf
-            near = (ballot(1 if distance <= limit else 0) >> group) & BYTE
+            near = (ballot(1 if distance <= limit else 0) >> group) & BYTE_MASK
             leaves_bucket = 1 if near == 0 and level == 0 and tree.root > 0 else 0
             level += leaves_bucket
             node = node >> (EIGHT_BITS * leaves_bucket)
             distance = above if leaves_bucket == 1 else distance
             nearest = min_of_group(distance)
-            near = (ballot(1 if distance == nearest and distance <= limit else 0) >> group) & BYTE
+            near = (ballot(1 if distance == nearest and distance <= limit else 0) >> group) & BYTE_MASK
             child = bit_count((near & (-near)) - 1)
             # one assignment to each variable, outside of branches: each in a branch would occupy a register
             found = moving if near != 0 else 0
@@ -152,28 +151,28 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
             above = distance if descends == 1 and level == 0 else above
             enters = descends if level > 0 else 0
             entered = int64(enters << child) << byte_shift(level + 1)
-            pending = (pending & ~entered) | (int64(BYTE * enters) << byte_shift(level))
+            pending = (pending & ~entered) | (int64(BYTE_MASK * enters) << byte_shift(level))
             searching -= 1 if moving > found + ascends else 0
             moving = descends + ascends
-            left = (int(pending >> byte_shift(level)) & BYTE) | (BYTE * (1 - ascends))
+            left = (int(pending >> byte_shift(level)) & BYTE_MASK) | (BYTE_MASK * (1 - ascends))
             distance = distance_of_child(tree, level, node, left, q, moving, distance)
         upper = float(INFINITY)
         if leaf >= 0:
             interval = bound_distance(load_corners(tree.corners, leaf * LEAF_NUMBERS + own), q, scale)
-            upper = smaller((interval[0] + interval[1]) * WIDER + SMALLEST, LARGEST_SQDIST)
+            upper = smaller((interval[0] + interval[1]) * SQDIST_ENLARGEMENT + MIN_SQDIST, LARGEST_SQDIST)
             lower = interval[0] - interval[1]
             within = smaller(upper, limit)
             if lower <= within:
                 if index < 0 or low > within:
-                    index = leaf * LEAF + own
+                    index = leaf * LEAF_SIZE + own
                     low = lower
                     sqdist = -1.0
                 else:
-                    nearer = choose_nearer(q, index, sqdist, leaf * LEAF + own, tree)
+                    nearer = choose_nearer(q, index, sqdist, leaf * LEAF_SIZE + own, tree)
                     sqdist = nearer[0]
                     index = int(nearer[1])
                     low = smaller(lower, low)
-                    upper = smaller(float(sqdist) * WIDER + SMALLEST, upper)
+                    upper = smaller(float(sqdist) * SQDIST_ENLARGEMENT + MIN_SQDIST, upper)
         limit = smaller(min_of_group(upper), limit)
     if low > limit:
         index = -1
@@ -181,7 +180,7 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
 
 
 NO_TRIANGLE = -1
-RUN = 16  # queries per thread
+QUERIES_PER_THREAD = 16
 CURVE_LEVELS = 10  # of the curve that orders queries
 run_coordinates = vector(48, float32)
 run_sqdists = vector(16, float64)
@@ -192,10 +191,10 @@ lane_bounds = vector(16, float32)  # upper bounds of eight squared distances, th
 def bound_distances(corners: array(dtype=float32), leaf: int, q: vec3, scale: float) -> lane_bounds:
     """Bounds of the squared distances [m^2] from a point to a leaf's triangles."""
     bounds = lane_bounds(0.0)
-    for j in range(LEAF):
+    for j in range(LEAF_SIZE):
         interval = bound_distance(load_corners(corners, leaf * LEAF_NUMBERS + j), q, scale)
         bounds[j] = interval[0] + interval[1]
-        bounds[LEAF + j] = interval[0] - interval[1]
+        bounds[LEAF_SIZE + j] = interval[0] - interval[1]
     return bounds
 
 
@@ -204,31 +203,31 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
     """Update `best` (upper and lower bound of the squared distance, exact or -1, position or -1) with a leaf."""
     bounds = bound_distances(tree.corners, leaf, q, scale)
     shortest = bounds[0]
-    for j in range(1, LEAF):
+    for j in range(1, LEAF_SIZE):
         shortest = smaller(bounds[j], shortest)
     limit = smaller(shortest, sqdist_limit(best[0]))  # rounded up
     result = best + vec4d(0.0, 0.0, 0.0, 0.0)
     rivals = 0
     only = 0
-    for j in range(LEAF):
-        in_range = 1 if bounds[LEAF + j] <= limit else 0
+    for j in range(LEAF_SIZE):
+        in_range = 1 if bounds[LEAF_SIZE + j] <= limit else 0
         rivals += in_range
         only = j if in_range == 1 else only
     best_remains = 0
     if best[3] >= 0.0 and best[1] <= float64(shortest):
         best_remains = 1
     if rivals == 1 and best_remains == 0:
-        index = leaf * LEAF + only
-        result = vec4d(float64(bounds[only]), float64(bounds[LEAF + only]), -1.0, float64(index))
+        index = leaf * LEAF_SIZE + only
+        result = vec4d(float64(bounds[only]), float64(bounds[LEAF_SIZE + only]), -1.0, float64(index))
     elif rivals > 0:
         if best_remains == 0:
             result = vec4d(float64(LARGEST_SQDIST), 0.0, float64(LARGEST_SQDIST), -1.0)
         elif best[2] < 0.0:
             result[2] = sqdist_at(q, int(best[3]), tree)
-        lanes = int(LEAF)
+        lanes = int(LEAF_SIZE)
         for j in range(lanes):
-            if bounds[LEAF + j] <= limit:
-                index = leaf * LEAF + j
+            if bounds[LEAF_SIZE + j] <= limit:
+                index = leaf * LEAF_SIZE + j
                 sqdist = sqdist_at(q, index, tree)
                 nearer = 0
                 if sqdist < result[2]:
@@ -253,7 +252,7 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
     lower = near[1]
     exact = near[2]
     index = near[3]
-    limit = float_bits(sqdist_limit(upper)) | CHILD
+    limit = float_bits(sqdist_limit(upper)) | CHILD_MASK
     level = tree.root
     node = 0
     is_new = 1
@@ -268,7 +267,7 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
                 x = larger(larger(tree.boxes[box] - q[0], q[0] - tree.boxes[box + 3 * FAN]), 0.0)
                 y = larger(larger(tree.boxes[box + FAN] - q[1], q[1] - tree.boxes[box + 4 * FAN]), 0.0)
                 z = larger(larger(tree.boxes[box + 2 * FAN] - q[2], q[2] - tree.boxes[box + 5 * FAN]), 0.0)
-                key = (float_bits(x * x + y * y + z * z) & ~CHILD) | j
+                key = (float_bits(x * x + y * y + z * z) & ~CHILD_MASK) | j
                 pending[at + j] = key
                 nearest = min(nearest, key)
         else:
@@ -279,15 +278,15 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
             node = node // FAN
             level = level + 1
         else:
-            child = node * FAN + (nearest & CHILD)
-            pending[at + (nearest & CHILD)] = NO_CHILD
+            child = node * FAN + (nearest & CHILD_MASK)
+            pending[at + (nearest & CHILD_MASK)] = NO_CHILD
             if level == 0:
                 best = measure_leaf(child, q, tree, scale, vec4d(upper, lower, exact, index))
                 upper = best[0]
                 lower = best[1]
                 exact = best[2]
                 index = best[3]
-                limit = float_bits(sqdist_limit(upper)) | CHILD
+                limit = float_bits(sqdist_limit(upper)) | CHILD_MASK
             else:
                 node = child
                 level = level - 1
@@ -312,7 +311,7 @@ class NearestTriangles:
 
     def search(self, tree: TriangleTree, queries: Points, mesh: int) -> None:
         """Update with another mesh. Ties keep the earlier one. `queries` are about its origin, up to 1.8e19 m."""
-        n, run = queries.size, RUN
+        n, run = queries.size, QUERIES_PER_THREAD
         threads = -(-n // run)
         if queries.device.is_cuda:
             run, threads = 1, -(-n * FAN // WARP) * WARP  # whole warps
@@ -338,11 +337,11 @@ def find_nearest_triangles_kernel(
     for j in range(count):  # at once, since the rows are in random order
         row = query_order[first + j]
         q = queries[row]
-        at = 3 * (j & (RUN - 1))
+        at = 3 * (j & (QUERIES_PER_THREAD - 1))
         coordinates[at] = q[0]
         coordinates[at + 1] = q[1]
         coordinates[at + 2] = q[2]
-        known[j & (RUN - 1)] = nearest.sqdists[row]
+        known[j & (QUERIES_PER_THREAD - 1)] = nearest.sqdists[row]
     for j in range(count):
         q = vec3(coordinates[3 * j], coordinates[3 * j + 1], coordinates[3 * j + 2])
         if tree.count > 0 and isfinite(q):

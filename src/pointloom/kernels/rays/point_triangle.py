@@ -8,10 +8,10 @@ equal distances there. Degenerate triangles count as their edges.
 from ..algebra.transform import widen
 from ..lang import cross, dot, float64, func, vec2d, vec3, vec3d, vec4d
 
-NARROW = 1e-16  # squared sine of the first corner's angle, below which the normal is dominated by rounding
-FACE = 0  # features: face, edges from corner 0, 1 and 2, corners
-EDGE = 1
-CORNER = 4
+MIN_SQUARED_SINE = 1e-16  # squared sine of the first corner's angle, below which the normal is dominated by rounding
+FACE_FEATURE = 0  # features: face, edges from corner 0, 1 and 2, corners
+EDGE_FEATURE = 1
+CORNER_FEATURE = 4
 
 
 @func
@@ -68,11 +68,11 @@ def measure_edges(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
         which = 2
         fraction = ca[0]
         nearest = ca[1]
-    part = EDGE + which
+    part = EDGE_FEATURE + which
     if fraction == 0.0:
-        part = CORNER + which
+        part = CORNER_FEATURE + which
     elif fraction == 1.0:
-        part = CORNER + (which + 1) % 3
+        part = CORNER_FEATURE + (which + 1) % 3
     rest = 1.0 - fraction
     second = fraction if which == 0 else (rest if which == 1 else 0.0)
     third = 0.0 if which == 0 else (fraction if which == 1 else rest)
@@ -91,7 +91,7 @@ def measure_triangle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
     third = dot(cross(ab, ap), n)
     first = size - second - third
     zero = float64(0.0)
-    is_wide = size > float64(NARROW) * dot(ab, ab) * dot(ac, ac)
+    is_wide = size > float64(MIN_SQUARED_SINE) * dot(ab, ab) * dot(ac, ac)
     nearest = vec4d(zero, zero, zero, zero)
     if is_wide and first > zero and second > zero and third > zero:
         height = dot(n, ap)

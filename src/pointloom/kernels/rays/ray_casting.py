@@ -31,11 +31,11 @@ from ..lang import (
 )
 from ..memory import empty
 from ..search.tree_walk import bits_of
-from .ray_hits import WIDER, lanes_met, meet_triangle, near_sides, next_hit, ray_axes, rotate_back
+from .ray_hits import UPPER_DEPTH_FACTOR, lanes_met, meet_triangle, near_sides, next_hit, ray_axes, rotate_back
 from .ray_packets import (
-    PACKET,
-    RAY,
-    SHEAR,
+    NUMBERS_PER_RAY,
+    RAYS_PER_PACKET,
+    SHEAR_AT,
     direction_in,
     is_packet,
     leaves_of_packet,
@@ -46,11 +46,11 @@ from .ray_packets import (
     ray_lanes,
     ray_origin,
 )
-from .scene_trees import FIRST_LEAF, NUMBER, ROW, SceneTrees
-from .triangle_tree import LEAF, leaf_corner
+from .scene_trees import FIRST_LEAF_AT, NUMBER_AT, ROW_INTEGERS, SceneTrees
+from .triangle_tree import LEAF_SIZE, leaf_corner
 
 NO_ID = -1  # 0xFFFFFFFF as unsigned
-BEFORE = -1.0  # a parameter before all others
+BEFORE_ALL = -1.0  # a parameter before all others
 
 
 @struct
@@ -71,9 +71,9 @@ class RayHits:
 @func
 def normal_of(index: int, row: int, trees: SceneTrees) -> vec3:
     """Unit normal of a triangle by the right-hand rule, in the scene's frame."""
-    a = leaf_corner(trees.corners, index // LEAF, index % LEAF, 0)
-    b = leaf_corner(trees.corners, index // LEAF, index % LEAF, 1)
-    c = leaf_corner(trees.corners, index // LEAF, index % LEAF, 2)
+    a = leaf_corner(trees.corners, index // LEAF_SIZE, index % LEAF_SIZE, 0)
+    b = leaf_corner(trees.corners, index // LEAF_SIZE, index % LEAF_SIZE, 1)
+    c = leaf_corner(trees.corners, index // LEAF_SIZE, index % LEAF_SIZE, 2)
     n = rotate_back(cross(widen(b) - widen(a), widen(c) - widen(a)), trees.motions, row)
     return narrow(n / length(n))
 
@@ -85,7 +85,7 @@ def store_hit(i: int, row: int, index: int, trees: SceneTrees, hits: RayHits, no
     hits.primitive_ids[i] = NO_ID
     normal = vec3(0.0, 0.0, 0.0)
     if index >= 0:
-        hits.geometry_ids[i] = trees.rows[row * ROW + NUMBER]
+        hits.geometry_ids[i] = trees.rows[row * ROW_INTEGERS + NUMBER_AT]
         hits.primitive_ids[i] = trees.order[index]
         normal = normal_of(index, row, trees)
     normals[i] = normal
@@ -93,7 +93,7 @@ def store_hit(i: int, row: int, index: int, trees: SceneTrees, hits: RayHits, no
 
 @func
 def cast_ray(i: int, rays: array(dtype=float32), trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)):
-    met = next_hit(ray_origin(rays, i), ray_direction(rays, i), 0.0, INFINITY, float64(BEFORE), NO_ID, 0, trees)
+    met = next_hit(ray_origin(rays, i), ray_direction(rays, i), 0.0, INFINITY, float64(BEFORE_ALL), NO_ID, 0, trees)
     hits.t_hit[i] = float(met[0])
     hits.primitive_uvs[i] = vec2(float(met[3]), float(met[4]))
     store_hit(i, int(met[1]), int(met[2]) if isfinite(met[0]) else -1, trees, hits, normals)
@@ -103,15 +103,15 @@ def cast_ray(i: int, rays: array(dtype=float32), trees: SceneTrees, hits: RayHit
 def cast_packet(first: int, rays: array(dtype=float32), trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)):
     """First hits of eight coherent rays."""
     numbers = packet(0.0)
-    count = int(PACKET)
+    count = int(RAYS_PER_PACKET)
     for r in range(count):
         own = numbers_of(ray_origin(rays, first + r), ray_direction(rays, first + r), trees)
-        for k in range(RAY):
-            numbers[RAY * r + k] = own[k]
+        for k in range(NUMBERS_PER_RAY):
+            numbers[NUMBERS_PER_RAY * r + k] = own[k]
     e = direction_in(ray_direction(rays, first), trees)
     axes = ray_axes(e)
     near = near_sides(e)
-    first_leaf = trees.rows[FIRST_LEAF]
+    first_leaf = trees.rows[FIRST_LEAF_AT]
     ends = ray_lanes(INFINITY)
     limit = float(INFINITY)
     depths = ray_lanes(INFINITY)
@@ -122,26 +122,26 @@ def cast_packet(first: int, rays: array(dtype=float32), trees: SceneTrees, hits:
         leaf_index = first_leaf + leaf
         closer = 0
         for r in bits_of(mask):
-            of = RAY * r
+            of = NUMBERS_PER_RAY * r
             q = vec3(numbers[of], numbers[of + 1], numbers[of + 2])
-            shear = vec3(numbers[of + SHEAR], numbers[of + SHEAR + 1], numbers[of + SHEAR + 2])
+            shear = vec3(numbers[of + SHEAR_AT], numbers[of + SHEAR_AT + 1], numbers[of + SHEAR_AT + 2])
             for lane in bits_of(lanes_met(trees.corners, leaf_index, q, axes, shear)):
                 met = meet_triangle(trees.corners, leaf_index, lane, q, axes, shear)
                 main = abs(shear[2])
                 t = float(met[0] / float64(main))
                 if t >= 0.0 and t <= depths[r] and isfinite(t):
-                    index = leaf_index * LEAF + lane
+                    index = leaf_index * LEAF_SIZE + lane
                     is_first = t < depths[r]
                     if is_first or trees.order[index] < trees.order[max(indices[r], 0)]:
                         depths[r] = t
                         indices[r] = index
                         u[r] = float(met[2])
                         v[r] = float(met[3])
-                        ends[r] = t * main * WIDER
+                        ends[r] = t * main * UPPER_DEPTH_FACTOR
                         closer = 1
         if closer == 1:
             limit = ends[0]
-            for r in range(1, PACKET):
+            for r in range(1, RAYS_PER_PACKET):
                 limit = larger(limit, ends[r])
     for r in range(count):
         hits.t_hit[first + r] = depths[r]
@@ -177,7 +177,7 @@ def test_occlusions_kernel(
     i = tid()
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
-    met = next_hit(o, d, nearest, farthest, float64(BEFORE), NO_ID, 1, trees)
+    met = next_hit(o, d, nearest, farthest, float64(BEFORE_ALL), NO_ID, 1, trees)
     occluded[i] = uint8(1 if isfinite(met[0]) else 0)
 
 
@@ -187,13 +187,13 @@ def count_hits_kernel(rays: array(dtype=float32), trees: SceneTrees, counts: arr
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
     count = -1
-    after = float64(BEFORE)
+    after = float64(BEFORE_ALL)
     above = int(NO_ID)
     while isfinite(after):
         met = next_hit(o, d, max(float(after), 0.0), INFINITY, after, above, 0, trees)
         after = met[0]
         if isfinite(after):
-            above = trees.rows[int(met[1]) * ROW + NUMBER]
+            above = trees.rows[int(met[1]) * ROW_INTEGERS + NUMBER_AT]
         count += 1
     counts[i] = count
 
@@ -209,12 +209,12 @@ def list_hits_kernel(
     i = tid()
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
-    after = float64(BEFORE)
+    after = float64(BEFORE_ALL)
     above = int(NO_ID)
     for j in range(offsets[i], offsets[i + 1]):
         met = next_hit(o, d, max(float(after), 0.0), INFINITY, after, above, 0, trees)
         after = met[0]
-        above = trees.rows[int(met[1]) * ROW + NUMBER]
+        above = trees.rows[int(met[1]) * ROW_INTEGERS + NUMBER_AT]
         hits.t_hit[j] = float(after)
         hits.geometry_ids[j] = above
         hits.primitive_ids[j] = trees.order[int(met[2])]
@@ -226,7 +226,7 @@ def cast_rays(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Vectors]:
     """First hits of rays, float32 (6 n): (RayHits, unit normals vec3 (n), 0 without a hit)."""
     count = rays.size // 6
     hits, normals = RayHits(count, rays.device), empty(count, vec3, rays.device)
-    run = 1 if rays.device.is_cuda else PACKET
+    run = 1 if rays.device.is_cuda else RAYS_PER_PACKET
     launch(cast_rays_kernel, -(-count // run), [rays, run, trees, hits, normals])
     return hits, normals
 

@@ -26,14 +26,14 @@ from ..lang import (
 )
 from ..search.point_tree import FAN, SIDES
 from ..search.tree_walk import bits_of
-from .scene_trees import FIRST_LEAF, MOTION, NUMBER, ROOT, ROW, SceneTrees
-from .triangle_tree import LEAF, LEAF_NUMBERS, MAX_LEVEL, level_keys
+from .scene_trees import FIRST_LEAF_AT, MOTION_NUMBERS, NUMBER_AT, ROOT_AT, ROW_INTEGERS, SceneTrees
+from .triangle_tree import LEAF_NUMBERS, LEAF_SIZE, MAX_LEVEL, level_keys
 
-BYTE = 255
+BYTE_MASK = 255
 FULL_BYTE = 255
-FLATTEST = 1.0e-30
-MARGIN = 1.0e-6  # of the distance to the farthest corner: 16 float32 roundings, twice the actual error
-STEEPEST = 1.0e30  # maximum slope to the main axis; steeper ones move by less than the margin
+MIN_DIRECTION_RATIO = 1.0e-30
+RELATIVE_MARGIN = 1.0e-6  # of the distance to the farthest corner: 16 float32 roundings, twice the actual error
+MAX_SLOPE = 1.0e30  # maximum slope to the main axis; steeper ones move by less than the margin
 NOT_ENTERED = 0x7FFFFFFF  # above the bits of any number
 entry_keys = vector(8, int32)
 leaf_traversal = vector(4, int64)
@@ -84,7 +84,7 @@ def signed_margins(o: vec3, d: vec3, low: vec3, high: vec3, axes: vec3i) -> vec3
         margins[k] = larger(abs(low[k] - o[k]), abs(high[k] - o[k]))
     main = margins[axes[2]]
     for k in range(3):
-        margin = (margins[k] + main) * MARGIN
+        margin = (margins[k] + main) * RELATIVE_MARGIN
         margins[k] = margin if d[k] >= 0.0 else -margin
     return margins
 
@@ -95,7 +95,7 @@ def rates_of(d: vec3, axes: vec3i) -> vec3:
     main = abs(d[axes[2]])
     rates = vec3(0.0, 0.0, 0.0)
     for k in range(3):
-        rate = smaller(main / larger(abs(d[k]), main * FLATTEST), STEEPEST)
+        rate = smaller(main / larger(abs(d[k]), main * MIN_DIRECTION_RATIO), MAX_SLOPE)
         rates[k] = rate if d[k] >= 0.0 else -rate
     return rates
 
@@ -147,7 +147,7 @@ def measure_entries(
 
 @func
 def first_entered(keys: entry_keys, left: int) -> int:
-    passed = BYTE ^ left
+    passed = BYTE_MASK ^ left
     open_keys = keys
     for j in range(FAN):
         open_keys[j] = NOT_ENTERED if ((passed >> j) & 1) == 1 else keys[j]
@@ -229,9 +229,9 @@ def leaves_on_ray_by_bits(
     pending = ~int64(0)
     while level <= root:
         shift = int64(FAN * max(level - 1, 0))
-        left = int(BYTE)
+        left = int(BYTE_MASK)
         if level > 0:
-            left = int(pending >> shift) & BYTE
+            left = int(pending >> shift) & BYTE_MASK
         key = int(NOT_ENTERED)
         if left != 0:
             keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, end)
@@ -276,7 +276,7 @@ def next_leaf(
     leaf = -1
     while leaf < 0 and level <= root:
         shift = int64(FAN * level)
-        left = int(pending >> shift) & BYTE
+        left = int(pending >> shift) & BYTE_MASK
         key = int(NOT_ENTERED)
         if left != 0:
             keys = measure_entries(boxes, levels[level] + node, near, a, b, rates, begin, end)
@@ -299,30 +299,30 @@ def next_leaf(
 @func
 def lanes_met(corners: array(dtype=float32), leaf: int, o: vec3, axes: vec3i, shear: vec3) -> int:
     """Bit mask of the leaf triangles that the ray may hit, by float32 products (monotonic; ties are hits)."""
-    x = leaf * LEAF_NUMBERS + axes[0] * LEAF
-    y = leaf * LEAF_NUMBERS + axes[1] * LEAF
-    z = leaf * LEAF_NUMBERS + axes[2] * LEAF
+    x = leaf * LEAF_NUMBERS + axes[0] * LEAF_SIZE
+    y = leaf * LEAF_NUMBERS + axes[1] * LEAF_SIZE
+    z = leaf * LEAF_NUMBERS + axes[2] * LEAF_SIZE
     ox = o[axes[0]]
     oy = o[axes[1]]
     oz = o[axes[2]]
     sides = lane_numbers(0.0)
-    for j in range(LEAF):
+    for j in range(LEAF_SIZE):
         az = corners[z + j] - oz
         ax = (corners[x + j] - ox) - shear[0] * az
         ay = (corners[y + j] - oy) - shear[1] * az
-        bz = corners[z + 3 * LEAF + j] - oz
-        bx = (corners[x + 3 * LEAF + j] - ox) - shear[0] * bz
-        by = (corners[y + 3 * LEAF + j] - oy) - shear[1] * bz
-        cz = corners[z + 6 * LEAF + j] - oz
-        cx = (corners[x + 6 * LEAF + j] - ox) - shear[0] * cz
-        cy = (corners[y + 6 * LEAF + j] - oy) - shear[1] * cz
+        bz = corners[z + 3 * LEAF_SIZE + j] - oz
+        bx = (corners[x + 3 * LEAF_SIZE + j] - ox) - shear[0] * bz
+        by = (corners[y + 3 * LEAF_SIZE + j] - oy) - shear[1] * bz
+        cz = corners[z + 6 * LEAF_SIZE + j] - oz
+        cx = (corners[x + 6 * LEAF_SIZE + j] - ox) - shear[0] * cz
+        cy = (corners[y + 6 * LEAF_SIZE + j] - oy) - shear[1] * cz
         u = cx * by - cy * bx
         v = ax * cy - ay * cx
         w = bx * ay - by * ax
         # non-negative if all three have one sign, or zero
         sides[j] = larger(smaller(u, smaller(v, w)), -larger(u, larger(v, w)))
     mask = 0
-    for j in range(LEAF):
+    for j in range(LEAF_SIZE):
         mask = mask | ((1 << j) if sides[j] >= 0.0 else 0)
     return mask
 
@@ -359,19 +359,19 @@ def meet_triangle(
 ) -> depth_and_weights:
     """Depth along the main axis of a triangle hit, and corner weights; infinite depth for no hit or a coplanar line."""
     at = leaf * LEAF_NUMBERS + lane
-    x = at + axes[0] * LEAF
-    y = at + axes[1] * LEAF
-    z = at + axes[2] * LEAF
+    x = at + axes[0] * LEAF_SIZE
+    y = at + axes[1] * LEAF_SIZE
+    z = at + axes[2] * LEAF_SIZE
     oz = o[axes[2]]
     az = corners[z] - oz
     ax = (corners[x] - o[axes[0]]) - shear[0] * az
     ay = (corners[y] - o[axes[1]]) - shear[1] * az
-    bz = corners[z + 3 * LEAF] - oz
-    bx = (corners[x + 3 * LEAF] - o[axes[0]]) - shear[0] * bz
-    by = (corners[y + 3 * LEAF] - o[axes[1]]) - shear[1] * bz
-    cz = corners[z + 6 * LEAF] - oz
-    cx = (corners[x + 6 * LEAF] - o[axes[0]]) - shear[0] * cz
-    cy = (corners[y + 6 * LEAF] - o[axes[1]]) - shear[1] * cz
+    bz = corners[z + 3 * LEAF_SIZE] - oz
+    bx = (corners[x + 3 * LEAF_SIZE] - o[axes[0]]) - shear[0] * bz
+    by = (corners[y + 3 * LEAF_SIZE] - o[axes[1]]) - shear[1] * bz
+    cz = corners[z + 6 * LEAF_SIZE] - oz
+    cx = (corners[x + 6 * LEAF_SIZE] - o[axes[0]]) - shear[0] * cz
+    cy = (corners[y + 6 * LEAF_SIZE] - o[axes[1]]) - shear[1] * cz
     zero = float64(0.0)
     one = float64(1.0)
     u = cross_products(cx, cy, bx, by)
@@ -407,8 +407,8 @@ def meet_triangle(
     return met
 
 
-WIDER = 1.000001  # upper bound of a depth, including rounding
-NARROWER = 0.999999  # lower bound
+UPPER_DEPTH_FACTOR = 1.000001  # upper bound of a depth, including rounding
+LOWER_DEPTH_FACTOR = 0.999999  # lower bound
 NO_OBJECT = 2**31 - 1  # number of missing objects
 hit = vector(5, float64)  # parameter, object row, triangle position, weights of 2 corners
 
@@ -427,7 +427,7 @@ def vector_at(motions: array(dtype=float64), at: int) -> vec3d:
 @func
 def rotate_into(d: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
     """Rotate a direction from the scene to an object's mesh frame."""
-    at = row * MOTION
+    at = row * MOTION_NUMBERS
     x = vector_at(motions, at)
     y = vector_at(motions, at + 3)
     z = vector_at(motions, at + 6)
@@ -441,7 +441,7 @@ def rotate_into(d: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
 @func
 def rotate_back(n: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
     """Rotate a direction from an object's mesh frame to the scene."""
-    at = row * MOTION
+    at = row * MOTION_NUMBERS
     return vector_at(motions, at) * n[0] + vector_at(motions, at + 3) * n[1] + vector_at(motions, at + 6) * n[2]
 
 
@@ -450,8 +450,8 @@ def next_object(
     step: leaf_traversal, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, end: float, trees: SceneTrees
 ) -> leaf_traversal:
     """`next_leaf` of the object tree, with a margin for rounding of depths."""
-    low = begin * NARROWER
-    high = end * WIDER
+    low = begin * LOWER_DEPTH_FACTOR
+    high = end * UPPER_DEPTH_FACTOR
     return next_leaf(step, trees.object_levels, trees.object_root, trees.object_boxes, near, a, b, rates, low, high)
 
 
@@ -491,13 +491,13 @@ def next_hit(
         best_number = int(NO_OBJECT)
         best_triangle = int(NO_OBJECT)
         for row in objects_on_ray(o, d, nearest, best_t, trees):
-            p = rotate_into(widen(o), trees.motions, row) + vector_at(trees.motions, row * MOTION + 9)
+            p = rotate_into(widen(o), trees.motions, row) + vector_at(trees.motions, row * MOTION_NUMBERS + 9)
             q = narrow(p)
             e = narrow(rotate_into(widen(d), trees.motions, row))
-            low = narrow(vector_at(trees.motions, row * MOTION + 12))
-            high = narrow(vector_at(trees.motions, row * MOTION + 15))
-            number = trees.rows[row * ROW + NUMBER]
-            first_leaf = trees.rows[row * ROW + FIRST_LEAF]
+            low = narrow(vector_at(trees.motions, row * MOTION_NUMBERS + 12))
+            high = narrow(vector_at(trees.motions, row * MOTION_NUMBERS + 15))
+            number = trees.rows[row * ROW_INTEGERS + NUMBER_AT]
+            first_leaf = trees.rows[row * ROW_INTEGERS + FIRST_LEAF_AT]
             own_axes = ray_axes(e)
             shear = shear_of(e, own_axes)
             own_main = abs(shear[2])
@@ -506,12 +506,12 @@ def next_hit(
             own_margins = signed_margins(q, e, low, high, own_axes)
             own_a = q + own_margins
             own_b = q - own_margins
-            own_begin = nearest * own_main * NARROWER
-            own_end = best_t * own_main * WIDER
+            own_begin = nearest * own_main * LOWER_DEPTH_FACTOR
+            own_end = best_t * own_main * UPPER_DEPTH_FACTOR
             for leaf in leaves_on_ray(
                 trees.rows,
-                row * ROW,
-                trees.rows[row * ROW + ROOT],
+                row * ROW_INTEGERS,
+                trees.rows[row * ROW_INTEGERS + ROOT_AT],
                 trees.boxes,
                 own_near,
                 own_a,
@@ -526,14 +526,14 @@ def next_hit(
                     t = float(met[0] / float64(own_main))
                     is_after = float64(t) > after or (float64(t) == after and number > above)
                     if is_after and t >= nearest and t <= best_t and isfinite(t):
-                        triangle = trees.order[leaf_index * LEAF + lane]
+                        triangle = trees.order[leaf_index * LEAF_SIZE + lane]
                         is_first = t < best_t or number < best_number
                         if is_first or (number == best_number and triangle < best_triangle):
                             best_t = t
                             best_number = number
                             best_triangle = triangle
-                            best = hit(float64(t), float64(row), float64(leaf_index * LEAF + lane), met[2], met[3])
-                            own_end = best_t * own_main * WIDER
+                            best = hit(float64(t), float64(row), float64(leaf_index * LEAF_SIZE + lane), met[2], met[3])
+                            own_end = best_t * own_main * UPPER_DEPTH_FACTOR
                             if any_hit == 1:
                                 own_end = -1.0
                                 best_t = -1.0

@@ -19,12 +19,12 @@ from .ray_hits import (
     signed_margins,
     vector_at,
 )
-from .scene_trees import ROOT, SceneTrees
+from .scene_trees import ROOT_AT, SceneTrees
 from .triangle_tree import MAX_LEVEL, level_keys
 
-PACKET = 8  # rays
-RAY = 16  # numbers of a ray: origin, shear, near and far side of the origin's margins, rates
-SHEAR, NEAR, FAR, RATES = 3, 6, 9, 12
+RAYS_PER_PACKET = 8
+NUMBERS_PER_RAY = 16  # origin, shear, near and far side of the origin's margins, rates
+SHEAR_AT, NEAR_AT, FAR_AT, RATES_AT = 3, 6, 9, 12
 packet = vector(128, float32)
 ray_numbers = vector(16, float32)
 ray_lanes = vector(8, float32)
@@ -64,19 +64,19 @@ def is_packet(rays: array(dtype=float32), first: int, trees: SceneTrees) -> int:
     """1 if eight rays from `first` on are coherent, and there is one object."""
     octant = -1
     count = 0
-    if trees.object_count == 1 and first + PACKET <= rays.shape[0] // 6:
+    if trees.object_count == 1 and first + RAYS_PER_PACKET <= rays.shape[0] // 6:
         octant = octant_of(rays, first, trees)
     other = octant + 0
-    while other >= 0 and other == octant and count < PACKET:
+    while other >= 0 and other == octant and count < RAYS_PER_PACKET:
         count += 1
-        if count < PACKET:
+        if count < RAYS_PER_PACKET:
             other = octant_of(rays, first + count, trees)
-    return 1 if count == PACKET else 0
+    return 1 if count == RAYS_PER_PACKET else 0
 
 
 @func
 def numbers_of(o: vec3, d: vec3, trees: SceneTrees) -> ray_numbers:
-    """RAY numbers of a ray in the frame of the first object."""
+    """NUMBERS_PER_RAY numbers of a ray in the frame of the first object."""
     q = narrow(rotate_into(widen(o), trees.motions, 0) + vector_at(trees.motions, 9))
     e = direction_in(d, trees)
     axes = ray_axes(e)
@@ -97,7 +97,7 @@ def numbers_of(o: vec3, d: vec3, trees: SceneTrees) -> ray_numbers:
 def leaves_of_packet(trees: SceneTrees, numbers: packet, near: vec3i, ends: ray_lanes, limit: float) -> tuple[int, int]:
     """Leaves that rays of a packet enter by their `ends`, which the body may shrink, and a bit mask of these rays. The
     nearest sibling of any ray is first. `limit` is the largest end. As `leaves_on_ray` otherwise."""
-    root = trees.rows[ROOT]
+    root = trees.rows[ROOT_AT]
     level = root + 0
     node = 0
     is_new = 1
@@ -110,12 +110,12 @@ def leaves_of_packet(trees: SceneTrees, numbers: packet, near: vec3i, ends: ray_
             for j in range(FAN):
                 pending[at + j] = NOT_ENTERED
                 masks[j] = 0
-            rays = int(PACKET)
+            rays = int(RAYS_PER_PACKET)
             for r in range(rays):
-                of = RAY * r
-                a = vec3(numbers[of + NEAR], numbers[of + NEAR + 1], numbers[of + NEAR + 2])
-                b = vec3(numbers[of + FAR], numbers[of + FAR + 1], numbers[of + FAR + 2])
-                rates = vec3(numbers[of + RATES], numbers[of + RATES + 1], numbers[of + RATES + 2])
+                of = NUMBERS_PER_RAY * r
+                a = vec3(numbers[of + NEAR_AT], numbers[of + NEAR_AT + 1], numbers[of + NEAR_AT + 2])
+                b = vec3(numbers[of + FAR_AT], numbers[of + FAR_AT + 1], numbers[of + FAR_AT + 2])
+                rates = vec3(numbers[of + RATES_AT], numbers[of + RATES_AT + 1], numbers[of + RATES_AT + 2])
                 end = ends[r]
                 for j, key in child_entries(trees.boxes, trees.rows[level] + node, near, a, b, rates, 0.0, end):
                     pending[at + j] = min(pending[at + j], key)

@@ -14,17 +14,17 @@ from ..search.hilbert_order import HilbertOrder
 from ..search.point_tree import FAN, SIDES
 from .triangle_tree import TriangleTree
 
-LEVELS = 12  # sufficient for 2^31 triangles
-ROW = 16  # integers per object: LEVELS level starts, root, first leaf, object number
-ROOT, FIRST_LEAF, NUMBER = 12, 13, 14
-MOTION = 18  # numbers per object: rotation and shift from scene to mesh, mesh box
-SLACK = 1.0e-5  # relative enlargement of an object's box: float32 rounds differently in the mesh frame
+MAX_LEVELS = 12  # sufficient for 2^31 triangles
+ROW_INTEGERS = 16  # per object: MAX_LEVELS level starts, root, first leaf, object number
+ROOT_AT, FIRST_LEAF_AT, NUMBER_AT = 12, 13, 14
+MOTION_NUMBERS = 18  # per object: rotation and shift from scene to mesh, mesh box
+BOX_ENLARGEMENT = 1.0e-5  # relative enlargement of an object's box: float32 rounds differently in the mesh frame
 
 
 @struct
 class SceneTrees:
-    """Trees of a scene's meshes, and poses (mesh to scene) of its objects. `rows` (ROW integers) and `motions` (MOTION
-    numbers) per object, in the order of the upper tree `object_boxes`, `object_levels`, `object_root`.
+    """Trees of a scene's meshes, and poses (mesh to scene) of its objects. `rows` (ROW_INTEGERS) and `motions`
+    (MOTION_NUMBERS) per object, in the order of the upper tree `object_boxes`, `object_levels`, `object_root`.
     """
 
     boxes: array(dtype=float32)
@@ -48,7 +48,7 @@ class SceneTrees:
 
     def put(self, poses: np.ndarray) -> None:
         count = self.object_count = len(self.tree_of)
-        motions = np.empty((count, MOTION))
+        motions = np.empty((count, MOTION_NUMBERS))
         R = poses[:, :3, :3]
         motions[:, :9] = R.transpose(0, 2, 1).reshape(count, 9)
         motions[:, 9:12] = -np.einsum("nji,nj->ni", R, poses[:, :3, 3])
@@ -71,13 +71,13 @@ class SceneTrees:
     def _rows(self) -> np.ndarray:
         record = np.cumsum([0, *(len(tree.boxes) // SIDES for tree in self.trees)])
         leaf = np.cumsum([0, *(tree.leaf_count for tree in self.trees)])
-        table = np.zeros((len(self.trees), ROW), np.int64)
+        table = np.zeros((len(self.trees), ROW_INTEGERS), np.int64)
         for number, tree in enumerate(self.trees):
             levels = tree.level_firsts[:-1]
             table[number, : len(levels)] = record[number] + levels
-            table[number, ROOT], table[number, FIRST_LEAF] = tree.root, leaf[number]
+            table[number, ROOT_AT], table[number, FIRST_LEAF_AT] = tree.root, leaf[number]
         rows = table[self.tree_of]
-        rows[:, NUMBER] = np.arange(len(rows))
+        rows[:, NUMBER_AT] = np.arange(len(rows))
         return rows
 
 
@@ -95,13 +95,13 @@ def _joined(trees: Sequence[TriangleTree], name: str, dtype: type[Element]) -> A
 
 
 def _boxes_of_objects(low: np.ndarray, high: np.ndarray, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Boxes of posed meshes, enlarged by SLACK and rounded outwards to float32."""
+    """Boxes of posed meshes, enlarged by BOX_ENLARGEMENT and rounded outwards to float32."""
     corners = np.stack([np.where(pick, high, low) for pick in itertools.product((False, True), repeat=3)], axis=1)
     empty_rows = ~np.isfinite(corners).all(axis=(1, 2))
     corners[empty_rows] = 0
     moved = np.einsum("nij,nkj->nki", poses[:, :3, :3], corners) + poses[:, None, :3, 3]
     a, b = moved.min(axis=1), moved.max(axis=1)
-    slack = SLACK * np.maximum(np.abs(a), np.abs(b)).max(axis=1, initial=0.0, keepdims=True)
+    slack = BOX_ENLARGEMENT * np.maximum(np.abs(a), np.abs(b)).max(axis=1, initial=0.0, keepdims=True)
     a, b = (a - slack).astype(np.float32), (b + slack).astype(np.float32)
     a[empty_rows], b[empty_rows] = np.inf, -np.inf
     return a, b

@@ -24,9 +24,9 @@ from ..lang import (
 )
 from ..memory import empty, fill
 
-RUN = 512  # points bounded per thread, on CUDA per warp: few atomics
+POINTS_PER_THREAD = 512  # to bound, on CUDA per warp: few atomics
 STEP_BITS = 16  # of a coordinate in its run's box
-STEPS = 65535.0
+MAX_GRID_STEP = 65535.0
 
 
 @func
@@ -114,7 +114,7 @@ def key_positions_kernel(
     p = points[order[i]]
     step = 0
     if extent > 0.0 and isfinite(extent):
-        step = int((p[axis] - lowest) / extent * STEPS)
+        step = int((p[axis] - lowest) / extent * MAX_GRID_STEP)
     put_key(i, (int64(run) << int64(STEP_BITS)) | int64(step), keys)
 
 
@@ -128,7 +128,7 @@ def order_by_splits(points: Points, rows: Indices, unit: int) -> Indices:
     low, high, keys = empty(room, float32, device), empty(room, float32, device), SortKeys(count, device)
     while half >= unit and count > unit:
         size = 2 * half
-        runs, part = -(-count // size), min(RUN, size)
+        runs, part = -(-count // size), min(POINTS_PER_THREAD, size)
         if part < size:
             fill(low, float("inf"))
             fill(high, float("-inf"))

@@ -44,10 +44,10 @@ from .triangle_tree import TriangleTree
 
 MAX_PIECES = 2**22  # per round: about 500 MB
 MIN_ROOM = 1024  # pieces per round
-ROUNDS = 24  # mantissa bits of float32
+MAX_ROUNDS = 24  # mantissa bits of float32
 # Lower bound, upper bound, largest bound of the round, pieces of
 # the next round, rounds so far, and whether another round is needed.
-LOWER, UPPER, BOUND, COUNT, ROUND, WANTED, NUMBERS = range(7)
+LOWER_BOUND, UPPER_BOUND, PIECE_BOUND, PIECE_COUNT, ROUND_NUMBER, ROUND_WANTED, KNOWN_NUMBERS = range(7)
 
 
 @kernel
@@ -76,7 +76,7 @@ def find_farthest_vertex_kernel(distances: array(dtype=float64), used: array(dty
 def start_known_kernel(largest: array(dtype=float64), known: array(dtype=float64)):
     """Maximum of known distances (atomic)."""
     i = tid()
-    atomic_max(known, LOWER, largest[i])
+    atomic_max(known, LOWER_BOUND, largest[i])
 
 
 @kernel
@@ -90,7 +90,7 @@ def list_pieces_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i
 @struct
 class Pieces:
     """Pieces of a round. `pieces`: corners of this and the next round; `middles`, NaN padding; `bounds`, -1 if unused;
-    `ranks`: inclusive counts of pieces to split; `known` (NUMBERS).
+    `ranks`: inclusive counts of pieces to split; `known` (KNOWN_NUMBERS).
     """
 
     pieces: array(dtype=vec3)
@@ -163,8 +163,8 @@ def start_round_kernel(given: Pieces):
     """Centers of a round's pieces, with nothing near them yet."""
     i = tid()
     middle = vec3(NAN, NAN, NAN)
-    if i < int(given.known[COUNT]):
-        middle = middle_of_piece(i, half_of(given, int(given.known[ROUND])), given)
+    if i < int(given.known[PIECE_COUNT]):
+        middle = middle_of_piece(i, half_of(given, int(given.known[ROUND_NUMBER])), given)
     given.middles[i] = middle
     given.nearest.sqdists[i] = float64(INFINITY)
     given.nearest.triangles[i] = NO_TRIANGLE
@@ -184,24 +184,24 @@ def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: a
     row = given.nearest.triangles[i]
     if row >= 0:
         t = triangles[row]
-        first = half_of(given, int(given.known[ROUND])) + 3 * i
+        first = half_of(given, int(given.known[ROUND_NUMBER])) + 3 * i
         max_sqdist = float64(0.0)
         corners = int(3)
         for k in range(corners):
             max_sqdist = max(max_sqdist, measure_row(given.pieces[first + k], vertices, t))
         bound = sqrt(max_sqdist)
         distance = sqrt(given.nearest.sqdists[i])
-        if distance > given.known[LOWER]:  # saves needless atomics
-            atomic_max(given.known, LOWER, distance)
-        if isfinite(bound) and bound > given.known[BOUND]:
-            atomic_max(given.known, BOUND, bound)
+        if distance > given.known[LOWER_BOUND]:  # saves needless atomics
+            atomic_max(given.known, LOWER_BOUND, distance)
+        if isfinite(bound) and bound > given.known[PIECE_BOUND]:
+            atomic_max(given.known, PIECE_BOUND, bound)
     given.bounds[i] = bound
 
 
 @kernel
 def mark_far_pieces_kernel(given: Pieces, tolerance: float64):
     i = tid()
-    given.ranks[i] = 1 if given.bounds[i] > given.known[LOWER] + tolerance else 0
+    given.ranks[i] = 1 if given.bounds[i] > given.known[LOWER_BOUND] + tolerance else 0
 
 
 @kernel
@@ -209,16 +209,17 @@ def end_round_kernel(given: Pieces, tolerance: float64):
     """Store the bounds, the count of pieces to split and whether another round is needed."""
     i = tid()
     left = int64(given.ranks[given.room - 1])
-    upper = max(given.known[BOUND], given.known[LOWER])
-    round_number = given.known[ROUND + i] + 1.0
-    given.known[UPPER] = upper
-    given.known[BOUND] = float64(0.0)
-    given.known[COUNT] = float64(4 * left)
-    given.known[ROUND] = round_number
+    upper = max(given.known[PIECE_BOUND], given.known[LOWER_BOUND])
+    round_number = given.known[ROUND_NUMBER + i] + 1.0
+    given.known[UPPER_BOUND] = upper
+    given.known[PIECE_BOUND] = float64(0.0)
+    given.known[PIECE_COUNT] = float64(4 * left)
+    given.known[ROUND_NUMBER] = round_number
     wanted = 0
-    if upper > given.known[LOWER] + tolerance and 4 * left <= int64(MAX_PIECES) and round_number < float64(ROUNDS):
+    above = given.known[LOWER_BOUND] + tolerance
+    if upper > above and 4 * left <= int64(MAX_PIECES) and round_number < float64(MAX_ROUNDS):
         wanted = 1
-    given.known[WANTED] = float64(wanted)
+    given.known[ROUND_WANTED] = float64(wanted)
     given.running[0] = wanted if 4 * left <= int64(given.room) else 0
 
 
@@ -229,8 +230,8 @@ def cut_pieces_kernel(given: Pieces, cut: array(dtype=vec3), half: int):
     before = 0
     if i > 0:
         before = given.ranks[i - 1]
-    round_number = int(given.known[ROUND])
-    if given.ranks[i] > before and given.known[WANTED] == 1.0 and given.known[COUNT] * 3.0 <= float64(half):
+    round_number = int(given.known[ROUND_NUMBER])
+    if given.ranks[i] > before and given.known[ROUND_WANTED] == 1.0 and given.known[PIECE_COUNT] * 3.0 <= float64(half):
         first = half_of(given, round_number - 1) + 3 * i
         target = 0
         if round_number % 2 == 1:
@@ -290,7 +291,7 @@ class FarthestSearch:
     ) -> None:
         """Process all triangles once. No sync."""
         device = vertices.device
-        self._tree, self._tolerance, self.known = tree, tolerance, zeros(NUMBERS, float64, device)
+        self._tree, self._tolerance, self.known = tree, tolerance, zeros(KNOWN_NUMBERS, float64, device)
         used = zeros(vertices.size, int32, device)
         launch(start_known_kernel, distances.size, [distances, self.known])
         launch(mark_referenced_kernel, triangles.size, [triangles, used])
@@ -302,9 +303,9 @@ class FarthestSearch:
 
     def is_done(self, values: np.ndarray) -> bool:
         """True if the host values are final. Else continue and read again (no sync)."""
-        if not values[WANTED]:
+        if not values[ROUND_WANTED]:
             return True
-        before, room = self._pieces, max(MIN_ROOM, min(4 * int(values[COUNT]), MAX_PIECES))
+        before, room = self._pieces, max(MIN_ROOM, min(4 * int(values[PIECE_COUNT]), MAX_PIECES))
         self._pieces = Pieces(room, self.known)
         self._pieces.run_rounds(self._tree, self._tolerance, before)
         return False
@@ -312,7 +313,7 @@ class FarthestSearch:
     @staticmethod
     def read_bounds(values: np.ndarray) -> tuple[float, float]:
         """(lower, upper) bound; farther apart than the tolerance only if MAX_PIECES was exceeded."""
-        return float(values[LOWER]), float(values[UPPER])
+        return float(values[LOWER_BOUND]), float(values[UPPER_BOUND])
 
 
 def search_farthest(searches: Sequence[FarthestSearch], host_values: Sequence[np.ndarray]) -> list[tuple[float, float]]:

@@ -1,6 +1,6 @@
 """Point-triangle distance in float32 with an error bound, and in float64 where that is insufficient. Any corner weights
 give a point of the triangle, so distances are never too short. Weights matter to second order, with error at most e D L
-in the square for length L. With rounding of the sums the error is below ERROR times the sum of the squares. Triangles
+in the square for length L. With rounding of the sums the error is below RELATIVE_ERROR times their sum. Triangles
 too small or narrow for float32 are not trusted.
 """
 
@@ -9,13 +9,13 @@ from ..algebra.transform import widen
 from ..lang import array, float32, float64, func, load_nine, vec2, vec3, vector
 from ..search.point_tree import LARGEST_SQDIST
 from .point_triangle import measure_triangle
-from .triangle_tree import LEAF, TriangleTree, leaf_corner
+from .triangle_tree import LEAF_SIZE, TriangleTree, leaf_corner
 
-ERROR = 4e-6  # 64 float32 roundings
-FLAT = 1e-30  # squared area, relative to a usual triangle, below which float32 cannot compute the foot
-HUGE = 1e30  # and above
-SLACK = 1.000001  # five float32 roundings in a box's squared distance
-SMALLEST = 1e-37  # smaller squares may have underflowed
+RELATIVE_ERROR = 4e-6  # 64 float32 roundings
+MIN_SQUARED_AREA = 1e-30  # squared area, relative to a usual triangle, below which float32 cannot compute the foot
+MAX_SQUARED_AREA = 1e30  # and above
+BOX_SQDIST_FACTOR = 1.000001  # five float32 roundings in a box's squared distance
+MIN_SQDIST = 1e-37  # smaller squares may have underflowed
 three_corners = vector(9, float32)
 
 
@@ -40,9 +40,9 @@ def edge_distance(ex: float, ey: float, ez: float, x: float, y: float, z: float)
 def load_corners(corners: array(dtype=float32), at: int) -> three_corners:
     """Corners of a TriangleTree's triangle, from the index of its first x."""
     return three_corners(
-        corners[at], corners[at + LEAF], corners[at + 2 * LEAF],
-        corners[at + 3 * LEAF], corners[at + 4 * LEAF], corners[at + 5 * LEAF],
-        corners[at + 6 * LEAF], corners[at + 7 * LEAF], corners[at + 8 * LEAF],
+        corners[at], corners[at + LEAF_SIZE], corners[at + 2 * LEAF_SIZE],
+        corners[at + 3 * LEAF_SIZE], corners[at + 4 * LEAF_SIZE], corners[at + 5 * LEAF_SIZE],
+        corners[at + 6 * LEAF_SIZE], corners[at + 7 * LEAF_SIZE], corners[at + 8 * LEAF_SIZE],
     )  # fmt: skip
 
 
@@ -90,14 +90,14 @@ def bound_distance(t: three_corners, q: vec3, scale: float) -> vec2:
     foot = x * x + y * y + z * z
     inside = smaller(smaller(second, third), 1.0 - second - third)
     nearest = smaller(nearest, foot if inside > 0.0 else nearest)
-    error = sizes * (ERROR if area > FLAT and area < HUGE else 1.0) + SMALLEST
+    error = sizes * (RELATIVE_ERROR if area > MIN_SQUARED_AREA and area < MAX_SQUARED_AREA else 1.0) + MIN_SQDIST
     return vec2(nearest, error)
 
 
 @func
 def sqdist_at(q: vec3, index: int, tree: TriangleTree) -> float64:
-    leaf = index // LEAF
-    lane = index % LEAF
+    leaf = index // LEAF_SIZE
+    lane = index % LEAF_SIZE
     a = widen(leaf_corner(tree.corners, leaf, lane, 0))
     b = widen(leaf_corner(tree.corners, leaf, lane, 1))
     c = widen(leaf_corner(tree.corners, leaf, lane, 2))
@@ -108,4 +108,4 @@ def sqdist_at(q: vec3, index: int, tree: TriangleTree) -> float64:
 @func
 def sqdist_limit(sqdist: float64) -> float:
     """Float32 limit for box distances that covers a squared distance."""
-    return float(min(sqdist * float64(SLACK) + float64(SMALLEST), float64(LARGEST_SQDIST)))
+    return float(min(sqdist * float64(BOX_SQDIST_FACTOR) + float64(MIN_SQDIST), float64(LARGEST_SQDIST)))

@@ -1,4 +1,4 @@
-"""Orientation predicates of vertices by number: float64 signs with error bounds, UNSURE if undecided (Shewchuk,
+"""Orientation predicates of vertices by number: float64 signs with error bounds, NOT_DECIDED if undecided (Shewchuk,
 "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997), and exact signs by residues.
 """
 
@@ -8,7 +8,7 @@ from ..array_types import Points
 from ..lang import array, cross, dot, float32, float64, func, int64, struct, vec3
 from ..memory import empty
 
-UNSURE = 2
+NOT_DECIDED = 2
 ERROR_OF_THREE = 1e-15  # of the sum of absolute products. Shewchuk's (7 + 56 e) e is 7.8e-16
 ERROR_OF_TWO = 4e-16  # (3 + 16 e) e is 3.4e-16
 
@@ -20,8 +20,8 @@ def size_of(x: float64) -> float64:
 
 @func
 def sign_beyond(value: float64, bound: float64) -> int:
-    """Sign of a number with an error bound. 0 if both are zero, UNSURE within the bound."""
-    sign = int(UNSURE)
+    """Sign of a number with an error bound. 0 if both are zero, NOT_DECIDED within the bound."""
+    sign = int(NOT_DECIDED)
     if value > bound:
         sign = 1
     elif value < -bound:

@@ -1,6 +1,6 @@
 """Bounding-box tree over triangles, for rays, distances and intersections.
 
-Leaves are runs of LEAF triangles. Level 0 nodes have FAN leaves, node k of level l has nodes FAN k .. FAN k + 7 of
+Leaves are runs of LEAF_SIZE triangles. Level 0 nodes have FAN leaves, node k of level l has nodes FAN k .. FAN k + 7 of
 level l - 1. The record of a node is `levels[l] + k`. At `boxes[record * SIDES]` are its child boxes as in a PointTree
 (low x of all eight, low y, ...). Missing children are empty boxes. A leaf's corners are interleaved (`leaf_corner`),
 and the last leaf is padded with its last triangle. Triangles with non-finite corners are skipped, degenerate ones stay.
@@ -40,9 +40,9 @@ from ..memory import download, empty, full, upload
 from ..search.point_tree import FAN, SIDES, bound_levels, level_sizes
 from .split_order import order_by_splits
 
-LEAF = 8  # triangles per leaf
-RUN = 1024  # triangles per CPU thread: one atomic each
-LEAF_NUMBERS = 9 * LEAF  # numbers of a leaf's corners
+LEAF_SIZE = 8  # triangles
+TRIANGLES_PER_THREAD = 1024  # on the CPU: one atomic each
+LEAF_NUMBERS = 9 * LEAF_SIZE  # numbers of a leaf's corners
 MAX_LEVEL = 15  # 2^k - 1, above the root of 2^31 triangles
 level_keys = vector(128, int32)  # FAN per level
 
@@ -51,7 +51,7 @@ class Extent:
     """Extent of triangles: `middles`, NaN for non-finite corners; `mask`, 1 if finite; `extremes` for `box_of`."""
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
-        device, runs = vertices.device, Runs(triangles.size, vertices.device, RUN)
+        device, runs = vertices.device, Runs(triangles.size, vertices.device, TRIANGLES_PER_THREAD)
         self.middles, self.mask = empty(triangles.size, vec3, device), empty(triangles.size, uint8, device)
         self.extremes = full(runs.rows * WIDTH, NOTHING, int32, device)
         results = [self.middles, self.mask, self.extremes]
@@ -95,9 +95,9 @@ class TriangleTree:
         self._extremes, self._known, self.count = extent.extremes, known[1] if known else None, triangles.size
         if not all_finite:
             self.count = self._box[2]  # sync, if it is not known
-        order = order_by_splits(extent.middles, positions_of(extent.mask, self.count), LEAF)
-        self.leaf_count = -(-self.count // LEAF)
-        padded_count = self.leaf_count * LEAF
+        order = order_by_splits(extent.middles, positions_of(extent.mask, self.count), LEAF_SIZE)
+        self.leaf_count = -(-self.count // LEAF_SIZE)
+        padded_count = self.leaf_count * LEAF_SIZE
         self.order = empty(padded_count, int32, self.device)
         self.corners = empty(9 * padded_count, float32, self.device)
         launch(order_triangles_kernel, padded_count, [vertices, triangles, order, self])
@@ -123,8 +123,8 @@ class TriangleTree:
 
 @func
 def leaf_corner(corners: array(dtype=float32), leaf: int, lane: int, corner: int) -> vec3:
-    at = leaf * LEAF_NUMBERS + 3 * corner * LEAF + lane
-    return vec3(corners[at], corners[at + LEAF], corners[at + 2 * LEAF])
+    at = leaf * LEAF_NUMBERS + 3 * corner * LEAF_SIZE + lane
+    return vec3(corners[at], corners[at + LEAF_SIZE], corners[at + 2 * LEAF_SIZE])
 
 
 @func
@@ -189,10 +189,10 @@ def order_triangles_kernel(
     t = triangles[row]
     for corner in range(3):
         p = vertices[t[corner]]
-        at = (i // LEAF) * LEAF_NUMBERS + 3 * corner * LEAF + i % LEAF
+        at = (i // LEAF_SIZE) * LEAF_NUMBERS + 3 * corner * LEAF_SIZE + i % LEAF_SIZE
         tree.corners[at] = p[0]
-        tree.corners[at + LEAF] = p[1]
-        tree.corners[at + 2 * LEAF] = p[2]
+        tree.corners[at + LEAF_SIZE] = p[1]
+        tree.corners[at + 2 * LEAF_SIZE] = p[2]
 
 
 @kernel
@@ -204,8 +204,8 @@ def bound_leaves_kernel(corners: array(dtype=float32), boxes: array(dtype=float3
         high = -float(INFINITY)
         if i < corners.shape[0] // LEAF_NUMBERS:
             for corner in range(3):
-                first = i * LEAF_NUMBERS + (3 * corner + axis) * LEAF
-                for lane in range(LEAF):
+                first = i * LEAF_NUMBERS + (3 * corner + axis) * LEAF_SIZE
+                for lane in range(LEAF_SIZE):
                     low = min(low, corners[first + lane])
                     high = max(high, corners[first + lane])
         boxes[at + axis * FAN] = low

@@ -34,10 +34,10 @@ from ..lang import (
 from ..memory import check_room, empty
 
 # Fraction of a voxel added to the tested range: more than any rounding. The cells are then tested exactly.
-SLACK = 1.0e-3
+CELL_MARGIN = 1.0e-3
 # Fraction of half an edge added to the box against rounding. Sufficient for triangles of 10^6 voxels.
-TOUCH = 1.0 + 1.0 / 1073741824.0
-ROOM, MIN_ROOM, MAX_ROOM = 4, 1024, 2**22  # columns per triangle of the first visit, and limits
+BOX_FACTOR = 1.0 + 1.0 / 1073741824.0
+COLUMNS_EACH, MIN_COLUMNS, MAX_COLUMNS = 4, 1024, 2**22  # columns per triangle of the first visit, and limits
 COLUMN_BYTES = 8
 HIT_BYTES = 52  # key, sort buffers with positions, flags and runs
 MAX_COUNT = 2**31 - 1
@@ -81,7 +81,7 @@ def first_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
     cells = vec3i(0, 0, 0)
     for k in range(3):
         x = min(a[k], min(b[k], c[k]))
-        cells[k] = max(cell_at(x, frame.low[k], frame.size, -float64(SLACK), frame.counts[k]), 0)
+        cells[k] = max(cell_at(x, frame.low[k], frame.size, -float64(CELL_MARGIN), frame.counts[k]), 0)
     return cells
 
 
@@ -90,7 +90,7 @@ def last_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
     cells = vec3i(0, 0, 0)
     for k in range(3):
         x = max(a[k], max(b[k], c[k]))
-        cells[k] = min(cell_at(x, frame.low[k], frame.size, float64(SLACK), frame.counts[k]), frame.counts[k] - 1)
+        cells[k] = min(cell_at(x, frame.low[k], frame.size, float64(CELL_MARGIN), frame.counts[k]), frame.counts[k] - 1)
     return cells
 
 
@@ -209,14 +209,14 @@ def visit_columns_kernel(
         across = (n[u] * (center[u] - a[u]) + n[v] * (center[v] - a[v])) / n[axis]
         radius = half * (abs(n[u]) + abs(n[v])) / abs(n[axis])
         middle = a[axis] - across
-        at_low = cell_at(middle - radius, frame.low[axis], frame.size, -float64(SLACK), frame.counts[axis])
-        at_high = cell_at(middle + radius, frame.low[axis], frame.size, float64(SLACK), frame.counts[axis])
+        at_low = cell_at(middle - radius, frame.low[axis], frame.size, -float64(CELL_MARGIN), frame.counts[axis])
+        at_high = cell_at(middle + radius, frame.low[axis], frame.size, float64(CELL_MARGIN), frame.counts[axis])
         begin = max(begin, at_low)
         end = min(end, at_high)
     hit_count = 0
     for k in range(begin, end + 1):
         center[axis] = (frame.low[axis] + half) + float64(k) * frame.size
-        if touches_box(a - center, b - center, c - center, half * float64(TOUCH)) == 1:
+        if touches_box(a - center, b - center, c - center, half * float64(BOX_FACTOR)) == 1:
             if is_writing == 1:
                 cell[axis] = k
                 keys[hits[i] + hit_count] = cell_key(cell, frame.counts)
@@ -254,7 +254,8 @@ class Columns:
         self._visit, self._given, self.device = visit, [vertices, triangles, frame, self._offsets], device
         self.arrays, self.is_complete = [totals], False
         if device.is_cuda and count:
-            self.arrays.append(self._count(min(MAX_ROOM, MIN_ROOM + ROOM * (count + 2 * (x * y + y * z + z * x)))))
+            expected = MIN_COLUMNS + COLUMNS_EACH * (count + 2 * (x * y + y * z + z * x))
+            self.arrays.append(self._count(min(MAX_COLUMNS, expected)))
 
     def _count(self, room: int) -> Integers | LongIntegers:
         self._room, hits = room, empty(room, int32, self.device)

@@ -1,7 +1,7 @@
 """Generalized winding numbers of closed or open meshes in float64.
 
 Solid angles of near triangles (Van Oosterom and Strackee 1983, eq. 8), dipoles of far nodes (Barill et al., "Fast
-winding numbers for soups and clouds", SIGGRAPH 2018, first term of eq. 12). Far is beyond FAR times the node's radius.
+winding numbers for soups and clouds", SIGGRAPH 2018, first term of eq. 12). Far is beyond MIN_FAR_RADII node radii.
 Error of some thousandths on closed meshes.
 """
 
@@ -11,11 +11,11 @@ from ..array_types import Doubles, Indices, Points
 from ..lang import array, cross, dot, float64, func, int32, isfinite, kernel, launch, length, struct, tid, vec3, vec3d
 from ..memory import zeros
 from ..search.point_tree import FAN, SIDES
-from .triangle_tree import LEAF, TriangleTree, leaf_corner
+from .triangle_tree import LEAF_SIZE, TriangleTree, leaf_corner
 
-FAR = 2.0
-FULL = 12.566370614359172  # 4 pi
-MOMENTS = 8  # numbers per child: area vector, area center, weight, radius
+MIN_FAR_RADII = 2.0
+FULL_SOLID_ANGLE = 12.566370614359172  # 4 pi
+NUMBERS_PER_CHILD = 8  # area vector, area center, weight, radius
 NO_RADIUS = -1.0  # of a missing child
 
 
@@ -43,9 +43,9 @@ def sum_leaf_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
     vector = vec3d(0.0, 0.0, 0.0)
     middle = vec3d(0.0, 0.0, 0.0)
     area = float64(0.0)
-    lanes = int(LEAF)
+    lanes = int(LEAF_SIZE)
     for lane in range(lanes):
-        if i * LEAF + lane < tree.count:
+        if i * LEAF_SIZE + lane < tree.count:
             a = widen(leaf_corner(tree.corners, i, lane, 0))
             b = widen(leaf_corner(tree.corners, i, lane, 1))
             c = widen(leaf_corner(tree.corners, i, lane, 2))
@@ -55,9 +55,9 @@ def sum_leaf_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
             middle = middle + (a + b + c) * (size / 3.0)
             area += size
     for axis in range(3):
-        moments[i * MOMENTS + axis] = vector[axis]
-        moments[i * MOMENTS + 3 + axis] = middle[axis]
-    moments[i * MOMENTS + 6] = area
+        moments[i * NUMBERS_PER_CHILD + axis] = vector[axis]
+        moments[i * NUMBERS_PER_CHILD + 3 + axis] = middle[axis]
+    moments[i * NUMBERS_PER_CHILD + 6] = area
 
 
 @kernel
@@ -66,8 +66,8 @@ def sum_node_moments_kernel(below: int, first: int, moments: array(dtype=float64
     for k in range(7):
         total = float64(0.0)
         for j in range(FAN):
-            total += moments[((below + i) * FAN + j) * MOMENTS + k]
-        moments[(first * FAN + i) * MOMENTS + k] = total
+            total += moments[((below + i) * FAN + j) * NUMBERS_PER_CHILD + k]
+        moments[(first * FAN + i) * NUMBERS_PER_CHILD + k] = total
 
 
 @kernel
@@ -83,22 +83,22 @@ def finish_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
             low = float64(tree.boxes[at + axis * FAN])
             high = float64(tree.boxes[at + (axis + 3) * FAN])
             middle[axis] = (low + high) * 0.5
-            if moments[i * MOMENTS + 6] > 0.0:
-                middle[axis] = moments[i * MOMENTS + 3 + axis] / moments[i * MOMENTS + 6]
+            if moments[i * NUMBERS_PER_CHILD + 6] > 0.0:
+                middle[axis] = moments[i * NUMBERS_PER_CHILD + 3 + axis] / moments[i * NUMBERS_PER_CHILD + 6]
             extent = max(high - middle[axis], middle[axis] - low)
             square += extent * extent
         square_radius = square
     for axis in range(3):
-        moments[i * MOMENTS + 3 + axis] = middle[axis]
-    moments[i * MOMENTS + 7] = square_radius
+        moments[i * NUMBERS_PER_CHILD + 3 + axis] = middle[axis]
+    moments[i * NUMBERS_PER_CHILD + 7] = square_radius
 
 
 @func
 def leaf_winding(p: vec3d, leaf: int, tree: TriangleTree) -> float64:
     total = float64(0.0)
-    lanes = int(LEAF)
+    lanes = int(LEAF_SIZE)
     for lane in range(lanes):
-        if leaf * LEAF + lane < tree.count:
+        if leaf * LEAF_SIZE + lane < tree.count:
             a = widen(leaf_corner(tree.corners, leaf, lane, 0))
             b = widen(leaf_corner(tree.corners, leaf, lane, 1))
             c = widen(leaf_corner(tree.corners, leaf, lane, 2))
@@ -108,7 +108,7 @@ def leaf_winding(p: vec3d, leaf: int, tree: TriangleTree) -> float64:
 
 @struct
 class Dipoles:
-    """A TriangleTree with `moments` of its children, float64, MOMENTS per child."""
+    """A TriangleTree with `moments` of its children, float64, NUMBERS_PER_CHILD per child."""
 
     tree: TriangleTree
     moments: array(dtype=float64)
@@ -116,7 +116,7 @@ class Dipoles:
     def __init__(self, tree: TriangleTree) -> None:
         levels = tree.level_firsts
         records = int(levels[-1])
-        self.tree, self.moments = tree, zeros(records * FAN * MOMENTS, float64, tree.device)
+        self.tree, self.moments = tree, zeros(records * FAN * NUMBERS_PER_CHILD, float64, tree.device)
         launch(sum_leaf_moments_kernel, tree.leaf_count, [tree, self.moments])
         for level in range(1, tree.root + 1):
             below, first = int(levels[level - 1]), int(levels[level])
@@ -138,7 +138,7 @@ def add_winding_numbers_kernel(
     level = dipoles.tree.root
     child = 0  # index among its siblings
     while child >= 0:
-        at = (dipoles.tree.levels[level] * FAN + child) * MOMENTS
+        at = (dipoles.tree.levels[level] * FAN + child) * NUMBERS_PER_CHILD
         square_radius = dipoles.moments[at + 7]
         down = 0
         if square_radius >= 0.0:
@@ -146,7 +146,7 @@ def add_winding_numbers_kernel(
             y = dipoles.moments[at + 4] - p[1]
             z = dipoles.moments[at + 5] - p[2]
             square = x * x + y * y + z * z
-            if square > square_radius * float64(FAR * FAR):
+            if square > square_radius * float64(MIN_FAR_RADII * MIN_FAR_RADII):
                 flux = dipoles.moments[at] * x + dipoles.moments[at + 1] * y + dipoles.moments[at + 2] * z
                 total += flux / (square * length(vec3d(x, y, z)))
             elif level == 0:
@@ -163,7 +163,7 @@ def add_winding_numbers_kernel(
                 level += 1
             if level == dipoles.tree.root and child == FAN:
                 child = -1
-    numbers[row] = numbers[row] + total / float64(FULL)
+    numbers[row] = numbers[row] + total / float64(FULL_SOLID_ANGLE)
 
 
 def add_winding_numbers(dipoles: Dipoles, queries: Points, order: Indices, numbers: Doubles) -> None:

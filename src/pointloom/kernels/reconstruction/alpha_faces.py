@@ -19,7 +19,7 @@ from ..arrays.concatenation import concatenate_rows
 from ..arrays.lowest_bit import lowest_bit
 from ..arrays.packed_keys import pack_bits, pack_key
 from ..arrays.prefix_sum import offsets_of, scan_together
-from ..arrays.select import positions_of_each
+from ..arrays.select import positions_of_each, rows_by_offsets
 from ..lang import (
     Kernel,
     array,
@@ -647,9 +647,7 @@ def search_stars(
             search = [ranks, run, begin, lists, NEAREST, max_sqdist, tree, Stars(device, threads, room), given]
             launch(find_faces_kernel, threads, [*search, with_tetrahedra, faces, tetrahedra, crowded])
             (offsets, (count,)), (_, needed) = scan_together([(crowded, [ranks.size])], totals, largest=1)  # sync
-            again = empty(count, int32, device)
-            launch(list_crowded_kernel, ranks.size if count else 0, [ranks, offsets, again])
-            left.append(again)
+            left.append(rows_by_offsets(ranks, offsets, count))
         todo = concatenate_rows(left)
         room, run = 4 * room, 1
     return needed
@@ -659,13 +657,6 @@ def search_stars(
 def list_ranks_kernel(begin: int, ranks: array(dtype=int32)):
     i = tid()
     ranks[i] = begin + i
-
-
-@kernel
-def list_crowded_kernel(ranks: array(dtype=int32), offsets: array(dtype=int32), crowded: array(dtype=int32)):
-    i = tid()
-    if offsets[i + 1] > offsets[i]:
-        crowded[offsets[i]] = ranks[i]
 
 
 def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) -> tuple[Predicates, float, float]:

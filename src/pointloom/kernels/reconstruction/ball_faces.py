@@ -23,6 +23,7 @@ from ..array_types import Bytes, Device, Integers, Scalars, Triangles, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import scan_together
+from ..arrays.select import rows_by_offsets
 from ..lang import (
     WARP,
     array,
@@ -639,13 +640,6 @@ def part_crowd_kernel(
         atomic_max(maxima, 1, faces.counts[i])
 
 
-@kernel
-def list_crowd_kernel(indices: array(dtype=int32), ranks: array(dtype=int32), crowd: array(dtype=int32)):
-    i = tid()
-    if ranks[i + 1] > ranks[i]:
-        crowd[ranks[i]] = indices[i]
-
-
 def list_faces(points: BallPoints, indices: Integers, expected: int = 0) -> tuple[Triangles, Scalars, int]:
     """Triangles with a first corner in `indices`: (corners vec3i [t], counter-clockwise seen from the ball; widths
     float32 [t]; the largest number of neighbors). One sync per batch, and one more if points need more room.
@@ -668,9 +662,7 @@ def list_faces(points: BallPoints, indices: Integers, expected: int = 0) -> tupl
             corners, widths = empty(total, vec3i, device), empty(total, float32, device)
             launch(pack_faces_kernel, left.size, [faces, offsets, corners, widths])
             batches.append((corners, widths))
-            crowd = empty(rest, int32, device)
-            launch(list_crowd_kernel, left.size if rest else 0, [left, ranks, crowd])
-            left = crowd
+            left = rows_by_offsets(left, ranks, rest)
             # most of these need less than the maximum
             room = min(4 * room, neighbor_count) if neighbor_count > room else room
             slots, largest = max(slots, count), max(largest, neighbor_count)

@@ -34,6 +34,7 @@ from ..lang import (
 )
 from ..memory import download, empty, zeros
 from ..search.hilbert_order import spread_bits
+from ..segmentation.octree_cells import mark_cells_kernel
 
 MAX_DEPTH = 20  # three bits per level in 63 bits, and room for a carry
 COUNT_ROWS = 64  # of results: a million atomics at one address would be serialized
@@ -98,16 +99,6 @@ def count_cells_kernel(codes: array(dtype=int64), depth: int, counts: array(dtyp
                 level += 1
     if level <= depth:
         atomic_add(counts, (i % COUNT_ROWS) * (MAX_DEPTH + 1) + level, 1)
-
-
-@kernel
-def mark_heads_kernel(codes: array(dtype=int64), shift: int64, heads: array(dtype=int32)):
-    i = tid()
-    head = 1
-    if i > 0:
-        if (codes[i] >> shift) == (codes[i - 1] >> shift):
-            head = 0
-    heads[i] = head
 
 
 @kernel
@@ -212,7 +203,7 @@ class SampleCells:
         """Cells of sorted, shifted codes. One sync if `count` is None."""
         device, n = members.device, members.size
         heads = empty(n, int32, device)
-        launch(mark_heads_kernel, n, [members, shift, heads])
+        launch(mark_cells_kernel, n, [members, shift, heads])
         if count is None:
             offsets, self.count = exclusive_scan(heads, largest=1)  # sync
         else:

@@ -13,7 +13,7 @@ import numpy as np
 from ..array_types import Device, Positions
 from ..arrays.blocks import WARPS, block_threads, sum_of_block, wait_for_block
 from ..arrays.conjugate_gradients import Gradients
-from ..lang import BLOCK, array, dot, float64, func, int32, kernel, launch, struct, tid, vec2d, vec3d
+from ..lang import ELEMENTS_PER_BLOCK, array, dot, float64, func, int32, kernel, launch, struct, tid, vec2d, vec3d
 from ..memory import empty, rows_of, upload, zeros
 from .graph_levels import Coarsening, Level, Preconditioner, corrected, left_residual, row_product, swept
 
@@ -22,7 +22,7 @@ MAX_CUDA_ROWS = 8192  # vertices: 32 per thread, about 50 us an iteration. Large
 
 def max_rows(device: Device) -> int:
     """Maximum number of vertices. On the CPU one block of a sum, so that the order of sums is that of the launches."""
-    return MAX_CUDA_ROWS if device.is_cuda else BLOCK
+    return MAX_CUDA_ROWS if device.is_cuda else ELEMENTS_PER_BLOCK
 
 
 @struct

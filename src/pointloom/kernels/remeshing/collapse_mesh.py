@@ -17,7 +17,7 @@ from ..arrays.loop_scan import LoopScan
 from ..arrays.packed_keys import NO_KEY
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2, vec2i, vec3d, vec3i
 from ..memory import clone, empty, fill, full, host_view, rows_of, upload, zeros
-from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex, last_corner, next_corner
 from .quadrics import quadric
 
 OWNER, FEATURE = 1, 2  # bits of a half-edge: owner of its edge. Feature edge
@@ -139,11 +139,6 @@ def fill_first(values: Any, count: int, value: int) -> None:
         fill(values, value)
     else:
         host_view(values)[:count] = value
-
-
-@func
-def last_corner(h: int) -> int:
-    return h - 1 if h % 3 > 0 else h + 2
 
 
 @kernel

@@ -34,7 +34,7 @@ from ..lang import (
     vec3i,
 )
 from ..memory import empty, full, host_view
-from ..meshes.mesh_topology import corner_vertex, next_corner
+from ..meshes.mesh_topology import corner_vertex, last_corner, next_corner
 from .collapse_mesh import (
     BENDING,
     BIN,
@@ -53,7 +53,6 @@ from .collapse_mesh import (
     CollapseMesh,
     edge_at,
     fill_first,
-    last_corner,
     uv_at,
 )
 from .compacted_mesh import Squeezing, left_vertices

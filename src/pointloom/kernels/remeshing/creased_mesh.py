@@ -37,15 +37,10 @@ from ..lang import (
 from ..memory import empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, key_bits
 from ..meshes.mesh_measures import triangle_cross
-from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex, last_corner, next_corner
 
 FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
 NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # above all keys
-
-
-@func
-def last_corner(h: int) -> int:
-    return h - 1 if h % 3 > 0 else h + 2
 
 
 @func

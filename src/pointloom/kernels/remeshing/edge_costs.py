@@ -24,19 +24,8 @@ from ..lang import (
     vec3d,
     vec4d,
 )
-from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import (
-    BIN,
-    FEATURE,
-    FREE,
-    LINE,
-    SLOTS,
-    STALE_KEY,
-    CollapseMesh,
-    last_corner,
-    mix_number,
-    reads_other,
-)
+from ..meshes.mesh_topology import corner_vertex, last_corner, next_corner
+from .collapse_mesh import BIN, FEATURE, FREE, LINE, SLOTS, STALE_KEY, CollapseMesh, mix_number, reads_other
 from .quadrics import minimum_point, plane_quadric, quadric, quadric_error, quadric_trace
 
 REJECTED, BEST, FIRST, SECOND = -1, 0, 1, 2  # possible positions of the merged vertex

@@ -26,8 +26,8 @@ from ..lang import (
     vec3i,
 )
 from ..memory import clone, download, full, zeros
-from ..meshes.mesh_topology import corner_vertex, next_corner
-from .creased_mesh import NO_NUMBER, CreasedMesh, after_round, is_crease, is_edge, last_corner, mixed_key
+from ..meshes.mesh_topology import corner_vertex, last_corner, next_corner
+from .creased_mesh import NO_NUMBER, CreasedMesh, after_round, is_crease, is_edge, mixed_key
 from .short_edges import MIN_COSINE, is_next_to
 
 MAX_GAIN = 1 << 20  # above all gains

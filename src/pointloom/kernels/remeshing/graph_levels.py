@@ -14,7 +14,7 @@ from ..arrays.run_sums import sum_columns
 from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, func, int32, int64, kernel, launch, struct, tid, vec3d
-from ..memory import download, empty, full, zeros
+from ..memory import cast, download, empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, split_edge_keys_kernel
 from ..meshes.vertex_neighbors import VertexNeighbors
 
@@ -156,12 +156,6 @@ def find_parents_kernel(
 
 
 @kernel
-def key_members_kernel(parents: array(dtype=int32), keys: array(dtype=int64)):
-    i = tid()
-    keys[i] = int64(parents[i])
-
-
-@kernel
 def key_coarse_edges_kernel(
     lows: array(dtype=int32),
     highs: array(dtype=int32),
@@ -233,12 +227,11 @@ class Coarsening:
             launch(join_peaks_kernel, count, [level, peaks, states])
         launch(mark_chosen_kernel, count, [states, marks])
         coarse_indices = offsets_of(marks)
-        self.parents, keys = empty(count, int32, device), empty(count, int64, device)
+        self.parents = empty(count, int32, device)
         launch(find_parents_kernel, count, [level, states, coarse_indices, self.parents])
         self._edges = CoarseEdges(level, self.parents, coarse_indices)  # sync
         self.count = self._edges.vertex_count
-        launch(key_members_kernel, count, [self.parents, keys])
-        keys, self.members = argsort_keys(keys, max(1, self.count.bit_length()))
+        keys, self.members = argsort_keys(cast(self.parents, int64), max(1, self.count.bit_length()))
         self.starts = empty(self.count + 1, int32, device)
         find_key_starts(keys, self.starts)
         self.guess = empty(count, vec3d, device)

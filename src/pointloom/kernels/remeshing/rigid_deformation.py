@@ -7,7 +7,7 @@ of positive weights must connect each free vertex to a fixed one. Float64 in fix
 """
 
 from ..algebra.rotations import best_rotation
-from ..algebra.transform import narrow, widen
+from ..algebra.transform import narrow, widen, widen_rows
 from ..array_types import Array1, Doubles, Indices, Integers, Points, Positions, Triangles, Vectors
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
 from ..arrays.sort import positions
@@ -42,7 +42,6 @@ from ..memory import clone, copy, download, empty, zeros
 from ..meshes.mesh_edges import MeshEdges, opposite_vertex
 from .block_solver import BlockSolver, max_rows
 from .graph_levels import Level, Preconditioner, row_product
-from .vertex_values import widen_rows
 
 MAX_ITERATIONS = 5000  # of one solve: hundreds suffice if weights differ by less than 1e6
 

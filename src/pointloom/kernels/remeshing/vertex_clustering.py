@@ -35,9 +35,9 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 from ..meshes.mesh_edits import keep_triangles
-from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
+from ..meshes.mesh_topology import CornersByVertex, corner_vertex, last_corner, next_corner
+from ..meshes.triangle_order import list_first_keys_kernel
 from ..sampling.voxel_keys import VoxelGroups
-from .collapse_mesh import last_corner
 from .quadrics import minimum_point, plane_quadric, quadric
 from .unit_frame import UnitFrame
 
@@ -170,13 +170,6 @@ def relabel_triangles_kernel(
 
 
 @kernel
-def list_pair_keys_kernel(triangles: array(dtype=vec3i), rows: array(dtype=int32), bits: int, keys: array(dtype=int64)):
-    i = tid()
-    t = triangles[rows[i]]
-    keys[i] = (int64(t[0]) << int64(bits)) | int64(t[1])
-
-
-@kernel
 def list_triple_keys_kernel(
     pairs: UniqueKeys, triangles: array(dtype=vec3i), rows: array(dtype=int32), bits: int, keys: array(dtype=int64)
 ):
@@ -201,7 +194,7 @@ def join_triangles(triangles: Triangles, labels: Integers, count: int) -> Triang
     launch(relabel_triangles_kernel, triangles.size, [triangles, labels, relabeled, mask])
     rows = positions_of(mask)  # sync
     keys = empty(rows.size, int64, device)
-    launch(list_pair_keys_kernel, rows.size, [relabeled, rows, bits, keys])
+    launch(list_first_keys_kernel, rows.size, [relabeled, rows, bits, keys])
     pairs = UniqueKeys(keys, 2 * bits, padded=True)
     launch(list_triple_keys_kernel, pairs.count, [pairs, relabeled, rows, bits, keys])
     groups = UniqueKeys(keys, bits + max(1, pairs.count.bit_length()), padded=True)

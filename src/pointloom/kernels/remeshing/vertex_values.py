@@ -1,21 +1,9 @@
 """Vertex values in float64 for multi-pass filters, so that only the result is rounded."""
 
-from ..algebra.transform import narrow, widen
+from ..algebra.transform import narrow
 from ..array_types import Positions, Vectors
 from ..lang import array, kernel, launch, length, tid, vec3, vec3d
 from ..memory import empty
-
-
-@kernel
-def widen_rows_kernel(rows: array(dtype=vec3), wide: array(dtype=vec3d)):
-    i = tid()
-    wide[i] = widen(rows[i])
-
-
-@kernel
-def narrow_rows_kernel(wide: array(dtype=vec3d), rows: array(dtype=vec3)):
-    i = tid()
-    rows[i] = narrow(wide[i])
 
 
 @kernel
@@ -30,18 +18,6 @@ def narrow_directions_kernel(wide: array(dtype=vec3d), earlier: array(dtype=vec3
         if not size == 0.0:
             row = narrow(wide[i] / size)
     rows[i] = row
-
-
-def widen_rows(rows: Vectors) -> Positions:
-    wide = empty(rows.size, vec3d, rows.device)
-    launch(widen_rows_kernel, rows.size, [rows, wide])
-    return wide
-
-
-def narrow_rows(wide: Positions) -> Vectors:
-    rows = empty(wide.size, vec3, wide.device)
-    launch(narrow_rows_kernel, wide.size, [wide, rows])
-    return rows
 
 
 def narrow_directions(wide: Positions, earlier: Vectors, first: int = 0) -> Vectors:

@@ -14,15 +14,15 @@ from ..lang import array, float64, floor, func, int32, int64, isfinite, kernel, 
 from ..memory import download, empty, host_view, upload
 from ..search.hilbert_order import spread_bits
 
-DEPTH = 21  # subdivisions: 63 key bits
+MAX_DEPTH = 21  # subdivisions: 63 key bits
 NODE_BITS = 7  # 128 voxels per node axis: some 12,000 surface points, 20 to 200 nodes per view
-LEVELS = DEPTH - NODE_BITS + 2  # from 0, the whole cube, to the last one for points that share a finest cell
+LEVEL_COUNT = MAX_DEPTH - NODE_BITS + 2  # from 0, the whole cube, to the last one for points that share a finest cell
 
-SKIPPED = 0x7FFF_FFFF_FFFF_FFFF  # key of non-finite points, above all: no cell is the last on each axis
-LAST_CELL = (1 << DEPTH) - 2
+NON_FINITE_KEY = 0x7FFF_FFFF_FFFF_FFFF  # key of non-finite points, above all: no cell is the last on each axis
+LAST_CELL = (1 << MAX_DEPTH) - 2
 LOW_BITS = 32  # of a key, sorted first on the CPU. The other 31 also fit above a position
 LOW_MASK = 0xFFFF_FFFF
-BLOCK = 64  # points, or minima, per minimum
+BLOCK_SIZE = 64  # points, or minima, per minimum
 
 
 @struct
@@ -33,7 +33,7 @@ class Cube:
     scale: float64
 
     def __init__(self, corner: np.ndarray, side: float) -> None:
-        self.corner, self.scale = vec3d(*np.asarray(corner).tolist()), 2.0**DEPTH / side
+        self.corner, self.scale = vec3d(*np.asarray(corner).tolist()), 2.0**MAX_DEPTH / side
 
 
 @struct
@@ -48,7 +48,7 @@ class Minima:
         count, device = order.size, order.device
         layers = []
         for _ in range(3):
-            count = -(-count // BLOCK)
+            count = -(-count // BLOCK_SIZE)
             layers.append(empty(count, int32, device))
         self.few, self.some, self.many = layers
         launch(find_min_priorities_kernel, self.few.size, [order, self.few])
@@ -69,8 +69,8 @@ def key_of_cell(x: int, y: int, z: int) -> int64:
 
 @func
 def morton_key(p: vec3, cube: Cube) -> int64:
-    """Bits of a point's finest cell. SKIPPED if it is not finite."""
-    key = int64(SKIPPED)
+    """Bits of a point's finest cell. NON_FINITE_KEY if it is not finite."""
+    key = int64(NON_FINITE_KEY)
     if isfinite(p):
         x = cell_along(float64(p[0]), cube, 0)
         y = cell_along(float64(p[1]), cube, 1)
@@ -136,7 +136,7 @@ def join_keys_kernel(words: array(dtype=int64), shift: int64, packed: array(dtyp
 def find_min_priorities_kernel(order: array(dtype=int32), minima: array(dtype=int32)):
     i = tid()
     minimum = 0x7FFFFFFF
-    for j in range(i * BLOCK, min((i + 1) * BLOCK, order.shape[0])):
+    for j in range(i * BLOCK_SIZE, min((i + 1) * BLOCK_SIZE, order.shape[0])):
         minimum = min(minimum, priority(order[j]))
     minima[i] = minimum
 
@@ -145,7 +145,7 @@ def find_min_priorities_kernel(order: array(dtype=int32), minima: array(dtype=in
 def find_minima_kernel(values: array(dtype=int32), minima: array(dtype=int32)):
     i = tid()
     minimum = 0x7FFFFFFF
-    for j in range(i * BLOCK, min((i + 1) * BLOCK, values.shape[0])):
+    for j in range(i * BLOCK_SIZE, min((i + 1) * BLOCK_SIZE, values.shape[0])):
         minimum = min(minimum, values[j])
     minima[i] = minimum
 
@@ -153,7 +153,7 @@ def find_minima_kernel(values: array(dtype=int32), minima: array(dtype=int32)):
 @func
 def shared_depth(differing: int64) -> int:
     left = differing
-    depth = int(DEPTH)
+    depth = int(MAX_DEPTH)
     while left != 0:
         left = left >> 3
         depth = depth - 1
@@ -164,15 +164,15 @@ def shared_depth(differing: int64) -> int:
 def count_skippable(j: int, own: int, before: int, minima: Minima) -> int:
     """Points before j (`before` 1) or from j on (0) that can be skipped because all have higher priorities, else 1."""
     size = 1
-    if j % BLOCK == 0:
-        if minima.few[j // BLOCK - before] > own:
-            size = int(BLOCK)
-            if j % (BLOCK * BLOCK) == 0:
-                if minima.some[j // (BLOCK * BLOCK) - before] > own:
-                    size = int(BLOCK * BLOCK)
-                    if j % (BLOCK * BLOCK * BLOCK) == 0:
-                        if minima.many[j // (BLOCK * BLOCK * BLOCK) - before] > own:
-                            size = int(BLOCK * BLOCK * BLOCK)
+    if j % BLOCK_SIZE == 0:
+        if minima.few[j // BLOCK_SIZE - before] > own:
+            size = int(BLOCK_SIZE)
+            if j % (BLOCK_SIZE * BLOCK_SIZE) == 0:
+                if minima.some[j // (BLOCK_SIZE * BLOCK_SIZE) - before] > own:
+                    size = int(BLOCK_SIZE * BLOCK_SIZE)
+                    if j % (BLOCK_SIZE * BLOCK_SIZE * BLOCK_SIZE) == 0:
+                        if minima.many[j // (BLOCK_SIZE * BLOCK_SIZE * BLOCK_SIZE) - before] > own:
+                            size = int(BLOCK_SIZE * BLOCK_SIZE * BLOCK_SIZE)
     return size
 
 
@@ -184,7 +184,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
     key = keys[i]
     own = priority(order[i])
     depth = int(NODE_BITS - 1)  # a shorter prefix makes no difference
-    shift = int64(3 * (DEPTH - NODE_BITS))
+    shift = int64(3 * (MAX_DEPTH - NODE_BITS))
     j = int(i)
     while j > 0:
         size = count_skippable(j, own, 1, minima)
@@ -196,9 +196,9 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
             if priority(order[j]) < own:
                 depth = shared_depth(differing)
                 j = 0
-    shift = int64(3 * max(DEPTH - 1 - depth, 0))
+    shift = int64(3 * max(MAX_DEPTH - 1 - depth, 0))
     j = i + 1
-    if depth == DEPTH:
+    if depth == MAX_DEPTH:
         j = count
     while j < count:
         size = count_skippable(j, own, 0, minima)
@@ -242,7 +242,7 @@ def find_levels(
     """
     keys, order = sort_by_cell(points, Cube(corner, side))
     sorted_keys = download(keys)
-    count = int(np.searchsorted(sorted_keys, SKIPPED))
+    count = int(np.searchsorted(sorted_keys, NON_FINITE_KEY))
     if not count:
         return np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0, np.uint8)
     keys, order = keys[:count], order[:count]

@@ -37,12 +37,12 @@ from ..search.point_tree import FAN, LEAF, SIDES, PointTree, box_distances, meas
 
 leaf_keys = vector(8, int64)
 MAX_LEAVES = 1024  # of a cloud whose points one block of CUDA chooses: four leaves, about 1.5 us, per thread and choice
-UNREACHED = 0x7F80_0000_0000_0000  # key of an infinite distance, without index
-APART = 0x1_0000_0000  # keys >= this are at nonzero distance from all chosen points
-CHOICES = 4096  # per CPU launch: a fraction of a second, so that interrupts are handled
-STEPS = 32  # choices per loop iteration: its end costs as much as one of them
-MIN_LOOPED = 2 * STEPS  # minimum choices for a loop. Fewer are launched one by one
-LOOPED = 1 << 16  # choices per loop, a multiple of STEPS: a fraction of a second
+UNREACHED_KEY = 0x7F80_0000_0000_0000  # key of an infinite distance, without index
+MIN_NONZERO_KEY = 0x1_0000_0000  # keys >= this are at nonzero distance from all chosen points
+LAUNCH_CHOICES = 4096  # per CPU launch: a fraction of a second, so that interrupts are handled
+STEP_CHOICES = 32  # choices per loop iteration: its end costs as much as one of them
+MIN_LOOPED = 2 * STEP_CHOICES  # minimum choices for a loop. Fewer are launched one by one
+LOOP_CHOICES = 1 << 16  # choices per loop, a multiple of STEP_CHOICES: a fraction of a second
 
 
 @func
@@ -80,11 +80,11 @@ class SampleDistances:
         self.tree, self.points, self.leaf_count = tree, tree.source, -(-tree.count // LEAF)
         self.xs, self.ys, self.zs = (empty(self.leaf_count * LEAF, float32, device) for _ in range(3))
         self.keys = empty(self.leaf_count * LEAF, int64, device)
-        self.leaf_tops = full(self.leaf_count, UNREACHED, int64, device)
-        self.tops, self.queue = full(node_count, UNREACHED, int64, device), empty(node_count, int32, device)
+        self.leaf_tops = full(self.leaf_count, UNREACHED_KEY, int64, device)
+        self.tops, self.queue = full(node_count, UNREACHED_KEY, int64, device), empty(node_count, int32, device)
         self.last, self.choice, self.running = sample_count - 1, zeros(1, int32, device), full(1, 1, int32, device)
         self.chosen = zeros(sample_count + 1, int64, device)
-        fill(self.chosen[:1], UNREACHED | (INDEX_MASK - start))
+        fill(self.chosen[:1], UNREACHED_KEY | (INDEX_MASK - start))
         launch(start_keys_kernel, self.keys.size, [self])
 
 
@@ -96,7 +96,7 @@ def start_keys_kernel(state: SampleDistances):
     key = int64(0)
     if i < state.tree.count:
         p = state.tree.points[i]
-        key = int64(UNREACHED) | (int64(INDEX_MASK) - int64(state.tree.order[i]))
+        key = int64(UNREACHED_KEY) | (int64(INDEX_MASK) - int64(state.tree.order[i]))
     state.xs[i] = p[0]
     state.ys[i] = p[1]
     state.zs[i] = p[2]
@@ -192,7 +192,7 @@ def choose_sequentially_kernel(first: int, last: int, state: SampleDistances):
     for choice in range(first + i, last):
         key = state.chosen[choice]
         farthest = int64(0)
-        if key >= int64(APART):
+        if key >= int64(MIN_NONZERO_KEY):
             farthest = approach_tree(state.points[index_of(key)], state)
         state.chosen[choice + 1] = farthest
 
@@ -217,7 +217,7 @@ def choose_in_block_kernel(first: int, last: int, state: SampleDistances):
     key = state.chosen[first]
     for choice in range(first, last):
         top = int64(0)
-        if key >= int64(APART):
+        if key >= int64(MIN_NONZERO_KEY):
             p = state.points[index_of(key)]
             leaf = i + 0
             while leaf < state.leaf_count:
@@ -239,7 +239,7 @@ def choose_at_once_kernel(step: int, state: SampleDistances):
     choice = state.choice[0] + step
     if choice < state.last:
         key = state.chosen[choice]
-        if key >= int64(APART):
+        if key >= int64(MIN_NONZERO_KEY):
             top = approach_bucket(i, state.points[index_of(key)], state)
             if top > state.chosen[choice + 1]:  # saves most atomics. A stale value only adds one
                 atomic_max(state.chosen, choice + 1, top)  # resolves the race: the largest key
@@ -253,7 +253,7 @@ def choose_by_leaves_kernel(step: int, state: SampleDistances):
     top = int64(0)
     if choice < state.last:
         chosen = state.chosen[choice]
-        if chosen >= int64(APART) and i < state.leaf_count:
+        if chosen >= int64(MIN_NONZERO_KEY) and i < state.leaf_count:
             p = state.points[index_of(chosen)]
             top = state.leaf_tops[i]
             if measure_box(state.tree.boxes, i // FAN, i % FAN, p, p) <= key_number(top):
@@ -269,10 +269,10 @@ def choose_by_leaves_kernel(step: int, state: SampleDistances):
 def end_iteration_kernel(limit: int, state: SampleDistances):
     """Continue after the iteration's choices while below the limit. One thread."""
     i = tid()
-    choice = min(state.choice[0] + STEPS, state.last) + i
+    choice = min(state.choice[0] + STEP_CHOICES, state.last) + i
     state.choice[0] = choice
     going = 0
-    if choice < limit and state.chosen[choice] >= int64(APART):
+    if choice < limit and state.chosen[choice] >= int64(MIN_NONZERO_KEY):
         going = 1
     state.running[0] = going
 
@@ -286,12 +286,12 @@ def choose_farthest(tree: PointTree, sample_count: int, start: int, at_once: boo
     state = SampleDistances(tree, sample_count, start, is_sequential)
     threads = block_threads(tree.device)
     if is_sequential:
-        for first in range(0, sample_count - 1, CHOICES):
-            launch(choose_sequentially_kernel, threads, [first, min(first + CHOICES, sample_count - 1), state])
+        for first in range(0, sample_count - 1, LAUNCH_CHOICES):
+            launch(choose_sequentially_kernel, threads, [first, min(first + LAUNCH_CHOICES, sample_count - 1), state])
     else:
         _choose_at_once(state)
     keys = download(state.chosen)[:sample_count]  # sync
-    return (INDEX_MASK - (keys[keys >= APART] & INDEX_MASK)).astype("int32")
+    return (INDEX_MASK - (keys[keys >= MIN_NONZERO_KEY] & INDEX_MASK)).astype("int32")
 
 
 def _choose_at_once(state: SampleDistances) -> None:
@@ -303,12 +303,12 @@ def _choose_at_once(state: SampleDistances) -> None:
         return
 
     def choose_some() -> None:
-        for step in range(STEPS):
+        for step in range(STEP_CHOICES):
             launch(choose_at_once_kernel, threads, [step, state])
         launch(end_iteration_kernel, 1, [limit, state])
 
-    for first in range(0, state.last, LOOPED):
-        limit = min(first + LOOPED, state.last)
+    for first in range(0, state.last, LOOP_CHOICES):
+        limit = min(first + LOOP_CHOICES, state.last)
         if first:
             download(state.choice)  # sync, so that interrupts are handled
             fill(state.running, 1)

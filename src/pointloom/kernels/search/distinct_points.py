@@ -10,13 +10,14 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from ..array_types import Indices, Integers, Points
+from ..arrays.bounds import maximum_of
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.duplicates import find_equal_points
 from ..arrays.packed_keys import key_index
 from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import positions
-from ..lang import array, atomic_add, atomic_max, int32, isfinite, kernel, launch, tid, uint8, vec3
+from ..lang import array, atomic_add, int32, isfinite, kernel, launch, tid, uint8, vec3
 from ..memory import download, empty, zeros
 from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .group_search import launch_over_leaves, nearest_of_leaves
@@ -40,13 +41,6 @@ def count_copies_kernel(points: array(dtype=vec3), firsts: array(dtype=int32), c
     p = points[i]
     if isfinite(p):
         atomic_add(counts, firsts[i], 1)  # integers: the order does not matter
-
-
-@kernel
-def find_most_copies_kernel(counts: array(dtype=int32), most: array(dtype=int32)):
-    i = tid()
-    if counts[i] > most[0]:
-        atomic_max(most, 0, counts[i])  # the order does not matter
 
 
 @kernel
@@ -172,10 +166,9 @@ def _limit(max_nn: int) -> int:
 
 def _count_copies(points: Points) -> Copies:
     firsts = find_equal_points(points)
-    counts, most = zeros(firsts.size, int32, firsts.device), zeros(1, int32, firsts.device)
+    counts = zeros(firsts.size, int32, firsts.device)
     launch(count_copies_kernel, firsts.size, [points, firsts, counts])
-    launch(find_most_copies_kernel, firsts.size, [counts, most])
-    return Copies(firsts, counts, int(download(most)[0]))  # sync
+    return Copies(firsts, counts, int(download(maximum_of(counts))[0]))  # sync
 
 
 def _select_distinct(tree: PointTree, firsts: Integers) -> DistinctPoints:

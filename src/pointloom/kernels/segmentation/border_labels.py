@@ -22,7 +22,7 @@ from ..search.tree_walk import (
     points_of,
     record_of,
 )
-from .cluster_labels import NOISE
+from .cluster_labels import NOISE_LABEL
 from .core_sets import Cores
 
 
@@ -101,7 +101,7 @@ def label_borders_kernel(cores: Cores, labels: array(dtype=int32)):
     zs = lanes(0.0)
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
-    best = numbers(NOISE)  # no label is lower, so lanes without a border point have no effect
+    best = numbers(NOISE_LABEL)  # no label is lower, so lanes without a border point have no effect
     searching = 0
     for j, p in points_of(leaf, cores.tree):
         if cores.owners[head + j] < 0:
@@ -166,7 +166,7 @@ def label_borders_of_lanes_kernel(cores: Cores, labels: array(dtype=int32)):
     """CUDA variant: a point per lane."""
     i = tid()
     p = cores.tree.points[min(i, cores.tree.count - 1)]
-    best = int(NOISE)  # no label is lower, so lanes without a border point have no effect
+    best = int(NOISE_LABEL)  # no label is lower, so lanes without a border point have no effect
     if i < cores.tree.count:
         if cores.owners[i] < 0:
             best = NO_NUMBER

@@ -13,8 +13,8 @@ from ..search.point_tree import LEAF
 from ..search.tree_walk import NO_NUMBER, lowest_bit
 from .core_sets import Cores
 
-NOISE = -1
-RUN = 64  # labels per thread. Neighbors on the curve mostly have equal ones, so a run needs one atomic
+NOISE_LABEL = -1
+LABELS_PER_THREAD = 64  # neighbors on the curve mostly have equal ones, so a run needs one atomic
 
 
 @kernel
@@ -74,7 +74,7 @@ def label_cores_kernel(cores: Cores, firsts: array(dtype=int32), labels: array(d
 
 @kernel
 def rename_cores_kernel(renamed: array(dtype=int32), cores: Cores, labels: array(dtype=int32)):
-    """Relabel the cores of a leaf in cloud and tree order (NOISE removes them), and store its lowest label."""
+    """Relabel the cores of a leaf in cloud and tree order (NOISE_LABEL removes them), and store its lowest label."""
     leaf = tid()
     lowest_label = int(NO_NUMBER)
     for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, cores.tree.count)):
@@ -92,7 +92,7 @@ def rename_cores_kernel(renamed: array(dtype=int32), cores: Cores, labels: array
 def count_labels_kernel(run: int, labels: array(dtype=int32), counts: array(dtype=int32)):
     """Count each label. Integers, so the order of the atomics does not matter."""
     i = tid()
-    label = int(NOISE)
+    label = int(NOISE_LABEL)
     count = 0
     for j in range(i * run, min((i + 1) * run, labels.shape[0])):
         if labels[j] == label:
@@ -119,7 +119,7 @@ def rank_sizes_kernel(counts: array(dtype=int32), min_size: int, max_size: int, 
 @kernel
 def renumber_rows_kernel(keys: array(dtype=int64), order: array(dtype=int32), renamed: array(dtype=int32)):
     i = tid()
-    label = int(NOISE)
+    label = int(NOISE_LABEL)
     if int(keys[i]) < NO_NUMBER:
         label = i
     renamed[order[i]] = label
@@ -133,7 +133,7 @@ def rename_labels_kernel(renamed: array(dtype=int32), labels: array(dtype=int32)
 
 
 def label_cores(cores: Cores, labels: Integers) -> int:
-    """Number the clusters and label their cores in `labels` (int32, NOISE before). Return their number. One sync."""
+    """Number the clusters and label cores in `labels` (int32, NOISE_LABEL before). Returns the count. One sync."""
     count, device = cores.tree.count, cores.tree.device
     firsts, marks = full(count, NO_NUMBER, int32, device), zeros(labels.size, uint8, device)
     launch(find_first_kernel, -(-count // WARP) * WARP if device.is_cuda else count, [cores, firsts])
@@ -145,15 +145,15 @@ def label_cores(cores: Cores, labels: Integers) -> int:
 
 
 def rename_cores(cores: Cores, renamed: Integers, labels: Integers) -> None:
-    """Relabel cores by `renamed` (NOISE removes them); borders then choose by the new order."""
+    """Relabel cores by `renamed` (NOISE_LABEL removes them); borders then choose by the new order."""
     launch(rename_cores_kernel, cores.leaf_count, [renamed, cores, labels])
 
 
 def rank_by_size(labels: Integers, cluster_count: int, min_size: int, max_size: int) -> None:
-    """Renumber clusters by decreasing size in place, ties in order. NOISE for sizes outside `min_size`..`max_size`."""
+    """Renumber clusters by decreasing size, ties in order. NOISE_LABEL for sizes outside `min_size`..`max_size`."""
     device = labels.device
     counts, keys = zeros(cluster_count, int32, device), empty(cluster_count, int64, device)
-    launch(count_labels_kernel, -(-labels.size // RUN), [RUN, labels, counts])
+    launch(count_labels_kernel, -(-labels.size // LABELS_PER_THREAD), [LABELS_PER_THREAD, labels, counts])
     launch(rank_sizes_kernel, cluster_count, [counts, min_size, max_size, keys])
     ranked, order = argsort_keys(keys, 31)
     renamed = empty(cluster_count, int32, device)

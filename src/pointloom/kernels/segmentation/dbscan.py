@@ -53,10 +53,10 @@ from ..search.tree_walk import (
     record_of,
 )
 from .border_labels import label_borders
-from .cluster_labels import NOISE, label_cores
+from .cluster_labels import NOISE_LABEL, label_cores
 from .core_sets import Cores, unite_cores
 
-MANY = 2**30  # counts saturate here per lane. LLVM would vectorize a plain sum over the points instead
+MAX_LANE_COUNT = 2**30  # counts saturate here per lane. LLVM would vectorize a plain sum over the points instead
 
 
 @func
@@ -78,7 +78,7 @@ def count_leaf(
             x = q[0] - xs[j]
             y = q[1] - ys[j]
             z = q[2] - zs[j]
-            total[j] = min(total[j] + (1 if x * x + y * y + z * z <= max_sqdist else 0), MANY)
+            total[j] = min(total[j] + (1 if x * x + y * y + z * z <= max_sqdist else 0), MAX_LANE_COUNT)
     return total
 
 
@@ -136,7 +136,7 @@ def count_group(
 
 @kernel(max_registers=80)
 def find_cores_kernel(cores: Cores, needed: int):
-    """Link each core of a leaf (`needed` points in the radius) to its lowest connected core, others to NOISE."""
+    """Link each core of a leaf (`needed` points in the radius) to its lowest connected core, others to NOISE_LABEL."""
     leaf = tid()
     head = leaf * LEAF
     xs = lanes(INFINITY)
@@ -156,7 +156,7 @@ def find_cores_kernel(cores: Cores, needed: int):
     lowest = int(NO_NUMBER)
     for j in range(LEAF):
         if head + j < cores.tree.count:
-            owner = int(NOISE)
+            owner = int(NOISE_LABEL)
             if counts[j] >= 0:
                 owner = head + lowest_bit(heads[j])
                 lowest = min(lowest, head + j)
@@ -225,7 +225,7 @@ def find_cores_of_lanes_kernel(cores: Cores, needed: int):
     cores_of_leaf = flags_of_eight(is_core)
     head = i - i % LEAF
     if i < cores.tree.count:
-        cores.owners[i] = head + lowest_bit(linked) if is_core == 1 else NOISE
+        cores.owners[i] = head + lowest_bit(linked) if is_core == 1 else NOISE_LABEL
         if i == head:
             cores.lowest[i // LEAF] = head + lowest_bit(cores_of_leaf) if cores_of_leaf != 0 else NO_NUMBER
 
@@ -241,14 +241,14 @@ def join_cores(tree: PointTree, eps: float, min_points: int) -> Cores:
 
 
 def cluster_cores(tree: PointTree, eps: float, min_points: int, labels: Integers) -> tuple[Cores, int]:
-    """Label cores in `labels` (int32, NOISE before), not borders. Return (cores, cluster count) for `label_borders`."""
+    """Label cores in `labels` (int32, NOISE_LABEL before), not borders. Return (cores, count) for `label_borders`."""
     cores = join_cores(tree, eps, min_points)
     return cores, label_cores(cores, labels)
 
 
 def cluster_points(tree: PointTree, point_count: int, eps: float, min_points: int) -> tuple[Integers, int]:
-    """DBSCAN labels (int32 in cloud order, NOISE for none) and the number of clusters."""
-    labels = full(point_count, NOISE, int32, tree.device)
+    """DBSCAN labels (int32 in cloud order, NOISE_LABEL for none) and the number of clusters."""
+    labels = full(point_count, NOISE_LABEL, int32, tree.device)
     if tree.count == 0:
         return labels, 0
     cores, cluster_count = cluster_cores(tree, eps, min_points, labels)

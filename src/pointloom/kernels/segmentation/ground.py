@@ -34,10 +34,10 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 
-EROSION, DILATION = 1.0, -1.0
+EROSION_SIGN, DILATION_SIGN = 1.0, -1.0
 LOW_RADIUS, LOW_SLOPE = 1, 5.0  # a cell five times deeper than wide is a stray return, as in the paper
 SPRING_PASSES = 16  # passes per level: a hole of 36 cells in a slope is then filled to 0.6 of a cell's rise
-DIAGONAL = 1 - math.sqrt(0.5)  # half length of the diagonal segments of a regular octagon of inner radius 1
+DIAGONAL_FRACTION = 1 - math.sqrt(0.5)  # half length of the diagonal segments of a regular octagon of inner radius 1
 
 
 @struct
@@ -241,15 +241,15 @@ class HeightGrid:
         unwanted = zeros(self.size, uint8, self.device)
         fill_gaps, surface = self.prepare_filling(unwanted)
         fill_gaps()
-        opened = self._opened(surface, LOW_RADIUS, DILATION)
-        self._flag(surface, opened, LOW_SLOPE * self.cell, DILATION, unwanted)
+        opened = self._opened(surface, LOW_RADIUS, DILATION_SIGN)
+        self._flag(surface, opened, LOW_SLOPE * self.cell, DILATION_SIGN, unwanted)
         fill_gaps()
         bare = surface
         # Radius grows by one cell: growth by a third would remove at once what slopes of 60% rise to, including
         # ridges.
         for radius in range(1, math.ceil(max_window / self.cell) + 1):
-            opened = self._opened(surface, radius, EROSION)
-            self._flag(surface, opened, slope * radius * self.cell, EROSION, unwanted)
+            opened = self._opened(surface, radius, EROSION_SIGN)
+            self._flag(surface, opened, slope * radius * self.cell, EROSION_SIGN, unwanted)
             surface = opened
         fill_gaps()
         self.heights = bare
@@ -294,8 +294,8 @@ class HeightGrid:
         return fill_again, filled
 
     def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
-        """Open (first EROSION) or close (first DILATION) heights by an octagon."""
-        diagonal = int(DIAGONAL * radius + 0.5)
+        """Open (first EROSION_SIGN) or close (first DILATION_SIGN) heights by an octagon."""
+        diagonal = int(DIAGONAL_FRACTION * radius + 0.5)
         straight = radius - 2 * diagonal
         segments = [(1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)]
         passes = [(first, s) for s in segments] + [(-first, s) for s in reversed(segments)]

@@ -14,7 +14,7 @@ from ..lang import array, atomic_max, func, int32, int64, kernel, launch, tid, u
 from ..memory import download, empty, zeros
 from ..search.hilbert_order import spread_bits
 
-LEVELS = 16  # 65,536 cells per axis
+OCTREE_LEVELS = 16  # 65,536 cells per axis
 
 
 @kernel
@@ -23,7 +23,7 @@ def encode_cells_kernel(
 ):
     i = tid()
     p = (points[rows[i]] - low) * scale
-    top = float((1 << LEVELS) - 1)
+    top = float((1 << OCTREE_LEVELS) - 1)
     x = spread_bits(int(min(max(p[0], 0.0), top)))
     y = spread_bits(int(min(max(p[1], 0.0), top)))
     z = spread_bits(int(min(max(p[2], 0.0), top)))
@@ -35,7 +35,7 @@ def find_deepest_kernel(codes: array(dtype=int64), min_count: int, deepest: arra
     """Deepest level of a cell with enough points. The integer maximum does not depend on the order."""
     i = tid()
     differing = codes[i] ^ codes[i + min_count - 1]
-    level = int(LEVELS)
+    level = int(OCTREE_LEVELS)
     while differing != 0:
         differing = differing >> 3
         level = level - 1
@@ -161,9 +161,9 @@ class Octree:
         self.extent = float((high.astype(np.float64) - low).max())
         corner = 0.5 * (low.astype(np.float64) + high) - 0.5 * self.extent
         codes = empty(rows.size, int64, points.device)
-        scale = 2**LEVELS / self.extent if self.extent > 1e-30 else 0.0
+        scale = 2**OCTREE_LEVELS / self.extent if self.extent > 1e-30 else 0.0
         launch(encode_cells_kernel, rows.size, [points, rows, vec3(*corner), scale, codes])
-        self.codes, order = argsort_keys(codes, 3 * LEVELS)
+        self.codes, order = argsort_keys(codes, 3 * OCTREE_LEVELS)
         self.rows, self.device = gather_rows(rows, order), points.device
         self.covered = zeros(rows.size, uint8, self.device)
 
@@ -176,7 +176,7 @@ class Octree:
         """Points of cells to test on a level: (rows by cell, cell numbers, counts), or None. One sync."""
         count, device = self.rows.size, self.device
         self.marks = empty(count, int32, device)
-        launch(mark_cells_kernel, count, [self.codes, 3 * (LEVELS - level), self.marks])
+        launch(mark_cells_kernel, count, [self.codes, 3 * (OCTREE_LEVELS - level), self.marks])
         if device.is_cuda:
             self.offsets, cells = offsets_of(self.marks), count
         else:

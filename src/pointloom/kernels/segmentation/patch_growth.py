@@ -13,12 +13,12 @@ import numpy as np
 
 from ..array_types import Array2, Integers, Points, Vectors
 from ..arrays.concatenation import concatenate_rows
+from ..arrays.row_numbers import count_numbers
 from ..arrays.select import gather_rows, number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..lang import (
     INFINITY,
     array,
-    atomic_add,
     atomic_max,
     atomic_min,
     dot,
@@ -35,7 +35,7 @@ from ..lang import (
     uint8,
     vec3,
 )
-from ..memory import download, empty, fill, full, upload, upload_together, zeros
+from ..memory import download, empty, fill, full, upload, upload_together
 from .cluster_labels import rename_labels_kernel
 from .planar_patches import RunPlanes, Runs
 
@@ -43,8 +43,8 @@ if TYPE_CHECKING:
     from .planar_patches import Runs
 
 
-DIRECTIONS = 45  # of a box's first side over a quarter turn. A second pass subdivides a step
-SLICES = 32  # threads per patch and direction
+BOX_DIRECTIONS = 45  # of a box's first side over a quarter turn. A second pass subdivides a step
+SLICES_PER_BOX = 32  # threads per patch and direction
 
 
 @kernel
@@ -60,12 +60,12 @@ def measure_boxes_kernel(
 ):
     """Extent of a slice of a patch's points along each axis. Minima and maxima do not depend on the order."""
     i = tid()
-    box = i // SLICES
-    part = i % SLICES
+    box = i // SLICES_PER_BOX
+    part = i % SLICES_PER_BOX
     patch = box // directions
     first = starts[patch]
     size = starts[patch + 1] - first
-    per_slice = (size + SLICES - 1) // SLICES
+    per_slice = (size + SLICES_PER_BOX - 1) // SLICES_PER_BOX
     for axis in range(3):
         side = axes[3 * box + axis]
         low = float(INFINITY)
@@ -86,16 +86,16 @@ def tightest_boxes(
     normals = directions.astype(np.float64)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     base = _basis(normals)
-    step = 0.5 * np.pi / DIRECTIONS
+    step = 0.5 * np.pi / BOX_DIRECTIONS
     best: np.ndarray = np.zeros(len(normals))
     k = axes = lows = highs = best  # set in the loop
     for _ in range(2):
-        angles = best[:, None] + step * (np.arange(DIRECTIONS) - DIRECTIONS // 2)
+        angles = best[:, None] + step * (np.arange(BOX_DIRECTIONS) - BOX_DIRECTIONS // 2)
         axes = _rotated(base, normals, angles)
         lows, highs = _measure(points, runs, centers, axes)
         sizes = highs - lows
         k = np.argmin(sizes[..., 0] * sizes[..., 1], axis=1)
-        best, step = angles[np.arange(len(k)), k], step * 2 / DIRECTIONS
+        best, step = angles[np.arange(len(k)), k], step * 2 / BOX_DIRECTIONS
     chosen = np.arange(len(k)), k
     sides, low, high = axes[chosen], lows[chosen], highs[chosen]
     middle = centers + np.einsum("bi,bij->bj", 0.5 * (low + high), sides)
@@ -109,7 +109,7 @@ def _measure(points: Points, runs: "Runs", centers: np.ndarray, axes: np.ndarray
     fill(highs, -INFINITY)
     frames = upload(centers, vec3, points.device), upload(axes.reshape(-1, 3), vec3, points.device)
     arguments = [points, runs.rows, runs.starts, *frames, axes.shape[1], lows, highs]
-    launch(measure_boxes_kernel, boxes * SLICES, arguments)
+    launch(measure_boxes_kernel, boxes * SLICES_PER_BOX, arguments)
     bounds = download(extents)  # sync
     return (part.reshape(axes.shape[:3]).astype(np.float64) for part in bounds.reshape(2, -1))
 
@@ -130,7 +130,7 @@ def _rotated(base: np.ndarray, normals: np.ndarray, angles: np.ndarray) -> np.nd
 
 
 NO_OFFER = 0x7FFF_FFFF
-GROWTH = 3  # a patch is fitted again when more than a third of its points are new
+REFIT_RATIO = 3  # a patch is fitted again when more than a third of its points are new
 
 
 @struct
@@ -269,13 +269,6 @@ def hand_over_kernel(cloud: PatchPoints, planes: PatchPlanes, targets: array(dty
 
 
 @kernel
-def count_labels_kernel(labels: array(dtype=int32), counts: array(dtype=int32)):
-    i = tid()
-    if labels[i] >= 0:
-        atomic_add(counts, labels[i], 1)
-
-
-@kernel
 def order_counts_kernel(counts: array(dtype=int32), keys: array(dtype=int64)):
     i = tid()
     keys[i] = int64(NO_OFFER - counts[i])
@@ -319,7 +312,7 @@ class Patches:
         while merged or growing.any():
             self._grow(growing | merged)
             merged = self._merge()  # sync
-            growing = GROWTH * (self.counts - self.fitted) > self.counts
+            growing = REFIT_RATIO * (self.counts - self.fitted) > self.counts
             if growing.any():
                 self._fit(growing)
                 self.grew |= growing
@@ -344,9 +337,7 @@ class Patches:
         return PatchPlanes(self.centers, self.directions, self.similar, self.near)
 
     def _count(self) -> Integers:
-        counts = zeros(len(self.near), int32, self.device)
-        launch(count_labels_kernel, self.labels.size, [self.labels, counts])
-        return counts
+        return count_numbers(self.labels, len(self.near))
 
     def _ranked(self, values: np.ndarray) -> tuple[Integers, np.ndarray]:
         """Ranks by decreasing value, and patches by rank, on the device and in NumPy."""

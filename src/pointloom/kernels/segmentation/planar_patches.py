@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from .octree_cells import Octree
 
 FIRST_LEVEL = 3  # larger cells contain no plane: an eighth of the box is already a wall
-SPREAD = 3.0  # MADs around the median for inliers
+INLIER_MADS = 3.0  # MADs around the median for inliers
 NORMAL_MAD = 1.4826  # scales the MAD of a normal distribution to its standard deviation
-CLEAR = 1.0e-6  # below 1: maximum required similarity of normals
-SPREAD_MAD, MAX_SIMILAR = SPREAD * NORMAL_MAD, 1.0 - CLEAR
-PACKED = 11  # numbers per run that the host reads
-ROUNDING = 4.0e-7  # of the cloud's size [m]: positions are rounded by 6e-8 of it on three axes
+MIN_COSINE_GAP = 1.0e-6  # below 1: maximum required similarity of normals
+SPREAD_MAD, MAX_SIMILAR = INLIER_MADS * NORMAL_MAD, 1.0 - MIN_COSINE_GAP
+PACKED_NUMBERS = 11  # numbers per run that the host reads
+RELATIVE_ROUNDING = 4.0e-7  # of the cloud's size [m]: positions are rounded by 6e-8 of it on three axes
 
 
 @kernel
@@ -294,7 +294,7 @@ class Limits:
         planes = runs.fit(points, normals)  # sync
         measured = runs.measure(points, normals, planes)
         bounds = runs.tolerate(measured, self.slack)
-        outliers, packed = zeros(runs.count, int32, device), empty((runs.count, PACKED), int32, device)
+        outliers, packed = zeros(runs.count, int32, device), empty((runs.count, PACKED_NUMBERS), int32, device)
         launch(count_outliers_kernel, runs.rows.size, [measured, runs.runs, *bounds, outliers])
         launch(pack_planes_kernel, runs.count, [*planes, *bounds, outliers, runs.starts, packed])
         results = np.array(download(packed))  # sync

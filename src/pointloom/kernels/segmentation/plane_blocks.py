@@ -8,12 +8,12 @@ from ..arrays.lanes import high_of_lanes, low_of_lanes
 from ..lang import INFINITY, WARP, array, float32, float64, func, int32, kernel, lane, launch, struct, tid, vec3, vec4d
 from ..memory import empty
 
-BLOCK = 512  # points whose coordinates (6 KB) stay in the L1 cache while a group of planes is scored
+POINTS_PER_BLOCK = 512  # points whose coordinates (6 KB) stay in the L1 cache while a group of planes is scored
 
 
 @struct
 class PointBlocks:
-    """Centered points, one array per axis, in blocks of BLOCK. `boxes` are six floats: center and half size [m]."""
+    """Centered points, one array per axis, in blocks. `boxes` are six floats: center and half size [m]."""
 
     count: int
     xs: array(dtype=float32)
@@ -22,7 +22,7 @@ class PointBlocks:
     boxes: array(dtype=float32)
 
     def __init__(self, points: Points, rows: Indices, middle: vec3) -> None:
-        self.count, self.block_count, device = rows.size, -(-rows.size // BLOCK), points.device
+        self.count, self.block_count, device = rows.size, -(-rows.size // POINTS_PER_BLOCK), points.device
         self.xs, self.ys, self.zs = (empty(self.count, float32, device) for _ in range(3))
         self.boxes = empty(6 * self.block_count, float32, device)
         threads = self.block_count * (WARP if device.is_cuda else 1)
@@ -34,7 +34,7 @@ def split_axes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), cente
     i = tid()
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
-    for j in range(i * BLOCK, min((i + 1) * BLOCK, rows.shape[0])):
+    for j in range(i * POINTS_PER_BLOCK, min((i + 1) * POINTS_PER_BLOCK, rows.shape[0])):
         p = points[rows[j]] - center
         blocks.xs[j] = p[0]
         blocks.ys[j] = p[1]
@@ -53,9 +53,9 @@ def split_axes_in_lanes_kernel(points: array(dtype=vec3), rows: array(dtype=int3
     block = i // WARP
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
-    n = int(BLOCK // WARP)
+    n = int(POINTS_PER_BLOCK // WARP)
     for step in range(n):
-        j = block * BLOCK + step * WARP + lane()
+        j = block * POINTS_PER_BLOCK + step * WARP + lane()
         if j < rows.shape[0]:
             p = points[rows[j]] - center
             blocks.xs[j] = p[0]
@@ -88,7 +88,7 @@ def distances_of_block(blocks: PointBlocks, block: int, plane: vec4d, threshold:
     c = float(plane[2])
     d = float(plane[3])
     total = float64(0.0)
-    for j in range(block * BLOCK, min((block + 1) * BLOCK, blocks.count)):
+    for j in range(block * POINTS_PER_BLOCK, min((block + 1) * POINTS_PER_BLOCK, blocks.count)):
         distance = abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d)
         if distance < threshold:
             total += float64(distance)

@@ -1,9 +1,9 @@
 """RANSAC plane fit: samples are scored, and the best is refitted, on the device.
 
-Fischler and Bolles, "Random sample consensus", CACM 1981. A thread scores GROUP planes on a run of blocks. Blocks
+Fischler and Bolles, "Random sample consensus", CACM 1981. A thread scores several planes on a run of blocks. Blocks
 beyond the threshold are skipped. Planes (a, b, c, d) are relative to the center, computed in float64 and scored in
 float32. Integer counts do not depend on the threads. The most inliers win, then the smallest sum of distances, then the
-first plane. On CUDA a warp scores GROUP planes on a block, with one sync per batch.
+first plane. On CUDA a warp scores as many on a block, with one sync per batch.
 """
 
 import math
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..array_types import Array1, Indices, Integers, Mask, Points
-from ..arrays.bounds import bound_points
+from ..arrays.bounds import bound_points, maximum_of
 from ..arrays.lanes import sum_int_of_lanes
 from ..arrays.prefix_sum import scan_together
 from ..arrays.select import gather_rows, positions_of
@@ -22,7 +22,6 @@ from ..lang import (
     WARP,
     array,
     atomic_add,
-    atomic_max,
     float64,
     int32,
     kernel,
@@ -39,24 +38,16 @@ from ..lang import (
 )
 from ..linear_algebra import eigh, matmul
 from ..memory import download, empty, upload, zeros
-from .plane_blocks import BLOCK, PointBlocks, distances_of_block, is_near_block
-from .plane_samples import FLAT, TRIANGLE, draw_planes_kernel, products, sampled_point, six_sums
+from .plane_blocks import POINTS_PER_BLOCK, PointBlocks, distances_of_block, is_near_block
+from .plane_samples import MIN_SAMPLE_SIZE, MIN_VARIANCE_RATIO, draw_planes_kernel, products, sampled_point, six_sums
 
 if TYPE_CHECKING:
     from .plane_fit import PlaneSearch
 
 
-PARTIALS = 2**22  # partial sums of distances at a time
-COUNT, SUM = 4, 5  # in the record: after the plane its inlier count, and the sum of their distances [m]
-RECORD = 6
-
-
-@kernel
-def find_top_kernel(counts: array(dtype=int32), top: array(dtype=int32)):
-    """Maximum inlier count. It does not depend on the order."""
-    i = tid()
-    if counts[i] > top[0]:  # a stale value only adds an atomic
-        atomic_max(top, 0, counts[i])
+MAX_PARTIAL_SUMS = 2**22  # partial sums of distances at a time
+COUNT_AT, SUM_AT = 4, 5  # in the record: after the plane its inlier count, and the sum of their distances [m]
+RECORD_NUMBERS = 6
 
 
 @kernel
@@ -105,11 +96,11 @@ def keep_best_kernel(
         if sums[k] < sums[best]:
             best = k
     count = float64(top[0])
-    if count > record[COUNT] or (count > 0.0 and count == record[COUNT] and sums[best] < record[SUM]):
+    if count > record[COUNT_AT] or (count > 0.0 and count == record[COUNT_AT] and sums[best] < record[SUM_AT]):
         for axis in range(4):
             record[axis] = planes[best][axis]
-        record[COUNT] = count
-        record[SUM] = sums[best]
+        record[COUNT_AT] = count
+        record[SUM_AT] = sums[best]
 
 
 @kernel
@@ -135,15 +126,14 @@ class BestPlane:
 
     def __init__(self, search: "PlaneSearch", threshold: float) -> None:
         self._search, self._threshold = search, threshold
-        self._record = zeros(RECORD, float64, search.device)
+        self._record = zeros(RECORD_NUMBERS, float64, search.device)
         self.plane, self.count, self.inliers = np.zeros(4), 0, 0
 
     def offer(self, planes: Array1[vec4d], counts: Integers) -> None:
         """Update the best plane from planes and their inlier counts. One sync."""
         search, blocks, size, device = self._search, self._search.blocks, planes.size, self._search.device
-        top, sums = zeros(1, int32, device), empty(size, float64, device)
-        launch(find_top_kernel, size, [counts, top])
-        step = max(1, PARTIALS // blocks.block_count)
+        top, sums = maximum_of(counts), empty(size, float64, device)
+        step = max(1, MAX_PARTIAL_SUMS // blocks.block_count)
         for first in range(0, size, step):
             partials = empty((min(step, size - first), blocks.block_count), float64, device)
             arguments = [blocks, planes, counts, top, first, self._threshold, partials]
@@ -153,17 +143,17 @@ class BestPlane:
         marks = empty(search.rows.size, int32, device)
         arguments = [search.points, search.rows, vec3d(*search.center), self._record, self._threshold, marks]
         launch(mark_best_kernel, marks.size, arguments)
-        words = part_of(self._record, 0, int32, 2 * RECORD)
+        words = part_of(self._record, 0, int32, 2 * RECORD_NUMBERS)
         (_, (self.inliers,)), (_, numbers) = scan_together([(marks, [marks.size])], words, largest=1)  # sync
         record = np.array(numbers, np.int32).view(np.float64)
-        self.plane, self.count = record[:4].copy(), int(record[COUNT])
+        self.plane, self.count = record[:4].copy(), int(record[COUNT_AT])
 
 
-GROUP = 8  # planes per thread
+PLANES_PER_THREAD = 8
 CPU_RUN = 16  # blocks per thread on the CPU: few atomics
 FIRST_BATCH, BATCH_GROWTH, MAX_PLANES = 32, 3, 4096  # planes between two checks of the result
-ROUNDING = 4.0e-6  # of the largest coordinate: covers the rounding of two sums of four products in float32
-eight_counts = vector(GROUP, int32)
+RELATIVE_ROUNDING = 4.0e-6  # of the largest coordinate: covers the rounding of two sums of four products in float32
+eight_counts = vector(PLANES_PER_THREAD, int32)
 
 
 @kernel
@@ -178,14 +168,14 @@ def score_planes_kernel(
 ):
     """Inlier counts of planes. Integer sums, so the order of the atomics does not matter."""
     i = tid()
-    groups = (plane_count + GROUP - 1) // GROUP
+    groups = (plane_count + PLANES_PER_THREAD - 1) // PLANES_PER_THREAD
     head = (i // groups) * run
-    start = (i % groups) * GROUP
-    size = min(GROUP, plane_count - start)
+    start = (i % groups) * PLANES_PER_THREAD
+    size = min(PLANES_PER_THREAD, plane_count - start)
     totals = eight_counts(0)
-    for block in range(head, min(head + run, (blocks.count + BLOCK - 1) // BLOCK)):
-        first = block * BLOCK
-        last = min(first + BLOCK, blocks.count)
+    for block in range(head, min(head + run, (blocks.count + POINTS_PER_BLOCK - 1) // POINTS_PER_BLOCK)):
+        first = block * POINTS_PER_BLOCK
+        last = min(first + POINTS_PER_BLOCK, blocks.count)
         for k in range(size):
             plane = planes[start + k]
             a = float(plane[0])
@@ -214,11 +204,11 @@ def score_planes_in_lanes_kernel(
 ):
     """CUDA variant: a warp per block and group of planes, a lane per point."""
     i = tid()
-    groups = (plane_count + GROUP - 1) // GROUP
+    groups = (plane_count + PLANES_PER_THREAD - 1) // PLANES_PER_THREAD
     block = i // WARP // groups
-    start = (i // WARP % groups) * GROUP
-    last = min((block + 1) * BLOCK, blocks.count)
-    for k in range(start, min(start + GROUP, plane_count)):
+    start = (i // WARP % groups) * PLANES_PER_THREAD
+    last = min((block + 1) * POINTS_PER_BLOCK, blocks.count)
+    for k in range(start, min(start + PLANES_PER_THREAD, plane_count)):
         plane = planes[k]
         a = float(plane[0])
         b = float(plane[1])
@@ -226,9 +216,9 @@ def score_planes_in_lanes_kernel(
         d = float(plane[3])
         if is_near_block(blocks, block, a, b, c, d, block_distance) == 1:
             count = 0
-            n = int(BLOCK // WARP)
+            n = int(POINTS_PER_BLOCK // WARP)
             for step in range(n):
-                j = block * BLOCK + step * WARP + lane()
+                j = block * POINTS_PER_BLOCK + step * WARP + lane()
                 if j < last:
                     if abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d) < threshold:
                         count += 1
@@ -381,7 +371,7 @@ class PlaneSearch:
 
     def refit(self, plane: np.ndarray, rows: Indices) -> np.ndarray:
         """Least-squares plane of some points. The old one if they span none. One sync."""
-        if rows.size < TRIANGLE:
+        if rows.size < MIN_SAMPLE_SIZE:
             return plane
         mean, packed = empty(1, vec3d, self.device), empty(9, float64, self.device)
         total = reduce(add_points, rows.size, [self.points, rows, vec3d(*self.center)])
@@ -390,7 +380,7 @@ class PlaneSearch:
         numbers = download(packed)  # sync
         s = numbers[3:]
         values, vectors = eigh(s[[[0, 1, 2], [1, 3, 4], [2, 4, 5]]])
-        if not values[1] > FLAT * values[2]:
+        if not values[1] > MIN_VARIANCE_RATIO * values[2]:
             return plane
         normal = vectors[:, 0]
         return np.append(normal, matmul(-normal, numbers[:3] - self.center))
@@ -404,15 +394,15 @@ class PlaneSearch:
     def _score(self, planes: Array1[vec4d], size: int, threshold: float) -> Integers:
         counts = zeros(size, int32, self.device)
         run, lanes = (1, WARP) if self.device.is_cuda else (CPU_RUN, 1)
-        groups, threads = -(-size // GROUP), -(-self.blocks.block_count // run) * lanes
-        block_distance = threshold + ROUNDING * (self.size + threshold)
+        groups, threads = -(-size // PLANES_PER_THREAD), -(-self.blocks.block_count // run) * lanes
+        block_distance = threshold + RELATIVE_ROUNDING * (self.size + threshold)
         arguments = [self.blocks, run, planes, size, threshold, block_distance, counts]
         launch(score_planes_kernel, threads * groups, arguments)
         return counts
 
     def _sum_distances(self, planes: Array1[vec4d], chosen: np.ndarray, threshold: float) -> np.ndarray:
         sums, block_count = [], self.blocks.block_count
-        step = max(1, PARTIALS // block_count)
+        step = max(1, MAX_PARTIAL_SUMS // block_count)
         for begin in range(0, len(chosen), step):
             part = upload(chosen[begin : begin + step], int32, self.device)
             partials = empty((part.size, block_count), float64, self.device)

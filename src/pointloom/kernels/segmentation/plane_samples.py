@@ -25,9 +25,9 @@ from ..lang import (
     vector,
 )
 
-TRIANGLE = 3  # points that define a plane
-COLLINEAR = 1.0e-6  # sine of the angle between two edges below which rounding dominates
-FLAT = COLLINEAR * COLLINEAR  # the same for the ratio of two variances
+MIN_SAMPLE_SIZE = 3  # points that define a plane
+MIN_EDGE_SINE = 1.0e-6  # sine of the angle between two edges below which rounding dominates
+MIN_VARIANCE_RATIO = MIN_EDGE_SINE * MIN_EDGE_SINE  # the same for the ratio of two variances
 six_sums = vector(6, float64)
 
 
@@ -48,7 +48,7 @@ def triangle_plane(p: vec3d, q: vec3d, r: vec3d) -> vec4d:
     normal = cross(u, v)
     size = sqrt(dot(normal, normal))
     plane = no_plane()
-    if size > float64(COLLINEAR) * sqrt(dot(u, u) * dot(v, v)):
+    if size > float64(MIN_EDGE_SINE) * sqrt(dot(u, u) * dot(v, v)):
         plane = plane_at(normal / size, p)
     return plane
 
@@ -59,7 +59,7 @@ def fitted_plane(mean: vec3d, covariance: mat33d) -> vec4d:
     size = largest_entry(covariance)
     if size > 0.0:
         values = sorted_eigenvalues(covariance * (1.0 / size))
-        if values[1] > float64(FLAT) * values[2]:
+        if values[1] > float64(MIN_VARIANCE_RATIO) * values[2]:
             plane = plane_at(smallest_eigenvector(covariance), mean)
     return plane
 
@@ -97,7 +97,7 @@ def draw_planes_kernel(
                 drawn = last
         samples[base + j] = drawn
     plane = no_plane()
-    if sample_size == TRIANGLE:
+    if sample_size == MIN_SAMPLE_SIZE:
         p = sampled_point(points, rows[samples[base]], center)
         q = sampled_point(points, rows[samples[base + 1]], center)
         r = sampled_point(points, rows[samples[base + 2]], center)

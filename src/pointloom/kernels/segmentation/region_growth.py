@@ -6,10 +6,10 @@ points (union_find.py). Other points join the low-curvature neighbor with the mo
 
 from ..array_types import Array2, Integers, Scalars, Vectors
 from ..arrays.select import number_rows_kernel, positions_of
-from ..arrays.union_find import flatten_sets_kernel, unite
+from ..arrays.union_find import flatten_sets_kernel, mask_roots_kernel, unite
 from ..lang import array, dot, float32, int32, isfinite, kernel, launch, tid, uint8, vec3
 from ..memory import empty, full
-from .cluster_labels import NOISE, rank_by_size
+from .cluster_labels import NOISE_LABEL, rank_by_size
 
 
 @kernel
@@ -19,7 +19,7 @@ def begin_sets_kernel(
     """Low-curvature points start as sets of their own, others without a set."""
     i = tid()
     n = normals[i]
-    parents[i] = NOISE
+    parents[i] = NOISE_LABEL
     if isfinite(n) and dot(n, n) > 0.0 and curvature[i] < limit:  # NaN is not less
         parents[i] = i
 
@@ -39,12 +39,6 @@ def join_neighbors_kernel(
 
 
 @kernel
-def mark_roots_kernel(parents: array(dtype=int32), marks: array(dtype=uint8)):
-    i = tid()
-    marks[i] = uint8(1 if parents[i] == i else 0)
-
-
-@kernel
 def label_regions_kernel(
     normals: array(dtype=vec3),
     neighbors: array(dtype=int32, ndim=2),
@@ -55,7 +49,7 @@ def label_regions_kernel(
 ):
     """Number of each point's set, or of the neighbor with the most similar normal."""
     i = tid()
-    label = int(NOISE)
+    label = int(NOISE_LABEL)
     if parents[i] >= 0:
         label = numbers[parents[i]]
     elif isfinite(normals[i]):
@@ -82,12 +76,12 @@ def grow_regions(
     """Labels of smooth regions by decreasing size, and their number before the size limits. `cosine`: minimum between
     unsigned normals, `limit`: maximum curvature to grow from."""
     count, device = normals.size, normals.device
-    parents, labels = empty(count, int32, device), full(count, NOISE, int32, device)
+    parents, labels = empty(count, int32, device), full(count, NOISE_LABEL, int32, device)
     launch(begin_sets_kernel, count, [normals, curvature, limit, parents])
     launch(join_neighbors_kernel, count, [normals, neighbors, cosine, parents])
     launch(flatten_sets_kernel, count, [parents])
-    marks, numbers = empty(count, uint8, device), full(count, NOISE, int32, device)
-    launch(mark_roots_kernel, count, [parents, marks])
+    marks, numbers = empty(count, uint8, device), full(count, NOISE_LABEL, int32, device)
+    launch(mask_roots_kernel, count, [parents, marks])
     heads = positions_of(marks)  # sync
     if not heads.size:
         return labels, 0

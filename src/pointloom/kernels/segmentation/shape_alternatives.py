@@ -16,23 +16,23 @@ from ..array_types import Array1, Integers
 from ..lang import array, atomic_add, cross, dot, float32, float64, int32, kernel, launch, sqrt, tid, vec3, vec3d
 from ..memory import zeros
 from .plane_samples import sampled_point
-from .shape_fit import FREE, ShapeFit, frame_of
+from .shape_fit import FREE_ENTRIES, ShapeFit, frame_of
 from .shape_models import measure
 from .shape_rows import every_of
 from .shape_search import DetectedShape, ShapeLimits, ShapeSearch, drawn_of
 
-BAND = 3.0  # tolerances up to which a point is beside a surface
-COMPARED = 4096  # points of a shape used to fit rivals
-DRAWN = 256  # samples of a rival kind
-STARTS = 2  # of them that are fitted
-HOPELESS = 5.0  # times the shape's deviation: rivals farther away after some steps are dropped
+BAND_TOLERANCES = 3.0  # tolerances up to which a point is beside a surface
+MAX_COMPARED = 4096  # points of a shape used to fit rivals
+SAMPLES_PER_KIND = 256  # samples of a rival kind
+FITS_PER_KIND = 2  # of them that are fitted
+MAX_DEVIATION_RATIO = 5.0  # times the shape's deviation: rivals farther away after some steps are dropped
 COMPARED_GAIN = 1.0e-5  # of squared distances: a smaller gain ends a fit, accurate to 1% of the rms
 FREE_SIZE = 20.0  # sizes of the cloud: larger radii are planes
 
 
 @dataclass(frozen=True)
 class Band:
-    """Points in the box of a shape: within the tolerance, up to BAND times as far, and those with matching normals."""
+    """Points in the box of a shape: within the tolerance, in the wider band, and those with matching normals."""
 
     on: int
     beside: int
@@ -42,7 +42,7 @@ class Band:
 
 @dataclass(frozen=True)
 class Rival:
-    """Another kind fitted to at most COMPARED points: `ratio` of standard deviations, and `support` in the cloud."""
+    """Another kind fitted to at most MAX_COMPARED points: `ratio` of deviations, and `support` in the cloud."""
 
     kind: int
     fit: ShapeFit
@@ -72,7 +72,7 @@ def count_band_kernel(
     y = x - p
     v = cross(a, u)
     m = measure(kind, p, a, sizes[0], sizes[1], x)
-    far = near * float64(BAND)
+    far = near * float64(BAND_TOLERANCES)
     inside = 1
     if dot(y, u) < float64(box[0]) - far or dot(y, u) > float64(box[3]) + far:
         inside = 0
@@ -108,21 +108,22 @@ class RivalStarts:
 
     def __init__(self, search: ShapeSearch, detected: DetectedShape, limits: ShapeLimits) -> None:
         self.search, self.shape, self.limits, self.rows = search, detected, limits, detected.rows
-        if detected.rows.size > COMPARED:
-            self.rows = every_of(detected.rows, -(-detected.rows.size // COMPARED))
+        if detected.rows.size > MAX_COMPARED:
+            self.rows = every_of(detected.rows, -(-detected.rows.size // MAX_COMPARED))
         part = ShapeSearch(search.points, search.normals, self.rows, search)
         wide = replace(limits, smallest=0.0, largest=FREE_SIZE * max(search.size, 1e-30))
-        self.kinds = [kind for kind in FREE if kind != detected.kind and self.rows.size > len(FREE[kind]) + 1]
-        self.unread = [values for kind in self.kinds for values in part.draw_unread(kind, DRAWN, 0, 0, wide)]
+        count = self.rows.size
+        self.kinds = [k for k, free in FREE_ENTRIES.items() if k != detected.kind and count > len(free) + 1]
+        self.unread = [values for kind in self.kinds for values in part.draw_unread(kind, SAMPLES_PER_KIND, 0, 0, wide)]
 
     def find(self, drawn: Sequence[NDArray[Any]], every: ShapeSearch) -> list[Rival]:
         """Best shape of each other kind, from the arrays of `unread`. Support is counted in `every`. Two syncs."""
         kinds, starts = [self.shape.kind], [self.shape.fit.shape]
         for kind, (shapes, _) in zip(self.kinds, drawn_of(drawn), strict=True):
-            kinds += [kind] * len(shapes[:STARTS])
-            starts += list(shapes[:STARTS])
+            kinds += [kind] * len(shapes[:FITS_PER_KIND])
+            starts += list(shapes[:FITS_PER_KIND])
         rounding = float(np.finfo(np.float32).eps) * self.search.size
-        hopeless = HOPELESS * (self.shape.fit.rms + rounding)
+        hopeless = MAX_DEVIATION_RATIO * (self.shape.fit.rms + rounding)
         own, *offers = self.search.fitter.fit_all(kinds, starts, self.rows, COMPARED_GAIN, hopeless)
         best: dict[int, ShapeFit] = {}
         for kind, fit in zip(kinds[1:], offers, strict=True):
@@ -139,4 +140,4 @@ class RivalStarts:
 
 
 def _spread(fit: ShapeFit, kind: int) -> float:
-    return fit.rms * float(np.sqrt(fit.count / max(fit.count - len(FREE[kind]), 1)))
+    return fit.rms * float(np.sqrt(fit.count / max(fit.count - len(FREE_ENTRIES[kind]), 1)))

@@ -19,9 +19,9 @@ from ..lang import float64, int32, launch, loop_while, reduce, reduce_segments, 
 from ..linear_algebra import eigh, matmul, norm
 from ..memory import download, empty
 from .shape_fit_rows import (
-    COUNT,
-    SELECT,
-    SQUARES,
+    COUNT_AT,
+    SELECTION_PHASE,
+    SQUARES_AT,
     FitRules,
     ShapeFits,
     add_fit_rows,
@@ -31,21 +31,21 @@ from .shape_fit_rows import (
     select_fit_rows_kernel,
     sum_moments,
 )
-from .shape_models import CONE, CYLINDER, NUMBERS, PLANE, SPHERE, TORUS
+from .shape_models import CONE, CYLINDER, PLANE, SHAPE_NUMBERS, SPHERE, TORUS
 from .shape_steps import step_fits_kernel, update_running_kernel
 
-OPEN = 1.0e-11  # eigenvalue ratio of the scaled system below which a fit is undetermined
-EXACT = 1.0e-13  # of the squared distances: a smaller gain ends a fit
-ROUGHLY = 1.0e-7  # the same for fits that are only compared or fitted again
+MIN_EIGENVALUE_RATIO = 1.0e-11  # eigenvalue ratio of the scaled system below which a fit is undetermined
+EXACT_GAIN = 1.0e-13  # of the squared distances: a smaller gain ends a fit
+ROUGH_GAIN = 1.0e-7  # the same for fits that are only compared or fitted again
 NAMES = ("shift_u", "shift_v", "shift_axis", "tilt_u", "tilt_v", "first", "second")
-FREE = {PLANE: [2, 3, 4], SPHERE: [0, 1, 2, 5], CYLINDER: [0, 1, 3, 4, 5], CONE: [0, 1, 2, 3, 4, 5]}
-FREE[TORUS] = [0, 1, 2, 3, 4, 5, 6]
+FREE_ENTRIES = {PLANE: [2, 3, 4], SPHERE: [0, 1, 2, 5], CYLINDER: [0, 1, 3, 4, 5], CONE: [0, 1, 2, 3, 4, 5]}
+FREE_ENTRIES[TORUS] = [0, 1, 2, 3, 4, 5, 6]
 Shapes = Sequence[NDArray[np.float64]] | NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class ShapeFit:
-    """Result of a fit: `shape` float64 [8] relative to the center, covariance of the unknowns in the order of FREE in
+    """Result of a fit: `shape` float64 [8] relative to the center, covariance of the FREE_ENTRIES in
     `frame` (rows u, v, a), `rms` distance [m], point count, and the reason if it is undetermined."""
 
     shape: NDArray[np.float64]
@@ -109,10 +109,10 @@ class ShapeFitter:
     def fit(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> ShapeFit:
         """Least-squares fit to `points[rows]` from an initial shape. One sync. Planes and cylinders are centered
         first."""
-        return self.fit_all([kind], [shape], rows, EXACT)[0]
+        return self.fit_all([kind], [shape], rows, EXACT_GAIN)[0]
 
     def fit_all(
-        self, kinds: ArrayLike, shapes: Shapes, rows: Indices, gain: float = ROUGHLY, hopeless: float = 0.0
+        self, kinds: ArrayLike, shapes: Shapes, rows: Indices, gain: float = ROUGH_GAIN, hopeless: float = 0.0
     ) -> list[ShapeFit]:
         """Fits to the same rows from several shapes. One sync. Stops those with an rms above `hopeless` [m] (0:
         none)."""
@@ -123,7 +123,7 @@ class ShapeFitter:
         ]
 
     def refine_all(
-        self, kinds: ArrayLike, shapes: Shapes, rows: Indices, chosen: Selection, gain: float = ROUGHLY
+        self, kinds: ArrayLike, shapes: Shapes, rows: Indices, chosen: Selection, gain: float = ROUGH_GAIN
     ) -> list[tuple[ShapeFit, int] | None]:
         """Fit each shape to its inliers among `rows` while these increase. One sync: (fit, inlier count), or None."""
         results = self._run(kinds, shapes, rows, chosen, gain)
@@ -142,10 +142,10 @@ class ShapeFitter:
 
     def fit_of(self, kind: int, shape: NDArray[np.float64], sums: NDArray[np.float64]) -> ShapeFit:
         """Fit statistics from the sums at a shape."""
-        free, count, squares = np.array(FREE[kind]), int(sums[COUNT]), max(float(sums[SQUARES]), 0.0)
+        free, count, squares = np.array(FREE_ENTRIES[kind]), int(sums[COUNT_AT]), max(float(sums[SQUARES_AT]), 0.0)
         scales = np.array([1.0, 1, 1, self.size, self.size, self.size if kind == CONE else 1, 1])[free]
         full = np.zeros((8, 8))
-        full[np.triu_indices(8)] = sums[:COUNT]
+        full[np.triu_indices(8)] = sums[:COUNT_AT]
         full += np.triu(full, 1).T
         h = full[np.ix_(free, free)] / np.outer(scales, scales)
         reason, covariance = "", np.full((len(free), len(free)), np.inf)
@@ -156,7 +156,7 @@ class ShapeFitter:
         else:
             d = 1 / np.sqrt(np.maximum(np.diag(h), 1e-300))
             values, vectors = eigh(h * np.outer(d, d))
-            if values[0] <= OPEN * values[-1]:
+            if values[0] <= MIN_EIGENVALUE_RATIO * values[-1]:
                 weak = NAMES[free[int(np.argmax(np.abs(vectors[:, 0])))]]
                 reason = f"the points leave {weak} open"
             else:
@@ -211,7 +211,7 @@ class ShapeFitter:
 
 
 def _first_state(kinds: ArrayLike, shapes: Shapes, chosen: Selection | None) -> dict[str, tuple[ArrayLike, type]]:
-    of, given = np.asarray(kinds), np.asarray(shapes, np.float64).reshape(-1, NUMBERS)
+    of, given = np.asarray(kinds), np.asarray(shapes, np.float64).reshape(-1, SHAPE_NUMBERS)
     k, width = len(of), len(fit_sums(0.0))
     axes = [np.eye(3) if kind == SPHERE else frame_of(shape[3:6]) for kind, shape in zip(of, given, strict=True)]
     frames = np.reshape(axes, (k, 3, 3))
@@ -226,7 +226,7 @@ def _first_state(kinds: ArrayLike, shapes: Shapes, chosen: Selection | None) -> 
         "dampings": (np.zeros(k), float64),
         "longest": (np.zeros(k), float64),
         "kinds": (of, int32),
-        "phases": (np.full(k, SELECT), int32),
+        "phases": (np.full(k, SELECTION_PHASE), int32),
         "steps": (np.zeros(k), int32),
         "rounds": (np.zeros(k), int32),
         "max_rounds": (np.full(k, rounds), int32),

@@ -23,8 +23,8 @@ from ..lang import (
 from .plane_samples import sampled_point
 from .shape_models import CONE, CYLINDER, PLANE, TORUS, eight, measure
 
-SQUARES, COUNT, POSITIONS = 35, 36, 37  # in the sums: squared distances, rows, positions along u, v and the axis
-SELECT, BEGIN, STEP, ENDED = range(4)  # purpose of the current sums
+SQUARES_AT, COUNT_AT, POSITIONS_AT = 35, 36, 37  # sums: squared distances, rows, positions along u, v and the axis
+SELECTION_PHASE, FIRST_SUMS_PHASE, STEP_PHASE, ENDED_PHASE = range(4)  # purpose of the current sums
 fit_sums = vector(40, float64)
 moment_sums = vector(9, float64)
 
@@ -33,7 +33,7 @@ moment_sums = vector(9, float64)
 class ShapeFits:
     """State of fits. Elements: `rows` of points, `jobs` (fits), `mask` (1 if used). Fits: accepted `shapes` and trial
     `offers` float64 [k, 8], trial `frames` (u, v, axis), `sums` of accepted shapes, `dampings`, longest step component
-    [m], `phases` (SELECT to ENDED), counters, the best round (-1 if none). `live` and `running` are 1 until done."""
+    [m], `phases` (from SELECTION_PHASE), counters, best round (-1 if none). `live` and `running` are 1 until done."""
 
     rows: array(dtype=int32)
     jobs: array(dtype=int32)
@@ -126,10 +126,10 @@ def sums_at(fits: ShapeFits, k: int, x: vec3d, weight: float64) -> fit_sums:
         for column in range(row, 8):
             total[at] = j[row] * j[column] * weight
             at += 1
-    total[COUNT] = 1.0
-    total[POSITIONS] = dot(x - p, u)
-    total[POSITIONS + 1] = dot(x - p, v)
-    total[POSITIONS + 2] = dot(x - p, a)
+    total[COUNT_AT] = 1.0
+    total[POSITIONS_AT] = dot(x - p, u)
+    total[POSITIONS_AT + 1] = dot(x - p, v)
+    total[POSITIONS_AT + 2] = dot(x - p, a)
     return total
 
 
@@ -196,7 +196,7 @@ def select_fit_rows_kernel(
 ):
     t = tid()
     k = fits.jobs[t]
-    if fits.phases[k] == SELECT:
+    if fits.phases[k] == SELECTION_PHASE:
         row = fits.rows[t]
         x = sampled_point(points, row, center)
         p = position_in(fits.offers, k)

@@ -8,8 +8,8 @@ torus around p with axis a, ring radius r and tube radius s.
 from ..lang import array, dot, float32, float64, func, int32, kernel, sqrt, struct, tid, vec3, vec3d, vec4d, vector
 
 PLANE, SPHERE, CYLINDER, CONE, TORUS = range(5)
-NONE = -1  # kind of a sample that defines no shape
-NUMBERS = 8  # of a shape
+NO_SHAPE = -1  # kind of a sample that defines no shape
+SHAPE_NUMBERS = 8
 eight = vector(8, float64)
 
 

@@ -20,7 +20,7 @@ from .plane_samples import sampled_point
 from .shape_models import measure
 from .shape_search import DetectedShape, ShapeSearch, rotate_points_kernel
 
-TAIL = 0.01  # of a face's points at either end that may belong to adjacent surfaces
+TAIL_FRACTION = 0.01  # of a face's points at either end that may belong to adjacent surfaces
 MAX_STEPS = 2_000_000_000  # of a height, an integer for the atomics
 
 
@@ -94,15 +94,15 @@ def lift_heights_kernel(rotated: array(dtype=vec3), low: vec3d, heights: array(d
 def bounds_in_frame(
     points: Points, rows: Indices, position: NDArray[np.float64], frame: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Robust bounds of uniform points in a frame: extrapolated quantiles at TAIL and 1 - TAIL, clamped. 4 syncs."""
+    """Robust bounds of uniform points in a frame: extrapolated quantiles at the tails, clamped. 4 syncs."""
     rotated = empty(rows.size, vec3, rows.device)
     axes = [vec3d(*axis) for axis in frame]
     launch(rotate_points_kernel, rows.size, [points, rows, vec3d(0.0, 0.0, 0.0), vec3d(*position), *axes, rotated])
     low, high = (bound.astype(np.float64) for bound in bound_points(rotated)[:2])  # sync
     heights = empty((3, rows.size), float64, rows.device)
     launch(lift_heights_kernel, rows.size, [rotated, vec3d(*low), heights])
-    tails = np.array([quantiles_of(heights[k], [TAIL, 1 - TAIL]) for k in range(3)])  # sync, three
-    more = TAIL / (1 - 2 * TAIL) * (tails[:, 1] - tails[:, 0])
+    tails = np.array([quantiles_of(heights[k], [TAIL_FRACTION, 1 - TAIL_FRACTION]) for k in range(3)])  # sync, three
+    more = TAIL_FRACTION / (1 - 2 * TAIL_FRACTION) * (tails[:, 1] - tails[:, 0])
     return low + np.maximum(tails[:, 0] - more, 0), np.minimum(low + tails[:, 1] + more, high)
 
 

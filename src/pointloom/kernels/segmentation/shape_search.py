@@ -19,7 +19,7 @@ from ..arrays.bounds import bound_points, box_of, find_extremes, fold_box_kernel
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.side_by_side import read_together
-from ..arrays.sort import argsort_keys
+from ..arrays.sort import argsort_keys, descending_keys
 from ..lang import (
     array,
     atomic_add,
@@ -30,7 +30,6 @@ from ..lang import (
     float64,
     func,
     int32,
-    int64,
     kernel,
     launch,
     sqrt,
@@ -41,14 +40,14 @@ from ..lang import (
 )
 from ..memory import download, empty, upload, zeros
 from .plane_samples import sampled_point
-from .shape_fit import EXACT, ROUGHLY, Selection, ShapeFit, ShapeFitter, Shapes, frame_of
+from .shape_fit import EXACT_GAIN, ROUGH_GAIN, Selection, ShapeFit, ShapeFitter, Shapes, frame_of
 from .shape_fit_rows import is_on
 from .shape_models import (
     CONE,
     CYLINDER,
-    NONE,
-    NUMBERS,
+    NO_SHAPE,
     PLANE,
+    SHAPE_NUMBERS,
     SPHERE,
     TORUS,
     ShapePoints,
@@ -62,7 +61,7 @@ from .shape_rows import every_of
 
 MIN_SINE = 0.05  # between normals: below it, noise determines their intersection
 MIN_WINDOW = 16  # points of the shortest run
-NARROW, WIDE = (0.9995, 0.06)  # cosines of a cone's half angle: 1.8 and 86.6 degrees, else it is a line or a plane
+MAX_CONE_COSINE, MIN_CONE_COSINE = 0.9995, 0.06  # half angle: 1.8 and 86.6 degrees, else it is a line or a plane
 
 
 @func
@@ -132,7 +131,7 @@ def cone_through(p: vec3d, l: vec3d, q: vec3d, m: vec3d, o: vec3d, n: vec3d) -> 
         if dot(a, x) < 0.0:
             a = -a
         c = (dot(a, x) + dot(a, y) + dot(a, z)) / 3.0
-        if c < float64(NARROW) and c > float64(WIDE):
+        if c < float64(MAX_CONE_COSINE) and c > float64(MIN_CONE_COSINE):
             shape = shape_of(apex, a, c, sqrt(1.0 - c * c))
     return shape
 
@@ -312,9 +311,9 @@ def draw_shapes_kernel(
     if kind == TORUS:
         size = shape[7]
     if shape[6] <= 0.0 or wrong > 0:
-        kinds[i] = NONE
+        kinds[i] = NO_SHAPE
     elif kind == SPHERE or kind == CYLINDER or kind == TORUS:
-        kinds[i] = kind if size >= smallest and shape[6] <= largest else NONE
+        kinds[i] = kind if size >= smallest and shape[6] <= largest else NO_SHAPE
     else:
         kinds[i] = kind
     for entry in range(8):
@@ -443,14 +442,14 @@ def score_shapes(
 
 
 SAMPLE_POINTS = {PLANE: 3, SPHERE: 2, CYLINDER: 2, CONE: 3, TORUS: 4}
-PART = 2048  # points used to score all samples
+SCORING_POINTS = 2048  # points used to score all samples
 FIRST_BATCH, BATCH_GROWTH, MAX_BATCH = 256, 4, 8192
-PROMISING = 16  # samples of a batch scored on all points
-REFINED = 6  # samples fitted to their points
+MAX_PROMISING = 16  # samples of a batch scored on all points
+MAX_REFINED = 6  # samples fitted to their points
 FITTED_PART = 4096  # maximum number of points for the first fit of the best samples
 MAX_FITS = 6  # of one sample, each to the inliers of the previous one
-SECTORS, BANDS = 36, 18  # cells around a shape and along it: the fraction with points is its coverage
-STREAM = 7919  # offset between the seeds of kinds
+SECTOR_COUNT, BAND_COUNT = 36, 18  # cells around a shape and along it: the fraction with points is its coverage
+KIND_SEED_STEP = 7919  # offset between the seeds of kinds
 
 
 @dataclass(frozen=True)
@@ -524,7 +523,7 @@ def mark_cells_kernel(
     p = rotated[i]
     sector = 0
     best = -float(1.0e30)
-    for k in range(SECTORS):
+    for k in range(SECTOR_COUNT):
         along = directions[2 * k] * p[0] + directions[2 * k + 1] * p[1]
         if along > best:
             best = along
@@ -533,21 +532,15 @@ def mark_cells_kernel(
     if kind == TORUS:
         q = sqrt(p[0] * p[0] + p[1] * p[1]) - r
         best = -float(1.0e30)
-        for k in range(BANDS):  # every other direction
+        for k in range(BAND_COUNT):  # every other direction
             along = directions[4 * k] * q + directions[4 * k + 1] * p[2]
             if along > best:
                 best = along
                 band = k
     if kind == SPHERE and r > 0.0:
-        band = int(float(BANDS) * (p[2] + r) / (2.0 * r))
-        band = max(0, min(BANDS - 1, band))
-    atomic_max(cells, sector * BANDS + band, 1)  # all threads write the same value
-
-
-@kernel
-def key_scores_kernel(scores: array(dtype=int32), max_score: int, keys: array(dtype=int64)):
-    i = tid()
-    keys[i] = int64(max_score - scores[i])
+        band = int(float(BAND_COUNT) * (p[2] + r) / (2.0 * r))
+        band = max(0, min(BAND_COUNT - 1, band))
+    atomic_max(cells, sector * BAND_COUNT + band, 1)  # all threads write the same value
 
 
 @kernel
@@ -562,7 +555,7 @@ def take_shapes_kernel(
 ):
     i = tid()
     k = order[i]
-    for entry in range(NUMBERS):
+    for entry in range(SHAPE_NUMBERS):
         best[i, entry] = shapes[k, entry]
     of[i] = kinds[k]
     near[i] = scores[k]
@@ -593,7 +586,7 @@ class ShapeSearch:
         else:
             self.center, self.size = of.center, of.size
         middle = self.center.astype(np.float32)
-        step = max(1, rows.size // PART)
+        step = max(1, rows.size // SCORING_POINTS)
         self.fraction = step
         self.cloud = self._split(vec3(*middle), 1, 0, rows.size)
         self.part = self._split(vec3(*middle), step, step // 2, min(rows.size, max(1, rows.size // step)))
@@ -605,21 +598,21 @@ class ShapeSearch:
         return self.draw_each([(kind, count, first)], seed, limits)[0]
 
     def draw_each(self, samples: Sequence[tuple[int, int, int]], seed: int, limits: ShapeLimits) -> list[Drawn]:
-        """`draw` for several (kind, count, first). One sync: (float64 [m, 8], int64 [m]), m <= PROMISING, sorted."""
+        """`draw` for several (kind, count, first). One sync: sorted (float64 [m, 8], int64 [m]), m <= MAX_PROMISING."""
         there = [self.draw_unread(*one, seed, limits) for one in samples]
         return drawn_of(read_together([values for one in there for values in one]))  # sync
 
     def draw_unread(self, kind: int, count: int, first: int, seed: int, limits: ShapeLimits) -> list[AnyArray]:
         """Device arrays for `drawn_of`: shapes, and inliers in the part and in all points."""
-        shapes, kinds = empty((count, NUMBERS), float64, self.device), empty(count, int32, self.device)
-        drawn = [self.cloud, kind, (seed + STREAM * kind) % 2**31, first, self.levels, limits.distance, limits.cosine]
+        shapes, kinds = empty((count, SHAPE_NUMBERS), float64, self.device), empty(count, int32, self.device)
+        kind_seed = (seed + KIND_SEED_STEP * kind) % 2**31
+        drawn = [self.cloud, kind, kind_seed, first, self.levels, limits.distance, limits.cosine]
         launch(draw_shapes_kernel, count, [*drawn, limits.smallest, limits.largest, shapes, kinds])
         scores = score_shapes(self.part, shapes, kinds, limits.distance, limits.cosine)
-        keys = empty(count, int64, self.device)
-        launch(key_scores_kernel, count, [scores, self.part.count, keys])
+        keys = descending_keys(scores, self.part.count)
         order = argsort_keys(keys, max(1, self.part.count.bit_length()))[1]
-        m = min(count, PROMISING)
-        best, of = empty((m, NUMBERS), float64, self.device), empty(m, int32, self.device)
+        m = min(count, MAX_PROMISING)
+        best, of = empty((m, SHAPE_NUMBERS), float64, self.device), empty(m, int32, self.device)
         near = empty(m, int32, self.device)
         launch(take_shapes_kernel, m, [order, shapes, kinds, scores, best, of, near])
         return [best, near, score_shapes(self.cloud, best, of, limits.distance, limits.cosine)]
@@ -635,13 +628,13 @@ class ShapeSearch:
         self, kind: int, limits: ShapeLimits, max_samples: int, probability: float, seed: int
     ) -> DetectedShape | None:
         """Shape with the most inliers, or None."""
-        pool, counts = np.zeros((0, NUMBERS)), np.zeros(0, np.int64)
+        pool, counts = np.zeros((0, SHAPE_NUMBERS)), np.zeros(0, np.int64)
         done, batch, needed = 0, FIRST_BATCH, float(max_samples)
         while done < min(max_samples, needed):
             size = int(min(batch, max_samples - done))
             drawn, scores = self.draw(kind, size, seed, done, limits)
             pool, counts = np.concatenate([pool, drawn]), np.concatenate([counts, scores])
-            best = np.argsort(-counts, kind="stable")[:REFINED]
+            best = np.argsort(-counts, kind="stable")[:MAX_REFINED]
             pool, counts = pool[best], counts[best]
             done += size
             fraction = counts[0] / self.rows.size if len(counts) else 0.0
@@ -663,7 +656,7 @@ class ShapeSearch:
         return ShapeSearch(self.points, self.normals, every_of(self.rows, step), self)
 
     def refine_all(
-        self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits, gain: float = ROUGHLY
+        self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits, gain: float = ROUGH_GAIN
     ) -> list[tuple[ShapeFit, int] | None]:
         """Shapes refitted while their inliers increase, with counts. None without inliers. One sync."""
         chosen = Selection(
@@ -673,7 +666,7 @@ class ShapeSearch:
 
     def each_refined(self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits) -> list[DetectedShape | None]:
         """`refine_all` to full accuracy."""
-        each = zip(kinds, self.refine_all(kinds, shapes, limits, EXACT), strict=True)
+        each = zip(kinds, self.refine_all(kinds, shapes, limits, EXACT_GAIN), strict=True)
         return [
             None if one is None else DetectedShape(kind, one[0], self.on(kind, one[0].shape, limits, one[1]))
             for kind, one in each
@@ -700,9 +693,9 @@ class ShapeSearch:
         shape, rotated = detected.fit.shape, self.in_frame(detected.fit.shape, detected.rows)
         extremes, box = find_extremes(rotated), empty(6, float32, self.device)
         launch(fold_box_kernel, 6, [extremes, box])
-        angles = 2 * np.pi * np.arange(SECTORS) / SECTORS
+        angles = 2 * np.pi * np.arange(SECTOR_COUNT) / SECTOR_COUNT
         around = np.stack([np.cos(angles), np.sin(angles)], 1).astype(np.float32).ravel()
-        directions, cells = upload(around, float32, self.device), zeros(SECTORS * BANDS, int32, self.device)
+        directions, cells = upload(around, float32, self.device), zeros(SECTOR_COUNT * BAND_COUNT, int32, self.device)
         launch(mark_cells_kernel, rotated.size, [rotated, detected.kind, float(shape[6]), directions, cells])
         return extremes, box, cells
 
@@ -719,7 +712,7 @@ class ShapeSearch:
 def spread_of(kind: int, extremes: NDArray[np.int32], cells: NDArray[np.int32]) -> tuple[NDArray[np.float64], float]:
     """Box of a shape's points in its frame (low, high), and the fraction of its surface cells that contain some."""
     bounds = np.array([bound.astype(np.float64) for bound in box_of(extremes)[:2]])
-    marks = cells.reshape(SECTORS, BANDS)
+    marks = cells.reshape(SECTOR_COUNT, BAND_COUNT)
     if kind == PLANE:
         return bounds, 1.0
     return bounds, float(marks.any(axis=1).mean() if kind in (CYLINDER, CONE) else marks.mean())

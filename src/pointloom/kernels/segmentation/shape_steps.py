@@ -7,13 +7,13 @@ returns to the host before all fits have ended.
 
 from ..lang import array, cross, dot, float64, func, kernel, sqrt, tid, vec3d, vector
 from .shape_fit_rows import (
-    BEGIN,
-    COUNT,
-    ENDED,
-    POSITIONS,
-    SELECT,
-    SQUARES,
-    STEP,
+    COUNT_AT,
+    ENDED_PHASE,
+    FIRST_SUMS_PHASE,
+    POSITIONS_AT,
+    SELECTION_PHASE,
+    SQUARES_AT,
+    STEP_PHASE,
     FitRules,
     ShapeFits,
     axis_in,
@@ -26,8 +26,8 @@ FIRST_DAMPING, MIN_DAMPING, MAX_DAMPING = 1.0e-4, 1.0e-12, 1.0e12
 MAX_STEPS = 60
 MIN_STEPS = 12  # steps before a fit is given up: true shapes take 2 to 6
 SHORT_STEP = 1.0e-12  # of the size of the points: a step as short has no effect
-LOST = 1.0e-14  # of its diagonal: a smaller pivot leaves its unknown undetermined
-HUGE = 1.0e300
+MIN_PIVOT_RATIO = 1.0e-14  # of its diagonal: a smaller pivot leaves its unknown undetermined
+MAX_SHAPE_NUMBER = 1.0e300
 seven = vector(7, float64)
 seven_square = vector(49, float64)
 
@@ -69,7 +69,7 @@ def is_proper(kind: int, shapes: array(dtype=float64, ndim=2), k: int) -> int:
     proper = 1
     count = int(8)
     for entry in range(count):
-        if not abs(shapes[k, entry]) < float64(HUGE):
+        if not abs(shapes[k, entry]) < float64(MAX_SHAPE_NUMBER):
             proper = 0
     if kind != PLANE and not shapes[k, 6] > 0.0:
         proper = 0
@@ -151,7 +151,7 @@ def damped_step(kind: int, sums: fit_sums, damping: float64, size: float64) -> s
         for j in range(i):
             pivot -= h[7 * i + j] * h[7 * i + j] * h[7 * j + j]
         lost = 1 - is_free(kind, i)
-        if not pivot > float64(LOST) * h[7 * i + i]:
+        if not pivot > float64(MIN_PIVOT_RATIO) * h[7 * i + i]:
             lost = 1
         for k in range(i + 1, n):
             entry = h[7 * k + i]
@@ -219,9 +219,9 @@ def take_over(to: array(dtype=float64, ndim=2), values: array(dtype=float64, ndi
 @func
 def center_offer(kind: int, k: int, sums: fit_sums, fits: ShapeFits) -> int:
     """Move the position of a plane or cylinder along itself to the mean of its rows."""
-    moved = fits.frames[k, 2] * (sums[POSITIONS + 2] / sums[COUNT])
+    moved = fits.frames[k, 2] * (sums[POSITIONS_AT + 2] / sums[COUNT_AT])
     if kind == PLANE:
-        moved = (fits.frames[k, 0] * sums[POSITIONS] + fits.frames[k, 1] * sums[POSITIONS + 1]) / sums[COUNT]
+        moved = (fits.frames[k, 0] * sums[POSITIONS_AT] + fits.frames[k, 1] * sums[POSITIONS_AT + 1]) / sums[COUNT_AT]
     for axis in range(3):
         fits.offers[k, axis] = fits.offers[k, axis] + moved[axis]
     return 0
@@ -229,19 +229,19 @@ def center_offer(kind: int, k: int, sums: fit_sums, fits: ShapeFits) -> int:
 
 @func
 def end_round(k: int, count: int, fits: ShapeFits) -> int:
-    """Next phase after counting inliers: BEGIN, or ENDED if they did not increase."""
-    phase = int(BEGIN)
+    """Next phase after counting inliers: FIRST_SUMS_PHASE, or ENDED_PHASE if they did not increase."""
+    phase = int(FIRST_SUMS_PHASE)
     if fits.rounds[k] > 0:
         if count <= fits.best_counts[k]:
-            phase = int(ENDED)
+            phase = int(ENDED_PHASE)
         else:
             fits.best_counts[k] = count
             fits.best_sums[k] = fits.sums[k]
             take_over(fits.bests, fits.shapes, k)
             if fits.rounds[k] >= fits.max_rounds[k]:
-                phase = int(ENDED)
+                phase = int(ENDED_PHASE)
     if count == 0:
-        phase = int(ENDED)
+        phase = int(ENDED_PHASE)
     return phase
 
 
@@ -251,9 +251,9 @@ def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> in
     ended = 0
     short = fits.longest[k] <= float64(SHORT_STEP) * rules.size
     proper = is_proper(fits.kinds[k], fits.offers, k)
-    if proper == 1 and trial[SQUARES] <= fits.sums[k][SQUARES]:
-        gain = fits.sums[k][SQUARES] - trial[SQUARES]
-        if short or gain <= rules.gain * trial[SQUARES]:
+    if proper == 1 and trial[SQUARES_AT] <= fits.sums[k][SQUARES_AT]:
+        gain = fits.sums[k][SQUARES_AT] - trial[SQUARES_AT]
+        if short or gain <= rules.gain * trial[SQUARES_AT]:
             ended = 1
         take_over(fits.shapes, fits.offers, k)
         fits.sums[k] = trial
@@ -265,7 +265,7 @@ def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> in
     fits.steps[k] = fits.steps[k] + 1
     if fits.steps[k] >= MAX_STEPS:
         ended = 1
-    far = fits.sums[k][SQUARES] > rules.hopeless * fits.sums[k][COUNT]
+    far = fits.sums[k][SQUARES_AT] > rules.hopeless * fits.sums[k][COUNT_AT]
     if rules.hopeless > 0.0 and fits.steps[k] >= MIN_STEPS and far:
         ended = 1
     return ended
@@ -276,40 +276,40 @@ def step_fits_kernel(rules: FitRules, trials: array(dtype=fit_sums), fits: Shape
     k = tid()
     phase = fits.phases[k]
     kind = fits.kinds[k]
-    if phase != ENDED:
+    if phase != ENDED_PHASE:
         trial = trials[k]
         ended = 0
         needs_sums = 0  # 1 if it needs sums before it continues
-        if phase == SELECT:
-            phase = end_round(k, int(trial[COUNT]), fits)
-            if phase == BEGIN and (kind == PLANE or kind == CYLINDER):
+        if phase == SELECTION_PHASE:
+            phase = end_round(k, int(trial[COUNT_AT]), fits)
+            if phase == FIRST_SUMS_PHASE and (kind == PLANE or kind == CYLINDER):
                 center_offer(kind, k, trial, fits)
                 needs_sums = 1
-        if phase == STEP:
+        if phase == STEP_PHASE:
             ended = weigh_offer(k, trial, rules, fits)
-        if phase == BEGIN and needs_sums == 0:
+        if phase == FIRST_SUMS_PHASE and needs_sums == 0:
             take_over(fits.shapes, fits.offers, k)
             fits.sums[k] = trial
             fits.dampings[k] = float64(FIRST_DAMPING)
             fits.steps[k] = 0
-            phase = int(STEP)
+            phase = int(STEP_PHASE)
             proper = is_proper(kind, fits.shapes, k)
             unknowns = free_count(kind)
-            if int(trial[COUNT]) < unknowns or proper == 0:
+            if int(trial[COUNT_AT]) < unknowns or proper == 0:
                 ended = 1
-        if phase == STEP and ended == 0:
+        if phase == STEP_PHASE and ended == 0:
             x = damped_step(kind, fits.sums[k], fits.dampings[k], rules.size)
             fits.longest[k] = offer_step(kind, k, x, rules.size, fits)
         if ended == 1:
             fits.rounds[k] = fits.rounds[k] + 1
             take_over(fits.offers, fits.shapes, k)
-            phase = int(SELECT)
+            phase = int(SELECTION_PHASE)
             allowed = is_allowed(kind, fits.shapes, k, rules.smallest, rules.largest)
             if fits.max_rounds[k] == 0 or allowed == 0:
-                phase = int(ENDED)
+                phase = int(ENDED_PHASE)
         frame_offer(kind, k, fits)
         fits.phases[k] = phase
-        if phase == ENDED:
+        if phase == ENDED_PHASE:
             fits.live[k] = 0
 
 

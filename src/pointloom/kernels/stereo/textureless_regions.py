@@ -2,10 +2,11 @@
 
 from ..array_types import Array1, Device, Indices, Integers, Keys
 from ..arrays.prefix_sum import exclusive_scan
+from ..arrays.row_numbers import count_numbers
 from ..arrays.select import number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
 from ..arrays.union_find import flatten_sets_kernel, unite
-from ..lang import array, atomic_add, func, int32, int64, kernel, launch, struct, tid, uint8, vec2
+from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2
 from ..memory import empty, fill, zeros
 
 REGION_MARGIN = 3  # [px] from an untextured pixel
@@ -66,13 +67,6 @@ def unite_plain_kernel(width: int, labels: array(dtype=int32)):
             unite(labels, i, i + 1)
         if i + width < labels.shape[0] and labels[i + width] >= 0:
             unite(labels, i, i + width)
-
-
-@kernel
-def count_areas_kernel(labels: array(dtype=int32), areas: array(dtype=int32)):
-    i = tid()
-    if labels[i] >= 0:
-        atomic_add(areas, labels[i], 1)  # integer sum: order-independent
 
 
 @kernel
@@ -162,11 +156,11 @@ def bound_pairs_kernel(pairs: array(dtype=int64), firsts: array(dtype=int32), la
 def find_regions(judged: Array1[vec2], width: int) -> TexturelessRegions | None:
     """Textureless regions from `judged` (pixels). None if none is large enough or has reliable pixels (two syncs)."""
     device, size = judged.device, judged.size
-    labels, areas = empty(size, int32, device), zeros(size, int32, device)
+    labels = empty(size, int32, device)
     launch(label_plain_kernel, size, [judged, labels])
     launch(unite_plain_kernel, size, [width, labels])
     launch(flatten_sets_kernel, size, [labels])
-    launch(count_areas_kernel, size, [labels, areas])
+    areas = count_numbers(labels, size)
     large: Array1[uint8] = empty(size, uint8, device)
     launch(mark_regions_kernel, size, [areas, large])
     roots = positions_of(large)  # sync

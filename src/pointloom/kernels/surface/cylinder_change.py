@@ -40,12 +40,12 @@ from ..search.tree_search import find_bucket, order_along_curve, squared_radius
 from .neighbor_moments import moments_within
 
 MIN_NEIGHBORS = 3.0  # fewer points define no plane
-SLACK = 1.0e-5  # of a cylinder: box distances are float32
-OUTWARDS = 1.0e-6  # of coordinates: exceeds float32 rounding
+RADIUS_ENLARGEMENT = 1.0e-5  # of a cylinder: box distances are float32
+RELATIVE_ROUNDING = 1.0e-6  # of coordinates: exceeds float32 rounding
 STEPS_PER_LENGTH = 68719476736.0  # 2^36 steps per length along the axis, so that 2^26 points fit
 MAX_HALVINGS = 900  # of a length: shorter ones do not occur
 HALF_BITS = 18
-HALF = 262143  # the lower 18 of 36 bits
+LOW_HALF_MASK = 262143  # the lower 18 of 36 bits
 NO_RADIUS = NAN  # in 64 bits
 TWO_SIDED = 1.96  # standard deviations of a 95 % interval
 
@@ -164,7 +164,7 @@ def nodes_near_axis(
 @func
 def widened(size: float64, p: vec3) -> float:
     """A length enlarged by the float32 rounding at a point."""
-    return float(size * (1.0 + float64(SLACK))) + (abs(p[0]) + abs(p[1]) + abs(p[2])) * OUTWARDS
+    return float(size * (1.0 + float64(RADIUS_ENLARGEMENT))) + (abs(p[0]) + abs(p[1]) + abs(p[2])) * RELATIVE_ROUNDING
 
 
 @loop
@@ -208,7 +208,7 @@ def sum_cylinders_kernel(
         along = along / sqrt(dot(along, along))
         widest = cylinder.radius * cylinder.radius
         unit = vec3(float(along[0]), float(along[1]), float(along[2]))
-        wide = widened(cylinder.radius, p) + float(cylinder.length) * OUTWARDS
+        wide = widened(cylinder.radius, p) + float(cylinder.length) * RELATIVE_ROUNDING
         long = widened(cylinder.length, p)
         xs = lane_numbers(0.0)
         ys = lane_numbers(0.0)
@@ -229,7 +229,7 @@ def sum_cylinders_kernel(
                 inside = is_beside & (1 if abs(coordinate) <= cylinder.length else 0)
                 steps = int64((coordinate if inside == 1 else float64(0.0)) * cylinder.scale)
                 high = steps >> int64(HALF_BITS)
-                low = steps & int64(HALF)
+                low = steps & int64(LOW_HALF_MASK)
                 count += int64(inside)
                 total += steps
                 highs += high * high

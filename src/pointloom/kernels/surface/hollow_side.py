@@ -16,7 +16,7 @@ from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import squared_radius
 
 MIN_NEIGHBORS = 5.0  # neighbors, including the point, that determine a surface
-STRAIGHT = 1.0e-3  # ratio of variances below which they are collinear, and the plane is arbitrary
+MIN_VARIANCE_RATIO = 1.0e-3  # ratio of variances below which they are collinear, and the plane is arbitrary
 
 
 @kernel(max_registers=128)
@@ -37,7 +37,7 @@ def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: arra
         size = largest_entry(covariance)
         if size > 0.0:
             values = sorted_eigenvalues(covariance * (1.0 / size))
-            if values[1] > float64(STRAIGHT) * values[2]:
+            if values[1] > float64(MIN_VARIANCE_RATIO) * values[2]:
                 v = smallest_eigenvector(covariance)
                 if v[0] * middle[0] + v[1] * middle[1] + v[2] * middle[2] < 0.0:
                     v = -v

@@ -18,8 +18,8 @@ from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
 from ..search.tree_search import squared_radius
 
-MIN_COSINE = 0.25  # squared cosine of 60 degrees
-FLATTEST = 0.5  # squared sine of 45 degrees
+MIN_SQUARED_COSINE = 0.25  # squared cosine of 60 degrees
+MAX_SQUARED_SINE = 0.5  # squared sine of 45 degrees
 
 
 @func
@@ -31,8 +31,8 @@ def compare_sides(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
     along = dot(a, b)
     way = widen(q) - widen(p)
     height = dot(way, a)
-    if isfinite(along) and along * along >= float64(MIN_COSINE) * (dot(a, a) * dot(b, b)):
-        if height * height <= float64(FLATTEST) * (dot(way, way) * dot(a, a)):
+    if isfinite(along) and along * along >= float64(MIN_SQUARED_COSINE) * (dot(a, a) * dot(b, b)):
+        if height * height <= float64(MAX_SQUARED_SINE) * (dot(way, way) * dot(a, a)):
             if along > 0.0:
                 side = 1
             if along < 0.0:

@@ -40,15 +40,15 @@ if TYPE_CHECKING:
     from ..search.point_tree import PointTree
 
 
-INFINITE = 0x7F80_0000  # bits of an infinite float32
+INFINITY_BITS = 0x7F80_0000  # bits of an infinite float32
 MAX_RANK = 0x7FFF_FFFF
-MIXED = -1  # owner of a node with points of several components
-EMPTY = -2  # owner of an empty node
+MIXED_OWNER = -1  # owner of a node with points of several components
+NO_OWNER = -2  # owner of an empty node
 
 
 @struct
 class Bridges:
-    """Shortest bridges between components. `owners`: component of a node, or MIXED or EMPTY. By root: squared lengths
+    """Shortest bridges of components. `owners`: component of a node, MIXED_OWNER or NO_OWNER. By root: lengths squared
     `sqlengths`, ends `lows` and `highs`. By rank: `bridge_keys`, squared length above the end.
     """
 
@@ -64,8 +64,8 @@ class Bridges:
         count, device = forest.count, forest.device
         self.tree, self.forest = tree, forest
         self.records = level_sizes(-(-tree.count // BUCKET))[1]
-        # Missing children are EMPTY: they are read beside their siblings and written by no kernel.
-        self.owners = full(int(self.records[-1]) * FAN, EMPTY, int32, device)
+        # Missing children are NO_OWNER: they are read beside their siblings and written by no kernel.
+        self.owners = full(int(self.records[-1]) * FAN, NO_OWNER, int32, device)
         self.sqlengths, self.lows, self.highs = (empty(count, int32, device) for _ in range(3))
         self.bridge_keys = empty(count, int64, device)
 
@@ -80,18 +80,18 @@ class Bridges:
 @func
 def joint_owner(a: int, b: int) -> int:
     owner = a
-    if a == EMPTY:
+    if a == NO_OWNER:
         owner = b
     else:
-        if b != EMPTY and b != a:
-            owner = MIXED
+        if b != NO_OWNER and b != a:
+            owner = MIXED_OWNER
     return owner
 
 
 @kernel
 def label_leaves_kernel(bridges: Bridges):
     i = tid()
-    owner = int(EMPTY)
+    owner = int(NO_OWNER)
     for j in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):
         owner = joint_owner(owner, bridges.forest.links[j] >> 1)
     bridges.owners[i] = owner
@@ -100,7 +100,7 @@ def label_leaves_kernel(bridges: Bridges):
 @kernel
 def label_nodes_kernel(below: int, first: int, owners: array(dtype=int32)):
     i = tid()
-    owner = int(EMPTY)
+    owner = int(NO_OWNER)
     for j in range(FAN):
         owner = joint_owner(owner, owners[(below + i) * FAN + j])
     owners[first * FAN + i] = owner
@@ -113,7 +113,7 @@ def clear_bridges_kernel(bridges: Bridges, going: array(dtype=int32)):
     if i == 0:
         going[0] = 0
     root = bridges.forest.roots[i]
-    bridges.sqlengths[root] = INFINITE
+    bridges.sqlengths[root] = INFINITY_BITS
     bridges.lows[root] = MAX_RANK
     bridges.highs[root] = MAX_RANK
 
@@ -142,7 +142,7 @@ def children_of_others(a: vec3, b: vec3, limit: int64, own: int, bridges: Bridge
         owner = bridges.owners[at * FAN + j]
         key = (int64(float_bits(distances[j])) << 32) | rank
         rank = rank + width
-        if key <= limit and owner != own and owner != EMPTY:
+        if key <= limit and owner != own and owner != NO_OWNER:
             bits = bits | (1 << j)
     return bits
 
@@ -279,10 +279,10 @@ def bridge_components(forest: Forest, tree: PointTree, normals: Vectors) -> None
         raise RuntimeError(f"no bridge found between {forest.roots.size} components")
 
 
-RUN = 4096  # points per CPU thread in the search for the lowest: one atomic each
-MAGNITUDE = 0x7FFF_FFFF  # bits of a float32 without the sign
+POINTS_PER_THREAD = 4096  # on the CPU in the search for the lowest: one atomic each
+MAGNITUDE_MASK = 0x7FFF_FFFF  # bits of a float32 without the sign
 HEIGHT_ENTRIES = 2**24  # heights in memory, one per list entry
-FENCE = 1.5  # interquartile ranges beyond the quartile of an outlier (Tukey)
+FENCE_RANGES = 1.5  # interquartile ranges beyond the quartile of an outlier (Tukey)
 
 
 @func
@@ -329,7 +329,7 @@ def drop_neighbors_kernel(
     lists: array(dtype=int32),
 ):
     """Remove edges that are too steep (|cosine| to the normal above `steepest`) or, optionally, outliers of height:
-    above the upper quartile by FENCE times the interquartile range.
+    above the upper quartile by FENCE_RANGES times the interquartile range.
     """
     i = tid()
     v = begin + first + i
@@ -355,7 +355,7 @@ def drop_neighbors_kernel(
                 low = height
             if rank == 3 * k // 4:
                 high = height
-        fence = high + FENCE * (high - low)
+        fence = high + FENCE_RANGES * (high - low)
     for j in range(k):
         d = points[lists[row + j]] - p
         height = heights[out + j]
@@ -373,7 +373,7 @@ def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), runs
         if z != 0.0:
             bits = float_bits(z)
         if bits < 0:
-            bits = bits ^ MAGNITUDE  # integers in the order of the floats
+            bits = bits ^ MAGNITUDE_MASK  # integers in the order of the floats
         minimum = min(minimum, pack_bits(bits, rows[j]))
     lower_long(lowest, 0, minimum)
 
@@ -397,7 +397,7 @@ def apply_signs_kernel(
     """Apply the signs so that the normal of the lowest point looks down. Zero normals stay."""
     i = tid()
     row = rows[i]
-    low = int(lowest[0] & int64(MAGNITUDE))
+    low = int(lowest[0] & int64(MAGNITUDE_MASK))
     is_flipped = words[row] ^ words[low]
     m = normals[low]
     if m[2] > 0.0:
@@ -458,7 +458,7 @@ def orient_consistently(
     del parts
     bridge_components(forest, tree, units)
     words, lowest = empty(points.size, int32, device), full(1, NO_KEY, int64, device)
-    runs = Runs(rows.size, device, RUN)
+    runs = Runs(rows.size, device, POINTS_PER_THREAD)
     launch(find_lowest_kernel, runs.threads, [points, rows, runs, lowest])
     launch(spread_words_kernel, rows.size, [forest.links, rows, tree.order, words])
     launch(apply_signs_kernel, rows.size, [normals, rows, words, lowest, oriented])

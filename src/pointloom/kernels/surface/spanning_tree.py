@@ -33,8 +33,8 @@ from ..memory import copy, download, empty, fill, full, zeros
 ENTRY_BITS = 33  # of a key, for the list entry. The weight 0..1 has the 30 bits above
 ENTRY_MASK = 0x1_FFFF_FFFF
 MAX_VERTICES = 2**30  # a word has a root and a sign in 31 bits
-HOPS = 64  # links followed per pass: nearly all chains are shorter
-MAX_PASSES = 6  # HOPS^5 exceeds the maximum number of vertices
+MAX_HOPS = 64  # links followed per pass: nearly all chains are shorter
+MAX_PASSES = 6  # MAX_HOPS^5 exceeds the maximum number of vertices
 
 
 @struct
@@ -217,12 +217,12 @@ def hook_components_kernel(part: GraphPart, normals: array(dtype=vec3), forest: 
 
 @kernel
 def shorten_hooks_kernel(forest: Forest, shorter: array(dtype=int32), unfinished: array(dtype=int32)):
-    """Follow links up to HOPS times. Count those that have not reached a root."""
+    """Follow links up to MAX_HOPS times. Count those that have not reached a root."""
     i = tid()
     word = forest.hooks[forest.roots[i]]
     hop = 0
     above = forest.hooks[word >> 1]
-    while above >> 1 != word >> 1 and hop < HOPS:
+    while above >> 1 != word >> 1 and hop < MAX_HOPS:
         word = compose(word, above)
         above = forest.hooks[word >> 1]
         hop += 1

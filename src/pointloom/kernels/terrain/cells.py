@@ -11,7 +11,7 @@ from ..lang import NAN, array, float32, float64, floor, func, int32, int64, isfi
 from ..memory import empty
 
 MAX_NUMBER = 2.0**48  # of a cell: its size is then still 32 float64 steps
-HIGHEST, LOWEST, COUNT, MEAN = 0, 1, 2, 3
+CELL_MAX, CELL_MIN, CELL_COUNT, CELL_MEAN = 0, 1, 2, 3
 
 
 @struct
@@ -83,7 +83,7 @@ class CellGroups:
         find_key_starts(sorted_keys, self.starts)
 
     def measure(self, values: Doubles, kind: int) -> Doubles:
-        """HIGHEST, LOWEST, COUNT or MEAN of finite values per cell, float64. NaN (count 0) if empty."""
+        """CELL_MAX, CELL_MIN, CELL_COUNT or CELL_MEAN of finite values per cell, float64. NaN (count 0) if empty."""
         out = empty(self.cells.size, float64, self.points.device)
         launch(measure_cells_kernel, self.cells.size, [self, values, kind, out])
         return out
@@ -96,23 +96,23 @@ def measure_cells_kernel(groups: CellGroups, values: array(dtype=float64), kind:
     end = groups.starts[i + 1]
     total = float64(0.0)
     count = float64(0.0)
-    if kind == COUNT:
+    if kind == CELL_COUNT:
         total = float64(end - first)
     elif first == end:
         total = float64(NAN)
     else:
-        if kind != MEAN:
+        if kind != CELL_MEAN:
             total = values[groups.order[first]]
         for at in range(first, end):
             value = values[groups.order[at]]
-            if kind == HIGHEST:
+            if kind == CELL_MAX:
                 total = max(total, value)
-            elif kind == LOWEST:
+            elif kind == CELL_MIN:
                 total = min(total, value)
             elif isfinite(value):
                 total += value
                 count += 1.0
-        if kind == MEAN:
+        if kind == CELL_MEAN:
             total = total / count
     out[i] = total
 

@@ -29,9 +29,9 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 from ..segmentation.ground import (
-    DIAGONAL,
-    DILATION,
-    EROSION,
+    DIAGONAL_FRACTION,
+    DILATION_SIGN,
+    EROSION_SIGN,
     LOW_RADIUS,
     LOW_SLOPE,
     average_cells_kernel,
@@ -43,7 +43,7 @@ from ..segmentation.ground import (
 from .cells import FixedCells, column_of, row_of_cell
 
 SMALL_SPRINGS = (2, 2)  # passes per level, from the finest, before the openings
-SPRINGS = (2, 2, 2)  # for the ground. Coarser levels have none
+SPRINGS_PER_LEVEL = (2, 2, 2)  # for the ground. Coarser levels have none
 
 
 @kernel
@@ -194,7 +194,7 @@ def mask_near_kernel(
 
 def levels_of(radius: int) -> int:
     """Coarse levels that fill what a window of this radius [cells] may remove."""
-    return max(len(SPRINGS), math.ceil(math.log2(1.5 * radius)))
+    return max(len(SPRINGS_PER_LEVEL), math.ceil(math.log2(1.5 * radius)))
 
 
 def fill_radius(levels: int, springs: tuple[int, ...]) -> int:
@@ -205,13 +205,13 @@ def fill_radius(levels: int, springs: tuple[int, ...]) -> int:
 def radius_in_cells(radius: int) -> int:
     """Cells per side that affect a point's classification, through all fillings, openings, slope and interpolation."""
     small = fill_radius(len(SMALL_SPRINGS), SMALL_SPRINGS)
-    return 2 * small + 2 * LOW_RADIUS + 2 * radius + fill_radius(levels_of(radius), SPRINGS) + 2
+    return 2 * small + 2 * LOW_RADIUS + 2 * radius + fill_radius(levels_of(radius), SPRINGS_PER_LEVEL) + 2
 
 
 def window_over(low: np.ndarray, high: np.ndarray, radius: int) -> tuple[np.ndarray, np.ndarray]:
     """First cell and shape of the sufficient window around cells `low` to `high`."""
     small, levels = fill_radius(len(SMALL_SPRINGS), SMALL_SPRINGS), levels_of(radius)
-    rim = max(fill_radius(levels, SPRINGS) + 2, 2 * radius + 2 * small + 2 * LOW_RADIUS + 2)
+    rim = max(fill_radius(levels, SPRINGS_PER_LEVEL) + 2, 2 * radius + 2 * small + 2 * LOW_RADIUS + 2)
     first = np.floor((low - rim) / 2**levels) * 2**levels
     return first, (np.floor((high + rim) / 2**levels) + 1) * 2**levels - first
 
@@ -229,15 +229,15 @@ class NearGround:
         """uint8 (n): 1 for ground points; parameters as of `classify_ground`."""
         cells, unwanted = self.cells, zeros(self.cells.size, uint8, self.device)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
-        closed = self._opened(surface, LOW_RADIUS, DILATION)
-        self._flag(surface, closed, LOW_SLOPE * cells.cell, DILATION, unwanted)
+        closed = self._opened(surface, LOW_RADIUS, DILATION_SIGN)
+        self._flag(surface, closed, LOW_SLOPE * cells.cell, DILATION_SIGN, unwanted)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
         before = surface
         for radius in range(1, self.radius + 1):
-            opened = self._opened(surface, radius, EROSION)
-            self._flag(before, opened, slope * radius * cells.cell, EROSION, unwanted)
+            opened = self._opened(surface, radius, EROSION_SIGN)
+            self._flag(before, opened, slope * radius * cells.cell, EROSION_SIGN, unwanted)
             before = opened
-        heights = self._filled(unwanted, levels_of(self.radius), SPRINGS)
+        heights = self._filled(unwanted, levels_of(self.radius), SPRINGS_PER_LEVEL)
         slopes = empty(cells.size, float32, self.device)
         launch(grade_cells_kernel, cells.size, [heights, cells.columns, cells.rows, cells.cell, slopes])
         mask = empty(self.points.size, uint8, self.device)
@@ -267,8 +267,8 @@ class NearGround:
         return filled
 
     def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
-        """Opening (EROSION first) or closing (DILATION first) by octagons, ignoring unknown cells."""
-        diagonal = int(DIAGONAL * radius + 0.5)
+        """Opening (EROSION_SIGN first) or closing (DILATION_SIGN first) by octagons, ignoring unknown cells."""
+        diagonal = int(DIAGONAL_FRACTION * radius + 0.5)
         segments = [(1, 0, radius - 2 * diagonal), (0, 1, radius - 2 * diagonal), (1, 1, diagonal), (1, -1, diagonal)]
         for side in (first, -first):
             known = empty(self.cells.size, float32, self.device)

@@ -9,14 +9,14 @@ from ..lang import NAN, array, atomic_min, float32, float64, floor, func, int32,
 from ..memory import empty, full, upload
 from .cells import FixedCells
 
-VALUES = 256
+TABLE_SIZE = 256
 
 
 @kernel
 def keep_listed_kernel(values: array(dtype=int32), table: array(dtype=uint8), mask: array(dtype=uint8)):
     i = tid()
     value = values[i]
-    if value < 0 or value >= VALUES:
+    if value < 0 or value >= TABLE_SIZE:
         mask[i] = uint8(0)
     elif table[value] == 0:
         mask[i] = uint8(0)

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..array_types import Array1, Indices, Integers, LongIntegers, Points, Triangles
 from ..arrays.prefix_sum import exclusive_scan, offsets_of
+from ..arrays.select import mark_negative
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..lang import (
@@ -108,12 +109,6 @@ def bound_charts_kernel(
 
 
 @kernel
-def mark_blind_kernel(views: array(dtype=int32), marks: array(dtype=int32)):
-    i = tid()
-    marks[i] = 1 if views[i] < 0 else 0
-
-
-@kernel
 def compute_uvs_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
@@ -187,9 +182,8 @@ def compute_uvs(
 ) -> Array1[vec2]:
     """Texture coordinates of all corners, vec2 (3 t). `origins` (c, 2): texel of each chart's first pixel."""
     device, count = triangles.device, triangles.size
-    marks, uvs = empty(count, int32, device), empty(3 * count, vec2, device)
-    launch(mark_blind_kernel, count, [views, marks])
-    blind: Integers = offsets_of(marks)
+    uvs = empty(3 * count, vec2, device)
+    blind: Integers = offsets_of(mark_negative(views))
     where = upload(np.asarray(origins).reshape(-1), int32, device)
     grid = vec4i(cells.top, cells.columns, cells.side, size)
     launch(

@@ -3,8 +3,9 @@ median distances, then refits a Gaussian to the inliers up to ten times (Waechte
 3.3). With fewer than four inliers all are kept. Color noise is at least two gray levels.
 """
 
+from ..algebra.transform import widen
 from ..array_types import Mask
-from ..lang import array, float64, func, kernel, launch, length, tid, uint8, vec3, vec3d, vector
+from ..lang import array, float64, func, kernel, launch, length, tid, uint8, vec3, vector
 from ..memory import empty
 from .face_views import FaceViews
 
@@ -19,11 +20,6 @@ moments = vector(10, float64)  # count, sums, and sums of products: xx, xy, xz, 
 
 
 @func
-def wide(c: vec3) -> vec3d:
-    return vec3d(float64(c[0]), float64(c[1]), float64(c[2]))
-
-
-@func
 def find_medoid(first: int, last: int, colors: array(dtype=vec3)) -> int:
     """Medoid color of a run."""
     middle = first
@@ -31,7 +27,7 @@ def find_medoid(first: int, last: int, colors: array(dtype=vec3)) -> int:
     for i in range(first, last):
         total = float64(0.0)
         for j in range(first, last):
-            total += length(wide(colors[i]) - wide(colors[j]))
+            total += length(widen(colors[i]) - widen(colors[j]))
         if min_total < 0.0 or total < min_total:
             min_total = total
             middle = i
@@ -43,10 +39,10 @@ def median_distance(middle: int, first: int, last: int, colors: array(dtype=vec3
     """Lower median distance of a run's colors from one of them."""
     median = float64(0.0)
     for i in range(first, last):
-        distance = length(wide(colors[i]) - wide(colors[middle]))
+        distance = length(widen(colors[i]) - widen(colors[middle]))
         rank = 0
         for j in range(first, last):
-            other = length(wide(colors[j]) - wide(colors[middle]))
+            other = length(widen(colors[j]) - widen(colors[middle]))
             if other < distance or (other == distance and j < i):
                 rank += 1
         if rank == (last - first - 1) // 2:
@@ -59,7 +55,7 @@ def moments_of(first: int, last: int, colors: array(dtype=vec3), keep: array(dty
     sums = moments(0.0)
     for k in range(first, last):
         if keep[k] != 0:
-            c = wide(colors[k])
+            c = widen(colors[k])
             part = moments(1.0, c[0], c[1], c[2], c[0] * c[0], c[0] * c[1], c[0] * c[2], c[1] * c[1], c[1] * c[2], 0.0)
             part[9] = c[2] * c[2]
             sums += part
@@ -107,7 +103,7 @@ def keep_likely_kernel(views: FaceViews, keep: array(dtype=uint8)):
     count = 0
     for k in range(first, last):
         is_in = 0
-        if length(wide(views.colors[k]) - wide(views.colors[middle])) <= max_distance:
+        if length(widen(views.colors[k]) - widen(views.colors[middle])) <= max_distance:
             is_in = 1
         keep[k] = uint8(is_in)
         count += is_in

@@ -10,25 +10,11 @@ import numpy as np
 from ..array_types import Array2, Indices, Integers, Mask, Points, Scalars, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.prefix_sum import find_owner, inclusive_scan, offsets_of
+from ..arrays.row_numbers import count_numbers
 from ..arrays.select import count_mask_kernel, positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import (
-    array,
-    atomic_add,
-    float32,
-    float64,
-    floor,
-    int32,
-    int64,
-    kernel,
-    launch,
-    sqrt,
-    struct,
-    tid,
-    uint8,
-    vec3,
-)
-from ..memory import cast, download, empty, upload, zeros
+from ..lang import array, float32, float64, floor, int32, int64, kernel, launch, sqrt, struct, tid, uint8, vec3
+from ..memory import cast, download, empty, upload
 from .stacked_images import (
     LANE_COUNT,
     StackedImages,
@@ -80,21 +66,13 @@ class Sightings:
         launch(name_images_kernel, self.count, [firsts, self.images])
         bits = max(1, (max(vertex_count, 1) - 1).bit_length())
         _, self.order = argsort_keys(cast(self.vertices, int64), bit_count=bits)
-        view_counts = zeros(vertex_count, int32, device)
-        launch(count_views_kernel, self.count, [self.vertices, view_counts])
-        self.starts = offsets_of(view_counts)
+        self.starts = offsets_of(count_numbers(self.vertices, vertex_count))
 
 
 @kernel
 def name_images_kernel(firsts: array(dtype=int32), images: array(dtype=int32)):
     i = tid()
     images[i] = find_owner(firsts, i)
-
-
-@kernel
-def count_views_kernel(vertices: array(dtype=int32), counts: array(dtype=int32)):
-    i = tid()
-    atomic_add(counts, vertices[i], 1)  # integer sum: order-independent
 
 
 @kernel

@@ -22,6 +22,7 @@ from ...core.checks import (
 )
 from ...core.dropped_results import returns_new
 from ...core.exchange import on_host
+from ...kernels.algebra.transform import narrow_rows, widen_rows
 from ...kernels.array_types import Integers
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.select import gather_rows
@@ -42,7 +43,7 @@ from ...kernels.remeshing.relaxed_vertices import choose_positions, move_without
 from ...kernels.remeshing.rigid_deformation import deform_rigidly, rotate_directions
 from ...kernels.remeshing.short_edges import collapse_short_edges
 from ...kernels.remeshing.vertex_clustering import cluster_vertices
-from ...kernels.remeshing.vertex_values import narrow_directions, narrow_rows, widen_rows
+from ...kernels.remeshing.vertex_values import narrow_directions
 from .mesh_attributes import each
 from .mesh_measures import MeshMeasures
 from .mesh_rows import PER_VERTEX, TEXTURE

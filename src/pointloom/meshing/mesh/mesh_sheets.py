@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.array_types import Indices, Mask, Triangles
 from ...kernels.arrays.duplicates import find_equal_points
 from ...kernels.arrays.prefix_sum import sum_counts
-from ...kernels.arrays.select import gather_rows, positions_of
+from ...kernels.arrays.select import gather_rows, mark_negative, positions_of
 from ...kernels.arrays.sort import positions
 from ...kernels.arrays.subsets import other_rows
 from ...kernels.lang import int32, uint8
@@ -20,7 +20,7 @@ from ...kernels.meshes import clean_triangles, merge_vertices
 from ...kernels.meshes.copies import find_copies
 from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
 from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles, repeated_positions
-from ...kernels.meshes.part_votes import keep_alone, mark_open_sides
+from ...kernels.meshes.part_votes import keep_alone
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
 from .doubled_edges import part_doubled_edges
@@ -92,7 +92,7 @@ def _sew(
         merged=used - corner_vertices.kept_count,
         split=result.arrays["vertices"].size - corner_vertices.kept_count,
         unused=vertices.size - used,
-        open_sides=sum_counts(mark_open_sides(twins)),  # sync
+        open_sides=sum_counts(mark_negative(twins)),  # sync
     )
 
 

@@ -27,7 +27,7 @@ from ...kernels.lang import int32
 from ...kernels.memory import download, full, upload
 from ...kernels.search.neighbor_distances import average_distances
 from ...kernels.segmentation.border_labels import label_borders
-from ...kernels.segmentation.cluster_labels import NOISE, rename_cores
+from ...kernels.segmentation.cluster_labels import NOISE_LABEL, rename_cores
 from ...kernels.segmentation.dbscan import cluster_cores
 from ...kernels.segmentation.neighbor_counts import mask_crowded
 from ...pcd.boxes import AxisAlignedBoundingBox
@@ -102,7 +102,7 @@ class Clusters(Step):
             raise ValueError(f"{self.name}: expected {len(names)} clusters as in the first pass, got {count}")
         unique_names = np.unique(names[names >= 0])
         if count:
-            ranks = np.where(names >= 0, np.searchsorted(unique_names, names), NOISE).astype(np.int32)
+            ranks = np.where(names >= 0, np.searchsorted(unique_names, names), NOISE_LABEL).astype(np.int32)
             rename_cores(cores, upload(ranks, int32, labels.device), labels)
             if self.min_points > 1 and len(unique_names):
                 label_borders(cores, labels)
@@ -115,7 +115,7 @@ class Clusters(Step):
 
     def _cores(self, part: Part) -> tuple[Any, Any, int]:
         tree = part.cloud.search_tree()
-        labels = full(len(part.cloud), NOISE, int32, tree.device)
+        labels = full(len(part.cloud), NOISE_LABEL, int32, tree.device)
         cores, count = cluster_cores(tree, self.radius, self.min_points, labels)
         return cores, labels, count
 
