@@ -232,11 +232,11 @@ def test_callbacks_of_the_viewer_read_beside_a_writer(device):
             viewer.add(volume.extract_point_cloud(0.0), name="surface")
 
         for step in range(STEPS):
-            viewer._calls().call(None, lambda step=step: look(step))
+            viewer.hooks.calls.call(None, lambda step=step: look(step))
             volume.integrate(DEPTH, CAMERA, moved(step))
             alone.integrate(DEPTH, CAMERA, moved(step))
         is_done = threading.Event()
-        viewer._calls().call(None, is_done.set)
+        viewer.hooks.calls.call(None, is_done.set)
         assert is_done.wait(60)
     assert len(counts) == STEPS and [count for count, _ in counts] == sorted(count for count, _ in counts)
     for actual, expected in zip(surface(volume), surface(alone), strict=True):

@@ -288,7 +288,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "visualization/render/lettering.py": OF_PACKAGE,
     "visualization/render/open3d_views.py": ("view",),
     "visualization/viewer/draw.py": OF_PAGE,
-    "visualization/viewer/panel.py": OF_PAGE,
+    "visualization/viewer/page_actions.py": OF_PAGE,
     "visualization/viewer/tools/stage.py": OF_PAGE,
     "visualization/viewer/view_files.py": ("viewed file .npz", "viewed file .json"),
 }

@@ -49,11 +49,11 @@ def ready(page: Page | Frame) -> None:
 def is_idle(viewer: Any) -> bool:
     """True if no thread of the viewer has work left: sessions, tools, deferred updates, levels of detail."""
     with viewer.lock:
-        boxes = [session._toolbox for session in viewer.sessions.values() if session._toolbox is not None]
+        boxes = [session.tools for session in viewer.sessions.values() if session.tools is not None]
         return not (
             events.events.at_rest_running
-            or viewer._deferred._requested.is_set()
-            or viewer._levels._coming
+            or viewer.display._deferred._requested.is_set()
+            or viewer.scene.previews
             or any(box._waiting for box in boxes)
             or any(session._timer or session._feeder for session in viewer.sessions.values())
         )

@@ -22,7 +22,7 @@ def test_coarse_points_come_first_and_finer_nodes_after_zooming(open_page, tmp_p
     with loom.Viewer(port=0, max_points=BUDGET, point_size=1.0) as viewer:
         viewer.set_view(front=(0, 0, 1), up=(0, 1, 0), lookat=AT, zoom=0.7)
         viewer.add_copc("city", path)
-        tree = viewer.shown["city"].tree
+        tree = viewer.scene.shown["city"].tree
         coarse = tree.nodes.nodes_read
         page = open_page(viewer, width=900, height=700)
         assert count_pixels(see(page), RED) > 0

@@ -110,7 +110,8 @@ def test_values_set_by_the_program_are_shown_as_text_in_order(program, visit):
 
 def test_ten_thousand_rows_have_the_elements_of_those_in_sight(program, visit):
     changes: list[tuple[tuple[str, ...], bool]] = []
-    tree = program.pages.gui.add_tree(lambda _, keys, visible: changes.append((keys, visible)))
+    tree = program.pages.gui.add_tree()
+    tree.on_update(lambda event: changes.append(event.value))
     labels = {f"k{k}": f"tiles/{k // 100:02d}/box {k}" for k in range(10_000)}
     with program.pages.atomic():
         for key, label in labels.items():

@@ -40,7 +40,7 @@ class Visitor:
         self.page = open_page(viewer, width=1280, height=800)
         self.picture = see(self.page, lambda image: count_pixels(image, color) > 1000)
         (self.session,) = (session for number, session in viewer.sessions.items() if number not in existing)
-        self.box = self.session._toolbox
+        self.box = self.session.tools
 
     def until(self, claim: Callable[[], Any]) -> None:
         wait_until(self.page, claim, lambda: f"the panel says {self.box.stage.status.value!r}")

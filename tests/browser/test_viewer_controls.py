@@ -38,7 +38,7 @@ def test_n_and_w_show_and_hide_normals_and_edges(show):
     before = see(page, lambda image: count_pixels(image, RED) > 400 and count_pixels(image, BRICK) > 4_000)
 
     def toggle(key: str, *, expected: bool) -> None:
-        is_on = {"n": lambda: viewer.normals, "w": lambda: viewer.wireframe}[key]
+        is_on = {"n": lambda: viewer.scene.normals, "w": lambda: viewer.scene.wireframe}[key]
         press(page, key)
         wait_until(page, lambda: is_on() == expected, lambda: f"{key} is {is_on()}")
         see(page, lambda image: (changed(image, before) > 600) == expected)
@@ -50,7 +50,7 @@ def test_n_and_w_show_and_hide_normals_and_edges(show):
     page.get_by_role("spinbutton").first.focus()
     page.keyboard.press("w")  # a letter, there
     toggle("n", expected=True)  # earlier messages have arrived before
-    assert not viewer.wireframe
+    assert not viewer.scene.wireframe
 
 
 def test_r_returns_to_the_initial_view(show):

@@ -179,7 +179,7 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
             send(page, HELLO)
             wait_until(lambda: viewer.sessions)
             for key in ("K", "space"):
-                command = next(command for command in viewer.panel._commands if command.hotkey == key)
+                command = next(command for command in viewer.hooks._actions._commands if command.hotkey == key)
                 send(page, {"say": "command", "id": command.id})
             wait_until(lambda: vis._pressed.qsize() == 2)
             assert pressed == []  # in the program's own loop, not in a page thread
@@ -225,7 +225,7 @@ def test_actions_of_draw_are_buttons_that_call_with_the_window(box, window):
     window.add_geometry({"name": "box", "geometry": box, "is_visible": True, "material": None})
     window.add_action("Make", make)
     viewer = window._window._viewer
-    press(viewer._controls_made._folders["Actions"][1][0])
+    press(viewer.hooks.controls._folders["Actions"][1][0])
     assert [(name, item.visible) for name, item in viewer.items.items()] == [("box", False), ("made", True)]
     assert window.get_geometry("made").is_visible and not window.get_geometry("box").is_visible
     with pytest.raises(ValueError, match="name:"):
@@ -245,7 +245,7 @@ def test_geometries_of_different_times_have_a_time_line(box, window):
     viewer = window._window._viewer
     for time in (2, 0, 1):
         window.current_time = time
-        assert [name for name, item in viewer.shown.items() if item.visible] == [f"box {time}"]
+        assert [name for name, item in viewer.scene.shown.items() if item.visible] == [f"box {time}"]
 
 
 def test_an_animation_calls_while_its_box_is_ticked(box, window):
@@ -260,7 +260,7 @@ def test_an_animation_calls_while_its_box_is_ticked(box, window):
     assert ticks == [0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 0.0, 0.25]
     assert frames == [(True, 0.5), (True, 1.0), (True, 1.5), (True, 0.0)]
     press(window._animate, False)
-    assert not window.is_animating and not window._window._viewer._calls_made._beats
+    assert not window.is_animating and not window._window._viewer.hooks.calls._beats
 
 
 def test_draw_accepts_the_same_arguments_without_a_page_and_geometries_with_a_legacy_form(box, drawn):

@@ -11,10 +11,11 @@ from typing import Any
 import pytest
 
 from pointloom.visualization.viewer.callback_queue import Calls
+from pointloom.visualization.viewer.deferred_update import DeferredUpdate
+from pointloom.visualization.viewer.level_builder import LevelBuilder
 from pointloom.visualization.viewer.link.client import PageClient, Worker
 from pointloom.visualization.viewer.link.delivery import Delivery
 from pointloom.visualization.viewer.link.hub import Hub
-from pointloom.visualization.viewer.scene import DeferredUpdate, LevelBuilder
 from pointloom.visualization.viewer.sessions import Session
 from pointloom.visualization.viewer.streaming import CloudStream
 from pointloom.visualization.viewer.tools.toolbox import Toolbox
@@ -105,7 +106,7 @@ class _LogEvents(logging.Handler):
 def announced_events() -> Iterator[None]:
     """Have all sources announce their events."""
     log, handler = logging.getLogger("pointloom.viewer"), _LogEvents()
-    rests, attend, take = Session._look_whether_it_rests, Hub._attend, PageClient.take
+    rests, attend, take = Session._check_if_idle, Hub._attend, PageClient.take
 
     def count_rests(session: Session) -> None:
         events.happened(at_rest=1)
@@ -125,7 +126,7 @@ def announced_events() -> Iterator[None]:
         events.heard.add(client)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Session, "_look_whether_it_rests", count_rests)
+        patch.setattr(Session, "_check_if_idle", count_rests)
         patch.setattr(Hub, "_attend", announce_end)
         patch.setattr(PageClient, "take", note_client)
         for owner, names in SOURCES:

@@ -10,12 +10,13 @@ import numpy as np
 
 from pointloom.visualization.render.geometries import named_geometries
 from pointloom.visualization.render.view import View, fit_view
-from pointloom.visualization.viewer.extents import Extents
-from pointloom.visualization.viewer.items import Frame, make_item
-from pointloom.visualization.viewer.link import Gui, PageClient, Scene
+from pointloom.visualization.viewer.items import make_item
+from pointloom.visualization.viewer.link import Gui, PageClient
+from pointloom.visualization.viewer.link import Scene as PageScene
 from pointloom.visualization.viewer.link.camera import FIRST
 from pointloom.visualization.viewer.link.delivery import Channel, Delivery
 from pointloom.visualization.viewer.link.wire import read
+from pointloom.visualization.viewer.scene import Scene
 from pointloom.visualization.viewer.tools.toolbox import Toolbox
 
 from .events import wait_until
@@ -183,16 +184,16 @@ def toolbox_of(viewer: Any) -> Toolbox:
     """The idle tools of the first page."""
     wait_until(lambda: viewer.sessions)
     session = next(iter(viewer.sessions.values()))
-    wait_until(lambda: session._toolbox is not None)
-    session._toolbox._worker.submit(lambda: None).result(60)
-    return session._toolbox
+    wait_until(lambda: session.tools is not None)
+    session.tools._worker.submit(lambda: None).result(60)
+    return session.tools
 
 
 def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:
     delivery = Delivery()
     shared, private = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
     state = type(FIRST)(**{**vars(FIRST), "size": size})
-    client = PageClient(private, 0, state, (Scene(shared), Gui(shared)))
+    client = PageClient(private, 0, state, (PageScene(shared), Gui(shared)))
     return Page(delivery.join(private, lambda: None), delivery, client.take, client)
 
 
@@ -211,48 +212,40 @@ class Stream:
 
 
 class StandIn:
-    """A viewer with one page that applies view requests at once."""
-
-    wireframe = False
+    """A session, and the edits of its scene, that applies view requests at once."""
 
     def __init__(self, **geometries: Any):
-        self.viewer = self
-        self.lock, self.shown = threading.RLock(), {}
+        self.display, self.scene = self, Scene(10**6, 3.0, np.ones(3), (1000, 800))
         self.streams: dict[str, Stream] = {}
         self.page = page_alone()
         self.client, self.closed = self.page.client, False
         for name, geometry in geometries.items():
             self.add(name, geometry)
-        self.frame = Frame.around(self.bounds)
-        self.now = self.began = fit_view(np.array(self.bounds), width=1000, height=800)
-        self.box = Toolbox(self, self.client.gui.add_folder("Tools"))  # type: ignore[arg-type]
+        self.scene.choose_frame()
+        self.now = self.began = fit_view(np.array(self.scene.bounds), width=1000, height=800)
+        self.box = Toolbox(self, self, self.client.gui.add_folder("Tools"))  # type: ignore[arg-type]
 
     @property
     def items(self) -> dict[str, Any]:
-        return self.shown
+        return self.scene.shown
 
     def add(self, name: str, geometry: Any, **style: Any) -> None:
         ((name, geometry, made),) = named_geometries([{"geometry": geometry, "name": name, **style}])
-        self.shown[name] = make_item(name, len(self.shown), geometry, made)
+        self.scene.add_item(make_item(name, self.scene.next_number(), geometry, made))
         self.streams[name] = Stream()
 
     def remove(self, name: str) -> None:
-        del self.shown[name], self.streams[name]
+        self.scene.remove_item(name)
+        del self.streams[name]
 
     def set_pose(self, name: str, T: Any) -> None:
-        self.shown[name].pose = T
+        self.items[name].pose = T
+        self.scene.update_bounds(self.items[name])
 
     def set_visible(self, name: str, visible: bool) -> None:
-        self.shown[name].visible = visible
+        self.items[name].visible = visible
 
-    @property
-    def bounds(self) -> Any:
-        extents = Extents()
-        for item in self.shown.values():
-            extents.put(item.name, item.world_bounds())
-        return extents.union()
-
-    def _surface_nodes(self, name: str) -> Any:
+    def surface_nodes(self, name: str) -> Any:
         return []
 
     def camera_view(self) -> View:
@@ -267,7 +260,10 @@ class StandIn:
     def look_as(self, state: Any) -> None:
         self.now = self.began
 
-    def count_anew(self) -> None:
+    def recount(self) -> None:
+        pass
+
+    def show_counts(self) -> None:
         pass
 
     def wait(self) -> None:

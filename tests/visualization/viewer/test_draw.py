@@ -23,8 +23,8 @@ from pointloom.visualization.viewer import draw as drawing
 from pointloom.visualization.viewer.callback_queue import Calls
 from pointloom.visualization.viewer.client_presence import Presence
 from pointloom.visualization.viewer.draw import draw_geometries
-from pointloom.visualization.viewer.hooks import with_attributes
 from pointloom.visualization.viewer.items import make_item
+from pointloom.visualization.viewer.picks import with_attributes
 from pointloom.visualization.viewer.tools.picking import Pick, project
 
 from ...sigint import sigint_enabled
@@ -148,8 +148,8 @@ def test_open3d_s_parameters_count(cloud):
     look = {"zoom": 0.5, "front": [0, 0, -1], "lookat": [0.5, 0.5, 0.5], "up": [0, -1, 0]}
     with draw([cloud, mesh], 640, 480, True, True, False, **look) as viewer:
         assert list(viewer.items) == ["cloud", "mesh"]
-        assert viewer.normals
-        assert viewer.wireframe
+        assert viewer.scene.normals
+        assert viewer.scene.wireframe
         assert viewer.items["mesh"].parts[0].cull
         expected = View.from_open3d(viewer.bounds, **look, width=640, height=480)
         assert np.allclose(viewer.home().T_world_camera, expected.T_world_camera)
@@ -241,7 +241,7 @@ def test_a_browser_opens_where_there_is_a_display(cloud, monkeypatch):
 def idle(viewer):
     """Wait until the program's functions have been called."""
     done = threading.Event()
-    viewer._calls().call(None, done.set)
+    viewer.hooks.calls.call(None, done.set)
     assert done.wait(60)
 
 
@@ -487,7 +487,7 @@ def test_a_key_of_the_program_does_nothing_else_any_more(viewer, page):
         page.key(key if key == "arrowup" else key.upper())
     idle(viewer)
     assert events == [page.client.client_id] * 3
-    assert toolbox_of(viewer).tool is None and not viewer.wireframe
+    assert toolbox_of(viewer).tool is None and not viewer.scene.wireframe
     viewer.on_key("W", lambda number: events.clear())
     page.key("W")
     idle(viewer)

@@ -165,14 +165,10 @@ class StandIn:
     """A viewer without a server."""
 
     def __init__(self):
-        self.closed, self.words = False, []
+        self.closed, self.closing_notice = False, None
 
     def close(self):
         self.closed = True
-
-    def _close(self, words):
-        self.words.append(words)
-        self.close()
 
 
 @pytest.fixture
@@ -200,7 +196,11 @@ def test_a_rerun_cell_closes_its_earlier_viewer(kernel, metadata):
     assert not any(viewer.closed for viewer in first)  # two of one run
     kernel.run("draw(a); draw(b)", **metadata)
     again = opened()
-    assert all(viewer.closed and not viewer.words for viewer in first) and not other.closed and not again.closed
+    assert (
+        all(viewer.closed and viewer.closing_notice is None for viewer in first)
+        and not other.closed
+        and not again.closed
+    )
     kernel.run("draw(a); draw(b)", cellId="of the same text")
     opened()
     assert not again.closed
@@ -215,7 +215,7 @@ def test_the_oldest_viewer_is_closed_with_a_message_at_the_limit(kernel):
         kernel.run(f"draw({number})")
         viewers.append(opened())
     assert [viewer.closed for viewer in viewers] == [True] * 4 + [False] * MAX_OPEN
-    assert all("oldest" in viewer.words[0] for viewer in viewers[:4])
+    assert all("oldest" in viewer.closing_notice for viewer in viewers[:4])
     kernel.run("draw(15)")
     opened()  # of an existing cell: no other viewer is closed
     assert [viewer.closed for viewer in viewers[4:]].count(True) == 1

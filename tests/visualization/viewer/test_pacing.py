@@ -4,8 +4,8 @@ import threading
 
 import pytest
 
-from pointloom.visualization.viewer import scene, sessions
-from pointloom.visualization.viewer.scene import DeferredUpdate
+from pointloom.visualization.viewer import deferred_update, sessions
+from pointloom.visualization.viewer.deferred_update import DeferredUpdate
 from pointloom.visualization.viewer.sessions import SIGNS, Pace
 
 from .events import wait_until
@@ -35,7 +35,7 @@ def test_an_unresponsive_page_gets_the_next_step_after_one_request(monkeypatch):
 @pytest.fixture
 def made(monkeypatch):
     """A job that counts its runs, and its lock."""
-    monkeypatch.setattr(scene, "IDLE", 0.05)
+    monkeypatch.setattr(deferred_update, "IDLE", 0.05)
     lock, done = threading.RLock(), []
     job = DeferredUpdate(lambda: done.append(threading.current_thread().name), lambda: lock.acquire(), lock.release)
     yield job, lock, done

@@ -22,7 +22,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
 from pointloom.core.errors import PointloomError
-from pointloom.visualization.viewer import client_presence, scene
+from pointloom.visualization.viewer import client_presence, scene_display
 from pointloom.visualization.viewer.client_presence import KEEP_ALIVE, Presence
 from pointloom.visualization.viewer.guard import RequestGuard, response_headers, split_host
 from pointloom.visualization.viewer.link import hub, waiting_connections
@@ -473,7 +473,7 @@ class Waiting:
     def __init__(self, viewer, keep_alive, monkeypatch):
         self.clock_offset, self.polls, self.over = 0.0, 0, threading.Event()
         clock = types.SimpleNamespace(monotonic=lambda: time.monotonic() + self.clock_offset)
-        for module in (client_presence, scene, hub):
+        for module in (client_presence, scene_display, hub):
             monkeypatch.setattr(module, "time", clock)
         monkeypatch.setattr(client_presence, "LOOK", 0.001)
         is_over = Presence._is_over
@@ -542,11 +542,12 @@ def test_rejected_requests_count_as_no_page(viewer):
 NOW = 1e10  # [s]
 
 
-def viewer_stub(seconds):
-    """A viewer whose last page left `seconds` ago, or that had no page yet."""
+def display_stub(seconds):
+    """The pages of a viewer whose last page left `seconds` ago, or that had no page yet."""
     seen = None if seconds is None else NOW - seconds
-    server = types.SimpleNamespace(last_request=-math.inf)
-    return types.SimpleNamespace(url="http://u", sessions={}, _last_seen=seen, server=server, _ended=threading.Event())
+    server = types.SimpleNamespace(last_request=-math.inf, url="http://u")
+    scene = types.SimpleNamespace(wait_until_closed=threading.Event().wait)
+    return types.SimpleNamespace(sessions={}, last_closed=seen, server=server, scene=scene)
 
 
 @pytest.mark.parametrize(
@@ -561,7 +562,7 @@ def viewer_stub(seconds):
 )
 def test_polling_reports_once_that_the_last_page_has_gone(capfd, monkeypatch, seconds, keep_alive, over, words):
     monkeypatch.setattr(client_presence, "time", types.SimpleNamespace(monotonic=lambda: NOW))
-    one = Presence(viewer_stub(seconds))
+    one = Presence(display_stub(seconds))
     assert [one.wait(0, keep_alive) for _ in range(3)] == [over] * 3
     with pytest.raises(ValueError, match="keep_alive"):
         one.wait(0, -1)

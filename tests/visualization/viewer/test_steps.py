@@ -14,7 +14,7 @@ from pointloom.visualization.viewer.detail_tree import DetailTree
 from pointloom.visualization.viewer.live_recording import Drawn, moments_of
 from pointloom.visualization.viewer.live_timeline import ENTRY
 from pointloom.visualization.viewer.point_transfer import in_steps
-from pointloom.visualization.viewer.timed_calls import requested_by_page
+from pointloom.visualization.viewer.scene_edits import requested_by_page
 from pointloom.visualization.viewer.tools.clip_planes import Clip
 from pointloom.visualization.viewer.tools.picking import project
 from pointloom.visualization.viewer.viewer import Viewer
@@ -245,7 +245,7 @@ def cloud_of(number, count=4):
 def shown(viewer):
     """The state that pages show: the number of each cloud, its position, and its visibility."""
     items = {}
-    for name, item in viewer.shown.items():
+    for name, item in viewer.scene.shown.items():
         position = np.zeros(3) if item.pose is None else item.pose[:3, 3]
         items[name] = (int(item.cloud.points[0][0]), position.tolist(), item.visible)
     return items
@@ -287,13 +287,13 @@ def test_each_moment_shows_what_was_then_in_any_order(viewer):
     viewer.show_time(-5)
     assert shown(viewer) == STORY[0]
     viewer.show_time()
-    assert shown(viewer) == STORY[3] and viewer.timeline.is_live
+    assert shown(viewer) == STORY[3] and viewer.edits.timeline.is_live
 
 
 def test_without_set_time_nothing_is_recorded(viewer):
     viewer.add("a", cloud_of(1))
     viewer.update("a", cloud_of(2))
-    assert viewer.timeline is None
+    assert viewer.edits.timeline is None
     with pytest.raises(ValueError, match=r"^t:"):
         viewer.show_time()
 
@@ -301,14 +301,14 @@ def test_without_set_time_nothing_is_recorded(viewer):
 def test_a_program_goes_on_while_pages_look_at_what_was(viewer):
     run_example(viewer)
     viewer.show_time(1)
-    before = list(viewer.shown.values())
+    before = list(viewer.scene.shown.values())
     viewer.set_time(4)
     viewer.update("b", cloud_of(7))
     viewer.add("c", cloud_of(8))
     viewer.set_pose("c", POSE)
     viewer.set_visible("b", False)
     viewer.remove("a")
-    assert shown(viewer) == STORY[1] and list(viewer.shown.values()) == before
+    assert shown(viewer) == STORY[1] and list(viewer.scene.shown.values()) == before
     newest = {name: (int(item.cloud.points[0][0]), item.visible) for name, item in viewer.items.items()}
     assert newest == {"b": (7, False), "c": (8, True)} and viewer.items["c"].pose[0, 3] == 1
     with pytest.raises(KeyError, match="no geometry 'old'; there are 'b', 'c'"):
@@ -339,7 +339,7 @@ def test_viewing_the_past_does_not_change_the_present(viewer):
     viewer.show_time(1)
     with requested_by_page():
         viewer.set_visible("old", False)
-        assert not viewer.shown["old"].visible and viewer.items.keys() == {"a", "b"}
+        assert not viewer.scene.shown["old"].visible and viewer.items.keys() == {"a", "b"}
         with pytest.raises(PointloomError, match="go to its end to change the scene"):
             viewer.update("a", cloud_of(5))
     viewer.show_time(0)
@@ -354,17 +354,17 @@ def test_a_moment_of_the_same_time_goes_on_and_an_earlier_one_is_refused(viewer)
     viewer.add("a", cloud_of(1))
     viewer.set_time(1.5)
     viewer.update("a", cloud_of(2))
-    assert viewer.timeline.times == [1.5] and len(viewer.timeline.scene_at(0)) == 1
+    assert viewer.edits.timeline.times == [1.5] and len(viewer.edits.timeline.scene_at(0)) == 1
     for wrong, error in ((1, ValueError), (np.nan, ValueError), ("2", TypeError), (None, TypeError), (True, TypeError)):
         with pytest.raises(error, match=r"^t: "):
             viewer.set_time(wrong)
     with pytest.raises(TypeError, match=r"^t: "):
         viewer.show_time("1")
-    assert viewer.timeline.times == [1.5]
+    assert viewer.edits.timeline.times == [1.5]
 
 
 def drag(viewer, value):
-    control = viewer.timeline._control
+    control = viewer.edits.timeline._control
     control.value = value
     for callback in control._callbacks:
         callback(SimpleNamespace(client_id=7, value=value, target=control))
@@ -372,12 +372,12 @@ def drag(viewer, value):
 
 def test_the_time_line_comes_with_the_second_moment_and_follows_the_newest(viewer):
     viewer.set_time(0)
-    assert viewer.timeline._control is None
+    assert viewer.edits.timeline._control is None
     viewer.add("a", cloud_of(0))
     for frame in (1, 2):
         viewer.set_time(frame)
         viewer.update("a", cloud_of(frame))
-    control = viewer.timeline._control
+    control = viewer.edits.timeline._control
     assert (control.min, control.max, control.step, control.value) == (0, 2, 1, 2)
     with page_in(viewer) as page:
         page.send("value", id=control.id, value=1)
@@ -398,26 +398,26 @@ def test_times_in_seconds_are_reached_by_steps_of_the_page(viewer):
     for frame, time in enumerate(times):
         viewer.set_time(time)
         viewer.add("a", cloud_of(frame))
-    control = viewer.timeline._control
+    control = viewer.edits.timeline._control
     assert control.step == pytest.approx(0.1)
     steps = np.linspace(0, control.max, round(control.max / control.step) + 1)
     for step, value in enumerate(steps):
         drag(viewer, float(value))
         assert shown(viewer)["a"][0] == step
-    assert viewer.timeline.is_live
+    assert viewer.edits.timeline.is_live
 
 
 def test_unchanged_geometries_are_stored_once_and_a_pose_is_small(viewer):
     viewer.add("big", cloud_of(1, 100_000))
     viewer.add("other", cloud_of(2, 100_000))
     viewer.set_time(0)
-    start = viewer.timeline.bytes
+    start = viewer.edits.timeline.bytes
     assert 2 * 100_000 * 12 <= start < 2 * 100_000 * 16
     for frame in range(1, 1001):
         viewer.set_time(frame)
         viewer.set_pose("big", POSE)
-    assert viewer.timeline.bytes - start == 1000 * ENTRY
-    assert len(viewer.timeline._tracks["other"]) == 1
+    assert viewer.edits.timeline.bytes - start == 1000 * ENTRY
+    assert len(viewer.edits.timeline._tracks["other"]) == 1
 
 
 def test_the_oldest_moments_are_removed_beyond_the_byte_limit_with_one_warning(viewer, caplog):
@@ -426,8 +426,8 @@ def test_the_oldest_moments_are_removed_beyond_the_byte_limit_with_one_warning(v
         for frame in range(200):
             viewer.set_time(frame)
             viewer.add("a", cloud_of(frame, 1000))
-            assert viewer.timeline.bytes <= viewer.history_bytes
-    timeline = viewer.timeline
+            assert viewer.edits.timeline.bytes <= viewer.history_bytes
+    timeline = viewer.edits.timeline
     assert caplog.text.count(live_timeline.FULL) == 1
     assert 10 <= len(timeline.times) <= 21 and timeline.times[-1] == 199
     for time in timeline.times:
@@ -449,7 +449,7 @@ def test_what_never_changed_outlives_the_moment_it_came_in(viewer):
     for frame in range(2, 300):
         viewer.set_time(frame)
         viewer.set_pose("still", POSE)
-    assert viewer.timeline.times[0] > 1 and {*viewer.timeline._tracks} == {"still"}
+    assert viewer.edits.timeline.times[0] > 1 and {*viewer.edits.timeline._tracks} == {"still"}
     viewer.show_time(0)
     assert shown(viewer) == {"still": (5, [1.0, 2.0, 3.0], True)}
 
@@ -463,15 +463,15 @@ def test_pages_that_look_at_a_moment_that_goes_see_the_oldest_that_is_left(viewe
     for frame in range(5, 60):
         viewer.set_time(frame)
         viewer.update("a", cloud_of(frame, 1000))
-    oldest = viewer.timeline.times[0]
-    assert oldest > 0 and shown(viewer)["a"][0] == oldest == viewer.timeline.time
-    assert not viewer.timeline.is_live
+    oldest = viewer.edits.timeline.times[0]
+    assert oldest > 0 and shown(viewer)["a"][0] == oldest == viewer.edits.timeline.time
+    assert not viewer.edits.timeline.is_live
 
 
 def test_a_recording_has_a_frame_for_each_moment(viewer, tmp_path):
     run_example(viewer)
     viewer.show_time(0)
-    drawn = Drawn(viewer, 1000).timeline(moments_of(viewer.timeline, 600))
+    drawn = Drawn(viewer.scene, 1000).timeline(moments_of(viewer.edits.timeline, 600))
     assert [[*frame.shown] for frame in drawn.frames] == [["old", "a"], ["old", "a"], ["a"], ["a", "b"]]
     assert [frame.label for frame in drawn.frames] == ["0", "1", "2", "3"]
     assert len(drawn.shapes) == 4  # each once
@@ -487,7 +487,7 @@ def test_of_many_moments_the_recording_has_some_and_the_newest(viewer, tmp_path)
     for frame in range(100):
         viewer.set_time(frame / 10)
         viewer.set_pose("a", POSE)
-    moments = moments_of(viewer.timeline, 10)
+    moments = moments_of(viewer.edits.timeline, 10)
     assert len(moments) == 10 and moments[-1][0] == "9.9 s"
     viewer.save_recording(tmp_path / "run.html", max_frames=10, title="run")
     assert "run, 10 of 100 time steps" in (tmp_path / "run.html").read_text()

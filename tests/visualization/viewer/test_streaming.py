@@ -549,8 +549,8 @@ def test_a_viewer_shows_a_file_in_parts(city):
     with loom.Viewer(port=0, max_points=5_000) as viewer:
         viewer.add_copc("city", city, color_by="height")
         viewer.color_by("classification")
-        item = viewer.shown["city"]
+        item = viewer.scene.shown["city"]
         assert item.point_count == COUNT and item.colors_of(np.arange(COUNT - 5, COUNT)).shape == (5, 3)
-        assert viewer._budget_of(item) == 5_000
+        assert viewer.scene.budget_of(item) == 5_000
         viewer.remove("city")
         assert viewer.items == {}

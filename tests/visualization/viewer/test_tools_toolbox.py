@@ -70,7 +70,7 @@ def test_a_picked_point_is_reported_and_marked(page):
     assert "| index | 777 |" in page.table and "| level | 777 |" in page.table
     dot, words = page.page.nodes.values()
     assert (dot.kind, words.text) == ("points", "777")
-    position = np.reshape(words.pose, (3, 4))[:, 3] + page.frame.origin
+    position = np.reshape(words.pose, (3, 4))[:, 3] + page.scene.frame.origin
     marked, clicked = (project(page.now, at)[:2] for at in (position, waves()[777]))
     np.testing.assert_allclose(marked, clicked, atol=0.1)
     page.click(2, 2)
@@ -258,7 +258,7 @@ def test_tools_report_missing_input(page):
 
 
 def test_clip_planes_hide_points_and_spare_them_from_picking(page):
-    points, clip = waves(), page.box.clip
+    points, clip = waves(), page.box.clip_controls
     page.set("x", [clip._ranges[0].min, 0.0])
     page.set("clip", True)
     np.testing.assert_array_equal(page.streams["waves"].keep(points), points[:, 0] <= 0)

@@ -54,7 +54,7 @@ def node_of(shown, page, name):
 
 def positions_of(shown, node):
     pose = np.reshape(node.pose, (3, 4))
-    return (node.positions @ pose[:, :3].T + pose[:, 3]) * shown.frame.unit + shown.frame.origin
+    return (node.positions @ pose[:, :3].T + pose[:, 3]) * shown.scene.frame.unit + shown.scene.frame.origin
 
 
 def words_of(page):
@@ -79,7 +79,7 @@ def test_a_scene_of_any_size_is_fitted_into_view(shown, page, rng, size):
     view = session_of(shown).camera_view()
     seen = np.array([project(view, point) for point in points])  # NaN behind the camera
     assert (np.abs(seen[:, :2] - [400, 300]) < [400, 300]).all()
-    depth = seen[:, 2] / shown.frame.unit
+    depth = seen[:, 2] / shown.scene.frame.unit
     assert page.camera.near < depth.min() <= depth.max() < page.camera.far
 
 
@@ -115,7 +115,7 @@ def test_a_mesh_box_and_path_are_in_every_page(shown, page, rng):
     shown.add("voxels", loom.TriangleMesh.create_sphere(1.0).voxelize(0.3))
     with page_in(shown) as late_page:
         for one in (page, late_page):
-            nodes = {name: [one.nodes[node.id] for _, node in shown._nodes[name]._nodes] for name in shown.items}
+            nodes = {name: [one.nodes[node.id] for _, node in shown.display.nodes[name].nodes] for name in shown.items}
             kinds = {name: {node.kind for node in item_nodes} for name, item_nodes in nodes.items()}
             assert kinds == {"mesh": {"triangles"}, "box": {"lines"}, "path": {"lines"}, "voxels": {"triangles"}}
             (mesh,) = nodes["mesh"]
@@ -136,13 +136,13 @@ def test_points_are_lit_as_in_rendered_images(shown, page, rng):
 
 def test_clip_planes_cut_surfaces_in_one_page_alone(shown, page):
     shown.add("ball", loom.TriangleMesh.create_sphere(1.0, 10))
-    ((_, node),) = shown._nodes["ball"]._nodes
+    ((_, node),) = shown.display.nodes["ball"].nodes
     with page_in(shown) as other:
         page.set("z", [page.control("z").min, 0.0])
         page.set("clip", True)
         toolbox_of(shown)
         (cut,) = [one for one in page.nodes.values() if one.id != node.id]
-        middle = shown.frame.to_world(np.reshape(cut.pose, (3, 4))[:, 3])
+        middle = shown.scene.frame.to_world(np.reshape(cut.pose, (3, 4))[:, 3])
         positions = cut.positions[cut.indices.ravel()] + middle
         assert not page.nodes[node.id].visible and positions[:, 2].min() >= -1 and positions[:, 2].max() <= 1e-6
         assert other.nodes[node.id].visible and len(other.nodes) == 1
@@ -186,11 +186,11 @@ def test_of_updates_that_a_page_does_not_read_the_last_one_waits(shown, page, rn
 
 def test_a_mesh_is_replaced_in_one_message(shown, page):
     shown.add("mesh", loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.ones((4, 3))))
-    ((_, first),) = shown._nodes["mesh"]._nodes
+    ((_, first),) = shown.display.nodes["mesh"].nodes
     page.look()
     page.taken.clear()
     shown.update("mesh", loom.TriangleMesh(np.array(SQUARE) * 2, FACES))
-    ((_, second),) = shown._nodes["mesh"]._nodes
+    ((_, second),) = shown.display.nodes["mesh"].nodes
     assert first.id not in page.nodes and second.id in page.nodes
     (message,) = [ops for ops in page.taken if any(op["op"] in ("node", "drop") for op in ops)]
     changes = {op["op"]: op["id"] for op in message if op["op"] in ("node", "drop")}
@@ -279,8 +279,8 @@ def test_clouds_and_meshes_of_any_device_are_shown(shown, page, rng, device):
     node = node_of(shown, page, "cloud")
     assert np.abs(positions_of(shown, node) - points).max() < 1e-6
     assert (np.diff(node.colors[:, 0].astype(int)) > 0).all()
-    assert len(page.nodes[shown._nodes["cloud"]._normals.id].positions) == 2 * 60
-    assert [page.nodes[node.id].wireframe for _, node in shown._nodes["mesh"]._nodes] == [True]
+    assert len(page.nodes[shown.display.nodes["cloud"].normals.id].positions) == 2 * 60
+    assert [page.nodes[node.id].wireframe for _, node in shown.display.nodes["mesh"].nodes] == [True]
 
 
 def test_a_pose_moves_the_geometry_and_survives_updates(shown, page, rng):
@@ -309,7 +309,7 @@ def test_remove_and_clear_leave_nothing(shown, page, rng):
     assert not shown.items and not page.nodes and not page.rows
     assert not session_of(shown).streams
     shown.add("cloud", loom.PointCloud(rng.random((50, 3)) + UTM))  # fitted again at its position
-    assert np.linalg.norm(shown.frame.origin - UTM) < 2
+    assert np.linalg.norm(shown.scene.frame.origin - UTM) < 2
 
 
 def test_two_pages_look_elsewhere(shown, page, rng):
@@ -317,8 +317,9 @@ def test_two_pages_look_elsewhere(shown, page, rng):
     with page_in(shown) as other:
         other.move([5.0, 6.0, 7.0])
         first, second = shown.sessions
-        assert np.allclose(shown.get_view(second).T_world_camera[:3, 3] - shown.frame.origin, [5, 6, 7])
-        assert not np.allclose(shown.get_view(first).T_world_camera[:3, 3] - shown.frame.origin, [5, 6, 7], atol=1)
+        origin = shown.scene.frame.origin
+        assert np.allclose(shown.get_view(second).T_world_camera[:3, 3] - origin, [5, 6, 7])
+        assert not np.allclose(shown.get_view(first).T_world_camera[:3, 3] - origin, [5, 6, 7], atol=1)
         with pytest.raises(KeyError, match="got 99"):
             shown.get_view(99)
 
@@ -400,7 +401,7 @@ def test_the_camera_rests_a_while_after_it_moved(shown, page, rng, monkeypatch):
         look()
         now += 0.95 * sessions.REST  # past the end
     (view,) = views
-    assert view.T_world_camera[0, 3] - shown.frame.origin[0] == pytest.approx(9)
+    assert view.T_world_camera[0, 3] - shown.scene.frame.origin[0] == pytest.approx(9)
 
 
 def test_a_resized_page_shows_everything_until_the_camera_is_moved(shown, page, rng, monkeypatch):
@@ -504,13 +505,13 @@ def test_every_key_works_as_documented(shown, page, rng):
     assert shown.point_size == pytest.approx(size)
     for action, flag in (("toggle_normals", "normals"), ("toggle_wireframe", "wireframe")):
         trigger(page, action)
-        assert getattr(shown, flag)
+        assert getattr(shown.scene, flag)
     assert page.control("normals (N)").value and page.control("wireframe (W)").value
     assert len(page.nodes) == 3 and sum("wireframe" in node and node.wireframe for node in page.nodes.values()) == 1
     colorings = {"color_by_x": "x", "color_by_y": "y", "color_by_height": "height", "color_by_normal": "normal"}
     for action, by in (colorings | {"color_by_rgb": "rgb", "color_as_given": None, "next_coloring": "rgb"}).items():
         trigger(page, action)
-        assert shown.coloring.by == by
+        assert shown.scene.coloring.by == by
     shift = lambda: np.abs(shown.get_view().T_world_camera[:3, 3] - shown.home().T_world_camera[:3, 3]).max()  # noqa: E731
     page.move([9.0, 9.0, 9.0])
     assert shift() > 1
@@ -568,7 +569,7 @@ def test_the_panel_lists_the_geometries(shown, page, rng):
     (tree,) = page.of_kind("tree")
     page.send("value", id=tree.id, value=[["one", "three", "gone meanwhile"], False])
     assert [item.visible for item in shown.items.values()] == [False, True, False]
-    assert not page.nodes[shown._nodes["three"]._nodes[0][1].id].visible
+    assert not page.nodes[shown.display.nodes["three"].nodes[0][1].id].visible
     shown.set_visible("one", True)
     assert page.rows["one"][1]
     shown.remove("two")

@@ -178,7 +178,7 @@ class O3DVisualizer(KnownNames):
     def current_time(self, time: float) -> None:
         self._time = check_number("current_time", time)
         viewer = self._window._viewer
-        if viewer is not None and viewer.timeline is not None:
+        if viewer is not None and viewer.edits.timeline is not None:
             viewer.show_time(self._time)
 
     @property

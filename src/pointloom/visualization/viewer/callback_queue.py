@@ -7,14 +7,11 @@ import dataclasses
 import logging
 import threading
 import time
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from ...core.errors import PointloomError
-
-if TYPE_CHECKING:
-    from .viewer import Viewer
-
+from .server import ViewerServer
 
 MAX_WAITING = 64  # waiting calls
 SIGNAL_TIMEOUT = 3.0  # [s] after which a page without a signal counts as ready
@@ -26,26 +23,26 @@ log = logging.getLogger("pointloom.viewer")
 class HookPages:
     """Pages for messages and draw signals. None after the viewer was closed."""
 
-    def __init__(self, viewer: Viewer):
-        self._viewer = viewer
+    def __init__(self, server: ViewerServer, sessions: Mapping[int, Any]):
+        self._server, self._sessions = server, sessions
         self._answer: Callable[[], None] = lambda: None
         self._subscribed: frozenset[int] = frozenset()  # pages with a signal callback
 
     def show_error(self, client: int | None, text: str) -> None:
         """Show an error in a page, or in all if the page is unknown."""
         with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
-            clients = self._viewer.server.pages.get_clients()
+            clients = self._server.pages.get_clients()
             for number in clients if client is None else {client} & {*clients}:
                 clients[number].notify("pointloom", text, error=True)
 
     def are_open(self) -> bool:
-        return bool(self._viewer.sessions)
+        return bool(self._sessions)
 
     def request_signals(self, answer: Callable[[], None]) -> None:
         """Request a signal from each page after it has drawn everything sent before."""
         self._answer = answer
         with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
-            clients = self._viewer.server.pages.get_clients()
+            clients = self._server.pages.get_clients()
             for client in [client for number, client in clients.items() if number not in self._subscribed]:
                 client.on_sign(lambda _: self._answer())
             self._subscribed = frozenset(clients)

@@ -5,13 +5,10 @@ from __future__ import annotations
 import math
 import threading
 import time
-from typing import TYPE_CHECKING
 
 from ...core.checks import check_positive
 from ...core.standard_streams import write_to_stderr
-
-if TYPE_CHECKING:
-    from .viewer import Viewer
+from .scene_display import SceneDisplay
 
 LOOK = 0.2  # [s] between checks
 KEEP_ALIVE = 60.0  # [s] after the last page has closed: pages may reload over a slow connection
@@ -20,17 +17,17 @@ KEEP_ALIVE = 60.0  # [s] after the last page has closed: pages may reload over a
 class Presence:
     """The pages of a viewer from the point of view of a waiting program."""
 
-    def __init__(self, viewer: Viewer):
-        self._viewer, self._is_reported, self._lock = viewer, False, threading.Lock()
+    def __init__(self, display: SceneDisplay):
+        self._display, self._is_reported, self._lock = display, False, threading.Lock()
 
     def wait(self, seconds: float | None, keep_alive: float) -> bool:
         keep_alive = check_positive("keep_alive", keep_alive, allow_zero=True, allow_infinite=True)
         end = math.inf if seconds is None else time.monotonic() + check_positive("seconds", seconds, allow_zero=True)
-        viewer = self._viewer
-        while not viewer._ended.wait(min(LOOK, max(end - time.monotonic(), 0.0))):
-            gone = viewer._last_seen
-            seen = None if gone is None else max(gone, viewer.server.last_request)
-            left = self._is_over(bool(viewer.sessions), seen, keep_alive)
+        display = self._display
+        while not display.scene.wait_until_closed(min(LOOK, max(end - time.monotonic(), 0.0))):
+            gone = display.last_closed
+            seen = None if gone is None else max(gone, display.server.last_request)
+            left = self._is_over(bool(display.sessions), seen, keep_alive)
             if left or time.monotonic() >= end:
                 return left
         return True
@@ -47,7 +44,6 @@ class Presence:
             if not self._is_reported and keep_alive > 0 and not over:
                 self._is_reported = True
                 ending = "waiting for another" if math.isinf(keep_alive) else f"ending in {keep_alive:g} s"
-                write_to_stderr(
-                    f"the last page has closed; {ending} (open {self._viewer.url} again to stay, Ctrl-C ends now)"
-                )
+                url = self._display.server.url
+                write_to_stderr(f"the last page has closed; {ending} (open {url} again to stay, Ctrl-C ends now)")
             return over

@@ -277,9 +277,10 @@ def make_room() -> None:
     for viewer in again:
         viewer.close()
     for _, viewer in surplus:
-        viewer._close(
+        viewer.closing_notice = (
             f"At most {MAX_OPEN} viewers of a notebook stay open, and this was the oldest: run its cell again."
         )
+        viewer.close()
 
 
 def keep(viewer: Viewer) -> None:

@@ -1,49 +1,44 @@
-"""Refit the view of unmoved cameras when the scene grows beyond it: `Arrivals`, `Homes`."""
+"""Refit the view of unmoved cameras when the scene grows beyond it: `AutoFit`, `Homes`."""
 
 from __future__ import annotations
 
 from collections import deque
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from .camera import diagonal
 from .items import Bounds
 
-if TYPE_CHECKING:
-    from .scene import Scene
-
 OUTGROWN = 0.1  # of the diagonal of the fitted bounds: larger growth causes a refit
 MAX_HOMES = 8  # a page reports its position with a delay
 
 
-class Arrivals:
+class AutoFit:
     """Detects that a scene has outgrown the fitted view of its pages."""
 
-    def __init__(self, scene: Scene):
-        self._scene, self._has_come = scene, False
+    def __init__(self) -> None:
+        self._was_added_to = False
         self._fitted: Bounds | None = None
 
-    def note(self) -> None:
-        """Report an added geometry."""
-        self._has_come = True
+    def on_added(self) -> None:
+        self._was_added_to = True
 
-    def fitted(self) -> None:
-        """Report that pages show the complete scene."""
-        self._fitted = self._scene.bounds
+    def on_fitted(self, bounds: Bounds) -> None:
+        """Store the bounds of the complete scene that pages show."""
+        self._fitted = bounds
 
-    def fit(self) -> None:
-        """Refit the view of unmoved cameras if the scene has outgrown it; once for several additions."""
-        has_come, self._has_come = self._has_come, False
-        scene, seen = self._scene, self._fitted
-        if not has_come or scene._has_own_view or seen is None:
-            return
-        (low, high), slack = scene.bounds, OUTGROWN * diagonal(seen)
-        if (low < seen[0] - slack).any() or (high > seen[1] + slack).any():
-            self.fitted()
-            for session in scene._open_sessions():
-                with session.as_it_lasts():
-                    session.go_home_if_still()
+    def apply(self, bounds: Bounds | None) -> bool:
+        """True if unmoved cameras need a new fit to these bounds, once for several additions. None: never."""
+        was_added_to, self._was_added_to = self._was_added_to, False
+        fitted = self._fitted
+        if not was_added_to or bounds is None or fitted is None:
+            return False
+        (low, high), slack = bounds, OUTGROWN * diagonal(fitted)
+        has_grown = bool((low < fitted[0] - slack).any() or (high > fitted[1] + slack).any())
+        if has_grown:
+            self._fitted = bounds
+        return has_grown
 
 
 class Homes:

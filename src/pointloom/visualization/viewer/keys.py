@@ -1,15 +1,9 @@
-"""Table of the viewer's keys and buttons (`KEYS`) and their binding (`bind_keys`)."""
+"""Table of the viewer's keys and buttons (`KEYS`)."""
 
 from __future__ import annotations
 
 import dataclasses
 import string
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from .link import Command, Gui
-    from .panel import Panel
 
 HOTKEYS = (
     *string.ascii_uppercase, *string.digits,
@@ -21,7 +15,7 @@ STEP = 1.25  # factor of the point size per key press
 
 @dataclasses.dataclass(frozen=True)
 class Key:
-    """A key: names in the page, text on the button, description, and method of `Actions`.
+    """A key: names in the page, text on the button, description, and method of `PageActions`.
 
     `is_button` is False if another control of the panel does the same.
     """
@@ -51,20 +45,6 @@ KEYS = (
     Key(("9",), "9", "Color by normal", "color_by_normal", False, "Color"),
     Key(("V",), "V", "Save view", "save_view"),
 )
-
-
-def bind_keys(gui: Gui, panel: Panel) -> list[Command]:
-    commands = []
-    for key in KEYS:
-        action: Callable[[Any], None] = getattr(panel.actions, key.action)
-        commands += [add_key(gui, hotkey, key.label, action, key.group) for hotkey in key.hotkeys]
-    return commands
-
-
-def add_key(gui: Gui, hotkey: str, label: str, action: Callable[[Any], None], group: str = "Program") -> Command:
-    command = gui.add_command(label, hotkey, group=group)
-    command.on_trigger(lambda event: action(event.client_id))
-    return command
 
 
 def check_hotkey(key: str) -> str:

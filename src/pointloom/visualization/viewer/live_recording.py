@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -17,16 +17,15 @@ from ..recording.timeline import Frame, Placement, Timeline
 from ..recording.writers import check_recording, write_recording
 from .items import Item
 from .live_timeline import LiveTimeline, State
+from .scene import Scene
+from .scene_edits import SceneEdits
 from .screenshots import shown_geometry
-
-if TYPE_CHECKING:
-    from .viewer import Viewer
 
 Moment = tuple[str, dict[str, State]]
 
 
 def write_history(
-    viewer: Viewer,
+    edits: SceneEdits,
     path: str | os.PathLike[str],
     *,
     fps: float = 10.0,
@@ -41,20 +40,21 @@ def write_history(
 
     More than `max_frames` steps are sampled evenly, including the newest.
     """
+    scene = edits.scene
     fps, size = check_positive("fps", fps, maximum=FASTEST), check_picture_size(size)
     point_limit, max_frames = check_count("max_points", max_points), check_count("max_frames", max_frames, minimum=2)
-    ground = viewer.background.tolist() if background is None else background
+    ground = scene.background.tolist() if background is None else background
     output = path_of(path)
     check_recording(output, fps=fps, background=ground, overwrite=overwrite)
     title = check_name("title", title)
-    with viewer.lock:
-        history = viewer.timeline
+    with scene.lock:
+        history = edits.timeline
         if history is None:
             raise ValueError("no time step was recorded: call viewer.set_time(t) before the changes of each time step")
         moments = moments_of(history, max_frames)
-        view = viewer.get_view() if viewer.sessions or viewer._has_own_view else None
+        view = edits.display.view_of(None) if edits.display.sessions or scene.has_own_view else None
         notes = [f"{max_frames:,} of {len(history.times):,} time steps"] if len(moments) < len(history.times) else []
-    timeline = Drawn(viewer, point_limit).timeline(moments)  # without the lock: program and pages continue
+    timeline = Drawn(scene, point_limit).timeline(moments)  # without the lock: program and pages continue
     timeline.title, timeline.fps = ", ".join([title, *notes] if title else notes), fps
     view = find_view(view, timeline, None, *size)
     look = {"view": view, "background": tuple(ground), "overwrite": overwrite}
@@ -71,8 +71,8 @@ def moments_of(history: LiveTimeline, max_count: int) -> list[Moment]:
 class Drawn:
     """Converts the geometries of time steps to shapes, each once."""
 
-    def __init__(self, viewer: Viewer, max_points: int):
-        self._viewer, self._max_points = viewer, max_points
+    def __init__(self, scene: Scene, max_points: int):
+        self._scene, self._max_points = scene, max_points
         self._store = ShapeStore()
         self._sketches: dict[Item, tuple[Sketch, tuple[int, ...]]] = {}
         self._origin: Any = None
@@ -94,7 +94,7 @@ class Drawn:
     def _sketch(self, item: Item) -> tuple[Sketch, tuple[int, ...]]:
         entry = self._sketches.get(item)
         if entry is None:
-            _, geometry, style = shown_geometry(self._viewer, item)
+            _, geometry, style = shown_geometry(self._scene, item)
             drawn = sketch(geometry, dataclasses.replace(style, pose=item.style.pose), self._max_points)
             if self._origin is None:
                 self._origin = drawn.origin.copy()

@@ -1,4 +1,4 @@
-"""History of a running viewer: `LiveTimeline`, updated by the viewer's methods with `logged`.
+"""History of a running viewer: `LiveTimeline`, updated by `SceneEdits`.
 
 A time step stores its changes only: geometries by reference, poses as matrices. An earlier scene follows from the last
 change of each name.
@@ -8,19 +8,16 @@ from __future__ import annotations
 
 import bisect
 import dataclasses
-import inspect
 import logging
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...core.checks import check_name, check_number, check_positive, check_rigid
 from .items import Item, Matrix, make_item
-
-if TYPE_CHECKING:
-    from .viewer import Viewer
+from .scene_display import SceneDisplay
 
 HISTORY_BYTES = 2**30
 ENTRY = 400  # bytes of a change without arrays: a pose and Python objects
@@ -41,13 +38,14 @@ class State:
 
 
 class LiveTimeline:
-    """Time steps of a viewer. Requires the viewer's lock. Beyond `max_bytes` the oldest steps are dropped.
+    """Time steps of a viewer. Requires the scene's lock. Beyond `max_bytes` the oldest steps are dropped.
 
     `times` are the stored times, ascending, and `bytes` is the memory used. Shared arrays count once.
     """
 
-    def __init__(self, viewer: Viewer, max_bytes: float):
-        self._viewer, self._max_bytes = viewer, check_positive("history_bytes", max_bytes)
+    def __init__(self, display: SceneDisplay, max_bytes: float):
+        self._display, self._scene = display, display.scene
+        self._max_bytes = check_positive("history_bytes", max_bytes)
         self.times: list[float] = []
         self.bytes, self.dropped = 0, 0  # number of dropped steps: that of the first of `times`
         self._tracks: dict[str, list[tuple[int, State | None]]] = {}
@@ -57,6 +55,7 @@ class LiveTimeline:
         self.is_integer = True  # all times are integers
         self._control: Any = None
         self._sent_value = 0.0  # last value sent to the control
+        self._is_closed = False
         self._unbuilt: set[Item] = set()  # replaced while their levels of detail were being built
 
     @property
@@ -84,15 +83,15 @@ class LiveTimeline:
 
     def take_scene(self, names: Iterable[Any] = ()) -> None:
         """Record the displayed state of some names, or of all, in the newest step."""
-        items = self._viewer.shown
+        items = self._scene.shown
         for name in tuple(names) or [*items, *(known for known in self._tracks if known not in items)]:
             self._log(name, items.get(name))
 
     # changes of these names while pages show an earlier step
 
     def add_named(self, named: list[Any], trees: Mapping[str, Any] | None = None) -> None:
-        self._viewer._check_units(named)
-        items = [make_item(n, self._take_number(), g, style, (trees or {}).get(n)) for n, g, style in named]
+        self._scene.check_units(named)
+        items = [make_item(n, self._scene.next_number(), g, style, (trees or {}).get(n)) for n, g, style in named]
         for item in items:
             self._put(item.name, State(item, None, True))
 
@@ -146,40 +145,24 @@ class LiveTimeline:
             self._show(self.scene_at(number))
         self._shown = None if number == newest else number
 
-    def _show(self, scene: dict[str, State]) -> None:
-        viewer = self._viewer
-        is_new = not len(viewer._extents) and not viewer.frame.origin.any()
-        coming = {item for name, item in viewer.shown.items() if name in viewer._levels}
-        with viewer.server.pages.atomic():
-            for name in [name for name in viewer.shown if name not in scene]:
-                viewer._take_out(name)
-            for name, state in scene.items():
+    def _show(self, states: dict[str, State]) -> None:
+        scene, display = self._scene, self._display
+        unfinished = [item for name, item in scene.shown.items() if name in scene.previews]
+        with display.batch():
+            for name, state in states.items():
                 item = state.item
-                if viewer.shown.get(name) is not item:
+                if scene.shown.get(name) is not item:
                     item.pose, item.visible = state.pose, state.visible
-                    self._put_in(item)
                     continue
                 if not _is_same_pose(item.pose, state.pose):
-                    inspect.unwrap(type(viewer).set_pose)(viewer, name, np.eye(4) if state.pose is None else state.pose)
+                    display.set_pose(name, np.eye(4) if state.pose is None else state.pose)
                 if item.visible != state.visible:
-                    inspect.unwrap(type(viewer).set_visible)(viewer, name, state.visible)
-            if is_new:
-                viewer._choose_frame()
-            viewer._changed(is_new)
-        self._unbuilt |= {item for item in coming if viewer.shown.get(item.name) is not item}
-
-    def _put_in(self, item: Item) -> None:
-        viewer = self._viewer
-        viewer._levels.forget(item.name)
-        viewer._take_in(item)
-        viewer._color(item)
-        if item in self._unbuilt:
-            self._unbuilt.discard(item)
-            viewer._levels.build(item)
-        viewer._show(item)
-        viewer.panel.put_item(item)
+                    display.set_visible(name, state.visible)
+            display.show_items({name: state.item for name, state in states.items()}, self._unbuilt)
+        self._unbuilt |= {item for item in unfinished if scene.shown.get(item.name) is not item}
 
     def close(self) -> None:
+        self._is_closed = True
         self._tracks, self._arrays, self._unbuilt, self.bytes = {}, {}, set(), 0
 
     def text_of(self, time: float) -> str:
@@ -199,9 +182,9 @@ class LiveTimeline:
             return
         kind = int if self.is_integer else float
         first, last, value = kind(self.times[0]), kind(self.times[-1]), kind(self.time)
-        with self._viewer.server.pages.atomic():
+        with self._display.server.pages.atomic():
             if self._control is None:
-                self._control = self._viewer.server.pages.gui.add_timeline(first, last, self.step, value)
+                self._control = self._display.server.pages.gui.add_timeline(first, last, self.step, value)
                 self._control.on_update(self._on_update)
                 return
             self._control.min, self._control.max, self._control.step = first, last, self.step
@@ -209,20 +192,15 @@ class LiveTimeline:
 
     def _on_update(self, event: Any) -> None:
         """Handle a drag in a page. Newer page events win over changes by the program meanwhile."""
-        viewer = self._viewer
-        if event.client_id is None or not viewer.take_lock():
+        if event.client_id is None or not self._scene.take_lock():
             return
         try:
-            if viewer.timeline is self:
+            if not self._is_closed:
                 self._look(None if event.value > self.times[-1] - self.step / 2 else event.value + self.step / 1000)
                 if self._control.value == self._sent_value:
                     self._control.value = event.value
         finally:
-            viewer.lock.release()
-
-    def _take_number(self) -> int:
-        self._viewer._next_number += 1
-        return self._viewer._next_number - 1
+            self._scene.lock.release()
 
     def _find(self, name: str) -> State:
         track = self._tracks.get(check_name("name", name))
@@ -281,7 +259,7 @@ class LiveTimeline:
             return
         if self.dropped == 0:
             log.warning("%s", FULL)
-            for client in self._viewer.server.pages.get_clients().values():
+            for client in self._display.server.pages.get_clients().values():
                 client.notify("pointloom", FULL)
         self._unbuilt &= {state.item for track in self._tracks.values() for _, state in track if state is not None}
         del self.times[:count], self._touched[:count]

@@ -95,7 +95,7 @@ class WholeCloud:
         self._keep = keep
         self._send(len(self._nodes))
 
-    def set_point_size(self, size: float, metric: bool = False) -> None:
+    def set_point_size(self, size: float | None, metric: bool = False) -> None:
         self._size = {"size": size, "metric": metric}
         with self._client.atomic():
             for node in self._nodes:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,18 +21,15 @@ from ..render.view import View
 from .coloring_choice import choices_of, shown_coloring
 from .items import Item
 from .point_transfer import even_fraction
-from .sessions import POINT_SIZE
+from .scene import POINT_SIZE, Scene
 from .tools.clip_planes import Clip, clip_mesh
-
-if TYPE_CHECKING:
-    from .viewer import Viewer
 
 SIZE = (1280, 960)  # [px] of the fitted initial view
 MAX_DRAWN = 20_000_000  # points of an image if they must be copied
 
 
 def draw_scene(
-    viewer: Viewer, view: View, path: str | os.PathLike[str] | None, clip: Clip | None = None
+    scene: Scene, view: View, path: str | os.PathLike[str] | None, clip: Clip | None = None
 ) -> NDArray[np.uint8]:
     """Render the scene with clip planes, and write a .png file if a path is given."""
     from ..render.render import render
@@ -40,20 +37,19 @@ def draw_scene(
     if path is not None:
         check_picture(path, overwrite=True)
     picture = render(
-        [as_entry(named) for named in shown_geometries(viewer, clip)],
+        [as_entry(named) for named in shown_geometries(scene, clip)],
         camera=view,
-        background=tuple(viewer.background.tolist()),
-        color_bar=shown_coloring(viewer.shown.values()),
+        background=tuple(scene.background.tolist()),
+        color_bar=shown_coloring(scene.shown.values()),
     )
     if path is not None:
         write_image(path, picture)
     return picture
 
 
-def write_scene(viewer: Viewer, path: str | os.PathLike[str], *, overwrite: bool) -> None:
-    shown, background = shown_geometries(viewer, viewer._clip_of(None)), viewer.background.tolist()
-    view = viewer.get_view()
-    write_geometries(path, shown, viewer.max_points, view=view, background=background, overwrite=overwrite)
+def write_scene(scene: Scene, view: View, path: str | os.PathLike[str], clip: Clip | None, *, overwrite: bool) -> None:
+    shown, background = shown_geometries(scene, clip), scene.background.tolist()
+    write_geometries(path, shown, scene.max_points, view=view, background=background, overwrite=overwrite)
 
 
 def write_geometries(
@@ -103,13 +99,13 @@ def as_entry(named: Named) -> dict[str, Any]:
     return {"geometry": geometry, "name": name, **{key: value for key, value in given.items() if value is not None}}
 
 
-def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
+def shown_geometries(scene: Scene, clip: Clip | None = None) -> list[Named]:
     """Displayed geometries with their displayed styles, clipped."""
-    return [shown_geometry(viewer, item, clip) for item in viewer.shown.values() if item.visible]
+    return [shown_geometry(scene, item, clip) for item in scene.shown.values() if item.visible]
 
 
-def shown_geometry(viewer: Viewer, item: Item, clip: Clip | None = None) -> Named:
-    geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
+def shown_geometry(scene: Scene, item: Item, clip: Clip | None = None) -> Named:
+    geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(scene, item)
     if clip is not None:
         geometry = clipped(geometry, clip, style.pose)
     return item.name, geometry, style
@@ -136,16 +132,16 @@ def with_colors(item: Item) -> PointCloud:
     return item.select(np.arange(len(cloud)) if rows is None else rows)
 
 
-def _style(viewer: Viewer, item: Item) -> Style:
+def _style(scene: Scene, item: Item) -> Style:
     changed: dict[str, Any] = {}
-    style, choice = item.style, viewer.coloring
+    style, choice = item.style, scene.coloring
     if item.pose is not None:
         changed["pose"] = item.pose if style.pose is None else item.pose @ style.pose
     if item.cloud is not None:
         if not style.metric:
-            changed["point_size"] = viewer.point_size * (style.point_size or POINT_SIZE) / POINT_SIZE
+            changed["point_size"] = scene.point_size * (style.point_size or POINT_SIZE) / POINT_SIZE
         if choice.by is not None and choice.by in choices_of(item.cloud):
             changed |= {"color_by": choice.by, "colormap": choice.colormap, "limits": choice.limits, "color": None}
-    elif viewer.wireframe and item.has_surface:
+    elif scene.wireframe and item.has_surface:
         changed["wireframe"] = True
     return dataclasses.replace(style, **changed)

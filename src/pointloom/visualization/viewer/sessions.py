@@ -7,7 +7,7 @@ import logging
 import threading
 import time
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -15,16 +15,40 @@ from ..render.view import View
 from .camera import Camera, camera_limits, camera_of, view_of
 from .home_views import Homes
 from .items import Item
+from .panel_sections import COUNTS
 from .point_transfer import WholeCloud
+from .scene import POINT_SIZE, Scene
 
 if TYPE_CHECKING:
     from .link import PageCamera, PageClient
-    from .viewer import Viewer
+    from .streaming import CloudStream
+    from .tools.clip_planes import Clip
+    from .tools.picking import Pick
 
-
-POINT_SIZE = 3.0  # [px] default size of points
 REST = 0.25  # [s] without motion until the camera is at rest
 log = logging.getLogger("pointloom.viewer")
+
+
+class PageTools(Protocol):
+    """Mouse tools of a page."""
+
+    @property
+    def clip(self) -> Clip: ...
+
+    @property
+    def is_idle(self) -> bool:
+        """True if no tool is active."""
+        ...
+
+    def pick(self, view: View, x: float, y: float) -> Pick | None:
+        """The geometry at an image position [px]."""
+        ...
+
+    def release_key(self, key: str) -> None: ...
+
+    def refresh(self) -> None: ...
+
+    def close(self) -> None: ...
 
 
 class Session:
@@ -34,9 +58,9 @@ class Session:
         streams: Clouds of the page by item name.
     """
 
-    def __init__(self, viewer: Viewer, client: PageClient):
-        self.viewer, self.client, self.closed = viewer, client, False
-        self.streams: dict[str, Any] = {}
+    def __init__(self, scene: Scene, client: PageClient):
+        self.scene, self.client, self.closed = scene, client, False
+        self.streams: dict[str, WholeCloud | CloudStream] = {}
         self._budgets: dict[str, int] = {}
         self._unfinished: dict[str, WholeCloud] = {}  # with steps left to send
         self._in_levels: set[str] = set()  # point count depends on the view
@@ -46,21 +70,21 @@ class Session:
         self._put, self._put_shape = np.zeros(3), 0  # last camera position that was set, and the page's shape then
         self._homes = Homes()
         self._line: Any = None
-        self._toolbox: Any = None
+        self.tools: PageTools | None = None
         self._pace = Pace(client.request_signal)
         self._feeder: threading.Thread | None = None
         self._leaving: list[Any] = []  # removed once the page has the replacement
         self._state: Any = None
         self._limits: dict[str, float] = {}
 
-    def start(self) -> None:
-        """Show the scene. Requires the viewer's lock."""
+    def start(self, make_tools: Callable[[Session], PageTools]) -> None:
+        """Show the scene. Requires the scene's lock."""
         with self.client.atomic():
             self.go_home()
-            self._line = self.viewer.panel.add_line(self.client)
-            for item in self.viewer.shown.values():
+            self._line = self.client.gui.add_words("", order=COUNTS, visible=False)
+            for item in self.scene.shown.values():
                 self.show(item)
-            self._toolbox = self.viewer.panel.add_tools(self)
+            self.tools = make_tools(self)
             self.show_counts()
         self.client.on_sign(lambda _: self._pace.answer())
         self.client.camera.on_update(self._on_camera)
@@ -70,15 +94,15 @@ class Session:
         return self.view_of(self.client.camera.state)
 
     def view_of(self, camera: Any) -> View:
-        return view_of(camera, self.viewer.frame, self.viewer.bounds, camera.size)
+        return view_of(camera, self.scene.frame, self.scene.bounds, camera.size)
 
     def go_home(self) -> None:
-        self._look_from(self.viewer.home())
+        self._look_from(self.scene.home())
         self._homes.put(self._put)
 
     def go_home_if_still(self) -> None:
         """Show the complete scene again, unless the user has moved the camera or uses a tool."""
-        if self._homes.are_at(self.client.camera.position) and getattr(self._toolbox, "tool", None) is None:
+        if self._homes.are_at(self.client.camera.position) and (self.tools is None or self.tools.is_idle):
             self.go_home()
 
     def look_from(self, view: View) -> None:
@@ -87,23 +111,23 @@ class Session:
 
     def _look_from(self, view: View) -> None:
         width, height = self.client.camera.size
-        self._put_camera(camera_of(view, self.viewer.frame, self.viewer.bounds, width / height))
+        self._put_camera(camera_of(view, self.scene.frame, self.scene.bounds, width / height))
 
     def look_as(self, state: Any) -> None:
         """Restore a camera state (`client.camera.state`)."""
-        self._limits = camera_limits(state, self.viewer.frame, self.viewer.bounds)
+        self._limits = camera_limits(state, self.scene.frame, self.scene.bounds)
         fields = {name: getattr(state, name) for name in ("position", "rotation", "fov", "pivot", "orthographic")}
         self.client.camera.put(**fields, **self._limits)
 
     def update_limits(self) -> None:
-        limits = camera_limits(self.client.camera, self.viewer.frame, self.viewer.bounds)
+        limits = camera_limits(self.client.camera, self.scene.frame, self.scene.bounds)
         if limits != self._limits:
             self._limits = limits
             self.client.camera.put(**limits)
 
     def show(self, item: Item) -> None:
         stream, name = self.streams.get(item.name), item.name
-        same = self._budgets.get(name) == self.viewer._budget_of(item)
+        same = self._budgets.get(name) == self.scene.budget_of(item)
         if item.cloud is None:
             self.hide(name)
         elif isinstance(stream, WholeCloud) and item.tree is None and same:
@@ -114,7 +138,7 @@ class Session:
         else:
             self.hide(name)
             self.streams[name] = self._open(item)
-        self._note(name)
+        self._update_count(name)
         self.feed()
 
     def set_pose(self, item: Item) -> None:
@@ -126,7 +150,7 @@ class Session:
         stream = self.streams.get(item.name)
         if stream is not None:
             stream.set_visible(item.visible)
-            self._note(item.name)
+            self._update_count(item.name)
 
     def set_colors(self, item: Item) -> None:
         stream = self.streams.get(item.name)
@@ -134,50 +158,46 @@ class Session:
             stream.set_colors(item.colors_of)
 
     def feed(self) -> None:
-        """Send remaining parts of clouds at the page's speed. Requires the viewer's lock."""
+        """Send remaining parts of clouds at the page's speed. Requires the scene's lock."""
         if self._feeder is None and self._unfinished and not self.closed:
             self._feeder = threading.Thread(target=self._feed, name="pointloom-feed", daemon=True)
             self._feeder.start()
 
     @property
-    def clip(self) -> Any:
+    def clip(self) -> Clip | None:
         """Clip planes of the page. None before it has tools."""
-        return None if self._toolbox is None else self._toolbox.stage.clip
+        return None if self.tools is None else self.tools.clip
 
-    def idle_stage(self) -> Any:
-        """Stage for picks. None while a tool is active or before tools exist."""
-        return None if self._toolbox is None or self._toolbox.tool is not None else self._toolbox.stage
-
-    def give_up_key(self, key: str) -> None:
+    def release_key(self, key: str) -> None:
         """Release a key that the program now uses."""
-        if self._toolbox is not None and not self.closed:
-            self._toolbox.give_up_key(key)
+        if self.tools is not None and not self.closed:
+            self.tools.release_key(key)
 
     def refresh_tools(self) -> None:
-        if self._toolbox is not None and not self.closed:
-            self._toolbox.refresh()
+        if self.tools is not None and not self.closed:
+            self.tools.refresh()
 
-    def share_anew(self) -> None:
-        for item in self.viewer.shown.values():
-            if item.name in self.streams and self._budgets[item.name] != self.viewer._budget_of(item):
+    def rebalance_budgets(self) -> None:
+        for item in self.scene.shown.values():
+            if item.name in self.streams and self._budgets[item.name] != self.scene.budget_of(item):
                 self.show(item)
 
     def hide(self, name: str) -> None:
         stream = self.streams.pop(name, None)
         if stream is not None:
             stream.close()
-        self._note(name)
+        self._update_count(name)
 
     def resize_points(self) -> None:
         for name, stream in self.streams.items():
-            stream.set_point_size(*self._size_of(self.viewer.shown[name]))
+            stream.set_point_size(*self._size_of(self.scene.shown[name]))
 
-    def count_anew(self) -> None:
+    def recount(self) -> None:
         for name in list(self.streams):
-            self._note(name)
+            self._update_count(name)
 
     @contextlib.contextmanager
-    def as_it_lasts(self) -> Iterator[None]:
+    def ignore_if_closed(self) -> Iterator[None]:
         """Log errors instead of passing them to the program or other pages."""
         try:
             yield
@@ -190,8 +210,8 @@ class Session:
     def show_counts(self) -> None:
         if self._line is not None and not self.closed:
             for name in self._in_levels:
-                self._note(name)
-            text = counts_text(self._drawn, self._total, self.viewer.triangle_count)
+                self._update_count(name)
+            text = counts_text(self._drawn, self._total, self.scene.triangle_count)
             self._line.value, self._line.visible = text, bool(text)
 
     def close(self) -> None:
@@ -199,36 +219,36 @@ class Session:
         if self._timer is not None:
             self._timer.cancel()
         self._pace.close()
-        if self._toolbox is not None:
-            self._toolbox.close()
+        if self.tools is not None:
+            self.tools.close()
         self.streams.clear()
         self._unfinished.clear()
         self._leaving.clear()
 
     def join(self) -> None:
-        """Wait for the page's thread after `close`. Without the viewer's lock."""
+        """Wait for the page's thread after `close`. Without the scene's lock."""
         feeder = self._feeder
         if feeder is not None and feeder is not threading.current_thread():
             feeder.join(timeout=5.0)
 
     def _feed(self) -> None:
-        while self._pace.wait() and self.viewer.take_lock():
+        while self._pace.wait() and self.scene.take_lock():
             try:
                 name = None if self.closed else next(iter(self._unfinished), None)
                 if name is None:
                     self._feeder = None  # later work starts another thread
                     return
                 self._unfinished[name].send_next()
-                self._note(name)
+                self._update_count(name)
                 self.show_counts()
             except Exception:  # an error of one page must not stop the viewer
                 log.debug("sending the next step to a page failed", exc_info=True)
                 self._feeder = None
                 return
             finally:
-                self.viewer.lock.release()
+                self.scene.lock.release()
 
-    def _note(self, name: str) -> None:
+    def _update_count(self, name: str) -> None:
         """Update whether a cloud is complete, and its drawn number of points."""
         stream = self.streams.get(name)
         before = self._counts.pop(name, (0, 0))
@@ -247,17 +267,17 @@ class Session:
 
     def _pause(self) -> bool:
         """Pause between the steps of a stream. False if the page has gone."""
-        if not self.viewer.take_lock():
+        if not self.scene.take_lock():
             return False
         try:
-            with self.as_it_lasts():
+            with self.ignore_if_closed():
                 self.show_counts()
         finally:
-            self.viewer.lock.release()
+            self.scene.lock.release()
         return self._pace.wait()
 
     def _open(self, item: Item) -> Any:
-        budget, frame = self.viewer._budget_of(item), self.viewer.frame
+        budget, frame = self.scene.budget_of(item), self.scene.frame
         self._budgets[item.name] = budget
         size, metric = self._size_of(item)
         sizes: dict[str, Any] = {"budget": budget, "point_size": size, "metric": metric}
@@ -271,25 +291,25 @@ class Session:
             stream.set_pose(pose)
         stream.set_visible(item.visible)
         stream.set_colors(item.colors_of)
-        self._wait_anew(0.0)
+        self._restart_timer(0.0)
         return stream
 
     def _has_levels(self, item: Item) -> bool:
-        return item.tree is not None and self.viewer.frame.unit == 1
+        return item.tree is not None and self.scene.frame.unit == 1
 
     def _size_of(self, item: Item) -> tuple[float | None, bool]:
         """Point diameter of an item, and whether it is in meters. None for levels that close gaps."""
-        part, viewer = item.points, self.viewer
+        part, scene = item.points, self.scene
         assert part is not None
         if part.metric and part.size is not None:
             return part.size, True
-        if self._has_levels(item) and not viewer.has_own_point_size and part.size is None:
+        if self._has_levels(item) and not scene.has_own_point_size and part.size is None:
             return None, True
-        return viewer.point_size * (1.0 if part.size is None else part.size / POINT_SIZE), False
+        return scene.point_size * (1.0 if part.size is None else part.size / POINT_SIZE), False
 
     def _put_camera(self, camera: Camera) -> None:
         self._put, self._put_shape = camera.position, _shape(self.client.camera.size)
-        self._limits = camera_limits(camera, self.viewer.frame, self.viewer.bounds)
+        self._limits = camera_limits(camera, self.scene.frame, self.scene.bounds)
         self.client.camera.put(**camera.fields(), **self._limits)
 
     def _on_camera(self, camera: PageCamera) -> None:
@@ -299,7 +319,7 @@ class Session:
         if self._timer is None and not self.closed:
             self._wait(REST)
 
-    def _fit_anew(self) -> None:
+    def _refit(self) -> None:
         """Fit the view again if the page's aspect ratio changed and the camera was not moved."""
         shape = _shape(self.client.camera.size)
         if shape != self._put_shape:
@@ -307,18 +327,18 @@ class Session:
                 self.go_home()
             self._put_shape = shape
 
-    def _wait_anew(self, seconds: float) -> None:
+    def _restart_timer(self, seconds: float) -> None:
         if self._timer is not None:
             self._timer.cancel()
         self._moved = time.monotonic() - REST
         self._wait(seconds)
 
     def _wait(self, seconds: float) -> None:
-        self._timer = threading.Timer(seconds, self._look_whether_it_rests)
+        self._timer = threading.Timer(seconds, self._check_if_idle)
         self._timer.daemon = True
         self._timer.start()
 
-    def _look_whether_it_rests(self) -> None:
+    def _check_if_idle(self) -> None:
         left = REST - (time.monotonic() - self._moved)
         if self.closed:
             return
@@ -332,15 +352,15 @@ class Session:
             log.debug("an update of a page after camera motion failed", exc_info=True)
 
     def _at_rest(self) -> None:
-        with self.viewer.lock:
+        with self.scene.lock:
             if self.closed:
                 return
-            self._fit_anew()
+            self._refit()
             view = self.camera_view()
             streams = [self.streams[name] for name in self._in_levels]
         for stream in streams:  # sends for a while, without the lock
             stream.look(view)
-        with self.viewer.lock:
+        with self.scene.lock:
             for stream in self._leaving:
                 stream.close()
             self._leaving.clear()

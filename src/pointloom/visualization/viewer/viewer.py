@@ -5,161 +5,51 @@ from __future__ import annotations
 import atexit
 import contextlib
 import os
-import shlex
-import sys
 import weakref
-from collections.abc import Iterator, Mapping
-from pathlib import Path
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_name, check_rigid
-from ...pcd.cloud import PointCloud
-from ..notebook_output import in_notebook, live_output
+from ...core.attribute_hints import nearest_name
+from ...core.checks import check_count, check_name, check_positive
+from ...core.open3d_names import hint, row_of
+from ..notebook_output import live_output
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
+from ..render.parts import Triple
 from ..render.view import View
 from .client_presence import KEEP_ALIVE, Presence
+from .controls import FOLDER, Control
 from .copc_tree import CopcTree
-from .items import Frame, make_item
-from .scene import Scene, check_color, check_size
-from .sessions import POINT_SIZE
-from .timed_calls import logged
+from .extents import Bounds
+from .hooks import Hooks, check_function
+from .items import Item
+from .keys import check_hotkey
+from .live_timeline import HISTORY_BYTES
+from .page_actions import PageActions
+from .panel import Panel
+from .panel_sections import TOOLS
+from .scene import POINT_SIZE, Scene, check_color, check_size
+from .scene_display import SceneDisplay
+from .scene_edits import SceneEdits
+from .screenshots import draw_scene, write_scene
+from .server import ViewerServer
+from .sessions import Session
+from .shutdown_notice import shutdown_notice
+from .tools.picking import Pick
+from .tools.toolbox import Toolbox
 
+if TYPE_CHECKING:
+    from .link import PageClient
 
-class Appearance(Scene):
-    """Appearance of a scene in all pages, batched changes and screenshots."""
-
-    @contextlib.contextmanager
-    def batch(self) -> Iterator[None]:
-        """Apply several changes in all pages at once.
-
-        Batches may be nested. Changes by other threads are delayed until the batch ends, at most one second. An
-        exception ends the batch. Changes made before it are displayed.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> with loom.Viewer(port=0) as viewer:
-            ...     with viewer.batch():
-            ...         for k in range(100):
-            ...             viewer.add(f"boxes/{k}", loom.AxisAlignedBoundingBox([k, 0, 0], [k + 0.5, 1, 1]))
-            ...     len(viewer.items)
-            100
-        """
-        with self.server.pages.atomic():
-            yield
-
-    def tell_progress(self, text: str, fraction: float | None = None) -> None:
-        """Show progress of the program in the pages.
-
-        Args:
-            text: Short description; "" when done. Raises `TypeError` if not a string.
-            fraction: Fraction done, 0 to 1. None if unknown. Raises `TypeError` or `ValueError` otherwise.
-        """
-        with self.lock:
-            self._check_open()
-            self.server.pages.set_progress(check_name("text", text), fraction)
-
-    def screenshot(self, path: str | os.PathLike[str] | None = None, *, client: int | None = None) -> NDArray[np.uint8]:
-        """Render the scene as a page shows it. No page needs to be open.
-
-        Args:
-            path: A .png file to write, or None.
-            client: Number of the page, see `get_view`.
-
-        Returns:
-            Image of shape (h, w, 3), uint8.
-
-        Raises:
-            FileError: The file cannot be written.
-        """
-        from .screenshots import draw_scene
-
-        with self.lock:
-            viewer: Any = self  # a Viewer
-            return draw_scene(viewer, viewer.get_view(client), path, self._clip_of(client))
-
-    def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-        """Write the scene as a standalone HTML file with at most `max_points` points. Raises `FileError`."""
-        from .screenshots import write_scene
-
-        with self.lock:
-            write_scene(self, path, overwrite=overwrite)  # type: ignore[arg-type]  # a Viewer
-
-    @property
-    def point_size(self) -> float:
-        """Diameter [px] of points without a size of their own. Others scale with it. Assignable."""
-        return self._point_size
-
-    @point_size.setter
-    def point_size(self, size: float) -> None:
-        with self.lock:
-            self._point_size, self.has_own_point_size = check_size(size), True
-            for session in self._open_sessions():
-                with session.as_it_lasts():
-                    session.resize_points()
-            self.panel.show_state()
-
-    @property
-    def background(self) -> NDArray[np.float64]:
-        """Background color: red, green and blue, 0 to 1; assignable."""
-        return self._background.copy()
-
-    @background.setter
-    def background(self, color: Any) -> None:
-        with self.lock:
-            self._background, self._has_own_background = check_color(color), True
-            self._paint_background()
-            self.panel.show_state()
-
-    def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
-        """Color the clouds by a property of their points.
-
-        Args:
-            by: "rgb", "height", "normal", "label" or an attribute. None for the original colors. Clouds without the
-                property are not changed.
-            colormap, limits: See `loom.render`.
-
-        Raises:
-            ValueError: No cloud has the property, or values are out of range.
-        """
-        with self.lock, self.batch():
-            for name, value in {"by": by, "colormap": colormap}.items():
-                check_name(name, "" if value is None else value)
-            self.coloring = self.coloring.checked(by, colormap, limits, self.shown.values())
-            for item in self.shown.values():
-                self._color(item)
-                for session in self._open_sessions():
-                    with session.as_it_lasts():
-                        session.set_colors(item)
-            self.panel.show_legend()
-
-    def show_wireframe(self, shown: bool) -> None:
-        """Show the edges of all surfaces."""
-        with self.lock:
-            self.wireframe = bool(shown)
-            with self.batch():
-                for nodes in self._nodes.values():
-                    nodes.set_wireframe(self.wireframe)
-            self.panel.show_state()
-
-    def show_normals(self, shown: bool) -> None:
-        """Show the normals of all clouds as lines. At most 10,000 per cloud."""
-        with self.lock:
-            self.normals = bool(shown)
-            with self.batch():
-                for nodes in self._nodes.values():
-                    nodes.set_normals(self._normal_length())
-            self.panel.show_state()
-
-
+MAX_FRAME_RATE = 240.0  # [Hz] of frame callbacks
 MAX_POINTS = 2_000_000
 
 
-class Viewer(Appearance):
+class Viewer:
     """A scene in the browser that a program updates, on this machine or over SSH.
 
     `viewer.update(name, geometry)` from any thread replaces Open3D's sequence of update_geometry, poll_events and
@@ -196,6 +86,8 @@ class Viewer(Appearance):
         ['cloud']
     """
 
+    history_bytes = HISTORY_BYTES
+
     def __init__(
         self,
         *,
@@ -207,26 +99,45 @@ class Viewer(Appearance):
         background: Any = (1.0, 1.0, 1.0),
         size: tuple[int, int] = (1280, 960),
     ):
-        super().__init__(
-            port,
-            host,
-            title,
+        self.scene = Scene(
             check_count("max_points", max_points),
             check_size(point_size),
             check_color(background),
             (check_count("width", size[0]), check_count("height", size[1])),
         )
-        self._presence = Presence(self)
-        close_at_exit(self)
+        self.lock, self.server = self.scene.lock, ViewerServer(host, port, title=title)
+        self.url, self.ssh_line = self.server.url, self.server.ssh_line
+        try:
+            pages = self.server.pages
+            self.panel = Panel(self.scene, pages)
+            self.display = SceneDisplay(self.scene, self.server, self.panel)
+            self.sessions: Mapping[int, Session] = self.display.sessions
+            self.edits = SceneEdits(self.display)
+            self.hooks = Hooks(self.display, PageActions(self.display, self.edits))
+            pages.on_client_connect(self._connect)
+            pages.on_client_disconnect(self.display.disconnect)
+        except BaseException:
+            self.server.close()
+            raise
+        self._presence = Presence(self.display)
+        self.closing_notice: str | None = None  # in the pages after `close`. None: how to restart the program
+        _open.add(self)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:  # called only for missing attributes
+            remedy = "" if name.startswith("_") else hint(row_of(name, ("Visualizer",)))
+            remedy = remedy or nearest_name(name, dir(type(self)))
+            raise AttributeError(f"{type(self).__name__} has no attribute {name!r}{remedy}")
 
     def __repr__(self) -> str:
-        return f"Viewer({self.url}, {len(self.shown)} geometries{', closed' if self.closed else ''})"
+        return f"Viewer({self.url}, {len(self.scene.shown)} geometries{', closed' if self.closed else ''})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
         """For notebooks: the page in a frame, with a static image as fallback."""
         if self.closed:
             return {"text/plain": repr(self)}
-        return live_output(repr(self), self.url, self.ssh_line, self.screenshot(), self._size[1] * 2 // 3)
+        return live_output(repr(self), self.url, self.ssh_line, self.screenshot(), self.scene.size[1] * 2 // 3)
 
     def __enter__(self) -> Viewer:
         return self
@@ -247,9 +158,7 @@ class Viewer(Appearance):
         Raises:
             TypeError: Unsupported geometry, or unknown style key.
         """
-        check_name("name", name)
-        colormap = {name: check_name(name, style[name]) for name in ("colormap",) if style.get(name) is not None}
-        self.add_named(named_geometries([{"geometry": geometry, "name": name, **style, **colormap}]))
+        self.edits.add(name, geometry, **style)
 
     def add_all(self, geometries: Any) -> None:
         """Add several geometries atomically, replacing those of the same names.
@@ -268,7 +177,7 @@ class Viewer(Appearance):
             ...     list(viewer.items)
             ['cars/0', 'cars/1', 'cars/2']
         """
-        self.add_named(named_geometries(geometries))
+        self.edits.add_named(named_geometries(geometries))
 
     def add_copc(self, name: str, path: str | os.PathLike[str], **style: Any) -> None:
         """Add a COPC file (.copc.laz) of any size. Only the visible parts are read.
@@ -293,69 +202,22 @@ class Viewer(Appearance):
             named_geometries([{"geometry": tree.head, "name": check_name("name", name), **style}]), {name: tree}
         )
 
-    @logged
     def add_named(self, named: list[Named], trees: Mapping[str, Any] = MappingProxyType({})) -> None:
         """Add the result of `named_geometries`, with optional level-of-detail trees by name."""
-        with self.lock, self.batch():
-            self._check_open()
-            self._check_units(named)
-            made = []
-            for name, geometry, style in named:
-                made.append(make_item(name, self._next_number, geometry, style, trees.get(name)))
-                self._next_number += 1
-            was_empty = not len(self._extents)
-            for item in made:
-                self._take_out(item.name)
-                self._take_in(item)
-                self._color(item)
-                if item.tree is None and isinstance(item.geometry, PointCloud):
-                    self._levels.build(item)
-            if was_empty:
-                self._choose_frame()
-            for item in made:
-                self._show(item)
-                self.panel.put_item(item)
-            self._arrivals.note()
-            self._changed(was_empty)
+        self.edits.add_named(named, trees)
 
-    @logged
     def update(self, name: str, geometry: Any) -> None:
         """Replace a geometry without flicker, keeping style, pose and visibility. Raises `KeyError`."""
-        with self.lock:
-            self._check_open()
-            old = self._find(name)
-            item = make_item(name, old.number, geometry, old.style)
-            item.visible, item.pose = old.visible, old.pose
-            was_empty = not len(self._extents)
-            self._levels.forget(name)
-            self._take_in(item)
-            self._color(item)
-            if was_empty:
-                self._choose_frame()
-            self._show(item)
-            self.panel.put_item(item)
-            self._changed(was_empty)
+        self.edits.update(name, geometry)
 
-    @logged
     def remove(self, name: str) -> None:
         """Remove a geometry from the scene. Raises `KeyError` for an unknown name."""
-        with self.lock:
-            self._check_open()
-            self._find(name)
-            self._take_out(name)
-            self._changed(False)
+        self.edits.remove(name)
 
-    @logged
     def clear(self) -> None:
         """Remove all geometries. The view is fitted again to the next one."""
-        with self.lock, self.batch():
-            self._check_open()
-            for name in list(self.shown):
-                self._take_out(name)
-            self.frame = Frame(np.zeros(3))
-            self._changed(False)
+        self.edits.clear()
 
-    @logged
     def set_pose(self, name: str, T: Any) -> None:
         """Move a geometry. Sends 84 bytes to each page, independent of its size.
 
@@ -366,30 +228,59 @@ class Viewer(Appearance):
         Raises:
             KeyError, ValueError: Unknown name, or not a rigid transformation.
         """
-        with self.lock:
-            self._check_open()
-            item = self._find(name)
-            item.pose = check_rigid("T", T).copy()  # the caller may change its array later
-            self._nodes[name].set_pose()
-            for session in self._open_sessions():
-                with session.as_it_lasts():
-                    session.set_pose(item)
-            self._extents.put(name, item.world_bounds())
-            self._changed(False)
+        self.edits.set_pose(name, T)
 
-    @logged
     def set_visible(self, name: str, visible: bool) -> None:
         """Show or hide a geometry. Raises `KeyError` for an unknown name."""
-        with self.lock:
-            self._check_open()
-            item = self._find(name)
-            item.visible = bool(visible)
-            self._nodes[name].set_visible(item.visible)
-            for session in self._open_sessions():
-                with session.as_it_lasts():
-                    session.set_visible(item)
-            self.panel.put_item(item)
-            self._changed(False)
+        self.edits.set_visible(name, visible)
+
+    @property
+    def items(self) -> Mapping[str, Item]:
+        """Geometries of the scene by name. Always the newest state, also if the pages show an earlier time."""
+        return self.edits.items
+
+    def batch(self) -> contextlib.AbstractContextManager[None]:
+        """Apply several changes in all pages at once.
+
+        Batches may be nested. Changes by other threads are delayed until the batch ends, at most one second. An
+        exception ends the batch. Changes made before it are displayed.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     with viewer.batch():
+            ...         for k in range(100):
+            ...             viewer.add(f"boxes/{k}", loom.AxisAlignedBoundingBox([k, 0, 0], [k + 0.5, 1, 1]))
+            ...     len(viewer.items)
+            100
+        """
+        return self.display.batch()
+
+    @property
+    def bounds(self) -> Bounds:
+        """Lowest and highest corner of the scene [m]. A 2 m box if it is empty."""
+        return self.scene.bounds
+
+    @property
+    def closed(self) -> bool:
+        """True after `close`."""
+        return self.scene.closed
+
+    def home(self) -> View:
+        """Initial view of pages: that of `set_view`, else the complete scene."""
+        return self.scene.home()
+
+    @property
+    def up(self) -> Triple | None:
+        """Up axis of the initial view. Assign "x", "y", "z" or a direction.
+
+        If None, that of the first mesh that defines one (.glb, .gltf), else z.
+        """
+        return self.scene.up
+
+    @up.setter
+    def up(self, value: Any) -> None:
+        self.scene.up = value
 
     def set_view(self, view: Any = None, **parameters: Any) -> None:
         """Set the camera of all current and later pages. The key R in a page resets to it.
@@ -408,12 +299,8 @@ class Viewer(Appearance):
         if unknown:
             raise TypeError(f"parameters: expected the keys {', '.join(OPEN3D_KEYS)}, got {unknown[0]!r}")
         with self.lock:
-            self._check_open()
-            home = self._take_view(parameters or view)
-            self._aim_first_camera()
-            for session in self._open_sessions():
-                with session.as_it_lasts():
-                    session.look_from(home)
+            self.scene.check_open()
+            self.display.set_view(parameters or view)
 
     def get_view(self, client: int | None = None) -> View:
         """Current view of a page, given by its number in `sessions`.
@@ -421,13 +308,324 @@ class Viewer(Appearance):
         If `client` is None: the oldest page, or the initial view if no page is open. Raises `KeyError` for an unknown
         page.
         """
+        return self.display.view_of(client)
+
+    @property
+    def point_size(self) -> float:
+        """Diameter [px] of points without a size of their own. Others scale with it. Assignable."""
+        return self.scene.point_size
+
+    @point_size.setter
+    def point_size(self, size: float) -> None:
+        self.display.set_point_size(size)
+
+    @property
+    def background(self) -> NDArray[np.float64]:
+        """Background color: red, green and blue, 0 to 1; assignable."""
+        return self.scene.background.copy()
+
+    @background.setter
+    def background(self, color: Any) -> None:
+        self.display.set_background(color)
+
+    def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
+        """Color the clouds by a property of their points.
+
+        Args:
+            by: "rgb", "height", "normal", "label" or an attribute. None for the original colors. Clouds without the
+                property are not changed.
+            colormap, limits: See `loom.render`.
+
+        Raises:
+            ValueError: No cloud has the property, or values are out of range.
+        """
+        for name, value in {"by": by, "colormap": colormap}.items():
+            check_name(name, "" if value is None else value)
+        self.display.color_by(by, colormap, limits)
+
+    def show_wireframe(self, shown: bool) -> None:
+        """Show the edges of all surfaces."""
+        self.display.show_wireframe(bool(shown))
+
+    def show_normals(self, shown: bool) -> None:
+        """Show the normals of all clouds as lines. At most 10,000 per cloud."""
+        self.display.show_normals(bool(shown))
+
+    def tell_progress(self, text: str, fraction: float | None = None) -> None:
+        """Show progress of the program in the pages.
+
+        Args:
+            text: Short description; "" when done. Raises `TypeError` if not a string.
+            fraction: Fraction done, 0 to 1. None if unknown. Raises `TypeError` or `ValueError` otherwise.
+        """
         with self.lock:
-            if client is None:
-                first = next(iter(self.sessions.values()), None)
-                return self.home() if first is None else first.camera_view()
-            if not isinstance(client, int) or client not in self.sessions:
-                raise KeyError(f"client: expected one of the pages {sorted(self.sessions)}, got {client!r}")
-            return self.sessions[client].camera_view()
+            self.scene.check_open()
+            self.server.pages.set_progress(check_name("text", text), fraction)
+
+    def screenshot(self, path: str | os.PathLike[str] | None = None, *, client: int | None = None) -> NDArray[np.uint8]:
+        """Render the scene as a page shows it. No page needs to be open.
+
+        Args:
+            path: A .png file to write, or None.
+            client: Number of the page, see `get_view`.
+
+        Returns:
+            Image of shape (h, w, 3), uint8.
+
+        Raises:
+            FileError: The file cannot be written.
+        """
+        with self.lock:
+            view, clip = self.display.view_of(client), self.display.clip_of(client)
+            return draw_scene(self.scene, view, path, clip)
+
+    def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
+        """Write the scene as a standalone HTML file with at most `max_points` points. Raises `FileError`."""
+        with self.lock:
+            view, clip = self.display.view_of(None), self.display.clip_of(None)
+            write_scene(self.scene, view, path, clip, overwrite=overwrite)
+
+    def add_button(
+        self,
+        label: str,
+        callback: Callable[[int], Any],
+        *,
+        hotkey: str | None = None,
+        folder: str = FOLDER,
+        hint: str = "",
+    ) -> Control:
+        """Add a button to the panel of all pages and to the command palette (Ctrl+K).
+
+        Args:
+            label: Label of the button.
+            callback: Called with the number of the page in which the button was pressed.
+            hotkey: Key with the same effect, see `on_key`.
+            folder: Folder of the panel; created if missing.
+            hint: Tooltip.
+
+        Returns:
+            The control. Its `remove()` removes the button.
+
+        Raises:
+            TypeError, ValueError: An argument of another type, an unknown key, or an empty label.
+
+        Example:
+            >>> import pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     viewer.add_button("Next scan", lambda page: print("pressed in page", page), hotkey="G")
+            Control('Next scan')
+        """
+        return self.hooks.controls.add_button(label, callback, hotkey, folder, hint)
+
+    def add_slider(
+        self,
+        label: str,
+        low: float,
+        high: float,
+        value: float,
+        callback: Callable[[Any], Any] | None = None,
+        *,
+        step: float | None = None,
+        folder: str = FOLDER,
+    ) -> Control:
+        """Add a slider to the panel of all pages. It is integer if all given numbers are integers.
+
+        Args:
+            label: Label of the slider.
+            low, high: Range.
+            value: Initial value.
+            callback: Called with the value after a page has changed it. Only with the newest if several wait. If None,
+                the program reads `value`.
+            step: Step size. If None, 1 or a hundredth of the range.
+            folder: See `add_button`.
+
+        Raises:
+            TypeError, ValueError: Not a number, not callable, or `value` or `step` out of range.
+
+        Example:
+            >>> import pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     viewer.add_slider("neighbors", 4, 64, 20).value, viewer.add_slider("radius", 0.0, 1, 0.5).value
+            (20, 0.5)
+        """
+        return self.hooks.controls.add_slider(label, low, high, value, callback, step, folder)
+
+    def add_checkbox(
+        self, label: str, value: bool = False, callback: Callable[[bool], Any] | None = None, *, folder: str = FOLDER
+    ) -> Control:
+        """Add a checkbox to the panel of all pages. Arguments and errors as in `add_slider`.
+
+        Example:
+            >>> import pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     viewer.add_checkbox("ground", True).value
+            True
+        """
+        return self.hooks.controls.add_checkbox(label, value, callback, folder)
+
+    def add_dropdown(
+        self,
+        label: str,
+        options: Sequence[str],
+        callback: Callable[[str], Any] | None = None,
+        value: str | None = None,
+        *,
+        folder: str = FOLDER,
+    ) -> Control:
+        """Add a dropdown list to the panel of all pages. If `value` is None, the first option is selected.
+
+        Raises:
+            TypeError, ValueError: Options that are not strings, empty or duplicate, or `value` is not an option.
+
+        Example:
+            >>> import pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     viewer.add_dropdown("method", ["icp", "gicp"], value="gicp").value
+            'gicp'
+        """
+        return self.hooks.controls.add_dropdown(label, options, callback, value, folder)
+
+    def add_text(
+        self, label: str, value: str = "", callback: Callable[[str], Any] | None = None, *, folder: str = FOLDER
+    ) -> Control:
+        """Add a text field (at most 16,384 characters) to the panel of all pages.
+
+        Example:
+            >>> import pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     viewer.add_text("name", "scan 7").value
+            'scan 7'
+        """
+        return self.hooks.controls.add_text(label, value, callback, folder)
+
+    def on_key(self, key: str, callback: Callable[[int], None], label: str = "") -> None:
+        """Call a function when a key is pressed in a page. Replaces the default action of the key.
+
+        Args:
+            key: "A" to "Z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home",
+                "end", "pageup", "pagedown", "arrowup", "arrowdown", "arrowleft" or "arrowright".
+            callback: Called with the number of the page.
+            label: Description in the command palette (Ctrl+K). If "", the name of the key.
+
+        Raises:
+            ValueError, TypeError: Unknown key, or `callback` is not callable.
+        """
+        check_function(callback)
+        self.scene.check_open()
+        self.hooks.on_key(check_hotkey(key), callback, check_name("label", label or key))
+
+    def on_pick(self, callback: Callable[[Pick], Any]) -> Callable[[], None]:
+        """Call a function with the point or triangle at each click, while no tool is active.
+
+        Args:
+            callback: Called with a `Pick`: name, index of the point (or triangle), world position and attributes. All
+                points are searched, also those that are not drawn. Clicks on the background are ignored. Raises
+                `TypeError` if not callable.
+
+        Returns:
+            A function that removes the callback.
+
+        Example:
+            >>> import pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     stop = viewer.on_pick(lambda pick: print(pick.name, pick.index, pick.point, pick.attributes))
+            ...     stop()
+        """
+        check_function(callback)
+        return self.hooks.on_pick(callback)
+
+    def on_frame(self, callback: Callable[[float], Any], rate: float = 30.0) -> Callable[[], None]:
+        """Call a function repeatedly while a page is open, for animations.
+
+        Args:
+            callback: Called with the seconds since the last call. 0 for the first call and for the first one after no
+                page was open. An exception ends the calls and is displayed in all pages.
+            rate: Maximum number of calls per second, in (0, 240]; limited by the drawing speed of the fastest page.
+
+        Returns:
+            A function that ends the calls.
+
+        Raises:
+            TypeError, ValueError: `callback` is not callable, or `rate` is not a number or out of range.
+
+        Example:
+            >>> import pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     stop = viewer.on_frame(lambda seconds: None, rate=10)
+            ...     stop()
+        """
+        check_function(callback)
+        return self.hooks.calls.every(1.0 / check_positive("rate", rate, maximum=MAX_FRAME_RATE), callback)
+
+    def set_time(self, t: float) -> None:
+        """Start a new time step. Later changes of the scene belong to it.
+
+        From the second step on, all pages share a timeline of the history. At its end it follows the newest step.
+
+        Args:
+            t: Time [s] or frame number. Not before the newest step.
+
+        Raises:
+            TypeError, ValueError: `t` is not a number, not finite, or before the newest step.
+
+        Notes:
+            A step takes memory for its changes only. Beyond `history_bytes` of the viewer (1 GiB) the oldest steps are
+            dropped, with one notice.
+
+        Example:
+            >>> import pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer:
+            ...     for frame in range(3):
+            ...         viewer.set_time(frame)
+            ...         viewer.add("cloud", loom.PointCloud([[frame, 0, 0], [1, 1, 1]]))
+            ...     viewer.show_time(1)
+            ...     viewer.items["cloud"].cloud.points[0].tolist()
+            [2.0, 0.0, 0.0]
+        """
+        self.edits.set_time(t, self.history_bytes)
+
+    def show_time(self, t: float | None = None) -> None:
+        """Show the scene at a time in all pages. If None, follow the newest step.
+
+        Raises `TypeError` for another type and `ValueError` if there is no history because `set_time` was never called.
+        """
+        self.edits.show_time(t)
+
+    def save_recording(self, path: str | os.PathLike[str], **options: Any) -> None:
+        """Write the history since `set_time` as a recording with one frame per time step.
+
+        The view is that of a page or of `set_view`. Without either, all of the scene is visible at all times.
+
+        Args:
+            path: .html (one file that plays from disk), .gif or .mp4.
+            **options: fps, size, max_points, max_frames, title, background, overwrite, see `loom.record`.
+
+        Raises:
+            ValueError: No history, or an option is out of range.
+            TypeError: Unknown option.
+            FileError: The file cannot be written.
+
+        Example:
+            >>> import os, tempfile, pointloom as loom
+            >>> with loom.Viewer(port=0) as viewer, tempfile.TemporaryDirectory() as folder:
+            ...     for frame in range(3):
+            ...         viewer.set_time(frame)
+            ...         viewer.add("cloud", loom.PointCloud([[frame, 0, 0], [1, 1, 1]]))
+            ...     viewer.save_recording(f"{folder}/run.html")
+            ...     os.listdir(folder)
+            ['run.html']
+        """
+        from .live_recording import write_history
+
+        write_history(self.edits, path, **options)
+
+    def take_lock(self) -> bool:
+        """Take `lock` in a thread that `close` may wait for. False if the viewer is closed."""
+        return self.scene.take_lock()
+
+    def catch_up(self) -> None:
+        """Apply scheduled updates at once."""
+        self.display.catch_up()
 
     def wait(self, seconds: float | None = None, *, keep_alive: float = KEEP_ALIVE) -> bool:
         """Wait until all pages were closed for a while, or the viewer is closed.
@@ -447,24 +645,24 @@ class Viewer(Appearance):
 
     def close(self) -> None:
         """Free port, threads and memory. Pages show that the viewer is closed and how to restart it."""
-        self._close(shutdown_notice())
-
-    def _close(self, words: str) -> None:
         if not self.closed and not self.server.closed:
-            self.server.pages.end(words)
-        self._ended.set()
-        threads = self._let_go()
+            self.server.pages.end(shutdown_notice() if self.closing_notice is None else self.closing_notice)
+        self.scene.shut_down()
+        with self.lock:
+            threads = [*self.display.shut_down(), *self.hooks.close()]
+            self.edits.close()
         self.server.close()
         for thread in threads:
             thread.join()
 
+    def _connect(self, client: PageClient) -> None:
+        def make_tools(session: Session) -> Toolbox:
+            return Toolbox(session, self.edits, client.gui.add_folder("Tools", order=TOOLS))
+
+        self.display.connect(client, make_tools)
+
 
 _open: weakref.WeakSet[Viewer] = weakref.WeakSet()
-
-
-def close_at_exit(viewer: Viewer) -> None:
-    """Close a viewer at the end of the process if it is still open."""
-    _open.add(viewer)
 
 
 @atexit.register
@@ -473,23 +671,3 @@ def _close_all() -> None:
         if not viewer.server.closed:  # closed in the copy of a forked child, which has no page
             with contextlib.suppress(Exception):  # the interpreter is shutting down
                 viewer.close()
-
-
-def shutdown_notice() -> str:
-    """Shutdown notice: the program has ended, and how to restart it."""
-    if in_notebook():
-        again = "Run the cell again to see it again."
-    else:
-        command = _command(sys.argv)
-        again = f"To start it again:\n{command}" if command else "The program can open another viewer."
-    return f"The viewer has been closed. {again}"
-
-
-def _command(arguments: list[str]) -> str:
-    """Command line of this program; "" if unknown, as in an interpreter."""
-    name = Path(arguments[0]).name if arguments else ""
-    if name in ("", "-", "-c", "-m"):
-        return ""
-    if name in ("pointloom", "pointloom.exe") or (name == "__main__.py" and "pointloom" in arguments[0]):
-        return shlex.join(["pointloom", *arguments[1:]])
-    return f"python {shlex.quote(name)}"

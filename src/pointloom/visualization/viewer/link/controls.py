@@ -201,10 +201,14 @@ class Upload(Button):
 class Tree(Handle):
     """A list of names with visibility, grouped by slashes."""
 
-    def __init__(self, gui: Gui, fields: dict[str, Any], on_change: Callable[[int, tuple[str, ...], bool], Any] | None):
+    def __init__(self, gui: Gui, fields: dict[str, Any]):
         super().__init__(gui, "tree", fields)
         self._rows: dict[str, list[Any]] = {}
-        self._on_change = on_change
+        self._callbacks: list[Callable[[PanelEvent], Any]] = []
+
+    def on_update(self, callback: Callable[[PanelEvent], Any]) -> None:
+        """Add a callback for changes by pages: `event.value` is the changed keys and their visibility."""
+        self._callbacks.append(callback)
 
     @property
     def value(self) -> dict[str, bool]:
@@ -237,11 +241,8 @@ class Tree(Handle):
             if changed:
                 rows = {key: self._rows[key] for key in changed}
                 self.channel.send_but_to(page, {"op": "rows", "id": self.id, "put": rows, "drop": {}})
-        return [(self._notify, PanelEvent(client_id, (changed, visible)))] if changed else []
-
-    def _notify(self, event: PanelEvent) -> None:
-        if self._on_change is not None:
-            self._on_change(event.client_id, *event.value)
+        event = PanelEvent(client_id, (changed, visible))
+        return [(callback, event) for callback in self._callbacks] if changed else []
 
     def _send(self, put: dict[str, Any], drop: dict[str, None]) -> None:
         self.channel.send({"op": "rows", "id": self.id, "put": put, "drop": drop})

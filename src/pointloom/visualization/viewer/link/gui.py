@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -98,9 +98,9 @@ class Gui:
         """Add a legend: rows of label, color (0 to 255) and text."""
         return self._shown("legend", None, {"entries": entries}, {"entries": _entries}, common)
 
-    def add_tree(self, on_change: Callable[[int, tuple[str, ...], bool], Any] | None = None, **common: Any) -> Tree:
-        """Add a visibility tree; `on_change(client_id, keys, visible)` is called for changes by pages."""
-        return self._add(Tree(self, _fields(None, {}, **common), on_change))
+    def add_tree(self, **common: Any) -> Tree:
+        """Add a tree of names with visibility."""
+        return self._add(Tree(self, _fields(None, {}, **common)))
 
     def add_timeline(self, min: float, max: float, step: float, value: float, **common: Any) -> Input:
         """Add a timeline with playback at the bottom; `playing` is assignable."""

@@ -125,8 +125,8 @@ class PairsTool(Tool):
         """Restore the pose before the first registration."""
         if self._was is not None:
             (name, pose), self._was, self._registration = self._was, None, None
-            if name in self.stage.viewer.shown:
-                self.stage.viewer.set_pose(name, np.eye(4) if pose is None else pose)
+            if name in self.stage.scene.shown:
+                self.stage.edits.set_pose(name, np.eye(4) if pose is None else pose)
             self._show(self.stage.view())
 
     def save(self) -> None:
@@ -164,7 +164,7 @@ class PairsTool(Tool):
         self._shown = now
         world = T if base is None else base @ T
         own = source.points.pose
-        self.stage.viewer.set_pose(source.name, world if own is None else world @ invert_pose(own))
+        self.stage.edits.set_pose(source.name, world if own is None else world @ invert_pose(own))
 
     def _restart(self) -> None:
         self._picks, self._registration = [], None
@@ -189,10 +189,10 @@ class PairsTool(Tool):
     def _show_only(self, name: str | None) -> None:
         """Hide the other of the two clouds in this page."""
         session = self.stage.session
-        with self.stage.viewer.lock:
+        with self.stage.scene.lock:
             for choice in (self._source, self._target):
                 stream = session.streams.get(choice.value)
-                item = self.stage.viewer.shown.get(choice.value)
+                item = self.stage.scene.shown.get(choice.value)
                 if stream is not None and item is not None:
                     stream.set_visible(item.visible and name in (None, choice.value))
 

@@ -129,14 +129,14 @@ class PolygonTool(Tool):
         if self._undo is None:
             return
         (complete, part), self._undo, self._undo_button.disabled = self._undo, None, True
-        viewer = self.stage.viewer
-        with viewer.lock:
-            if part not in viewer.shown and complete not in viewer.shown:
+        edits, scene = self.stage.edits, self.stage.scene
+        with scene.lock:
+            if part not in scene.shown and complete not in scene.shown:
                 raise ValueError(f"{complete} is no longer in the scene")
-            if part in viewer.shown:
-                viewer.remove(part)
-            if complete in viewer.shown:
-                viewer.set_visible(complete, True)
+            if part in scene.shown:
+                edits.remove(part)
+            if complete in scene.shown:
+                edits.set_visible(complete, True)
         self._list_clouds(complete)
         self.stage.set_status("All points are shown again.")
 
@@ -146,17 +146,17 @@ class PolygonTool(Tool):
         return rows if hidden is None else rows[download(hidden)[rows] == 0]  # sync
 
     def _swap(self, item: Any, cropped: PointCloud) -> None:
-        viewer = self.stage.viewer
-        with viewer.lock:
-            if item.name not in viewer.shown:
+        edits, scene = self.stage.edits, self.stage.scene
+        with scene.lock:
+            if item.name not in scene.shown:
                 raise ValueError(f"{item.name} is no longer in the scene")
             name, number = f"{item.name} (cropped)", 2
-            while name in viewer.shown:
+            while name in scene.shown:
                 name, number = f"{item.name} (cropped {number})", number + 1
-            viewer.add(name, cropped, **style_of(item))
+            edits.add(name, cropped, **style_of(item))
             if item.pose is not None:
-                viewer.set_pose(name, item.pose)
-            viewer.set_visible(item.name, False)
+                edits.set_pose(name, item.pose)
+            edits.set_visible(item.name, False)
         self._undo, self._undo_button.disabled = (item.name, name), False
         self._list_clouds(name)
 
@@ -171,7 +171,7 @@ class PolygonTool(Tool):
         """Set the view along an axis, by default the nearest."""
         if self._mode.value == FREE:
             self._mode.value = STRAIGHT
-        low, high = self.stage.item(self._cloud.value).world_bounds() or self.stage.viewer.bounds
+        low, high = self.stage.item(self._cloud.value).world_bounds() or self.stage.scene.bounds
         self.stage.look_from(view_along(self.stage.view(), low, high, axis))
         self._corners, self._drawn_in = [], None
         self.stage.clear()
@@ -193,13 +193,13 @@ class PolygonTool(Tool):
         )
 
     def _size(self) -> float:
-        low, high = self.stage.viewer.bounds
+        low, high = self.stage.scene.bounds
         return float(np.linalg.norm(high - low))
 
     def _on_plane(self, view: View, x: float, y: float) -> NDArray[np.float64]:
         """Intersection of a click's ray with the plane through the scene's center across the axis."""
         axis = AXES.index(nearest_axis(view)[0])
-        level = float((self.stage.viewer.bounds[0] + self.stage.viewer.bounds[1])[axis]) / 2
+        level = float((self.stage.scene.bounds[0] + self.stage.scene.bounds[1])[axis]) / 2
         eye, ray = ray_through(view, x, y)
         return eye + (level - eye[axis]) / ray[axis] * ray
 

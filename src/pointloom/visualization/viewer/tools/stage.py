@@ -29,6 +29,7 @@ from .picking import Pick, Rows, Target, pick, ray_through
 if TYPE_CHECKING:
     from ..items import Item
     from ..link import CameraState, Node, Shown
+    from ..scene_edits import SceneEdits
     from ..sessions import Session
 
 Matrix = NDArray[np.float64]
@@ -61,8 +62,9 @@ def surfaces_of(item: Item) -> list[tuple[Any, RaycastingScene]]:
 class Stage:
     """One page, used by one tool at a time. `run` queues a function in order and returns whether it will run."""
 
-    def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
-        self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
+    def __init__(self, session: Session, edits: SceneEdits, run: Callable[[Callable[[], None]], bool]):
+        self.session, self.scene, self.client = session, session.scene, session.client
+        self.edits, self.run = edits, run
         self.clip = Clip()
         self.status: Shown  # text and table in the panel, created by the toolbox
         self.rows: Shown
@@ -88,8 +90,8 @@ class Stage:
 
     def items(self) -> list[Item]:
         """Visible items in the order of the scene."""
-        with self.viewer.lock:
-            return [item for item in self.viewer.shown.values() if item.visible]
+        with self.scene.lock:
+            return [item for item in self.scene.shown.values() if item.visible]
 
     def clouds(self) -> list[str]:
         """Names of the visible clouds with points."""
@@ -97,8 +99,8 @@ class Stage:
 
     def item(self, name: str) -> Item:
         """An item by name. Raises ValueError if it was removed."""
-        with self.viewer.lock:
-            item = self.viewer.shown.get(name)
+        with self.scene.lock:
+            item = self.scene.shown.get(name)
         if item is None:
             raise ValueError(f"{name} is no longer in the scene")
         return item
@@ -113,8 +115,8 @@ class Stage:
     def unit(self, names: Iterable[str]) -> LengthUnit | None:
         """Length unit between points of some items, None if unknown. Raises ValueError if units are mixed."""
         wanted = {*names}
-        with self.viewer.lock:
-            geometries = [item.geometry for name, item in self.viewer.shown.items() if name in wanted]
+        with self.scene.lock:
+            geometries = [item.geometry for name, item in self.scene.shown.items() if name in wanted]
         known = [g.unit for g in geometries if isinstance(g, InUnit) and g.unit is not None]
         for other in known[1:]:
             if not is_same(known[0], other):
@@ -169,7 +171,7 @@ class Stage:
         toward = view.T_world_camera[:3, 3] - position
         depth = max(float(-toward @ view.T_world_camera[:3, 2]), 0.0)
         nearer = min(MARK_SIZE * depth / view.intrinsic.fy, 0.5 * depth)
-        at = self.viewer.frame.to_page(position + nearer * toward / (float(np.linalg.norm(toward)) or 1.0))
+        at = self.scene.frame.to_page(position + nearer * toward / (float(np.linalg.norm(toward)) or 1.0))
         with self.client.atomic():
             dot = self.client.scene.add_points(np.zeros((1, 3)), plain=color, size=MARK_SIZE, relief=False, t=at)
             self._nodes.append(dot)
@@ -177,7 +179,7 @@ class Stage:
                 self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-left"))
 
     def label(self, position: NDArray[np.float64], text: str) -> None:
-        at = self.viewer.frame.to_page(position)
+        at = self.scene.frame.to_page(position)
         self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-center"))
 
     def lines(self, points: NDArray[np.float64], color: Color = MARK, *, closed: bool = False) -> None:
@@ -185,15 +187,15 @@ class Stage:
         if len(ends) < 2:
             return
         middle = ends.mean(axis=0)
-        frame = self.viewer.frame
+        frame = self.scene.frame
         local = ((ends - middle) / frame.unit).astype(np.float32)
         segments, at = np.stack([local[:-1], local[1:]], axis=1), frame.to_page(middle)
         self._nodes.append(self.client.scene.add_lines(segments, plain=color, width=LINE_WIDTH, t=at))
 
     def before_all(self, view: View, x: float, y: float) -> NDArray[np.float64]:
         """World position of a pixel in front of the complete scene, if possible."""
-        low, high = self.viewer.bounds
-        size = diagonal(self.viewer.bounds)
+        low, high = self.scene.bounds
+        size = diagonal(self.scene.bounds)
         corners = np.array([[a, b, c] for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])])
         depths = (corners - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, 2]
         eye, ray = ray_through(view, x, y)

@@ -18,8 +18,9 @@ from ....kernels.memory import download, upload
 from ....meshing.mesh.mesh import TriangleMesh
 from ...render.parts import Triangles
 from ...render.view import View
+from ..panel_sections import TOOL
+from ..scene_edits import SceneEdits, requested_by_page
 from ..surfaces import surface_arrays
-from ..timed_calls import requested_by_page
 from .clip_planes import Clip, clip_mesh
 from .measuring import length_text, measurements
 from .pairs_tool import PairsTool
@@ -121,19 +122,19 @@ log = logging.getLogger("pointloom.viewer")
 class Toolbox:
     """The tools of a page while it is connected. Jobs run in order in the page's thread."""
 
-    def __init__(self, session: Session, folder: Any):
+    def __init__(self, session: Session, edits: SceneEdits, folder: Any):
         self.tool: Tool | None = None
         self._session, self._client = session, session.client
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="pointloom-tools")
         self._lock, self._waiting, self._closed = threading.Lock(), 0, False
         self._is_stale = False
         self._controls: Any = None
-        self.stage = Stage(session, self.run)
+        self.stage = Stage(session, edits, self.run)
         gui = self._client.gui
         with folder:
             self._buttons = {kind: gui.add_button(f"{kind.label} ({kind.key})") for kind in TOOLS}
         # at the top of the panel, visible without scrolling while a tool is active
-        self._top = gui.add_folder("Tool", order=0.5, visible=False)
+        self._top = gui.add_folder("Tool", order=TOOL, visible=False)
         with self._top:
             self.stage.status = gui.add_words("")
             self.stage.rows = gui.add_table((), visible=False)
@@ -143,10 +144,24 @@ class Toolbox:
             button.on_click(toggle)
             self._commands.append(gui.add_command(kind.label, kind.key, group="Tools"))
             self._commands[-1].on_trigger(toggle)
-        self.clip = ClipControls(self.stage, folder)
+        self.clip_controls = ClipControls(self.stage, folder)
         for key, label, action in KEYS:
             command = gui.add_command(label, key, group="Tools")
             command.on_trigger(self._queued(lambda action=action: self._key(action)))
+
+    @property
+    def clip(self) -> Clip:
+        """Clip planes of the page."""
+        return self.stage.clip
+
+    @property
+    def is_idle(self) -> bool:
+        """True if no tool is active."""
+        return self.tool is None
+
+    def pick(self, view: View, x: float, y: float) -> Pick | None:
+        """The geometry at an image position [px]."""
+        return self.stage.pick(view, x, y)
 
     def run(self, job: Callable[[], None]) -> bool:
         """Queue a job. False if too many are waiting."""
@@ -202,7 +217,7 @@ class Toolbox:
             self.stage.show([])
             self._top.visible = False
 
-    def give_up_key(self, key: str) -> None:
+    def release_key(self, key: str) -> None:
         """Release a key that the program now uses. The tool keeps its button."""
         for command in [command for command in self._commands if command.hotkey == key]:
             self._commands.remove(command)
@@ -219,7 +234,7 @@ class Toolbox:
         with self._lock:
             self._closed = True
         self._worker.shutdown(wait=False, cancel_futures=True)
-        self.clip.close()
+        self.clip_controls.close()
         self.tool = None
 
     def _queued(self, job: Callable[[], None]) -> Callable[[Any], Any]:
@@ -244,7 +259,7 @@ class Toolbox:
 
     def _sync(self) -> None:
         self._is_stale = False
-        self.clip.sync()
+        self.clip_controls.sync()
         if self.tool is not None:
             self.tool.refresh()
 
@@ -344,8 +359,8 @@ class ClipControls:
 
     def _hide(self, clip: Clip) -> None:
         session = self._stage.session
-        with self._stage.viewer.lock:
-            items = dict(self._stage.viewer.shown)
+        with self._stage.scene.lock:
+            items = dict(self._stage.scene.shown)
             streams = dict(session.streams)
         for name, stream in streams.items():
             item = items.get(name)
@@ -359,8 +374,8 @@ class ClipControls:
         if not clip.cuts:
             self._applied.clear()
         self._cut_surfaces(items, clip)
-        with self._stage.viewer.lock:
-            session.count_anew()
+        with self._stage.scene.lock:
+            session.recount()
             session.show_counts()
 
     def sync(self) -> None:
@@ -368,7 +383,7 @@ class ClipControls:
             self._hide(self._stage.clip)
 
     def _box(self) -> tuple[Any, Any]:
-        low, high = (np.array(ends, np.float64) for ends in self._stage.viewer.bounds)
+        low, high = (np.array(ends, np.float64) for ends in self._stage.scene.bounds)
         flat = high - low <= 1e-6 * max(float((high - low).max()), 1e-9)
         pad = 0.5 * max(float((high - low).max()), 1e-6)
         return np.where(flat, low - pad, low), np.where(flat, high + pad, high)
@@ -394,13 +409,13 @@ class ClipControls:
             with stage.client.atomic():
                 self._drop_cut(name)
                 if name in items:
-                    for _, node in stage.viewer._surface_nodes(name):
+                    for _, node in stage.edits.display.surface_nodes(name):
                         stage.client.scene.show_shared(node, items[name].visible)
         if not clip.cuts:
             return
         for name, item in items.items():
-            shared = stage.viewer._surface_nodes(name) if item.has_surface else []
-            state = clip, item.pose, item.visible, stage.viewer.wireframe, *(node for _, node in shared)
+            shared = stage.edits.display.surface_nodes(name) if item.has_surface else []
+            state = clip, item.pose, item.visible, stage.scene.wireframe, *(node for _, node in shared)
             if not shared or _same(self._cut.get(name, (None, []))[0], state):
                 continue
             with stage.client.atomic():
@@ -413,16 +428,16 @@ class ClipControls:
             node.remove()
 
     def _send_cut(self, item: Any, part: Triangles, shared: Node, clip: Clip) -> Node | None:
-        scene, viewer = self._stage.client.scene, self._stage.viewer
-        scene.show_shared(shared, False)
+        nodes, scene = self._stage.client.scene, self._stage.scene
+        nodes.show_shared(shared, False)
         pose = item.pose_of(part)
         left = clip_part(part, clip, pose)
         arrays = surface_arrays(left) if left.indices.size else None
         if arrays is None:
             return None
-        placing = viewer.frame.placing(part.origin, pose)
-        wireframe = viewer.wireframe or part.wireframe
-        return scene.add_surface(**arrays, **placing, wireframe=wireframe, visible=item.visible)
+        placing = scene.frame.placing(part.origin, pose)
+        wireframe = scene.wireframe or part.wireframe
+        return nodes.add_surface(**arrays, **placing, wireframe=wireframe, visible=item.visible)
 
 
 def _same(before: tuple[Any, ...] | None, now: tuple[Any, ...]) -> bool:
