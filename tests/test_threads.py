@@ -15,7 +15,6 @@ import pointloom.open3d as o3d
 from pointloom.core.serialized import Serialized
 from pointloom.datasets.scenes.room import room_sequence
 from pointloom.io.frames.datasets import Frame
-from pointloom.open3d.core.hash_map import HashMap
 
 from .core.test_messages import public_classes
 from .programs import ROOT
@@ -75,16 +74,6 @@ def recorded(recorder):
 def cast(scene):
     rays = [[*(along(step) + 0.2), 0, 0, -1] for step in range(STEPS)]
     return scene.cast_rays(rays)["t_hit"], scene.compute_distance(BALL)
-
-
-def insert(table, step):
-    keys = np.arange(50 * step, 50 * step + 60)[:, None]
-    table.insert(o3d.core.Tensor(keys), o3d.core.Tensor(keys * 2.0))
-
-
-def found(table):
-    _, mask = table.find(o3d.core.Tensor(np.arange(400)[:, None]))
-    return mask.numpy(), table.size(), len(table.active_buf_indices())
 
 
 def integrate_blocks(grid, step):
@@ -158,7 +147,6 @@ CASES = {
         positions,
     ),
     "FrameRecorder": (lambda _, folder: loom.FrameRecorder(folder, CAMERA, depth_scale=1000.0), record, recorded),
-    "open3d HashMap": (lambda device, _: HashMap(10, o3d.core.int64, (1,), o3d.core.float64, (1,)), insert, found),
     "open3d VoxelBlockGrid": (
         blocks_of,
         integrate_blocks,

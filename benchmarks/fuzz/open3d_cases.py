@@ -47,18 +47,6 @@ def write_grid(path: Path, *, ascii: bool = False) -> None:
     o3d.io.write_voxel_grid(path, grid, write_ascii=ascii)
 
 
-def write_tree(path: Path) -> None:
-    tree = G.Octree(3)
-    tree.convert_from_point_cloud(cloud())
-    o3d.io.write_octree(path, tree)
-
-
-def write_color_tree(path: Path) -> None:
-    tree = G.Octree(2)
-    tree.create_from_voxel_grid(G.VoxelGrid.create_from_point_cloud(cloud(), 0.5))
-    o3d.io.write_octree(path, tree)
-
-
 def write_feature(path: Path) -> None:
     feature = o3d.pipelines.registration.Feature()
     feature.data = np.arange(12.0).reshape(4, 3)
@@ -71,21 +59,8 @@ def write_parameters(path: Path) -> None:
     o3d.io.write_pinhole_camera_parameters(path, parameters)
 
 
-def write_map(path: Path) -> None:
-    table = core.HashMap(4, core.int32, (3,), [core.float32, core.int64], [(2,), ()])
-    values_of_keys = [core.Tensor(np.ones((3, 2), np.float32)), core.Tensor(np.arange(3))]
-    table.insert(core.Tensor(np.arange(9, dtype=np.int32).reshape(3, 3)), values_of_keys)
-    table.save(path)
-
-
-def write_set(path: Path) -> None:
-    table = core.HashSet(4, core.int64, (1,))
-    table.insert(core.Tensor(np.arange(3)[:, None]))
-    table.save(path)
-
-
 def write_mesh_archive(path: Path) -> None:
-    made = T.TriangleMesh.from_legacy(G.TriangleMesh._of(mesh(textured=True)))
+    made = T.TriangleMesh.from_legacy(G.TriangleMesh.from_native(mesh(textured=True)))
     made.vertex["heat"] = np.arange(8.0)[:, None]
     o3d.t.io.write_triangle_mesh(path, made)
 
@@ -98,27 +73,6 @@ def load_options(path: Path) -> Any:
 
 def write_options(path: Path) -> None:
     o3d.visualization.RenderOption().save_to_json(path)
-
-
-def from_bytes(suffix: str) -> Any:
-    """Read bytes; the path of errors is "bytes"."""
-
-    def read(path: Path) -> Any:
-        try:
-            return o3d.io.read_point_cloud_from_bytes(path.read_bytes(), f"mem::{suffix}")
-        except loom.FileError as error:
-            if error.path != "bytes" or "cloud." in str(error):
-                raise ValueError(f"expected the path 'bytes', got {error}") from error
-            raise loom.FileError(path, error.reason) from error
-
-    return read
-
-
-def sound_map(path: Path, table: Any) -> str | None:
-    """Check that all keys of a table are found, in different rows."""
-    rows, found = table.find(table.key_tensor())
-    wrong = not found.numpy().all() or len(set(rows.numpy().tolist())) < table.size()
-    return "some keys are missing or duplicated" if wrong else None
 
 
 def sound_grid(path: Path, grid: Any) -> str | None:
@@ -134,17 +88,10 @@ def sound_lines(path: Path, lines: Any) -> str | None:
     return None if is_right else "invalid lines"
 
 
-def sound_tree(path: Path, tree: Any) -> str | None:
-    """Visit all nodes."""
-    tree.traverse(lambda node, info: repr(node) and False)
-    repr(tree.to_voxel_grid())
-    return None
-
-
 def sound_surface(path: Path, made: Any) -> str | None:
     """Check that triangles are indices of vertices."""
     ends = made.triangle.indices.numpy() if "indices" in made.triangle else np.zeros(0)
-    return None if not ends.size or 0 <= ends.min() <= ends.max() < made.vertex._count() else "invalid triangles"
+    return None if not ends.size or 0 <= ends.min() <= ends.max() < len(made.vertex.positions) else "invalid triangles"
 
 
 io, tio = o3d.io, o3d.t.io
@@ -165,8 +112,6 @@ OPEN3D = [
       for end in (*OF_TEXT, ".ply", ".pcd")),
     *((f"open3d tensor cloud {end}", end, written(end, write_cloud), mutations.binary, tio.read_point_cloud, anything)
       for end in (".ply", ".pcd", ".npz", ".xyz", ".las") if end in OF_BYTES or end in OF_TEXT),
-    *((f"open3d bytes {end}", f".{end}", written(f".{end}", write_cloud), mutations.binary, from_bytes(end), anything)
-      for end in ("ply", "pcd", "xyz", "pts")),
     ("open3d mesh", ".ply", MESH, mutations.binary, io.read_triangle_mesh, anything),
     ("open3d mesh .stl", ".stl", written(".stl", lambda p: loom.write_triangle_mesh(p, mesh())), mutations.binary,
      io.read_triangle_mesh, anything),
@@ -175,10 +120,8 @@ OPEN3D = [
      mutations.binary, tio.read_triangle_mesh, sound_surface),
     ("open3d tensor mesh .npz", ".npz", written(".npz", write_mesh_archive), arrays, tio.read_triangle_mesh,
      sound_surface),
-    ("open3d contents", ".ply", MESH, mutations.text, io.read_file_geometry_type, anything),
     ("open3d line set", ".ply", written(".ply", *LINES), mixed, io.read_line_set, sound_lines),
     ("open3d voxel grid", ".ply", written(".ply", *BOTH), mixed, io.read_voxel_grid, sound_grid),
-    ("open3d octree", ".json", written(".json", write_tree, write_color_tree), values, io.read_octree, sound_tree),
     ("open3d feature", ".bin", written(".bin", write_feature), mutations.binary, io.read_feature, anything),
     ("open3d image .png", ".png", lambda: [depth_png(), image("PNG"), image("PNG", "P"), image("PNG", "LA"),
                                            image("PNG", "RGBA"), image("PNG", "1")], mutations.binary, io.read_image,
@@ -201,8 +144,6 @@ OPEN3D = [
     ("open3d tensor", ".npy", lambda: [array(np.arange(12.0).reshape(3, 4)), array(np.array(5)),
                                        array(np.asfortranarray(np.eye(3, dtype=np.int16)))], mutations.binary,
      core.Tensor.load, anything),
-    ("open3d hash map", ".npz", saved(write_map), arrays, core.HashMap.load, sound_map),
-    ("open3d hash set", ".npz", saved(write_set), arrays, core.HashSet.load, sound_map),
     ("open3d voxel block grid", ".npz", saved(lambda p: loom.TSDFVolume(voxel_size=0.1).save(p)), arrays,
      T.VoxelBlockGrid.load, anything),
 ]  # fmt: skip

@@ -141,21 +141,15 @@ PUBLIC: dict[str, tuple[str, ...] | LeftOut] = {
     "loom.photogrammetry.VideoSettings": ("camera .json", "cameras of frames", *IMAGES),
     "loom.photogrammetry.VideoUnits": ("positions", *POSES, "ground control", "scale bars"),
     "loom.photogrammetry.reconstruct_video": WORK,
-    "o3d.core.HashMap.load": ("open3d hash map",),
-    "o3d.core.HashSet.load": ("open3d hash set",),
     "o3d.core.Tensor.load": ("open3d tensor",),
     "o3d.io.read_feature": ("open3d feature",),
-    "o3d.io.read_file_geometry_type": ("open3d contents",),
     "o3d.io.read_image": ("open3d image .png",),
     "o3d.io.read_line_set": ("open3d line set",),
-    "o3d.io.read_octree": ("open3d octree",),
     "o3d.io.read_pinhole_camera_intrinsic": ("open3d intrinsic",),
     "o3d.io.read_pinhole_camera_parameters": ("open3d parameters",),
     "o3d.io.read_pinhole_camera_trajectory": ("open3d trajectory .json", "open3d trajectory .log"),
     "o3d.io.read_point_cloud": ("open3d cloud .ply", "open3d cloud .pcd", "open3d cloud .xyz", "open3d cloud .xyzn",
                                 "open3d cloud .xyzrgb", "open3d cloud .pts"),
-    "o3d.io.read_point_cloud_from_bytes": ("open3d bytes ply", "open3d bytes pcd", "open3d bytes xyz",
-                                           "open3d bytes pts"),
     "o3d.io.read_pose_graph": ("open3d pose graph",),
     "o3d.io.read_triangle_mesh": ("open3d mesh", "open3d mesh .stl"),
     "o3d.io.read_voxel_grid": ("open3d voxel grid",),
@@ -234,15 +228,12 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "io/splats/splat_ply.py": ("splats .ply",),
     "io/splats/splat_rows.py": ("splats .splat",),
     "io/splats/spz.py": ("splats .spz",),
-    "open3d/core/hash_map.py": ("open3d hash map", "open3d hash set"),
     "open3d/core/tensor.py": ("open3d tensor",),
-    "open3d/io/bytes.py": ("open3d bytes ply", "open3d contents"),
     "open3d/io/cameras.py": ("open3d parameters", "open3d trajectory .json"),
     "open3d/io/images.py": ("open3d image .png", "open3d image .jpg"),
     "open3d/io/ply_elements.py": ("open3d line set", "open3d voxel grid"),
     "open3d/io/registration.py": ("open3d feature",),
     "open3d/io/shapes.py": ("open3d mesh",),
-    "open3d/io/voxel_grids.py": ("open3d octree",),
     "open3d/t/io/clouds.py": ("open3d tensor cloud .ply",),
     "open3d/t/io/meshes.py": ("open3d tensor mesh .npz",),
     "open3d/visualization/render_option.py": ("open3d options",),
@@ -321,7 +312,7 @@ def _members(module: ModuleType, prefix: str) -> Iterator[tuple[str, Any]]:
             continue
         value = getattr(module, name)
         if isinstance(value, ModuleType):
-            if name not in ("open3d", "pybind") and value.__name__.startswith("pointloom"):
+            if name != "open3d" and value.__name__.startswith("pointloom"):
                 yield from _members(value, f"{prefix}.{name}")
         elif inspect.isclass(value) and not issubclass(value, BaseException):
             yield f"{prefix}.{name}", value

@@ -92,12 +92,12 @@ def test_a_reader_without_a_case_is_reported(fuzz, monkeypatch):
     import targets
 
     cases = {case.name for case in fuzz.CASES}
-    monkeypatch.delitem(targets.PUBLIC, "o3d.io.read_octree")
+    monkeypatch.delitem(targets.PUBLIC, "o3d.io.read_feature")
     monkeypatch.delitem(targets.MODULES, "open3d/io/ply_elements.py")
     monkeypatch.setitem(targets.PUBLIC, "loom.read_view", ())
     lines = targets.uncovered(FOLDER.parents[1], loom, o3d, cases)
     assert {line.split(":")[0] for line in lines} == {
-        "o3d.io.read_octree",
+        "o3d.io.read_feature",
         "open3d/io/ply_elements.py",
         "loom.read_view",
     }

@@ -174,7 +174,7 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
     with pytest.raises(ValueError, match="key:"):
         vis.register_key_callback(290, print)
     try:
-        viewer = vis._viewer
+        viewer = vis.viewer
         with line_of(viewer.server) as page:
             send(page, HELLO)
             wait_until(lambda: viewer.sessions)
@@ -205,7 +205,7 @@ def window(monkeypatch, capsys):
     monkeypatch.setenv("POINTLOOM_DRAW", "page")
     window = o3d.visualization.O3DVisualizer("parts", 640, 480)
     yield window
-    window._window.destroy_window()
+    window.destroy_window()
 
 
 def press(control, value=None):
@@ -224,7 +224,7 @@ def test_actions_of_draw_are_buttons_that_call_with_the_window(box, window):
 
     window.add_geometry({"name": "box", "geometry": box, "is_visible": True, "material": None})
     window.add_action("Make", make)
-    viewer = window._window._viewer
+    viewer = window._window.viewer
     press(viewer.hooks.controls._folders["Actions"][1][0])
     assert [(name, item.visible) for name, item in viewer.items.items()] == [("box", False), ("made", True)]
     assert window.get_geometry("made").is_visible and not window.get_geometry("box").is_visible
@@ -242,7 +242,7 @@ def test_geometries_of_different_times_have_a_time_line(box, window):
         moved = o3d.geometry.TriangleMesh(box).translate([time, 0, 0])
         window.add_geometry({"name": f"box {time}", "geometry": moved, "time": time})
     window._play_times()
-    viewer = window._window._viewer
+    viewer = window._window.viewer
     for time in (2, 0, 1):
         window.current_time = time
         assert [name for name, item in viewer.scene.shown.items() if item.visible] == [f"box {time}"]
@@ -260,7 +260,7 @@ def test_an_animation_calls_while_its_box_is_ticked(box, window):
     assert ticks == [0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 0.0, 0.25]
     assert frames == [(True, 0.5), (True, 1.0), (True, 1.5), (True, 0.0)]
     press(window._animate, False)
-    assert not window.is_animating and not window._window._viewer.hooks.calls._beats
+    assert not window.is_animating and not window._window.viewer.hooks.calls._beats
 
 
 def test_draw_accepts_the_same_arguments_without_a_page_and_geometries_with_a_legacy_form(box, drawn):
@@ -293,7 +293,7 @@ def test_a_polygon_crops_clouds_and_meshes(tmp_path, rng):
     assert volume.crop_in_polygon(cloud) == np.flatnonzero(inside).tolist()
     assert np.allclose(volume.crop_point_cloud(cloud).points, np.asarray(cloud.points)[inside], atol=1e-6)
     assert volume.crop_triangle_mesh(o3d.geometry.TriangleMesh.create_sphere(0.6)).get_max_bound().max() <= 0.5
-    volume._native.to_json(tmp_path / "cropped.json")
+    volume.native.to_json(tmp_path / "cropped.json")
     again = o3d.visualization.read_selection_polygon_volume(tmp_path / "cropped.json")
     assert len(again.crop_point_cloud(cloud).points) == inside.sum()
 
@@ -353,7 +353,7 @@ def test_clicks_pick_points_and_clicks_on_picked_points_remove_them(monkeypatch)
     vis = o3d.visualization.VisualizerWithEditing()
     vis.create_window()
     vis.add_geometry(o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points)))
-    viewer = vis._viewer
+    viewer = vis.viewer
     with page_of(viewer.server) as line:
         wait_until(lambda: viewer.sessions)
         for clicked, picked in ((2, [2]), (0, [2, 0]), (3, [2, 0, 3]), (0, [2, 3])):
@@ -374,7 +374,7 @@ def test_vertices_are_selected_by_clicks_and_by_the_program(box, monkeypatch):
     vis.create_window()
     vis.add_geometry(box)
     vis.register_selection_changed_callback(lambda: calls.append(len(vis.get_picked_points())))
-    viewer, vertices = vis._viewer, np.asarray(box.vertices)
+    viewer, vertices = vis.viewer, np.asarray(box.vertices)
     top = int(np.argmax(vertices.sum(axis=1)))
     with page_of(viewer.server) as line:
         wait_until(lambda: viewer.sessions)

@@ -43,12 +43,12 @@ def test_arrays_follow_inplace_operations(cloud):
 
 def test_the_tree_stays_while_no_array_is_written_to(cloud):
     cloud.estimate_normals()
-    tree = cloud._native.arrays.tree.known
+    tree = cloud.native.arrays.tree.known
     np.asarray(cloud.points)
     np.asarray(cloud.normals)
-    assert tree is not None and cloud._native.arrays.tree.known is tree
+    assert tree is not None and cloud.native.arrays.tree.known is tree
     np.asarray(cloud.points)[0] += 1
-    assert cloud._native.arrays.tree.known is not tree
+    assert cloud.native.arrays.tree.known is not tree
 
 
 def test_points_that_were_assigned_keep_their_digits(cloud):
@@ -64,13 +64,13 @@ def test_points_that_were_assigned_keep_their_digits(cloud):
 def test_conversion_shares_no_memory_with_vectors(cloud):
     cloud.colors = V(np.full((50, 3), 0.5))
     cloud.covariances = o3d.utility.Matrix3dVector(np.tile(np.eye(3), (50, 1, 1)))
-    before = cloud._native
+    before = cloud.native
     copies = [np.array(values) for values in (before.points, before.colors, before.covariances)]
     for vector in (cloud.points, cloud.colors, cloud.covariances):
         np.asarray(vector)[:] = 0
     for values, now in zip(copies, (before.points, before.colors, before.covariances), strict=True):
         assert (values == now).all()
-    assert not cloud._native.covariances.any()
+    assert not cloud.native.covariances.any()
 
 
 def test_covariances_and_planar_patches_of_a_cloud(cloud):
@@ -86,9 +86,9 @@ def test_covariances_and_planar_patches_of_a_cloud(cloud):
 
 def test_arrays_of_other_lengths_are_applied_together(cloud):
     cloud.colors = V(np.full((20, 3), 0.5))
-    assert not cloud.has_colors() and not cloud._native.has_colors()
+    assert not cloud.has_colors() and not cloud.native.has_colors()
     cloud.points = V(np.asarray(cloud.points)[:20])
-    assert cloud.has_colors() and cloud._native.has_colors()
+    assert cloud.has_colors() and cloud.native.has_colors()
 
 
 @pytest.mark.parametrize(
@@ -142,7 +142,7 @@ def test_textures_begin_with_their_lowest_row():
     mesh = o3d.geometry.TriangleMesh.create_box(create_uv_map=True)
     image = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
     mesh.textures = [o3d.geometry.Image(image)]
-    assert (np.asarray(mesh.textures[0]) == image).all() and (mesh._native.textures[0] == image[::-1]).all()
+    assert (np.asarray(mesh.textures[0]) == image).all() and (mesh.native.textures[0] == image[::-1]).all()
 
 
 def test_random_operations_follow_one_seed():
@@ -280,38 +280,6 @@ def colored(rng):
     return made
 
 
-@pytest.mark.parametrize("format", ["ply", "pcd", "xyz", "xyzn", "xyzrgb", "pts"])
-def test_a_cloud_is_read_from_its_bytes(colored, format):
-    data = o3d.io.write_point_cloud_to_bytes(colored, f"mem::{format}")
-    again = o3d.io.read_point_cloud_from_bytes(data, f"mem::{format}")
-    np.testing.assert_allclose(again.points, colored.points, atol=1e-9)
-    if format in ("ply", "pcd", "xyzn"):
-        np.testing.assert_allclose(again.normals, colored.normals, atol=1e-6)
-    if format in ("ply", "pcd", "xyzrgb"):
-        np.testing.assert_allclose(again.colors, colored.colors, atol=1e-6)
-
-
-def test_points_as_text_have_ten_decimals():
-    cloud = o3d.geometry.PointCloud(V([[1, 2, 3]]))
-    assert o3d.io.write_point_cloud_to_bytes(cloud, "mem::xyz") == b"1.0000000000 2.0000000000 3.0000000000\n"
-    for format in ("auto", "mem::las", "xyz"):
-        with pytest.raises(ValueError, match="format:"):
-            o3d.io.write_point_cloud_to_bytes(cloud, format)
-
-
-def test_contents_are_found_by_suffix_and_by_the_header_of_a_ply(colored, tmp_path):
-    lines = o3d.geometry.LineSet(V(np.eye(3)), o3d.utility.Vector2iVector([[0, 1]]))
-    o3d.io.write_line_set(tmp_path / "lines.ply", lines)
-    o3d.io.write_triangle_mesh(tmp_path / "mesh.ply", o3d.geometry.TriangleMesh.create_box())
-    o3d.io.write_point_cloud(tmp_path / "cloud.ply", colored)
-    kinds = {"lines.ply": 2, "mesh.ply": 4, "cloud.ply": 1, "a.stl": 5, "a.obj": 5, "a.pcd": 1, "a.xyz": 1, "a.jpg": 0}
-    assert {name: int(o3d.io.read_file_geometry_type(tmp_path / name)) for name in kinds} == kinds
-    assert o3d.io.read_file_geometry_type(str(tmp_path / "mesh.ply")) & o3d.io.CONTAINS_TRIANGLES
-    assert o3d.io.FileGeometry.CONTAINS_POINTS == o3d.io.CONTAINS_POINTS != o3d.io.CONTENTS_UNKNOWN
-    with pytest.raises(loom.FileError, match="none"):
-        o3d.io.read_file_geometry_type(tmp_path / "none.ply")
-
-
 @pytest.mark.parametrize("is_text", [False, True])
 @pytest.mark.parametrize("is_colored", [False, True])
 def test_line_sets_are_read_as_written(rng, tmp_path, is_text, is_colored):
@@ -349,14 +317,6 @@ def test_damaged_features_are_named(tmp_path, data):
     (tmp_path / "a.bin").write_bytes(data)
     with pytest.raises(loom.FileError, match=r"a\.bin.*expected"):
         o3d.io.read_feature(tmp_path / "a.bin")
-
-
-def test_errors_of_bytes_name_the_argument_and_no_temporary_file():
-    with pytest.raises(loom.FileError, match=r"^bytes \(line 1\)") as caught:
-        o3d.io.read_point_cloud_from_bytes(b"1 2 x\n", "mem::xyz")
-    assert "cloud." not in str(caught.value)
-    with pytest.raises(TypeError, match="bytes: expected"):
-        o3d.io.read_point_cloud_from_bytes("1 2 3", "mem::xyz")
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,6 @@ from . import data as data
 from . import geometry as geometry
 from . import io as io
 from . import pipelines as pipelines
-from . import pybind as pybind
 from . import t as t
 from . import utility as utility
 from . import visualization as visualization

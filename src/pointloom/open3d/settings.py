@@ -30,14 +30,14 @@ class Settings(Wrapper):
         super().__setattr__(name, value.copy() if isinstance(value, np.ndarray) else value)
 
     @property
-    def _native(self) -> Any:
-        return self._kind(**self._keywords())
+    def native(self) -> Any:
+        return self._kind(**self.native_keywords())
 
-    def _keywords(self) -> dict[str, Any]:
+    def native_keywords(self) -> dict[str, Any]:
         return {field.name: unwrap(getattr(self, field.name)) for field in dataclasses.fields(self)}
 
     @classmethod
-    def _of(cls, native: Any) -> Self:
+    def from_native(cls, native: Any) -> Self:
         return cls(**{field.name: getattr(native, field.name) for field in dataclasses.fields(cls)})
 
     def __copy__(self) -> Self:

@@ -28,10 +28,10 @@ class Vector(HintedNames):
         self._array, self._tail = self._rows(values).copy(), []
 
     @classmethod
-    def _around(cls, values: NDArray[Any]) -> Self:
-        """Wrap an array of the right type and shape without a copy."""
-        vector = cls.__new__(cls)
-        vector._array, vector._tail = values, []
+    def from_array(cls, values: NDArray[Any]) -> Self:
+        """A vector of a copy of values of the right shape."""
+        vector = cls()
+        vector.refill(values)
         return vector
 
     @property
@@ -41,7 +41,7 @@ class Vector(HintedNames):
             self._tail = []
         return self._array
 
-    def _fill(self, values: NDArray[Any]) -> None:
+    def refill(self, values: NDArray[Any]) -> None:
         """Replace the values, in the same memory if they fit."""
         if self._values.shape == values.shape:
             self._array[...] = values
@@ -101,7 +101,7 @@ class Vector(HintedNames):
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented
-        return np.array_equal(self._values, other._values)
+        return np.array_equal(self._values, np.asarray(other))
 
     __hash__ = None  # type: ignore[assignment]  # vectors compare by value
 

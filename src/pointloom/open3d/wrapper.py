@@ -6,8 +6,8 @@ content, and a new pointloom object is made if it differs. In-place operations w
 as Open3D's arrays follow its objects.
 
 To write a class: set `_kind`, declare arrays as `Rows`, and implement `_read`, `_made` and `_token`. Mutating methods
-return `self._become(self._native.method(...))`, others `Class._of(self._native.method(...))`. Arguments go through
-`unwrap`.
+return `self._become(self.native.method(...))`, others `Class.from_native(self.native.method(...))`. Arguments go
+through `unwrap`.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Rows:
         self.name = name
 
     def __get__(self, instance: Any, owner: type) -> Any:
-        return self if instance is None else instance._vector(self.name)
+        return self if instance is None else instance.vector(self.name)
 
     def __set__(self, instance: Wrapper, values: Any) -> None:
         if not isinstance(values, self.kind | np.ndarray):
@@ -48,7 +48,7 @@ class Rows:
             raise TypeError(
                 f"{self.name}: expected a {wanted}, got {type(values).__name__}; o3d.{wanted}(values) makes one"
             )
-        instance._assign(self.name, self.kind(values))
+        instance.assign(self.name, self.kind(values))
 
 
 @dataclasses.dataclass
@@ -59,11 +59,11 @@ class _SharedVector:
     was: NDArray[Any]
 
     def changed(self) -> bool:
-        now = self.vector._values
+        now = np.asarray(self.vector)
         return now.shape != self.was.shape or not np.array_equal(_bits(now), _bits(self.was))
 
     def keep(self) -> None:
-        self.was = self.vector._values.copy()
+        self.was = np.array(self.vector)
 
 
 class Wrapper(KnownNames):
@@ -74,14 +74,19 @@ class Wrapper(KnownNames):
     _shared: dict[str, _SharedVector]
 
     @classmethod
-    def _of(cls, native: Any) -> Self:
+    def native_kind(cls) -> Any:
+        """The pointloom class, or None."""
+        return cls._kind
+
+    @classmethod
+    def from_native(cls, native: Any) -> Self:
         """Wrap a pointloom object without a copy."""
         made = cls.__new__(cls)
-        made._wrapped, made._shared = native, {}
+        vars(made).update(_wrapped=native, _shared={})
         return made
 
     @property
-    def _native(self) -> Any:
+    def native(self) -> Any:
         """The pointloom object, updated from the vectors."""
         changed = [name for name, shared in self._shared.items() if shared.changed()]
         if changed:
@@ -96,13 +101,17 @@ class Wrapper(KnownNames):
         for name, shared in self._shared.items():
             before, after = self._token(old, name), self._token(new, name)
             if after is None and before is not None:
-                shared.vector._fill(shared.was[:0])
+                shared.vector.refill(shared.was[:0])
             elif after is not None and (before is None or not _same(before, after)):
-                shared.vector._fill(self._read(name))
+                shared.vector.refill(self._read(name))
             else:
                 continue
             shared.keep()
+        self._follow(old, new)
         return self
+
+    def _follow(self, old: Any, new: Any) -> None:
+        """Called after a result has replaced the object."""
 
     def _read(self, name: str) -> NDArray[Any]:
         """Values of an array of `_wrapped`. Empty if it has none."""
@@ -116,34 +125,36 @@ class Wrapper(KnownNames):
         """Identity (objects or bytes) of an array for comparison. None if there is none."""
         raise NotImplementedError
 
-    def _vector(self, name: str) -> Any:
+    def vector(self, name: str) -> Any:
+        """The vector or image of an array, which the caller may write to."""
         if name not in self._shared:
-            kind = getattr(type(self), name).kind
-            vector = kind._around(np.array(self._read(name), kind._dtype))
-            self._shared[name] = _SharedVector(vector, vector._values.copy())
+            vector = getattr(type(self), name).kind.from_array(self._read(name))
+            self._shared[name] = _SharedVector(vector, np.array(vector))
         return self._shared[name].vector
 
-    def _assign(self, name: str, vector: Any) -> None:
-        self._vector(name)._fill(vector._values)
+    def assign(self, name: str, values: ArrayLike | Vector) -> None:
+        """Write values into the vector of an array."""
+        self.vector(name).refill(np.asarray(values))
 
     def _count(self, name: str) -> int:
         """Number of rows of an array, without an update."""
         return len(self._shared[name].vector) if name in self._shared else len(self._read(name))
 
     def __copy__(self) -> Self:
-        made = self._of(self._native)
-        made._shared = {name: _SharedVector(type(o.vector)(o.vector), o.was.copy()) for name, o in self._shared.items()}
+        made = self.from_native(self.native)
+        for name, shared in self._shared.items():
+            vars(made)["_shared"][name] = _SharedVector(type(shared.vector)(shared.vector), shared.was.copy())
         return made
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self.__copy__()
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"ours": self._native, "out": {name: shared.vector for name, shared in self._shared.items()}}
+        return {"ours": self.native, "out": {name: shared.vector for name, shared in self._shared.items()}}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self._wrapped = state["ours"]
-        self._shared = {name: _SharedVector(vector, vector._values.copy()) for name, vector in state["out"].items()}
+        self._shared = {name: _SharedVector(vector, np.array(vector)) for name, vector in state["out"].items()}
 
 
 class Forwarded(Generic[P]):
@@ -156,7 +167,7 @@ class Forwarded(Generic[P]):
     def __get__(self, instance: object, owner: type[W]) -> Callable[P, W]:
         @functools.wraps(self.factory)
         def make(*args: P.args, **keywords: P.kwargs) -> W:
-            return owner._of(self.factory(*args, **keywords))
+            return owner.from_native(self.factory(*args, **keywords))
 
         make.__signature__ = self.signature  # type: ignore[attr-defined]
         return make
@@ -167,13 +178,13 @@ def unwrap(value: Any, kind: type[Wrapper] | None = None, name: str = "") -> Any
 
     Raises TypeError if it is not of type `kind`; `name` is the argument's name for the message.
     """
-    if kind is not None and not isinstance(value, kind) and not isinstance(value, kind._kind or ()):
+    if kind is not None and not isinstance(value, kind) and not isinstance(value, kind.native_kind() or ()):
         prefix = f"{name}: " if name else ""
         module = type(value).__module__
         given = f"{module}.{type(value).__name__}" if module.startswith("open3d") else type(value).__name__
         raise TypeError(f"{prefix}expected a {kind.__name__}, got {given}")
     if isinstance(value, Wrapper):
-        return value._native
+        return value.native
     if isinstance(value, list | tuple) and any(isinstance(part, Wrapper) for part in value):
         return [unwrap(part) for part in value]
     return value

@@ -1,12 +1,10 @@
-"""Tensors, hash maps and searches: values as NumPy's on every device, and Open3D's rules."""
+"""Tensors and searches: values as NumPy's on every device, and Open3D's rules."""
 
 import copy
 import pickle
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import pointloom as loom
 import pointloom.open3d.core as o3c
@@ -34,9 +32,8 @@ i.clip(1.5, 2.2); f.clip(1.5, 2.5); m.T(); m[0].T(); m[0].T().clone(); m.reshape
 i.nonzero(as_tuple=True); T.arange(5); T.arange(0, 5.0); T.arange(5, 0, -2); T.arange(0, 1, 0.3); T.eye(2)
 T.zeros(3); T.full((2,), 3.5, o3c.uint8); T([]); T(True); T(2); T(2.5); T([1.5, -1.5], o3c.int32); f.to(o3c.bool)
 T(np.eye(3)) @ T([1.0, 2, 3]); T(np.eye(2)).det(); T([[2.0, 0], [0, 4]]).inv(); T([[1.0, 1], [1, 1]]).inv()
-m.det(); i.item(); T([[2.0, 1], [4, 4]]).lu()[1]; T([[2.0, 1], [4, 4]]).lu_ipiv()[0]
-T([[2, 1], [4, 4]]).triul()[1]; T([[2.0, 0], [0, 4]]).solve(T([1.0, 1])); i.append(i); m.append(m, 1)
-m.append(i, 0); o3c.concatenate((i, i), 5); o3c.maximum(i, i[0]); T([[1, 0, 0]]).cross(T([[0, 1, 0]]))"""
+m.det(); i.item(); T([[2.0, 0], [0, 4]]).solve(T([1.0, 1])); i.append(i); m.append(m, 1)
+m.append(i, 0); o3c.concatenate((i, i), 5); o3c.maximum(i, i[0])"""
 RULES = [rule.strip() for rule in RULES.replace("\n", ";").split(";")]
 CHANGES = """m[0] = 1.7; m[0] = [1, 2, 3, 4]; m[:, [0, 2]] = T(np.zeros((2, 2, 4))); m[m > 12] = 0; m[[0, 1]] = 7
 m[0][1] = 55; m[[0]][0] = 55; m[:, 0] -= T([1, 2, 3, 4]); m[m > 21] += 100; m[m > 21] = T([1, 2])
@@ -73,7 +70,7 @@ def test_types_indices_and_views_follow_open3ds_rules(oracle):
         if isinstance(expected[rule], list) and isinstance(results[rule], list):
             assert results[rule][0] == expected[rule][0], rule
             np.testing.assert_allclose(results[rule][2], expected[rule][2], rtol=1e-6, atol=1e-12, err_msg=rule)
-            if ".inv" not in rule and ".lu" not in rule:  # LAPACK's results are stored by columns there
+            if ".inv" not in rule:  # LAPACK's results are stored by columns there
                 assert results[rule][1] == expected[rule][1], rule
         else:
             assert results[rule] == expected[rule], rule
@@ -192,16 +189,13 @@ def test_tensors_are_printed_as_by_open3d():
 
 def test_functions_of_one_name_exist_as_method_and_function():
     a = o3c.Tensor([[3.0, 1], [1, 2]])
-    for name in ("det", "inv", "svd", "lu", "lu_ipiv", "triu", "tril", "triul"):
+    for name in ("det", "inv", "svd"):
         of_function, of_method = getattr(o3c, name)(a), getattr(a, name)()
         pairs = zip(of_function, of_method, strict=True) if isinstance(of_method, tuple) else [(of_function, of_method)]
         for left, right in pairs:
             np.testing.assert_array_equal(left, right)
     u, s, vt = a.svd()
     np.testing.assert_allclose((u @ o3c.Tensor.diag(s) @ vt).numpy(), a.numpy(), atol=1e-14)
-    p, lower, upper = a.lu()
-    np.testing.assert_allclose((p @ lower @ upper).numpy(), a.numpy(), atol=1e-14)
-    np.testing.assert_allclose(o3c.addmm(a, a, a, 2, 3).numpy(), 2 * a.numpy() @ a.numpy() + 3 * a.numpy(), atol=1e-13)
     tall = o3c.Tensor([[1.0, 0], [0, 2], [1, 1]])
     expected = np.linalg.lstsq(tall.numpy(), [1.0, 2, 3], rcond=None)[0]
     np.testing.assert_allclose(tall.lstsq(o3c.Tensor([1.0, 2, 3])).numpy(), expected, atol=1e-14)
@@ -229,92 +223,6 @@ def test_errors_name_the_argument_and_are_runtime_errors(call, argument):
         call()
 
 
-KEYS = st.lists(st.tuples(st.integers(-3, 3), st.integers(0, 2)), min_size=1, max_size=12)
-STEPS = st.lists(st.tuples(st.sampled_from(["insert", "activate", "erase", "find"]), KEYS), max_size=8)
-
-
-@settings(max_examples=60, deadline=None)
-@given(steps=STEPS)
-def test_a_map_holds_what_a_dictionary_holds(steps):
-    table = o3c.HashMap(2, o3c.int32, (2,), (o3c.int64, o3c.float32), ((), (3,)))
-    expected: dict[tuple[int, int], int] = {}
-    for number, (step, keys) in enumerate(steps):
-        tensor = o3c.Tensor(keys, o3c.int32)
-        known = [key in expected for key in keys]
-        is_first = [keys.index(key) == i for i, key in enumerate(keys)]
-        if step in ("insert", "activate"):
-            numbers = o3c.Tensor(np.arange(len(keys)) + 100 * number)
-            values = [numbers, numbers.to(o3c.float32).reshape((-1, 1)) + o3c.Tensor.zeros((1, 3))]
-            rows, masks = table.insert(tensor, values) if step == "insert" else table.activate(tensor)
-            added = masks.numpy()
-            assert added.tolist() == [first and not old for first, old in zip(is_first, known, strict=True)]
-            if step == "activate":
-                table.value_tensor()[rows[masks]] = numbers[masks]
-                table.value_tensor(1)[rows[masks]] = values[1][masks]
-            expected |= {keys[i]: 100 * number + int(i) for i in np.flatnonzero(added)}
-        elif step == "erase":
-            masks = table.erase(tensor).numpy()
-            assert masks.tolist() == [first and old for first, old in zip(is_first, known, strict=True)]
-            for key in keys:
-                expected.pop(key, None)
-        rows, masks = table.find(tensor)
-        assert masks.numpy().tolist() == [key in expected for key in keys]
-        found = [expected[key] for key in keys if key in expected]
-        assert table.value_tensor()[rows[masks]].numpy().tolist() == found
-        assert table.value_tensor(1)[rows[masks]].numpy().tolist() == [[value] * 3 for value in found]
-        assert table.size() == len(expected) <= table.capacity()
-        assert {tuple(key) for key in table.key_tensor()[table.active_buf_indices()].numpy().tolist()} == set(expected)
-
-
-def test_rows_stay_when_the_buffers_grow_and_copies_are_independent(device, tmp_path):
-    table = o3c.HashMap(2, o3c.int64, (1,), o3c.float64, (2,), device=o3c.Device(device))
-    keys = o3c.Tensor([5, -7], device=device)
-    rows, _ = table.insert(keys, o3c.Tensor([[1.0, 2], [3, 4]], device=device))
-    table.reserve(1000)
-    copied, moved = table.clone(), table.cpu()
-    assert (table.capacity(), table.key_tensor().shape, table.device.name) == (1000, [1000, 1], device)
-    assert table.erase(keys[:1]).numpy().tolist() == [True]
-    for other in (copied, moved) if device != "cpu" else (copied,):
-        assert other.find(keys.to(other.device))[1].numpy().all()
-        assert other.value_tensor()[rows.to(other.device)].numpy().tolist() == [[1, 2], [3, 4]]
-    table.save(tmp_path / "table.npz")
-    stored = o3c.HashMap.load(tmp_path / "table.npz")
-    assert (stored.size(), stored.capacity(), len(stored.value_tensors())) == (1, 1, 1)
-    assert stored.value_tensor()[stored.find(o3c.Tensor([-7]))[0]].numpy().tolist() == [[3, 4]]
-
-
-KEYS, ONE = np.array([[3], [1]], np.int32), np.array([1])
-
-
-@pytest.mark.parametrize(
-    ("arrays", "expected"),
-    [
-        ({"key": KEYS}, "n_values"),
-        ({"key": KEYS, "n_values": ONE}, "n_values"),
-        ({"key": KEYS.astype(float), "n_values": ONE - 1}, "key.*expected integers"),
-        ({"key": np.array(3), "n_values": ONE - 1}, "key.*expected integers"),
-        ({"key": KEYS[[0, 0]], "n_values": ONE - 1}, "key.*duplicate"),
-        ({"key": KEYS, "n_values": ONE, "value_001": KEYS}, "value_000"),
-        ({"key": KEYS, "n_values": ONE, "value_000": KEYS[:1]}, "value_000.*expected 2 rows"),
-        ({"key": KEYS, "n_values": ONE, "value_000": KEYS.astype(np.float16)}, "float16"),
-        ({"key": KEYS, "n_values": np.array([0.0])}, "n_values"),
-    ],
-)
-def test_wrong_arrays_of_a_map_are_named(tmp_path, arrays, expected):
-    np.savez(tmp_path / "table.npz", **arrays)
-    with pytest.raises(loom.FileError, match=rf"table\.npz.*{expected}"):
-        o3c.HashMap.load(tmp_path / "table.npz")
-
-
-def test_values_of_any_number_of_axes_are_loaded_and_a_set_takes_none(tmp_path):
-    values = np.arange(2 * 16, dtype=np.float32).reshape(2, 2, 2, 2, 2, 1)
-    np.savez(tmp_path / "table.npz", key=KEYS, n_values=ONE, value_000=values)
-    table = o3c.HashMap.load(tmp_path / "table.npz")
-    np.testing.assert_array_equal(table.value_tensor()[table.find(o3c.Tensor(KEYS))[0]].numpy(), values)
-    with pytest.raises(loom.FileError, match="expected keys without values"):
-        o3c.HashSet.load(tmp_path / "table.npz")
-
-
 @pytest.mark.parametrize("values", [np.array("text"), np.array([1j]), np.zeros(2, np.float16), np.zeros(1, "i4,f4")])
 def test_arrays_that_are_no_tensor_are_named(tmp_path, values):
     np.save(tmp_path / "a.npy", values)
@@ -335,18 +243,6 @@ def test_damaged_headers_are_rejected_in_linear_time(tmp_path, text):
         o3c.Tensor.load(tmp_path / "a.npy")
 
 
-def test_a_set_has_keys_only():
-    keys = o3c.Tensor([[1, 2, 3], [2, 3, 4], [1, 2, 3]], o3c.int16)
-    table = o3c.HashSet(1, o3c.int16, (3,))
-    rows, masks = table.insert(keys)
-    assert (rows.dtype, rows.numpy().tolist(), masks.numpy().tolist()) == (o3c.int32, [0, 1, 0], [True, True, False])
-    assert table.find(keys + 1)[1].numpy().tolist() == [True, False, True]
-    assert table.insert(o3c.Tensor.zeros((0, 3), o3c.int16))[0].shape == (0,)
-
-
-INT64 = 1, o3c.int64, (1,), o3c.int64, (1,)
-
-
 def search():
     made = o3c.nns.NearestNeighborSearch(o3c.Tensor([[0.0, 0, 0]]))
     made.knn_index()
@@ -356,13 +252,6 @@ def search():
 @pytest.mark.parametrize(
     ("call", "argument"),
     [
-        (lambda: o3c.HashSet(1, o3c.float32, (1,)), "key_dtype"),
-        (lambda: o3c.HashSet(0, o3c.int32, (1,)), "init_capacity"),
-        (lambda: o3c.HashMap(1, o3c.int32, (1,), [o3c.int32], []), "value_element_shapes"),
-        (lambda: o3c.HashSet(1, o3c.int32, (3,)).find(o3c.Tensor([[1, 2]], o3c.int32)), "keys"),
-        (lambda: o3c.HashSet(1, o3c.int32, (2,)).find(o3c.Tensor([[1, 2]], o3c.int64)), "keys"),
-        (lambda: o3c.HashMap(*INT64).insert(o3c.Tensor([1]), o3c.Tensor([1, 2])), "values"),
-        (lambda: o3c.HashMap(*INT64).insert(o3c.Tensor([1]), []), "values"),
         (lambda: search().hybrid_search(o3c.Tensor([[0.0, 0, 0]]), 1.0, 2), "hybrid_index"),
         (lambda: search().knn_search(o3c.Tensor([[0.0, 0, 0]]), 0), "knn"),
         (lambda: search().knn_search(o3c.Tensor([[0.0, 0, 0]], o3c.float32), 1), "query_points"),

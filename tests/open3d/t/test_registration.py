@@ -194,7 +194,7 @@ def test_kernels_weigh_as_their_formulas():
     }
     assert [method.name for method in names.RobustKernelMethod] == [*expected]
     for name, weights in expected.items():
-        assert np.allclose(kernel(getattr(names, name), k, shape)._native.weight(r), weights)
+        assert np.allclose(kernel(getattr(names, name), k, shape).native.weight(r), weights)
     first = kernel(names.TukeyLoss, k)
     method = bridge.t.pipelines.registration.TransformationEstimationPointToPlane(first)
     first.scaling_parameter = 0.3

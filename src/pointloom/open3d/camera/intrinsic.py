@@ -33,22 +33,20 @@ class PinholeCameraIntrinsic(Wrapper):
     ):
         self._shared, self._size, self._matrix = {}, (-1, -1), np.eye(3)
         if isinstance(width, PinholeCameraIntrinsic):
-            self._size, self._matrix = width._size, width._matrix
+            vars(self).update(vars(width))
         elif width is not None:
             given = (width, height, fx if intrinsic_matrix is None else intrinsic_matrix, fy, cx, cy)
             self._take(width if isinstance(width, self._kind) else self._kind(*(v for v in given if v is not None)))
 
     @classmethod
-    def _of(cls, native: Any) -> Self:
-        made = cls()
-        made._take(native)
-        return made
+    def from_native(cls, native: Any) -> Self:
+        return cls(native)
 
     def _take(self, native: camera.PinholeCameraIntrinsic) -> None:
         self._size, self._matrix = (native.width, native.height), native.matrix
 
     @property
-    def _native(self) -> camera.PinholeCameraIntrinsic:
+    def native(self) -> camera.PinholeCameraIntrinsic:
         return self._kind(*self._size, self._matrix)
 
     def __getstate__(self) -> dict[str, Any]:

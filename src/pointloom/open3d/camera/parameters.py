@@ -21,8 +21,8 @@ class PinholeCameraParameters(KnownNames):
     """
 
     def __init__(self, other: PinholeCameraParameters | None = None):
-        self._intrinsic = PinholeCameraIntrinsic() if other is None else copy.copy(other._intrinsic)
-        self._extrinsic = np.eye(4) if other is None else other._extrinsic
+        self._intrinsic = PinholeCameraIntrinsic() if other is None else copy.copy(other.intrinsic)
+        self._extrinsic = np.eye(4) if other is None else other.extrinsic
 
     @property
     def intrinsic(self) -> PinholeCameraIntrinsic:
@@ -51,7 +51,7 @@ class PinholeCameraTrajectory(KnownNames):
     """`parameters`: an assignable list of cameras. Appended ones are kept (Open3D drops them)."""
 
     def __init__(self, other: PinholeCameraTrajectory | None = None):
-        self._parameters = [] if other is None else [PinholeCameraParameters(one) for one in other._parameters]
+        self._parameters = [] if other is None else [PinholeCameraParameters(one) for one in other.parameters]
 
     @property
     def parameters(self) -> list[PinholeCameraParameters]:
@@ -62,19 +62,19 @@ class PinholeCameraTrajectory(KnownNames):
         self._parameters = [PinholeCameraParameters(value) for value in values]
 
     @classmethod
-    def _of(cls, trajectory: Trajectory, intrinsic: Any) -> PinholeCameraTrajectory:
+    def from_native(cls, trajectory: Trajectory, intrinsic: Any) -> PinholeCameraTrajectory:
         """Cameras from poses (camera to world)."""
         made = cls()
         for pose in trajectory.poses:
             one = PinholeCameraParameters()
             one.intrinsic, one.extrinsic = intrinsic, np.linalg.inv(pose)
-            made._parameters.append(one)
+            made.parameters.append(one)
         return made
 
     @property
-    def _native(self) -> Trajectory:
+    def native(self) -> Trajectory:
         """Poses, camera to world."""
-        extrinsics = np.array([one._extrinsic for one in self._parameters], np.float64)
+        extrinsics = np.array([one.extrinsic for one in self._parameters], np.float64)
         poses: NDArray[np.float64] = np.linalg.inv(extrinsics.reshape(-1, 4, 4)).astype(np.float64)
         return Trajectory(poses)
 

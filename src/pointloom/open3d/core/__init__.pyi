@@ -2,7 +2,6 @@
 
 from . import cuda as cuda
 from . import nns as nns
-from . import sycl as sycl
 from .device import Device as Device
 from .dtype import Dtype as Dtype
 from .dtype import bool as bool
@@ -18,24 +17,15 @@ from .dtype import uint16 as uint16
 from .dtype import uint32 as uint32
 from .dtype import uint64 as uint64
 from .dtype import undefined as undefined
-from .functions import addmm as addmm
 from .functions import append as append
-from .functions import concatenate as concatenate
 from .functions import det as det
 from .functions import inv as inv
 from .functions import lstsq as lstsq
-from .functions import lu as lu
-from .functions import lu_ipiv as lu_ipiv
 from .functions import matmul as matmul
 from .functions import maximum as maximum
 from .functions import minimum as minimum
 from .functions import solve as solve
 from .functions import svd as svd
-from .functions import tril as tril
-from .functions import triu as triu
-from .functions import triul as triul
-from .hash_map import HashMap as HashMap
-from .hash_map import HashSet as HashSet
-from .size_vector import DynamicSizeVector as DynamicSizeVector
 from .size_vector import SizeVector as SizeVector
 from .tensor import Tensor as Tensor
+from .tensor import concatenate as concatenate

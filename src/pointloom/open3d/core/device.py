@@ -5,20 +5,20 @@ from __future__ import annotations
 import enum
 from typing import Any, ClassVar
 
+from ...core.attribute_hints import HintedNames
 from .errors import TensorError
 
 
 class DeviceType(enum.Enum):
     CPU = 0
     CUDA = 1
-    SYCL = 2  # for comparisons: no device has this type
 
 
-class Device:
+class Device(HintedNames):
     """A device by Open3D's name, such as "CPU:0" or "CUDA:1". `name` is the name in pointloom, "cpu" or "cuda:1"."""
 
     DeviceType: ClassVar[type[DeviceType]] = DeviceType
-    CPU, CUDA, SYCL = DeviceType.CPU, DeviceType.CUDA, DeviceType.SYCL
+    CPU, CUDA = DeviceType
 
     def __init__(self, device_type: Any = "CPU:0", device_id: int | None = None):
         given = getattr(device_type, "name", device_type)  # a Device or a DeviceType

@@ -42,7 +42,7 @@ class Dtype:
     Undefined: ClassVar[Dtype]
 
     def __init__(self, name: str):
-        self._name = name
+        self.name = name
 
     @classmethod
     def from_numpy(cls, dtype: DTypeLike) -> Dtype:
@@ -54,24 +54,24 @@ class Dtype:
 
     @property
     def numpy(self) -> np.dtype[Any]:
-        if self._name == "undefined":
+        if self.name == "undefined":
             raise TensorError("dtype: expected a type of numbers, got Undefined")
-        return np.dtype(self._name)
+        return np.dtype(self.name)
 
     def byte_size(self) -> int:
-        return 0 if self._name == "undefined" else self.numpy.itemsize
+        return 0 if self.name == "undefined" else self.numpy.itemsize
 
     def byte_code(self) -> DtypeCode:
-        return DtypeCode.Undefined if self._name == "undefined" else _CODES[self.numpy.kind]
+        return DtypeCode.Undefined if self.name == "undefined" else _CODES[self.numpy.kind]
 
     def __eq__(self, other: object) -> builtins.bool:
-        return isinstance(other, Dtype) and self._name == other._name
+        return isinstance(other, Dtype) and self.name == other.name
 
     def __hash__(self) -> int:
-        return hash(self._name)
+        return hash(self.name)
 
     def __repr__(self) -> str:
-        return self._name.capitalize().replace("Uint", "UInt")
+        return self.name.capitalize().replace("Uint", "UInt")
 
 
 _BY_NAME = {

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .dtype import Dtype
 from .errors import TensorError
 
 FLOATS, NUMBERS, ANY, BOOLS = "f", "fiu", "fiub", "b"  # kinds of NumPy types that a function accepts
@@ -43,6 +44,11 @@ COMPARISONS = {
     "eq": np.equal,
     "ne": np.not_equal,
 }
+OPERATORS = {  # of Python, besides comparisons
+    **{name: name for name in ("add", "sub", "mul")},
+    **dict.fromkeys(("truediv", "floordiv"), "div"),
+    **{name: f"logical_{name}" for name in ("and", "or", "xor")},
+}
 LOGICAL = {"logical_and": np.logical_and, "logical_or": np.logical_or, "logical_xor": np.logical_xor}
 BINARY: dict[str, tuple[Any, str]] = {
     **{name: (function, NUMBERS) for name, function in ARITHMETIC.items()},
@@ -61,10 +67,10 @@ REDUCTIONS: dict[str, tuple[Any, str]] = {
 }
 
 
-def check_kind(name: str, kinds: str, kind: str, given: Any) -> None:
-    """Raise TensorError if the function `name` does not accept tensors of the NumPy kind."""
-    if kind not in kinds:
-        raise TensorError(f"{name}: expected a tensor of {_EXPECTED[kinds]}, got {given}; tensor.to(dtype) converts it")
+def check_kind(name: str, kinds: str, dtype: Dtype) -> None:
+    """Raise TensorError if the function `name` does not accept tensors of the type."""
+    if dtype.numpy.kind not in kinds:
+        raise TensorError(f"{name}: expected a tensor of {_EXPECTED[kinds]}, got {dtype}; tensor.to(dtype) converts it")
 
 
 def binary(name: str, a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:

@@ -69,40 +69,6 @@ def svd(a: Matrix) -> tuple[Matrix, ...]:
     return tuple(np.linalg.svd(_matrix("self", a)))
 
 
-def lu(a: Matrix, permute_l: bool = False) -> tuple[Matrix, ...]:
-    """P, L and U with a = P L U. With `permute_l` the second matrix is P L."""
-    parts: Any = scipy.linalg.lu(_matrix("self", a))
-    p, lower, upper = parts
-    return p, p @ lower if permute_l else lower, upper
-
-
-def lu_ipiv(a: Matrix) -> tuple[Matrix, Matrix]:
-    """Row exchanges, int64 from 1, and L and U in one matrix, as in LAPACK."""
-    both, exchanges = scipy.linalg.lu_factor(_matrix("self", a))
-    return exchanges.astype(np.int64) + 1, both
-
-
-def triu(a: Matrix, diagonal: int = 0) -> Matrix:
-    return np.triu(_matrix("self", a, floats=False), diagonal)
-
-
-def tril(a: Matrix, diagonal: int = 0) -> Matrix:
-    return np.tril(_matrix("self", a, floats=False), diagonal)
-
-
-def triul(a: Matrix, diagonal: int = 0) -> tuple[Matrix, Matrix]:
-    """The upper triangle, and the lower one with ones on the diagonal."""
-    lower = np.tril(_matrix("self", a, floats=False), diagonal)
-    ones = np.eye(*a.shape, k=diagonal, dtype=bool)
-    return np.triu(a, diagonal), np.where(ones, a.dtype.type(1), lower)
-
-
-def cross(a: Matrix, other: Matrix, axis: int = -1) -> Matrix:
-    if a.shape != other.shape or a.shape[axis] != 3:
-        raise TensorError(f"other: expected equal shapes with 3 along axis {axis}, got {a.shape} and {other.shape}")
-    return np.cross(a, other, axis=axis)
-
-
 def concatenate(arrays: Sequence[Matrix], axis: int | None = 0) -> Matrix:
     """Arrays one after another. A single array is split along its first axis. Axis None joins flat arrays."""
     types = [array.dtype for array in arrays]

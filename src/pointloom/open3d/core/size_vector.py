@@ -37,10 +37,3 @@ class SizeVector(list[int]):
         return f"SizeVector[{', '.join(map(str, self))}]"
 
     __str__ = __repr__
-
-
-class DynamicSizeVector(list[Any]):
-    """Sizes, where None stands for any size."""
-
-    def __repr__(self) -> str:
-        return "{" + ", ".join(map(str, self)) + "}"

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, Self
+from collections.abc import Callable, Iterator
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,14 +17,14 @@ from .device import Device
 from .dtype import Dtype, float32
 from .errors import TensorError, as_tensor_error
 from .indexing import as_numpy_key
-from .methods import add_methods, on_host
+from .methods import TensorMethods, on_host
 from .printing import values_text
 from .size_vector import SizeVector
 
 Scalar = bool | int | float | np.generic
 
 
-class Tensor(HintedNames):
+class Tensor(TensorMethods, HintedNames):
     """An array on a device.
 
     Operands have one dtype and one device. A number takes the dtype of the tensor, so a fraction loses its decimals
@@ -34,27 +34,15 @@ class Tensor(HintedNames):
     for Float32, Float64, Int32, Int64 and Bool. Slices are views there, too. Other types, other indices, assignments to
     indices, division of integers, `argmin`, `argmax`, concatenation and linear algebra go through the host.
 
-    `_array` is a NumPy array on the CPU and a Warp array on a GPU: pointloom's functions take it as it is, and return
-    results as arrays of the same library on the same device.
+    `array` is a NumPy array on the CPU and a Warp array on a GPU: pointloom's functions take it as it is, and return
+    results as arrays of the same library on the same device. `Tensor.from_array` wraps them.
     """
 
     __array_priority__ = 1000  # `array + tensor` is a tensor
     __hash__ = None  # type: ignore[assignment]  # compares elementwise
 
-    _array: Any
-    _is_number: bool  # a tensor without axes on a GPU, where `_array` has one element
-
-    if TYPE_CHECKING:  # `add_methods` sets these
-
-        def __getattr__(self, name: str) -> Any: ...
-        def __add__(self, other: Any) -> Tensor: ...
-
-        __radd__ = __iadd__ = __sub__ = __rsub__ = __isub__ = __mul__ = __rmul__ = __imul__ = __add__
-        __truediv__ = __rtruediv__ = __itruediv__ = __floordiv__ = __rfloordiv__ = __ifloordiv__ = __add__
-        __gt__ = __lt__ = __ge__ = __le__ = __matmul__ = __and__ = __or__ = __xor__ = __add__
-        __eq__ = __ne__ = __add__  # type: ignore[assignment]
-
-        def __neg__(self) -> Tensor: ...
+    array: Any
+    is_number: bool  # a tensor without axes on a GPU, where `array` has one element
 
     @as_tensor_error
     def __init__(self, np_array: Any, dtype: Dtype | None = None, device: Device | str | None = None):
@@ -65,35 +53,27 @@ class Tensor(HintedNames):
         values = np.array(np_array, order="C")
         if values.dtype.kind not in "biuf":
             raise TensorError(f"np_array: expected numbers, got {values.dtype}")
-        self._set(values.astype((Dtype.from_numpy(values.dtype) if dtype is None else dtype).numpy, copy=False), device)
-
-    def _set(self, values: NDArray[Any], device: Device | str | None) -> Self:
-        """Take host values without a copy, or copy them to a GPU."""
-        name = "cpu" if device is None else Device(device).name
-        self._array, self._is_number = values, False
-        if name != "cpu":
-            from .device_memory import to_device
-
-            self._array, self._is_number = to_device(values, name), values.ndim == 0
-        return self
+        kind = Dtype.from_numpy(values.dtype) if dtype is None else dtype
+        made = on_device(values.astype(kind.numpy, copy=False), device)
+        self.array, self.is_number = made.array, made.is_number
 
     @classmethod
-    def _around(cls, array: Any, *, is_number: bool = False) -> Self:
+    def from_array(cls, array: Any, *, is_number: bool = False) -> Self:
         """Wrap a NumPy array or a Warp array without a copy. Warp arrays on the CPU become NumPy arrays."""
         made = cls.__new__(cls)
         if isinstance(array, Tensor):
-            array, is_number = array._array, array._is_number
+            array, is_number = array.array, array.is_number
         if not isinstance(array, np.ndarray | np.generic) and hasattr(array, "numpy"):
             from .device_memory import wrapped
 
             array = wrapped(array)
-        made._array = np.asarray(array) if isinstance(array, np.generic) else array
-        made._is_number = is_number and not isinstance(made._array, np.ndarray)
+        made.array = np.asarray(array) if isinstance(array, np.generic) else array
+        made.is_number = is_number and not isinstance(made.array, np.ndarray)
         return made
 
     def _like(self, values: NDArray[Any] | np.generic) -> Tensor:
         """A tensor of host values on this tensor's device."""
-        return Tensor.__new__(Tensor)._set(np.asarray(values, order="C"), None if self.is_cpu else self.device)
+        return on_device(np.asarray(values, order="C"), None if self.is_cpu else self.device)
 
     # Constructors
 
@@ -101,21 +81,21 @@ class Tensor(HintedNames):
     def from_numpy(array: NDArray[Any]) -> Tensor:
         """A tensor that shares the memory of a NumPy array."""
         Dtype.from_numpy(array.dtype)
-        return Tensor._around(array)
+        return Tensor.from_array(array)
 
     @staticmethod
     def from_dlpack(source: Any) -> Tensor:
         """A tensor that shares the memory of an array of another library, or of a capsule of it."""
         from .device_memory import shared
 
-        return Tensor._around(shared(source))
+        return Tensor.from_array(shared(source))
 
     @staticmethod
     @as_tensor_error
     def full(shape: Any, fill_value: Any, dtype: Dtype | None = None, device: Any = None) -> Tensor:
         values = np.empty(SizeVector(shape), (dtype or float32).numpy)
         values[...] = np.asarray(fill_value).astype(values.dtype)
-        return Tensor.__new__(Tensor)._set(values, device)
+        return on_device(values, device)
 
     @staticmethod
     def empty(shape: Any, dtype: Dtype | None = None, device: Any = None) -> Tensor:
@@ -151,7 +131,7 @@ class Tensor(HintedNames):
         """A square matrix with the values of a vector on its diagonal."""
         if values.ndim != 1:
             raise TensorError(f"input: expected a vector (n,), got shape {list(values.shape)}")
-        return values._like(np.diag(values._values))
+        return Tensor(np.diag(values.numpy()), device=values.device)
 
     @staticmethod
     def load(file_name: str) -> Tensor:
@@ -169,7 +149,7 @@ class Tensor(HintedNames):
 
     @property
     def is_cpu(self) -> bool:
-        return isinstance(self._array, np.ndarray)
+        return isinstance(self.array, np.ndarray)
 
     @property
     def is_cuda(self) -> bool:
@@ -177,15 +157,15 @@ class Tensor(HintedNames):
 
     @property
     def device(self) -> Device:
-        return Device() if self.is_cpu else Device(str(self._array.device))
+        return Device() if self.is_cpu else Device(str(self.array.device))
 
     @property
     def _numpy_dtype(self) -> np.dtype[Any]:
         if self.is_cpu:
-            return self._array.dtype
+            return self.array.dtype
         from .device_memory import numpy_dtype
 
-        return numpy_dtype(self._array)
+        return numpy_dtype(self.array)
 
     @property
     def dtype(self) -> Dtype:
@@ -193,7 +173,7 @@ class Tensor(HintedNames):
 
     @property
     def _shape(self) -> tuple[int, ...]:
-        return () if self._is_number else tuple(self._array.shape)
+        return () if self.is_number else tuple(self.array.shape)
 
     @property
     def shape(self) -> SizeVector:
@@ -208,10 +188,10 @@ class Tensor(HintedNames):
         """Distances of neighbors along each axis, in elements."""
         if not self.num_elements():  # NumPy's are zero
             return SizeVector([int(np.prod(np.maximum(self._shape[i + 1 :], 1))) for i in range(self.ndim)])
-        return SizeVector([n // self._numpy_dtype.itemsize for n in self._array.strides[: self.ndim]])
+        return SizeVector([n // self._numpy_dtype.itemsize for n in self.array.strides[: self.ndim]])
 
     def num_elements(self) -> int:
-        return int(self._array.size)
+        return int(self.array.size)
 
     def __len__(self) -> int:
         if not self._shape:
@@ -219,7 +199,7 @@ class Tensor(HintedNames):
         return self._shape[0]
 
     def is_contiguous(self) -> bool:
-        return self._array.flags.c_contiguous if self.is_cpu else self._array.is_contiguous
+        return self.array.flags.c_contiguous if self.is_cpu else self.array.is_contiguous
 
     # Conversions
 
@@ -227,10 +207,10 @@ class Tensor(HintedNames):
     def _values(self) -> NDArray[Any]:
         """The values on the host: the memory itself on the CPU, a copy from a GPU."""
         if self.is_cpu:
-            return self._array
+            return self.array
         from .device_memory import to_host
 
-        return to_host(self._array, self._shape)
+        return to_host(self.array, self._shape)
 
     def numpy(self) -> NDArray[Any]:
         """The values as a NumPy array, which shares the memory of a tensor on the CPU."""
@@ -256,9 +236,9 @@ class Tensor(HintedNames):
         if self.is_cuda and target_device == self.device:
             from .device_functions import converted
 
-            return Tensor._around(converted(self._array, wanted), is_number=self._is_number)
+            return Tensor.from_array(converted(self.array, wanted), is_number=self.is_number)
         values = self._values.astype(wanted, "C")
-        return Tensor.__new__(Tensor)._set(values, target_device)
+        return on_device(values, target_device)
 
     def cpu(self) -> Tensor:
         return self.to(Device())
@@ -282,7 +262,7 @@ class Tensor(HintedNames):
         return bool(self.item())
 
     def __dlpack__(self, stream: Any = None, **options: Any) -> Any:
-        return self._array.__dlpack__(**options) if self.is_cpu else self._array.__dlpack__(stream)
+        return self.array.__dlpack__(**options) if self.is_cpu else self.array.__dlpack__(stream)
 
     def __dlpack_device__(self) -> tuple[int, int]:
         return (1, 0) if self.is_cpu else (2, self.device.get_id())
@@ -295,68 +275,45 @@ class Tensor(HintedNames):
 
     def __repr__(self) -> str:
         sizes, strides = ("{" + ", ".join(map(str, part)) + "}" for part in (self.shape, self.strides))
-        address = self._array.ctypes.data if self.is_cpu else self._array.ptr or 0
+        address = self.array.ctypes.data if self.is_cpu else self.array.ptr or 0
         end = f"Tensor[shape={sizes}, stride={strides}, {self.dtype}, {self.device}, {address:#x}]"
         return f"{values_text(self._values)}\n{end}"
 
     # Views
 
-    def _view(self, change: Any) -> Tensor:
-        """A view, by a function that computes it for a NumPy array."""
-        if self.is_cpu:
-            return Tensor._around(np.asarray(change(self._array)))
-        from .device_memory import view
-
-        array, shape = view(self._array, self._shape, change)
-        return Tensor._around(array, is_number=not shape)
-
     @as_tensor_error
     def __getitem__(self, key: Any) -> Tensor:
         if isinstance(key, Tensor) and self.ndim and key.device == self.device:
-            result = self._on_device("gathered", self._array, self._shape, key._array, key._shape)
+            result = self._on_device("gathered", self.array, self._shape, key.array, tuple(key.shape))
             if result is not None:
                 return result
         parts, is_copy = as_numpy_key(key)
         if is_copy:
             return self._like(np.ascontiguousarray(self._values[parts]))
-        return self._view(lambda values: values[(*parts, ...)])
+        return _view(self, lambda values: values[(*parts, ...)])
 
     @as_tensor_error
     def __setitem__(self, key: Any, value: Any) -> None:
         parts, is_copy = as_numpy_key(key)
         if isinstance(value, Tensor) and not is_copy and self.is_cuda:
-            self[key]._written(value)
+            _copy_into(self[key], value)
             return
-        values = value._values if isinstance(value, Tensor) else np.asarray(value)
+        values = value.numpy() if isinstance(value, Tensor) else np.asarray(value)
         if values.dtype.kind not in "biuf":
             raise TensorError(f"value: expected numbers, got {values.dtype}")
         values = values.astype(self._numpy_dtype, copy=False)
         if self.is_cpu:
-            self._array[parts] = values
+            self.array[parts] = values
         elif not is_copy:
-            self[key]._write(values)
+            _write(self[key], values)
         else:
             changed = self._values
             changed[parts] = values
-            self._write(changed)
-
-    def _write(self, values: NDArray[Any]) -> None:
-        """Write host values that broadcast to the shape."""
-        if self.is_cpu:
-            self._array[...] = values
-        else:
-            from .device_memory import write
-
-            write(self._array, self._shape, values)
+            _write(self, changed)
 
     def _written(self, result: Tensor) -> Self:
         """Replace the values by those of a tensor that broadcasts to this shape."""
-        if self.is_cuda and result.device == self.device and result._shape == self._shape:
-            from .device_functions import converted, overwrite
-
-            overwrite(self._array, converted(result._array, self._numpy_dtype))
-        else:
-            self._write(result._values.astype(self._numpy_dtype, copy=False))
+        _copy_into(self, result)
         return self
 
     def __iter__(self) -> Iterator[Tensor]:
@@ -366,7 +323,7 @@ class Tensor(HintedNames):
         """The transposed matrix, as a view."""
         if self.ndim > 2:
             raise TensorError(f"T: expected at most two axes, got {self.ndim}")
-        return self._view(lambda values: values.T)
+        return _view(self, lambda values: values.T)
 
     @as_tensor_error
     def reshape(self, dst_shape: Any) -> Tensor:
@@ -374,7 +331,7 @@ class Tensor(HintedNames):
         shape = SizeVector(dst_shape)
         if any(size < -1 for size in shape):
             raise TensorError(f"dst_shape: expected sizes from 0 on, and at most one -1, got {shape}")
-        return self.contiguous()._view(lambda values: values.reshape(shape))
+        return _view(self.contiguous(), lambda values: values.reshape(shape))
 
     def flatten(self, start_dim: int = 0, end_dim: int = -1) -> Tensor:
         """This tensor with the axes from `start_dim` to `end_dim` joined."""
@@ -402,15 +359,16 @@ class Tensor(HintedNames):
             other = Tensor(other, device=self.device)
         if not isinstance(other, Tensor):
             return NotImplemented
-        if other._numpy_dtype != self._numpy_dtype:
+        if other.dtype != self.dtype:
             raise TensorError(
                 f"{name}: expected a tensor of {self.dtype}, got {other.dtype}; .to(dtype) converts one of them"
             )
         return self._checked(other)
 
     def _combined(self, name: str, left: Tensor, right: Tensor) -> Tensor:
-        result = self._on_device("binary", name, left._array, left._shape, right._array, right._shape)
-        return self._like(elementwise.binary(name, left._values, right._values)) if result is None else result
+        shapes = tuple(left.shape), tuple(right.shape)
+        result = self._on_device("binary", name, left.array, shapes[0], right.array, shapes[1])
+        return self._like(elementwise.binary(name, left.numpy(), right.numpy())) if result is None else result
 
     def _on_device(self, function: str, *arguments: Any) -> Tensor | None:
         """The result of a function of `device_functions`. None on the CPU, and for what is left to the host."""
@@ -419,7 +377,7 @@ class Tensor(HintedNames):
         from . import device_functions
 
         result = getattr(device_functions, function)(*arguments)
-        return None if result is None else Tensor._around(result[0], is_number=not result[1])
+        return None if result is None else Tensor.from_array(result[0], is_number=not result[1])
 
     @as_tensor_error
     def clip(self, min: Any, max: Any) -> Tensor:
@@ -431,19 +389,19 @@ class Tensor(HintedNames):
 
     def isclose(self, other: Tensor, rtol: float = 1e-5, atol: float = 1e-8) -> Tensor:
         """True where the values differ by at most atol + rtol * abs(other)."""
-        if self._operand("isclose", other)._shape != self._shape:
-            raise TensorError(f"other: expected shape {list(self._shape)}, got {list(other._shape)}")
-        return self._like(np.isclose(self._values, other._values, rtol, atol))
+        if self._operand("isclose", other).shape != self.shape:
+            raise TensorError(f"other: expected shape {list(self._shape)}, got {list(other.shape)}")
+        return self._like(np.isclose(self._values, other.numpy(), rtol, atol))
 
     def allclose(self, other: Tensor, rtol: float = 1e-5, atol: float = 1e-8) -> bool:
-        return bool(self.isclose(other, rtol, atol)._values.all())
+        return bool(self.isclose(other, rtol, atol).numpy().all())
 
     def issame(self, other: Tensor) -> bool:
         """True if both are the same memory with the same shape, strides and dtype."""
 
         def identity(part: Tensor) -> tuple[Any, ...]:
-            address = part._array.ctypes.data if part.is_cpu else part._array.ptr
-            return address, part.device, part.dtype, part._shape, tuple(part.strides)
+            address = part.array.ctypes.data if part.is_cpu else part.array.ptr
+            return address, part.device, part.dtype, tuple(part.shape), tuple(part.strides)
 
         return identity(self) == identity(other)
 
@@ -457,6 +415,46 @@ class Tensor(HintedNames):
         return concatenate((self, values), axis)
 
 
+def on_device(values: NDArray[Any], device: Device | str | None) -> Tensor:
+    """A tensor that takes host values without a copy, or their copy on a GPU."""
+    made = Tensor.from_array(values)
+    if device is None or Device(device).name == "cpu":
+        return made
+    from .device_memory import to_device
+
+    return Tensor.from_array(to_device(values, Device(device).name), is_number=not values.ndim)
+
+
+def _view(tensor: Tensor, change: Callable[[NDArray[Any]], Any]) -> Tensor:
+    """A view, by a function that computes it for a NumPy array."""
+    if tensor.is_cpu:
+        return Tensor.from_array(np.asarray(change(tensor.array)))
+    from .device_memory import view
+
+    array, shape = view(tensor.array, tuple(tensor.shape), change)
+    return Tensor.from_array(array, is_number=not shape)
+
+
+def _write(tensor: Tensor, values: NDArray[Any]) -> None:
+    """Write host values that broadcast to the shape."""
+    if tensor.is_cpu:
+        tensor.array[...] = values
+    else:
+        from .device_memory import write
+
+        write(tensor.array, tuple(tensor.shape), values)
+
+
+def _copy_into(tensor: Tensor, source: Tensor) -> None:
+    """Replace the values by those of a tensor that broadcasts to this shape."""
+    if tensor.is_cuda and source.device == tensor.device and source.shape == tensor.shape:
+        from .device_functions import converted, overwrite
+
+        overwrite(tensor.array, converted(source.array, tensor.dtype.numpy))
+    else:
+        _write(tensor, source.numpy().astype(tensor.dtype.numpy, copy=False))
+
+
 def concatenate(tensors: Any, axis: int | None = 0) -> Tensor:
     """Tensors one after another along an axis. A single tensor is split along its first axis. None joins flat ones."""
     parts = [tensors] if isinstance(tensors, Tensor) else list(tensors)
@@ -466,4 +464,3 @@ def concatenate(tensors: Any, axis: int | None = 0) -> Tensor:
 
 
 _concatenated = on_host(lambda *arrays, axis: linalg.concatenate(arrays, axis))
-add_methods(Tensor)

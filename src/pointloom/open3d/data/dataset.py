@@ -104,24 +104,24 @@ def _roots(data_root: str | os.PathLike[str]) -> list[Path]:
 
 def file(name: str) -> Any:
     """An attribute with the path of a file."""
-    return property(lambda dataset: dataset._path(name))
+    return property(lambda self: self._path(name))
 
 
 def files(pattern: str, numbers: Iterable[int]) -> Any:
     """An attribute with the paths of numbered files."""
-    return property(lambda dataset: [dataset._path(pattern.format(number)) for number in numbers])
+    return property(lambda self: [self._path(pattern.format(number)) for number in numbers])
 
 
 def files_in(folder: str, suffix: str) -> Any:
     """An attribute with the sorted paths of all files of a folder. Raises FileError if there are none."""
 
-    def read(dataset: Dataset) -> list[str]:
-        found = sorted(path.name for path in (dataset._folder / folder).glob(f"*{suffix}"))
-        return [dataset._path(f"{folder}/{name}") for name in found or [f"*{suffix}"]]
+    def read(self: Dataset) -> list[str]:
+        found = sorted(path.name for path in (self._folder / folder).glob(f"*{suffix}"))
+        return [self._path(f"{folder}/{name}") for name in found or [f"*{suffix}"]]
 
     return property(read)
 
 
 def path_map(**names: str) -> Any:
     """An attribute with the paths of files by key."""
-    return property(lambda dataset: {key: dataset._path(name) for key, name in names.items()})
+    return property(lambda self: {key: self._path(name) for key, name in names.items()})

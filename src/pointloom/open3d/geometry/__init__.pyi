@@ -3,7 +3,6 @@
 from . import keypoint as keypoint
 from .boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .boxes import OrientedBoundingBox as OrientedBoundingBox
-from .ellipsoids import OrientedBoundingEllipsoid as OrientedBoundingEllipsoid
 from .enums import DeformAsRigidAsPossibleEnergy as DeformAsRigidAsPossibleEnergy
 from .enums import FilterScope as FilterScope
 from .enums import ImageFilterType as ImageFilterType
@@ -11,8 +10,6 @@ from .enums import SimplificationContraction as SimplificationContraction
 from .geometry import Geometry as Geometry
 from .geometry import Geometry2D as Geometry2D
 from .geometry import Geometry3D as Geometry3D
-from .half_edge import HalfEdge as HalfEdge
-from .half_edge import HalfEdgeTriangleMesh as HalfEdgeTriangleMesh
 from .image import Image as Image
 from .kdtree import KDTreeFlann as KDTreeFlann
 from .line_set import LineSet as LineSet

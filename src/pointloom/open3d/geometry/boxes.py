@@ -27,11 +27,11 @@ class Value:
         self.name = name
 
     def __get__(self, box: Any, owner: type) -> Any:
-        return self if box is None else box._parts()[self.name]
+        return self if box is None else box.parts()[self.name]
 
     def __set__(self, box: Any, values: ArrayLike) -> None:
         part = column(self.name, values) if self.shape == (3,) else check_shape(self.name, values, self.shape)
-        box._set(**{self.name: part.astype(np.float64)})
+        box.set_parts(**{self.name: part.astype(np.float64)})
 
 
 class Lengths(Value):
@@ -48,22 +48,22 @@ class BoundingBox(Geometry3D):
     color = Value(3)
 
     @property
-    def _native(self) -> Any:
+    def native(self) -> Any:
         if self._edited is not None:
             made = self._kind(*(self._edited[name] for name in self._fields))
             made.color = self._edited["color"]
             self._wrapped, self._edited = made, None
         return self._wrapped
 
-    def _parts(self) -> dict[str, Row]:
+    def parts(self) -> dict[str, Row]:
         return self._edited or {name: getattr(self._wrapped, name) for name in (*self._fields, "color")}
 
-    def _set(self, **parts: Row) -> None:
-        self._edited = self._parts() | parts
+    def set_parts(self, **parts: Row) -> None:
+        self._edited = self.parts() | parts
 
     def clear(self) -> Self:
         """Reset to an empty box at zero."""
-        self._wrapped, self._edited = type(self)()._wrapped, None
+        self._wrapped, self._edited = unwrap(type(self)()), None
         return self
 
     def transform(self, arg0: ArrayLike) -> Self:
@@ -81,25 +81,25 @@ class BoundingBox(Geometry3D):
         return self if scale > 0 else self.translate(2 * (middle - self.get_center()))
 
     def get_box_points(self) -> Vector3dVector:
-        return Vector3dVector(self._native.get_box_points())
+        return Vector3dVector(self.native.get_box_points())
 
     def get_extent(self) -> Row:
-        return self._native.get_extent()
+        return self.native.get_extent()
 
     def get_point_indices_within_bounding_box(self, points: Any) -> list[int]:
-        return self._native.get_point_indices_within_bounding_box(as_array(points)).tolist()
+        return self.native.get_point_indices_within_bounding_box(as_array(points)).tolist()
 
     def volume(self) -> float:
-        return self._native.volume()
+        return self.native.volume()
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        return AxisAlignedBoundingBox._of(self._native.get_axis_aligned_bounding_box())
+        return AxisAlignedBoundingBox.from_native(self.native.get_axis_aligned_bounding_box())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        return OrientedBoundingBox._of(self._native.get_oriented_bounding_box(robust))
+        return OrientedBoundingBox.from_native(self.native.get_oriented_bounding_box(robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        return OrientedBoundingBox._of(self._native.get_minimal_oriented_bounding_box(robust))
+        return OrientedBoundingBox.from_native(self.native.get_minimal_oriented_bounding_box(robust))
 
 
 class AxisAlignedBoundingBox(BoundingBox):
@@ -121,7 +121,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_points(cls, points: Any) -> Self:
-        return cls._of(cls._kind.create_from_points(as_array(points)))
+        return cls.from_native(cls._kind.create_from_points(as_array(points)))
 
     def rotate(self, R: ArrayLike, center: Any = None) -> Self:
         """Always raises RuntimeError, as in Open3D."""
@@ -130,19 +130,19 @@ class AxisAlignedBoundingBox(BoundingBox):
         )
 
     def get_half_extent(self) -> Row:
-        return self._native.get_half_extent()
+        return self.native.get_half_extent()
 
     def get_max_extent(self) -> float:
-        return self._native.get_max_extent()
+        return self.native.get_max_extent()
 
     def get_print_info(self) -> str:
-        return self._native.get_print_info()
+        return self.native.get_print_info()
 
     def __iadd__(self, other: AxisAlignedBoundingBox) -> Self:
-        return self._become(self._native + unwrap(other, AxisAlignedBoundingBox, "other"))
+        return self._become(self.native + unwrap(other, AxisAlignedBoundingBox, "other"))
 
     def __repr__(self) -> str:
-        parts = self._parts()
+        parts = self.parts()
         return f"AxisAlignedBoundingBox: min: {_row(parts['min_bound'])}, max: {_row(parts['max_bound'])}"
 
 
@@ -174,20 +174,22 @@ class OrientedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, aabox: Any) -> Self:
-        return cls._of(cls._kind.create_from_axis_aligned_bounding_box(unwrap(aabox, AxisAlignedBoundingBox, "aabox")))
+        return cls.from_native(
+            cls._kind.create_from_axis_aligned_bounding_box(unwrap(aabox, AxisAlignedBoundingBox, "aabox"))
+        )
 
     @classmethod
     def create_from_points(cls, points: Any, robust: bool = False) -> Self:
         """Box along the principal axes of points."""
-        return cls._of(cls._kind.create_from_points(as_array(points), robust))
+        return cls.from_native(cls._kind.create_from_points(as_array(points), robust))
 
     @classmethod
     def create_from_points_minimal(cls, points: Any, robust: bool = False) -> Self:
         """Smallest box of points."""
-        return cls._of(cls._kind.create_from_points_minimal(as_array(points), robust))
+        return cls.from_native(cls._kind.create_from_points_minimal(as_array(points), robust))
 
     def __repr__(self) -> str:
-        parts = self._parts()
+        parts = self.parts()
         return f"OrientedBoundingBox: center: {_row(parts['center'])}, extent: {_row(parts['extent'])[1:]}"
 
 

@@ -24,7 +24,6 @@ class GeometryType(enum.IntEnum):
     VoxelGrid = 2
     LineSet = 4
     TriangleMesh = 6
-    HalfEdgeTriangleMesh = 7
     Image = 8
     RGBDImage = 9
     TetraMesh = 10
@@ -32,7 +31,7 @@ class GeometryType(enum.IntEnum):
 
 class Geometry(Wrapper):
     Type = GeometryType
-    Unspecified, PointCloud, VoxelGrid, LineSet, TriangleMesh, HalfEdgeTriangleMesh, Image, RGBDImage, TetraMesh = Type
+    Unspecified, PointCloud, VoxelGrid, LineSet, TriangleMesh, Image, RGBDImage, TetraMesh = Type
     _dimension: ClassVar[int] = 3
 
     def dimension(self) -> int:
@@ -66,36 +65,36 @@ class Geometry3D(Geometry):
     get_rotation_matrix_from_quaternion = staticmethod(rotations.get_rotation_matrix_from_quaternion)
 
     def clear(self) -> Self:
-        return self._become(self._native.clear())
+        return self._become(self.native.clear())
 
     def is_empty(self) -> bool:
-        return bool(self._native.is_empty())
+        return bool(self.native.is_empty())
 
     def get_min_bound(self) -> NDArray[np.float64]:
-        return self._native.get_min_bound()
+        return self.native.get_min_bound()
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        return self._native.get_max_bound()
+        return self.native.get_max_bound()
 
     def get_center(self) -> NDArray[np.float64]:
-        return self._native.get_center()
+        return self.native.get_center()
 
     def transform(self, arg0: ArrayLike) -> Self:
         """Apply a 4x4 matrix; projective or singular ones transform the points in float64."""
         T = np.asarray(arg0)
         if T.shape == (4, 4) and np.isfinite(T).all() and not is_affine(T):
             return self._map_arrays(T.astype(np.float64))
-        return self._moved(self._native.transform(arg0), T[:3, :3])
+        return self._moved(self.native.transform(arg0), T[:3, :3])
 
     def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
         """Translate by a vector. With `relative=False`, move the center there."""
-        return self._become(self._native.translate(column("translation", translation), relative))
+        return self._become(self.native.translate(column("translation", translation), relative))
 
     def scale(self, scale: float, center: ArrayLike) -> Self:
         """Scale about a point. Zero and negative factors affect the points only."""
         factor, middle = check_number("scale", scale), column("center", center)
         if factor > 0 or not self._arrays:
-            return self._become(self._native.scale(scale, middle))
+            return self._become(self.native.scale(scale, middle))
         return self._map_arrays(map_about(factor * np.eye(3), middle), directions=False)
 
     def rotate(self, R: ArrayLike, center: Any = None) -> Self:
@@ -103,7 +102,7 @@ class Geometry3D(Geometry):
         A, middle = np.asarray(R), self.get_center() if center is None else column("center", center)
         if self._arrays and A.shape == (3, 3) and not is_rotation(A):
             return self.transform(map_about(A, middle))
-        return self._moved(self._native.rotate(R, middle), A)
+        return self._moved(self.native.rotate(R, middle), A)
 
     def _moved(self, new: Any, A: NDArray[np.float64]) -> Self:
         """Replace the object by its image under a map with the 3x3 part A."""
@@ -121,7 +120,7 @@ class Geometry3D(Geometry):
                 continue
             else:
                 values = matmul(values, A.T) if kind == "normals" else matmul(A, values, A.T)
-            self._assign(name, type(getattr(self, name))(values))
+            self.assign(name, type(getattr(self, name))(values))
         return self
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -27,8 +27,6 @@ class Image(HintedNames):
     """An image, uint8, uint16 or float32, (h, w) or (h, w, c); `np.asarray(image)` is its memory."""
 
     Type = GeometryType
-    _row: ClassVar[tuple[int, ...]] = (0,)
-    _dtype: ClassVar[Any] = None
 
     def __init__(self, image: Any = None):
         values: NDArray[Any] = np.zeros((0, 0), np.uint8) if image is None else np.asarray(image)
@@ -40,20 +38,20 @@ class Image(HintedNames):
         self._values = np.array(values[..., 0] if values.ndim == 3 and values.shape[2] == 1 else values, order="C")
 
     @classmethod
-    def _around(cls, values: NDArray[Any]) -> Self:
-        """Wrap an array of the right type and shape without a copy."""
-        image = cls.__new__(cls)
-        image._values = values
+    def from_array(cls, values: NDArray[Any]) -> Self:
+        """An image of a copy of values of the right type and shape."""
+        image = cls()
+        image.refill(values)
         return image
 
-    def _fill(self, values: NDArray[Any]) -> None:
+    def refill(self, values: NDArray[Any]) -> None:
         """Replace the pixels, in the same memory if they fit."""
         if self._values.shape == values.shape and self._values.dtype == values.dtype:
             self._values[...] = values
         else:
             self._values = np.array(values)
 
-    def _floats(self) -> NDArray[np.float32]:
+    def gray_floats(self) -> NDArray[np.float32]:
         """Gray floats as in Open3D: bytes over 255, larger types unscaled."""
         values = self._values.astype(np.float32) / np.float32(255 if self._values.dtype == np.uint8 else 1)
         return values if values.ndim == 2 else values[..., :3] @ GRAY
@@ -103,12 +101,12 @@ class Image(HintedNames):
 
     def filter(self, filter_type: ImageFilterType) -> Image:
         columns, rows = WEIGHTS[filter_type]
-        values = correlate1d(self._floats(), columns, axis=1, mode="nearest")
+        values = correlate1d(self.gray_floats(), columns, axis=1, mode="nearest")
         return Image(correlate1d(values, rows, axis=0, mode="nearest"))
 
     def create_pyramid(self, num_of_levels: int, with_gaussian_filter: bool) -> list[Image]:
         """Gray floats at successive half sizes (means of 2 x 2 pixels)."""
-        levels = [self._floats()]
+        levels = [self.gray_floats()]
         for _ in range(num_of_levels - 1):
             image = Image(levels[-1])
             fine = np.asarray(image.filter(ImageFilterType.Gaussian3) if with_gaussian_filter else image)
@@ -139,7 +137,7 @@ def depth_of(depth: Any, *, bytes_too: bool = False) -> NDArray[Any]:
     pixels = pixels_of(depth, "depth")
     if pixels.dtype == np.uint16 or (pixels.dtype == np.uint8 and not bytes_too):
         return pixels
-    return Image(pixels)._floats()
+    return Image(pixels).gray_floats()
 
 
 def below(depth_trunc: float) -> float:

@@ -18,4 +18,4 @@ def compute_iss_keypoints(
     min_neighbors: int = 5,
 ) -> PointCloud:
     limits = salient_radius, non_max_radius, gamma_21, gamma_32, min_neighbors
-    return PointCloud._of(keypoints.compute_iss_keypoints(unwrap(input, PointCloud, "input"), *limits))
+    return PointCloud.from_native(keypoints.compute_iss_keypoints(unwrap(input, PointCloud, "input"), *limits))

@@ -15,7 +15,6 @@ from ..wrapper import Rows, column, unwrap
 from .bounded import BoundedByBoxes
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .point_cloud import PointCloud
-from .triangle_mesh import TriangleMesh
 
 
 class LineSet(BoundedByBoxes):
@@ -33,7 +32,7 @@ class LineSet(BoundedByBoxes):
         empty = line_set.LineSet(np.zeros((0, 3)), np.zeros((0, 2), np.int32))
         self._wrapped, self._shared = given if isinstance(given, self._kind) else empty, {}
         if isinstance(points, LineSet):
-            self._shared = points.__copy__()._shared
+            vars(self).update(vars(points.__copy__()))
         elif given is not self._wrapped:
             self.points, self.lines = Vector3dVector(points), Vector2iVector(lines)
 
@@ -51,17 +50,13 @@ class LineSet(BoundedByBoxes):
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, box: Any) -> Self:
-        return cls._of(cls._kind.create_from_axis_aligned_bounding_box(unwrap(box, AxisAlignedBoundingBox, "box")))
+        return cls.from_native(
+            cls._kind.create_from_axis_aligned_bounding_box(unwrap(box, AxisAlignedBoundingBox, "box"))
+        )
 
     @classmethod
     def create_from_oriented_bounding_box(cls, box: Any) -> Self:
-        return cls._of(cls._kind.create_from_oriented_bounding_box(unwrap(box, OrientedBoundingBox, "box")))
-
-    @classmethod
-    def create_from_oriented_bounding_ellipsoid(cls, ellipsoid: Any) -> Self:
-        """Edges of the mesh of an ellipsoid, in its color."""
-        made = cls.create_from_triangle_mesh(TriangleMesh.create_from_oriented_bounding_ellipsoid(ellipsoid))
-        return made.paint_uniform_color(ellipsoid.color)
+        return cls.from_native(cls._kind.create_from_oriented_bounding_box(unwrap(box, OrientedBoundingBox, "box")))
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> Self:
@@ -93,7 +88,7 @@ class LineSet(BoundedByBoxes):
         elif "view_width_px" in kwargs:
             size = kwargs.pop("view_width_px"), kwargs.pop("view_height_px")
             kwargs["intrinsic"] = PinholeCameraIntrinsic(*size, kwargs["intrinsic"])
-        return cls._of(
+        return cls.from_native(
             cls._kind.create_camera_visualization(*map(unwrap, args), **{k: unwrap(v) for k, v in kwargs.items()})
         )
 
@@ -110,29 +105,29 @@ class LineSet(BoundedByBoxes):
         return not self.has_points()
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
-        return self._become(self._native.paint_uniform_color(column("color", color)))
+        return self._become(self.native.paint_uniform_color(column("color", color)))
 
     def get_line_coordinate(self, line_index: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        return self._native.get_line_coordinate(line_index)
+        return self.native.get_line_coordinate(line_index)
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """Box along the principal axes."""
-        return OrientedBoundingBox._of(boxes.OrientedBoundingBox.create_from_points(self._native.points, robust))
+        return OrientedBoundingBox.from_native(boxes.OrientedBoundingBox.create_from_points(self.native.points, robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        made = OurCloud(self._native.points).get_minimal_oriented_bounding_box(robust)
-        return OrientedBoundingBox._of(made)
+        made = OurCloud(self.native.points).get_minimal_oriented_bounding_box(robust)
+        return OrientedBoundingBox.from_native(made)
 
     def _joined(self, other: Any) -> Any:
         """Both sets as one. Colors are kept if all lines have them."""
-        parts = [self._native, unwrap(other, LineSet, "other")]
+        parts = [self.native, unwrap(other, LineSet, "other")]
         made, colors = parts[0] + parts[1], [part.colors for part in parts if len(part.lines)]
         if made.colors is None and colors and all(rows is not None for rows in colors):
             return self._kind(made.points, made.lines, np.concatenate(colors))
         return made
 
     def __add__(self, other: Any) -> LineSet:
-        return LineSet._of(self._joined(other))
+        return LineSet.from_native(self._joined(other))
 
     def __iadd__(self, other: Any) -> Self:
         return self._become(self._joined(other))

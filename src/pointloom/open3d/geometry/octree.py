@@ -21,7 +21,6 @@ from .octree_nodes import (
     OctreeColorLeafNode,
     OctreeInternalNode,
     OctreeInternalPointNode,
-    OctreeLeafNode,
     OctreeNodeInfo,
     OctreePointColorLeafNode,
     made,
@@ -60,9 +59,9 @@ class Octree(Geometry3D):
         self._origin = column("origin", value).astype(np.float64)
 
     @property
-    def _native(self) -> Any:
+    def native(self) -> Any:
         """The leaves as a `loom.VoxelGrid`, for drawing."""
-        return self.to_voxel_grid()._native
+        return self.to_voxel_grid().native
 
     def convert_from_point_cloud(self, point_cloud: Any, size_expand: float = 0.01) -> None:
         """Replace the nodes by those of a cloud. The cube around it is enlarged by the fraction `size_expand` (0..1).
@@ -112,36 +111,6 @@ class Octree(Geometry3D):
             children[:, depth] = upper @ np.array([1, 2, 4])
             half /= 2
         return children
-
-    def insert_point(
-        self,
-        point: ArrayLike,
-        f_init: Callable[[], Any],
-        f_update: Callable[[Any], None],
-        fi_init: Callable[[], Any] | None = None,
-        fi_update: Callable[[Any], None] | None = None,
-    ) -> None:
-        """Insert a point: `f_init` makes its leaf, `f_update` changes it; `fi_init` and `fi_update` internal nodes.
-
-        Points outside the cube are ignored.
-        """
-        place = column("point", point)
-        make, update = fi_init or OctreeInternalNode, fi_update or (lambda node: None)
-        if not self.is_point_in_bound(place, self.origin, self.size):
-            return
-        if self.root_node is None:
-            self.root_node = make() if self.max_depth else f_init()
-        node = self.root_node
-        for depth, (index, _, _) in zip(range(self.max_depth), self._path(place), strict=False):
-            if not isinstance(node, OctreeInternalNode):
-                raise TypeError(f"fi_init: expected a function that makes an OctreeInternalNode, got {node}")
-            update(node)
-            if node.children[index] is None:
-                node.children[index] = make() if depth + 1 < self.max_depth else f_init()
-            node = node.children[index]
-        if not isinstance(node, OctreeLeafNode):
-            raise TypeError(f"f_init: expected a function that makes an OctreeLeafNode, got {node}")
-        f_update(node)
 
     def _path(self, point: NDArray[np.float64]) -> Iterator[tuple[int, list[float], float]]:
         """Index, corner and size of the children that contain a point, without end."""
@@ -198,7 +167,7 @@ class Octree(Geometry3D):
         cells = np.array([[(2 * i + 1 << deepest - leaf[4]) >> 1 for i in leaf[1:4]] for leaf in leaves], np.int32)
         order = np.lexsort(cells.T[::-1])
         colors = np.array([getattr(leaf[0], "color", np.zeros(3)) for leaf in leaves], np.float64)
-        return VoxelGrid._around(self.origin, self.size / 2**deepest, cells[order], colors[order])
+        return VoxelGrid.from_cells(self.origin, self.size / 2**deepest, cells[order], colors[order])
 
     def create_from_voxel_grid(self, voxel_grid: Any) -> None:
         """Insert the voxels of a grid as colored leaves, in a cube from the origin of the grid."""
@@ -206,7 +175,7 @@ class Octree(Geometry3D):
             raise TypeError(f"voxel_grid: expected a VoxelGrid, got {type(voxel_grid).__name__}")
         self.origin = voxel_grid.origin
         self.size = float((voxel_grid.get_max_bound() - voxel_grid.origin).max())
-        cells, colors = voxel_grid._voxels()
+        cells, colors = voxel_grid.cells_and_colors()
         centers = voxel_grid.origin + (cells + 0.5) * voxel_grid.voxel_size
         self._fill(
             centers,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable
 from typing import Any, Self
 
 import numpy as np
@@ -63,14 +62,6 @@ class OctreeNode(KnownNames):
     def _clear(self) -> None:
         """Set the fields of an empty node."""
 
-    @classmethod
-    def get_init_function(cls) -> Callable[[], Self]:
-        """A function that makes an empty node."""
-        return cls
-
-    def _to_json(self) -> dict[str, Any]:
-        return {"class_name": type(self).__name__}
-
 
 class OctreeInternalNode(OctreeNode):
     """A node with 8 `children`, of which some are None."""
@@ -79,14 +70,6 @@ class OctreeInternalNode(OctreeNode):
 
     def _clear(self) -> None:
         self.children = [None] * CHILDREN
-
-    @classmethod
-    def get_update_function(cls) -> Callable[[Any], None]:
-        """A function that does nothing to a node."""
-        return lambda node: None
-
-    def _to_json(self) -> dict[str, Any]:
-        return super()._to_json() | {"children": [{} if one is None else one._to_json() for one in self.children]}
 
     def __repr__(self) -> str:
         return f"OctreeInternalNode with {_count(self)} non-empty child nodes"
@@ -98,16 +81,7 @@ class OctreeInternalPointNode(OctreeInternalNode):
     indices: list[int]
 
     def _clear(self) -> None:
-        super()._clear()
-        self.indices = []
-
-    @classmethod
-    def get_update_function(cls, idx: int) -> Callable[[Any], None]:  # pyright: ignore[reportIncompatibleMethodOverride]
-        """A function that adds a point index to a node."""
-        return lambda node: node.indices.append(idx)
-
-    def _to_json(self) -> dict[str, Any]:
-        return super()._to_json() | {"indices": self.indices}
+        self.children, self.indices = [None] * CHILDREN, []
 
     def __repr__(self) -> str:
         return f"OctreeInternalPointNode with {_count(self)} non-empty child nodes and {len(self.indices)} points"
@@ -137,17 +111,8 @@ class OctreeColorLeafNode(OctreeLeafNode):
     def color(self, value: ArrayLike) -> None:
         self._color = column("color", value).astype(np.float64)
 
-    @classmethod
-    def get_update_function(cls, color: ArrayLike) -> Callable[[Any], None]:
-        """A function that sets the color of a leaf."""
-        given = column("color", color)
-        return lambda node: setattr(node, "color", given)
-
-    def _to_json(self) -> dict[str, Any]:
-        return super()._to_json() | {"color": self._color.tolist()}
-
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and np.allclose(self._color, other._color, rtol=NEAR, atol=NEAR)
+        return type(other) is type(self) and np.allclose(self._color, other.color, rtol=NEAR, atol=NEAR)
 
     __hash__ = OctreeLeafNode.__hash__
 
@@ -165,24 +130,10 @@ class OctreePointColorLeafNode(OctreeLeafNode):
 
     color = OctreeColorLeafNode.color
 
-    @classmethod
-    def get_update_function(cls, idx: int, color: ArrayLike) -> Callable[[Any], None]:
-        """A function that adds a point index to a leaf and sets its color."""
-        given = column("color", color)
-
-        def update(node: OctreePointColorLeafNode) -> None:
-            node.color = given
-            node.indices.append(idx)
-
-        return update
-
-    def _to_json(self) -> dict[str, Any]:
-        return super()._to_json() | {"color": self._color.tolist(), "indices": self.indices}
-
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self) or self.indices != other.indices:
             return False
-        return np.allclose(self._color, other._color, rtol=NEAR, atol=NEAR)
+        return np.allclose(self._color, other.color, rtol=NEAR, atol=NEAR)
 
     __hash__ = OctreeLeafNode.__hash__
 

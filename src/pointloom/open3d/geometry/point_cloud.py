@@ -41,13 +41,13 @@ class PointCloud(BoundedByBoxes):
         given = unwrap(points)
         self._wrapped, self._shared = given if isinstance(given, cloud.PointCloud) else cloud.PointCloud(), {}
         if isinstance(points, PointCloud):
-            self._shared = points.__copy__()._shared
+            vars(self).update(vars(points.__copy__()))
         elif given is not self._wrapped:
             self.points = given if isinstance(given, np.ndarray | Vector3dVector) else np.asarray(given)
 
     def _read(self, name: str) -> NDArray[Any]:
         if name not in self._wrapped:
-            return np.zeros((0, *getattr(type(self), name).kind._row))
+            return np.asarray(getattr(type(self), name).kind())
         return getattr(self._wrapped, name)
 
     def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
@@ -63,11 +63,11 @@ class PointCloud(BoundedByBoxes):
                 made.points = np.array(self.points)
         else:
             for name in VECTORS:
-                self._vector(name)  # of the old cloud
+                self.vector(name)  # of the old cloud
             changed, made = [*VECTORS], cloud.PointCloud(np.array(self.points), device=made.device)
         for name in (name for name in VECTORS if name in changed):
-            if count and len(self._vector(name)) == count:
-                setattr(made, name, np.array(self._vector(name)))
+            if count and len(self.vector(name)) == count:
+                setattr(made, name, np.array(self.vector(name)))
             elif name in made:
                 made = made.without(name)
         return made
@@ -94,10 +94,10 @@ class PointCloud(BoundedByBoxes):
         return f"PointCloud with {self._count('points')} points."
 
     def __add__(self, other: Any) -> PointCloud:
-        return PointCloud._of(self._native + unwrap(other, PointCloud, "other"))
+        return PointCloud.from_native(self.native + unwrap(other, PointCloud, "other"))
 
     def __iadd__(self, other: Any) -> Self:
-        return self._become(self._native + unwrap(other, PointCloud, "other"))
+        return self._become(self.native + unwrap(other, PointCloud, "other"))
 
     @classmethod
     def create_from_depth_image(
@@ -115,7 +115,7 @@ class PointCloud(BoundedByBoxes):
         made = cloud.PointCloud.create_from_depth_image(
             pixels, unwrap(intrinsic), extrinsic, depth_scale, farthest, stride, project_valid_depth_only
         )
-        return cls._of(made)
+        return cls.from_native(made)
 
     @classmethod
     def create_from_rgbd_image(
@@ -125,98 +125,98 @@ class PointCloud(BoundedByBoxes):
         made = cloud.PointCloud.create_from_rgbd_image(
             unwrap(image), unwrap(intrinsic), extrinsic, project_valid_depth_only
         )
-        return cls._of(made)
+        return cls.from_native(made)
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
-        return self._become(self._native.paint_uniform_color(column("color", color)))
+        return self._become(self.native.paint_uniform_color(column("color", color)))
 
     def estimate_normals(self, search_param: KDTreeSearchParam = KNN, fast_normal_computation: bool = True) -> None:
         """Estimate normals, oriented by existing ones. `fast_normal_computation` has no effect."""
-        self._become(self._native.estimate_normals(**keywords_of(search_param)))
+        self._become(self.native.estimate_normals(**keywords_of(search_param)))
 
     def estimate_covariances(self, search_param: KDTreeSearchParam = KNN) -> None:
-        self._become(self._native.estimate_covariances(**keywords_of(search_param)))
+        self._become(self.native.estimate_covariances(**keywords_of(search_param)))
 
     def normalize_normals(self) -> Self:
-        return self._become(self._native.normalize_normals()) if self.has_normals() else self
+        return self._become(self.native.normalize_normals()) if self.has_normals() else self
 
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> None:
         self._become(
-            self._native.orient_normals_to_align_with_direction(column("orientation_reference", orientation_reference))
+            self.native.orient_normals_to_align_with_direction(column("orientation_reference", orientation_reference))
         )
 
     def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> None:
-        self._become(self._native.orient_normals_towards_camera_location(column("camera_location", camera_location)))
+        self._become(self.native.orient_normals_towards_camera_location(column("camera_location", camera_location)))
 
     def orient_normals_consistent_tangent_plane(
         self, k: int, lambda_penalty: float = 0.0, cos_alpha_tol: float = 1.0
     ) -> None:
-        self._become(self._native.orient_normals_consistent_tangent_plane(k, lambda_penalty, cos_alpha_tol))
+        self._become(self.native.orient_normals_consistent_tangent_plane(k, lambda_penalty, cos_alpha_tol))
 
     def remove_non_finite_points(self, remove_nan: bool = True, remove_infinite: bool = True) -> Self:
-        return self._become(self._native.remove_non_finite_points(remove_nan, remove_infinite))
+        return self._become(self.native.remove_non_finite_points(remove_nan, remove_infinite))
 
     def remove_duplicated_points(self) -> Self:
-        return self._become(self._native.remove_duplicated_points())
+        return self._become(self.native.remove_duplicated_points())
 
     def voxel_down_sample(self, voxel_size: float) -> PointCloud:
-        return PointCloud._of(self._native.voxel_down_sample(voxel_size))
+        return PointCloud.from_native(self.native.voxel_down_sample(voxel_size))
 
     def voxel_down_sample_and_trace(
         self, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike, approximate_class: bool = False
     ) -> tuple[PointCloud, NDArray[np.int32], list[IntVector]]:
         corners = column("min_bound", min_bound), column("max_bound", max_bound)
-        trace = self._native.voxel_down_sample_and_trace(voxel_size, *corners, approximate_class)
-        return PointCloud._of(trace.cloud), trace.cubic_id, [IntVector(rows) for rows in trace.original_indices]
+        trace = self.native.voxel_down_sample_and_trace(voxel_size, *corners, approximate_class)
+        return PointCloud.from_native(trace.cloud), trace.cubic_id, [IntVector(rows) for rows in trace.original_indices]
 
     def uniform_down_sample(self, every_k_points: int) -> PointCloud:
-        return PointCloud._of(self._native.uniform_down_sample(every_k_points))
+        return PointCloud.from_native(self.native.uniform_down_sample(every_k_points))
 
     def random_down_sample(self, sampling_ratio: float) -> PointCloud:
         """Random fraction of the points, seeded by `o3d.utility.random.seed`."""
-        return PointCloud._of(self._native.random_down_sample(sampling_ratio, next_seed()))
+        return PointCloud.from_native(self.native.random_down_sample(sampling_ratio, next_seed()))
 
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> PointCloud:
-        return PointCloud._of(self._native.farthest_point_down_sample(num_samples, start_index))
+        return PointCloud.from_native(self.native.farthest_point_down_sample(num_samples, start_index))
 
     def select_by_index(self, indices: Any, invert: bool = False) -> PointCloud:
         """The points with these indices, each once and in the order of the cloud, or the others."""
-        cloud = self._native
+        cloud = self.native
         flags = flagged("indices", indices, len(cloud), f"cloud of {len(cloud)} points")
-        return PointCloud._of(cloud.select_by_index(np.flatnonzero(flags != invert)))
+        return PointCloud.from_native(cloud.select_by_index(np.flatnonzero(flags != invert)))
 
     def crop(self, bounding_box: Any, invert: bool = False) -> PointCloud:
-        return PointCloud._of(self._native.crop(unwrap(bounding_box), invert))
+        return PointCloud.from_native(self.native.crop(unwrap(bounding_box), invert))
 
     def remove_statistical_outlier(
         self, nb_neighbors: int, std_ratio: float, print_progress: bool = False
     ) -> tuple[PointCloud, list[int]]:
         """The inlier cloud and its point indices."""
-        inliers, rows = self._native.remove_statistical_outlier(nb_neighbors, std_ratio, print_progress)
-        return PointCloud._of(inliers), rows.tolist()
+        inliers, rows = self.native.remove_statistical_outlier(nb_neighbors, std_ratio, print_progress)
+        return PointCloud.from_native(inliers), rows.tolist()
 
     def remove_radius_outlier(
         self, nb_points: int, radius: float, print_progress: bool = False
     ) -> tuple[PointCloud, list[int]]:
         """The inlier cloud and its point indices."""
-        inliers, rows = self._native.remove_radius_outlier(nb_points, radius, print_progress)
-        return PointCloud._of(inliers), rows.tolist()
+        inliers, rows = self.native.remove_radius_outlier(nb_points, radius, print_progress)
+        return PointCloud.from_native(inliers), rows.tolist()
 
     def smooth_mls(self, search_param: KDTreeSearchParam = NEAR) -> PointCloud:
-        return PointCloud._of(self._native.smooth_mls(**keywords_of(search_param)))
+        return PointCloud.from_native(self.native.smooth_mls(**keywords_of(search_param)))
 
     def smooth_bilateral(
         self, search_param: KDTreeSearchParam = NEAR, sigma_s: float = 0.05, sigma_r: float = 0.05
     ) -> PointCloud:
         """Smooth along normals, which are estimated from 30 neighbors if missing."""
-        search, cloud = keywords_of(search_param), self._native
+        search, cloud = keywords_of(search_param), self.native
         cloud = cloud if self.has_normals() else cloud.estimate_normals(radius=None, max_nn=30)
-        return PointCloud._of(cloud.smooth_bilateral(**search, sigma_s=sigma_s, sigma_r=sigma_r))
+        return PointCloud.from_native(cloud.smooth_bilateral(**search, sigma_s=sigma_s, sigma_r=sigma_r))
 
     def smooth_laplacian(
         self, iterations: int = 10, lambda_: float = 0.5, knn: int = 20, use_fixed_neighborhoods: bool = False
     ) -> PointCloud:
-        return PointCloud._of(self._native.smooth_laplacian(iterations, lambda_, knn, use_fixed_neighborhoods))
+        return PointCloud.from_native(self.native.smooth_laplacian(iterations, lambda_, knn, use_fixed_neighborhoods))
 
     def smooth_taubin(
         self,
@@ -226,21 +226,21 @@ class PointCloud(BoundedByBoxes):
         knn: int = 20,
         use_fixed_neighborhoods: bool = False,
     ) -> PointCloud:
-        return PointCloud._of(self._native.smooth_taubin(iterations, lambda_, mu, knn, use_fixed_neighborhoods))
+        return PointCloud.from_native(self.native.smooth_taubin(iterations, lambda_, mu, knn, use_fixed_neighborhoods))
 
     def compute_point_cloud_distance(self, target: Any) -> DoubleVector:
         """Distance of each point to the nearest point of another cloud."""
-        return DoubleVector(self._native.compute_point_cloud_distance(unwrap(target, PointCloud, "target")))
+        return DoubleVector(self.native.compute_point_cloud_distance(unwrap(target, PointCloud, "target")))
 
     def compute_nearest_neighbor_distance(self) -> DoubleVector:
-        return DoubleVector(self._native.compute_nearest_neighbor_distance())
+        return DoubleVector(self.native.compute_nearest_neighbor_distance())
 
     def compute_mahalanobis_distance(self) -> DoubleVector:
-        return DoubleVector(self._native.compute_mahalanobis_distance())
+        return DoubleVector(self.native.compute_mahalanobis_distance())
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Mean (3,) and covariance (3, 3). Zero and the identity without points."""
-        return self._native.compute_mean_and_covariance() if self.has_points() else (np.zeros(3), np.eye(3))
+        return self.native.compute_mean_and_covariance() if self.has_points() else (np.zeros(3), np.eye(3))
 
     @staticmethod
     def estimate_point_covariances(input: PointCloud, search_param: KDTreeSearchParam = KNN) -> Matrix3dVector:
@@ -250,13 +250,13 @@ class PointCloud(BoundedByBoxes):
 
     def cluster_dbscan(self, eps: float, min_points: int, print_progress: bool = False) -> IntVector:
         """A label per point, -1 for noise."""
-        return IntVector(self._native.cluster_dbscan(eps, min_points, print_progress))
+        return IntVector(self.native.cluster_dbscan(eps, min_points, print_progress))
 
     def segment_plane(
         self, distance_threshold: float, ransac_n: int, num_iterations: int, probability: float = 0.99999999
     ) -> tuple[NDArray[np.float64], list[int]]:
         """The plane (a, b, c, d) with most inliers, and their indices."""
-        plane, rows = self._native.segment_plane(
+        plane, rows = self.native.segment_plane(
             distance_threshold, ransac_n, num_iterations, probability, seed=next_seed()
         )
         return plane, rows.tolist()
@@ -271,15 +271,15 @@ class PointCloud(BoundedByBoxes):
         search_param: KDTreeSearchParam = KNN,
     ) -> list[Any]:
         limits = normal_variance_threshold_deg, coplanarity_deg, outlier_ratio, min_plane_edge_length, min_num_points
-        boxes = self._native.detect_planar_patches(*limits, **keywords_of(search_param))
-        return [geometry.OrientedBoundingBox._of(box) for box in boxes]
+        boxes = self.native.detect_planar_patches(*limits, **keywords_of(search_param))
+        return [geometry.OrientedBoundingBox.from_native(box) for box in boxes]
 
     def compute_convex_hull(self, joggle_inputs: bool = False) -> tuple[Any, list[int]]:
         """Mesh of the hull, and the indices of its points."""
-        hull, rows = self._native.compute_convex_hull(joggle_inputs)
+        hull, rows = self.native.compute_convex_hull(joggle_inputs)
         return geometry.TriangleMesh(hull.vertices, hull.triangles), rows.tolist()
 
     def hidden_point_removal(self, camera_location: ArrayLike, radius: float) -> tuple[Any, list[int]]:
         """Mesh of the points visible from a camera, and their indices."""
-        surface, rows = self._native.hidden_point_removal(column("camera_location", camera_location), radius)
+        surface, rows = self.native.hidden_point_removal(column("camera_location", camera_location), radius)
         return geometry.TriangleMesh(surface.vertices, surface.triangles), rows.tolist()

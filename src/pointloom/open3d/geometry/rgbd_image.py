@@ -58,9 +58,9 @@ class RGBDImage(Geometry2D):
         made = images.RGBDImage.create_from_color_and_depth(
             taken, numbers, depth_scale, below(depth_trunc), convert_rgb_to_intensity
         )
-        image = cls._of(made)
+        image = cls.from_native(made)
         if is_gray:
-            image.color = Image(Image(pixels)._floats())
+            image.color = Image(Image(pixels).gray_floats())
         elif pixels.ndim == 2 and not convert_rgb_to_intensity:
             image.color = Image(pixels)
         return image
@@ -78,7 +78,7 @@ class RGBDImage(Geometry2D):
     @classmethod
     def create_from_sun_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
         raw = pixels_of(depth, "depth")
-        return cls._of(
+        return cls.from_native(
             images.RGBDImage.create_from_sun_format(pixels_of(color, "color"), raw, convert_rgb_to_intensity)
         )
 
@@ -86,7 +86,7 @@ class RGBDImage(Geometry2D):
     def create_from_nyu_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
         """A raw frame of NYU Depth v2."""
         raw = pixels_of(depth, "depth")
-        return cls._of(
+        return cls.from_native(
             images.RGBDImage.create_from_nyu_format(pixels_of(color, "color"), raw, convert_rgb_to_intensity)
         )
 

@@ -26,7 +26,7 @@ class KDTreeSearchParam(HintedNames):
     def get_search_type(self) -> SearchType:
         return self._type
 
-    def _keywords(self) -> dict[str, Any]:
+    def native_keywords(self) -> dict[str, Any]:
         """`radius` and `max_nn` of pointloom."""
         raise NotImplementedError
 
@@ -42,7 +42,7 @@ class KDTreeSearchParamKNN(KDTreeSearchParam):
     def __init__(self, knn: int = 30):
         self.knn = knn
 
-    def _keywords(self) -> dict[str, Any]:
+    def native_keywords(self) -> dict[str, Any]:
         return {"radius": None, "max_nn": self.knn}
 
 
@@ -54,7 +54,7 @@ class KDTreeSearchParamRadius(KDTreeSearchParam):
     def __init__(self, radius: float):
         self.radius = radius
 
-    def _keywords(self) -> dict[str, Any]:
+    def native_keywords(self) -> dict[str, Any]:
         return {"radius": self.radius, "max_nn": None}
 
 
@@ -66,7 +66,7 @@ class KDTreeSearchParamHybrid(KDTreeSearchParam):
     def __init__(self, radius: float, max_nn: int):
         self.radius, self.max_nn = radius, max_nn
 
-    def _keywords(self) -> dict[str, Any]:
+    def native_keywords(self) -> dict[str, Any]:
         return {"radius": self.radius, "max_nn": self.max_nn}
 
 
@@ -77,4 +77,4 @@ def keywords_of(search_param: Any) -> dict[str, Any]:
             f"search_param: expected a KDTreeSearchParam, got {type(search_param).__name__}; "
             "o3d.geometry.KDTreeSearchParamHybrid(radius=0.1, max_nn=30) is one"
         )
-    return search_param._keywords()
+    return search_param.native_keywords()

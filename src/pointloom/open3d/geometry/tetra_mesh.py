@@ -5,15 +5,14 @@ from __future__ import annotations
 from typing import Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from scipy.spatial import Delaunay, QhullError
 
-from ...core.checks import check_number, check_shape
 from ...meshing.mesh import mesh
 from ..vectors import Vector3dVector, Vector4iVector
 from ..wrapper import unwrap
 from .point_cloud import PointCloud
-from .triangle_mesh import MeshBase, TriangleMesh
+from .triangle_mesh import MeshBase
 
 PARTS = ("vertex_normals", "vertex_colors")
 CORNERS = 4
@@ -61,7 +60,7 @@ class TetraMesh(MeshBase):
 
     @tetras.setter
     def tetras(self, value: Any) -> None:
-        self._tetras._fill(Vector4iVector(value)._values)
+        self._tetras.refill(np.asarray(Vector4iVector(value)))
 
     @classmethod
     def create_from_point_cloud(cls, point_cloud: Any) -> tuple[Self, list[int]]:
@@ -81,61 +80,6 @@ class TetraMesh(MeshBase):
         used, tetras = np.unique(corners, return_inverse=True)
         rows = finite[used]
         return cls(points[rows], tetras.reshape(-1, CORNERS)), rows.tolist()
-
-    def extract_triangle_mesh(self, values: ArrayLike, level: float) -> TriangleMesh:
-        """The surface where values of the vertices, linear in each tetrahedron, equal `level`.
-
-        Triangles face higher values.
-        """
-        level = check_number("level", level)
-        field = check_shape("values", np.asarray(values), (len(self.vertices),)).astype(np.float64)
-        points, inside = np.array(self.vertices), field < level
-        tetras = np.array(self.tetras)
-        count = inside[tetras].sum(axis=1)
-        ordered = np.take_along_axis(tetras, np.argsort(~inside[tetras], axis=1, kind="stable"), axis=1)
-        crossed = [ordered[count == number][:, np.array(pairs)] for number, pairs in CROSSED]
-        ends = np.concatenate(crossed)  # (triangles, 3 corners, inside and outside vertex)
-        edges, triangles = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
-        a, b = edges.T
-        fraction = (level - field[a]) / (field[b] - field[a])
-        vertices = points[a] + fraction[:, None] * (points[b] - points[a])
-        triangles = triangles.reshape(-1, 3)
-        p, q, r = (vertices[triangles[:, k]] for k in range(3))
-        upward = (points[ends[..., 1]] - points[ends[..., 0]]).sum(axis=1)
-        flipped = (np.cross(q - p, r - p) * upward).sum(axis=1) < 0
-        triangles[flipped] = triangles[flipped][:, ::-1]
-        return TriangleMesh(Vector3dVector(vertices), triangles)
-
-    def remove_duplicated_vertices(self) -> Self:
-        """Merge vertices with equal coordinates."""
-        _, first, places = np.unique(np.array(self.vertices), axis=0, return_index=True, return_inverse=True)
-        return self._keep(np.sort(first), np.argsort(np.argsort(first))[places.reshape(-1)])
-
-    def remove_unreferenced_vertices(self) -> Self:
-        """Remove vertices that no tetrahedron uses."""
-        used = np.zeros(len(self.vertices), bool)
-        used[np.array(self.tetras)] = True
-        return self._keep(np.flatnonzero(used), np.cumsum(used) - 1)
-
-    def _keep(self, rows: NDArray[np.intp], renamed: NDArray[np.intp]) -> Self:
-        """Keep the vertices `rows`, and replace the vertex indices of tetrahedra."""
-        tetras = renamed[np.array(self.tetras)]
-        for name in [name for name in PARTS if self._count(name) == self._count("vertices") > 0]:
-            setattr(self, name, Vector3dVector(np.array(getattr(self, name))[rows]))
-        self.vertices, self.tetras = Vector3dVector(np.array(self.vertices)[rows]), tetras
-        return self
-
-    def remove_duplicated_tetras(self) -> Self:
-        """Keep the first of tetrahedra with the same vertices in any order."""
-        _, first = np.unique(np.sort(np.array(self.tetras), axis=1), axis=0, return_index=True)
-        self.tetras = np.array(self.tetras)[np.sort(first)]
-        return self
-
-    def remove_degenerate_tetras(self) -> Self:
-        """Remove tetrahedra that use a vertex twice."""
-        corners = np.sort(np.array(self.tetras), axis=1)
-        self.tetras = np.array(self.tetras)[(np.diff(corners, axis=1) > 0).all(axis=1)]
-        return self
 
     def clear(self) -> Self:
         self.tetras = ()
@@ -163,7 +107,7 @@ class TetraMesh(MeshBase):
 
     def __copy__(self) -> Self:
         made = super().__copy__()
-        made._tetras = Vector4iVector(self._tetras)
+        vars(made)["_tetras"] = Vector4iVector(self._tetras)
         return made
 
     def __getstate__(self) -> dict[str, Any]:

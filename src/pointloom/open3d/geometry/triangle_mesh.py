@@ -18,7 +18,6 @@ from ..vectors import DoubleVector, IntVector, Vector2dVector, Vector2iVector, V
 from ..wrapper import Forwarded, Rows, as_array, column, unwrap
 from .alpha_shapes import alpha_faces
 from .bounded import BoundedByBoxes
-from .ellipsoids import OrientedBoundingEllipsoid
 from .enums import DeformAsRigidAsPossibleEnergy, FilterScope, SimplificationContraction
 from .image import Image
 from .point_cloud import PointCloud
@@ -42,15 +41,15 @@ class MeshBase(BoundedByBoxes):
         return not self.has_vertices()
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
-        return self._become(self._native.paint_uniform_color(column("color", color)))
+        return self._become(self.native.paint_uniform_color(column("color", color)))
 
     def normalize_normals(self) -> Self:
-        return self._become(self._native.normalize_normals())
+        return self._become(self.native.normalize_normals())
 
     def compute_convex_hull(self) -> tuple[Any, list[int]]:
         """Mesh of the hull, and the indices of its vertices."""
-        hull, rows = self._native.compute_convex_hull()
-        return geometry.TriangleMesh._of(hull), rows.tolist()
+        hull, rows = self.native.compute_convex_hull()
+        return geometry.TriangleMesh.from_native(hull), rows.tolist()
 
 
 NativeMesh = mesh.TriangleMesh
@@ -74,7 +73,7 @@ class MeshFactories(MeshBase):
     @classmethod
     def create_coordinate_frame(cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
         """Arrows along x (red), y (green) and z (blue), with triangle normals."""
-        made: Any = cls._of(NativeMesh.create_coordinate_frame(size, column("origin", origin)))
+        made: Any = cls.from_native(NativeMesh.create_coordinate_frame(size, column("origin", origin)))
         return made.compute_triangle_normals()
 
     @classmethod
@@ -86,17 +85,7 @@ class MeshFactories(MeshBase):
         extent = box.extent * np.asarray(scale, np.float64)
         width, height, depth = extent.tolist()
         made = NativeMesh.create_box(width, height, depth, create_uv_map).translate(-extent / 2)
-        return cls._of(made.rotate(box.R, [0, 0, 0]).translate(box.center))
-
-    @classmethod
-    def create_from_oriented_bounding_ellipsoid(
-        cls, obel: Any, scale: ArrayLike = (1.0, 1.0, 1.0), resolution: int = 20, create_uv_map: bool = False
-    ) -> Self:
-        """A mesh of an ellipsoid, scaled per axis."""
-        parts = unwrap(obel, OrientedBoundingEllipsoid, "obel")
-        x, y, z = (parts["radii"] * np.asarray(scale, np.float64)).tolist()
-        made = NativeMesh.create_ellipsoid(x, y, z, resolution, create_uv_map)
-        return cls._of(made.rotate(parts["R"], [0, 0, 0]).translate(parts["center"]))
+        return cls.from_native(made.rotate(box.R, [0, 0, 0]).translate(box.center))
 
     @classmethod
     def create_from_point_cloud_alpha_shape(
@@ -107,10 +96,12 @@ class MeshFactories(MeshBase):
         `pt_map` lists the points whose normals and colors their vertices get.
         """
         if tetra_mesh is None:
-            return cls._of(NativeMesh.create_from_point_cloud_alpha_shape(unwrap(pcd, PointCloud, "pcd"), alpha))
+            return cls.from_native(
+                NativeMesh.create_from_point_cloud_alpha_shape(unwrap(pcd, PointCloud, "pcd"), alpha)
+            )
         vertices = np.array(tetra_mesh.vertices)
         rows, triangles = alpha_faces(vertices, np.array(tetra_mesh.tetras), check_number("alpha", alpha))
-        made = cls._of(NativeMesh())
+        made = cls.from_native(NativeMesh())
         made.vertices, made.triangles = Vector3dVector(vertices[rows]), Vector3iVector(triangles)
         for name in ("normals", "colors") if pt_map is not None else ():
             if getattr(pcd, f"has_{name}")():
@@ -120,7 +111,7 @@ class MeshFactories(MeshBase):
 
     @classmethod
     def create_from_point_cloud_ball_pivoting(cls, pcd: Any, radii: Any) -> Self:
-        return cls._of(
+        return cls.from_native(
             NativeMesh.create_from_point_cloud_ball_pivoting(unwrap(pcd, PointCloud, "pcd"), np.asarray(radii))
         )
 
@@ -150,7 +141,7 @@ class MeshFactories(MeshBase):
             point_weight=point_weight,
             samples_per_node=samples_per_node,
         )
-        return cls._of(made), DoubleVector(densities)
+        return cls.from_native(made), DoubleVector(densities)
 
 
 ROWS = "triangle normals of pointloom.open3d"  # attribute of triangles during a selection
@@ -168,23 +159,20 @@ class TriangleNormals(MeshFactories):
 
     triangle_normals = Rows(Vector3dVector)
 
-    def _face_rows(self) -> NDArray[np.float64]:
+    def face_rows(self) -> NDArray[np.float64]:
         """Normals as an array, empty without normals."""
         if self._faces is None:
             return np.zeros((0, 3))
         return self._faces if isinstance(self._faces, np.ndarray) else self._faces.triangle_normals.astype(np.float64)
 
-    def _become(self, new: Any) -> Self:
-        """Replace the mesh. Computed normals become those of the new triangles, assigned ones are kept."""
-        before, old = self._faces, self._wrapped
-        super()._become(new)
-        if before is not old:
-            return self
+    def _follow(self, old: Any, new: Any) -> None:
+        """Computed normals become those of the new triangles, assigned ones are kept."""
+        if self._faces is not old:
+            return
         arrays, others = old.arrays, new.arrays
         self._faces = new
         if any(arrays[name] is not others[name] for name in ("vertices", "triangles")):
             self._show_faces()
-        return self
 
     def _set_faces(self, faces: Any) -> Self:
         self._faces = faces
@@ -195,7 +183,7 @@ class TriangleNormals(MeshFactories):
         """Copy the normals into the borrowed vector."""
         out = self._shared.get("triangle_normals")
         if out is not None:
-            out.vector._fill(self._face_rows())
+            out.vector.refill(self.face_rows())
             out.keep()
 
     def _moved(self, new: Any, A: NDArray[np.float64]) -> Self:
@@ -203,15 +191,15 @@ class TriangleNormals(MeshFactories):
         self._become(new)
         if self._faces is None or self._faces is new:
             return self
-        rows = self._face_rows()
+        rows = self.face_rows()
         rotated = matmul(rows, inv(A))
         lengths = [np.linalg.norm(part, axis=1, keepdims=True) for part in (rows, rotated)]
         return self._set_faces(rotated * np.divide(lengths[0], lengths[1], where=lengths[1] > 0, out=lengths[1]))
 
     def _selected(self, operation: Callable[[Any], Any]) -> tuple[Any, Any]:
         """The mesh that an operation makes by selecting triangles, and their normals."""
-        current = self._native
-        rows = self._face_rows()
+        current = self.native
+        rows = self.face_rows()
         if self._faces is None or self._faces is current or len(rows) != len(current):
             made = operation(current)
             return made, made if self._faces is current else self._faces
@@ -223,17 +211,18 @@ class TriangleNormals(MeshFactories):
     def _keep(self, operation: Callable[[Any], Any]) -> Self:
         """Remove the triangles that an operation does not select."""
         made, faces = self._selected(operation)
-        return self._become(made)._set_faces(faces)
+        self._become(made)
+        return self._set_faces(faces)
 
     def _sampled(self, use_triangle_normal: bool) -> tuple[Any, bool]:
         """A mesh for sampling, and whether the samples use computed triangle normals.
 
         Assigned normals are given to the corners of triangles that share no vertices.
         """
-        current = self._native
+        current = self.native
         if use_triangle_normal and self._faces is None:
             self._set_faces(current)
-        rows = self._face_rows() if use_triangle_normal and self._faces is not current else ()
+        rows = self.face_rows() if use_triangle_normal and self._faces is not current else ()
         if not len(rows) or len(rows) != len(current):
             return current, use_triangle_normal
         corners, colors = current.triangles.reshape(-1), current.vertex_colors
@@ -248,8 +237,8 @@ class TriangleNormals(MeshFactories):
         return apart, False
 
     def _new(self, made: Any, *, faces: Any = None) -> Any:
-        other = type(self)._of(made)
-        other._faces = faces
+        other = type(self).from_native(made)
+        vars(other)["_faces"] = faces
         return other
 
     def _recomputed(self, made: Any) -> Any:
@@ -258,14 +247,14 @@ class TriangleNormals(MeshFactories):
 
     def _joined(self, other: Any) -> tuple[Any, Any]:
         """Both meshes as one. Normals are kept if all triangles have them."""
-        parts = [(self._native, self), (unwrap(other, type(self), "other"), other)]
+        parts = [(self.native, self), (unwrap(other, type(self), "other"), other)]
         made = parts[0][0] + parts[1][0]
         nonempty = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
         if not nonempty or any(faces is None for _, faces, _ in nonempty):
             return made, None
         if all(faces is mesh for mesh, faces, _ in nonempty):
             return made, made
-        return made, np.concatenate([part._face_rows() for _, _, part in nonempty])
+        return made, np.concatenate([part.face_rows() for _, _, part in nonempty])
 
     def __add__(self, other: Any) -> Any:
         made, faces = self._joined(other)
@@ -273,7 +262,8 @@ class TriangleNormals(MeshFactories):
 
     def __iadd__(self, other: Any) -> Self:
         made, faces = self._joined(other)
-        return self._become(made)._set_faces(faces)
+        self._become(made)
+        return self._set_faces(faces)
 
     def compute_triangle_normals(self, normalized: bool = True) -> Self:
         """Compute triangle normals of length 1, or of twice the area.
@@ -281,26 +271,27 @@ class TriangleNormals(MeshFactories):
         Vertex normals are scaled to unit length too if `normalized`, as in Open3D.
         """
         if not normalized:
-            return self._set_faces(_area_vectors(self._native))
+            return self._set_faces(_area_vectors(self.native))
         if self.has_vertex_normals():
-            self._become(self._native.normalize_normals())
-        return self._set_faces(self._native)
+            self._become(self.native.normalize_normals())
+        return self._set_faces(self.native)
 
     def compute_vertex_normals(self, normalized: bool = True) -> Self:
         """Compute vertex normals (sums of area vectors) and triangle normals. Unit length unless `normalized=False`."""
-        current = self._native
+        current = self.native
         if normalized:
             self._become(current.compute_vertex_normals())
-            return self._set_faces(self._native)
+            return self._set_faces(self.native)
         areas = _area_vectors(current)
         sums = np.zeros((len(current.vertices), 3))
         np.add.at(sums, current.triangles.reshape(-1), np.repeat(areas, 3, axis=0))
         made = current.copy()
         made.vertex_normals = sums
-        return self._become(made)._set_faces(areas)
+        self._become(made)
+        return self._set_faces(areas)
 
     def normalize_normals(self) -> Self:
-        self._become(self._native.normalize_normals())
+        self._become(self.native.normalize_normals())
         if not isinstance(self._faces, np.ndarray):
             return self
         lengths = np.linalg.norm(self._faces, axis=1, keepdims=True)
@@ -338,7 +329,7 @@ class TriangleMesh(TriangleNormals):
 
     def __copy__(self) -> Self:
         made = super().__copy__()
-        made._faces, made._has_adjacency = self._faces, self._has_adjacency
+        vars(made).update(_faces=self._faces, _has_adjacency=self._has_adjacency)
         return made
 
     def __getstate__(self) -> dict[str, Any]:
@@ -350,9 +341,8 @@ class TriangleMesh(TriangleNormals):
         self._faces = self._wrapped if state["faces"] is True else state["faces"]
 
     def _read(self, name: str) -> NDArray[Any]:
-        values = self._face_rows() if name == "triangle_normals" else getattr(self._wrapped, name)
-        kind = getattr(type(self), name).kind
-        return np.zeros((0, *kind._row), kind._dtype) if values is None else values
+        values = self.face_rows() if name == "triangle_normals" else getattr(self._wrapped, name)
+        return np.asarray(getattr(type(self), name).kind()) if values is None else values
 
     def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
         arrays = native.arrays
@@ -369,7 +359,7 @@ class TriangleMesh(TriangleNormals):
         counts = {name: self._count(name) for name in ("vertices", "triangles")}
         if counts["vertices"] != len(current.vertices) or counts["triangles"] != len(current):
             for name in ("vertices", "triangles", *PARTS):
-                self._vector(name)  # of the old mesh
+                self.vector(name)  # of the old mesh
             changed = [*PARTS]
             made = mesh.TriangleMesh(
                 *map(np.array, (self.vertices, self.triangles)), textures=current.textures, device=current.device
@@ -378,13 +368,13 @@ class TriangleMesh(TriangleNormals):
             made = current.copy()
             for name in ("vertices", "triangles"):
                 if name in changed:
-                    setattr(made, name, np.array(self._vector(name)))
+                    setattr(made, name, np.array(self.vector(name)))
         lengths: dict[str, int] = dict(
             zip(PARTS, (*[counts["vertices"]] * 2, 3 * counts["triangles"], counts["triangles"]), strict=True)
         )
         for name in (name for name in PARTS if name in changed):
             if self._count(name) == lengths[name] > 0:
-                setattr(made, name, np.asarray(self._vector(name)))
+                setattr(made, name, np.asarray(self.vector(name)))
             elif name in made.arrays:
                 made = made.with_arrays(**{name: None})
         if self._faces is current and not is_moved:
@@ -405,7 +395,7 @@ class TriangleMesh(TriangleNormals):
 
     @textures.setter
     def textures(self, values: Any) -> None:
-        made = self._native.copy()
+        made = self.native.copy()
         made.textures = [np.flipud(as_array(value)) for value in values]
         self._become(made)
 
@@ -414,12 +404,13 @@ class TriangleMesh(TriangleNormals):
         """Neighbors of each vertex, after `compute_adjacency_list`."""
         if not self._has_adjacency:
             return []
-        starts, neighbors = self._native.compute_adjacency_list()
+        starts, neighbors = self.native.compute_adjacency_list()
         return [set(part.tolist()) for part in np.split(neighbors, starts[1:-1])]
 
     def clear(self) -> Self:
         self._has_adjacency = False
-        return super().clear()._set_faces(None)
+        super().clear()
+        return self._set_faces(None)
 
     def has_triangles(self) -> bool:
         return self.has_vertices() and self._count("triangles") > 0
@@ -451,19 +442,20 @@ class TriangleMesh(TriangleNormals):
         return self._keep(lambda mesh: mesh.remove_duplicated_triangles())
 
     def remove_duplicated_vertices(self) -> Self:
-        return self._become(self._native.remove_duplicated_vertices())
+        return self._become(self.native.remove_duplicated_vertices())
 
     def remove_non_manifold_edges(self) -> Self:
         """Remove the smallest triangles at edges with more than two."""
         return self._keep(lambda mesh: mesh.remove_non_manifold_edges())
 
     def remove_unreferenced_vertices(self) -> Self:
-        return self._become(self._native.remove_unreferenced_vertices())
+        return self._become(self.native.remove_unreferenced_vertices())
 
     def merge_close_vertices(self, eps: float) -> Self:
         """Merge vertices closer than `eps`."""
-        made = self._native.merge_close_vertices(eps)
-        return self._become(made)._set_faces(None if self._faces is None else made)
+        made = self.native.merge_close_vertices(eps)
+        self._become(made)
+        return self._set_faces(None if self._faces is None else made)
 
     def remove_triangles_by_index(self, triangle_indices: Any) -> None:
         rows = self._rows("triangles", "triangle_indices", triangle_indices)
@@ -481,7 +473,7 @@ class TriangleMesh(TriangleNormals):
 
     def orient_triangles(self) -> bool:
         """Orient triangles consistently. Returns `is_orientable()`."""
-        oriented, is_orientable = self._native.orient_triangles()
+        oriented, is_orientable = self.native.orient_triangles()
         self._become(oriented)
         return is_orientable and self.is_edge_manifold()
 
@@ -495,38 +487,38 @@ class TriangleMesh(TriangleNormals):
         return self._new(made, faces=faces)
 
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> TriangleMesh:
-        return self._recomputed(self._native.subdivide_midpoint(number_of_iterations))
+        return self._recomputed(self.native.subdivide_midpoint(number_of_iterations))
 
     def subdivide_loop(self, number_of_iterations: int = 1) -> TriangleMesh:
-        return self._recomputed(self._native.subdivide_loop(number_of_iterations))
+        return self._recomputed(self.native.subdivide_loop(number_of_iterations))
 
     def simplify_vertex_clustering(
         self, voxel_size: float, contraction: SimplificationContraction = SimplificationContraction.Average
     ) -> TriangleMesh:
-        return self._recomputed(self._native.simplify_vertex_clustering(voxel_size, contraction.name.lower()))
+        return self._recomputed(self.native.simplify_vertex_clustering(voxel_size, contraction.name.lower()))
 
     def simplify_quadric_decimation(
         self, target_number_of_triangles: int, maximum_error: float = np.inf, boundary_weight: float = 1.0
     ) -> TriangleMesh:
         limits = target_number_of_triangles, maximum_error, boundary_weight
-        return self._recomputed(self._native.simplify_quadric_decimation(*limits))
+        return self._recomputed(self.native.simplify_quadric_decimation(*limits))
 
     def filter_sharpen(
         self, number_of_iterations: int = 1, strength: float = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self._native.filter_sharpen(number_of_iterations, strength, filter_scope.name.lower())
+        made = self.native.filter_sharpen(number_of_iterations, strength, filter_scope.name.lower())
         return self._new(made)
 
     def filter_smooth_simple(
         self, number_of_iterations: int = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self._native.filter_smooth_simple(number_of_iterations, filter_scope.name.lower())
+        made = self.native.filter_smooth_simple(number_of_iterations, filter_scope.name.lower())
         return self._new(made)
 
     def filter_smooth_laplacian(
         self, number_of_iterations: int = 1, lambda_filter: float = 0.5, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self._native.filter_smooth_laplacian(number_of_iterations, lambda_filter, filter_scope.name.lower())
+        made = self.native.filter_smooth_laplacian(number_of_iterations, lambda_filter, filter_scope.name.lower())
         return self._new(made)
 
     def filter_smooth_taubin(
@@ -536,7 +528,7 @@ class TriangleMesh(TriangleNormals):
         mu: float = -0.53,
         filter_scope: FilterScope = FilterScope.All,
     ) -> TriangleMesh:
-        made = self._native.filter_smooth_taubin(number_of_iterations, lambda_filter, mu, filter_scope.name.lower())
+        made = self.native.filter_smooth_taubin(number_of_iterations, lambda_filter, mu, filter_scope.name.lower())
         return self._new(made)
 
     def deform_as_rigid_as_possible(
@@ -547,7 +539,7 @@ class TriangleMesh(TriangleNormals):
         energy: DeformAsRigidAsPossibleEnergy = DeformAsRigidAsPossibleEnergy.Spokes,
         smoothed_alpha: float = 0.01,
     ) -> TriangleMesh:
-        made = self._native.deform_as_rigid_as_possible(
+        made = self.native.deform_as_rigid_as_possible(
             np.asarray(constraint_vertex_indices),
             np.asarray(constraint_vertex_positions),
             max_iter,
@@ -559,7 +551,7 @@ class TriangleMesh(TriangleNormals):
     def sample_points_uniformly(self, number_of_points: int = 100, use_triangle_normal: bool = False) -> PointCloud:
         """Random points on the surface, seeded by `o3d.utility.random.seed`."""
         surface, is_own = self._sampled(use_triangle_normal)
-        return PointCloud._of(surface.sample_points_uniformly(number_of_points, is_own, next_seed()))
+        return PointCloud.from_native(surface.sample_points_uniformly(number_of_points, is_own, next_seed()))
 
     def sample_points_poisson_disk(
         self, number_of_points: int, init_factor: float = 5, pcl: Any = None, use_triangle_normal: bool = False
@@ -568,55 +560,55 @@ class TriangleMesh(TriangleNormals):
         given = None if pcl is None else unwrap(pcl, PointCloud, "pcl")
         surface, is_own = self._sampled(use_triangle_normal)
         made = surface.sample_points_poisson_disk(number_of_points, int(init_factor), given, is_own, next_seed())
-        return PointCloud._of(made)
+        return PointCloud.from_native(made)
 
     def cluster_connected_triangles(self) -> tuple[IntVector, list[int], DoubleVector]:
         """Cluster of each triangle, and number of triangles and area of each cluster."""
-        labels, counts, areas = self._native.cluster_connected_triangles()
+        labels, counts, areas = self.native.cluster_connected_triangles()
         return IntVector(labels), counts.tolist(), DoubleVector(areas)
 
     def get_surface_area(self) -> float:
-        return self._native.get_surface_area()
+        return self.native.get_surface_area()
 
     def get_volume(self) -> float:
-        return self._native.get_volume()
+        return self.native.get_volume()
 
     def euler_poincare_characteristic(self) -> int:
         """V - E + F. Unreferenced vertices count, as in Open3D."""
-        mesh = self._native
+        mesh = self.native
         unused = len(mesh.vertices) - len(np.unique(mesh.triangles))
         return mesh.euler_poincare_characteristic() + unused
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
         """True if no edge has more than two triangles."""
-        return self._native.is_edge_manifold(allow_boundary_edges)
+        return self.native.is_edge_manifold(allow_boundary_edges)
 
     def is_vertex_manifold(self) -> bool:
         """True if the triangles at each vertex form one fan."""
-        return self._native.is_vertex_manifold()
+        return self.native.is_vertex_manifold()
 
     def is_orientable(self) -> bool:
         """True if triangles that share an edge can all be oriented alike. False if an edge has more than two."""
-        return self.is_edge_manifold() and self._native.is_orientable()
+        return self.is_edge_manifold() and self.native.is_orientable()
 
     def is_watertight(self) -> bool:
         """True if edges have two triangles, those of a vertex form one fan, and none intersect. True if empty."""
         return self.is_edge_manifold(False) and self.is_vertex_manifold() and not self.is_self_intersecting()
 
     def is_self_intersecting(self) -> bool:
-        return self._native.is_self_intersecting()
+        return self.native.is_self_intersecting()
 
     def is_intersecting(self, arg0: Any) -> bool:
-        return self._native.is_intersecting(unwrap(arg0, TriangleMesh, "other"))
+        return self.native.is_intersecting(unwrap(arg0, TriangleMesh, "other"))
 
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> Vector2iVector:
         """Edges with more than two triangles."""
-        return Vector2iVector(self._native.get_non_manifold_edges(allow_boundary_edges))
+        return Vector2iVector(self.native.get_non_manifold_edges(allow_boundary_edges))
 
     def get_non_manifold_vertices(self) -> IntVector:
         """Vertices whose triangles do not form one fan."""
-        return IntVector(self._native.get_non_manifold_vertices())
+        return IntVector(self.native.get_non_manifold_vertices())
 
     def get_self_intersecting_triangles(self) -> Vector2iVector:
         """Pairs of intersecting triangles."""
-        return Vector2iVector(self._native.get_self_intersecting_triangles())
+        return Vector2iVector(self.native.get_self_intersecting_triangles())

@@ -61,15 +61,16 @@ class VoxelGrid(Geometry3D):
         self._store(np.zeros((0, 3), np.int32), np.zeros((0, 3)))
 
     @classmethod
-    def _around(cls, origin: NDArray[np.float64], voxel_size: float, cells: Cells, colors: Colors | None) -> Self:
+    def from_cells(cls, origin: NDArray[np.float64], voxel_size: float, cells: Cells, colors: Colors | None) -> Self:
+        """A grid of the voxels with these indices, black without colors."""
         made = cls()
-        made._place(np.array(origin, np.float64), voxel_size)
-        made._store(cells, np.zeros((len(cells), 3)) if colors is None else colors)
+        place = {"_origin": np.array(origin, np.float64), "_voxel_size": voxel_size}
+        vars(made).update(place, _cells=cells, _colors=np.zeros((len(cells), 3)) if colors is None else colors)
         return made
 
     @classmethod
-    def _of(cls, native: voxel_grid.VoxelGrid) -> Self:
-        return cls._around(native.origin, native.voxel_size, native.coordinates, None)
+    def from_native(cls, native: voxel_grid.VoxelGrid) -> Self:
+        return cls.from_cells(native.origin, native.voxel_size, native.coordinates, None)
 
     def _place(self, origin: NDArray[np.float64], voxel_size: float) -> None:
         self._origin, self._voxel_size, self._rotation = origin, voxel_size, np.eye(3)
@@ -78,7 +79,7 @@ class VoxelGrid(Geometry3D):
         self._cells, self._colors, self._edits = cells, colors, {}
         return self
 
-    def _voxels(self) -> tuple[Cells, Colors]:
+    def cells_and_colors(self) -> tuple[Cells, Colors]:
         """Indices and colors, with the added and removed voxels."""
         if self._edits:
             edited = np.array(list(self._edits), np.int32)
@@ -91,9 +92,9 @@ class VoxelGrid(Geometry3D):
         return self._cells, self._colors
 
     @property
-    def _native(self) -> Any:
+    def native(self) -> Any:
         """A `loom.VoxelGrid`. A mesh of the voxels if the grid is rotated."""
-        cells, colors = self._voxels()
+        cells, colors = self.cells_and_colors()
         if not np.array_equal(self._rotation, np.eye(3)):
             corners = self._located(cells[:, None] + CORNERS).reshape(-1, 3)
             triangles = (8 * np.arange(len(cells))[:, None, None] + CUBE).reshape(-1, 3)
@@ -114,18 +115,18 @@ class VoxelGrid(Geometry3D):
         edge = check_positive("voxel_size", voxel_size)
         sizes = [check_positive(n, v) for n, v in (("width", width), ("height", height), ("depth", depth))]
         cells = np.indices([round(size / edge) for size in sizes], np.int32).reshape(3, -1).T.copy()
-        return cls._around(column("origin", origin), edge, cells, np.tile(column("color", color), (len(cells), 1)))
+        return cls.from_cells(column("origin", origin), edge, cells, np.tile(column("color", color), (len(cells), 1)))
 
     @classmethod
     def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> Self:
-        return cls._of(unwrap(input, TriangleMesh, "input").voxelize(voxel_size))
+        return cls.from_native(unwrap(input, TriangleMesh, "input").voxelize(voxel_size))
 
     @classmethod
     def create_from_triangle_mesh_within_bounds(
         cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
     ) -> Self:
         corners = column("min_bound", min_bound), column("max_bound", max_bound)
-        return cls._of(unwrap(input, TriangleMesh, "input").voxelize(voxel_size, *corners))
+        return cls.from_native(unwrap(input, TriangleMesh, "input").voxelize(voxel_size, *corners))
 
     @classmethod
     def create_from_point_cloud(
@@ -158,15 +159,15 @@ class VoxelGrid(Geometry3D):
             raise TypeError(f"pooling_mode: expected a VoxelGrid.VoxelPoolingMode, got {type(mode).__name__}")
         edge, low = check_positive("voxel_size", voxel_size), np.asarray(origin, np.float64)
         ours = unwrap(cloud, PointCloud, "input")
-        assigned = cloud._shared.get("points") if isinstance(cloud, PointCloud) else None
-        points = ours.points if assigned is None else assigned.vector._values
+        assigned = cloud.assigned_points() if isinstance(cloud, PointCloud) else None
+        points = ours.points if assigned is None else assigned
         rows = np.flatnonzero(np.isfinite(points).all(axis=1))
         indices = np.floor((points[rows] - low) / edge)
         if not (np.abs(indices) < LARGEST_INDEX).all():
             raise ValueError(f"voxel_size: expected fewer than 2**31 voxels along each axis, got voxels of {edge:g}")
         cells, order, starts = _sorted_cells(indices.astype(np.int32))
         colors = _pool(ours.colors[rows[order]].astype(np.float64), starts, mode) if ours.has_colors else None
-        return cls._around(low, edge, cells, colors)
+        return cls.from_cells(low, edge, cells, colors)
 
     def create_from_octree(self, octree: Any) -> None:
         """Replace the voxels by the leaves of an octree."""
@@ -211,7 +212,7 @@ class VoxelGrid(Geometry3D):
         self._edits[tuple(column("idx", idx).tolist())] = None
 
     def get_voxels(self) -> list[Voxel]:
-        return [Voxel(*both) for both in zip(*self._voxels(), strict=True)]
+        return [Voxel(*both) for both in zip(*self.cells_and_colors(), strict=True)]
 
     def get_voxel(self, point: ArrayLike) -> Cells:
         """Index of the voxel of a point, occupied or not."""
@@ -223,7 +224,7 @@ class VoxelGrid(Geometry3D):
     def get_voxel_center_coordinate(self, idx: ArrayLike) -> NDArray[np.float64]:
         """Center of an occupied voxel. Zero for others."""
         index = column("idx", idx)
-        is_there = bool((self._voxels()[0] == index).all(axis=1).any())
+        is_there = bool((self.cells_and_colors()[0] == index).all(axis=1).any())
         return self._located(index + 0.5) if is_there else np.zeros(3)
 
     def get_voxel_bounding_points(self, index: ArrayLike) -> Vector3dVector:
@@ -232,7 +233,7 @@ class VoxelGrid(Geometry3D):
 
     def check_if_included(self, queries: Any) -> list[bool]:
         """For each point, True if it is in an occupied voxel."""
-        occupied = set(map(tuple, self._voxels()[0].tolist()))
+        occupied = set(map(tuple, self.cells_and_colors()[0].tolist()))
         return [tuple(cell) in occupied for cell in self._cells_of(as_array(queries).reshape(-1, 3)).tolist()]
 
     def carve_depth_map(self, depth_map: Any, camera_params: Any, keep_voxels_outside_image: bool = False) -> Self:
@@ -258,7 +259,7 @@ class VoxelGrid(Geometry3D):
                 f"{name}: expected {intrinsic.width} x {intrinsic.height} pixels as in camera_params, got "
                 f"{pixels.shape[1]} x {pixels.shape[0]}"
             )
-        cells, colors = self._voxels()
+        cells, colors = self.cells_and_colors()
         kept = np.zeros(len(cells), bool)
         for corner in CORNERS:
             local = matmul(self._located(cells + corner), camera.extrinsic[:3, :3].T) + camera.extrinsic[:3, 3]
@@ -267,7 +268,7 @@ class VoxelGrid(Geometry3D):
         return self._store(cells[kept], colors[kept])
 
     def has_voxels(self) -> bool:
-        return len(self._voxels()[0]) > 0
+        return len(self.cells_and_colors()[0]) > 0
 
     def has_colors(self) -> bool:
         """Always True, as in Open3D: voxels without colors are black."""
@@ -281,10 +282,10 @@ class VoxelGrid(Geometry3D):
         return self
 
     def _corners(self) -> NDArray[np.float64]:
-        return self._located(self._voxels()[0][:, None] + CORNERS).reshape(-1, 3)
+        return self._located(self.cells_and_colors()[0][:, None] + CORNERS).reshape(-1, 3)
 
     def _bound(self, extreme: Any) -> NDArray[np.float64]:
-        cells = self._voxels()[0]
+        cells = self.cells_and_colors()[0]
         if not len(cells):
             return self._origin.copy()
         return extreme([extreme(self._located(cells + corner), axis=0) for corner in CORNERS], axis=0)
@@ -297,7 +298,7 @@ class VoxelGrid(Geometry3D):
 
     def get_center(self) -> NDArray[np.float64]:
         """Mean of the voxel centers."""
-        return self._located(self._voxels()[0].mean(axis=0) + 0.5) if self.has_voxels() else np.zeros(3)
+        return self._located(self.cells_and_colors()[0].mean(axis=0) + 0.5) if self.has_voxels() else np.zeros(3)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         return AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
@@ -337,10 +338,10 @@ class VoxelGrid(Geometry3D):
         """Voxels of both. Colors of common voxels are averaged."""
         if not isinstance(other, VoxelGrid):
             raise TypeError(f"other: expected a VoxelGrid, got {type(other).__name__}")
-        mine, theirs = ((g._voxel_size, *g._origin, *g._rotation.flat) for g in (self, other))
+        mine, theirs = ((g.voxel_size, *g.origin, *g.rotation.flat) for g in (self, other))
         if mine != theirs:
             raise ValueError(f"other: expected the same voxel_size, origin and rotation, {mine[:4]}, got {theirs[:4]}")
-        (cells, colors), (more, others) = self._voxels(), other._voxels()
+        (cells, colors), (more, others) = self.cells_and_colors(), other.cells_and_colors()
         joined, order, starts = _sorted_cells(np.concatenate([cells, more]))
         return self._store(joined, _pool(np.concatenate([colors, others])[order], starts, VoxelPoolingMode.AVG))
 
@@ -361,7 +362,7 @@ class VoxelGrid(Geometry3D):
         vars(self).update(state)
 
     def __repr__(self) -> str:
-        return f"VoxelGrid with {len(self._voxels()[0])} voxels."
+        return f"VoxelGrid with {len(self.cells_and_colors()[0])} voxels."
 
 
 def _sorted_cells(cells: Cells) -> tuple[Cells, NDArray[np.intp], NDArray[np.intp]]:

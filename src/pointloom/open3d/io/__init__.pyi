@@ -1,14 +1,5 @@
 """The names of `open3d.io`."""
 
-from .bytes import CONTAINS_GAUSSIAN_SPLATS as CONTAINS_GAUSSIAN_SPLATS
-from .bytes import CONTAINS_LINES as CONTAINS_LINES
-from .bytes import CONTAINS_POINTS as CONTAINS_POINTS
-from .bytes import CONTAINS_TRIANGLES as CONTAINS_TRIANGLES
-from .bytes import CONTENTS_UNKNOWN as CONTENTS_UNKNOWN
-from .bytes import FileGeometry as FileGeometry
-from .bytes import read_file_geometry_type as read_file_geometry_type
-from .bytes import read_point_cloud_from_bytes as read_point_cloud_from_bytes
-from .bytes import write_point_cloud_to_bytes as write_point_cloud_to_bytes
 from .cameras import read_pinhole_camera_intrinsic as read_pinhole_camera_intrinsic
 from .cameras import read_pinhole_camera_parameters as read_pinhole_camera_parameters
 from .cameras import read_pinhole_camera_trajectory as read_pinhole_camera_trajectory
@@ -27,7 +18,5 @@ from .shapes import read_point_cloud as read_point_cloud
 from .shapes import read_triangle_mesh as read_triangle_mesh
 from .shapes import write_point_cloud as write_point_cloud
 from .shapes import write_triangle_mesh as write_triangle_mesh
-from .voxel_grids import read_octree as read_octree
 from .voxel_grids import read_voxel_grid as read_voxel_grid
-from .voxel_grids import write_octree as write_octree
 from .voxel_grids import write_voxel_grid as write_voxel_grid

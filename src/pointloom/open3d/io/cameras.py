@@ -21,7 +21,7 @@ VERSION = {"version_major": 1, "version_minor": 0}
 
 
 def read_pinhole_camera_intrinsic(filename: FilePath) -> PinholeCameraIntrinsic:
-    return PinholeCameraIntrinsic._of(camera.read_pinhole_camera_intrinsic(filename))
+    return PinholeCameraIntrinsic.from_native(camera.read_pinhole_camera_intrinsic(filename))
 
 
 def write_pinhole_camera_intrinsic(filename: FilePath, intrinsic: Any) -> bool:
@@ -48,7 +48,7 @@ def write_pinhole_camera_parameters(filename: FilePath, parameters: PinholeCamer
 def read_pinhole_camera_trajectory(filename: FilePath) -> PinholeCameraTrajectory:
     """Cameras from .json, or poses from .log and .txt (TUM) with PrimeSense's camera, as in Open3D."""
     poses = trajectory.read_trajectory(filename)
-    made = PinholeCameraTrajectory._of(poses, camera.PinholeCameraIntrinsic.prime_sense_default())
+    made = PinholeCameraTrajectory.from_native(poses, camera.PinholeCameraIntrinsic.prime_sense_default())
     if Path(filename).suffix.lower() == ".json":
         for i, (one, content) in enumerate(zip(made.parameters, read_json_object(filename)["parameters"], strict=True)):
             one.intrinsic = _intrinsic_of(filename, content, f"key parameters[{i}].intrinsic")
@@ -65,7 +65,7 @@ def write_pinhole_camera_trajectory(filename: FilePath, trajectory: PinholeCamer
 
 def _write_poses(filename: FilePath, cameras: PinholeCameraTrajectory) -> bool:
     format = "tum" if Path(filename).suffix.lower() == ".txt" else None
-    trajectory.write_trajectory(filename, cameras._native, format=format)
+    trajectory.write_trajectory(filename, cameras.native, format=format)
     return True
 
 

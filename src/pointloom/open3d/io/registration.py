@@ -49,7 +49,7 @@ def write_feature(filename: FilePath, feature: Any) -> bool:
 
 
 def read_pose_graph(filename: FilePath) -> PoseGraph:
-    return PoseGraph._of(pose_graph_files.read_pose_graph(filename))
+    return PoseGraph.from_native(pose_graph_files.read_pose_graph(filename))
 
 
 def write_pose_graph(filename: FilePath, pose_graph: Any) -> None:

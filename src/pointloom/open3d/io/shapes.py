@@ -52,7 +52,7 @@ def read_point_cloud(
         raise ValueError(f"format: expected a file that ends in .{format}, got {escaped(filename)}; rename it")
     if remove_nan_points or remove_infinite_points:
         cloud = cloud.remove_non_finite_points(remove_nan_points, remove_infinite_points)
-    return PointCloud._of(cloud)
+    return PointCloud.from_native(cloud)
 
 
 def write_point_cloud(
@@ -88,9 +88,9 @@ def read_triangle_mesh(
     suffix = path_of(filename).suffix.lower()
     if suffix == ".ply" and not _has_faces(filename):
         warnings.warn(escaped(f"{filename}: contains no faces; the mesh has vertices only"), UserWarning, stacklevel=2)
-        return TriangleMesh._of(_vertices_of(point_cloud.read_point_cloud(filename)))
+        return TriangleMesh.from_native(_vertices_of(point_cloud.read_point_cloud(filename)))
     mesh = mesh_files.read_triangle_mesh(filename)
-    return TriangleMesh._of(_split_at_edges(mesh) if suffix == ".stl" else mesh)
+    return TriangleMesh.from_native(_split_at_edges(mesh) if suffix == ".stl" else mesh)
 
 
 def write_triangle_mesh(

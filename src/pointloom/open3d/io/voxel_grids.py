@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ...core.atomic import atomic_write
 from ...core.checks import check_positive, check_rigid
 from ...core.errors import FileError, values_of_file
-from ...core.escaped_text import escaped
-from ...core.json_files import check_keys, json_count, json_numbers, read_json_object
-from ..geometry.octree import Octree
 from ..geometry.voxel_grid import VoxelGrid
-from .octree_nodes import MAX_DEPTH, read_node
 from .ply_elements import (
     FilePath,
     check_ply,
@@ -44,7 +38,7 @@ def read_voxel_grid(filename: FilePath, format: str = "auto", print_progress: bo
     _, counts = np.unique(cells, axis=0, return_counts=True)
     if (counts > 1).any():
         raise FileError(path, f"expected each voxel once, got {int((counts > 1).sum())} of them more than once")
-    made = VoxelGrid._around(origin[0], edge, cells, colors_of(path, elements, "vertex"))
+    made = VoxelGrid.from_cells(origin[0], edge, cells, colors_of(path, elements, "vertex"))
     if "rotation" in elements:
         made.rotation = _rotation(path, numbers_of(path, elements, "rotation", *AXES))
     return made
@@ -69,7 +63,7 @@ def write_voxel_grid(
     """Write a .ply with 8-bit colors."""
     if not isinstance(voxel_grid, VoxelGrid):
         raise TypeError(f"voxel_grid: expected a VoxelGrid, got {type(voxel_grid).__name__}")
-    cells, colors = voxel_grid._voxels()
+    cells, colors = voxel_grid.cells_and_colors()
     elements = {
         "origin": dict(zip("xyz", voxel_grid.origin.reshape(3, 1), strict=True)),
         "rotation": dict(zip(AXES, voxel_grid.rotation.reshape(9, 1), strict=True)),
@@ -78,42 +72,3 @@ def write_voxel_grid(
     }
     write_elements(check_ply(filename), elements, ascii=write_ascii)
     return True
-
-
-def read_octree(filename: FilePath, format: str = "auto") -> Octree:
-    """Read a .json. Raises FileError."""
-    content = read_json_object(_json(filename))
-    check_keys(filename, content, required={"class_name", "origin", "size", "max_depth", "tree"})
-    if content["class_name"] != "Octree":
-        given = str(content["class_name"])[:40]
-        raise FileError(filename, f"expected 'Octree', got {given!r}", where="key class_name")
-    depth = json_count(filename, content["max_depth"], MAX_DEPTH, where="key max_depth")
-    origin = json_numbers(filename, content["origin"], 3, where="key origin")
-    (size,) = json_numbers(filename, [content["size"]], 1, where="key size")
-    with values_of_file(filename):
-        made = Octree(depth, origin, size)
-    made.root_node = read_node(filename, content["tree"], depth)
-    return made
-
-
-def write_octree(filename: FilePath, octree: Any) -> bool:
-    """Write a .json. Raises ValueError for a tree that `read_octree` would reject, such as colors beyond 0..1."""
-    if not isinstance(octree, Octree):
-        raise TypeError(f"octree: expected an Octree, got {type(octree).__name__}")
-    content = {"class_name": "Octree", "max_depth": octree.max_depth, "origin": octree.origin.tolist()}
-    content |= {"size": octree.size, "tree": {} if octree.root_node is None else octree.root_node._to_json()}
-    path = _json(filename)
-    try:
-        json_count(path, octree.max_depth, MAX_DEPTH, where="key max_depth")
-        read_node(path, content["tree"], octree.max_depth)
-    except FileError as error:
-        raise ValueError(f"octree: {error.where}: {error.reason}") from error
-    with atomic_write(path) as file:
-        file.write(json.dumps(content).encode())
-    return True
-
-
-def _json(filename: FilePath) -> FilePath:
-    if Path(filename).suffix.lower() != ".json":
-        raise ValueError(f"filename: expected a name that ends in .json, got {escaped(filename)}")
-    return filename

@@ -1,7 +1,6 @@
 """The names of `open3d.visualization`."""
 
 from . import rendering as rendering
-from . import webrtc_server as webrtc_server
 from .editing import PickedPoint as PickedPoint
 from .editing import VisualizerWithEditing as VisualizerWithEditing
 from .editing import VisualizerWithVertexSelection as VisualizerWithVertexSelection

@@ -42,23 +42,23 @@ class PickingWindow(Visualizer):
         super().__init__()
         self._picked: dict[int, Any] = {}  # coordinates by index, in the order of the clicks
 
-    def _opened(self, viewer: Viewer | None) -> None:
+    def on_opened(self, viewer: Viewer | None) -> None:
         self._picked.clear()
         if viewer is not None:
             viewer.on_pick(self._take)
 
     def _points(self) -> Any:
         """Points of the first geometry, or vertices of a mesh, shape (n, 3)."""
-        if not self._geometries:
+        if not self.geometries:
             return np.zeros((0, 3))
-        shape = drawn(next(iter(self._geometries.values())))
+        shape = drawn(next(iter(self.geometries.values())))
         return shape.vertices if isinstance(shape, TriangleMesh) else shape.points
 
     def _take(self, pick: Any) -> None:
         """Add or remove the picked point. Called in a thread of the page."""
         if pick.name == MARKS:
             index = list(self._picked)[pick.index]
-        elif pick.name == next(iter(self._geometries), None):
+        elif pick.name == next(iter(self.geometries), None):
             distances = np.linalg.norm(self._points() - pick.point, axis=1)
             index = int(distances.argmin()) if pick.index is None else int(pick.index)
         else:
@@ -72,11 +72,11 @@ class PickingWindow(Visualizer):
         else:
             self._picked[index] = self._points()[index].copy()
             LOGGER.info("picked point %d at %s", index, np.array2string(self._picked[index], precision=4))
-        self._mark()
+        self.show_marks()
 
-    def _mark(self) -> None:
+    def show_marks(self) -> None:
         """Show the picked points in the page."""
-        viewer = self._viewer
+        viewer = self.viewer
         if viewer is None:
             return
         if self._picked:
@@ -92,12 +92,12 @@ class VisualizerWithEditing(PickingWindow):
         super().__init__()
         self._cropped: Any = None
 
-    def _opened(self, viewer: Viewer | None) -> None:
-        super()._opened(viewer)
+    def on_opened(self, viewer: Viewer | None) -> None:
+        super().on_opened(viewer)
         self._cropped = None
 
     def destroy_window(self) -> None:
-        self._cropped = self.get_cropped_geometry() if self._geometries else self._cropped
+        self._cropped = self.get_cropped_geometry() if self.geometries else self._cropped
         super().destroy_window()
 
     def get_picked_points(self) -> list[int]:
@@ -106,11 +106,11 @@ class VisualizerWithEditing(PickingWindow):
 
     def get_cropped_geometry(self) -> Any:
         """The last result of the polygon tool, or the complete geometry. Valid after `destroy_window`, too."""
-        if not self._geometries:
+        if not self.geometries:
             return self._cropped
-        items = {} if self._viewer is None else self._viewer.items
+        items = {} if self.viewer is None else self.viewer.items
         parts = [item.cloud for name, item in items.items() if CROPPED in name and item.visible and item.cloud]
-        return PointCloud._of(parts[-1]) if parts else next(iter(self._geometries.values()))
+        return PointCloud.from_native(parts[-1]) if parts else next(iter(self.geometries.values()))
 
 
 class VisualizerWithVertexSelection(PickingWindow):
@@ -132,23 +132,23 @@ class VisualizerWithVertexSelection(PickingWindow):
         points = self._points()
         rows = indices_of("indices", indices, len(points), "the geometry").tolist()
         self._picked |= {row: points[row].copy() for row in rows if row not in self._picked}
-        self._mark()
+        self.show_marks()
 
     def remove_picked_points(self, indices: Iterable[int]) -> None:
         for index in indices:
             self._picked.pop(int(index), None)
-        self._mark()
+        self.show_marks()
 
     def register_selection_changed_callback(self, f: Callable[[], Any] | None) -> None:
         """Call a function without arguments after each change, in `run` or `poll_events`."""
         self._changed = check_callback("f", f)
 
-    def _mark(self) -> None:
+    def show_marks(self) -> None:
         self._is_changed = True
-        super()._mark()
+        super().show_marks()
 
-    def _call_keys(self) -> None:
-        super()._call_keys()
+    def call_keys(self) -> None:
+        super().call_keys()
         if self._is_changed:
             self._is_changed = False
             if self._changed is not None:

@@ -82,13 +82,13 @@ class O3DVisualizer(KnownNames):
         if check_name("name", name) in self._objects:
             raise ValueError(f"name: {name!r} is already displayed; remove_geometry({name!r}) removes it")
         one = DrawObject(name, geometry, check_name("group", group), check_number("time", time), bool(is_visible))
-        shape, viewer = drawn(geometry), self._window._viewer
-        self._window._styles[name] = style_of(material, shape)
+        shape, viewer = drawn(geometry), self._window.viewer
+        self._window.styles[name] = style_of(material, shape)
         self._objects[name] = one
         if one.is_visible:
-            self._window._geometries[name] = geometry
+            self._window.geometries[name] = geometry
         if viewer is not None:
-            viewer.add(name, shape, **self._window._style(shape, name))
+            viewer.add(name, shape, **self._window.style_of(shape, name))
             if not one.is_visible:
                 viewer.set_visible(name, False)
 
@@ -96,27 +96,27 @@ class O3DVisualizer(KnownNames):
         one, shape = self.get_geometry(name), drawn(geometry)
         one.geometry = geometry
         if one.is_visible:
-            self._window._geometries[name] = geometry
-        if self._window._viewer is not None:
-            self._window._viewer.update(name, shape)
+            self._window.geometries[name] = geometry
+        if self._window.viewer is not None:
+            self._window.viewer.update(name, shape)
 
     def remove_geometry(self, name: str) -> None:
         self.get_geometry(name)
         del self._objects[name]
-        self._window._styles.pop(name, None)
-        self._window._geometries.pop(name, None)
-        if self._window._viewer is not None:
-            self._window._viewer.remove(name)
+        self._window.styles.pop(name, None)
+        self._window.geometries.pop(name, None)
+        if self._window.viewer is not None:
+            self._window.viewer.remove(name)
 
     def show_geometry(self, name: str, show: bool) -> None:
         one = self.get_geometry(name)
         one.is_visible = bool(show)
         if one.is_visible:
-            self._window._geometries[name] = one.geometry
+            self._window.geometries[name] = one.geometry
         else:
-            self._window._geometries.pop(name, None)
-        if self._window._viewer is not None:
-            self._window._viewer.set_visible(name, one.is_visible)
+            self._window.geometries.pop(name, None)
+        if self._window.viewer is not None:
+            self._window.viewer.set_visible(name, one.is_visible)
 
     def get_geometry(self, name: str) -> DrawObject:
         """Properties of a geometry. Raises KeyError for an unknown name."""
@@ -129,7 +129,7 @@ class O3DVisualizer(KnownNames):
     def _play_times(self) -> None:
         """Let the timeline show the geometries of each time."""
         times = sorted({one.time for one in self._objects.values()})
-        viewer = self._window._viewer
+        viewer = self._window.viewer
         if viewer is None or len(times) < 2:
             return
         for time in times:
@@ -141,8 +141,8 @@ class O3DVisualizer(KnownNames):
     def add_action(self, name: str, callback: Function) -> None:
         """Add a button that calls a function with this window in a thread of the page."""
         self._buttons[check_name("name", name)] = callback
-        if self._window._viewer is not None:
-            self._window._viewer.add_button(name, lambda page: callback(self), folder="Actions")
+        if self._window.viewer is not None:
+            self._window.viewer.add_button(name, lambda page: callback(self), folder="Actions")
 
     def set_on_animation_frame(self, callback: Function | None) -> None:
         """Call a function with this window and the time every `animation_time_step` during animation."""
@@ -164,8 +164,8 @@ class O3DVisualizer(KnownNames):
         stop, self._stop = self._stop, None
         if stop is not None:
             stop()
-        if animates and self._window._viewer is not None:
-            self._stop = self._window._viewer.on_frame(self._tick, RATE)
+        if animates and self._window.viewer is not None:
+            self._stop = self._window.viewer.on_frame(self._tick, RATE)
         if self._animate is not None:
             self._animate.value = bool(animates)
 
@@ -177,7 +177,7 @@ class O3DVisualizer(KnownNames):
     @current_time.setter
     def current_time(self, time: float) -> None:
         self._time = check_number("current_time", time)
-        viewer = self._window._viewer
+        viewer = self._window.viewer
         if viewer is not None and viewer.edits.timeline is not None:
             viewer.show_time(self._time)
 
@@ -200,7 +200,7 @@ class O3DVisualizer(KnownNames):
         self._end = check_positive("animation_duration", seconds, allow_infinite=True)
 
     def _offer_animation(self) -> None:
-        viewer = self._window._viewer
+        viewer = self._window.viewer
         if self._animate is None and viewer is not None and (self._on_frame or self._on_tick):
             self._animate = viewer.add_checkbox(ANIMATE, False, self._take_animate, folder="Animation")
 
@@ -263,9 +263,9 @@ class O3DVisualizer(KnownNames):
         """Look from `eye` at `center` with a field of view [degrees]."""
         control = self._window.get_view_control()
         away = np.asarray(eye, np.float64) - np.asarray(center, np.float64)
-        side = float(np.max(control._bounds[1] - control._bounds[0])) or 1.0
+        side = float(np.max(control.bounds[1] - control.bounds[0])) or 1.0
         angle = check_positive("field_of_view", field_of_view, maximum=179.0)
-        control._angle = angle
+        control.angle = angle
         control.set_up(up)
         control.set_lookat(center)
         control.set_front(away)
@@ -278,6 +278,15 @@ class O3DVisualizer(KnownNames):
     def export_current_image(self, path: FilePath) -> None:
         """Render to a .png or .jpg file."""
         self._window.capture_screen_image(path)
+
+    def run(self) -> None:
+        """Wait until the window is closed. If geometries have times, the timeline shows those of the first one."""
+        self._play_times()
+        self._window.run()
+
+    def destroy_window(self) -> None:
+        """Close the window and remove its geometries."""
+        self._window.destroy_window()
 
     def close(self) -> None:
         self._window.close()

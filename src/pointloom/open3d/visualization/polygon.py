@@ -36,20 +36,20 @@ class SelectionPolygonVolume(KnownNames):
         self._polygon = Vector3dVector(corners)
 
     @property
-    def _native(self) -> polygon_volume.SelectionPolygonVolume:
+    def native(self) -> polygon_volume.SelectionPolygonVolume:
         corners = as_array(self._polygon)
         return polygon_volume.SelectionPolygonVolume(corners, self.orthogonal_axis, self.axis_min, self.axis_max)
 
     def crop_point_cloud(self, input: Any) -> PointCloud:
-        return PointCloud._of(unwrap(input, PointCloud, "input").crop(self._native))
+        return PointCloud.from_native(unwrap(input, PointCloud, "input").crop(self.native))
 
     def crop_triangle_mesh(self, input: Any) -> TriangleMesh:
         """Vertices inside and the triangles between them."""
-        return TriangleMesh._of(unwrap(input, TriangleMesh, "input").crop(self._native))
+        return TriangleMesh.from_native(unwrap(input, TriangleMesh, "input").crop(self.native))
 
     def crop_in_polygon(self, input: Any) -> list[int]:
         """Indices of the points inside."""
-        return self._native.crop_in_polygon(unwrap(input, PointCloud, "input")).tolist()
+        return self.native.crop_in_polygon(unwrap(input, PointCloud, "input")).tolist()
 
     def __repr__(self) -> str:
         members = "orthogonal_axis, bounding_polygon, axis_min, axis_max"

@@ -112,7 +112,7 @@ class RenderOption(KnownNames):
     def __repr__(self) -> str:
         return "RenderOption"
 
-    def _state(self) -> tuple[Any, ...]:
+    def state(self) -> tuple[Any, ...]:
         return tuple(map(str, (getattr(self, one.name) for one in fields(self))))
 
 

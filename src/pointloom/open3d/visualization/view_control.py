@@ -35,28 +35,28 @@ class ViewControl(HintedNames):
     """
 
     def __init__(self):
-        self._size, self._seen = (1920, 1080), _no_view
-        self._reset(NOWHERE)
+        self.size, self.page_view = (1920, 1080), _no_view
+        self.show_box(NOWHERE)
 
-    def _reset(self, bounds: tuple[Any, Any]) -> None:
+    def show_box(self, bounds: tuple[Any, Any]) -> None:
         """Show a box along -z, Open3D's initial view."""
-        self._bounds, self._angle, self._zoom = bounds, FIELD_OF_VIEW, ZOOM
+        self.bounds, self.angle, self._zoom = bounds, FIELD_OF_VIEW, ZOOM
         self._lookat = (np.asarray(bounds[0]) + np.asarray(bounds[1])) / 2
         self._front, self._up, self._given = np.array([0.0, 0.0, 1.0]), np.array([0.0, 1.0, 0.0]), None
-        self._moved = True  # since the window was last updated
+        self.is_moved = True  # since the window was last updated
 
-    def _view(self) -> View:
-        return self._seen() or self._configured_view()
+    def view(self) -> View:
+        return self.page_view() or self.configured_view()
 
-    def _configured_view(self) -> View:
+    def configured_view(self) -> View:
         if self._given is not None:
             return self._given
         options: dict[str, Any] = {"zoom": self._zoom, "front": self._front, "lookat": self._lookat, "up": self._up}
-        width, height = self._size
-        return View.from_open3d(self._bounds, **options, field_of_view=self._angle, width=width, height=height)
+        width, height = self.size
+        return View.from_open3d(self.bounds, **options, field_of_view=self.angle, width=width, height=height)
 
     def _changed(self) -> None:
-        self._moved, self._given = True, None
+        self.is_moved, self._given = True, None
 
     def _axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """Right, up and front, orthonormal."""
@@ -77,8 +77,8 @@ class ViewControl(HintedNames):
     def translate(self, x: float, y: float, xo: float = 0.0, yo: float = 0.0) -> None:
         """Translate like a mouse drag [px]."""
         right, up, _ = self._axes()
-        extent = 2 * self._zoom * (float(np.max(self._bounds[1] - self._bounds[0])) or 1.0)
-        self._lookat = self._lookat + extent * (up * y - right * x) / self._size[1]
+        extent = 2 * self._zoom * (float(np.max(self.bounds[1] - self.bounds[0])) or 1.0)
+        self._lookat = self._lookat + extent * (up * y - right * x) / self.size[1]
         self._changed()
 
     def scale(self, scale: float) -> None:
@@ -87,13 +87,13 @@ class ViewControl(HintedNames):
 
     def change_field_of_view(self, step: float = 0.45) -> None:
         """Widen by steps of 5 degrees, within 5 to 90 degrees."""
-        angle = self._angle + check_number("step", step) * ANGLE_STEP
-        self._angle = min(max(angle, MIN_ANGLE), MAX_ANGLE)
+        angle = self.angle + check_number("step", step) * ANGLE_STEP
+        self.angle = min(max(angle, MIN_ANGLE), MAX_ANGLE)
         self._changed()
 
     def get_field_of_view(self) -> float:
         """Vertical field of view [degrees]."""
-        return self._angle
+        return self.angle
 
     def set_zoom(self, zoom: float) -> None:
         """Set half of the visible height at `lookat` over the longest side of the scene."""
@@ -124,8 +124,8 @@ class ViewControl(HintedNames):
 
     def convert_to_pinhole_camera_parameters(self) -> PinholeCameraParameters:
         """Camera and extrinsic (world to camera)."""
-        view, parameters = self._view(), PinholeCameraParameters()
-        parameters.intrinsic = PinholeCameraIntrinsic._of(view.intrinsic)
+        view, parameters = self.view(), PinholeCameraParameters()
+        parameters.intrinsic = PinholeCameraIntrinsic.from_native(view.intrinsic)
         parameters.extrinsic = np.linalg.inv(view.T_world_camera)
         return parameters
 
@@ -135,27 +135,27 @@ class ViewControl(HintedNames):
         `allow_arbitrary` accepts all cameras.
         """
         view = View(unwrap(parameter.intrinsic), np.linalg.inv(parameter.extrinsic))
-        if not allow_arbitrary and (view.intrinsic.width, view.intrinsic.height) != self._size:
+        if not allow_arbitrary and (view.intrinsic.width, view.intrinsic.height) != self.size:
             have = f"{view.intrinsic.width} x {view.intrinsic.height}"
             log.warning(
                 "parameter: expected a camera of the size of the window, got %s pixels instead of %d x %d",
                 have,
-                *self._size,
+                *self.size,
             )
             return False
         try:
-            self._look_from(view)
+            self.look_from(view)
         except ValueError as error:
             if not allow_arbitrary:
                 log.warning("parameter: %s", error)
                 return False
-            self._moved, self._given = True, view
+            self.is_moved, self._given = True, view
         return True
 
-    def _look_from(self, view: View) -> None:
+    def look_from(self, view: View) -> None:
         """Set a view. Raises ValueError unless pixels are square and the principal point is centered."""
-        fields = view.to_open3d(self._bounds)
-        self._zoom, self._angle = fields["zoom"], fields["field_of_view"]
+        fields = view.to_open3d(self.bounds)
+        self._zoom, self.angle = fields["zoom"], fields["field_of_view"]
         self._front, self._lookat, self._up = (np.array(fields[name]) for name in ("front", "lookat", "up"))
         self._changed()
 

@@ -47,13 +47,15 @@ class Visualizer(KnownNames):
     rendered, and `run` and `poll_events` end after 60 frames. Without a display an image is written, as by `loom.draw`.
     """
 
+    viewer: Viewer | None  # the page, if one is open
+    geometries: dict[str, Any]  # displayed ones by name
+    styles: dict[str, dict[str, Any]]  # of some geometries by name
+
     def __init__(self):
         self._name, self._frames, self._closed = "Open3D", 0, False
-        self._geometries: dict[str, Any] = {}
-        self._styles: dict[str, dict[str, Any]] = {}  # of some geometries by name
+        self.geometries, self.styles, self.viewer = {}, {}, None
         self._writes_image = False  # a window without a display, of which no image was taken
         self._option, self._control = RenderOption(), ViewControl()
-        self._viewer: Viewer | None = None
         self._animation: Callback | None = None
         self._callbacks: dict[str, Callback] = {}
         self._pressed: queue.SimpleQueue[str] = queue.SimpleQueue()
@@ -71,21 +73,21 @@ class Visualizer(KnownNames):
         """Open the window; `width` and `height` apply to images only."""
         self.destroy_window()
         self._name, self._frames, self._closed = str(window_name), 0, False
-        self._control._size = check_count("width", width), check_count("height", height)
+        self._control.size = check_count("width", width), check_count("height", height)
         mode = draw_mode() if visible else "picture"
         self._writes_image = mode == "file"
         if mode == "page":
-            self._viewer = Viewer(title=self._name, size=self._control._size)
-            self._control._seen = lambda: self._viewer.get_view() if self._viewer and self._viewer.sessions else None
-            self._viewer.on_key("Q", lambda client: self.close(), "Close the window")
+            self.viewer = Viewer(title=self._name, size=self._control.size)
+            self._control.page_view = lambda: self.viewer.get_view() if self.viewer and self.viewer.sessions else None
+            self.viewer.on_key("Q", lambda client: self.close(), "Close the window")
             for key in self._callbacks:
                 self._listen(key)
-            announce(self._viewer)
-            open_page(self._viewer)
-        self._opened(self._viewer)
+            announce(self.viewer)
+            open_page(self.viewer)
+        self.on_opened(self.viewer)
         return True
 
-    def _opened(self, viewer: Viewer | None) -> None:
+    def on_opened(self, viewer: Viewer | None) -> None:
         """Called for each new window, with None without a page."""
 
     def destroy_window(self) -> None:
@@ -93,11 +95,11 @@ class Visualizer(KnownNames):
         if self._frames:
             self._write_image()
         self._closed = True
-        self._geometries.clear()
-        self._styles.clear()
-        if self._viewer is not None:
-            self._viewer.close()
-            self._viewer = None
+        self.geometries.clear()
+        self.styles.clear()
+        if self.viewer is not None:
+            self.viewer.close()
+            self.viewer = None
 
     def close(self) -> None:
         self._closed = True
@@ -116,24 +118,24 @@ class Visualizer(KnownNames):
         shape, name = drawn(geometry), self._name_of(geometry)
         if name is not None:
             return self.update_geometry(geometry)
-        name = f"{type(geometry).__name__} {len(self._geometries) + 1}"
-        while name in self._geometries:
+        name = f"{type(geometry).__name__} {len(self.geometries) + 1}"
+        while name in self.geometries:
             name += "'"
-        self._geometries[name] = geometry
+        self.geometries[name] = geometry
         if reset_bounding_box:
             self.reset_view_point(True)
-        if self._viewer is not None:
-            self._viewer.add(name, shape, **self._style(shape, name))
+        if self.viewer is not None:
+            self.viewer.add(name, shape, **self.style_of(shape, name))
             self._show_options()
         return True
 
     def update_geometry(self, geometry: Any = None) -> bool:
         """Show the current state of a geometry, or of all. False for an unknown geometry."""
         if geometry is None:
-            return all([self.update_geometry(one) for one in list(self._geometries.values())])
+            return all([self.update_geometry(one) for one in list(self.geometries.values())])
         name = self._name_of(geometry)
-        if name is not None and self._viewer is not None:
-            self._viewer.update(name, drawn(geometry))
+        if name is not None and self.viewer is not None:
+            self.viewer.update(name, drawn(geometry))
         return name is not None
 
     def remove_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
@@ -141,20 +143,20 @@ class Visualizer(KnownNames):
         name = self._name_of(geometry)
         if name is None:
             return False
-        del self._geometries[name]
-        if self._viewer is not None:
-            self._viewer.remove(name)
+        del self.geometries[name]
+        if self.viewer is not None:
+            self.viewer.remove(name)
         if reset_bounding_box:
             self.reset_view_point(True)
         return True
 
     def clear_geometries(self) -> bool:
-        for geometry in list(self._geometries.values()):
+        for geometry in list(self.geometries.values()):
             self.remove_geometry(geometry)
         return True
 
     def _name_of(self, geometry: Any) -> str | None:
-        return next((name for name, shown in self._geometries.items() if shown is geometry), None)
+        return next((name for name, shown in self.geometries.items() if shown is geometry), None)
 
     def get_render_option(self) -> RenderOption:
         """Render options, assignable fields."""
@@ -165,27 +167,27 @@ class Visualizer(KnownNames):
 
     def reset_view_point(self, reset_bounding_box: bool = False) -> None:
         """Show everything, or the bounds of the last reset."""
-        bounds = self._control._bounds
+        bounds = self._control.bounds
         if reset_bounding_box:
-            bounds = bounds_of(list(self._geometries.values())) or NOWHERE
-        self._control._reset(bounds)
+            bounds = bounds_of(list(self.geometries.values())) or NOWHERE
+        self._control.show_box(bounds)
 
     def get_view_status(self) -> str:
         """The view as JSON, as copied by Ctrl+C in Open3D."""
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
-            write_view(Path(folder) / "view.json", self._control._view(), self._control._bounds)
+            write_view(Path(folder) / "view.json", self._control.view(), self._control.bounds)
             return (Path(folder) / "view.json").read_text(encoding="utf-8")
 
     def set_view_status(self, view_status_str: str) -> None:
         """Set the view from `get_view_status`."""
-        width, height = self._control._size
+        width, height = self._control.size
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             (Path(folder) / "view.json").write_text(view_status_str, encoding="utf-8")
             view = read_view(Path(folder) / "view.json", width=width, height=height)
-        self._control._look_from(view)
+        self._control.look_from(view)
 
-    def _style(self, shape: Any, name: str) -> dict[str, Any]:
-        return self._common_style(shape) | self._styles.get(name, {})
+    def style_of(self, shape: Any, name: str) -> dict[str, Any]:
+        return self._common_style(shape) | self.styles.get(name, {})
 
     def _common_style(self, shape: Any) -> dict[str, Any]:
         option, style = self._option, {"line_width": self._option.line_width}
@@ -200,32 +202,32 @@ class Visualizer(KnownNames):
         return style | ({"color_by": by} if by and known else {})
 
     def _entries(self) -> list[dict[str, Any]]:
-        shapes = {name: drawn(geometry) for name, geometry in self._geometries.items()}
+        shapes = {name: drawn(geometry) for name, geometry in self.geometries.items()}
         if self._option.show_coordinate_frame:
             shapes[FRAME] = self._coordinate_frame()
-        return [{"geometry": shape, "name": name, **self._style(shape, name)} for name, shape in shapes.items()]
+        return [{"geometry": shape, "name": name, **self.style_of(shape, name)} for name, shape in shapes.items()]
 
     def _coordinate_frame(self) -> TriangleMesh:
-        low, high = self._control._bounds
+        low, high = self._control.bounds
         return TriangleMesh.create_coordinate_frame(0.2 * (float(np.max(high - low)) or 1.0), low)
 
     def poll_events(self) -> bool:
         """Run key callbacks. False once the window is closed."""
-        if self._viewer is None:
+        if self.viewer is None:
             self._frames += 1
             return not self._closed and self._frames < FRAMES
-        self._call_keys()
+        self.call_keys()
         self.update_renderer()
-        return not self._closed and not self._viewer.wait(0)
+        return not self._closed and not self.viewer.wait(0)
 
     def update_renderer(self) -> None:
         """Apply the current view and options."""
-        if self._viewer is None:
+        if self.viewer is None:
             return
         self._show_options()
-        if self._control._moved:
-            self._control._moved = False
-            self._viewer.set_view(self._control._configured_view())
+        if self._control.is_moved:
+            self._control.is_moved = False
+            self.viewer.set_view(self._control.configured_view())
 
     def run(self) -> None:
         """Wait until the window is closed, running animation and key callbacks."""
@@ -234,32 +236,32 @@ class Visualizer(KnownNames):
 
     def _write_image(self) -> None:
         """Without a display, write an image of a window of which no image was taken."""
-        if self._writes_image and self._geometries:
+        if self._writes_image and self.geometries:
             save_numbered(self._drawn())
 
     def _wait(self) -> None:
-        while not self._closed and (self._viewer is not None or self._animation is not None):
+        while not self._closed and (self.viewer is not None or self._animation is not None):
             if self._animation is not None and self._animation(self):
                 self.update_geometry()
-            if not self.poll_events() or (self._viewer is not None and self._viewer.wait(CALLBACK_INTERVAL)):
+            if not self.poll_events() or (self.viewer is not None and self.viewer.wait(CALLBACK_INTERVAL)):
                 return
 
     def register_animation_callback(self, callback_func: Callback | None) -> None:
         """Let `run` call a function of the window repeatedly. If it returns True, everything is updated."""
         self._animation = check_callback("callback_func", callback_func)
 
-    def _call_keys(self) -> None:
+    def call_keys(self) -> None:
         while not self._pressed.empty():
             callback = self._callbacks.get(self._pressed.get())
             if callback is not None and callback(self):
                 self.update_geometry()
 
     def _listen(self, key: str) -> None:
-        if self._viewer is not None:
-            self._viewer.on_key(key, lambda client: self._pressed.put(key))
+        if self.viewer is not None:
+            self.viewer.on_key(key, lambda client: self._pressed.put(key))
 
     def _show_options(self) -> None:
-        state, viewer = self._option._state(), self._viewer
+        state, viewer = self._option.state(), self.viewer
         if viewer is None or state == self._option_shown:
             return
         first, self._option_shown = self._option_shown is None, state
@@ -307,7 +309,7 @@ class Visualizer(KnownNames):
         with without_warnings(UserWarning):  # an empty window is no mistake
             return render(
                 self._entries(),
-                self._control._view(),
+                self._control.view(),
                 point_size=option.point_size,
                 point_show_normal=bool(option.point_show_normal),
                 mesh_show_wireframe=bool(option.mesh_show_wireframe),

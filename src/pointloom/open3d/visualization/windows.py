@@ -153,12 +153,11 @@ def draw(
             on_init(window)
         window.set_on_animation_frame(on_animation_frame)
         window.set_on_animation_tick(on_animation_tick)
-        window._play_times()
-        window._window.run()
+        window.run()
     except KeyboardInterrupt:
         pass  # like closing the window
     finally:
-        window._window.destroy_window()
+        window.destroy_window()
 
 
 def _fill(window: O3DVisualizer, geometry: Any, actions: Any) -> None:

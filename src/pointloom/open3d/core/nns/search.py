@@ -25,7 +25,7 @@ class NearestNeighborSearch(HintedNames):
 
     def __init__(self, dataset_points: Any, index_dtype: Dtype = int64):
         points = dataset_points if isinstance(dataset_points, Tensor) else Tensor(dataset_points)
-        if points.ndim != 2 or points._numpy_dtype.kind != "f":
+        if points.ndim != 2 or points.dtype.numpy.kind != "f":
             wanted = "Float32 or Float64 of shape (n, d)"
             raise TensorError(f"dataset_points: expected {wanted}, got {points.dtype} of shape {list(points.shape)}")
         if index_dtype not in (int32, int64):
@@ -50,7 +50,7 @@ class NearestNeighborSearch(HintedNames):
     def _index(self, name: str) -> bool:
         if self._tree is None and len(self._points):
             is_3d = self._points.shape[1] == 3
-            self._tree = PointSearch(self._points._array) if is_3d else KDTree(self._points._values)
+            self._tree = PointSearch(self._points.array) if is_3d else KDTree(self._points.numpy())
         self._indices.add(name)
         return True
 
@@ -99,14 +99,14 @@ class NearestNeighborSearch(HintedNames):
             return self._results(*empty)
         if isinstance(self._tree, PointSearch):
             search = self._tree.knn_search if radius == np.inf else lambda q, k: self._tree.hybrid_search(q, radius, k)
-            indices, sqdists, counts = search(queries._array, k)
+            indices, sqdists, counts = search(queries.array, k)
             if not queries.is_cpu:
-                indices, sqdists, counts = map(Tensor._around, (indices, sqdists, counts))
+                indices, sqdists, counts = map(Tensor.from_array, (indices, sqdists, counts))
                 distances = sqdists.to(queries.dtype)
                 distances[distances.isinf()] = 0
                 return indices.to(self._index_dtype), distances, counts.to(self._index_dtype)
         else:
-            indices = self._tree.query(queries._values, range(1, k + 1), distance_upper_bound=radius)[1]
+            indices = self._tree.query(queries.numpy(), range(1, k + 1), distance_upper_bound=radius)[1]
             indices = np.where(indices < len(self._points), indices, -1)
         is_found = indices >= 0
         distances = np.zeros(indices.shape)
@@ -117,13 +117,13 @@ class NearestNeighborSearch(HintedNames):
         if not len(queries) or not len(self._points):
             return self._results(np.zeros(0), np.zeros(0), np.zeros(len(queries) + 1))
         if isinstance(self._tree, PointSearch):
-            found = self._tree.radius_search(queries._array, float(radii.max()))
-            indices, sqdists, counts = (Tensor._around(part)._values for part in found)
+            found = self._tree.radius_search(queries.array, float(radii.max()))
+            indices, sqdists, counts = (Tensor.from_array(part).numpy() for part in found)
             owners = np.repeat(np.arange(len(queries)), counts)
             if queries.is_cpu:
                 sqdists = self._sqdists(queries, owners, indices)
         else:
-            lists = self._tree.query_ball_point(queries._values, radii)
+            lists = self._tree.query_ball_point(queries.numpy(), radii)
             owners = np.repeat(np.arange(len(queries)), [len(each) for each in lists])
             indices = np.concatenate([*lists, []]).astype(np.int64)
             sqdists = self._sqdists(queries, owners, indices)
@@ -135,7 +135,7 @@ class NearestNeighborSearch(HintedNames):
 
     def _sqdists(self, queries: Tensor, owners: Any, indices: Any) -> Any:
         """Squared distances of some queries from points, in float64."""
-        steps = self._points._values[indices].astype(np.float64) - queries._values[owners]
+        steps = self._points.numpy()[indices].astype(np.float64) - queries.numpy()[owners]
         return (steps**2).sum(axis=1)
 
     def _results(self, indices: Any, sqdists: Any, counts: Any) -> tuple[Tensor, Tensor, Tensor]:

@@ -30,8 +30,8 @@ class RigidOptimizerOption(Settings):
     invisible_vertex_color_knn: int = 3
     debug_output_dir: str = ""
 
-    def _keywords(self) -> dict[str, Any]:
-        values = super()._keywords()
+    def native_keywords(self) -> dict[str, Any]:
+        values = super().native_keywords()
         if values.pop("debug_output_dir"):
             raise ValueError("debug_output_dir: intermediate results are not written; leave it empty")
         return values
@@ -84,7 +84,7 @@ def _run(
     optimized.parameters = [
         _parameters(one, np.linalg.inv(pose)) for one, pose in zip(parameters, moved.poses, strict=True)
     ]
-    return TriangleMesh._of(colored), optimized
+    return TriangleMesh.from_native(colored), optimized
 
 
 def _parameters(given: PinholeCameraParameters, extrinsic: Any) -> PinholeCameraParameters:

@@ -53,11 +53,11 @@ class TSDFVolume(Wrapper):
         self._wrapped.integrate(frame, camera, extrinsic, color)
 
     def extract_triangle_mesh(self) -> TriangleMesh:
-        return TriangleMesh._of(self._wrapped.extract_triangle_mesh(SEEN))
+        return TriangleMesh.from_native(self._wrapped.extract_triangle_mesh(SEEN))
 
     def extract_point_cloud(self) -> PointCloud:
         """The surface as points with normals."""
-        return PointCloud._of(self._wrapped.extract_point_cloud(SEEN))
+        return PointCloud.from_native(self._wrapped.extract_point_cloud(SEEN))
 
     def __copy__(self) -> Any:
         made = type(self).__new__(type(self))
@@ -128,10 +128,10 @@ class UniformTSDFVolume(TSDFVolume):
     resolution = property(lambda self: self._resolution, doc="Number of voxels per edge.")
 
     def extract_triangle_mesh(self) -> TriangleMesh:
-        return TriangleMesh._of(self._wrapped.extract_triangle_mesh(SEEN).crop(self._cube()))
+        return TriangleMesh.from_native(self._wrapped.extract_triangle_mesh(SEEN).crop(self._cube()))
 
     def extract_point_cloud(self) -> PointCloud:
-        return PointCloud._of(self._wrapped.extract_point_cloud(SEEN).crop(self._cube()))
+        return PointCloud.from_native(self._wrapped.extract_point_cloud(SEEN).crop(self._cube()))
 
     def _cube(self) -> boxes.AxisAlignedBoundingBox:
         return boxes.AxisAlignedBoundingBox(self._corner, self._corner + np.full(3, self._length))

@@ -31,12 +31,12 @@ class OdometryOption(Settings):
             value = IntVector(value)
         super().__setattr__(name, value)
 
-    def _keywords(self) -> dict[str, Any]:
+    def native_keywords(self) -> dict[str, Any]:
         steps = list(self.iteration_number_per_pyramid_level)
-        return super()._keywords() | {"iteration_number_per_pyramid_level": steps}
+        return super().native_keywords() | {"iteration_number_per_pyramid_level": steps}
 
     def __repr__(self) -> str:
-        values = self._keywords()
+        values = self.native_keywords()
         steps = "".join(f"{step}, " for step in values.pop("iteration_number_per_pyramid_level"))
         limits = "".join(f"{name}={value:g},\n" for name, value in values.items())
         return f"OdometryOption(\niteration_number_per_pyramid_level=[ {steps}] ,\n{limits})"

@@ -18,7 +18,7 @@ class CorrespondenceChecker(Settings):
     def Check(self, source: Any, target: Any, corres: Any, transformation: Any) -> bool:
         """True if correspondences and pose pass."""
         clouds = unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
-        return self._native.Check(*clouds, as_array(corres), transformation)
+        return self.native.Check(*clouds, as_array(corres), transformation)
 
 
 @dataclass(eq=False, repr=False)

@@ -24,10 +24,10 @@ class RobustKernel(Settings):
     _kind = robust_kernels.RobustKernel
 
     def weight(self, residual: float) -> float:
-        return float(self._native.weight(residual))
+        return float(self.native.weight(residual))
 
     def __repr__(self) -> str:
-        scale = "".join(f" with k={value:f}" for value in self._keywords().values())
+        scale = "".join(f" with k={value:f}" for value in self.native_keywords().values())
         return f"RobustKernel::{type(self).__name__}{scale}"
 
 
@@ -79,16 +79,16 @@ class TransformationEstimation(Settings):
     @as_runtime_errors
     def compute_transformation(self, source: Any, target: Any, corres: Any) -> NDArray[np.float64]:
         """The step (4, 4) of one iteration from pairs (source, target). The identity without pairs."""
-        return fit_step(*_clouds(source, target), as_array(Vector2iVector(corres)), self._native)
+        return fit_step(*_clouds(source, target), as_array(Vector2iVector(corres)), self.native)
 
     @as_runtime_errors
     def compute_rmse(self, source: Any, target: Any, corres: Any) -> float:
         """Root mean square of the residuals of the pairs that `compute_transformation` minimizes, without a kernel."""
-        return residual_rmse(*_clouds(source, target), as_array(Vector2iVector(corres)), self._native)
+        return residual_rmse(*_clouds(source, target), as_array(Vector2iVector(corres)), self.native)
 
     def _take_kernel(self, default: float) -> None:
         """Reassign a kernel that was given in place of the first number."""
-        first, kernel = next(iter(self._keywords())), getattr(self, next(iter(self._keywords())))
+        first, kernel = next(iter(self.native_keywords())), getattr(self, next(iter(self.native_keywords())))
         if isinstance(kernel, RobustKernel):
             self.kernel = kernel
             setattr(self, first, default)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +16,7 @@ from ....registration import matching, result
 from ....registration.globally import fast_global, ransac
 from ....registration.icp import evaluation, icp, ndt
 from ...argument_errors import ArgumentError, as_runtime_errors
+from ...argument_types import CloudLike
 from ...geometry import PointCloud
 from ...geometry.search_param import keywords_of
 from ...indices import flagged
@@ -44,8 +45,8 @@ class RANSACConvergenceCriteria(Settings):
         super().__post_init__()
         self.confidence = _as_confidence(self.confidence)
 
-    def _keywords(self) -> dict[str, Any]:
-        return super()._keywords() | {"confidence": _as_confidence(self.confidence)}
+    def native_keywords(self) -> dict[str, Any]:
+        return super().native_keywords() | {"confidence": _as_confidence(self.confidence)}
 
     def __repr__(self) -> str:
         return f"RANSACConvergenceCriteria(max_iteration={self.max_iteration}, confidence={self.confidence:e})"
@@ -66,7 +67,7 @@ class FastGlobalRegistrationOption(Settings):
     tuple_test: bool = True
 
     def __repr__(self) -> str:
-        values = {name: str(value).lower() for name, value in self._keywords().items()}
+        values = {name: str(value).lower() for name, value in self.native_keywords().items()}
         return "FastGlobalRegistrationOption(\n" + "".join(f"{name}={value},\n" for name, value in values.items()) + ")"
 
 
@@ -95,7 +96,7 @@ def registration_ransac_based_on_feature_matching(
         *_rules(estimation_method, ransac_n, checkers, criteria),
         seed=next_seed(),
     )
-    return RegistrationResult._of(result)
+    return RegistrationResult.from_native(result)
 
 
 @as_runtime_errors
@@ -116,7 +117,7 @@ def registration_ransac_based_on_correspondence(
         *_rules(estimation_method, ransac_n, checkers, criteria),
         seed=next_seed(),
     )
-    return RegistrationResult._of(result)
+    return RegistrationResult.from_native(result)
 
 
 @as_runtime_errors
@@ -130,7 +131,7 @@ def registration_fgr_based_on_feature_matching(
         _option(option),
         seed=next_seed(),
     )
-    return RegistrationResult._of(result)
+    return RegistrationResult.from_native(result)
 
 
 @as_runtime_errors
@@ -140,7 +141,7 @@ def registration_fgr_based_on_correspondence(
     result = fast_global.registration_fgr_based_on_correspondence(
         *clouds_of(source, target), as_array(corres), _option(option), seed=next_seed()
     )
-    return RegistrationResult._of(result)
+    return RegistrationResult.from_native(result)
 
 
 def _as_confidence(value: Any) -> float:
@@ -178,63 +179,57 @@ class ICPConvergenceCriteria(Settings):
         return f"ICPConvergenceCriteria({limits}, max_iteration={self.max_iteration})"
 
 
-@as_runtime_errors
-def registration_icp(
-    source: Any,
-    target: Any,
-    max_correspondence_distance: float,
-    init: ArrayLike = IDENTITY,
-    estimation_method: Any = None,
-    criteria: Any = None,
-) -> RegistrationResult:
-    method = TransformationEstimationPointToPoint() if estimation_method is None else estimation_method
-    return _register(source, target, max_correspondence_distance, init, method, criteria, TransformationEstimation)
+def _icp(
+    name: str,
+    kind: type[TransformationEstimation],
+    default: type[TransformationEstimation],
+    doc: str = "",
+    *,
+    with_normals: bool = False,
+) -> Callable[..., RegistrationResult]:
+    """A function of the ICP family that accepts estimators of a kind."""
+
+    def register(
+        source: CloudLike,
+        target: CloudLike,
+        max_correspondence_distance: float,
+        init: ArrayLike = IDENTITY,
+        estimation_method: TransformationEstimation | None = None,
+        criteria: ICPConvergenceCriteria | None = None,
+    ) -> RegistrationResult:
+        clouds = clouds_of(source, target)
+        for side, cloud in zip(("source", "target"), clouds, strict=True):
+            if with_normals and not cloud.has_normals:
+                remedy = f"call {side}.estimate_normals()"
+                raise ArgumentError(f"{side}: symmetric ICP requires both source and target to have normals; {remedy}")
+        method = unwrap(default() if estimation_method is None else estimation_method, kind, "estimation_method")
+        rules = unwrap(ICPConvergenceCriteria() if criteria is None else criteria, ICPConvergenceCriteria, "criteria")
+        return RegistrationResult.from_native(
+            icp.registration_icp(*clouds, max_correspondence_distance, init, method, rules)
+        )
+
+    register.__name__ = register.__qualname__ = name
+    register.__doc__ = doc or None
+    return as_runtime_errors(register)
 
 
-@as_runtime_errors
-def registration_colored_icp(
-    source: Any,
-    target: Any,
-    max_correspondence_distance: float,
-    init: ArrayLike = IDENTITY,
-    estimation_method: Any = None,
-    criteria: Any = None,
-) -> RegistrationResult:
-    """Colored ICP: both clouds need colors, the target normals."""
-    kind = TransformationEstimationForColoredICP
-    return _register(source, target, max_correspondence_distance, init, estimation_method, criteria, kind)
-
-
-@as_runtime_errors
-def registration_generalized_icp(
-    source: Any,
-    target: Any,
-    max_correspondence_distance: float,
-    init: ArrayLike = IDENTITY,
-    estimation_method: Any = None,
-    criteria: Any = None,
-) -> RegistrationResult:
-    kind = TransformationEstimationForGeneralizedICP
-    return _register(source, target, max_correspondence_distance, init, estimation_method, criteria, kind)
-
-
-@as_runtime_errors
-def registration_symmetric_icp(
-    source: Any,
-    target: Any,
-    max_correspondence_distance: float,
-    init: ArrayLike = IDENTITY,
-    estimation_method: Any = None,
-    criteria: Any = None,
-) -> RegistrationResult:
-    """Symmetric point-to-plane ICP: both clouds need normals."""
-    kind = TransformationEstimationSymmetric
-    for name, cloud in zip(("source", "target"), clouds_of(source, target), strict=True):
-        if not cloud.has_normals:
-            raise ArgumentError(
-                f"{name}: symmetric ICP requires both source and target to have normals; call {name}.estimate_normals()"
-            )
-    return _register(source, target, max_correspondence_distance, init, estimation_method, criteria, kind)
+registration_icp = _icp("registration_icp", TransformationEstimation, TransformationEstimationPointToPoint)
+registration_colored_icp = _icp(
+    "registration_colored_icp",
+    TransformationEstimationForColoredICP,
+    TransformationEstimationForColoredICP,
+    "Colored ICP: both clouds need colors, the target normals.",
+)
+registration_generalized_icp = _icp(
+    "registration_generalized_icp", TransformationEstimationForGeneralizedICP, TransformationEstimationForGeneralizedICP
+)
+registration_symmetric_icp = _icp(
+    "registration_symmetric_icp",
+    TransformationEstimationSymmetric,
+    TransformationEstimationSymmetric,
+    "Symmetric point-to-plane ICP: both clouds need normals.",
+    with_normals=True,
+)
 
 
 @dataclass(eq=False, repr=False)
@@ -254,10 +249,10 @@ class NormalDistributionsTransformOption(Settings):
     @as_runtime_errors
     def __post_init__(self) -> None:
         super().__post_init__()
-        _ = self._native
+        _ = self.native
 
     def __repr__(self) -> str:
-        values = {name: str(value).removesuffix(".0") for name, value in self._keywords().items()}
+        values = {name: str(value).removesuffix(".0") for name, value in self.native_keywords().items()}
         return f"NormalDistributionsTransformOption({', '.join(f'{name}={value}' for name, value in values.items())})"
 
 
@@ -266,7 +261,7 @@ def registration_ndt(source: Any, target: Any, option: Any = None, init: ArrayLi
     """Normal distributions transform: neither normals nor a search of nearest points."""
     chosen = NormalDistributionsTransformOption() if option is None else option
     rules = unwrap(chosen, NormalDistributionsTransformOption, "option")
-    return RegistrationResult._of(ndt.registration_ndt(*clouds_of(source, target), rules, init, degeneracy=0.0))
+    return RegistrationResult.from_native(ndt.registration_ndt(*clouds_of(source, target), rules, init, degeneracy=0.0))
 
 
 @as_runtime_errors
@@ -274,7 +269,7 @@ def evaluate_registration(
     source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike = IDENTITY
 ) -> RegistrationResult:
     clouds = clouds_of(source, target)
-    return RegistrationResult._of(
+    return RegistrationResult.from_native(
         evaluation.evaluate_registration(*clouds, max_correspondence_distance, transformation)
     )
 
@@ -293,26 +288,6 @@ def clouds_of(source: Any, target: Any) -> tuple[Any, Any]:
     return unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
 
 
-def _register(
-    source: Any,
-    target: Any,
-    distance: float,
-    init: ArrayLike,
-    method: Any,
-    criteria: Any,
-    kind: type[TransformationEstimation],
-) -> RegistrationResult:
-    rules = ICPConvergenceCriteria() if criteria is None else criteria
-    result = icp.registration_icp(
-        *clouds_of(source, target),
-        distance,
-        init,
-        unwrap(kind() if method is None else method, kind, "estimation_method"),
-        unwrap(rules, ICPConvergenceCriteria, "criteria"),
-    )
-    return RegistrationResult._of(result)
-
-
 class Feature(KnownNames):
     """Features of the points of a cloud: `data` has one column per point, float64 (dimension, n)."""
 
@@ -322,7 +297,7 @@ class Feature(KnownNames):
         self._data = np.zeros((0, 0)) if other is None else other.data.copy()
 
     @classmethod
-    def _of_rows(cls, rows: Any) -> Feature:
+    def from_rows(cls, rows: Any) -> Feature:
         """Features from one row per point, as in pointloom."""
         made = cls()
         made.data = np.asarray(rows).T
@@ -353,7 +328,7 @@ class Feature(KnownNames):
     def select_by_index(self, indices: Any, invert: bool = False) -> Feature:
         """Features of these points, each once and in ascending order, or of the others."""
         flags = flagged("indices", indices, self.num(), f"Feature of {self.num()} points")
-        return Feature._of_rows(self._data.T[flags != invert])
+        return Feature.from_rows(self._data.T[flags != invert])
 
     def __repr__(self) -> str:
         size = f"dimension = {self.dimension()} and num = {self.num()}"
@@ -371,7 +346,7 @@ def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
 def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> Feature:
     """FPFH with 33 numbers per point. Requires normals. With `indices`, for these points only, each once."""
     rows = np.asarray(features.compute_fpfh_feature(unwrap(input, PointCloud, "input"), **keywords_of(search_param)))
-    made = Feature._of_rows(rows)
+    made = Feature.from_rows(rows)
     return made if indices is None else made.select_by_index(indices)
 
 
@@ -391,7 +366,7 @@ class RegistrationResult(Wrapper):
 
     def __init__(self, other: Any = None):
         given = unwrap(other, RegistrationResult, "arg0") if other is not None else self._none()
-        vars(self).update(vars(self._of(given)))
+        vars(self).update(vars(self.from_native(given)))
 
     @staticmethod
     def _none() -> result.RegistrationResult:
@@ -435,7 +410,7 @@ class RegistrationResult(Wrapper):
     def __copy__(self) -> RegistrationResult:
         made = self._none()
         made.transformation, made.fitness, made.inlier_rmse = self.transformation.copy(), self.fitness, self.inlier_rmse
-        copied = RegistrationResult._of(made)
+        copied = RegistrationResult.from_native(made)
         copied.correspondence_set = self.correspondence_set
         return copied
 

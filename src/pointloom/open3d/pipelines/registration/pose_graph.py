@@ -87,17 +87,15 @@ class PoseGraph(Wrapper):
         self._take(pose_graph.PoseGraph() if other is None else unwrap(other, PoseGraph, "arg0"))
 
     @classmethod
-    def _of(cls, native: Any) -> PoseGraph:
-        made = cls.__new__(cls)
-        made._take(native)
-        return made
+    def from_native(cls, native: Any) -> PoseGraph:
+        return cls(native)
 
     def _take(self, graph: pose_graph.PoseGraph) -> None:
-        self._nodes = PoseGraphNodeVector(map(PoseGraphNode._of, graph.nodes))
-        self._edges = PoseGraphEdgeVector(map(PoseGraphEdge._of, graph.edges))
+        self._nodes = PoseGraphNodeVector(map(PoseGraphNode.from_native, graph.nodes))
+        self._edges = PoseGraphEdgeVector(map(PoseGraphEdge.from_native, graph.edges))
 
     @property
-    def _native(self) -> pose_graph.PoseGraph:
+    def native(self) -> pose_graph.PoseGraph:
         return pose_graph.PoseGraph(unwrap(list(self._nodes)), unwrap(list(self._edges)))
 
     @property
@@ -120,7 +118,7 @@ class PoseGraph(Wrapper):
         return PoseGraph(self)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"ours": self._native}
+        return {"ours": self.native}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self._take(state["ours"])
@@ -141,7 +139,7 @@ class GlobalOptimizationOption(Settings):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        alone = all(value is None for value in self._keywords().values())
+        alone = all(value is None for value in self.native_keywords().values())
         defaults = {"max_correspondence_distance": 0.075 if alone else 0.03, "edge_prune_threshold": 0.25}
         for name, value in (defaults | {"preference_loop_closure": 1.0, "reference_node": -1}).items():
             if getattr(self, name) is None:
@@ -196,11 +194,11 @@ def global_optimization(pose_graph: PoseGraph, method: Any, criteria: Any, optio
     )
     for node, moved in zip(pose_graph.nodes, solved.nodes, strict=True):
         node.pose = moved.pose
-    pose_graph.edges = map(PoseGraphEdge._of, solved.edges)
+    pose_graph.edges = map(PoseGraphEdge.from_native, solved.edges)
 
 
 def read_pose_graph(filename: Any) -> PoseGraph:
-    return PoseGraph._of(pose_graph_files.read_pose_graph(filename))
+    return PoseGraph.from_native(pose_graph_files.read_pose_graph(filename))
 
 
 def write_pose_graph(filename: Any, pose_graph: PoseGraph) -> bool:
@@ -209,6 +207,6 @@ def write_pose_graph(filename: Any, pose_graph: PoseGraph) -> bool:
 
 
 def _listed(settings: Settings) -> str:
-    values = settings._keywords().items()
+    values = settings.native_keywords().items()
     shown = [f"> {name} : {value if isinstance(value, int) else f'{value:f}'}" for name, value in values]
     return "\n".join([type(settings).__name__, *shown])

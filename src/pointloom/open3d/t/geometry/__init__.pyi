@@ -3,7 +3,6 @@
 from .boxes import AxisAlignedBoundingBox as AxisAlignedBoundingBox
 from .boxes import MethodOBBCreate as MethodOBBCreate
 from .boxes import OrientedBoundingBox as OrientedBoundingBox
-from .ellipsoids import OrientedBoundingEllipsoid as OrientedBoundingEllipsoid
 from .geometry import Geometry as Geometry
 from .image import Image as Image
 from .image import InterpType as InterpType

@@ -32,7 +32,7 @@ class BoundingBox(Geometry):
     """A box of float64 numbers, read as tensors of one type on one device. Setters and motions change it in place."""
 
     _kind: ClassVar[Any]  # the pointloom class
-    _native: Any
+    native: Any
     _rgb: NDArray[np.float64]
     _dtype: Dtype
 
@@ -43,7 +43,7 @@ class BoundingBox(Geometry):
             return
         self._rgb = np.ones(3)
         if isinstance(first, Device | str):
-            self._native, self._dtype, self._home = self._zero(), float32, device_of(first)
+            self.native, self._dtype, self._home = self._zero(), float32, device_of(first)
             return
         tensors = [tensor_of(name, values) for name, values in fields.items()]
         types = {tensor.dtype for tensor in tensors}
@@ -52,7 +52,7 @@ class BoundingBox(Geometry):
                 f"{', '.join(fields)}: expected float32 or float64, all the same, got {sorted(map(str, types))}"
             )
         self._dtype, self._home = tensors[0].dtype, tensors[0].device
-        self._native = self._made(*(tensor.numpy().astype(np.float64) for tensor in tensors))
+        self.native = self._made(*(tensor.numpy().astype(np.float64) for tensor in tensors))
 
     def _made(self, *values: NDArray[np.float64]) -> Any:
         return self._kind(*values)
@@ -62,18 +62,17 @@ class BoundingBox(Geometry):
         return cls._kind()
 
     @classmethod
-    def _of(cls, native: Any, dtype: Dtype, device: Any, color: Any = (1, 1, 1)) -> Self:
+    def from_native(cls, native: Any, dtype: Dtype, device: Any, color: Any = (1, 1, 1)) -> Self:
         """Wrap a pointloom box."""
         box = cls.__new__(cls)
-        box._home = device_of(device)
-        box._native, box._dtype, box._rgb = native, dtype, np.array(color, np.float64)
+        vars(box).update(native=native, _dtype=dtype, _rgb=np.array(color, np.float64), _home=device_of(device))
         return box
 
     def _tensor(self, values: Any) -> Tensor:
         return Tensor(values, self._dtype, self._home)
 
     def _become(self, native: Any) -> Self:
-        self._native = native
+        self.native = native
         return self
 
     @property
@@ -104,39 +103,39 @@ class BoundingBox(Geometry):
 
     def get_box_points(self) -> Tensor:
         """Corners (8, 3)."""
-        return self._tensor(self._native.get_box_points())
+        return self._tensor(self.native.get_box_points())
 
     def get_min_bound(self) -> Tensor:
-        return self._tensor(self._native.get_min_bound())
+        return self._tensor(self.native.get_min_bound())
 
     def get_max_bound(self) -> Tensor:
-        return self._tensor(self._native.get_max_bound())
+        return self._tensor(self.native.get_max_bound())
 
     def volume(self) -> float:
-        return float(self._native.volume())
+        return float(self.native.volume())
 
     def get_point_indices_within_bounding_box(self, points: Any) -> Tensor:
         """Ascending indices of the points inside, faces included, int64."""
-        return wrap(self._native.get_point_indices_within_bounding_box(tensor_of("points", points)._array))
+        return wrap(self.native.get_point_indices_within_bounding_box(tensor_of("points", points).array))
 
     def translate(self, translation: Any, relative: bool = True) -> Self:
         """Translate by a vector. With `relative=False`, move the center there."""
-        return self._become(self._native.translate(matrix_of("translation", translation, (3,)), relative))
+        return self._become(self.native.translate(matrix_of("translation", translation, (3,)), relative))
 
     def scale(self, scale: float, center: Any = None) -> Self:
         """Scale about a point, by default the center."""
-        return self._become(self._native.scale(scale, None if center is None else matrix_of("center", center, (3,))))
+        return self._become(self.native.scale(scale, None if center is None else matrix_of("center", center, (3,))))
 
     def to_legacy(self) -> Any:
         kind = getattr(legacy, type(self).__name__)
-        box = kind._of(self._native)
+        box = kind.from_native(self.native)
         box.color = self._rgb
         return box
 
     @classmethod
     def from_legacy(cls, box: Any, dtype: Dtype = float32, device: Any = CPU) -> Self:
         native = unwrap(box, getattr(legacy, cls.__name__), "box")
-        return cls._of(native, dtype, device, native.color)
+        return cls.from_native(native, dtype, device, native.color)
 
 
 class AxisAlignedBoundingBox(BoundingBox):
@@ -163,10 +162,10 @@ class AxisAlignedBoundingBox(BoundingBox):
         return self.get_max_bound()
 
     def set_min_bound(self, min_bound: Any) -> None:
-        self._become(self._kind(matrix_of("min_bound", min_bound, (3,)), self._native.max_bound))
+        self._become(self._kind(matrix_of("min_bound", min_bound, (3,)), self.native.max_bound))
 
     def set_max_bound(self, max_bound: Any) -> None:
-        self._become(self._kind(self._native.min_bound, matrix_of("max_bound", max_bound, (3,))))
+        self._become(self._kind(self.native.min_bound, matrix_of("max_bound", max_bound, (3,))))
 
     @staticmethod
     def create_from_points(points: Any) -> AxisAlignedBoundingBox:
@@ -176,28 +175,29 @@ class AxisAlignedBoundingBox(BoundingBox):
             return AxisAlignedBoundingBox(tensor.device)
         if tensor.is_cpu:
             return AxisAlignedBoundingBox(tensor.min((0,)), tensor.max((0,)))
-        native = cloud.PointCloud(tensor._array).get_axis_aligned_bounding_box()
-        return AxisAlignedBoundingBox._of(native, tensor.dtype, tensor.device)
+        native = cloud.PointCloud(tensor.array).get_axis_aligned_bounding_box()
+        return AxisAlignedBoundingBox.from_native(native, tensor.dtype, tensor.device)
 
     def get_center(self) -> Tensor:
-        return self._tensor(self._native.get_center())
+        return self._tensor(self.native.get_center())
 
     def get_extent(self) -> Tensor:
-        return self._tensor(self._native.get_extent())
+        return self._tensor(self.native.get_extent())
 
     def get_half_extent(self) -> Tensor:
-        return self._tensor(self._native.get_half_extent())
+        return self._tensor(self.native.get_half_extent())
 
     def get_max_extent(self) -> float:
-        return float(self._native.get_max_extent())
+        return float(self.native.get_max_extent())
 
     def get_oriented_bounding_box(self) -> OrientedBoundingBox:
-        return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self)
+        made = self.native.get_oriented_bounding_box()
+        return OrientedBoundingBox.from_native(made, self._dtype, self._home, self._rgb)
 
     def __iadd__(self, other: Any) -> Self:
         if not isinstance(other, AxisAlignedBoundingBox):
             raise TypeError(f"other: expected an AxisAlignedBoundingBox, got {type(other).__name__}")
-        return self._become(self._native + other._native)
+        return self._become(self.native + other.native)
 
     def __add__(self, other: Any) -> AxisAlignedBoundingBox:
         """The box of both boxes."""
@@ -206,7 +206,7 @@ class AxisAlignedBoundingBox(BoundingBox):
         return made
 
     def __repr__(self) -> str:
-        low, high = (" ".join(f"{v:.8g}" for v in row) for row in (self._native.min_bound, self._native.max_bound))
+        low, high = (" ".join(f"{v:.8g}" for v in row) for row in (self.native.min_bound, self.native.max_bound))
         return f"AxisAlignedBoundingBox[[{low}] - [{high}], {self.dtype}, {self.device}]"
 
 
@@ -231,43 +231,43 @@ class OrientedBoundingBox(BoundingBox):
 
     @property
     def center(self) -> Tensor:
-        return self._tensor(self._native.center)
+        return self._tensor(self.native.center)
 
     @property
     def rotation(self) -> Tensor:
-        return self._tensor(self._native.R)
+        return self._tensor(self.native.R)
 
     @property
     def extent(self) -> Tensor:
-        return self._tensor(self._native.extent)
+        return self._tensor(self.native.extent)
 
     def set_center(self, center: Any) -> None:
-        self._become(self._kind(matrix_of("center", center, (3,)), self._native.R, self._native.extent))
+        self._become(self._kind(matrix_of("center", center, (3,)), self.native.R, self.native.extent))
 
     def set_rotation(self, rotation: Any) -> None:
-        self._become(self._kind(self._native.center, matrix_of("rotation", rotation, (3, 3)), self._native.extent))
+        self._become(self._kind(self.native.center, matrix_of("rotation", rotation, (3, 3)), self.native.extent))
 
     def set_extent(self, extent: Any) -> None:
-        self._become(self._kind(self._native.center, self._native.R, matrix_of("extent", extent, (3,))))
+        self._become(self._kind(self.native.center, self.native.R, matrix_of("extent", extent, (3,))))
 
     def rotate(self, rotation: Any, center: Any = None) -> Self:
         """Rotate about a point, by default the center."""
         about = None if center is None else matrix_of("center", center, (3,))
-        return self._become(self._native.rotate(matrix_of("rotation", rotation, (3, 3)), about))
+        return self._become(self.native.rotate(matrix_of("rotation", rotation, (3, 3)), about))
 
     def transform(self, transformation: Any) -> Self:
         """Apply a rigid 4x4 matrix."""
         T = matrix_of("transformation", transformation, (4, 4))
-        return self._become(self._native.rotate(T[:3, :3], np.zeros(3)).translate(T[:3, 3]))
+        return self._become(self.native.rotate(T[:3, :3], np.zeros(3)).translate(T[:3, 3]))
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        return AxisAlignedBoundingBox._of(
-            self._native.get_axis_aligned_bounding_box(), self._dtype, self._home, self._rgb
+        return AxisAlignedBoundingBox.from_native(
+            self.native.get_axis_aligned_bounding_box(), self._dtype, self._home, self._rgb
         )
 
     @staticmethod
     def create_from_axis_aligned_bounding_box(aabb: AxisAlignedBoundingBox) -> OrientedBoundingBox:
-        return OrientedBoundingBox._of(aabb._native.get_oriented_bounding_box(), aabb._dtype, aabb._home, aabb._rgb)
+        return aabb.get_oriented_bounding_box()
 
     @staticmethod
     def create_from_points(
@@ -275,13 +275,13 @@ class OrientedBoundingBox(BoundingBox):
     ) -> OrientedBoundingBox:
         """The smallest box of points (n, 3), or that along their principal axes, in their type."""
         tensor = tensor_of("points", points)
-        native = cloud.PointCloud(tensor._array)
+        native = cloud.PointCloud(tensor.array)
         fit = (
             native.get_oriented_bounding_box
             if method is MethodOBBCreate.PCA
             else native.get_minimal_oriented_bounding_box
         )
-        return OrientedBoundingBox._of(fit(robust), tensor.dtype, tensor.device)
+        return OrientedBoundingBox.from_native(fit(robust), tensor.dtype, tensor.device)
 
     def __repr__(self) -> str:
         return f"OrientedBoundingBox[{self.dtype}, {self.device}]"

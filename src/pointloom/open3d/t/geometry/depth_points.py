@@ -34,14 +34,14 @@ def points_of_images(
 ) -> dict[str, Tensor]:
     """Positions, and normals and colors if wanted, of the pixels with depth, float32."""
     K = matrix_of("intrinsics", intrinsics, (3, 3))
-    if color is not None and color._data.shape[:2] != depth._data.shape[:2]:
+    if color is not None and color.as_tensor().shape[:2] != depth.as_tensor().shape[:2]:
         raise ValueError(f"rgbd_image: expected one size, got {color!r} and {depth!r}")
     colors = None if color is None else color.to(float32)
     if with_normals:
         metric, colors = _smoothed(depth.clip_transform(depth_scale, 0.01, depth_max), colors, stride)
         K, depth, depth_scale, stride = np.vstack([K[:2] / stride, K[2:]]), metric, 1.0, 1
     native = PointCloud.create_from_depth_image(
-        depth._data.reshape((depth.rows, depth.columns))._array,
+        depth.as_tensor().reshape((depth.rows, depth.columns)).array,
         PinholeCameraIntrinsic(depth.columns, depth.rows, K),
         matrix_of("extrinsics", extrinsics, (4, 4)),
         depth_scale,
@@ -54,7 +54,7 @@ def points_of_images(
     if with_normals:
         tensors["normals"] = attribute(native, "normals")
     if colors is not None:
-        tensors["colors"] = colors._data[::stride, ::stride].reshape((len(native), colors.channels))
+        tensors["colors"] = colors.as_tensor()[::stride, ::stride].reshape((len(native), colors.channels))
     holes = tensors.get("normals", tensors["positions"])  # not finite where there is no depth
     kept = select(TensorMap("positions", {"positions": holes, **{f"_{n}": t for n, t in tensors.items()}}), FINITE)[0]
     return {name: kept[f"_{name}"] for name in tensors}
@@ -64,7 +64,7 @@ def _smoothed(depth: Image, color: Image | None, stride: int) -> tuple[Image, Im
     """Depth [m] without noise, and colors, both at every `stride`-th pixel, as Open3D prepares them for normals."""
     if stride < 1 or stride & (stride - 1):
         raise ValueError(f"stride: expected a power of 2 with normals, got {stride}")
-    metric = depth._data.reshape((depth.rows, depth.columns))._array
+    metric = depth.as_tensor().reshape((depth.rows, depth.columns)).array
     if stride == 1:
         return Image(wrap(filter_depth_bilateral(metric, 5, SIGMA, SIGMA))), color
     for _ in range(stride.bit_length() - 1):

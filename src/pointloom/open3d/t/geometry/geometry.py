@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Self
 from ....core.attribute_hints import KnownNames
 from ...core.device import Device
 from ...core.tensor import Tensor
-from .tensor_map import TensorMap
+from .tensor_map import TensorMap, count_of, mapped
 
 
 class Geometry(KnownNames):
@@ -42,8 +42,8 @@ class Geometry(KnownNames):
         device = device_of(device)
         if device == self.device and not copy:
             return self
-        made = self._each(lambda tensor: tensor.to(device, copy))
-        made._home = device
+        made = self.map_tensors(lambda tensor: tensor.to(device, copy))
+        vars(made)["_home"] = device
         return made
 
     def cpu(self) -> Self:
@@ -54,29 +54,29 @@ class Geometry(KnownNames):
 
     def clone(self) -> Self:
         """Copy with tensors of its own."""
-        return self._each(lambda tensor: tensor.clone())
+        return self.map_tensors(lambda tensor: tensor.clone())
 
     def __copy__(self) -> Self:
-        return self._each(lambda tensor: tensor)
+        return self.map_tensors(lambda tensor: tensor)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self.clone()
 
-    def _each(self, function: Callable[[Tensor], Tensor]) -> Self:
+    def map_tensors(self, function: Callable[[Tensor], Tensor]) -> Self:
         """A geometry whose tensors are the results of a function."""
         made = type(self).__new__(type(self))
         vars(made).update(vars(self))
         for name in self._parts:
             part = getattr(self, name)
             vars(made)[name] = (
-                part._mapped(function) if isinstance(part, TensorMap)
-                else part._each(function) if isinstance(part, Geometry)
+                mapped(part, function) if isinstance(part, TensorMap)
+                else part.map_tensors(function) if isinstance(part, Geometry)
                 else function(part)
             )  # fmt: skip
         return made
 
     def is_empty(self) -> bool:
-        return getattr(self, self._parts[0])._count() == 0
+        return count_of(getattr(self, self._parts[0])) == 0
 
     def clear(self) -> Self:
         """Remove all values, in place."""

@@ -68,7 +68,7 @@ class Image(Geometry):
     ):
         given = rows if tensor is None else tensor
         if isinstance(given, Image):
-            given = given._data
+            given = given.as_tensor()
         elif isinstance(given, int):
             given = Tensor(np.zeros((given, cols, channels), dtype.numpy), device=device_of(device))
         data = tensor_of("tensor", given)
@@ -153,7 +153,7 @@ class Image(Geometry):
 
     def linear_transform(self, scale: float = 1.0, offset: float = 0.0) -> Self:
         """Scale the values and add an offset, in place."""
-        self._data[:] = self._converted(self.dtype, True, scale, offset)._data
+        self._data[:] = self._converted(self.dtype, True, scale, offset).as_tensor()
         return self
 
     def rgb_to_gray(self) -> Image:
@@ -209,13 +209,13 @@ class Image(Geometry):
                 _bilateral(self._data.numpy().astype(np.float64), kernel_size // 2, value_sigma, dist_sigma)
             )
         depth = self._data.reshape((self.rows, self.columns))
-        smooth = wrap(filter_depth_bilateral(depth._array, kernel_size, value_sigma, dist_sigma))
+        smooth = wrap(filter_depth_bilateral(depth.array, kernel_size, value_sigma, dist_sigma))
         smooth[depth.isnan()] = float("nan")
         return Image(smooth)
 
     def pyrdown(self) -> Image:
         """Half the size: every second pixel after a Gaussian filter over 5 x 5 pixels."""
-        smooth = self.filter_gaussian(5, 1.0)._data.numpy()
+        smooth = self.filter_gaussian(5, 1.0).as_tensor().numpy()
         return self._like(smooth[: self.rows // 2 * 2 : 2, : self.columns // 2 * 2 : 2])
 
     def clip_transform(self, scale: float, min_value: float, max_value: float, clip_fill: float = 0.0) -> Image:
@@ -231,7 +231,7 @@ class Image(Geometry):
         K = matrix_of("intrinsics", intrinsics, (3, 3))
         camera = PinholeCameraIntrinsic(self.columns, self.rows, K)
         depth = self._data.reshape((self.rows, self.columns))
-        made = PointCloud.create_from_depth_image(depth._array, camera, None, 1.0, np.inf, 1, False)
+        made = PointCloud.create_from_depth_image(depth.array, camera, None, 1.0, np.inf, 1, False)
         points = wrap(made.arrays.hand_out(made.arrays["points"]))
         if not np.isnan(invalid_fill):
             points[points.isnan()] = invalid_fill

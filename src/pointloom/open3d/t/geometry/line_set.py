@@ -15,11 +15,10 @@ from ...core.dtype import Dtype, float32, float64, int64
 from ...core.tensor import Tensor
 from ...wrapper import unwrap
 from .. import geometry
-from .ellipsoids import OrientedBoundingEllipsoid
 from .geometry import device_of
 from .moved import MovedGeometry
 from .sweeps import sweep_along, sweep_around
-from .tensor_map import TensorMap, array_of, matrix_of, tensor_of
+from .tensor_map import TensorMap, array_of, count_of, matrix_of, tensor_of
 
 CPU = Device("CPU:0")
 
@@ -70,7 +69,7 @@ class LineSet(MovedGeometry):
         colors = self.line.colors.numpy() if "colors" in self.line else None
         points = self.point.positions.numpy() if "positions" in self.point else np.zeros((0, 3))
         rows = self.line.indices.numpy() if "indices" in self.line else np.zeros((0, 2), np.int32)
-        return legacy.LineSet._of(line_set.LineSet(points, rows, colors))
+        return legacy.LineSet.from_native(line_set.LineSet(points, rows, colors))
 
     @staticmethod
     def create_camera_visualization(
@@ -84,19 +83,6 @@ class LineSet(MovedGeometry):
         if color is not None and len(rgb := array_of("color", color)):
             made.line.colors[:8] = Tensor(rgb, float32)
         return made
-
-    @staticmethod
-    def create_from_oriented_bounding_ellipsoid(
-        ellipsoid: OrientedBoundingEllipsoid,
-        resolution: int = 20,
-        float_dtype: Dtype = float32,
-        int_dtype: Dtype = int64,
-        device: Any = CPU,
-    ) -> LineSet:
-        """Edges of the mesh of an ellipsoid, in its color."""
-        made = legacy.TriangleMesh.create_from_oriented_bounding_ellipsoid(ellipsoid._native, resolution=resolution)
-        lines = legacy.LineSet.create_from_triangle_mesh(made).paint_uniform_color(ellipsoid._rgb)
-        return LineSet.from_legacy(lines, float_dtype, int_dtype, device)
 
     def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> Any:
         """Mesh of the lines swept along a vector. `capping` has no effect."""
@@ -122,7 +108,7 @@ class LineSet(MovedGeometry):
         rgb = tensor_of("color", color)
         values = matrix_of("color", color, (3,)).clip(0, 1)
         kind = rgb.dtype if rgb.dtype in (float32, float64) else float32
-        self.line.colors = Tensor(np.tile(values, (self.line._count(), 1)), kind, self.device)
+        self.line.colors = Tensor(np.tile(values, (count_of(self.line), 1)), kind, self.device)
         return self
 
     def __repr__(self) -> str:
@@ -133,7 +119,7 @@ class LineSet(MovedGeometry):
     def _summary(self, part: str, name: str) -> str:
         tensors: TensorMap = getattr(self, part)
         kind = str(tensors[tensors.primary_key].dtype) if tensors else ""
-        return f"[{tensors._count()} {name} ({kind})] Attributes:{listed(tensors)}"
+        return f"[{count_of(tensors)} {name} ({kind})] Attributes:{listed(tensors)}"
 
 
 def listed(tensors: TensorMap) -> str:

@@ -17,7 +17,7 @@ from ...core.tensor import Tensor
 from .. import geometry
 from .geometry import Geometry, device_of
 from .material import Material
-from .tensor_map import TensorMap
+from .tensor_map import TensorMap, count_of
 from .tensors import host_of, new_tensor, values_of
 
 NativeMesh = mesh.TriangleMesh
@@ -56,7 +56,7 @@ class MeshTensors(Geometry):
                 part[part.primary_key] = tensor
 
     @property
-    def _surface(self) -> Any:
+    def surface(self) -> Any:
         """The mesh without attributes."""
         vertices, triangles = (
             values_of(part[part.primary_key]) if part.primary_key in part else np.zeros((0, 3), np.int32)
@@ -65,9 +65,9 @@ class MeshTensors(Geometry):
         return NativeMesh(vertices, triangles, device=self.device.name)
 
     @property
-    def _native(self) -> Any:
+    def native(self) -> Any:
         """The mesh with all attributes."""
-        made = self._surface
+        made = self.surface
         for name, tensor in self.vertex.items():
             if name == "normals" or (name == "colors" and tensor.dtype.numpy.kind == "f"):
                 setattr(made, VERTEX[name], values_of(tensor))
@@ -84,41 +84,41 @@ class MeshTensors(Geometry):
         return self.material.is_valid()
 
     @property
-    def _texture(self) -> NDArray[Any] | None:
+    def texture(self) -> NDArray[Any] | None:
         """Pixels of the material's texture map "albedo", (h, w, c)."""
         image = self.material.texture_maps.get("albedo")
         return None if image is None else host_of(image.as_tensor())
 
-    def _set_texture(self, pixels: NDArray[Any] | None) -> None:
+    def set_texture(self, pixels: NDArray[Any] | None) -> None:
         if pixels is not None:
             self.material.set_default_properties()
             self.material.texture_maps["albedo"] = geometry.Image(Tensor(pixels))
 
-    def _textured(self) -> Any:
+    def textured(self) -> Any:
         """The mesh with all attributes, colors in 0..1, and its texture if there are texture coordinates."""
-        made, texture = self._native, self._texture
+        made, texture = self.native, self.texture
         if made.vertex_attributes.pop("colors", None) is not None:  # 8 bits
             made.vertex_colors = values_of(self.vertex["colors"])
         if texture is not None and "texture_uvs" in self.triangle:
             made.textures = [texture]
         return made
 
-    def _each(self, function: Callable[[Tensor], Tensor]) -> Self:
-        made = super()._each(function)
+    def map_tensors(self, function: Callable[[Tensor], Tensor]) -> Self:
+        made = super().map_tensors(function)
         made.material = Material(self.material)
         return made
 
     @classmethod
-    def _of(cls, native: Any, float_dtype: Dtype, int_dtype: Dtype) -> Self:
+    def from_native(cls, native: Any, float_dtype: Dtype, int_dtype: Dtype) -> Self:
         """Copy a mesh of pointloom."""
         device, nothing = Device(str(native.device)), np.zeros((0, 3))
-        return cls(Tensor(nothing, float_dtype, device), Tensor(nothing, int_dtype, device))._become(native)
+        return cls(Tensor(nothing, float_dtype, device), Tensor(nothing, int_dtype, device)).set_native(native)
 
     def _new(self, native: Any) -> Self:
         """The result of an operation on this mesh, with its data types."""
-        return self.__copy__()._become(native)
+        return self.__copy__().set_native(native)
 
-    def _become(self, native: Any) -> Self:
+    def set_native(self, native: Any) -> Self:
         """Replace all tensors by copies of a result's arrays. Names that exist keep their data types."""
         positions = self.vertex["positions"].dtype.numpy if "positions" in self.vertex else np.dtype(np.float32)
         floats = positions if positions.kind == "f" else np.dtype(np.float32)
@@ -146,7 +146,7 @@ class MeshTensors(Geometry):
 
     def __repr__(self) -> str:
         counts = [
-            f"{part._count()} {of}{f' ({part[part.primary_key].dtype})' if part._count() else ''}"
+            f"{count_of(part)} {of}{f' ({part[part.primary_key].dtype})' if count_of(part) else ''}"
             for part, of in ((self.vertex, "vertices"), (self.triangle, "triangles"))
         ]
         lines = [f"TriangleMesh on {self.device} [{' and '.join(counts)}]."]

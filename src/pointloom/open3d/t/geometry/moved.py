@@ -12,7 +12,6 @@ from ....pcd.cloud import PointCloud
 from ....pcd.motion import map_about
 from ...core.tensor import Tensor
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
-from .ellipsoids import OrientedBoundingEllipsoid
 from .geometry import Geometry
 from .native import native_of, positions_of, write
 from .tensor_map import TensorMap, matrix_of
@@ -38,7 +37,7 @@ class MovedGeometry(Geometry):
         positions = self.point.positions
         if self.is_cpu:
             return getattr(positions, reduction)((0,))
-        return _like(positions, getattr(PointCloud(positions._array), method)())
+        return _like(positions, getattr(PointCloud(positions.array), method)())
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         return AxisAlignedBoundingBox.create_from_points(self.point.positions)
@@ -46,10 +45,6 @@ class MovedGeometry(Geometry):
     def get_oriented_bounding_box(self) -> OrientedBoundingBox:
         """The smallest box."""
         return OrientedBoundingBox.create_from_points(self.point.positions)
-
-    def get_oriented_bounding_ellipsoid(self, robust: bool = False) -> OrientedBoundingEllipsoid:
-        """Ellipsoid of smallest volume around the points."""
-        return OrientedBoundingEllipsoid.create_from_points(self.point.positions, robust)
 
     def transform(self, transformation: Any) -> Self:
         """Apply a 4x4 matrix. Normals stay perpendicular to the surface and keep their lengths."""
@@ -78,7 +73,7 @@ class MovedGeometry(Geometry):
         """Apply a 4x4 matrix to positions, computed in float64."""
         positions = self.point.positions
         if not self.is_cpu:
-            write(positions, positions_of(PointCloud(positions._array).transform(T), positions.dtype)._array)
+            write(positions, positions_of(PointCloud(positions.array).transform(T), positions.dtype).array)
             return self
         points = positions.numpy()
         with np.errstate(divide="ignore", invalid="ignore"):

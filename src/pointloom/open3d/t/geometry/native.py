@@ -17,7 +17,7 @@ from ....kernels.memory import cast, zeros
 from ....pcd.cloud import PointCloud
 from ...core.dtype import Dtype, float32, float64, uint16
 from ...core.tensor import Tensor
-from .tensor_map import TensorMap, wrap
+from .tensor_map import TensorMap, count_of, wrap
 
 
 def native_of(point: TensorMap, *names: str) -> PointCloud:
@@ -25,7 +25,7 @@ def native_of(point: TensorMap, *names: str) -> PointCloud:
     given = {name: point[name] for name in names if name in point}
     if "colors" in given and given["colors"].dtype == uint16:
         given["colors"] = given["colors"].to(float32) / 65535.0
-    return PointCloud(point.positions._array, **{name: columns_of(tensor)._array for name, tensor in given.items()})
+    return PointCloud(point.positions.array, **{name: columns_of(tensor).array for name, tensor in given.items()})
 
 
 def attribute(cloud: PointCloud, name: str, dtype: Dtype | None = None) -> Tensor:
@@ -46,14 +46,14 @@ def converted(tensor: Tensor, dtype: Dtype) -> Tensor:
     """A tensor with another type, on its device."""
     if tensor.dtype == dtype or tensor.device.name == "cpu":
         return tensor.to(dtype)
-    return wrap(cast(tensor._array, wp.dtype_from_numpy(dtype.numpy)))
+    return wrap(cast(tensor.array, wp.dtype_from_numpy(dtype.numpy)))
 
 
 def select(point: TensorMap, method: str, *args: Any) -> tuple[TensorMap, Tensor]:
     """The points that a method of a cloud keeps, with all attributes, and their rows, int32."""
-    columns = {f"_{name}": columns_of(tensor)._array for name, tensor in point.items()}
-    rows = np.arange(point._count(), dtype=np.int32)
-    result = getattr(PointCloud(point.positions._array, rows=rows, **columns), method)(*args)
+    columns = {f"_{name}": columns_of(tensor).array for name, tensor in point.items()}
+    rows = np.arange(count_of(point), dtype=np.int32)
+    result = getattr(PointCloud(point.positions.array, rows=rows, **columns), method)(*args)
     kept = result[0] if isinstance(result, tuple) else result
     return rows_of(kept, point), attribute(kept, "rows")
 
@@ -81,8 +81,8 @@ def mask_of(rows: Tensor, count: int) -> Tensor:
         mask = np.zeros(count, bool)
         mask[rows.numpy()] = True
         return Tensor.from_numpy(mask)
-    device = rows._array.device
-    numbers = take_indices("indices", rows._array, device, count, of=f"cloud of {count} points")
+    device = rows.array.device
+    numbers = take_indices("indices", rows.array, device, count, of=f"cloud of {count} points")
     flags = zeros(count, uint8, device)
     launch(mark_rows_kernel, numbers.size, [numbers, flags])
     return wrap(view_as(flags, wp.bool, (count,)))
@@ -92,7 +92,7 @@ def write(tensor: Tensor, values: Any) -> None:
     """Write an array into the memory of a tensor."""
     source = converted(wrap(values), tensor.dtype)
     if tensor.device.name == "cpu":
-        tensor._array[...] = source._array
+        tensor.array[...] = source.array
         return
-    with lock_for(tensor._array.device):
-        wp.copy(tensor._array, source._array)
+    with lock_for(tensor.array.device):
+        wp.copy(tensor.array, source.array)

@@ -25,7 +25,7 @@ from .moved import MovedGeometry
 from .native import attribute, columns_of, converted, mask_of, native_of, positions_of, rows_of, select
 from .rgbd_image import RGBDImage
 from .sweeps import sweep_along, sweep_around
-from .tensor_map import TensorMap, matrix_of, tensor_of, wrap
+from .tensor_map import TensorMap, count_of, matrix_of, tensor_of, wrap
 
 CPU = Device("CPU:0")
 EYE = np.eye(4)
@@ -111,17 +111,17 @@ class PointCloud(MovedGeometry):
         """The points that a method of a cloud keeps, with all attributes, and a mask of them."""
         made = PointCloud(self.device)
         vars(made)["point"], rows = select(self.point, method, *args)
-        return made, mask_of(rows, self.point._count())
+        return made, mask_of(rows, count_of(self.point))
 
     def select_by_mask(self, boolean_mask: Any, invert: bool = False) -> PointCloud:
-        return self._selected("select_by_mask", tensor_of("boolean_mask", boolean_mask)._array, invert)[0]
+        return self._selected("select_by_mask", tensor_of("boolean_mask", boolean_mask).array, invert)[0]
 
     def select_by_index(self, indices: Any, invert: bool = False, remove_duplicates: bool = False) -> PointCloud:
         """The points at indices in their order with repeats. Inverted or without repeats: in the order of the cloud."""
         rows = tensor_of("indices", indices)
         if remove_duplicates and not invert:
-            return self.select_by_mask(mask_of(rows, self.point._count()))
-        return self._selected("select_by_index", rows._array, invert)[0]
+            return self.select_by_mask(mask_of(rows, count_of(self.point)))
+        return self._selected("select_by_index", rows.array, invert)[0]
 
     def crop(self, aabb: Any = None, invert: bool = False, *, obb: Any = None) -> PointCloud:
         """The points inside a box, faces included, or the others."""
@@ -132,8 +132,8 @@ class PointCloud(MovedGeometry):
         """Mean of the points and attributes in each voxel of a grid through zero."""
         if reduction != "mean":
             raise ValueError(f"reduction: expected 'mean', got {reduction!r}")
-        columns = {f"_{name}": columns_of(tensor, float64)._array for name, tensor in self.point.items()}
-        native = cloud.PointCloud(self.point.positions._array, **columns)
+        columns = {f"_{name}": columns_of(tensor, float64).array for name, tensor in self.point.items()}
+        native = cloud.PointCloud(self.point.positions.array, **columns)
         made = PointCloud(self.device)
         vars(made)["point"] = rows_of(native.voxel_down_sample_and_trace(voxel_size, ZERO).cloud, self.point)
         return made
@@ -174,7 +174,7 @@ class PointCloud(MovedGeometry):
         values = matrix_of("color", rgb, (3,))
         if rgb.dtype in (float32, float64):
             values = values.clip(0, 1)
-        self.point.colors = Tensor(np.tile(values, (self.point._count(), 1)), rgb.dtype, self.device)
+        self.point.colors = Tensor(np.tile(values, (count_of(self.point), 1)), rgb.dtype, self.device)
         return self
 
     def _set_normals(self, native: cloud.PointCloud) -> Self:
@@ -220,7 +220,9 @@ class PointCloud(MovedGeometry):
         """A copy with the positions, and normals if there are, of a result."""
         made = self.clone()
         made.point.positions = positions_of(native, self.point.positions.dtype)
-        return made._set_normals(native) if "normals" in self.point else made
+        if "normals" in self.point:
+            made.point.normals = attribute(native, "normals", self.point.positions.dtype)
+        return made
 
     def smooth_mls(self, radius: float = 0.05, max_nn: int = 30) -> PointCloud:
         return self._smoothed(native_of(self.point, "normals").smooth_mls(radius=radius, max_nn=max_nn))
@@ -354,10 +356,10 @@ class PointCloud(MovedGeometry):
         return self._swept(*sweep_around(self.point.positions, angle, axis, resolution, translation))
 
     def _swept(self, positions: Tensor, steps: int) -> LineSet:
-        count = self.point._count()
+        count = count_of(self.point)
         start = (np.arange(count)[:, None] + count * np.arange(steps)).ravel()
         return LineSet(positions, Tensor(np.column_stack([start, start + count]), int64, self.device))
 
     def __repr__(self) -> str:
         kind = f" ({self.point.positions.dtype})" if "positions" in self.point else ""
-        return f"PointCloud on {self.device} [{self.point._count()} points{kind}].\nAttributes:{listed(self.point)}"
+        return f"PointCloud on {self.device} [{count_of(self.point)} points{kind}].\nAttributes:{listed(self.point)}"

@@ -31,7 +31,7 @@ class RaycastingScene(Wrapper):
         """Add a TriangleMesh, or vertices (n, 3) and triangles (m, 3). Returns the geometry id."""
         added = values_of(vertex_positions if mesh is None else mesh)
         if isinstance(added, TriangleMesh):
-            added = added._surface
+            added = added.surface
         elif triangle_indices is not None:
             added = NativeMesh(added, values_of(triangle_indices), device=self._wrapped.device)
         return self._wrapped.add_triangles(added)

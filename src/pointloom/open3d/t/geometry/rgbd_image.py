@@ -29,8 +29,8 @@ class RGBDImage(Geometry):
         self.color = Image() if color is None else color
         self.depth = Image() if depth is None else depth
         self.aligned_ = aligned
-        if aligned and self.color._data.shape[:2] != self.depth._data.shape[:2]:
-            sizes = [list(image._data.shape[:2]) for image in (self.color, self.depth)]
+        if aligned and self.color.as_tensor().shape[:2] != self.depth.as_tensor().shape[:2]:
+            sizes = [list(image.as_tensor().shape[:2]) for image in (self.color, self.depth)]
             raise ValueError(
                 f"color, depth: expected one size, got {sizes[0]} and {sizes[1]}; aligned=False allows two"
             )

@@ -46,7 +46,7 @@ def matrix_of(name: str, values: Any, shape: tuple[int, ...]) -> NDArray[np.floa
 
 def wrap(values: Any) -> Tensor:
     """A tensor around a result of pointloom. Vectors of a Warp array become rows."""
-    return Tensor._around(values if isinstance(values, np.ndarray) else take_numbers("values", values))
+    return Tensor.from_array(values if isinstance(values, np.ndarray) else take_numbers("values", values))
 
 
 class MissingKeyError(KeyError, AttributeError):
@@ -79,7 +79,7 @@ class TensorMap:
     def __getitem__(self, key: str) -> Tensor:
         if key not in self._values:
             raise MissingKeyError(f"{escaped(key)}: expected one of {[*self._values]}")
-        return Tensor._around(self._values[key]._array)  # another object, the same memory
+        return Tensor.from_array(self._values[key].array)  # another object, the same memory
 
     def __setitem__(self, key: str, value: Any) -> None:
         if key in RESERVED or key.startswith("__"):
@@ -132,19 +132,11 @@ class TensorMap:
         """Raise RuntimeError if a tensor has another length than the primary one."""
         if odd := self._odd():
             names, primary = escaped(", ".join(odd)), escaped(self.primary_key)
-            raise RuntimeError(f"{names}: expected {self._count()} rows as of {primary}, got {odd}")
-
-    def _count(self) -> int:
-        """Length of the primary tensor. 0 if there is none."""
-        return int(self[self.primary_key].shape[0]) if self.primary_key in self else 0
+            raise RuntimeError(f"{names}: expected {count_of(self)} rows as of {primary}, got {odd}")
 
     def _odd(self) -> dict[str, int]:
         lengths = {name: int(tensor.shape[0]) for name, tensor in self.items()}
-        return {name: length for name, length in lengths.items() if length != self._count()}
-
-    def _mapped(self, function: Callable[[Tensor], Tensor]) -> TensorMap:
-        """A map of the results of a function, such as a selection of rows."""
-        return TensorMap(self.primary_key, {name: function(tensor) for name, tensor in self.items()})
+        return {name: length for name, length in lengths.items() if length != count_of(self)}
 
     def __repr__(self) -> str:
         head = f'TensorMap(primary_key="{escaped(self.primary_key)}") with'
@@ -167,4 +159,14 @@ class TensorMap:
         return TensorMap(self.primary_key, self._values)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> TensorMap:
-        return self._mapped(lambda tensor: tensor.clone())
+        return mapped(self, lambda tensor: tensor.clone())
+
+
+def count_of(tensors: TensorMap) -> int:
+    """Length of the primary tensor. 0 if there is none."""
+    return int(tensors[tensors.primary_key].shape[0]) if tensors.primary_key in tensors else 0
+
+
+def mapped(tensors: TensorMap, function: Callable[[Tensor], Tensor]) -> TensorMap:
+    """A map of the results of a function, such as a selection of rows."""
+    return TensorMap(tensors.primary_key, {name: function(tensor) for name, tensor in tensors.items()})

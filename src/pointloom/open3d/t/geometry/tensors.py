@@ -16,7 +16,7 @@ from ...core.tensor import Tensor
 
 def values_of(value: Any) -> Any:
     """The array of a tensor on its device. Other values are returned unchanged."""
-    return value._array if isinstance(value, Tensor) else value
+    return value.array if isinstance(value, Tensor) else value
 
 
 def host_of(value: Any) -> Any:
@@ -34,4 +34,4 @@ def new_tensor(array: Any, dtype: DTypeLike | None = None, shape: tuple[int, ...
         made: Any = clone(numbers) if numbers.dtype == kind else cast(numbers, kind)
     else:
         made = np.array(array if isinstance(array, np.ndarray) else download(array), dtype)
-    return Tensor._around(made if shape is None else made.reshape(shape))
+    return Tensor.from_array(made if shape is None else made.reshape(shape))

@@ -22,7 +22,7 @@ from .mesh_baking import BakedTextures
 from .mesh_factories import MeshFactories
 from .mesh_tensors import CPU, NativeMesh, cloud_of
 from .metrics import Metric, MetricParameters, listed_metrics
-from .tensor_map import wrap
+from .tensor_map import count_of, wrap
 from .tensors import host_of, new_tensor, values_of
 
 OF_FACES = ("normals", "areas")  # computed triangle attributes
@@ -50,8 +50,8 @@ class TriangleMesh(MeshFactories, BakedTextures):
         put(made.triangle, "indices", mesh_legacy.triangles, triangle_dtype)
         put(made.triangle, "normals", mesh_legacy.triangle_normals, vertex_dtype)
         put(made.triangle, "texture_uvs", mesh_legacy.triangle_uvs, vertex_dtype, (-1, 3, 2))
-        textures = mesh_legacy._native.textures
-        made._set_texture(textures[0] if textures else None)
+        textures = mesh_legacy.native.textures
+        made.set_texture(textures[0] if textures else None)
         return made
 
     def to_legacy(self) -> Any:
@@ -66,10 +66,10 @@ class TriangleMesh(MeshFactories, BakedTextures):
             (self.triangle, "texture_uvs", "triangle_uvs", Vector2dVector),
         ):
             if name in part:
-                values = part[name].numpy().reshape(-1, kind._row[0])
+                values = part[name].numpy().reshape(-1, 2 if kind is Vector2dVector else 3)
                 setattr(made, target, kind(values / 255 if values.dtype == np.uint8 else values))
-        if self._texture is not None and "texture_uvs" in self.triangle:
-            made.textures = [legacy.Image(np.flipud(self._texture))]
+        if self.texture is not None and "texture_uvs" in self.triangle:
+            made.textures = [legacy.Image(np.flipud(self.texture))]
         return made
 
     def transform(self, transformation: Any) -> Self:
@@ -111,29 +111,25 @@ class TriangleMesh(MeshFactories, BakedTextures):
         """The smallest box."""
         return self._cloud().get_oriented_bounding_box()
 
-    def get_oriented_bounding_ellipsoid(self, robust: bool = False) -> Any:
-        """Ellipsoid of smallest volume around the vertices."""
-        return self._cloud().get_oriented_bounding_ellipsoid(robust)
-
     def _cloud(self) -> Any:
         """A cloud that shares the positions and normals of the vertices."""
         shared = {name: tensor for name, tensor in self.vertex.items() if name in ("positions", "normals")}
         return geometry.PointCloud(shared)
 
     def get_surface_area(self) -> float:
-        return self._surface.get_surface_area()
+        return self.surface.get_surface_area()
 
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> Tensor:
-        edges = self._surface.get_non_manifold_edges(allow_boundary_edges)
+        edges = self.surface.get_non_manifold_edges(allow_boundary_edges)
         return new_tensor(edges, self.triangle["indices"].dtype.numpy)
 
     def compute_vertex_normals(self, normalized: bool = True) -> Self:
         """Set vertex normals (sums of area vectors) and triangle normals. Unit length unless `normalized=False`."""
         if self.is_empty():
             return self
-        native = self._surface
+        native = self.surface
         if not normalized:
-            made = legacy.TriangleMesh._of(native).compute_vertex_normals(False)
+            made = legacy.TriangleMesh.from_native(native).compute_vertex_normals(False)
             self.vertex["normals"] = self._floats(made.vertex_normals)
             self.triangle["normals"] = self._floats(made.triangle_normals)
             return self
@@ -146,19 +142,19 @@ class TriangleMesh(MeshFactories, BakedTextures):
         """Set triangle normals of length 1, or of twice the area."""
         if self.is_empty():
             return self
-        native = self._surface
+        native = self.surface
         if normalized:
             normals = mesh_measures.triangle_normals(native.array("vertices"), native.array("triangles"))
             self.triangle["normals"] = new_tensor(normals, self._float_dtype.numpy, (len(native), 3))
         else:
-            made = legacy.TriangleMesh._of(native).compute_triangle_normals(False)
+            made = legacy.TriangleMesh.from_native(native).compute_triangle_normals(False)
             self.triangle["normals"] = self._floats(made.triangle_normals)
         return self
 
     def compute_triangle_areas(self) -> Self:
         """Set the triangle attribute `areas`."""
         if not self.is_empty():
-            self.triangle["areas"] = new_tensor(self._surface.compute_triangle_areas(), self._float_dtype.numpy)
+            self.triangle["areas"] = new_tensor(self.surface.compute_triangle_areas(), self._float_dtype.numpy)
         return self
 
     def normalize_normals(self) -> Self:
@@ -170,11 +166,11 @@ class TriangleMesh(MeshFactories, BakedTextures):
         return self
 
     def remove_unreferenced_vertices(self) -> Self:
-        return self._become(self._native.remove_unreferenced_vertices())
+        return self.set_native(self.native.remove_unreferenced_vertices())
 
     def remove_non_manifold_edges(self) -> Self:
         """Remove the smallest triangles at edges with more than two."""
-        return self._become(self._native.remove_non_manifold_edges())
+        return self.set_native(self.native.remove_non_manifold_edges())
 
     def compute_uvatlas(
         self,
@@ -185,7 +181,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
         nthreads: int = 0,
     ) -> None:
         """Set texture coordinates by xatlas. `max_stretch` and the counts have no effect. Returns nothing."""
-        self._become(self._native.compute_uvatlas(size, gutter))
+        self.set_native(self.native.compute_uvatlas(size, gutter))
 
     def project_images_to_albedo(
         self,
@@ -196,25 +192,25 @@ class TriangleMesh(MeshFactories, BakedTextures):
         update_material: bool = True,
     ) -> Any:
         """Image of the texture from posed images, uint8 (tex_size, tex_size, 3), also set in the material."""
-        made = self._native.project_images_to_albedo(
+        made = self.native.project_images_to_albedo(
             [host_of(image.as_tensor()) for image in images],
             [*map(host_of, intrinsic_matrices)],
             [*map(host_of, extrinsic_matrices)],
             tex_size,
         )
         if update_material:
-            self._set_texture(made.textures[0])
+            self.set_texture(made.textures[0])
         return geometry.Image(Tensor(made.textures[0]))
 
     def boolean_union(self, mesh: Any, tolerance: float = 1e-6) -> Self:
         """Union of two closed meshes. `tolerance` has no effect."""
-        return self._new(self._native.boolean_union(_mesh("mesh", mesh)))
+        return self._new(self.native.boolean_union(_mesh("mesh", mesh)))
 
     def boolean_intersection(self, mesh: Any, tolerance: float = 1e-6) -> Self:
-        return self._new(self._native.boolean_intersection(_mesh("mesh", mesh)))
+        return self._new(self.native.boolean_intersection(_mesh("mesh", mesh)))
 
     def boolean_difference(self, mesh: Any, tolerance: float = 1e-6) -> Self:
-        return self._new(self._native.boolean_difference(_mesh("mesh", mesh)))
+        return self._new(self.native.boolean_difference(_mesh("mesh", mesh)))
 
     def clip_plane(self, point: Any, normal: Any) -> Self:
         """Part on the side of the normal."""
@@ -222,7 +218,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
 
     def slice_plane(self, point: Any, normal: Any, contour_values: ArrayLike = (0.0,)) -> Any:
         """Sections with parallel planes as a LineSet."""
-        lines = self._surface.slice_plane(host_of(point), host_of(normal), contour_values)
+        lines = self.surface.slice_plane(host_of(point), host_of(normal), contour_values)
         ends = Tensor(lines.lines, int64, self.device)
         return geometry.LineSet(Tensor(lines.points, self._float_dtype, self.device), ends)
 
@@ -256,38 +252,38 @@ class TriangleMesh(MeshFactories, BakedTextures):
         rows = np.asarray(host_of(indices))
         if rows.ndim != 1 or (rows.size and rows.dtype.kind not in "iu"):
             raise RuntimeError(f"indices: expected integers of shape [k], got {rows.dtype} of {list(rows.shape)}")
-        native = self._native if copy_attributes else self._surface
+        native = self.native if copy_attributes else self.surface
         rows = np.unique(rows.astype(np.int64))
-        return self._new(native.select_by_index(rows[(rows >= 0) & (rows < self.vertex._count())], cleanup=False))
+        return self._new(native.select_by_index(rows[(rows >= 0) & (rows < count_of(self.vertex))], cleanup=False))
 
     def select_faces_by_mask(self, mask: Any) -> Self:
         """Triangles by a boolean mask (t,), with their vertices."""
-        given, count = mask if isinstance(mask, Tensor) else Tensor(mask), self.triangle._count()
+        given, count = mask if isinstance(mask, Tensor) else Tensor(mask), count_of(self.triangle)
         if given.dtype != bool8 or tuple(given.shape) != (count,):
             raise RuntimeError(f"mask: expected booleans of shape [{count}], got {given.dtype} of {list(given.shape)}")
-        return self._new(self._native.select_faces_by_mask(values_of(given)))
+        return self._new(self.native.select_faces_by_mask(values_of(given)))
 
     def compute_convex_hull(self, joggle_inputs: bool = False) -> Self:
         """Hull of the vertices. Its vertex attribute `point_indices` has their indices in this mesh."""
-        hull, rows = self._surface.compute_convex_hull(joggle_inputs)
+        hull, rows = self.surface.compute_convex_hull(joggle_inputs)
         made = self._new(hull)
         made.vertex["point_indices"] = Tensor(host_of(wrap(rows)), int32, self.device)
         return made
 
     def sample_points_uniformly(self, number_of_points: int, use_triangle_normal: bool = False) -> Any:
         """Random points on the surface, seeded by `o3d.utility.random.seed`."""
-        made = self._textured().sample_points_uniformly(number_of_points, use_triangle_normal, next_seed())
+        made = self.textured().sample_points_uniformly(number_of_points, use_triangle_normal, next_seed())
         return cloud_of(made, self._float_dtype)
 
     def compute_metrics(self, mesh2: Any, metrics: Iterable[Metric], params: MetricParameters) -> Tensor:
         """Compare two surfaces. The Hausdorff distance is that of the surfaces, not of samples."""
         options = params.fscore_radius, params.n_sampled_points
-        measured = self._surface.compute_metrics(_mesh("mesh2", mesh2), *options, seed=next_seed())
+        measured = self.surface.compute_metrics(_mesh("mesh2", mesh2), *options, seed=next_seed())
         return Tensor(listed_metrics(measured, metrics), device=self.device)
 
     def _without(self, *names: str) -> Any:
         """The mesh without triangle attributes that an operation makes invalid."""
-        native = self._native
+        native = self.native
         for name in names:
             native.triangle_attributes.pop(name, None)
         return native
@@ -311,4 +307,4 @@ def _mesh(name: str, value: Any) -> Any:
     if not isinstance(value, TriangleMesh):
         given = type(value).__name__
         raise TypeError(f"{name}: expected an o3d.t.geometry.TriangleMesh, got {given}; from_legacy converts one")
-    return value._native
+    return value.native

@@ -64,8 +64,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         given = dict(zip(attr_names, channels, strict=True))
         if not {"tsdf", "weight"} <= given.keys() or not given.items() <= CHANNELS.items():
             raise ValueError(
-                f"attr_names, attr_channels: expected tsdf (1), weight (1) and maybe color (3), got {given}; "
-                "o3d.core.HashMap stores other values"
+                f"attr_names, attr_channels: expected tsdf (1), weight (1) and maybe color (3), got {given}"
             )
         check_count("block_resolution", block_resolution)
         check_count("block_count", block_count)
@@ -193,7 +192,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
     def extract_triangle_mesh(self, weight_threshold: float = 3.0, estimated_vertex_number: int = -1) -> TriangleMesh:
         """Surface with vertex normals and colors. A cell needs more frames than the threshold at all voxels."""
         made = self._any.extract_triangle_mesh(weight_threshold)
-        return TriangleMesh._of(made.compute_vertex_normals(), float32, int32)
+        return TriangleMesh.from_native(made.compute_vertex_normals(), float32, int32)
 
     def attribute(self, attribute_name: str) -> Tensor:
         """Copy of "tsdf" (in truncations), "weight" or "color" (0..255) of all blocks: (blocks, 8, 8, 8, channels).
@@ -257,7 +256,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         names = [*CHANNELS] if volume.has_color else ["tsdf", "weight"]
         device = Device(str(volume.device))
         made = cls(names, [float32] * len(names), [CHANNELS[n] for n in names], volume.voxel_size, device=device)
-        made._volume = volume
+        vars(made)["_volume"] = volume
         return made
 
     def to(self, device: Any, copy: bool = False) -> Self:
@@ -266,7 +265,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         if target == self._device and not copy:
             return self
         made = self._around(TSDFVolume._from_downloaded(self._any._downloaded(), resolve_device(target.name)))
-        made._dtypes = dict(self._dtypes)
+        vars(made)["_dtypes"] = dict(self._dtypes)
         return made
 
     def cpu(self) -> Self:

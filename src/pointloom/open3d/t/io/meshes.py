@@ -41,8 +41,8 @@ def read_triangle_mesh(
         warnings.warn(escaped(message), stacklevel=2)
     check_attribute_names(filename, "vertex", native.vertex_attributes, "positions")
     check_attribute_names(filename, "triangle", native.triangle_attributes, "indices")
-    mesh = TriangleMesh._of(native, float64 if native.origin.any() else float32, int64)
-    mesh._set_texture(native.textures[0] if native.textures else None)
+    mesh = TriangleMesh.from_native(native, float64 if native.origin.any() else float32, int64)
+    mesh.set_texture(native.textures[0] if native.textures else None)
     return mesh
 
 
@@ -62,7 +62,7 @@ def write_triangle_mesh(
     if Path(filename).suffix.lower() == NPZ:
         _write_npz(filename, mesh)
         return True
-    native = mesh._textured()
+    native = mesh.textured()
     native.triangle_attributes.pop("normals", None)  # computed
     mesh_files.write_triangle_mesh(
         filename,
@@ -84,7 +84,7 @@ def _read_npz(filename: FilePath) -> TriangleMesh:
     with values_of_file(filename):
         mesh = TriangleMesh(Tensor(vertices), Tensor(triangles))
         texture = arrays.pop("tex_albedo", None)
-        mesh._set_texture(None if texture is None else check_textures("tex_albedo", [texture])[0])
+        mesh.set_texture(None if texture is None else check_textures("tex_albedo", [texture])[0])
     counts = {"vertex": len(vertices), "triangle": len(triangles)}
     for name, values in arrays.items():
         kind, _, attribute = name.partition("_")
@@ -125,7 +125,7 @@ def _write_npz(filename: FilePath, mesh: TriangleMesh) -> None:
         for of in KINDS
         for name, tensor in getattr(mesh, of).items()
     }
-    if (texture := mesh._texture) is not None:
+    if (texture := mesh.texture) is not None:
         arrays |= {
             "tex_albedo": texture,
             "material_name": np.frombuffer(mesh.material.material_name.encode(), np.uint8),

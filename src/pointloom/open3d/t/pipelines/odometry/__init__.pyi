@@ -8,7 +8,4 @@ from .rgbd_odometry import OdometryLossParams as OdometryLossParams
 from .rgbd_odometry import OdometryResult as OdometryResult
 from .rgbd_odometry import PointToPlane as PointToPlane
 from .rgbd_odometry import compute_odometry_information_matrix as compute_odometry_information_matrix
-from .rgbd_odometry import compute_odometry_result_hybrid as compute_odometry_result_hybrid
-from .rgbd_odometry import compute_odometry_result_intensity as compute_odometry_result_intensity
-from .rgbd_odometry import compute_odometry_result_point_to_plane as compute_odometry_result_point_to_plane
 from .rgbd_odometry import rgbd_odometry_multi_scale as rgbd_odometry_multi_scale

@@ -8,7 +8,7 @@ import numpy as np
 
 from .....cameras.images import RGBDImage, upload_depth
 from .....core.devices import resolve_device
-from .....kernels.lang import float32, vec3
+from .....kernels.lang import float32
 from .....kernels.memory import upload
 from ....core.tensor import Tensor
 from ....geometry.image import GRAY
@@ -29,7 +29,7 @@ def frame_of(color: Tensor, depth: Tensor, depth_scale: float) -> RGBDImage:
     pixels = plane_of(depth)
     if color.dtype.numpy == np.uint8:
         gray = color.shape[-1] == 1 or len(color.shape) == 2
-        made = plane_of(color) if gray else color._array
+        made = plane_of(color) if gray else color.array
         return RGBDImage(made, pixels, depth_scale=depth_scale, depth_trunc=np.inf)
     metric, _, height, width = upload_depth(pixels, depth_scale, np.inf, resolve_device(depth.device.name))
     values = on_host(color).astype(np.float32)
@@ -40,14 +40,4 @@ def frame_of(color: Tensor, depth: Tensor, depth_scale: float) -> RGBDImage:
 
 def plane_of(image: Tensor) -> Any:
     """The array (h, w) of a tensor of one channel."""
-    return image._array.reshape(tuple(image.shape[:2]))
-
-
-def flat(image: Tensor) -> Any:
-    """A map (h, w, 1) as a flat float32 device array."""
-    return upload(on_host(image).astype(np.float32).reshape(-1), float32, resolve_device(image.device.name))
-
-
-def flat_vectors(image: Tensor) -> Any:
-    """A map (h, w, 3) as a flat device array of vectors."""
-    return upload(on_host(image).astype(np.float32).reshape(-1, 3), vec3, resolve_device(image.device.name))
+    return image.array.reshape(tuple(image.shape[:2]))

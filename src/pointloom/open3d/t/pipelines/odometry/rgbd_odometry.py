@@ -8,14 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from .....kernels.rgbd import open3d_rows as rows
 from .....rgbd.odometry import options, rgbd_odometry
 from .....rgbd.odometry.options import OdometryMethod as Method
 from ....core.tensor import Tensor
 from ....settings import Settings
 from ....wrapper import unwrap
 from ..tensors import as_matrix, on_host
-from .images import flat, flat_vectors, plane_of, rgbd_of
+from .images import plane_of, rgbd_of
 
 IDENTITY = np.eye(4)
 PointToPlane, Intensity, Hybrid = Method
@@ -45,7 +44,9 @@ class OdometryLossParams(Settings):
     intensity_huber_delta: float = 0.1
 
     def __repr__(self) -> str:
-        return f"OdometryLossParams[{', '.join(f'{name}={value:e}' for name, value in self._keywords().items())}]."
+        return (
+            f"OdometryLossParams[{', '.join(f'{name}={value:e}' for name, value in self.native_keywords().items())}]."
+        )
 
 
 @dataclass(eq=False, repr=False)
@@ -127,81 +128,3 @@ def compute_odometry_information_matrix(
     camera, pose = on_host(intrinsic), on_host(source_to_target)
     limits = dist_threshold, depth_scale, depth_max
     return as_matrix(rgbd_odometry.compute_odometry_information_matrix(*depths, camera, pose, *limits))
-
-
-def compute_odometry_result_point_to_plane(
-    source_vertex_map: Tensor,
-    target_vertex_map: Tensor,
-    target_normal_map: Tensor,
-    intrinsics: Any,
-    init_source_to_target: Any,
-    depth_outlier_trunc: float,
-    depth_huber_delta: float,
-) -> OdometryResult:
-    """One step from vertices and normals (h, w, 3), NaN if missing. `transformation` is the increment."""
-    depths = [flat(vertices[:, :, 2]) for vertices in (source_vertex_map, target_vertex_map)]
-    rules = rows.Open3DRules(rows.TENSOR_FORM, rows.PLANE_TERM, depth_outlier_trunc, depth_huber_delta)
-    level = _level(source_vertex_map, intrinsics, depths[1], depths[1])
-    level.normals = flat_vectors(target_normal_map)
-    return _step(depths[0], depths[0], level, init_source_to_target, rules)
-
-
-def compute_odometry_result_intensity(
-    source_depth: Tensor,
-    target_depth: Tensor,
-    source_intensity: Tensor,
-    target_intensity: Tensor,
-    target_intensity_dx: Tensor,
-    target_intensity_dy: Tensor,
-    source_vertex_map: Tensor,
-    intrinsics: Any,
-    init_source_to_target: Any,
-    depth_outlier_trunc: float,
-    intensity_huber_delta: float,
-) -> OdometryResult:
-    """One step from intensities and their Sobel gradients (h, w, 1). Depth [m], NaN if missing."""
-    rules = rows.Open3DRules(rows.TENSOR_FORM, rows.COLOR_TERM, depth_outlier_trunc, 0.0, intensity_huber_delta)
-    level = _level(source_depth, intrinsics, flat(target_depth), flat(target_intensity))
-    level.along, level.down = flat(target_intensity_dx), flat(target_intensity_dy)
-    return _step(flat(source_depth), flat(source_intensity), level, init_source_to_target, rules)
-
-
-def compute_odometry_result_hybrid(
-    source_depth: Tensor,
-    target_depth: Tensor,
-    source_intensity: Tensor,
-    target_intensity: Tensor,
-    target_depth_dx: Tensor,
-    target_depth_dy: Tensor,
-    target_intensity_dx: Tensor,
-    target_intensity_dy: Tensor,
-    source_vertex_map: Tensor,
-    intrinsics: Any,
-    init_source_to_target: Any,
-    depth_outlier_trunc: float,
-    depth_huber_delta: float,
-    intensity_huber_delta: float,
-) -> OdometryResult:
-    """One step from intensities, depths [m], NaN if missing, and the Sobel gradients of both (h, w, 1)."""
-    deltas, root = (depth_huber_delta, intensity_huber_delta), rgbd_odometry.HALF_ROOT
-    rules = rows.Open3DRules(rows.TENSOR_FORM, rows.HYBRID_TERM, depth_outlier_trunc, *deltas, root, root)
-    level = _level(source_depth, intrinsics, flat(target_depth), flat(target_intensity))
-    level.along, level.down = flat(target_intensity_dx), flat(target_intensity_dy)
-    level.depth_along, level.depth_down = flat(target_depth_dx), flat(target_depth_dy)
-    return _step(flat(source_depth), flat(source_intensity), level, init_source_to_target, rules)
-
-
-def _level(image: Tensor, intrinsics: Any, depth: Any, shade: Any) -> rows.Open3DLevel:
-    """A target level of the size of an image, with gradients that the caller replaces if they are used."""
-    matrix, (height, width) = on_host(intrinsics), image.shape[:2]
-    lens = np.array([matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2]])
-    return rgbd_odometry._level((width, height), lens, depth, shade)
-
-
-def _step(depth: Any, shade: Any, level: rows.Open3DLevel, start: Any, rules: rows.Open3DRules) -> OdometryResult:
-    sums = rgbd_odometry._sum(depth, shade, level, on_host(start).astype(np.float64), rules)
-    count = sums[rows.PAIR_COUNT_AT]
-    step = rgbd_odometry._solve(sums) if count else None
-    if step is None:
-        raise RuntimeError("init_source_to_target: the pixels do not determine the motion from this pose")
-    return OdometryResult(as_matrix(step), float(sums[rows.SQUARED_SUM_AT] / count), float(count / depth.size))

@@ -34,12 +34,12 @@ class TransformationEstimation(Settings):
     ) -> Tensor:
         """The step (4, 4) of one iteration, float64 on the CPU. Only Doppler ICP uses `current_transform`."""
         clouds = clouds_of(source, target)
-        return as_matrix(fit_step(*clouds, pairs_of(correspondences, len(clouds[0])), self._native))
+        return as_matrix(fit_step(*clouds, pairs_of(correspondences, len(clouds[0])), self.native))
 
     def compute_rmse(self, source: Any, target: Any, correspondences: Any) -> float:
         """Root mean square of the residuals of the pairs that `compute_transformation` minimizes, without a kernel."""
         clouds = clouds_of(source, target)
-        return residual_rmse(*clouds, pairs_of(correspondences, len(clouds[0])), self._native)
+        return residual_rmse(*clouds, pairs_of(correspondences, len(clouds[0])), self.native)
 
 
 @dataclass(eq=False, repr=False, init=False)
@@ -122,8 +122,8 @@ class TransformationEstimationForDopplerICP(_DopplerFields):
     def __setattr__(self, name: str, value: Any) -> None:
         super().__setattr__(name, as_matrix(value) if name == "transform_vehicle_to_sensor" else value)
 
-    def _keywords(self) -> dict[str, Any]:
-        return super()._keywords() | {"transform_vehicle_to_sensor": on_host(self.transform_vehicle_to_sensor)}
+    def native_keywords(self) -> dict[str, Any]:
+        return super().native_keywords() | {"transform_vehicle_to_sensor": on_host(self.transform_vehicle_to_sensor)}
 
     def compute_transformation(
         self, source: Any, target: Any, correspondences: Any, current_transform: Any = IDENTITY, iteration: int = 0
@@ -131,7 +131,7 @@ class TransformationEstimationForDopplerICP(_DopplerFields):
         """The step (4, 4) of iteration `iteration` of a source that has been moved by `current_transform`."""
         clouds, current = clouds_of(source, target), on_host(current_transform)
         pairs = pairs_of(correspondences, len(clouds[0]))
-        return as_matrix(fit_step(*clouds, pairs, self._native, current, iteration))
+        return as_matrix(fit_step(*clouds, pairs, self.native, current, iteration))
 
     def compute_rmse(self, source: Any, target: Any, correspondences: Any) -> float:
         """Root mean square of the point-to-plane residuals, as in Open3D without the velocities."""

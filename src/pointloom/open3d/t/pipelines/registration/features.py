@@ -35,6 +35,6 @@ def correspondences_from_features(
     source_features: Tensor, target_features: Tensor, mutual_filter: bool = False, mutual_consistency_ratio: float = 0.1
 ) -> Tensor:
     """Pairs (source, target) of nearest features, int64 (k, 2), by source."""
-    sides = source_features._array, target_features._array
+    sides = source_features.array, target_features.array
     pairs = matching.correspondences_from_features(*sides, mutual_filter, mutual_consistency_ratio)
     return tensor_of(pairs, int64, source_features.device)

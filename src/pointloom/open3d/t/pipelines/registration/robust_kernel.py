@@ -34,7 +34,7 @@ class RobustKernel(Settings):
     shape_parameter: float = 1.0
 
     @property
-    def _native(self) -> robust_kernels.RobustKernel:
+    def native(self) -> robust_kernels.RobustKernel:
         if not isinstance(self.type, RobustKernelMethod):
             raise TypeError(f"type: expected a RobustKernelMethod, got {self.type!r}")
         kind = getattr(robust_kernels, self.type.name)

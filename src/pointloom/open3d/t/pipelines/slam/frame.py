@@ -15,13 +15,19 @@ from ..tensors import as_matrix, tensor_of
 class Frame(KnownNames):
     """Tensors (height, width, c) by name, such as "depth" and "color", on one device. `intrinsics`: (3, 3) [px]."""
 
+    intrinsics: Tensor
+
     def __init__(self, height: Any, width: int = 0, intrinsics: Any = None, device: Any = "CPU:0"):
         if isinstance(height, Frame):
-            vars(self).update(vars(height) | {"_maps": dict(height._maps)})
+            vars(self).update(vars(height))
+            self._maps = dict(self._maps)
             return
         self._size = check_count("height", height), check_count("width", width)
-        self._intrinsics, self._device = as_matrix(intrinsics), Device(device)
+        self.intrinsics, self._device = as_matrix(intrinsics), Device(device)
         self._maps: dict[str, Tensor] = {}
+
+    def has_data(self, name: str) -> bool:
+        return name in self._maps
 
     def height(self) -> int:
         return self._size[0]

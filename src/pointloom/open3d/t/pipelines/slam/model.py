@@ -75,7 +75,7 @@ class Model(Serialized, KnownNames):
     ) -> None:
         """Integrate the maps "depth" and "color" of a frame at the current pose."""
         depth, color = input_frame.get_data_as_image("depth"), input_frame.get_data_as_image("color")
-        camera = input_frame._intrinsics
+        camera = input_frame.intrinsics
         limits = depth_scale, depth_max, trunc_voxel_multiplier
         self.voxel_grid.integrate(None, depth, color, camera, self._extrinsic(), *limits)
 
@@ -94,14 +94,16 @@ class Model(Serialized, KnownNames):
         A negative threshold is 3, or the number of earlier frames if that is less.
         """
         threshold = min(float(self.frame_id), SEEN_OFTEN) if weight_threshold < 0 else weight_threshold
-        height, width = model_frame._size
+        height, width = model_frame.height(), model_frame.width()
         limits = depth_scale, depth_min, depth_max, max(threshold, 0.0), trunc_voxel_multiplier
         maps = self.voxel_grid.ray_cast(
-            None, model_frame._intrinsics, self._extrinsic(), width, height, ("depth", "color"), *limits
+            None, model_frame.intrinsics, self._extrinsic(), width, height, ("depth", "color"), *limits
         )
         model_frame.set_data("depth", maps["depth"])
-        zeros = Tensor(np.zeros((height, width, 3), np.float32))
-        model_frame.set_data("color", maps["color"] if enable_color else model_frame._maps.get("color", zeros))
+        if enable_color:
+            model_frame.set_data("color", maps["color"])
+        elif not model_frame.has_data("color"):
+            model_frame.set_data("color", Tensor(np.zeros((height, width, 3), np.float32)))
 
     def track_frame_to_model(
         self,
@@ -120,7 +122,7 @@ class Model(Serialized, KnownNames):
         )
         levels = [OdometryConvergenceCriteria(steps) for steps in STEPS] if criteria is None else criteria
         limits = OdometryLossParams(depth_diff)
-        return align(source, target, model_frame._intrinsics, IDENTITY, depth_max, levels, method, limits)
+        return align(source, target, model_frame.intrinsics, IDENTITY, depth_max, levels, method, limits)
 
     def extract_pointcloud(self, weight_threshold: float = 3.0, estimated_number: int = -1) -> Any:
         return self.voxel_grid.extract_point_cloud(weight_threshold, estimated_number)
