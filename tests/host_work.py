@@ -208,7 +208,7 @@ class PythonCalls:
 
     package = str(Path(loom.__file__).parent) + "/"
     launcher = prepared_launches.__file__
-    launches_of = ("WarpLaunch.run", "WarpLaunch._bound_packed.<locals>.<lambda>")  # bound_alone is host algebra
+    launches_of = ("WarpLaunch.run", "WarpLaunch.bound_packed.<locals>.<lambda>")  # bound_alone is host algebra
     not_counted = inspect.CO_GENERATOR | inspect.CO_COROUTINE | inspect.CO_ASYNC_GENERATOR
     comprehensions = ("<listcomp>", "<setcomp>", "<dictcomp>")
 

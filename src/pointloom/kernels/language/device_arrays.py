@@ -36,6 +36,26 @@ class Unfit(TypeError):  # noqa: N818  not an error yet: a slower check decides
     ...
 
 
+def makes_arrays_plainly(device: Any) -> bool:
+    """True if an array is plain memory of the host, or of Warp's pool on a GPU."""
+    try:
+        if device.is_cpu:
+            allocator = type(device.default_allocator)
+            return (
+                allocator is warp_parts.context.CpuDefaultAllocator
+                and warp_parts.context.runtime._apic_capture is None
+                and warp_parts.is_known()
+            )
+        return (
+            device._custom_allocator is None
+            and device.current_allocator is device.mempool_allocator
+            and warp_parts.context.runtime._apic_capture is None
+            and warp_parts.is_known()
+        )
+    except AttributeError:
+        return False
+
+
 class Kind:
     """Arrays of a device, type and number of axes. Checked arrays cache it as `kind_`, launch bytes as `packed_`."""
 
@@ -72,29 +92,25 @@ class Kind:
                 releases = _releases_of(self.device)
                 like |= {"_allocator": releases, "deleter": releases.deallocate}
             self._like = like
-        state = like.copy()
-        if place is None:
-            address = self._allocated(size) if size else None
-        else:
+        state, address = like.copy(), None
+        if place is not None:
             (address, state["block_"]), state["deleter"] = place, None
+        elif size:
+            device, core = self.device, warp_parts.context.runtime.core
+            if device.is_cuda:
+                address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
+            else:
+                address = core.wp_alloc_host(size, None)
+                if address and size >= MAPPED:
+                    request_huge_pages(address, size)
+            if not address:
+                raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
         state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
         state["shape"], state["strides"] = shape, strides
         state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
         array = _bare(_array)
         array.__dict__ = state
         return array
-
-    def _allocated(self, size: int) -> int:
-        device, core = self.device, warp_parts.context.runtime.core
-        if device.is_cuda:
-            address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
-        else:
-            address = core.wp_alloc_host(size, None)
-            if address and size >= MAPPED:
-                request_huge_pages(address, size)
-        if not address:
-            raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
-        return address
 
     def over(self, values: np.ndarray) -> Any:
         """An array over the memory of a contiguous NumPy array, which it keeps alive. On the CPU."""
@@ -139,22 +155,15 @@ def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
 
 def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
     """An uninitialized array. None if Warp has to create it. Raises RuntimeError if device memory is exhausted."""
-    if not warp_parts.makes_arrays_plainly(device):
+    shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
+    if not 0 < len(shape) <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
         return None
-    if type(shape) is int:
-        kind = _kinds.get((dtype, 1, device.alias)) or kind_of(dtype, 1, device)
-        size = shape * kind.element_bytes
-        is_fit = 0 <= shape < MAX_EXTENT
-        shape, strides = (shape,), (kind.element_bytes,)
-    else:
-        shape = tuple(map(int, shape))  # type: ignore[arg-type]
-        if not 0 < len(shape) <= warp_parts.MAX_AXES:
+    kind = _kinds.get((dtype, len(shape), device.alias)) or kind_of(dtype, len(shape), device)
+    size, strides = kind.element_bytes, ()
+    for extent in reversed(shape):
+        if not 0 <= extent < MAX_EXTENT > size:
             return None
-        kind, strides = _kind_and_strides(dtype, shape, device)
-        size = shape[0] * strides[0]
-        is_fit = min(shape) >= 0 and max(shape) < MAX_EXTENT and strides[0] < MAX_EXTENT
-    if not is_fit:
-        return None
+        strides, size = (size, *strides), size * extent
     if device.is_cpu:
         return kind.new(shape, strides, size)
     with lock:
@@ -204,7 +213,7 @@ def drop_blocks(device: Any) -> None:
 def over(values: np.ndarray, dtype: Any, device: Any) -> Any:
     """A CPU array over the memory of a contiguous NumPy array (n, ..., *element). None if Warp has to create it."""
     kind = kind_of(dtype, values.ndim - len(element_kind(dtype).inner), device)
-    if not 0 < kind.axes <= warp_parts.MAX_AXES or not warp_parts.makes_arrays_plainly(device):
+    if not 0 < kind.axes <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
         return None
     return kind.over(values) if values.nbytes and max(values.shape) < MAX_EXTENT else None
 
@@ -230,23 +239,20 @@ def reinterpreted(parent: Any, first: int, dtype: Any, shape: int | Shape) -> An
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
     if not 0 < len(shape) <= warp_parts.MAX_AXES:
         return None
-    first, (kind, strides) = int(first), _kind_and_strides(dtype, shape, parent.device)
+    kind = _kinds.get((dtype, len(shape), parent.device.alias)) or kind_of(dtype, len(shape), parent.device)
+    first, strides = int(first), strides_of(shape, kind.element_bytes)
     size = shape[0] * strides[0]
     if min(shape) < 0 or not 0 <= first <= first + size <= parent.capacity or strides[0] >= MAX_EXTENT:
         return None
     return kind.at(parent, parent.ptr + first, shape, strides, size)
 
 
-def _kind_and_strides(dtype: Any, shape: Shape, device: Any) -> tuple[Kind, Shape]:
-    kind = kind_of(dtype, len(shape), device)
-    return kind, strides_of(shape, kind.element_bytes)
-
-
 def strides_of(shape: Shape, size: int) -> Shape:
     """Strides of contiguous elements of a size [B]."""
-    if len(shape) == 1:
-        return (size,)
-    return tuple(size * math.prod(shape[k + 1 :]) for k in range(len(shape)))
+    strides = (size,)
+    for extent in shape[:0:-1]:
+        strides = (extent * strides[0], *strides)
+    return strides
 
 
 class _Releases:
