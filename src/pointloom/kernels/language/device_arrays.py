@@ -65,7 +65,16 @@ class Kind:
         self.scalar = np.dtype(wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype)))  # of NumPy
         self.inner = tuple(getattr(dtype, "_shape_", ()))  # of an element
         self.pack = _DESCRIPTIONS[axes].pack
-        self._like: dict[str, Any] | None = None  # attributes of a new array, except address and shape
+
+    @functools.cached_property
+    def like(self) -> dict[str, Any]:
+        """Attributes of a new array, except address and shape."""
+        like = dict(vars(wp.empty((0,) * self.axes, dtype=self.dtype, device=self.device)))
+        like |= {"kind_": self, "ctype": None}
+        if self.device.is_cuda:
+            releases = _releases_of(self.device)
+            like |= {"_allocator": releases, "deleter": releases.deallocate}
+        return like
 
     def packed(self, array: Any) -> bytes:
         """Launch bytes of an array. Raises Unfit for another kind, gaps, or a gradient."""
@@ -84,15 +93,7 @@ class Kind:
     def new(self, shape: Shape, strides: Shape, size: int, place: tuple[int, Any] | None = None) -> Any:
         """An uninitialized array, or a zeroed one at a `place` (address, block). Take the lock. Raises RuntimeError if
         device memory is exhausted."""
-        like = self._like
-        if like is None:
-            like = dict(vars(wp.empty((0,) * self.axes, dtype=self.dtype, device=self.device)))
-            like |= {"kind_": self, "ctype": None}
-            if self.device.is_cuda:
-                releases = _releases_of(self.device)
-                like |= {"_allocator": releases, "deleter": releases.deallocate}
-            self._like = like
-        state, address = like.copy(), None
+        state, address = self.like.copy(), None
         if place is not None:
             (address, state["block_"]), state["deleter"] = place, None
         elif size:
@@ -108,18 +109,6 @@ class Kind:
         state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
         state["shape"], state["strides"] = shape, strides
         state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
-        array = _bare(_array)
-        array.__dict__ = state
-        return array
-
-    def over(self, values: np.ndarray) -> Any:
-        """An array over the memory of a contiguous NumPy array, which it keeps alive. On the CPU."""
-        _ = self._like or self.new((0,) * self.axes, (0,) * self.axes, 0)
-        shape = values.shape[: self.axes]
-        state, strides = self._like.copy(), strides_of(shape, self.element_bytes)  # type: ignore[union-attr]
-        state["ptr"], state["capacity"], state["size"] = values.ctypes.data, values.nbytes, math.prod(shape)
-        state["shape"], state["strides"], state["_ref"], state["deleter"] = shape, strides, values, None
-        state["packed_"] = self.pack(state["ptr"], *shape, *strides, self.axes)
         array = _bare(_array)
         array.__dict__ = state
         return array
@@ -211,11 +200,22 @@ def drop_blocks(device: Any) -> None:
 
 
 def over(values: np.ndarray, dtype: Any, device: Any) -> Any:
-    """A CPU array over the memory of a contiguous NumPy array (n, ..., *element). None if Warp has to create it."""
-    kind = kind_of(dtype, values.ndim - len(element_kind(dtype).inner), device)
-    if not 0 < kind.axes <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
+    """A CPU array over the memory of a contiguous NumPy array (n, ..., *element), which it keeps alive. None if Warp
+    has to create it."""
+    axes = values.ndim - len(element_kind(dtype).inner)
+    if not 0 < axes <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
         return None
-    return kind.over(values) if values.nbytes and max(values.shape) < MAX_EXTENT else None
+    if not values.nbytes or max(values.shape) >= MAX_EXTENT:
+        return None
+    kind = _kinds.get((dtype, axes, device.alias)) or kind_of(dtype, axes, device)
+    shape = values.shape[:axes]
+    state, strides = kind.like.copy(), strides_of(shape, kind.element_bytes)
+    state["ptr"], state["capacity"], state["size"] = values.ctypes.data, values.nbytes, math.prod(shape)
+    state["shape"], state["strides"], state["_ref"], state["deleter"] = shape, strides, values, None
+    state["packed_"] = kind.pack(state["ptr"], *shape, *strides, axes)
+    array = _bare(_array)
+    array.__dict__ = state
+    return array
 
 
 def rows_of(values: Any, first: int, last: int) -> Any:
