@@ -22,7 +22,6 @@ import warp as wp
 
 import pointloom as loom
 from pointloom.kernels import lang  # noqa: F401  starts Warp without its banner
-from pointloom.kernels.arrays import sort
 from pointloom.kernels.language import device_arrays, prepared_launches, warp_parts
 
 from .small_scenes import COUNT, ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest_scenes, scenes
@@ -89,20 +88,19 @@ class CountedScenes(SmallScenes):
 def conditions(device: str) -> Iterator[None]:
     """The conditions of all counts. On a GPU the clouds of the scenes return Warp arrays.
 
-    On the CPU there is one thread, since loops until nothing changes take fewer iterations if threads are lucky, and
-    keys are sorted by NumPy, since the choice depends on the processor's speed. Small arrays of a GPU are in blocks.
+    On the CPU there is one thread, since loops until nothing changes take fewer iterations if threads are lucky. Small
+    arrays of a GPU are in blocks.
     """
-    plain, seconds, blocks = digest_scenes.textured, sort.numpy_seconds, device_arrays.blocks
+    plain, blocks = digest_scenes.textured, device_arrays.blocks
     device_arrays.blocks = device_arrays.BLOCKS
     if device == CPU:
         loom.set_num_threads(1)
-        sort.numpy_seconds = lambda: 0.0
     else:
         digest_scenes.textured = lambda *given: plain(*given).to(device, arrays="warp")
     try:
         yield
     finally:
-        digest_scenes.textured, sort.numpy_seconds, device_arrays.blocks = plain, seconds, blocks
+        digest_scenes.textured, device_arrays.blocks = plain, blocks
         if device == CPU:
             loom.set_num_threads(None)
 
@@ -208,7 +206,7 @@ class PythonCalls:
 
     package = str(Path(loom.__file__).parent) + "/"
     launcher = prepared_launches.__file__
-    launches_of = ("WarpLaunch.run", "WarpLaunch._bound_packed.<locals>.<lambda>")  # bound_alone is host algebra
+    launches_of = ("WarpLaunch.run", "WarpLaunch.bound_packed.<locals>.<lambda>")  # bound_alone is host algebra
     not_counted = inspect.CO_GENERATOR | inspect.CO_COROUTINE | inspect.CO_ASYNC_GENERATOR
     comprehensions = ("<listcomp>", "<setcomp>", "<dictcomp>")
 

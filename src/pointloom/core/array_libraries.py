@@ -46,7 +46,9 @@ def check_library(name: str, value: Any) -> str:
 
 def library_for(arrays: str | None, values: Any = None) -> str:
     """The requested library of results (`arrays`). If None: that of an array."""
-    return library_of(values) if arrays is None else check_library("arrays", arrays)
+    if arrays is None:
+        return NUMPY if type(values) is np.ndarray else library_of(values)
+    return check_library("arrays", arrays)
 
 
 def hand_out(
@@ -61,7 +63,8 @@ def hand_out(
     NumPy gets a copy from a GPU and shared memory on the CPU. Others share memory and are ordered after Warp's current
     stream. `shape` replaces the first axes. A `dtype` of the same size shares memory."""
     if library == NUMPY:
-        return _formed(download(array), array.ndim, dtype, shape)
+        values = download(array)
+        return values if dtype is None and shape is None else _formed(values, array.ndim, dtype, shape)
     if on_host:
         array = move(array, resolve_device("cpu"))
     if dtype is not None:

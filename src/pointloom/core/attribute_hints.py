@@ -66,7 +66,7 @@ class KnownNames(HintedNames):
     if not TYPE_CHECKING:
 
         def __setattr__(self, name: str, value: Any) -> None:
-            if not name.startswith("_") and not _declares(type(self), name):
+            if (type(self), name) not in _declared and not name.startswith("_") and not _declares(type(self), name):
                 raise AttributeError(_message(type(self), name, self._how_to_add.format(name=name)))
             if self._fixed:
                 super().__setattr__(name, value)
@@ -84,8 +84,6 @@ _declared: set[tuple[type, str]] = set()  # cached: a class does not lose a name
 
 
 def _declares(kind: type, name: str) -> bool:
-    if (kind, name) in _declared:
-        return True
     declared = any(name in vars(base) or name in _annotated(base) for base in kind.__mro__)
     declared = declared and name not in internal_names(kind)
     if declared:

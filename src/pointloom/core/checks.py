@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from ..kernels.linear_algebra import det, matmul, norm
 from .masked_arrays import unmasked
-from .pose_checks import is_plainly_rigid
 from .progress import ReportProgress
 from .verbosity import LoggedProgress
 
@@ -164,15 +163,18 @@ def check_numeric(name: str, values: Any) -> NDArray[Any]:
     """Convert real numbers or booleans to a NumPy array. Masked floats become NaN.
     Raises `ValueError` for masked integers and `TypeError` for GPU memory, which is never copied to the host silently.
     """
-    if is_on_gpu(values):
+    if type(values) is np.ndarray:
+        array = values
+    elif is_on_gpu(values):
         given = type(values).__name__
         raise TypeError(f"{name}: expected an array on the host, got a {given} on a GPU; download it first")
-    plain = unmasked(name, values)
-    try:
-        array = np.asarray(plain)
-    except (ValueError, TypeError, RuntimeError) as error:  # RuntimeError: a tensor of torch that requires a gradient
-        given = unreadable(values) or f"{type(values).__name__} ({error})"
-        raise TypeError(f"{name}: expected numbers, got {given}") from error
+    else:
+        plain = unmasked(name, values)
+        try:
+            array = np.asarray(plain)
+        except (ValueError, TypeError, RuntimeError) as error:  # RuntimeError: a tensor that requires a gradient
+            given = unreadable(values) or f"{type(values).__name__} ({error})"
+            raise TypeError(f"{name}: expected numbers, got {given}") from error
     is_bfloat16 = array.dtype == np.uint16 and unreadable(values)  # Warp's, as its bits
     if array.dtype.kind not in "biuf" or array.dtype.isbuiltin == 2 or is_bfloat16:  # 2: float8 of jax
         given = unreadable(values) or (type(values).__name__ if array.dtype == object else array.dtype)
@@ -201,6 +203,8 @@ def check_positive(
     name: str, value: Any, *, allow_zero: bool = False, allow_infinite: bool = False, maximum: float = math.inf
 ) -> float:
     """A finite number > 0 and <= `maximum`. Zero or infinity if allowed."""
+    if type(value) is float and 0 < value <= maximum and value < math.inf:
+        return value
     number = check_number(name, value, allow_nan=True, allow_infinite=True)
     if not number >= 0 or (number == 0 and not allow_zero) or (math.isinf(number) and not allow_infinite):
         expected = f"{'a' if allow_infinite else 'a finite'} number {'>= 0' if allow_zero else '> 0'}"
@@ -324,7 +328,7 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -
     """A rigid 4x4 transformation in float64, its rotation within `tolerance` of orthonormal.
     The tolerance admits poses of real data sets, rounded to a few digits."""
     T = check_shape(name, matrix, (4, 4))
-    if is_plainly_rigid(T.tolist(), tolerance, LARGEST_NUMBER):
+    if is_plainly_rigid(T.tolist(), tolerance):
         return T
     if not np.isfinite(T).all():
         raise ValueError(f"{name}: expected a rigid motion, got NaN or infinite entries")
@@ -340,6 +344,17 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -
             f"and determinant {determinant:.3g}"
         )
     return T
+
+
+def is_plainly_rigid(rows: list[list[float]], tolerance: float) -> bool:
+    """True if a 4x4 matrix is clearly rigid, in a tenth of NumPy's time for so few numbers."""
+    (a, b, c, x), (d, e, f, y), (g, h, i, z), last = rows
+    lengths = max(abs(a * a + b * b + c * c - 1), abs(d * d + e * e + f * f - 1), abs(g * g + h * h + i * i - 1))
+    products = max(abs(a * d + b * e + c * f), abs(a * g + b * h + c * i), abs(d * g + e * h + f * i))
+    if not (lengths < tolerance / 2 and products < tolerance / 2 and last == [0, 0, 0, 1]):
+        return False
+    is_bounded = abs(x) <= LARGEST_NUMBER and abs(y) <= LARGEST_NUMBER and abs(z) <= LARGEST_NUMBER
+    return is_bounded and a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) > 0.5
 
 
 def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:

@@ -145,19 +145,22 @@ def is_plainly_around_zero(points: NDArray[Any]) -> bool:
     columns.sort(axis=1)
     below, first = (count - 1) // 2, count // 4
     last = min(first + below + 1, count - 1)
-    quartiles, middles = columns[:, (first, last)].tolist(), columns[:, (below, count // 2)].tolist()
-    medians = [(a + b) / 2 for a, b in middles]
-    spread = max(min(m - a, b - m) for m, (a, b) in zip(medians, quartiles, strict=True))
-    return max(map(abs, medians)) <= FAR_FROM_ZERO * spread
+    largest = spread = 0.0  # of the three axes
+    for a, left, right, b in columns[:, (first, below, count // 2, last)].tolist():
+        median = (left + right) / 2
+        largest, spread = max(largest, abs(median)), max(spread, min(median - a, b - median))
+    return largest <= FAR_FROM_ZERO * spread
 
 
 def _is_box_around_zero(low: list[float], high: list[float]) -> bool:
     """True only if the origin of the two corners is zero: `is_plainly_around_zero` without NumPy."""
-    if not all(-ORIGIN_LIMIT <= number <= ORIGIN_LIMIT for number in low + high):
-        return False
-    medians = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
-    spread = max(min(m - a, b - m) for m, a, b in zip(medians, low, high, strict=True))
-    return max(map(abs, medians)) <= FAR_FROM_ZERO * spread
+    largest = spread = 0.0
+    for a, b in zip(low, high, strict=True):
+        if not (-ORIGIN_LIMIT <= a <= ORIGIN_LIMIT and -ORIGIN_LIMIT <= b <= ORIGIN_LIMIT):
+            return False
+        median = (a + b) / 2
+        largest, spread = max(largest, abs(median)), max(spread, min(median - a, b - median))
+    return largest <= FAR_FROM_ZERO * spread
 
 
 def _rounded(position: NDArray[np.float64], spread: NDArray[np.float64]) -> NDArray[np.float64]:

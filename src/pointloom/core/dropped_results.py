@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import dis
 import functools
-import opcode
 import sys
 import warnings
 from collections.abc import Callable
-from types import CodeType, FrameType
+from types import CodeType
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 from .argument_errors import is_of_call, mismatch
@@ -16,14 +15,13 @@ from .argument_errors import is_of_call, mismatch
 P = ParamSpec("P")
 R = TypeVar("R")
 
-READS_BYTECODE = sys.implementation.name == "cpython" and (3, 11) <= sys.version_info[:2] <= (3, 14)  # off on 3.15
-CACHE, POP_TOP = (opcode.opmap.get(name, -1) for name in ("CACHE", "POP_TOP"))
+READS_BYTECODE = sys.implementation.name == "cpython"
 MAX_CALLS = 4096  # whose callee is remembered
 OWNERS = {"PointCloud": "cloud", "TriangleMesh": "mesh", "LineSet": "lines", "TSDFVolume": "volume"}
 
 
 class DroppedResultWarning(UserWarning):
-    """The result of an operation that returns a new object was dropped. Raised by CPython 3.11 to 3.14 alone.
+    """The result of an operation that returns a new object was dropped. Raised by CPython alone.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -60,8 +58,10 @@ def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
             if not is_of_call(error):
                 raise
             raise mismatch(operation, args, kwargs, error) from None
-        if READS_BYTECODE and _is_dropped(sys._getframe(1), operation.__name__):
-            warnings.warn(_message(operation, args, result), DroppedResultWarning, stacklevel=2)
+        if READS_BYTECODE:
+            caller = sys._getframe(1)
+            if _is_dropped(caller.f_code, caller.f_lasti, operation.__name__):
+                warnings.warn(_message(operation, args, result), DroppedResultWarning, stacklevel=2)
         return cast(R, Pair(result)) if type(result) is tuple else result
 
     return call
@@ -81,22 +81,13 @@ def _message(operation: Callable[..., Any], args: tuple[Any, ...], result: Any) 
     )
 
 
-def _is_dropped(caller: FrameType, name: str) -> bool:
-    """True if the caller drops the result of the current call."""
-    code = caller.f_code.co_code
-    at = caller.f_lasti + 2
-    while at < len(code) and code[at] == CACHE:
-        at += 2
-    return at < len(code) and code[at] == POP_TOP and _calls(caller.f_code, caller.f_lasti, name)
-
-
 @functools.lru_cache(MAX_CALLS)
-def _calls(code: CodeType, at: int, name: str) -> bool:
-    """True if the call at a bytecode offset is `name(...)` or `x.name(...)`, not for example `map`.
-    The load of a callee has the source position of its call. Without positions nothing is detected."""
-    steps = {step.offset: step for step in dis.get_instructions(code)}
-    starts = {k: step.positions[::2] if step.positions else (None,) for k, step in steps.items()}  # line and column
-    call = max(offset for offset in steps if offset <= at)  # `at` may be in the inline cache after it
-    if None in starts[call]:
+def _is_dropped(code: CodeType, at: int, name: str) -> bool:
+    """True if the call at a bytecode offset is `name(...)` or `x.name(...)`, not for example `map`, and its result is
+    dropped. The load of a callee has the source position of its call. Without positions nothing is detected."""
+    steps = list(dis.get_instructions(code))
+    starts = [step.positions[::2] if step.positions else (None,) for step in steps]  # line and column
+    call = max(k for k, step in enumerate(steps) if step.offset <= at)  # `at` may be in the inline cache after it
+    if call + 1 == len(steps) or steps[call + 1].opname != "POP_TOP" or None in starts[call]:
         return False
-    return any(steps[k].argval == name and starts[k] == starts[call] for k in steps if k < call)
+    return any(step.argval == name and start == starts[call] for step, start in zip(steps[:call], starts, strict=False))

@@ -361,6 +361,7 @@ class Reduction(_Launched):
 
     def __init__(self, function: Callable, *, segmented: bool = False, max_registers: int = 0) -> None:
         self.segmented, self.max_registers = segmented, max_registers
+        self.vector: Any = function.__annotations__.get("return")
         super().__init__(function)
 
     @once
@@ -371,10 +372,6 @@ class Reduction(_Launched):
     @property
     def is_apart(self) -> bool:
         return True
-
-    @property
-    def vector(self) -> Any:
-        return self.written.__annotations__["return"]
 
     @property
     def on_host(self) -> Any:

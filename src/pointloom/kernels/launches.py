@@ -15,14 +15,15 @@ from typing import TYPE_CHECKING, Any
 import warp as wp
 
 from .array_types import Device
-from .language import cpu_code, kernel_cache, pool_code, taichi_compiler, warp_compiler
+from .language import cpu_code, kernel_cache, pool_code, prepared_launches, taichi_compiler, warp_compiler
 from .language.arguments import MAX_THREADS, checked_arguments
 from .language.compile_notices import announced, compiling
-from .language.cuda_launches import UNFIT, Flattener, PreparedKernel, PreparedSum, flattener
+from .language.cuda_launches import PreparedKernel, PreparedSum
 from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
 from .language.module_loading import load_module
-from .language.prepared_launches import FlatLaunch, TaichiLaunch, WarpLaunch
+from .language.prepared_launches import UNFIT, FlatLaunch, LaunchSequence, WarpLaunch, flatteners, record_launches
 from .language.segment_launches import PreparedSegmentSum, launch_segments
+from .language.taichi_launches import TaichiLaunch
 from .language.warp_parts import launches_plainly
 from .memory import empty, rows_of, zeros
 
@@ -62,23 +63,6 @@ def current_cpu_compiler() -> str:
     return wanted
 
 
-class LaunchSequence:
-    """CPU launches of a loop's first iteration: reading the arguments again would cost more than a small kernel."""
-
-    def __init__(self) -> None:
-        self.launches: list[Callable[[], None]] = []
-        self.program: Any = None  # for Taichi launches
-
-    def repeat(self) -> bool:
-        """Repeat the launches. False, without effect, if Taichi was restarted."""
-        if self.program is not None and self.program is not taichi_compiler.start().program:
-            return False
-        for again in self.launches:
-            again()
-        return True
-
-
-_sequence: LaunchSequence | None = None  # the launches being recorded. Requires the lock
 _launched: set[tuple[int, str]] = set()  # kernels launched on a GPU, by device
 _by_warp: dict[Any, WarpLaunch | PlainLaunch] = {}  # on the CPU, by the kernel or sum
 _by_taichi: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
@@ -113,47 +97,26 @@ def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence
     return True
 
 
-def _is_launched_flat(
-    what: Kernel | Reduction, count: int, arguments: Sequence[Any], rest: Sequence[Any] = (), last_count: int = 0
-) -> bool:
-    """Use a prepared CPU launch. False, without effect, if there is none or the arguments need conversion. `rest`: the
-    further arguments of a reduction, whose `last_count` threads run last."""
-    prepared: tuple[Flattener, FlatLaunch] | None = what.prepared.get("cpu")
-    if prepared is None or not 0 < count <= MAX_THREADS or current_cpu_compiler() != "warp":
-        return False
-    flatten, launched = prepared
-    try:
-        flat = flatten(arguments)
-        if rest:
-            flat = [*flat, *(getattr(value, "packed_", value) for value in rest)]
-        with lock:
-            if _sequence is not None:
-                return False
-            launched(flat, count, last_count)
-    except UNFIT:
-        return False
-    return True
-
-
-def _flattened(
+def _prepare_flat(
     what: Kernel | Reduction, arguments: Sequence[Any], values: Sequence[Any], rest: Sequence[Any] = ()
-) -> tuple[Flattener, FlatLaunch] | None:
-    """A prepared CPU launch. None if these arguments do not show that it is equivalent. `rest`: further arguments."""
-    launch = _by_warp[what]
+) -> None:
+    """Prepare later CPU launches from these arguments, or none if they do not show that it is equivalent. `rest`:
+    further arguments."""
+    if "cpu" in what.prepared:
+        return
+    launch, made = _by_warp[what], None
     with contextlib.suppress(*UNFIT):
-        flatten = flattener(what.types, wp.get_device("cpu"), what.field_paths, len(what.takes))
         if isinstance(launch, WarpLaunch) and launch.layout:
-            made = FlatLaunch(launch)
-            flat = [*flatten(arguments), *(getattr(value, "packed_", value) for value in rest)]
-            return (flatten, made) if made.packs_as_warp(flat, [*values, *rest]) else None
-    return None
+            pair = flatteners(what.types, wp.get_device("cpu"), what.field_paths, len(what.takes))
+            made = FlatLaunch.of(launch, pair, arguments, values, rest)
+    what.prepared["cpu"] = made
 
 
 def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
     again = _prepared_on_cpu(what, values).bound(values, thread_count, last_count)
     again()
-    if _sequence is not None:
-        _sequence.launches.append(again)
+    if (sequence := prepared_launches.sequence) is not None:
+        sequence.launches.append(again)
 
 
 def _prepared_on_cpu(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:
@@ -207,22 +170,22 @@ def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch | Pl
 
 
 def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]], values: Sequence[Any]) -> None:
-    taichi = taichi_compiler.start()
+    taichi, sequence = taichi_compiler.start(), prepared_launches.sequence
     prepared = _by_taichi.get(kernel)
     if prepared is None or prepared.program() is not taichi.program:
         with announced(name):
             compiling()  # before Taichi's cache is queried
             prepared = _by_taichi[kernel] = taichi.prepare(kernel, name, annotations(), values)
-        again = None if _sequence is None else prepared.bound(values)
-    elif _sequence is None:
+        again = None if sequence is None else prepared.bound(values)
+    elif sequence is None:
         prepared(values)
         return
     else:
         again = prepared.bound(values)
         again()
-    if _sequence is not None and again is not None:
-        _sequence.launches.append(again)
-        _sequence.program = taichi.program
+    if sequence is not None and again is not None:
+        sequence.launches.append(again)
+        sequence.program = taichi.program
 
 
 def _run_taichi_sum(reduction: Reduction, values: Sequence[Any]) -> None:
@@ -250,8 +213,9 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
         kernel = kernel.twin
         if _is_launched_prepared(kernel, thread_count, arguments, home):
             return
-    elif _is_launched_flat(kernel, thread_count, arguments):
-        return
+    elif (prepared := kernel.prepared.get("cpu")) is not None and 0 < thread_count <= MAX_THREADS:
+        if (_compiler.get() or compiler_of_environment()) == "warp" and prepared.is_run(thread_count, arguments):
+            return
     values, device = checked_arguments(kernel, thread_count, arguments)
     if thread_count == 0:
         return
@@ -263,8 +227,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
                     kernel.prepared[device.alias] = PreparedKernel.of(kernel, thread_count, values, device)
         elif current_cpu_compiler() == "warp":
             _run_on_cpu(kernel, values, thread_count)
-            if "cpu" not in kernel.prepared:
-                kernel.prepared["cpu"] = _flattened(kernel, arguments, values)
+            _prepare_flat(kernel, arguments, values)
         else:
             chunks = taichi_compiler.start().chunks(thread_count)
             annotations = taichi_compiler.CHUNKS.values()
@@ -277,8 +240,11 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
         total = _prepared_sum(reduction, count, arguments, home)
         if total is not None:
             return total
-    elif (total := _flat_sum(reduction, count, arguments)) is not None:
-        return total
+    elif (prepared := reduction.prepared.get("cpu")) is not None and 0 < count <= MAX_THREADS:
+        if (_compiler.get() or compiler_of_environment()) == "warp":
+            numbers, partials, out = _arrays_of_sum(reduction, count, wp.get_device("cpu"))
+            if prepared.is_run(numbers[2], arguments, [*numbers, partials, out], 1):
+                return out
     values, device = checked_arguments(reduction, count, arguments)
     if count == 0:
         return zeros(1, reduction.vector, device)
@@ -293,8 +259,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
                     reduction.prepared[device.alias] = PreparedSum.of(reduction, [*values, *rest], device)
         elif current_cpu_compiler() == "warp":
             _run_on_cpu(reduction, [*values, *rest], blocks, 1)
-            if "cpu" not in reduction.prepared:
-                reduction.prepared["cpu"] = _flattened(reduction, arguments, values, rest)
+            _prepare_flat(reduction, arguments, values, rest)
         else:
             chunks = taichi_compiler.start().chunks(blocks)
             _run_taichi_sum(reduction, [*values, count, ELEMENTS_PER_BLOCK, partials, out, *chunks])
@@ -312,14 +277,6 @@ def _arrays_of_sum(reduction: Reduction, count: int, device: Device) -> tuple[tu
         size, blocks = ELEMENTS_PER_BLOCK, -(-count // ELEMENTS_PER_BLOCK)
         sums = empty(1 + blocks, reduction.vector, device)
     return (count, size, blocks), rows_of(sums, 1, sums.size), rows_of(sums, 0, 1)
-
-
-def _flat_sum(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any] | None:
-    """The sum by a prepared CPU launch. None, without effect, if there is none or the arguments need conversion."""
-    if reduction.prepared.get("cpu") is None or not 0 < count <= MAX_THREADS:
-        return None
-    numbers, partials, out = _arrays_of_sum(reduction, count, wp.get_device("cpu"))
-    return out if _is_launched_flat(reduction, numbers[2], arguments, [*numbers, partials, out], 1) else None
 
 
 def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], device: Device) -> Array1[Any] | None:
@@ -346,12 +303,14 @@ def reduce_segments(
     if not reduction.segmented:
         raise TypeError(f"{reduction.name}: a @reduction, where many sums take a @segment_reduction")
     if HAS_CUDA and (home := reduction.first_device(arguments)).is_cuda and launches_plainly():
-        prepared: PreparedSegmentSum | None = reduction.prepared.get(home.alias)
-        if prepared is not None and prepared.is_launched(arguments, blocks, live, partials, out):
+        on_gpu: PreparedSegmentSum | None = reduction.prepared.get(home.alias)
+        if on_gpu is not None and on_gpu.is_launched(arguments, blocks, live, partials, out):
             return
     rest = [blocks.firsts, blocks.lasts, blocks.owners, blocks.starts, live, blocks.count, partials, out]
-    if out.device.is_cpu and _is_launched_flat(reduction, blocks.count, arguments, rest, out.size):
-        return
+    prepared = reduction.prepared.get("cpu") if out.device.is_cpu and 0 < blocks.count <= MAX_THREADS else None
+    if prepared is not None and (_compiler.get() or compiler_of_environment()) == "warp":
+        if prepared.is_run(blocks.count, arguments, rest, out.size):
+            return
     values, device = checked_arguments(reduction, blocks.element_count, arguments)
     with lock:
         if device.is_cuda:
@@ -362,8 +321,7 @@ def reduce_segments(
                     reduction.prepared[device.alias] = made
         elif current_cpu_compiler() == "warp":
             _run_on_cpu(reduction, [*values, *rest], blocks.count, out.size)
-            if "cpu" not in reduction.prepared:
-                reduction.prepared["cpu"] = _flattened(reduction, arguments, values, rest)
+            _prepare_flat(reduction, arguments, values, rest)
         else:
             chunks = taichi_compiler.start().chunks(blocks.count)
             _run_taichi_sum(reduction, [*values, *rest[:5], partials, out, out.size, *chunks])
@@ -397,16 +355,10 @@ class DeviceLoop:
         flag = self._condition.numpy()
         while flag[0]:
             with lock:
-                if self._sequence is None or not self._sequence.repeat():
-                    self._sequence = _record(self._body)
-
-
-def _record(body: Callable[[], None]) -> LaunchSequence:
-    """Run and record a body of CPU launches. Requires the lock."""
-    global _sequence
-    outer, _sequence = _sequence, LaunchSequence()
-    try:
-        body()
-        return _sequence
-    finally:
-        _sequence = outer
+                sequence = self._sequence
+                program = None if sequence is None else sequence.program
+                if sequence is None or (program is not None and program is not taichi_compiler.start().program):
+                    self._sequence = record_launches(self._body)  # the first iteration, or Taichi was restarted
+                else:
+                    for again in sequence.launches:
+                        again()

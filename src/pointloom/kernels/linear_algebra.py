@@ -16,9 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .kept_arrays import KeptArrays
 from .launches import bind
-from .memory import host_view
+from .memory import KeptArrays, host_view
 from .small_matrices import Eigenproblems, Systems, decompose_kernel, solve_systems_kernel
 
 Array = NDArray[np.float64]

@@ -5,10 +5,11 @@ they are thread-safe, unlike Warp's own.
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from pathlib import Path
-from typing import Any, overload
+from typing import Any, Generic, TypeVar, overload
 
 import numpy as np
 import warp as wp
@@ -21,6 +22,7 @@ from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import lock_for, own, why_no_cuda_here
 from .language.pinned_results import release_pinned
 
+Kept = TypeVar("Kept")
 POOL_FRACTION = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
 _pools: set[str] = set()  # GPUs whose pool keeps memory, by name
 
@@ -111,23 +113,6 @@ def check_room(device: Device, size: int, what: str) -> None:
         )
 
 
-def _new(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
-    """Uninitialized array. None if Warp must allocate it."""
-    if isinstance(device, str) and device == "cpu":
-        device = wp.get_device("cpu")
-    if device is None or isinstance(device, str):
-        return None
-    if device.is_cuda:
-        if why_no_cuda_here():
-            return None
-        _keep_pool(device)
-    try:
-        return device_arrays.new(shape, dtype, device)
-    except RuntimeError:
-        with _Allocation(device):
-            raise
-
-
 @overload
 def empty(shape: int | tuple[int], dtype: type[Element], device: Device | str) -> Array1[Element]: ...
 @overload
@@ -138,11 +123,20 @@ def empty(shape: tuple[int, int, int], dtype: type[Element], device: Device | st
 def empty(shape: tuple[int, ...], dtype: type[Element], device: Device | str) -> DeviceArray[Element, Any]: ...
 def empty(shape: int | tuple[int, ...], dtype: Any, device: Device | str) -> Any:
     """Uninitialized array. Raises MemoryError, as all functions here that allocate."""
-    created = _new(shape, dtype, device)
+    home: Any = device if isinstance(device, Device) else wp.get_device(device)
+    if home.is_cuda:
+        if why_no_cuda_here():
+            raise RuntimeError(f"{home}: {why_no_cuda_here()}")
+        _keep_pool(home)
+    try:
+        created = device_arrays.new(shape, dtype, home)
+    except RuntimeError:
+        with _Allocation(home):
+            raise
     if created is not None:
         return created
-    with _Allocation(device):
-        return own(wp.empty(shape, dtype=dtype, device=device))
+    with _Allocation(home):
+        return own(wp.empty(shape, dtype=dtype, device=home))
 
 
 @overload
@@ -154,14 +148,14 @@ def zeros(shape: tuple[int, int, int], dtype: type[Element], device: Device) -> 
 @overload
 def zeros(shape: tuple[int, ...], dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def zeros(shape: int | tuple[int, ...], dtype: Any, device: Device) -> Any:
-    created = _new(shape, dtype, device)
-    if created is not None:
-        with lock_for(device):
-            if not device_arrays.is_zero(created) and not device_copies.is_zeroed(created):
-                created.zero_()
+    created = empty(shape, dtype, device)
+    if created.device.is_cpu:
+        ctypes.memset(created.ptr or 0, 0, created.capacity)
         return created
-    with _Allocation(device):
-        return own(wp.zeros(shape, dtype=dtype, device=device))
+    with lock_for(device):
+        if not device_arrays.is_zero(created) and not device_copies.is_zeroed(created):
+            created.zero_()
+    return created
 
 
 @overload
@@ -173,13 +167,9 @@ def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: 
 @overload
 def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -> Any:
-    created = _new(shape, dtype, device)
-    if created is not None:
-        with lock_for(device):
-            created.fill_(value)
-        return created
-    with _Allocation(device):
-        return own(wp.full(shape, value, dtype=dtype, device=device))
+    created = empty(shape, dtype, device)
+    fill(created, value)
+    return created
 
 
 def fill(values: wp.array, value: Any) -> None:
@@ -197,26 +187,26 @@ def upload(
         width = len(kind.inner)
         shape = values.shape[: values.ndim - width] if width else values.shape
         return empty(shape, dtype, device)
-    if isinstance(device, str) and device == "cpu":
-        device = wp.get_device("cpu")
+    home: Any = device if isinstance(device, Device) else wp.get_device(device)
     if not copied:  # an axis of one element may have any stride, which Warp treats as non-contiguous
         values = values.reshape(-1).reshape(values.shape)
     inner = kind.inner
     outer = values.shape[: values.ndim - len(inner)]
     if outer and values.shape == (*outer, *inner):
-        if getattr(device, "is_cpu", False):
-            if copied:  # Warp would make two arrays and a copy, in twice the time
-                out = empty(outer, dtype, device)
-                np.copyto(host_view(out), values)
-                return out
-            if (made := device_arrays.over(values, dtype, device)) is not None:  # type: ignore[arg-type]
+        if home.is_cpu and not copied:
+            if (made := device_arrays.over(values, dtype, home)) is not None:
                 return made
-        elif (created := _new(outer, dtype, device)) is not None:
-            with lock_for(device):
+        elif home.is_cpu:  # Warp would make two arrays and a copy, in twice the time
+            out = empty(outer, dtype, home)
+            np.copyto(np.asarray(out), values)
+            return out
+        else:
+            created = empty(outer, dtype, home)
+            with lock_for(home):
                 if device_copies.is_written(created, values):
                     return created
-    with _Allocation(device):
-        out: Any = wp.array(values, dtype=dtype, device=device, copy=copied)
+    with _Allocation(home):
+        out: Any = wp.array(values, dtype=dtype, device=home, copy=copied)
         return own(out)
 
 
@@ -298,8 +288,8 @@ def move(values: Array, device: Device) -> Array:
 
 def download(values: Any) -> NDArray[Any]:
     """The array as NumPy, read-only: a copy from a GPU (sync), a view on the CPU."""
-    if values.device.is_cpu:
-        return host_view(values)
+    if values.device.is_cpu:  # as host_view, whose call would take longer
+        return np.asarray(values) if values.ptr else values.numpy()
     with lock_for(values.device):
         fetched = device_copies.fetched(values)  # sync
     if fetched is not None:
@@ -347,3 +337,23 @@ class Readback:
         with lock_for(self.values.device):
             wp.synchronize_event(self._event)
             return self._host_view.copy()
+
+
+class KeptArrays(Generic[Kept]):
+    """Arrays kept for the next call by a key, such as a shape: their allocation would take longer than a small kernel.
+    Keys must be few. A second thread, or a signal handler that calls in between, gets other arrays."""
+
+    def __init__(self, make: Callable[..., Kept]) -> None:
+        self._make = make
+        self._idle: dict[tuple[Hashable, ...], list[Kept]] = {}
+
+    def take(self, *key: Hashable) -> Kept:
+        """Arrays for one call, made by `make(*key)` if none are idle. Uninitialized."""
+        try:
+            return self._idle[key].pop()
+        except (KeyError, IndexError):
+            return self._make(*key)
+
+    def keep(self, arrays: Kept, *key: Hashable) -> None:
+        """Keep the arrays for the next call."""
+        self._idle.setdefault(key, []).append(arrays)

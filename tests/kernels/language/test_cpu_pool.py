@@ -129,7 +129,7 @@ def test_a_worker_takes_part_from_the_first_launch_on():
         import meeting, warp as wp
         from pointloom.kernels import lang
         from pointloom.kernels.language import prepared_launches
-        prepared_launches.SHORT = 0  # s: else a launch whose last one was fast runs on one thread
+        prepared_launches.MIN_POOL_SECONDS = 0  # s: else a launch whose last one was fast runs on one thread
         for _ in range(5):
             arrived, met = wp.zeros(1, dtype=int, device="cpu"), wp.zeros(2, dtype=int, device="cpu")
             lang.launch(meeting.meet_kernel, 2, [arrived, 200_000_000, met])

@@ -15,7 +15,7 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang, launches, memory
 from pointloom.kernels.language import device_lock
 from pointloom.kernels.language.cuda_launches import CudaLaunch
-from pointloom.kernels.language.prepared_launches import FlatLaunch
+from pointloom.kernels.language.prepared_launches import FlatLaunch, WarpLaunch
 
 pytestmark = pytest.mark.both_compilers
 SOURCE = """
@@ -166,8 +166,8 @@ def test_a_reduction_is_bitwise_identical_in_every_run(kernels, device, rng):
 def ran(monkeypatch):
     monkeypatch.setattr(launches, "compiler_of_environment", lambda: "warp")
     compilers = []
-    prepared = FlatLaunch.__call__
-    monkeypatch.setattr(FlatLaunch, "__call__", lambda *a: compilers.append("warp") or prepared(*a))
+    is_run = FlatLaunch.is_run
+    monkeypatch.setattr(FlatLaunch, "is_run", lambda *a: compilers.append("warp") or is_run(*a))
     for name in ("_run_on_cpu", "_run_taichi"):
         run = getattr(launches, name)
         kind = "warp" if name == "_run_on_cpu" else "taichi"
@@ -272,8 +272,8 @@ def test_compilers_are_locked_while_another_thread_may_launch(kernels, device, m
 
     for name in ("_run_on_cpu", "_run_on_cuda", "_run_taichi"):
         monkeypatch.setattr(launches, name, watched(getattr(launches, name)))
-    for kind in (CudaLaunch, FlatLaunch):
-        monkeypatch.setattr(kind, "__call__", watched(kind.__call__))
+    monkeypatch.setattr(CudaLaunch, "__call__", watched(CudaLaunch.__call__))
+    monkeypatch.setattr(WarpLaunch, "run", watched(WarpLaunch.run))
     a, out = arrays(device)
     lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out])
     assert locked == [True]

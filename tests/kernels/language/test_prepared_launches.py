@@ -11,7 +11,8 @@ import warp as wp
 
 from pointloom.kernels import lang, launches, memory
 from pointloom.kernels.language import prepared_launches
-from pointloom.kernels.language.prepared_launches import TaichiLaunch, WarpLaunch
+from pointloom.kernels.language.prepared_launches import WarpLaunch
+from pointloom.kernels.language.taichi_launches import TaichiLaunch
 
 pytestmark = pytest.mark.both_compilers
 SOURCE = """

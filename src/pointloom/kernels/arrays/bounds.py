@@ -5,7 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..array_types import Array1, Integers, Points
-from ..kept_arrays import KeptArrays
 from ..lang import (
     INFINITY,
     WARP,
@@ -122,26 +121,18 @@ def find_box(points: Points) -> Array1[float32]:
 
 def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
     """Box of the finite points: (low, high, count) on the host, infinite if none is finite. One sync."""
-    return bound_each([points])[0]
-
-
-_extremes = KeptArrays(lambda: empty(WIDTH, int32, "cpu"))
-
-
-def _box_on_cpu(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
-    runs, extremes = Runs(points.size, points.device, RUN), _extremes.take()
-    host_view(extremes)[:] = NOTHING
+    if points.device.is_cuda:
+        return bound_each([points])[0]
+    runs, extremes = Runs(points.size, points.device, RUN), empty(WIDTH, int32, points.device)
+    host = host_view(extremes)
+    host[:] = NOTHING
     launch(bound_points_kernel, runs.threads, [points, runs, extremes])
-    box = box_of(host_view(extremes))
-    _extremes.keep(extremes)
-    return box
+    return box_of(host)
 
 
 def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, int]]:
     """As `bound_points` for several arrays on one device. One sync."""
     device = clouds[0].device
-    if len(clouds) == 1 and device.is_cpu:
-        return [_box_on_cpu(clouds[0])]
     runs = [Runs(points.size, device, RUN) for points in clouds]
     ends = np.cumsum([run.rows * WIDTH for run in runs]).tolist()
     extremes = full(ends[-1], NOTHING, int32, device)

@@ -1,9 +1,8 @@
 """Stable sort of a few keys on one CPU thread: less than the launches and waits of a parallel sort."""
 
 from ..array_types import Device, Indices, Integers
-from ..kept_arrays import KeptArrays
 from ..lang import array, func, int32, int64, struct
-from ..memory import empty, host_view, rows_of
+from ..memory import KeptArrays, empty, host_view, rows_of
 
 MAX_FEW = 4096  # keys that one thread sorts: 3,000 points take 0.15 ms, 0.25 ms in parallel (2 cores, 2026-11-28)
 DIGIT = 8  # bits of a radix pass

@@ -1,27 +1,28 @@
 """Stable sort of 64-bit keys.
 
 CUDA: Warp's radix sort. CPU: keys packed with positions if both fit into 63 bits, else Warp's radix sort. Packed keys
-are sorted by NumPy on one core, or if there are many and that is faster, by radix_sort.py on all cores. The order is
-the same.
+are sorted by NumPy on one core, many by a radix sort on all cores, from the least significant digit on: every block of
+keys counts its digits, a scan gives the first place of each digit and block, and the blocks move their keys there. Both
+give the same order.
 """
 
-import functools
 import itertools
-import time
 
 import numpy as np
 import warp as wp
 
 from ..array_types import Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
-from ..language import cpu_pool, device_copies
+from ..language import device_copies
 from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of
-from .radix_sort import radix_argsort
 
-MIN_RADIX = 1 << 14  # keys: NumPy sorts fewer faster
-RADIX_SECONDS = 12e-9  # [s] per key and core, AMD EPYC (Zen 4)
-SPREAD = 0x9E3779B97F4A7C15  # multiples of it, modulo 2^64, are spread like random words
+# NumPy sorts fewer keys faster. Of more, the radix sort takes 12 ns per key and core (AMD Zen 4). NumPy takes 50 ns
+# there, and 4 ns on processors with fast compressing stores: only on one to three cores of those NumPy would be faster.
+MIN_RADIX_KEYS = 1 << 14
+DIGIT_BITS = 8  # more places than pages of a small TLB would be slower
+DIGITS = 1 << DIGIT_BITS
+MIN_BLOCK_KEYS, MAX_BLOCKS = 1 << 14, 64  # of a pass
 MIN_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
 
 
@@ -84,15 +85,75 @@ def copy_pairs_kernel(keys: array(dtype=int64), pair_keys: array(dtype=int64), p
     pair_values[i] = i
 
 
-@functools.cache
-def numpy_seconds() -> float:
-    """Seconds per key of NumPy's sort, of which processors differ tenfold: its AVX-512 code is slow on AMD's Zen 4."""
-    words, seconds = (np.arange(MIN_RADIX, dtype=np.uint64) * np.uint64(SPREAD)).view(np.int64), []
-    for _ in range(3):
-        begin = time.perf_counter()
-        np.sort(words)
-        seconds.append(time.perf_counter() - begin)
-    return min(seconds) / MIN_RADIX
+@kernel(for_cpu=True)
+def pack_keys_kernel(keys: array(dtype=int64), index_bits: int, packed: array(dtype=int64)):
+    i = tid()
+    packed[i] = (keys[i] << int64(index_bits)) | int64(i)
+
+
+@kernel(for_cpu=True)
+def count_digits_kernel(packed: array(dtype=int64), shift: int, size: int, places: array(dtype=int32)):
+    b = tid()
+    row = b * DIGITS
+    for d in range(row, row + DIGITS):
+        places[d] = 0
+    for i in range(b * size, min((b + 1) * size, packed.shape[0])):
+        d = row + int((packed[i] >> int64(shift)) & int64(DIGITS - 1))
+        places[d] = places[d] + 1
+
+
+@kernel(for_cpu=True)
+def scan_digits_kernel(blocks: int, places: array(dtype=int32)):
+    """One thread: replace counts by the places of the first key of each digit and block."""
+    i = tid()
+    place = i
+    for d in range(DIGITS):
+        for b in range(blocks):
+            count = places[b * DIGITS + d]
+            places[b * DIGITS + d] = place
+            place += count
+
+
+@kernel(for_cpu=True)
+def move_keys_kernel(
+    packed: array(dtype=int64), shift: int, size: int, places: array(dtype=int32), moved: array(dtype=int64)
+):
+    b = tid()
+    row = b * DIGITS
+    for i in range(b * size, min((b + 1) * size, packed.shape[0])):
+        key = packed[i]
+        d = row + int((key >> int64(shift)) & int64(DIGITS - 1))
+        place = places[d]
+        places[d] = place + 1
+        moved[place] = key
+
+
+@kernel(for_cpu=True)
+def unpack_keys_kernel(
+    packed: array(dtype=int64), index_bits: int, keys: array(dtype=int64), order: array(dtype=int32)
+):
+    i = tid()
+    key = packed[i]
+    keys[i] = key >> int64(index_bits)
+    order[i] = int(key & ((int64(1) << int64(index_bits)) - int64(1)))
+
+
+def radix_argsort(keys: Keys, bit_count: int, index_bits: int) -> tuple[LongIntegers, Integers]:
+    """(sorted keys, order) as of `argsort_keys`. Bits of keys and positions are at most 63 in all."""
+    count, device = keys.size, keys.device
+    size = max(MIN_BLOCK_KEYS, -(-count // MAX_BLOCKS))
+    blocks = -(-count // size)
+    packed, moved = empty(count, int64, device), empty(count, int64, device)
+    places = empty(blocks * DIGITS, int32, device)
+    launch(pack_keys_kernel, count, [keys, index_bits, packed])
+    for shift in range(index_bits, index_bits + bit_count, DIGIT_BITS):
+        launch(count_digits_kernel, blocks, [packed, shift, size, places])
+        launch(scan_digits_kernel, 1, [blocks, places])
+        launch(move_keys_kernel, blocks, [packed, shift, size, places, moved])
+        packed, moved = moved, packed
+    sorted_keys, order = empty(count, int64, device), empty(count, int32, device)
+    launch(unpack_keys_kernel, count, [packed, index_bits, sorted_keys, order])
+    return sorted_keys, order
 
 
 def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = None) -> tuple[Keys, Integers]:
@@ -104,7 +165,7 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
         return empty(0, int64, device), empty(0, int32, device)
     index_bits = max(1, (count - 1).bit_length())
     if not device.is_cuda and bit_count + index_bits <= 63:
-        if starts is None and count >= MIN_RADIX and RADIX_SECONDS < cpu_pool.thread_count() * numpy_seconds():
+        if starts is None and count >= MIN_RADIX_KEYS:
             return radix_argsort(keys, bit_count, index_bits)
         packed = download(keys) << index_bits
         packed |= np.arange(count, dtype=np.int64)

@@ -15,6 +15,7 @@ import struct
 import sys
 import threading
 import warnings
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +58,9 @@ _semaphores: list[Any] = []  # semaphores, kept while a worker may wait for one
 
 
 class Pool:
+    """Threads of a launch. `share(packed(machine code, arguments, end, chunk size, first))` runs the threads `first` ..
+    `end` - 1 of machine code at an address, in about `chunks` chunks. Take the lock."""
+
     def __init__(self, code: PoolCode, thread_count: int) -> None:
         self._code, self.thread_count = code, thread_count
         workers = thread_count - 1
@@ -71,7 +75,6 @@ class Pool:
             words[FIELDS[name]] = ctypes.cast(function, ctypes.c_void_p).value or 0
         self._post = functions[1]
         self._one = cpu_code.full_bounds(1)
-        self._pack = struct.Struct("6Q").pack
         self._threads: list[threading.Thread] = []
         stack = threading.stack_size(STACK)
         try:
@@ -92,14 +95,12 @@ class Pool:
             words[FIELDS["workers"]], self.thread_count = len(self._threads), len(self._threads) + 1
         finally:
             threading.stack_size(stack)
+        self.share = partial(code.share, ctypes.byref(self._one))
+        self.packed = partial(struct.Struct("6Q").pack, self._address)
+        self.chunks = CHUNKS_A_THREAD * self.thread_count
 
     def _work(self, worker: int) -> None:
         self._code.serve(ctypes.byref(self._one), struct.pack("2Q", self._address, worker))
-
-    def share(self, forward: int, arguments: int, total: int, first: int) -> None:
-        """Run threads `first` .. `total` - 1 of the machine code at an address."""
-        chunk = total // (CHUNKS_A_THREAD * self.thread_count) or 1
-        self._code.share(ctypes.byref(self._one), self._pack(self._address, forward, arguments, total, chunk, first))
 
     def end(self) -> None:
         """End the threads. No launch may be running."""
@@ -111,7 +112,7 @@ class Pool:
             thread.join()
 
 
-_pool: Pool | None = None
+current: Pool | None = None
 _is_chosen = False  # True if the next launch uses the same pool, or none
 _wanted: int | None = None  # set by set_thread_count
 _is_over = False  # the program is ending
@@ -147,8 +148,8 @@ def _cores_of_group() -> int:
 def thread_count() -> int:
     if pool_code() is None:
         return 1
-    if _pool is not None:
-        return _pool.thread_count
+    if current is not None:
+        return current.thread_count
     return _wanted if _wanted is not None else default_thread_count()
 
 
@@ -161,17 +162,17 @@ def set_thread_count(count: int | None) -> None:
 
 def pool() -> Pool | None:
     """The pool, created on first use. None if launches run on the calling thread. Take the lock."""
-    global _pool, _is_chosen
+    global current, _is_chosen
     if not _is_chosen:
         code, count = pool_code(), thread_count()
-        _pool = Pool(code, count) if code is not None and count > 1 and not _is_over else None
+        current = Pool(code, count) if code is not None and count > 1 and not _is_over else None
         _is_chosen = True
-    return _pool
+    return current
 
 
 def _end() -> None:
-    global _pool, _is_chosen
-    ending, _pool, _is_chosen = _pool, None, False
+    global current, _is_chosen
+    ending, current, _is_chosen = current, None, False
     if ending is not None:
         ending.end()
 
@@ -185,8 +186,8 @@ def _end_with_program() -> None:
 
 
 def _after_fork() -> None:
-    global _pool, _is_chosen
-    _pool, _is_chosen = None, False  # its threads do not exist in the forked process
+    global current, _is_chosen
+    current, _is_chosen = None, False  # its threads do not exist in the forked process
 
 
 if hasattr(os, "register_at_fork"):

@@ -1,8 +1,8 @@
 """Prepared CUDA launches: later launches of a kernel only pack their arguments.
 
 `wp.launch` takes 20 to 40 us of Python. Here the first launch records the kernel's handle, grid, shared memory, and
-argument bytes. If the bytes packed here differ, all launches go through Warp. A generated function packs later
-arguments. It raises for unusual ones, which arguments.py then converts or rejects.
+argument bytes. If the bytes packed here differ, all launches go through Warp. Later arguments are flattened as on the
+CPU (prepared_launches.py).
 """
 
 from __future__ import annotations
@@ -11,74 +11,22 @@ import contextlib
 import ctypes
 import itertools
 import struct
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import warp as wp
 
-from ..array_types import Device
 from . import warp_parts
-from .arguments import type_of
-from .device_arrays import Unfit, kind_of
-from .prepared_launches import FORMATS, Parameter
-from .structs import FieldPath, Path
+from .device_arrays import kind_of
+from .prepared_launches import FORMATS, UNFIT, Flat, Flattener, Parameter, flattener
 from .warp_compiler import LANES as WARP
 from .warp_compiler import REDUCTION_BLOCK
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
 
-Flat = tuple[Any, ...]
-Flattener = Callable[[Sequence[Any]], Flat]
-UNFIT = (TypeError, ValueError, AttributeError, OverflowError, struct.error)  # errors of packing unusual arguments
 _BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
 _ALIGNMENT = 8
-
-
-def flattener(
-    types: Sequence[Any], device: Device, field_paths: Sequence[FieldPath] | None = None, count: int = 0
-) -> Flattener:
-    """Function that flattens a kernel's arguments to bytes and numbers. Raises UNFIT or AttributeError if unusual."""
-    if field_paths is None:
-        field_paths, count = [FieldPath(k, ()) for k in range(len(types))], len(types)
-    scope: dict[str, Any] = {}
-    lines = ["def flatten(arguments):", f"    {''.join(f'a{k}, ' for k in range(count))} = arguments"]
-    names: dict[tuple[int, Path], str] = {(k, ()): f"a{k}" for k in range(count)}
-    expressions = []
-    for k, (kind, field_path) in enumerate(zip(types, field_paths, strict=True)):
-        for depth in range(1, len(field_path.path) + 1):
-            path = field_path.path[:depth]
-            if (field_path.parameter, path) not in names:
-                names[field_path.parameter, path] = name = f"x{len(names)}"
-                lines.append(f"    {name} = {names[field_path.parameter, path[:-1]]}.{path[-1]}")
-        name = names[field_path.parameter, field_path.path]
-        if isinstance(kind, wp.array):
-            scope[f"kind{k}"] = kind_of(kind.dtype, kind.ndim, device)
-            lines.append(f"    if getattr({name}, 'kind_', None) is not kind{k}: kind{k}.mark({name})")
-            name = f"{name}.packed_"
-        elif getattr(type_of(kind), "shape", ()):
-            scope[f"bytes{k}"] = _vector_reader(kind)
-            name = f"bytes{k}({name})"
-        expressions.append(name)
-    lines.append(f"    return ({''.join(f'{name}, ' for name in expressions)})")
-    exec("\n".join(lines), scope)
-    return scope["flatten"]
-
-
-def _vector_reader(annotation: Any) -> Callable[[Any], bytes]:
-    scalar, shape = wp.dtype_to_numpy(annotation._wp_scalar_type_), tuple(annotation._shape_)
-    flat = (annotation._length_,)
-
-    def read(argument: Any) -> bytes:
-        if type(argument) is annotation:
-            return bytes(argument)
-        parts = np.asarray(argument, scalar)
-        if parts.shape not in (shape, flat):
-            raise Unfit
-        return parts.tobytes()
-
-    return read
 
 
 class _Buffer:

@@ -36,6 +36,26 @@ class Unfit(TypeError):  # noqa: N818  not an error yet: a slower check decides
     ...
 
 
+def makes_arrays_plainly(device: Any) -> bool:
+    """True if an array is plain memory of the host, or of Warp's pool on a GPU."""
+    try:
+        if device.is_cpu:
+            allocator = type(device.default_allocator)
+            return (
+                allocator is warp_parts.context.CpuDefaultAllocator
+                and warp_parts.context.runtime._apic_capture is None
+                and warp_parts.is_known()
+            )
+        return (
+            device._custom_allocator is None
+            and device.current_allocator is device.mempool_allocator
+            and warp_parts.context.runtime._apic_capture is None
+            and warp_parts.is_known()
+        )
+    except AttributeError:
+        return False
+
+
 class Kind:
     """Arrays of a device, type and number of axes. Checked arrays cache it as `kind_`, launch bytes as `packed_`."""
 
@@ -45,7 +65,16 @@ class Kind:
         self.scalar = np.dtype(wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype)))  # of NumPy
         self.inner = tuple(getattr(dtype, "_shape_", ()))  # of an element
         self.pack = _DESCRIPTIONS[axes].pack
-        self._like: dict[str, Any] | None = None  # attributes of a new array, except address and shape
+
+    @functools.cached_property
+    def like(self) -> dict[str, Any]:
+        """Attributes of a new array, except address and shape."""
+        like = dict(vars(wp.empty((0,) * self.axes, dtype=self.dtype, device=self.device)))
+        like |= {"kind_": self, "ctype": None}
+        if self.device.is_cuda:
+            releases = _releases_of(self.device)
+            like |= {"_allocator": releases, "deleter": releases.deallocate}
+        return like
 
     def packed(self, array: Any) -> bytes:
         """Launch bytes of an array. Raises Unfit for another kind, gaps, or a gradient."""
@@ -64,46 +93,22 @@ class Kind:
     def new(self, shape: Shape, strides: Shape, size: int, place: tuple[int, Any] | None = None) -> Any:
         """An uninitialized array, or a zeroed one at a `place` (address, block). Take the lock. Raises RuntimeError if
         device memory is exhausted."""
-        like = self._like
-        if like is None:
-            like = dict(vars(wp.empty((0,) * self.axes, dtype=self.dtype, device=self.device)))
-            like |= {"kind_": self, "ctype": None}
-            if self.device.is_cuda:
-                releases = _releases_of(self.device)
-                like |= {"_allocator": releases, "deleter": releases.deallocate}
-            self._like = like
-        state = like.copy()
-        if place is None:
-            address = self._allocated(size) if size else None
-        else:
+        state, address = self.like.copy(), None
+        if place is not None:
             (address, state["block_"]), state["deleter"] = place, None
+        elif size:
+            device, core = self.device, warp_parts.context.runtime.core
+            if device.is_cuda:
+                address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
+            else:
+                address = core.wp_alloc_host(size, None)
+                if address and size >= MAPPED:
+                    request_huge_pages(address, size)
+            if not address:
+                raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
         state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
         state["shape"], state["strides"] = shape, strides
         state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
-        array = _bare(_array)
-        array.__dict__ = state
-        return array
-
-    def _allocated(self, size: int) -> int:
-        device, core = self.device, warp_parts.context.runtime.core
-        if device.is_cuda:
-            address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
-        else:
-            address = core.wp_alloc_host(size, None)
-            if address and size >= MAPPED:
-                request_huge_pages(address, size)
-        if not address:
-            raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
-        return address
-
-    def over(self, values: np.ndarray) -> Any:
-        """An array over the memory of a contiguous NumPy array, which it keeps alive. On the CPU."""
-        _ = self._like or self.new((0,) * self.axes, (0,) * self.axes, 0)
-        shape = values.shape[: self.axes]
-        state, strides = self._like.copy(), strides_of(shape, self.element_bytes)  # type: ignore[union-attr]
-        state["ptr"], state["capacity"], state["size"] = values.ctypes.data, values.nbytes, math.prod(shape)
-        state["shape"], state["strides"], state["_ref"], state["deleter"] = shape, strides, values, None
-        state["packed_"] = self.pack(state["ptr"], *shape, *strides, self.axes)
         array = _bare(_array)
         array.__dict__ = state
         return array
@@ -139,22 +144,15 @@ def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
 
 def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
     """An uninitialized array. None if Warp has to create it. Raises RuntimeError if device memory is exhausted."""
-    if not warp_parts.makes_arrays_plainly(device):
+    shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
+    if not 0 < len(shape) <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
         return None
-    if type(shape) is int:
-        kind = _kinds.get((dtype, 1, device.alias)) or kind_of(dtype, 1, device)
-        size = shape * kind.element_bytes
-        is_fit = 0 <= shape < MAX_EXTENT
-        shape, strides = (shape,), (kind.element_bytes,)
-    else:
-        shape = tuple(map(int, shape))  # type: ignore[arg-type]
-        if not 0 < len(shape) <= warp_parts.MAX_AXES:
+    kind = _kinds.get((dtype, len(shape), device.alias)) or kind_of(dtype, len(shape), device)
+    size, strides = kind.element_bytes, ()
+    for extent in reversed(shape):
+        if not 0 <= extent < MAX_EXTENT > size:
             return None
-        kind, strides = _kind_and_strides(dtype, shape, device)
-        size = shape[0] * strides[0]
-        is_fit = min(shape) >= 0 and max(shape) < MAX_EXTENT and strides[0] < MAX_EXTENT
-    if not is_fit:
-        return None
+        strides, size = (size, *strides), size * extent
     if device.is_cpu:
         return kind.new(shape, strides, size)
     with lock:
@@ -202,11 +200,22 @@ def drop_blocks(device: Any) -> None:
 
 
 def over(values: np.ndarray, dtype: Any, device: Any) -> Any:
-    """A CPU array over the memory of a contiguous NumPy array (n, ..., *element). None if Warp has to create it."""
-    kind = kind_of(dtype, values.ndim - len(element_kind(dtype).inner), device)
-    if not 0 < kind.axes <= warp_parts.MAX_AXES or not warp_parts.makes_arrays_plainly(device):
+    """A CPU array over the memory of a contiguous NumPy array (n, ..., *element), which it keeps alive. None if Warp
+    has to create it."""
+    axes = values.ndim - len(element_kind(dtype).inner)
+    if not 0 < axes <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
         return None
-    return kind.over(values) if values.nbytes and max(values.shape) < MAX_EXTENT else None
+    if not values.nbytes or max(values.shape) >= MAX_EXTENT:
+        return None
+    kind = _kinds.get((dtype, axes, device.alias)) or kind_of(dtype, axes, device)
+    shape = values.shape[:axes]
+    state, strides = kind.like.copy(), strides_of(shape, kind.element_bytes)
+    state["ptr"], state["capacity"], state["size"] = values.ctypes.data, values.nbytes, math.prod(shape)
+    state["shape"], state["strides"], state["_ref"], state["deleter"] = shape, strides, values, None
+    state["packed_"] = kind.pack(state["ptr"], *shape, *strides, axes)
+    array = _bare(_array)
+    array.__dict__ = state
+    return array
 
 
 def rows_of(values: Any, first: int, last: int) -> Any:
@@ -230,23 +239,20 @@ def reinterpreted(parent: Any, first: int, dtype: Any, shape: int | Shape) -> An
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
     if not 0 < len(shape) <= warp_parts.MAX_AXES:
         return None
-    first, (kind, strides) = int(first), _kind_and_strides(dtype, shape, parent.device)
+    kind = _kinds.get((dtype, len(shape), parent.device.alias)) or kind_of(dtype, len(shape), parent.device)
+    first, strides = int(first), strides_of(shape, kind.element_bytes)
     size = shape[0] * strides[0]
     if min(shape) < 0 or not 0 <= first <= first + size <= parent.capacity or strides[0] >= MAX_EXTENT:
         return None
     return kind.at(parent, parent.ptr + first, shape, strides, size)
 
 
-def _kind_and_strides(dtype: Any, shape: Shape, device: Any) -> tuple[Kind, Shape]:
-    kind = kind_of(dtype, len(shape), device)
-    return kind, strides_of(shape, kind.element_bytes)
-
-
 def strides_of(shape: Shape, size: int) -> Shape:
     """Strides of contiguous elements of a size [B]."""
-    if len(shape) == 1:
-        return (size,)
-    return tuple(size * math.prod(shape[k + 1 :]) for k in range(len(shape)))
+    strides = (size,)
+    for extent in shape[:0:-1]:
+        strides = (extent * strides[0], *strides)
+    return strides
 
 
 class _Releases:

@@ -5,7 +5,6 @@ Functions return False or None without any effect if Warp has to do it, such as 
 
 from __future__ import annotations
 
-import ctypes
 from functools import partial
 from typing import Any
 
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import warp_parts
-from .device_arrays import Kind, kind_of
+from .device_arrays import Kind, kind_of, makes_arrays_plainly
 from .huge_pages import MAPPED, populate
 from .pinned_results import SMALLEST, fill_pinned
 
@@ -27,7 +26,7 @@ def _kind(values: Any) -> Kind:
 def _is_plain(values: Any) -> bool:
     """True for a contiguous GPU array without hooks."""
     is_plain = values.is_contiguous and values._grad is None and values.device.is_cuda
-    return is_plain and warp_parts.makes_arrays_plainly(values.device)
+    return is_plain and makes_arrays_plainly(values.device)
 
 
 def _has_numbers(values: Any, scalar: Any) -> bool:
@@ -37,9 +36,7 @@ def _has_numbers(values: Any, scalar: Any) -> bool:
 
 
 def is_zeroed(values: Any) -> bool:
-    if values.device.is_cpu and values.is_contiguous:
-        ctypes.memset(values.ptr or 0, 0, values.capacity)
-        return True
+    """Set a GPU array to zero."""
     if not _is_plain(values):
         return False
     size = values.size * _kind(values).element_bytes

@@ -1,8 +1,8 @@
 """Prepared CPU launches: later launches of a kernel only pass their arguments.
 
-Launching takes Taichi 0.24 ms for eight arguments and Warp 0.02 ms. After the first launch, the address and argument
-layout of Warp's machine code, or Taichi's compiled kernel and context, are reused. Prepared launches check nothing.
-Arguments.py does. Take the lock.
+`wp.launch` takes 0.02 ms for eight arguments. The first launch stores the address and argument layout of Warp's machine
+code. A generated function flattens later arguments to bytes and numbers. It raises for unusual ones, which arguments.py
+then converts or rejects.
 """
 
 from __future__ import annotations
@@ -10,24 +10,33 @@ from __future__ import annotations
 import ctypes
 import re
 import struct
-import weakref
 from collections.abc import Callable, Sequence
 from functools import partial
 from time import perf_counter
 from typing import Any, NamedTuple
 
+import numpy as np
 import warp as wp
 
+from ..array_types import Device
 from . import cpu_code, cpu_pool, warp_parts
-from .arguments import array_of, check_scalar_count, type_of
+from .arguments import array_of, type_of
+from .device_arrays import Unfit, kind_of
+from .device_lock import lock
 from .kernel_cache import CachedKernel
 from .pool_code import filled_with
-from .signatures import FLOATS, Type
+from .signatures import Type
+from .structs import FieldPath, Path
+
+Flat = Sequence[Any]
+Flattener = Callable[[Sequence[Any]], Flat]
+Launch = Callable[[], None]
 
 FORMATS = {"float32": "f", "float64": "d", "int8": "b", "int16": "h", "int32": "i", "int64": "q"}
 FORMATS |= {f"u{name}": code.upper() for name, code in FORMATS.items() if name.startswith("int")}
 ARRAY_FORMAT = re.compile(r"Q8x\d+i\d+x\d+i\d+xH2x(x{4})?")  # of an array in WarpLaunch.layout
-SHORT = 20e-6  # [s] a launch by the pool takes 5 to 15 us longer if its workers sleep
+UNFIT = (TypeError, ValueError, AttributeError, OverflowError, struct.error)  # errors of packing unusual arguments
+MIN_POOL_SECONDS = 20e-6  # a launch by the pool takes 5 to 15 us longer if its workers sleep
 
 
 class Parameter(NamedTuple):
@@ -50,6 +59,59 @@ class Parameter(NamedTuple):
     @property
     def size(self) -> int:
         return self.length * struct.calcsize(FORMATS[self.scalar])
+
+
+def flattener(
+    types: Sequence[Any], device: Device, field_paths: Sequence[FieldPath] | None = None, count: int = 0
+) -> Flattener:
+    """Function that flattens a kernel's arguments to bytes and numbers. Raises one of UNFIT if they are unusual."""
+    return flatteners(types, device, field_paths, count)[0]
+
+
+def flatteners(
+    types: Sequence[Any], device: Device, field_paths: Sequence[FieldPath] | None, count: int
+) -> tuple[Flattener, Flattener]:
+    """Functions that flatten a kernel's arguments: to bytes and numbers, and to arrays and other values."""
+    if field_paths is None:
+        field_paths, count = [FieldPath(k, ()) for k in range(len(types))], len(types)
+    scope: dict[str, Any] = {}
+    lines = [f"    {''.join(f'a{k}, ' for k in range(count))} = arguments"]
+    names: dict[tuple[int, Path], str] = {(k, ()): f"a{k}" for k in range(count)}
+    expressions, checks = [], []
+    values = []
+    for k, (kind, field_path) in enumerate(zip(types, field_paths, strict=True)):
+        for depth in range(1, len(field_path.path) + 1):
+            path = field_path.path[:depth]
+            if (field_path.parameter, path) not in names:
+                names[field_path.parameter, path] = name = f"x{len(names)}"
+                lines.append(f"    {name} = {names[field_path.parameter, path[:-1]]}.{path[-1]}")
+        name = names[field_path.parameter, field_path.path]
+        values.append(name)
+        if isinstance(kind, wp.array):
+            scope[f"kind{k}"] = kind_of(kind.dtype, kind.ndim, device)
+            checks.append(f"    if getattr({name}, 'kind_', None) is not kind{k}: kind{k}.mark({name})")
+            name = f"{name}.packed_"
+        elif getattr(type_of(kind), "shape", ()):
+            scope[f"type{k}"], scope[f"read{k}"] = kind, _vector_reader(kind)
+            name = f"bytes({name}) if type({name}) is type{k} else read{k}({name})"
+        expressions.append(name)
+    flatten = ["def flatten(arguments):", *lines, *checks, f"    return ({''.join(f'{e}, ' for e in expressions)})"]
+    leaves = ["def leaves(arguments):", *lines, f"    return ({''.join(f'{name}, ' for name in values)})"]
+    exec("\n".join((*flatten, *leaves)), scope)
+    return scope["flatten"], scope["leaves"]
+
+
+def _vector_reader(annotation: Any) -> Callable[[Any], bytes]:
+    scalar, shape = wp.dtype_to_numpy(annotation._wp_scalar_type_), tuple(annotation._shape_)
+    flat = (annotation._length_,)
+
+    def read(argument: Any) -> bytes:
+        parts = np.asarray(argument, scalar)
+        if parts.shape not in (shape, flat):
+            raise Unfit
+        return parts.tobytes()
+
+    return read
 
 
 class WarpLaunch:
@@ -77,7 +139,7 @@ class WarpLaunch:
     def _begin(self, plan: str, forward: Any, keep_alive: Any) -> None:
         self.plan, self._forward, self._keep_alive = plan, forward, keep_alive  # keeps the machine code alive
         self._address = ctypes.cast(forward, ctypes.c_void_p).value or 0
-        self._seconds = SHORT  # of a thread, in the last launch
+        self._seconds = MIN_POOL_SECONDS  # of a thread, in the last launch
         self._bounds: tuple[int, Any] | None = None  # (threads, bounds) of the last launch on the calling thread
 
     @property
@@ -93,7 +155,7 @@ class WarpLaunch:
         assert self._layout is not None
         return cpu_code.packed(self.plan, self._layout, values)
 
-    def bound(self, values: Sequence[Any], thread_count: int, last_count: int = 0) -> Callable[[], None]:
+    def bound(self, values: Sequence[Any], thread_count: int, last_count: int = 0) -> Launch:
         """A repeatable launch that keeps its arrays alive; `last_count` threads run after all others have ended."""
         if self._layout is not None:
             try:
@@ -101,18 +163,20 @@ class WarpLaunch:
             except (struct.error, OverflowError):  # a number beyond float32, an extent beyond 2^31: left to Warp
                 pass
             else:
-                return self._bound_packed((values, ctypes.create_string_buffer(arguments)), thread_count, last_count)
+                buffer = ctypes.create_string_buffer(arguments)
+                return self.bound_packed(buffer, thread_count, last_count, (values, buffer))
         count = thread_count + last_count  # sequential on this thread
         return wp.launch(self._kernel(), count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
 
-    def _bound_packed(self, packed: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
+    def bound_packed(self, buffer: Any, thread_count: int, last_count: int, keep_alive: Any) -> Launch:
+        """A repeatable launch with packed arguments."""
         if thread_count + last_count > 1:
-            return partial(self.run, packed[1], thread_count, last_count, packed)
-        forward, bounds = self._forward, ctypes.byref(cpu_code.full_bounds(thread_count + last_count))
-        arguments = ctypes.byref(packed[1])
-        return lambda _keep_alive=packed: forward(bounds, arguments)
+            return partial(self.run, buffer, thread_count, last_count, keep_alive)
+        forward, arguments = self._forward, ctypes.byref(buffer)
+        bounds = ctypes.byref(cpu_code.full_bounds(thread_count + last_count))
+        return lambda _keep_alive=keep_alive: forward(bounds, arguments)
 
-    def bound_alone(self, values: Sequence[Any]) -> Callable[[], None]:
+    def bound_alone(self, values: Sequence[Any]) -> Launch:
         """A repeatable launch of one thread that keeps its arrays alive."""
         if self._layout is None:
             return self.bound(values, 1)
@@ -121,22 +185,22 @@ class WarpLaunch:
         return lambda _keep_alive=packed: forward(bounds, arguments)
 
     def run(self, arguments: Any, thread_count: int, last_count: int, _keep_alive: Any = None) -> None:
-        """Launch with packed arguments. A launch that should take less than `SHORT` runs on the calling thread, by the
-        time per thread of the last launch."""
+        """Launch with packed arguments. Take the lock. By the time per thread of the last launch, one that should take
+        less than MIN_POOL_SECONDS runs on the calling thread."""
         count = thread_count + last_count
-        pool = None if count <= 1 else cpu_pool.pool()
+        pool = None if count <= 1 else cpu_pool.current or cpu_pool.pool()
         start = perf_counter()
-        if pool is None or self._seconds * count < SHORT:
+        if pool is None or self._seconds * count < MIN_POOL_SECONDS:
             last = self._bounds
             if last is None or last[0] != count:
                 last = self._bounds = count, ctypes.byref(cpu_code.full_bounds(count))
             self._forward(last[1], ctypes.byref(arguments))
         else:
-            address = ctypes.addressof(arguments)
-            if thread_count:
-                pool.share(self._address, address, thread_count, 0)
+            address, divisor = ctypes.addressof(arguments), pool.chunks
+            if thread_count:  # chunks: see Pool
+                pool.share(pool.packed(self._address, address, thread_count, thread_count // divisor or 1, 0))
             if last_count:
-                pool.share(self._address, address, last_count, thread_count)
+                pool.share(pool.packed(self._address, address, last_count, last_count // divisor or 1, thread_count))
         self._seconds = (perf_counter() - start) / max(1, count)
 
 
@@ -158,118 +222,72 @@ def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tupl
 
 
 class FlatLaunch:
-    """Launches of a kernel whose arguments are flattened to bytes and numbers. They share one buffer: take the lock."""
+    """Launches of a kernel whose arguments are flattened to bytes and numbers. They share one buffer."""
 
-    def __init__(self, launch: WarpLaunch) -> None:
-        self._launch = launch
+    def __init__(self, launch: WarpLaunch, flatten: Flattener, leaves: Flattener) -> None:
+        self._launch, self._flatten, self._leaves = launch, flatten, leaves
         self._layout = struct.Struct(ARRAY_FORMAT.sub(f"{warp_parts.DESCRIPTION_BYTES}s", launch.layout))
         self._idle: Any = None
 
-    def packs_as_warp(self, flat: Sequence[Any], values: Sequence[Any]) -> bool:
-        """True if flattened arguments are packed as the values that they are made of."""
-        packed = self._launch.packed(values)
-        return self._layout.size == len(packed) and self._layout.pack(*flat) == packed
+    @classmethod
+    def of(
+        cls,
+        launch: WarpLaunch,
+        flatteners: tuple[Flattener, Flattener],
+        arguments: Sequence[Any],
+        values: Sequence[Any],
+        rest: Sequence[Any] = (),
+    ) -> FlatLaunch | None:
+        """Prepare from the arguments of a launch, and its values as Warp takes them. None if they are packed in another
+        way. `rest`: the further arguments of a reduction. Raises one of UNFIT."""
+        made, packed = cls(launch, *flatteners), launch.packed([*values, *rest])
+        flat = [*made._flatten(arguments), *(getattr(value, "packed_", value) for value in rest)]
+        return made if made._layout.size == len(packed) and made._layout.pack(*flat) == packed else None
 
-    def __call__(self, flat: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
-        """Launch, as WarpLaunch.bound does. Raises struct.error or OverflowError (not launched)."""
-        # Detached while in use: a signal handler may launch the same kernel in between.
-        buffer, self._idle = self._idle, None
-        if buffer is None:
-            buffer = ctypes.create_string_buffer(self._layout.size)
-        self._layout.pack_into(buffer, 0, *flat)
-        self._launch.run(buffer, thread_count, last_count)
-        self._idle = buffer
-
-
-class Recorder:
-    """Replaces Taichi's program to record a launch."""
-
-    def __init__(self, program: Any) -> None:
-        self.program = program
-        self.kernel: Any = None
-        self.compiled: Any = None
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.program, name)
-
-    def compile_kernel(self, config: Any, capabilities: Any, kernel: Any) -> Any:
-        self.kernel, self.compiled = kernel, self.program.compile_kernel(config, capabilities, kernel)
-        return self.compiled
-
-
-class _Context:
-    """Arguments in Taichi's launch context, and the values that they were set from."""
-
-    def __init__(self, made: Any, count: int) -> None:
-        self.made, self.current = made, list[Any]([None] * count)
-        self.put_array = made.set_arg_external_array_with_shape
-
-
-class TaichiLaunch:
-    """A compiled Taichi kernel. Only changed arguments are set again."""
-
-    def __init__(self, name: str, annotations: Sequence[Any], recorder: Recorder) -> None:
-        self._name, self._kernel, self._compiled = name, recorder.kernel, recorder.compiled
-        self.program = weakref.ref(recorder.program)
-        parameters = [Parameter.of(annotation) for annotation in annotations]
-        # array: address plus numbers per element; number: None and its setter
-        self._plan: list[tuple[Any, Any, Any]] = [
-            ((k,), p.size, p.length) if p.is_array else (None, *_setter(k, p)) for k, p in enumerate(parameters)
-        ]
-        self._idle: _Context | None = None
-
-    def __call__(self, values: Sequence[Any]) -> None:
-        # Detached while in use: a signal handler may launch the same kernel in between, and an interrupted
-        # launch leaves a half-filled context that must not be reused.
-        context, self._idle = self._idle or self._new_context(), None
-        self._fill(context, values)
-        self._launch(context)
-        self._idle = context
-
-    def bound(self, values: Sequence[Any]) -> Callable[[], None]:
-        """A repeatable launch that keeps its arrays alive, valid while Taichi's program lives."""
-        context = self._new_context()
-        self._fill(context, values)
-        return lambda keep_alive=values: self._launch(context)
-
-    def _new_context(self) -> _Context:
-        return _Context(self._kernel.make_launch_context(), len(self._plan))
-
-    def _launch(self, context: _Context) -> None:
-        self.program().launch_kernel(self._compiled, context.made)  # type: ignore[union-attr]
-
-    def _fill(self, context: _Context, values: Sequence[Any]) -> None:
-        current, put_array, k = context.current, context.put_array, 0
-        for (slot, read, put), value in zip(self._plan, values, strict=True):
-            if slot is not None:
-                wanted = (value.ptr, value.shape)
-                if wanted != current[k]:
-                    count = value.size
-                    check_scalar_count(self._name, count * put)
-                    put_array(slot, wanted[0] or 0, count * read, wanted[1], 0)
-                    current[k] = wanted
-            elif read is None:
-                put(context.made, value)
-            else:
-                wanted = read(value)
-                if wanted != current[k]:
-                    put(context.made, wanted)
-                    current[k] = wanted
-            k += 1
+    def is_run(self, count: int, arguments: Sequence[Any], rest: Sequence[Any] = (), last_count: int = 0) -> bool:
+        """Launch, and record the launch in a loop. False, without effect, if the arguments need conversion. `rest`: the
+        further arguments of a reduction, whose `last_count` threads run last."""
+        try:
+            flat = self._flatten(arguments)
+            if rest:
+                flat = [*flat, *[getattr(value, "packed_", value) for value in rest]]
+            with lock:
+                # Detached while in use: a signal handler may launch the same kernel in between. A recorded launch
+                # keeps the buffer.
+                buffer, self._idle = self._idle, None
+                if buffer is None:
+                    buffer = ctypes.create_string_buffer(self._layout.size)
+                self._layout.pack_into(buffer, 0, *flat)
+                if sequence is None:
+                    self._launch.run(buffer, count, last_count)
+                    self._idle = buffer
+                else:
+                    keep_alive = self._leaves(arguments), rest, buffer
+                    again = self._launch.bound_packed(buffer, count, last_count, keep_alive)
+                    again()
+                    sequence.launches.append(again)
+        except UNFIT:
+            return False
+        return True
 
 
-def _setter(k: int, parameter: Parameter) -> tuple[Callable[[Any], Any] | None, Callable[[Any, Any], None]]:
-    """Functions that compare and set a number or vector. Floats are always set, since -0.0 == 0.0."""
-    kind = "float" if parameter.scalar in FLOATS else "uint" if parameter.scalar.startswith("u") else "int"
-    if not parameter.is_vector:
-        slot, name = (k,), f"set_arg_{kind}"
-        return None if kind == "float" else int, lambda made, number: getattr(made, name)(slot, number)
-    slots, name = [(k, c) for c in range(parameter.length)], f"set_struct_arg_{kind}"
-    numbers = struct.Struct(f"{parameter.length}{FORMATS[parameter.scalar]}")
+class LaunchSequence:
+    """CPU launches of a loop's first iteration: reading the arguments again would cost more than a small kernel."""
 
-    def put_vector(made: Any, vector: bytes) -> None:
-        put = getattr(made, name)
-        for slot, number in zip(slots, numbers.unpack(vector), strict=True):
-            put(slot, number)
+    def __init__(self) -> None:
+        self.launches: list[Launch] = []
+        self.program: Any = None  # for Taichi launches
 
-    return bytes, put_vector
+
+sequence: LaunchSequence | None = None  # the launches being recorded. Requires the lock
+
+
+def record_launches(body: Callable[[], None]) -> LaunchSequence:
+    """Run and record a body of CPU launches. Requires the lock."""
+    global sequence
+    outer, sequence = sequence, LaunchSequence()
+    try:
+        body()
+        return sequence
+    finally:
+        sequence = outer

@@ -12,9 +12,10 @@ import warp as wp
 
 from ..array_types import AnyArray, Integers
 from .arguments import MAX_THREADS
-from .cuda_launches import UNFIT, CudaLaunch, flattener, prepared_launch
+from .cuda_launches import CudaLaunch, prepared_launch
 from .device_arrays import kind_of
 from .device_lock import lock
+from .prepared_launches import UNFIT, flattener
 from .warp_compiler import REDUCTION_BLOCK, CudaSegmentReduction
 
 if TYPE_CHECKING:

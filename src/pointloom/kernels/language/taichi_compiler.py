@@ -30,7 +30,7 @@ from .arguments import taichi_arguments
 from .cache_folders import cache_folder, is_writable, temporary_cache
 from .cpu_pool import default_thread_count
 from .device_lock import lock
-from .prepared_launches import Recorder, TaichiLaunch
+from .taichi_launches import Recorder, TaichiLaunch
 
 try:
     import fcntl

@@ -104,22 +104,6 @@ def raise_launch_error(kernel: Any, device: Any, hooks: Any) -> NoReturn:
     raise AssertionError("it raises")
 
 
-def makes_arrays_plainly(device: Any) -> bool:
-    """True if an array is plain memory of the host, or of Warp's pool on a GPU."""
-    try:
-        if device.is_cpu:
-            allocator = type(device.default_allocator)
-            return allocator is context.CpuDefaultAllocator and context.runtime._apic_capture is None and is_known()
-        return (
-            device._custom_allocator is None
-            and device.current_allocator is device.mempool_allocator
-            and context.runtime._apic_capture is None
-            and is_known()
-        )
-    except AttributeError:
-        return False
-
-
 def launches_plainly() -> bool:
     """True if launches have no hooks, printing, or checks."""
     try:

@@ -62,8 +62,10 @@ class GroupScratch:
             return
         self.run, self.max_threads = CPU_RUN, max(1, SCRATCH // row)
         self.stride = max(1, min(-(-self.groups // self.run), self.max_threads))
-        self.xs, self.ys, self.zs = (empty(self.stride * self.gather, float32, device) for _ in range(3))
-        self.ids, self.keys = empty(self.stride * self.gather, int32, device), empty(self.stride * row, int64, device)
+        size = self.stride * self.gather
+        self.xs, self.ys = empty(size, float32, device), empty(size, float32, device)
+        self.zs, self.ids = empty(size, float32, device), empty(size, int32, device)
+        self.keys = empty(self.stride * row, int64, device)
 
     def _allocate_for_warps(self, device: Device, row: int) -> None:
         """One launch whose warps process several groups: limited by the device's threads and memory."""

@@ -265,23 +265,19 @@ def encode_in_box_kernel(
     put_eight(i * apart, step, points, low, scale, levels, codes)
 
 
-def _threads_of_eight(points: Points) -> tuple[int, int, int]:
-    """Thread count, and the strides between threads and between a thread's points."""
-    threads = -(-points.size // LANES)
-    # eight consecutive points on the CPU, coalesced across threads on CUDA
-    return (threads, 1, threads) if points.device.is_cuda else (threads, LANES, 1)
-
-
 def order_in_box(points: Points, levels: int) -> Integers:
     """Order along the curve through the points' box, int32 (n), as of `argsort_along`. No sync."""
-    codes, (threads, apart, step) = SortKeys(points.size, points.device), _threads_of_eight(points)
+    codes, threads = SortKeys(points.size, points.device), -(-points.size // LANES)
+    apart, step = (1, threads) if points.device.is_cuda else (LANES, 1)
     launch(encode_in_box_kernel, threads, [points, find_box(points), levels, apart, step, codes])
     return codes.sort(3 * levels + 1)[1]
 
 
 def encode_points(points: Points, curve: HilbertCurve) -> SortKeys:
     """Codes of points on a curve, as SortKeys. 8^levels for non-finite points."""
-    codes, (threads, apart, step) = SortKeys(points.size, points.device), _threads_of_eight(points)
+    codes, threads = SortKeys(points.size, points.device), -(-points.size // LANES)
+    # eight consecutive points per thread on the CPU, coalesced across threads on CUDA
+    apart, step = (1, threads) if points.device.is_cuda else (LANES, 1)
     launch(encode_points_kernel, threads, [points, curve, apart, step, codes])
     return codes
 
@@ -314,4 +310,4 @@ class HilbertOrder:
         self.low, self.high, self.finite_count = bound_points(points)
         levels = levels_for(points.size)
         self.curve = curve or HilbertCurve(self.low, self.high, levels, is_empty=not self.finite_count)
-        self.codes, self.order = argsort_along(points, self.curve)
+        self.codes, self.order = encode_points(points, self.curve).sort(self.curve.code_bits)

@@ -8,8 +8,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import LARGEST_NUMBER, RIGID_TOLERANCE, check_number
-from ...core.pose_checks import is_plainly_rigid
+from ...core.checks import RIGID_TOLERANCE, check_number, is_plainly_rigid
 from ...kernels.linear_algebra import matmul
 from ...pcd.motion import map_about
 from ..wrapper import Wrapper, column
@@ -133,4 +132,4 @@ def is_rotation(A: NDArray[Any]) -> bool:
     """True for a rotation matrix within pointloom's tolerance."""
     T = np.eye(4)
     T[:3, :3] = A
-    return is_plainly_rigid(T.tolist(), RIGID_TOLERANCE, LARGEST_NUMBER)
+    return is_plainly_rigid(T.tolist(), RIGID_TOLERANCE)
