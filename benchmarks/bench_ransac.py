@@ -34,8 +34,8 @@ def prepare_pointloom(scene: Pair, device: str) -> Any:
     registration, size = loom.registration, scene.voxel_size
     clouds = [loom.PointCloud(points, device=device) for points in (scene.source, scene.target)]
     checkers = [
-        registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
-        registration.CorrespondenceCheckerBasedOnDistance(1.5 * size),
+        registration.CorrespondenceChecker.by_edge_length(0.9),
+        registration.CorrespondenceChecker.by_distance(1.5 * size),
     ]
     criteria = registration.RANSACConvergenceCriteria(MAX_ITERATION, CONFIDENCE)
 
@@ -46,8 +46,9 @@ def prepare_pointloom(scene: Pair, device: str) -> Any:
 
     def register() -> Any:
         (source, left), (target, right) = map(describe, clouds)
-        result = registration.registration_ransac_based_on_feature_matching(
-            source, target, left, right, True, 1.5 * size, checkers=checkers, criteria=criteria
+        pairs = registration.correspondences_from_features(left, right, mutual_filter=True)
+        result = registration.registration_ransac_based_on_correspondence(
+            source, target, pairs, 1.5 * size, checkers=checkers, criteria=criteria
         )
         return result.transformation, scene.T
 

@@ -296,13 +296,16 @@ def rgbd_odometry(d: Scenes) -> list[Any]:
         shade = 127 + 60 * np.sin((u + k) / 3 + v / 9) + 50 * np.cos(v / 4 - (u + k) / 17)
         pairs.append((shade.astype(np.uint8), depth.astype(np.float32)))
     frames = [odometry.OdometryFrame(depth, camera, shade, device=d.device) for shade, depth in pairs]
-    results = [odometry.align_frames(*frames, method=method) for method in odometry.OdometryMethod]
+    results = [odometry.align_frames(*frames, method=method) for method in ("point-to-plane", "intensity", "hybrid")]
     images = [loom().RGBDImage(*pair, device=d.device) for pair in pairs]
-    results.append(odometry.compute_rgbd_odometry(*images, camera, weights="open3d"))
-    methods = odometry.OdometryMethod
+    from pointloom.rgbd.odometry import options
+    from pointloom.rgbd.odometry import rgbd_odometry as internal
+
+    legacy = options.RGBDOdometryJacobianFromHybridTerm(), options.OdometryOption()
+    results.append(internal.open3d_odometry(*images, camera, np.eye(4), *legacy))
     results += [
-        odometry.rgbd_odometry_multi_scale(*images, camera.matrix, method=method, weights="open3d")
-        for method in methods
+        internal.open3d_multi_scale_odometry(*images, camera.matrix, np.eye(4), 3.0, None, method, None)
+        for method in options.OdometryMethod
     ]
     depths = [depth for _, depth in pairs]
     information = odometry.compute_odometry_information_matrix(*depths, camera, np.eye(4), 0.07)
@@ -361,10 +364,16 @@ def surface_metrics(d: Scenes) -> list[Any]:
     return [*d.ball.compute_metrics(part, [0.05], 2000), *d.ball.compute_error_map(part)]
 
 
+def kernel() -> Any:
+    return reg().RobustKernel
+
+
 def robust_kernels(scale: float = 0.02) -> dict[str, Any]:
-    kernels = {name: getattr(reg(), f"{name}Loss")(scale) for name in ("Huber", "Cauchy", "GM", "Tukey", "Generalized")}
-    general = {f"Generalized {shape}": reg().GeneralizedLoss(scale, shape) for shape in (2.0, 0.0, -2.0, -np.inf)}
-    return kernels | general | {"L1": reg().L1Loss(), "L2": reg().L2Loss()}
+    loss = kernel()
+    kernels = {"Huber": loss.huber, "Cauchy": loss.cauchy, "GM": loss.geman_mcclure, "Tukey": loss.tukey}
+    kernels = {name: make(scale) for name, make in (kernels | {"Generalized": loss.general}).items()}
+    general = {f"Generalized {shape}": loss.general(scale, shape) for shape in (2.0, 0.0, -2.0, -np.inf)}
+    return kernels | general | {"L1": loss.l1(), "L2": loss.l2()}
 
 
 def icp_with(p: SampledSurface, method: str = "PointToPlane", **options: Any) -> Any:
@@ -432,10 +441,10 @@ def icp_batch(d: Scenes, method: str) -> list[Any]:
 
 def checkers() -> list[Any]:
     return [
-        reg().CorrespondenceCheckerBasedOnEdgeLength(0.9),
-        reg().CorrespondenceCheckerBasedOnDistance(0.12),
-        reg().CorrespondenceCheckerBasedOnNormal(0.7),
-        reg().CorrespondenceCheckerBasedOnSourceRotation([3.2, 3.2, 3.2]),
+        reg().CorrespondenceChecker.by_edge_length(0.9),
+        reg().CorrespondenceChecker.by_distance(0.12),
+        reg().CorrespondenceChecker.by_normal(0.7),
+        reg().CorrespondenceChecker.by_rotation([3.2, 3.2, 3.2]),
     ]
 
 
@@ -451,24 +460,24 @@ def ransac(d: Scenes, **options: Any) -> Any:
 
 
 def ransac_features(d: Scenes, mutual: bool) -> Any:
-    rules, clouds = reg().RANSACConvergenceCriteria(20_000, 0.999), (*d.thinned, *d.features)
-    call = reg().registration_ransac_based_on_feature_matching
-    return call(*clouds, mutual, 0.1, checkers=checkers()[:3], criteria=rules, seed=2)
+    rules = reg().RANSACConvergenceCriteria(20_000, 0.999)
+    pairs = reg().correspondences_from_features(*d.features, mutual)
+    call = reg().registration_ransac_based_on_correspondence
+    return call(*d.thinned, pairs, 0.1, checkers=checkers()[:3], criteria=rules, seed=2)
 
 
 def fast_global(d: Scenes, **options: Any) -> list[Any]:
     """Fast global registration from features and from given pairs."""
     option = reg().FastGlobalRegistrationOption(maximum_correspondence_distance=0.1, **options)
-    of_features = reg().registration_fgr_based_on_feature_matching
-    of_pairs = reg().registration_fgr_based_on_correspondence
-    return [of_features(*d.thinned, *d.features, option), of_pairs(*d.thinned, d.matches, option, seed=4)]
+    call = reg().registration_fgr_based_on_correspondence
+    pairs = reg().correspondences_from_features(*d.features, True, 0.0)
+    return [call(*d.thinned, pairs, option), call(*d.thinned, d.matches, option, seed=4)]
 
 
 def robust_global(d: Scenes) -> list[Any]:
-    of_features = reg().registration_robust_based_on_feature_matching
-    of_pairs = reg().registration_robust_based_on_correspondence
-    results = [of_features(*d.thinned, *d.features, 0.06), of_features(*d.thinned, *d.features, 0.06, False)]
-    return [*results, of_pairs(*d.thinned, d.matches, 0.08, seed=6)]
+    call, match = reg().registration_robust_based_on_correspondence, reg().correspondences_from_features
+    pairs = [match(*d.features, mutual, 0.0) for mutual in (True, False)]
+    return [*(call(*d.thinned, each, 0.06) for each in pairs), call(*d.thinned, d.matches, 0.08, seed=6)]
 
 
 def optimized(d: Scenes, method: str, **options: Any) -> Any:
@@ -709,11 +718,11 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         name: icp(d.surface, "PointToPlane", kernel=kernel) for name, kernel in robust_kernels().items()
     },
     "icp, point to point, scaling": lambda d: icp(d.surface, with_scaling=True),
-    "icp, point to point, Huber": lambda d: icp(d.surface, kernel=reg().HuberLoss(0.03)),
-    "icp, symmetric, Tukey": lambda d: icp(d.surface, "Symmetric", kernel=reg().TukeyLoss(0.1)),
-    "icp, generalized, Cauchy": lambda d: icp(d.surface, "ForGeneralizedICP", kernel=reg().CauchyLoss(1.0)),
+    "icp, point to point, Huber": lambda d: icp(d.surface, kernel=kernel().huber(0.03)),
+    "icp, symmetric, Tukey": lambda d: icp(d.surface, "Symmetric", kernel=kernel().tukey(0.1)),
+    "icp, generalized, Cauchy": lambda d: icp(d.surface, "ForGeneralizedICP", kernel=kernel().cauchy(1.0)),
     "icp, colored": lambda d: icp(d.surface, "ForColoredICP"),
-    "icp, colored, Huber": lambda d: icp(d.far, "ForColoredICP", lambda_geometric=0.5, kernel=reg().HuberLoss(0.1)),
+    "icp, colored, Huber": lambda d: icp(d.far, "ForColoredICP", lambda_geometric=0.5, kernel=kernel().huber(0.1)),
     "icp, overlap": lambda d: [icp_with(d.surface, method, overlap=0.7) for method in ("PointToPoint", "PointToPlane")],
     "icp, max_normal_angle": lambda d: icp_with(d.surface, max_normal_angle=0.5),
     "icp, degeneracy": lambda d: [icp_with(d.plane), icp_with(d.plane, degeneracy=0), icp_with(d.plane, "Symmetric")],
@@ -724,7 +733,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ],
     "icp, doppler": doppler,
     "icp, doppler, robust": lambda d: doppler(
-        d, reject_dynamic_outliers=True, doppler_kernel=reg().TukeyLoss(0.5), geometric_kernel=reg().HuberLoss(0.2)
+        d, reject_dynamic_outliers=True, doppler_kernel=kernel().tukey(0.5), geometric_kernel=kernel().huber(0.2)
     ),
     "registration_icp_batch, point to point": lambda d: icp_batch(d, "PointToPoint"),
     "registration_icp_batch, point to plane": lambda d: icp_batch(d, "PointToPlane"),

@@ -152,9 +152,9 @@ def registration_operations() -> dict[str, Callable[[], Any]]:
     run.register(next(left))
     facing = [cloud.estimate_normals(max_nn=20) for cloud in (source, target)]
     features = [loom.compute_fpfh_feature(cloud, radius=0.4, max_nn=60) for cloud in facing]
-    pairs = reg.registration_ransac_based_on_feature_matching
+    ransac, match = reg.registration_ransac_based_on_correspondence, reg.correspondences_from_features
     return {
-        "ransac": lambda: pairs(source, target, *features, True, 0.15, seed=2),
+        "ransac": lambda: ransac(source, target, match(*features, True), 0.15, seed=2),
         "icp plane, 20 steps": lambda: reg.registration_icp(source, target, 0.3, None, plane, steps),
         "gicp, 20 steps": lambda: reg.registration_icp(source, target, 0.3, None, general, steps),
         "register_globally": lambda: reg.register_globally(source, target, voxel_size=0.15),

@@ -116,7 +116,7 @@ def _ransac(samples: int) -> Callable[[], Any]:
     wrong = rng.random(count) < 0.6
     pairs[wrong, 1] = rng.integers(0, count, wrong.sum())
     reg = loom.registration
-    checkers = [reg.CorrespondenceCheckerBasedOnEdgeLength(0.9), reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel)]
+    checkers = [reg.CorrespondenceChecker.by_edge_length(0.9), reg.CorrespondenceChecker.by_distance(1.5 * voxel)]
     rules = reg.RANSACConvergenceCriteria(samples, 1.0)
     call = reg.registration_ransac_based_on_correspondence
     return lambda: call(source, target, pairs, 1.5 * voxel, checkers=checkers, criteria=rules)

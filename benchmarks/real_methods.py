@@ -185,15 +185,17 @@ def our_features(name: str) -> Method:
             features.append(loom.compute_fpfh_feature(clouds[-1], radius=5 * size, max_nn=100))
         if name == "RANSAC":
             checkers = [
-                reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
-                reg.CorrespondenceCheckerBasedOnDistance(1.5 * size),
+                reg.CorrespondenceChecker.by_edge_length(0.9),
+                reg.CorrespondenceChecker.by_distance(1.5 * size),
             ]
-            result = reg.registration_ransac_based_on_feature_matching(
-                *clouds, *features, True, 1.5 * size, checkers=checkers, seed=seed
+            pairs = reg.correspondences_from_features(*features, mutual_filter=True)
+            result = reg.registration_ransac_based_on_correspondence(
+                *clouds, pairs, 1.5 * size, checkers=checkers, seed=seed
             )
         else:
             option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=0.5 * size)
-            result = reg.registration_fgr_based_on_feature_matching(*clouds, *features, option, seed=seed)
+            pairs = reg.correspondences_from_features(*features, True, 0.0)
+            result = reg.registration_fgr_based_on_correspondence(*clouds, pairs, option, seed=seed)
         return result.transformation
 
     return Method(name, POINTLOOM, run)

@@ -42,8 +42,8 @@ MORE = """
 1e-3 reg.registration_icp(made(points, covariances=covariances), other, 0.2, near, reg.TransformationEstimationForGeneralizedICP())
 1e-3 reg.registration_icp(made(points, normals=normals, dopplers=dopplers, directions=normals), cloud, 0.2, near, reg.TransformationEstimationForDopplerICP())
 1e-3 reg.registration_icp(other, cloud, 0.2, near, reg.TransformationEstimationPointToPlane(), constraint=reg.Constraint(prior=reg.Prior(near, information)))
-1e-3 reg.registration_ransac_based_on_feature_matching(other, made(points), features[0], descriptors, True, 0.15, seed=1)
-1e-3 reg.registration_fgr_based_on_feature_matching(other, made(points), features[0], descriptors)
+1e-3 reg.registration_ransac_based_on_correspondence(other, made(points), reg.correspondences_from_features(features[0], descriptors, True), 0.15, seed=1)
+1e-3 reg.registration_fgr_based_on_correspondence(other, made(points), reg.correspondences_from_features(features[0], descriptors, True, 0.0))
 0 reg.correspondences_from_features(features[0], descriptors)
 1e-6 reg.get_information_matrix_from_point_clouds(made(points), other, 0.1, near)
 1e-6 reg.deskew_point_cloud(made(points), start, times).points

@@ -86,7 +86,7 @@ moved 1e-4 volume.extract_triangle_mesh(weight_threshold=0).vertices
 moved 1e-6 loom.LineSet(points=cloud.points[:4], lines=[[0, 1], [2, 3]]).transform(about(near)).points
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPoint()).transformation
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane()).transformation
-pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.05))).transformation
+pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(reg.RobustKernel.tukey(0.05))).transformation
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(), constraint=reg.Constraint(("x", "y", "z", "yaw"))).transformation
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(), overlap=0.9).transformation
 pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForGeneralizedICP()).transformation
@@ -99,8 +99,8 @@ same 1e-5 reg.assess_registration(other, cloud, about(near), 0.2).score
 same 1e-6 reg.evaluate_registration(other, cloud, 0.2, about(near)).inlier_rmse
 pose 1e-4 reg.register_pair(other, cloud, init=about(start)).transformation
 pose 1e-4 reg.register_globally(other, cloud, voxel_size=0.1).transformation
-pose 1e-3 reg.registration_ransac_based_on_feature_matching(other, cloud, *features, True, 0.15, seed=1).transformation
-pose 1e-3 reg.registration_fgr_based_on_feature_matching(other, cloud, *features).transformation
+pose 1e-3 reg.registration_ransac_based_on_correspondence(other, cloud, reg.correspondences_from_features(*features, True), 0.15, seed=1).transformation
+pose 1e-3 reg.registration_fgr_based_on_correspondence(other, cloud, reg.correspondences_from_features(*features, True, 0.0)).transformation
 pose 2e-5 reg.registration_ransac_based_on_correspondence(other, cloud, pairs, 0.1, seed=1).transformation
 same 1e-4 reg.assess_registration(other, cloud, about(near), 0.2).alignment.displacement
 same 1e-3 reg.assess_registration(other, cloud, about(near), 0.2).covariance.sigmas

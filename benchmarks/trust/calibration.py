@@ -186,7 +186,7 @@ def frame_components(seed: int) -> dict[str, Array]:
         frames.append(loom.rgbd.OdometryFrame(measured, camera, color, depth_scale=1.0, depth_max=6.0))
         poses.append(T)
     found = {}
-    for method in (loom.rgbd.OdometryMethod.PointToPlane, loom.rgbd.OdometryMethod.Hybrid):
+    for method in ("point-to-plane", "hybrid"):
         result = loom.rgbd.align_frames(*frames, method=method)
         if result.reliable:
             error = np.linalg.inv(poses[1]) @ poses[0] @ np.linalg.inv(result.transformation)

@@ -75,7 +75,7 @@ def half_errors(count: int, held_out: bool) -> Iterator[PoseError]:
         v, u = np.indices(source.depth.shape)
         for along in (u >= source.depth.shape[1] // 2, v >= source.depth.shape[0] // 2):
             halves = [_frame(np.where(side, source.depth, 0), source.color, data) for side in (along, ~along)]
-            for method in (loom.rgbd.OdometryMethod.PointToPlane, loom.rgbd.OdometryMethod.Hybrid):
+            for method in ("point-to-plane", "hybrid"):
                 first, second = (loom.rgbd.align_frames(half, fixed, method=method) for half in halves)
                 if first.reliable and second.reliable:
                     error = first.transformation @ np.linalg.inv(second.transformation)

@@ -36,10 +36,6 @@ from .core.threads import set_num_threads as set_num_threads
 from .core.units import LengthUnit as LengthUnit
 from .core.units import NonFiniteWarning as NonFiniteWarning
 from .core.units import UnitWarning as UnitWarning
-from .core.verbosity import VerbosityContextManager as VerbosityContextManager
-from .core.verbosity import VerbosityLevel as VerbosityLevel
-from .core.verbosity import get_verbosity_level as get_verbosity_level
-from .core.verbosity import set_verbosity_level as set_verbosity_level
 from .io.bags.message_chunks import RecordingWarning as RecordingWarning
 from .io.bags.recording import open_recording as open_recording
 from .io.frames.azure_kinect import AzureKinectCamera as AzureKinectCamera

@@ -197,8 +197,12 @@ def test_registrations_use_features_and_pairs_on_their_device(library, clouds):
     assert_same(library, register.correspondences_from_features(features[cloud], features[cloud], True), pairs)
     twice = np.concatenate([pairs, pairs[::-1]])
     calls = {
-        "ransac": lambda c, f, p: register.registration_ransac_based_on_feature_matching(
-            c, c.transform(T), f, f, True, 0.05, criteria=register.RANSACConvergenceCriteria(500)
+        "ransac": lambda c, f, p: register.registration_ransac_based_on_correspondence(
+            c,
+            c.transform(T),
+            register.correspondences_from_features(f, f, True),
+            0.05,
+            criteria=register.RANSACConvergenceCriteria(500),
         ),
         "fgr": lambda c, f, p: registration_fgr_based_on_correspondence(c, c.transform(T), p),
         "robust": lambda c, f, p: register.registration_robust_based_on_correspondence(c, c.transform(T), p, 0.02),

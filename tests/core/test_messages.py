@@ -26,7 +26,7 @@ from pointloom.core.dropped_results import returns_new
 from pointloom.core.errors import FileError
 from pointloom.core.escaped_text import escaped
 from pointloom.core.open3d_names import sections
-from pointloom.core.verbosity import get_verbosity_level
+from pointloom.core.verbosity import VerbosityContextManager, VerbosityLevel, get_verbosity_level, set_verbosity_level
 from pointloom.io.bags.recording import Recording
 from pointloom.io.columns import warn_of_loss
 from pointloom.io.points.formats import read_points
@@ -57,7 +57,7 @@ PAIRS = "pointloom: pairs 3 of 10, after 0 s\n"
     ("begin", "output"),
     [
         pytest.param("", PAIRS, marks=pytest.mark.slow),
-        ("loom.set_verbosity_level(loom.VerbosityLevel.Debug)", f"{PAIRS}pointloom: details\n"),
+        ("logging.getLogger('pointloom').setLevel(logging.DEBUG)", f"{PAIRS}pointloom: details\n"),
         ("logging.basicConfig(format='mine %(message)s')", "mine pairs 3 of 10, after 0 s\n"),
     ],
 )
@@ -77,7 +77,7 @@ def test_a_short_call_prints_nothing(caplog):
 
 
 def test_debug_prints_each_stage(caplog):
-    with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
+    with VerbosityContextManager(VerbosityLevel.Debug):
         report = check_progress(None)
         for stage in ("voxels", "search", "search", "refine"):
             report(stage, 0, 0)
@@ -87,18 +87,18 @@ def test_debug_prints_each_stage(caplog):
 def test_a_block_leaves_the_level_as_it_was():
     logger = logging.getLogger("pointloom")
     before = logger.level
-    with loom.VerbosityContextManager(loom.VerbosityLevel.Error):
-        assert get_verbosity_level() is loom.VerbosityLevel.Error and logger.level == logging.ERROR
-        with pytest.raises(KeyError), loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
-            assert get_verbosity_level() is loom.VerbosityLevel.Debug
+    with VerbosityContextManager(VerbosityLevel.Error):
+        assert get_verbosity_level() is VerbosityLevel.Error and logger.level == logging.ERROR
+        with pytest.raises(KeyError), VerbosityContextManager(VerbosityLevel.Debug):
+            assert get_verbosity_level() is VerbosityLevel.Debug
             raise KeyError
-        assert get_verbosity_level() is loom.VerbosityLevel.Error
+        assert get_verbosity_level() is VerbosityLevel.Error
     assert logger.level == before
     for wrong in (2, "Info", None):
         with pytest.raises(TypeError, match=r"^verbosity_level:.*VerbosityLevel\.Error"):
-            loom.set_verbosity_level(wrong)
+            set_verbosity_level(wrong)
         with pytest.raises(TypeError, match="expected a VerbosityLevel"):
-            loom.VerbosityContextManager(wrong)
+            VerbosityContextManager(wrong)
 
 
 def test_requested_progress_is_printed(capsys):
@@ -149,7 +149,7 @@ MESSAGES = [
     ("loom.io.read_point_cloud", "here: loom itself: open3d.io.read_point_cloud is loom.read_point_cloud"),
     ("loom.PoseGraph()", "it is loom.registration.PoseGraph"),
     ("loom.registration.compute_iss_keypoints", "it is loom.compute_iss_keypoints"),
-    ("loom.registration.OdometryOption", "it is loom.rgbd.OdometryOption"),
+    ("loom.registration.OdometryFrame", "it is loom.rgbd.OdometryFrame"),
     ("loom.PointClouds", "did you mean 'PointCloud'"),
     ("loom.registration.registration_ipc", r"did you mean 'registration_icp'\?"),
     ("cloud.normal", r"PointCloud has no attribute 'normal'; did you mean 'normals'\?"),

@@ -433,7 +433,6 @@ LEFT_OUT = {
     "draw", "Viewer", "DetailTree", "record", "render", "write_image", "View",
     "fit_view", "read_view", "write_view", "CameraFrustum",
     # tests/core, tests/photogrammetry/depth, tests/rgbd
-    "VerbosityLevel", "VerbosityContextManager", "set_verbosity_level",
     "DepthModel", "estimate_depth",
     "fuse", "track", "check_focal", "reconstruct",
     # tests/files, tests/meshing, tests/kernels

@@ -14,7 +14,7 @@ KINDS = {
     "point": reg.TransformationEstimationPointToPoint(),
     "scaled": reg.TransformationEstimationPointToPoint(True),
     "plane": PLANE,
-    "robust": reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.1)),
+    "robust": reg.TransformationEstimationPointToPlane(reg.RobustKernel.tukey(0.1)),
     "symmetric": reg.TransformationEstimationSymmetric(),
     "generalized": reg.TransformationEstimationForGeneralizedICP(),
     "voxelized": reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1),

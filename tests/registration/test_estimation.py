@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.registration import robust_kernels
 from pointloom.registration.rigid import fit_pose
-from pointloom.registration.robust_kernels import GeneralizedLoss
 
 from .estimator_steps import DISTANCE, legacy_cloud, result_after, tensor_after, tensor_cloud, tensor_kernel
 from .icp_clouds import back, wavy, wavy_normals
@@ -62,7 +62,8 @@ def about_pairs(pair, init):
 def method_of(module, name, arguments):
     """An estimator of pointloom or Open3D; kernels by their names."""
     kernels = WHITENED if name == "ForGeneralizedICP" else KERNELS
-    made = (getattr(module, a)(*kernels[a]) if isinstance(a, str) else a for a in arguments)
+    losses = robust_kernels if module is reg else module
+    made = (getattr(losses, a)(*kernels[a]) if isinstance(a, str) else a for a in arguments)
     return getattr(module, f"TransformationEstimation{name}")(*made)
 
 
@@ -162,7 +163,7 @@ def steps_of_shapes(o3d, pair):
 def test_steps_of_general_kernels_match_open3d(device, pair, oracle, tolerances):
     answers = oracle("registration/estimation/general_kernels", steps_of_shapes, pair)
     for shape, expected in zip(SHAPES, answers, strict=True):
-        method = reg.TransformationEstimationPointToPlane(GeneralizedLoss(0.02, shape))
+        method = reg.TransformationEstimationPointToPlane(reg.RobustKernel.general(0.02, shape))
         for steps, pose in zip((1, 20), expected, strict=True):
             actual = result_after(device, pair, method, steps).transformation
             np.testing.assert_allclose(actual, pose, rtol=0, atol=tolerances.icp_pose, err_msg=f"{shape} {steps}")
@@ -170,7 +171,7 @@ def test_steps_of_general_kernels_match_open3d(device, pair, oracle, tolerances)
 
 def test_point_to_point_weights_depend_on_distance(device, pair, tolerances):
     """One weighted step against the closed form in float64."""
-    loss = reg.CauchyLoss(0.03)
+    loss = reg.RobustKernel.cauchy(0.03)
     result = result_after(device, pair, reg.TransformationEstimationPointToPoint(kernel=loss), 1).transformation
     pairs = reg.evaluate_registration(pair.source, pair.target, DISTANCE).correspondence_set
     p, q = pair.source.points[pairs[:, 0]], pair.target.points[pairs[:, 1]]
@@ -214,7 +215,7 @@ LOSSES = {"L2Loss": (), "TukeyLoss": (0.1,)}
 
 
 def doppler_method(rules, kernels=("L2Loss", "L2Loss"), sensor=None):
-    losses = [getattr(reg, name)(*LOSSES[name]) for name in kernels]
+    losses = [getattr(robust_kernels, name)(*LOSSES[name]) for name in kernels]
     return reg.TransformationEstimationForDopplerICP(*rules, *losses, np.eye(4) if sensor is None else sensor)
 
 

@@ -132,7 +132,8 @@ def of_kitchen(device, featured, distance, seed):
     pair = [loom.PointCloud(c.points, device=device) for c in (featured.source, featured.target)]
     option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=distance)
     features = featured.source.feature, featured.target.feature
-    return reg.registration_fgr_based_on_feature_matching(*pair, *features, option, seed=seed)
+    pairs = reg.correspondences_from_features(*features, True, 0.0)
+    return reg.registration_fgr_based_on_correspondence(*pair, pairs, option, seed=seed)
 
 
 def test_outliers_alone_fail_with_a_reason(device, rng):
@@ -237,7 +238,8 @@ def test_features_give_the_pose_and_the_clouds_rate_it(device, hilly_pair, angle
         thinned = thinned.estimate_normals(radius=0.15, max_nn=None)
         clouds.append(thinned.orient_normals_towards_camera_location(thinned.points.mean(axis=0)))
     features = [loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=None) for cloud in clouds]
-    result = reg.registration_robust_based_on_feature_matching(*clouds, *features, 0.075)
-    assert angle_between(result.transformation, T) < 1.5 and result.score > 0.5
-    one_way = reg.registration_robust_based_on_feature_matching(*clouds, *features, 0.075, mutual_filter=False)
-    assert angle_between(one_way.transformation, T) < 1.5
+    for mutual in (True, False):
+        pairs = reg.correspondences_from_features(*features, mutual, 0.0)
+        result = reg.registration_robust_based_on_correspondence(*clouds, pairs, 0.075)
+        assert angle_between(result.transformation, T) < 1.5
+        assert reg.assess_registration(*clouds, result.transformation, 0.075).score > 0.5

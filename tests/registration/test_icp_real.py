@@ -20,7 +20,7 @@ KINDS = {
     "plane": PLANE,
     "symmetric": reg.TransformationEstimationSymmetric(),
     "generalized": reg.TransformationEstimationForGeneralizedICP(),
-    "robust": reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.5)),
+    "robust": reg.TransformationEstimationPointToPlane(reg.RobustKernel.tukey(0.5)),
 }
 
 

@@ -30,7 +30,7 @@ name = "TransformationEstimation"
 methods = [getattr(reg, name + end)() for end in ("PointToPlane", "Symmetric", "ForColoredICP", "ForDopplerICP")]
 methods += [reg.TransformationEstimationPointToPoint(True), reg.TransformationEstimationForGeneralizedICP()]
 methods += [reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1)]
-methods += [reg.TransformationEstimationPointToPlane(reg.CauchyLoss(0.02))]
+methods += [reg.TransformationEstimationPointToPlane(reg.RobustKernel.cauchy(0.02))]
 for method in methods:
     r = reg.registration_icp(source, target, 0.1, None, method, reg.ICPConvergenceCriteria(0, 0, 4), overlap=0.9)
     show(r.transformation, r.correspondence_set, r.inlier_rmse)

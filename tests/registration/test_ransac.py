@@ -78,7 +78,7 @@ def test_normal_checker_rejects_an_upside_down_mirror_image(device, rng):
     pairs = np.concatenate([np.column_stack([rows, rows]), np.repeat(np.column_stack([rows, 400 + rows]), 3, 0)])
     source = loom.PointCloud(flat, normals=normals, device=device)
     target = loom.PointCloud(both, normals=np.concatenate([normals, normals]), device=device)
-    checker = [checkers.CorrespondenceCheckerBasedOnNormal(0.5)]
+    checker = [reg.CorrespondenceChecker.by_normal(0.5)]
     result = reg.registration_ransac_based_on_correspondence(source, target, pairs, 0.02, checkers=checker)
     np.testing.assert_allclose(result.transformation, np.eye(4), atol=1e-5)
     bare = loom.PointCloud(flat, device=device), loom.PointCloud(both, device=device)
@@ -91,7 +91,7 @@ def test_rotation_checker_selects_the_smaller_rotation(device, rng):
     rotated = moved(points, np.diag([-1.0, -1, 1, 1])) + np.array([4, 0, 0])
     pairs = np.concatenate([np.column_stack([np.arange(300), k * 300 + np.arange(300)]) for k in (0, 1, 1, 1)])
     case = SimpleNamespace(source=points, target=np.concatenate([points, rotated]), pairs=pairs)
-    level = checkers.CorrespondenceCheckerBasedOnSourceRotation([0.2, 0.2, 1.0])
+    level = reg.CorrespondenceChecker.by_rotation([0.2, 0.2, 1.0])
     np.testing.assert_allclose(ransac(case, device, checkers=[level]).transformation, np.eye(4), atol=1e-5)
 
 
@@ -117,8 +117,8 @@ def test_another_seed_gives_other_samples(device, rng):
 
 def test_the_stricter_of_two_checkers_applies_on_the_device():
     normal, edges, distance, rotation = (
-        checkers.CorrespondenceCheckerBasedOnNormal, reg.CorrespondenceCheckerBasedOnEdgeLength,
-        reg.CorrespondenceCheckerBasedOnDistance, checkers.CorrespondenceCheckerBasedOnSourceRotation,
+        reg.CorrespondenceChecker.by_normal, reg.CorrespondenceChecker.by_edge_length,
+        reg.CorrespondenceChecker.by_distance, reg.CorrespondenceChecker.by_rotation,
     )  # fmt: skip
     alone = checkers.checks_of([normal(0.3), edges(0.8), distance(0.05), rotation([0.1, 2.0, 0.3])])
     assert (alone.cosine, alone.similarity, alone.distance) == (np.cos(0.3), 0.8, 0.05)
@@ -181,9 +181,10 @@ def kitchen_clouds(featured, device):
 def test_kitchen_is_registered_at_least_as_well_as_by_open3d(
     device, featured, median_of_open3d, seed, angle_between, tolerances
 ):
-    features = featured.source.feature, featured.target.feature
-    given = *kitchen_clouds(featured, device), *features, True, DISTANCE
-    result = reg.registration_ransac_based_on_feature_matching(*given, checkers=tutorial_checkers(reg), seed=seed)
+    pairs = reg.correspondences_from_features(featured.source.feature, featured.target.feature, True)
+    given = *kitchen_clouds(featured, device), pairs, DISTANCE
+    limits = [reg.CorrespondenceChecker.by_edge_length(0.9), reg.CorrespondenceChecker.by_distance(DISTANCE)]
+    result = reg.registration_ransac_based_on_correspondence(*given, checkers=limits, seed=seed)
     assert result.fitness > median_of_open3d - tolerances.ransac_fitness
     assert angle_between(result.transformation, featured.T) < tolerances.kitchen_degrees
     assert np.linalg.norm(result.transformation[:3, 3] - featured.T[:3, 3]) < tolerances.kitchen_distance
@@ -192,9 +193,9 @@ def test_kitchen_is_registered_at_least_as_well_as_by_open3d(
 
 
 def test_fitness_error_and_correspondences_match_open3d_at_that_pose(device, featured, o3d, to_open3d, tolerances):
-    features = featured.source.feature, featured.target.feature
+    pairs = reg.correspondences_from_features(featured.source.feature, featured.target.feature, True)
     pair = kitchen_clouds(featured, device)
-    result = reg.registration_ransac_based_on_feature_matching(*pair, *features, True, DISTANCE)
+    result = reg.registration_ransac_based_on_correspondence(*pair, pairs, DISTANCE)
     clouds = (to_open3d(cloud.points) for cloud in pair)
     expected = o3d.pipelines.registration.evaluate_registration(*clouds, DISTANCE, result.transformation)
     assert abs(result.fitness - expected.fitness) <= 1.5 / len(pair[0]), "a point at the very distance"
@@ -279,9 +280,7 @@ def test_empty_clouds_fail_with_a_reason(device):
     for pair in ((empty, empty), (empty, one), (one, empty)):
         result = reg.registration_ransac_based_on_correspondence(*pair, np.empty((0, 2)), 0.1)
         assert_no_pose(result, "0 given")
-        features = [np.zeros((len(cloud), 33), np.float32) for cloud in pair]
-        assert_no_pose(reg.registration_ransac_based_on_feature_matching(*pair, *features, True, 0.1), "0 given")
-        assert_no_pose(reg.registration_fgr_based_on_feature_matching(*pair, *features), "0 given")
+        assert_no_pose(reg.registration_fgr_based_on_correspondence(*pair, np.empty((0, 2))), "0 given")
 
 
 @pytest.mark.parametrize("shape", ["one place", "line", "plane"])

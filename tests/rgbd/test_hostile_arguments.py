@@ -29,13 +29,9 @@ loom.rgbd.check_focal(frames=frames, trajectory=turning, uncertain=[7], depth_ma
 loom.rgbd.reconstruct(frames=frames, voxel_size=0.1, depth_max=3.0, fragments=None, device="cpu", read_ahead=0, progress=None, clock=None)
 """,  # noqa: E501
     "odometry": """
-reg.OdometryOption(iteration_number_per_pyramid_level=[3, 2], depth_diff_max=0.03, depth_min=0.0, depth_max=4.0)
-reg.OdometryConvergenceCriteria(max_iteration=3, relative_rmse=1e-6, relative_fitness=1e-6)
-reg.OdometryLossParams(depth_outlier_trunc=0.07, depth_huber_delta=0.05, intensity_huber_delta=0.1)
 reg.OdometryFrame(depth=depth, intrinsic=camera, color=color, depth_scale=1000.0, depth_max=5.0, device="cpu")
-reg.align_frames(source=frame, target=frame, init=pose, method=hybrid)
-reg.compute_rgbd_odometry(source=rgbd, target=rgbd, pinhole_camera_intrinsic=camera, odo_init=pose, jacobian=term, option=option, weights="robust")
-reg.rgbd_odometry_multi_scale(source=rgbd, target=rgbd, intrinsics=camera, init_source_to_target=pose, depth_scale=1000.0, depth_max=4.0, criteria_list=[rules], method=hybrid, params=params, weights="robust")
+reg.align_frames(source=frame, target=frame, init=pose, method="hybrid")
+reg.compute_rgbd_odometry(source=rgbd, target=rgbd, pinhole_camera_intrinsic=camera, odo_init=pose, method="hybrid", max_iterations=[3, 2], depth_min=0.0, depth_max=4.0)
 reg.compute_odometry_information_matrix(source_depth=depth, target_depth=depth, intrinsic=camera, source_to_target=pose, dist_threshold=0.07, depth_scale=1000.0, depth_max=3.0)
 """,  # noqa: E501
     "slam": """
@@ -94,14 +90,11 @@ HOMES = {
     "settings": "ReconstructionConfig", "grid": "ControlGrid",
 }  # fmt: skip
 LEFT_OUT = {  # records, and methods of the model that tracking calls
-    "odometry": {
-        "OdometryMethod", "RGBDOdometryJacobianFromColorTerm", "RGBDOdometryJacobianFromHybridTerm",
-        "OdometryFrame.from_image",
-    },
+    "odometry": {"OdometryFrame.from_image"},
     "slam": {"SlamModel.seen_from", "SlamModel.fuse", "SlamModel.begin_anew", "SubmapRecorder.take_over"},
     "reconstruction": set(),
 }  # fmt: skip
-MAY_BE_INFINITE = {("OdometryOption", "depth_max"), ("OdometryFrame", "depth_max")}
+MAY_BE_INFINITE = {("compute_rgbd_odometry", "depth_max"), ("OdometryFrame", "depth_max")}
 ALSO = {"source": "frame", "depth": "intrinsic"}  # the names in messages of slam
 TABLES = {package: read_table(lines, HOMES) for package, lines in CALLS.items()}
 SLOW = [
@@ -134,9 +127,7 @@ def pair_things() -> dict[str, Any]:
     color = np.random.default_rng(0).integers(0, 255, (24, 32, 3), np.uint8)
     return dict(
         depth=depth, color=color, camera=SMALL, frame=od.OdometryFrame(depth, SMALL, color),
-        rgbd=loom.RGBDImage(color, depth), hybrid=od.OdometryMethod.Hybrid,
-        term=od.RGBDOdometryJacobianFromHybridTerm(),
-        option=od.OdometryOption(), rules=od.OdometryConvergenceCriteria(2), params=od.OdometryLossParams(),
+        rgbd=loom.RGBDImage(color, depth),
     )  # fmt: skip
 
 

@@ -97,10 +97,11 @@ matched = loom.render(
 # away before they are counted: three matches whose triangle has other sides in the other cloud cannot be right.
 
 distance = 1.5 * VOXEL
-ransac = reg.registration_ransac_based_on_feature_matching(
-    thin_source, thin_target, source_features, target_features, True, distance,
+pairs = reg.correspondences_from_features(source_features, target_features, mutual_filter=True)
+ransac = reg.registration_ransac_based_on_correspondence(
+    thin_source, thin_target, pairs, distance,
     reg.TransformationEstimationPointToPoint(False), 3,
-    [reg.CorrespondenceCheckerBasedOnEdgeLength(0.9), reg.CorrespondenceCheckerBasedOnDistance(distance)],
+    [reg.CorrespondenceChecker.by_edge_length(0.9), reg.CorrespondenceChecker.by_distance(distance)],
     reg.RANSACConvergenceCriteria(100_000, 0.999), seed=0,
 )  # fmt: skip
 print(ransac)
@@ -113,8 +114,8 @@ print("off by {:.1f} degrees and {:.0f} cm".format(*off(ransac.transformation, t
 # where every second match is right. Here nine in ten are wrong, and its pose may be as wrong. ``score``
 # rates how well the surfaces lie on each other there, from 0 to 1; poses above 0.5 are accepted (more of it below).
 
-fast = reg.registration_fgr_based_on_feature_matching(
-    thin_source, thin_target, source_features, target_features,
+fast = reg.registration_fgr_based_on_correspondence(
+    thin_source, thin_target, pairs,
     reg.FastGlobalRegistrationOption(maximum_correspondence_distance=distance),
 )  # fmt: skip
 for name, result in (("RANSAC", ransac), ("FGR", fast)):
@@ -167,8 +168,9 @@ stranger = scan(47)
 thin_stranger, stranger_features = described(stranger, np.zeros(3))
 wrong = reg.register_globally(source, stranger, voxel_size=VOXEL)
 print(f"score {wrong.score:.2f}: {wrong.warnings[0]}")
-forced = reg.registration_fgr_based_on_feature_matching(
-    thin_source, thin_stranger, source_features, stranger_features,
+forced = reg.registration_fgr_based_on_correspondence(
+    thin_source, thin_stranger,
+    reg.correspondences_from_features(source_features, stranger_features, mutual_filter=True),
     reg.FastGlobalRegistrationOption(maximum_correspondence_distance=distance),
 )  # fmt: skip
 print(f"FGR on the same clouds: fitness {forced.fitness:.2f}, score {forced.score:.2f}")

@@ -110,27 +110,27 @@ def off(T: np.ndarray) -> tuple[float, float]:
 # -------
 # Least squares gives a pair that is twice as far four times the say. A kernel turns that down:
 #
-# ================================ =======================================================================
-# kernel                           a pair at distance r
-# ================================ =======================================================================
-# ``L2Loss()``                     counts r^2: the far ones decide
-# ``HuberLoss(k)``                 counts r beyond k: the far ones pull, but no more than others
-# ``CauchyLoss(k)``, ``GMLoss(k)`` counts less and less beyond k
-# ``TukeyLoss(k)``                 counts nothing beyond k
-# ================================ =======================================================================
+# ===================================== ====================================================
+# kernel                                cost of a pair at distance r
+# ===================================== ====================================================
+# ``l2()``                              r^2: distant pairs dominate
+# ``huber(k)``                          proportional to r beyond k
+# ``cauchy(k)``, ``geman_mcclure(k)``   grows ever more slowly beyond k
+# ``tukey(k)``                          constant beyond k
+# ===================================== ====================================================
 #
 # ``k`` is a length: what is still noise. Two to three times the standard deviation of the noise is right, here 1 mm
-# of noise, so 3 mm. (Of ``GMLoss`` alone it is the square of that length, as in Open3D: forget it, and it is L2 once
-# more.) If nobody knows the noise, the distances along the normals between clouds that nearly fit tell it (below). The
-# names are those of Open3D's ``pipelines.registration``.
+# of noise, so 3 mm. (Of ``geman_mcclure`` alone it is the square of that length, as in Open3D.) If the noise is
+# unknown, estimate it from the distances along the normals between clouds that nearly fit (below). The kernels are
+# those of Open3D's ``pipelines.registration``, which has a class for each.
 
 DISTANCE = 0.04
 kernels = {
-    "L2": reg.L2Loss(),
-    "Huber": reg.HuberLoss(0.003),
-    "Cauchy": reg.CauchyLoss(0.003),
-    "GM": reg.GMLoss(0.003**2),
-    "Tukey": reg.TukeyLoss(0.003),
+    "L2": reg.RobustKernel.l2(),
+    "Huber": reg.RobustKernel.huber(0.003),
+    "Cauchy": reg.RobustKernel.cauchy(0.003),
+    "GM": reg.RobustKernel.geman_mcclure(0.003**2),
+    "Tukey": reg.RobustKernel.tukey(0.003),
 }
 rules = reg.ICPConvergenceCriteria(max_iteration=100)
 start = reg.registration_icp(source, target, DISTANCE, np.eye(4), reg.TransformationEstimationPointToPlane(), rules)
@@ -171,7 +171,7 @@ errors = loom.render(
 # way down is to begin with a large k, and end with three times the noise (below).
 
 for k in (0.0001, 0.001, 0.003, 0.01, 0.1):
-    method = reg.TransformationEstimationPointToPlane(reg.TukeyLoss(k))
+    method = reg.TransformationEstimationPointToPlane(reg.RobustKernel.tukey(k))
     result = reg.registration_icp(source, target, DISTANCE, start.transformation, method, rules)
     print(f"Tukey with k {k * 1000:6.1f} mm: {off(result.transformation)[1]:5.2f} mm off")
 
@@ -202,7 +202,7 @@ assert 0.0005 < noise(best.transformation) < 0.002 < apart
 T = start.transformation
 for _ in range(4):
     k = 3 * noise(T)
-    method = reg.TransformationEstimationPointToPlane(reg.TukeyLoss(k))
+    method = reg.TransformationEstimationPointToPlane(reg.RobustKernel.tukey(k))
     T = reg.registration_icp(source, target, DISTANCE, T, method, rules).transformation
     print(f"k {1000 * k:4.1f} mm: {off(T)[1]:.2f} mm off")
 assert off(T)[1] < 0.5 and k < 0.008
@@ -253,7 +253,7 @@ for wrong in (
 spacing = float(np.median(target.compute_nearest_neighbor_distance()))
 ends = {}
 for k in (1.5 * spacing, 5 * spacing):
-    method = reg.TransformationEstimationPointToPoint(with_scaling=False, kernel=reg.TukeyLoss(k))
+    method = reg.TransformationEstimationPointToPoint(with_scaling=False, kernel=reg.RobustKernel.tukey(k))
     T = reg.registration_icp(source, target, DISTANCE, start.transformation, method, rules).transformation
     ends[k] = off(T)[1]
     print(f"point to point, k {1000 * k:.1f} mm, {k / spacing:.1f} spacings: {ends[k]:.2f} mm off")

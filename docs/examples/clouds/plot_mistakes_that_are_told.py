@@ -7,12 +7,12 @@ one can make errors. And a long call says how far it is, as loud or as quiet as 
 is to run by itself.
 """
 
+import logging
 import warnings
 
 import numpy as np
 
 import pointloom as loom
-from pointloom.core.verbosity import get_verbosity_level
 
 cloud = loom.datasets.object_mesh().sample_points_uniformly(20_000, seed=0).without("normals")
 
@@ -68,16 +68,12 @@ with warnings.catch_warnings():
     )
 
 # %%
-# **How much is said.** A call that takes longer than a few seconds tells how far it is. Levels are Open3D's; the
-# context is for one part of a program.
-before = get_verbosity_level()
-with loom.VerbosityContextManager(loom.VerbosityLevel.Error):
-    print("inside:", get_verbosity_level())
-    clusters = cloud.cluster_dbscan(0.004, 5)
-assert get_verbosity_level() == before
-loom.set_verbosity_level(loom.VerbosityLevel.Warning)
-print("now:", get_verbosity_level())
-loom.set_verbosity_level(before)
+# **Messages.** A call that takes longer than a few seconds logs its progress to the logger "pointloom" of Python.
+logger = logging.getLogger("pointloom")
+before = logger.level
+logger.setLevel(logging.ERROR)
+clusters = cloud.cluster_dbscan(0.004, 5)
+logger.setLevel(before)
 
 # %%
 # What was asked for above, done right: kept, with normals, and seen.

@@ -10,12 +10,6 @@ here, of which four in five are wrong.
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.globally.checkers import (
-    CorrespondenceCheckerBasedOnNormal,
-    CorrespondenceCheckerBasedOnSourceRotation,
-)
-from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
-from pointloom.registration.globally.global_registration import registration_robust_based_on_feature_matching
 
 reg = loom.registration
 
@@ -60,23 +54,18 @@ assert 0.03 < right.mean() < 0.9
 # normals that disagree. FGR minimizes over all pairs with a robust kernel that tightens. The robust form looks for
 # pairs that keep their distances; it draws nothing.
 checkers = [
-    reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
-    reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel),
-    CorrespondenceCheckerBasedOnNormal(np.radians(40)),
+    reg.CorrespondenceChecker.by_edge_length(0.9),
+    reg.CorrespondenceChecker.by_distance(1.5 * voxel),
+    reg.CorrespondenceChecker.by_normal(np.radians(40)),
 ]
 criteria = reg.RANSACConvergenceCriteria(max_iteration=200_000, confidence=0.999)
 option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=1.5 * voxel)
 results = {
-    "RANSAC": reg.registration_ransac_based_on_feature_matching(
-        *thin, *features, True, 1.5 * voxel, checkers=checkers, criteria=criteria, seed=0
-    ),
-    "RANSAC, pairs given": reg.registration_ransac_based_on_correspondence(
+    "RANSAC": reg.registration_ransac_based_on_correspondence(
         *thin, pairs, 1.5 * voxel, checkers=checkers, criteria=criteria, seed=0
     ),
-    "FGR": reg.registration_fgr_based_on_feature_matching(*thin, *features, option),
-    "FGR, pairs given": registration_fgr_based_on_correspondence(*thin, pairs, option),
-    "robust": registration_robust_based_on_feature_matching(*thin, *features, 1.5 * voxel),
-    "robust, pairs given": reg.registration_robust_based_on_correspondence(*thin, pairs, 1.5 * voxel),
+    "FGR": reg.registration_fgr_based_on_correspondence(*thin, pairs, option),
+    "robust": reg.registration_robust_based_on_correspondence(*thin, pairs, 1.5 * voxel),
 }
 for name, result in results.items():
     angle, distance = off(result.transformation)
@@ -105,7 +94,7 @@ assert off(refined.transformation)[0] < 0.5
 # Where scans stand upright, say so: this checker refuses poses that tilt, and RANSAC has to find only the turn about
 # one axis. In the frames of these cameras that is not z, so it has nothing to accept here; it is shown for what it
 # says.
-upright = CorrespondenceCheckerBasedOnSourceRotation([np.radians(10), np.radians(10), np.pi])
+upright = reg.CorrespondenceChecker.by_rotation([np.radians(10), np.radians(10), np.pi])
 assert upright.Check(*thin, pairs[:3], np.eye(4)) and not upright.Check(*thin, pairs[:3], np.diag([1.0, -1, -1, 1]))
 
 # %%

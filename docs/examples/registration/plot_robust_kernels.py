@@ -10,7 +10,6 @@ clutter.
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.robust_kernels import GeneralizedLoss
 
 reg = loom.registration
 
@@ -49,13 +48,13 @@ def off(T):
 # Open3D.
 k = 0.02
 kernels = {
-    "L2 (least squares)": reg.L2Loss(),
-    "L1": reg.L1Loss(),
-    "Huber": reg.HuberLoss(k),
-    "Cauchy": reg.CauchyLoss(k),
-    "Geman-McClure": reg.GMLoss(k**2),
-    "Tukey": reg.TukeyLoss(3 * k),
-    "generalized, -2": GeneralizedLoss(k, shape=-2.0),
+    "L2 (least squares)": reg.RobustKernel.l2(),
+    "L1": reg.RobustKernel.l1(),
+    "Huber": reg.RobustKernel.huber(k),
+    "Cauchy": reg.RobustKernel.cauchy(k),
+    "Geman-McClure": reg.RobustKernel.geman_mcclure(k**2),
+    "Tukey": reg.RobustKernel.tukey(3 * k),
+    "generalized, -2": reg.RobustKernel.general(k, shape=-2.0),
 }
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 error, poses = {}, {}

@@ -36,16 +36,47 @@ RENAMED = {
     "loom.change.paint": "loom.paint_change",
     "loom.color_map.texture_from_pictures": "loom.meshing.texture_from_images",
     "loom.mvs.fuse": "loom.photogrammetry.fuse_depth_maps",
-    "loom.odometry.Method": "loom.rgbd.OdometryMethod",
+    "loom.odometry.Method": "loom.rgbd.align_frames",
     "loom.reconstruction.run_system": "loom.rgbd.run_reconstruction_system",
+    "loom.registration.CauchyLoss": "loom.registration.RobustKernel.cauchy",
     "loom.registration.check_alignment": "loom.registration.assess_registration",
+    "loom.registration.CorrespondenceCheckerBasedOnDistance": "loom.registration.CorrespondenceChecker.by_distance",
+    "loom.registration.CorrespondenceCheckerBasedOnEdgeLength": (
+        "loom.registration.CorrespondenceChecker.by_edge_length"
+    ),
+    "loom.registration.CorrespondenceCheckerBasedOnNormal": "loom.registration.CorrespondenceChecker.by_normal",
+    "loom.registration.CorrespondenceCheckerBasedOnSourceRotation": (
+        "loom.registration.CorrespondenceChecker.by_rotation"
+    ),
+    "loom.registration.GeneralizedLoss": "loom.registration.RobustKernel.general",
+    "loom.registration.GMLoss": "loom.registration.RobustKernel.geman_mcclure",
+    "loom.registration.HuberLoss": "loom.registration.RobustKernel.huber",
+    "loom.registration.L1Loss": "loom.registration.RobustKernel.l1",
+    "loom.registration.L2Loss": "loom.registration.RobustKernel.l2",
     "loom.registration.localizability": "loom.registration.assess_registration",
     "loom.registration.pose_covariance": "loom.registration.assess_registration",
     "loom.registration.rate_registration": "loom.registration.assess_registration",
     "loom.registration.register_fragments": "loom.registration.register_multiway",
     "loom.registration.registration_colored_icp": "loom.registration.registration_icp",
+    "loom.registration.registration_fgr_based_on_feature_matching": (
+        "loom.registration.correspondences_from_features, loom.registration.registration_fgr_based_on_correspondence"
+    ),
     "loom.registration.registration_generalized_icp": "loom.registration.registration_icp",
+    "loom.registration.registration_ransac_based_on_feature_matching": (
+        "loom.registration.correspondences_from_features, loom.registration.registration_ransac_based_on_correspondence"
+    ),
+    "loom.registration.registration_robust_based_on_feature_matching": (
+        "loom.registration.correspondences_from_features, loom.registration.registration_robust_based_on_correspondence"
+    ),
     "loom.registration.registration_symmetric_icp": "loom.registration.registration_icp",
+    "loom.registration.TukeyLoss": "loom.registration.RobustKernel.tukey",
+    "loom.rgbd.OdometryConvergenceCriteria": "loom.rgbd.compute_rgbd_odometry",
+    "loom.rgbd.OdometryLossParams": "loom.rgbd.compute_rgbd_odometry",
+    "loom.rgbd.OdometryMethod": "loom.rgbd.align_frames",
+    "loom.rgbd.OdometryOption": "loom.rgbd.compute_rgbd_odometry",
+    "loom.rgbd.rgbd_odometry_multi_scale": "loom.rgbd.compute_rgbd_odometry",
+    "loom.rgbd.RGBDOdometryJacobianFromColorTerm": "loom.rgbd.compute_rgbd_odometry",
+    "loom.rgbd.RGBDOdometryJacobianFromHybridTerm": "loom.rgbd.compute_rgbd_odometry",
     "loom.save_picture": "loom.write_image",
     "loom.sfm.map_pictures": "loom.photogrammetry.map_images",
     "loom.sfm.match": "loom.photogrammetry.match_features",

@@ -38,12 +38,7 @@ for _name in ("pointloom", "pointloom.viewer"):  # filters do not apply to the l
 
 
 class VerbosityLevel(enum.Enum):
-    """Verbosity levels, as in Open3D. Each includes the previous ones.
-
-    Example:
-        >>> import pointloom as loom
-        >>> loom.set_verbosity_level(loom.VerbosityLevel.Info)
-    """
+    """Verbosity levels, as in Open3D. Each includes the previous ones."""
 
     Error = 0
     Warning = 1
@@ -98,14 +93,6 @@ def set_verbosity_level(verbosity_level: VerbosityLevel) -> None:
 
     Raises:
         TypeError: Not a VerbosityLevel.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.core.verbosity import get_verbosity_level
-        >>> loom.set_verbosity_level(loom.VerbosityLevel.Error)
-        >>> get_verbosity_level()
-        <VerbosityLevel.Error: 0>
-        >>> loom.set_verbosity_level(loom.VerbosityLevel.Info)
     """
     if not isinstance(verbosity_level, VerbosityLevel):
         names = ", ".join(f"VerbosityLevel.{level.name}" for level in VerbosityLevel)
@@ -115,15 +102,7 @@ def set_verbosity_level(verbosity_level: VerbosityLevel) -> None:
 
 
 def get_verbosity_level() -> VerbosityLevel:
-    """The current verbosity level.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.core.verbosity import get_verbosity_level
-        >>> with loom.VerbosityContextManager(loom.VerbosityLevel.Warning):
-        ...     get_verbosity_level()
-        <VerbosityLevel.Warning: 1>
-    """
+    """The current verbosity level."""
     level = LOGGER.getEffectiveLevel()
     names = [name for name, value in LEVELS.items() if value >= level]
     return names[-1] if names else VerbosityLevel.Error
@@ -137,13 +116,6 @@ class VerbosityContextManager:
 
     Raises:
         TypeError: Not a VerbosityLevel.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.core.verbosity import get_verbosity_level
-        >>> with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
-        ...     print(get_verbosity_level().name)
-        Debug
     """
 
     def __init__(self, level: VerbosityLevel):

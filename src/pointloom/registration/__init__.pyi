@@ -3,28 +3,16 @@
 from ..io.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
-from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
-from .globally.checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength
-from .globally.checkers import CorrespondenceCheckerBasedOnNormal as CorrespondenceCheckerBasedOnNormal
-from .globally.checkers import CorrespondenceCheckerBasedOnSourceRotation as CorrespondenceCheckerBasedOnSourceRotation
+from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker
 from .globally.fast_global import FastGlobalRegistrationOption as FastGlobalRegistrationOption
 from .globally.fast_global import registration_fgr_based_on_correspondence as registration_fgr_based_on_correspondence
-from .globally.fast_global import (
-    registration_fgr_based_on_feature_matching as registration_fgr_based_on_feature_matching,
-)
 from .globally.global_registration import register_globally as register_globally
 from .globally.global_registration import (
     registration_robust_based_on_correspondence as registration_robust_based_on_correspondence,
 )
-from .globally.global_registration import (
-    registration_robust_based_on_feature_matching as registration_robust_based_on_feature_matching,
-)
 from .globally.pair import register_pair as register_pair
 from .globally.ransac import RANSACConvergenceCriteria as RANSACConvergenceCriteria
 from .globally.ransac import registration_ransac_based_on_correspondence as registration_ransac_based_on_correspondence
-from .globally.ransac import (
-    registration_ransac_based_on_feature_matching as registration_ransac_based_on_feature_matching,
-)
 from .globally.rating import assess_registration as assess_registration
 from .icp.constraint import Constraint as Constraint
 from .icp.constraint import Prior as Prior
@@ -65,13 +53,7 @@ from .pose_graphs.pose_graph_optimization import (
 )
 from .pose_graphs.pose_graph_optimization import GlobalOptimizationOption as GlobalOptimizationOption
 from .pose_graphs.pose_graph_optimization import global_optimization as global_optimization
-from .robust_kernels import CauchyLoss as CauchyLoss
-from .robust_kernels import GeneralizedLoss as GeneralizedLoss
-from .robust_kernels import GMLoss as GMLoss
-from .robust_kernels import HuberLoss as HuberLoss
-from .robust_kernels import L1Loss as L1Loss
-from .robust_kernels import L2Loss as L2Loss
-from .robust_kernels import TukeyLoss as TukeyLoss
+from .robust_kernels import RobustKernel as RobustKernel
 from .stations.observations import ControlPoint as ControlPoint
 from .stations.observations import TargetObservation as TargetObservation
 from .stations.stations import register_stations as register_stations

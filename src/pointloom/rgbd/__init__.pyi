@@ -4,15 +4,8 @@ from ..registration.deformable.slac import run_rigid_optimizer_for_fragments as 
 from .fusion.fuse import fuse as fuse
 from .odometry.alignment import align_frames as align_frames
 from .odometry.frames import OdometryFrame as OdometryFrame
-from .odometry.options import OdometryConvergenceCriteria as OdometryConvergenceCriteria
-from .odometry.options import OdometryLossParams as OdometryLossParams
-from .odometry.options import OdometryMethod as OdometryMethod
-from .odometry.options import OdometryOption as OdometryOption
-from .odometry.options import RGBDOdometryJacobianFromColorTerm as RGBDOdometryJacobianFromColorTerm
-from .odometry.options import RGBDOdometryJacobianFromHybridTerm as RGBDOdometryJacobianFromHybridTerm
 from .odometry.rgbd_odometry import compute_odometry_information_matrix as compute_odometry_information_matrix
 from .odometry.rgbd_odometry import compute_rgbd_odometry as compute_rgbd_odometry
-from .odometry.rgbd_odometry import rgbd_odometry_multi_scale as rgbd_odometry_multi_scale
 from .reconstruction.config import ReconstructionConfig as ReconstructionConfig
 from .reconstruction.fragment_model import FragmentOptions as FragmentOptions
 from .reconstruction.fragments import make_fragments as make_fragments

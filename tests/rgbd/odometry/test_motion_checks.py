@@ -59,15 +59,13 @@ def test_views_of_other_locations_are_no_success(device, angle):
     assert not od.align_frames(frame(HERE, device, noise=1.0), other).reliable
 
 
-@pytest.mark.parametrize("method", list(od.OdometryMethod))
+@pytest.mark.parametrize("method", ["point-to-plane", "intensity", "hybrid"])
 @pytest.mark.parametrize("tilt", [0.0, 0.6])
 def test_a_wall_without_texture_is_no_success(device, rng, method, tilt):
     frames = [od.OdometryFrame(d, CAMERA, c, device=device) for d, c in (plane(rng, tilt), plane(rng, tilt))]
     result = od.align_frames(*frames, method=method)
     assert not result.reliable
-    assert (
-        method is od.OdometryMethod.Intensity or "determine" in result.warnings[0]
-    )  # it drifts off the surface without one
+    assert method == "intensity" or "determine" in result.warnings[0]  # it drifts off the surface without one
 
 
 def test_a_wall_with_texture_is(device, rng):

@@ -5,8 +5,18 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.rgbd.odometry.options import OdometryConvergenceCriteria
-from pointloom.rgbd.odometry.rgbd_odometry import compute_odometry_information_matrix, rgbd_odometry_multi_scale
+from pointloom.rgbd.odometry.options import (
+    OdometryConvergenceCriteria,
+    OdometryMethod,
+    OdometryOption,
+    RGBDOdometryJacobianFromColorTerm,
+    RGBDOdometryJacobianFromHybridTerm,
+)
+from pointloom.rgbd.odometry.rgbd_odometry import (
+    compute_odometry_information_matrix,
+    open3d_multi_scale_odometry,
+    open3d_odometry,
+)
 
 from .made_frames import CAMERA, errors_of, image, pose_of
 
@@ -56,7 +66,7 @@ POSES = pose_of([0, 0, 0], [0, 0, 0]), pose_of([0.01, -0.02, 0.005], [0.02, -0.0
 STEPS = [(0, 0, 1), (0, 1, 0), (1, 0, 0), (6, 4, 2)]
 LEGACY = [(with_depth, steps) for with_depth in (True, False) for steps in STEPS]
 TENSOR = [
-    (method, steps) for method in od.OdometryMethod for steps in STEPS[:3]
+    (method, steps) for method in OdometryMethod for steps in STEPS[:3]
 ]  # with more, runs of Open3D differ in float32
 
 
@@ -109,17 +119,15 @@ def test_the_odometries_of_made_images(device, oracle, tolerances):
     pairs, camera = made_images()
     images = [loom.RGBDImage.create_from_color_and_depth(*pair, 1000.0, 4.0, device=device) for pair in pairs]
     for (success, pose, information), (with_depth, steps) in zip(of_legacy, LEGACY, strict=True):
-        term = od.RGBDOdometryJacobianFromHybridTerm() if with_depth else od.RGBDOdometryJacobianFromColorTerm()
-        option = od.OdometryOption(steps)
-        result = od.compute_rgbd_odometry(*images, camera, None, term, option, weights="open3d")
+        term = RGBDOdometryJacobianFromHybridTerm() if with_depth else RGBDOdometryJacobianFromColorTerm()
+        result = open3d_odometry(*images, camera, np.eye(4), term, OdometryOption(steps))
         assert result.reliable == success
         assert np.abs(result.transformation - pose).max() < tolerances.odometry_open3d_legacy
         assert abs(result.information[5, 5] - information[5, 5]) <= 1e-4 * information[5, 5]
         assert not np.allclose(pose, np.eye(4), atol=1e-5)
     for (pose, fitness), (method, steps) in zip(of_tensor, TENSOR, strict=True):
         criteria = [OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
-        numbers = camera.matrix, None, 1000.0, 3.0, criteria, method
-        result = rgbd_odometry_multi_scale(*images, *numbers, weights="open3d")
+        result = open3d_multi_scale_odometry(*images, camera.matrix, np.eye(4), 3.0, criteria, method, None)
         assert np.abs(result.transformation - pose).max() < tolerances.odometry_open3d_tensor
         assert abs(result.fitness - fitness) < 2e-4
 
@@ -140,5 +148,5 @@ def test_the_information_of_two_depths(oracle):
 
 def test_a_blank_pair_fails_where_open3d_reports_success(device):
     image = loom.RGBDImage(np.zeros((120, 160, 3), np.uint8), np.zeros((120, 160), np.uint16), device=device)
-    result = od.compute_rgbd_odometry(image, image, CAMERA, weights="open3d")
+    result = open3d_odometry(image, image, CAMERA, np.eye(4), RGBDOdometryJacobianFromHybridTerm(), OdometryOption())
     assert not result.reliable and "no pixels correspond" in result.warnings[0]

@@ -23,8 +23,8 @@ CELLS = {
     "progress": "reported = []\nsphere = loom.TriangleMesh.create_sphere(resolution=40)\n"
     "loom.meshing.simplify_mesh(sphere, triangles=500, progress=lambda *step: reported.append(step))\n"
     "print(len(reported) > 0, reported[-1][0])",
-    "records": "with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):\n"
-    "    small = loom.meshing.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500)",
+    "records": "import logging\nlogging.getLogger('pointloom').setLevel(logging.DEBUG)\n"
+    "small = loom.meshing.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500)",
     "warning": "cloud.translate([1, 0, 0])\ncloud.estimate_normals(radius=0.01)\nNone",
 }
 STATE = (

@@ -17,7 +17,46 @@ from ..correspondence_input import check_clouds, check_pairs
 
 
 class CorrespondenceChecker:
-    """Base of all checkers."""
+    """A test that rejects wrong samples of RANSAC before scoring. The static methods create the checkers.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> checker = loom.registration.CorrespondenceChecker.by_distance(0.5)
+        >>> a, b = loom.PointCloud([[0, 0, 0]]), loom.PointCloud([[0, 0, 0.4], [0, 0, 0.6]])
+        >>> checker.Check(a, b, [[0, 0]], np.eye(4)), checker.Check(a, b, [[0, 1]], np.eye(4))
+        (True, False)
+    """
+
+    @staticmethod
+    def by_edge_length(similarity_threshold: float = 0.9) -> CorrespondenceChecker:
+        """Distances between the sampled points must be similar in both clouds. Not for poses with scale.
+
+        Args:
+            similarity_threshold: Minimum ratio of the shorter to the longer, 0 (loose) to 1 (strict).
+        """
+        return CorrespondenceCheckerBasedOnEdgeLength(similarity_threshold)
+
+    @staticmethod
+    def by_distance(distance_threshold: float) -> CorrespondenceChecker:
+        """The sampled points must be within a distance [m] under the pose."""
+        return CorrespondenceCheckerBasedOnDistance(distance_threshold)
+
+    @staticmethod
+    def by_normal(normal_angle_threshold: float) -> CorrespondenceChecker:
+        """The normals at the sampled points must be within an angle [rad] under the pose. Clouds without normals pass.
+
+        Opposite normals do not agree: orient them first. The scale of a pose is ignored, unlike in Open3D.
+        """
+        return CorrespondenceCheckerBasedOnNormal(normal_angle_threshold)
+
+    @staticmethod
+    def by_rotation(rotation_threshold: ArrayLike) -> CorrespondenceChecker:
+        """The pose must not rotate the source too far about its axes.
+
+        Args:
+            rotation_threshold: Maximum absolute angles x, y, z [rad] of the rotation Rz Ry Rx, shape [3].
+        """
+        return CorrespondenceCheckerBasedOnSourceRotation(rotation_threshold)
 
     def Check(self, source: PointCloud, target: PointCloud, corres: ArrayLike, transformation: ArrayLike) -> bool:
         """True if correspondences and a pose pass.
@@ -52,13 +91,6 @@ class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
 
     Raises:
         ValueError: A threshold outside 0..1.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> checker = loom.registration.CorrespondenceCheckerBasedOnEdgeLength(0.9)
-        >>> a, b = loom.PointCloud([[0, 0, 0], [0, 0, 1]]), loom.PointCloud([[0, 0, 0], [0, 2, 0]])
-        >>> checker.Check(a, a, [[0, 0], [1, 1]], np.eye(4)), checker.Check(a, b, [[0, 0], [1, 1]], np.eye(4))
-        (True, False)
     """
 
     def __init__(self, similarity_threshold: float = 0.9):
@@ -87,13 +119,6 @@ class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
 
     Raises:
         ValueError: The threshold is not positive.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> checker = loom.registration.CorrespondenceCheckerBasedOnDistance(0.5)
-        >>> a, b = loom.PointCloud([[0, 0, 0]]), loom.PointCloud([[0, 0, 0.4], [0, 0, 0.6]])
-        >>> checker.Check(a, b, [[0, 0]], np.eye(4)), checker.Check(a, b, [[0, 1]], np.eye(4))
-        (True, False)
     """
 
     def __init__(self, distance_threshold: float):
@@ -120,14 +145,6 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
 
     Raises:
         ValueError: The threshold is negative.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> from pointloom.registration.globally.checkers import CorrespondenceCheckerBasedOnNormal
-        >>> checker = CorrespondenceCheckerBasedOnNormal(np.radians(30))
-        >>> up, side = (loom.PointCloud([[0, 0, 0]], normals=[n]) for n in ([0, 0, 1], [0, 1, 0]))
-        >>> checker.Check(up, up, [[0, 0]], np.eye(4)), checker.Check(up, side, [[0, 0]], np.eye(4))
-        (True, False)
     """
 
     def __init__(self, normal_angle_threshold: float):
@@ -157,14 +174,6 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
 
     Raises:
         ValueError: A wrong shape, or a negative threshold.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> from pointloom.registration.globally.checkers import CorrespondenceCheckerBasedOnSourceRotation
-        >>> about_z = CorrespondenceCheckerBasedOnSourceRotation([0.1, 0.1, 3.2])
-        >>> cloud, T = loom.PointCloud([[0, 0, 0]]), np.diag([-1.0, -1, 1, 1])
-        >>> about_z.Check(cloud, cloud, [[0, 0]], T), about_z.Check(cloud, cloud, [[0, 0]], T[[2, 0, 1, 3]])
-        (True, False)
     """
 
     def __init__(self, rotation_threshold: ArrayLike):

@@ -20,7 +20,7 @@ from ...kernels.poses.pair_fits import PairCoordinates
 from ...kernels.poses.pose_fitness import half_diagonal, middle_of
 from ...kernels.poses.similar_tuples import similar_tuples
 from ...pcd.cloud import PointCloud
-from ..correspondence_input import check_clouds, match_clouds, pairs_on_device, world_middles
+from ..correspondence_input import check_clouds, pairs_on_device, world_middles
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import to_world
@@ -100,48 +100,6 @@ class FastGlobalRegistrationOption:
 
 
 @explain_argument_errors
-def registration_fgr_based_on_feature_matching(
-    source: PointCloud,
-    target: PointCloud,
-    source_feature: Any,
-    target_feature: Any,
-    option: FastGlobalRegistrationOption | None = None,
-    *,
-    seed: int = 0,
-) -> RegistrationResult:
-    """Register two clouds without a starting pose, from mutual nearest neighbors of features.
-
-    Args:
-        source, target, source_feature, target_feature: As of `registration_ransac_based_on_feature_matching`.
-        option: None: FastGlobalRegistrationOption().
-        seed: Seed of the triples.
-
-    Returns:
-        As `registration_fgr_based_on_correspondence`.
-
-    Raises:
-        ValueError: Features without one row per point.
-        TypeError, DeviceError: An argument has another type, or the clouds are on different devices.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> x, y = np.random.default_rng(0).uniform(-1, 1, (2, 2000))
-        >>> surface = np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
-        >>> target = loom.PointCloud(surface).estimate_normals(radius=0.1, max_nn=30)
-        >>> target = target.orient_normals_to_align_with_direction()
-        >>> T = np.array([[0, -1.0, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-        >>> source = target.transform(np.linalg.inv(T))
-        >>> features = [loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=100) for cloud in (source, target)]
-        >>> result = loom.registration.registration_fgr_based_on_feature_matching(source, target, *features)
-        >>> bool(np.allclose(result.transformation, T, atol=1e-3)), round(result.fitness, 3)
-        (True, 1.0)
-    """
-    check_clouds(source, target)
-    option, number = _check_option(option), check_seed(seed)
-    pairs = match_clouds(source, target, source_feature, target_feature, True, 0.0)
-    return _register(source, target, pairs, option, number)
-
-
 def registration_fgr_based_on_correspondence(
     source: PointCloud,
     target: PointCloud,

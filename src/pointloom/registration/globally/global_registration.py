@@ -25,7 +25,7 @@ from ...kernels.poses.consensus_poses import find_consensus
 from ...kernels.poses.pair_fits import PairCoordinates
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ..correspondence_input import check_clouds, check_pairs, match_clouds, pairs_on_device
+from ..correspondence_input import check_clouds, check_pairs, pairs_on_device
 from ..evidence import Evidence, Witness, compare_under, complete, rate_surfaces
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
@@ -33,7 +33,7 @@ from ..rigid import make_pose, to_world
 from ..surfaces import surface_of
 from .level_poses import MAX_TILT, check_level, level_poses
 from .ransac import no_pose
-from .rating import moved_samples, refine_poses, score_registration
+from .rating import moved_samples, refine_poses
 
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
 NOISE_VOXELS = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
@@ -330,59 +330,6 @@ def registration_robust_based_on_correspondence(
     bound, chooser = check_positive("noise_bound", noise_bound), check_seed(seed)
     pairs = _distinct(corres, source, target)
     return _register(source, target, pairs, bound, chooser)
-
-
-def registration_robust_based_on_feature_matching(
-    source: PointCloud,
-    target: PointCloud,
-    source_feature: Any,
-    target_feature: Any,
-    noise_bound: float,
-    mutual_filter: bool = True,
-    *,
-    seed: int = 0,
-) -> RegistrationResult:
-    """Register two clouds without a starting pose, by matching features.
-
-    Args:
-        source, target, source_feature, target_feature: As of `registration_ransac_based_on_feature_matching`.
-        noise_bound: Maximum distance of a correct correspondence [m]; typically 1.5 voxels.
-        mutual_filter: Keep only mutual nearest neighbors.
-        seed: As of `registration_robust_based_on_correspondence`.
-
-    Returns:
-        As `registration_robust_based_on_correspondence`, with the `score` of `assess_registration`.
-
-    Raises:
-        ValueError: Features without one row per point, or a bound that is not positive.
-        TypeError: An argument has another type.
-        DeviceError: The clouds are on different devices.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> x, y = np.random.default_rng(0).uniform(-1, 1, (2, 2000))
-        >>> surface = np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
-        >>> target = loom.PointCloud(surface).estimate_normals(radius=0.1, max_nn=30)
-        >>> target = target.orient_normals_to_align_with_direction()
-        >>> T = np.array([[0, -1.0, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-        >>> source = target.transform(np.linalg.inv(T))
-        >>> features = [loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=100) for cloud in (source, target)]
-        >>> result = loom.registration.registration_robust_based_on_feature_matching(source, target, *features, 0.08)
-        >>> bool(np.allclose(result.transformation, T, atol=1e-3)), result.score > 0.9
-        (True, True)
-    """
-    check_clouds(source, target)
-    bound, chooser = check_positive("noise_bound", noise_bound), check_seed(seed)
-    pairs = match_clouds(source, target, source_feature, target_feature, bool(mutual_filter), 0.0)
-    result = _register(source, target, pairs, bound, chooser)
-    if result.score:
-        try:
-            result.score = score_registration(source, target, bound, result.transformation)
-        except ValueError as error:
-            raise ValueError(f"noise_bound: {error}") from error
-        _conclude(result)
-    report("registration", source=source, target=target, result=result)
-    return result
 
 
 def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:

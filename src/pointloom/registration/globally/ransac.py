@@ -18,7 +18,7 @@ from ...kernels.memory import empty
 from ...kernels.poses.pose_fitness import PoseFitness
 from ...kernels.poses.pose_search import PoseSearch
 from ...pcd.cloud import PointCloud
-from ..correspondence_input import check_clouds, match_clouds, pairs_on_device, world_middles
+from ..correspondence_input import check_clouds, pairs_on_device, world_middles
 from ..icp.estimation import TransformationEstimationPointToPoint
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
@@ -27,7 +27,6 @@ from .checkers import CorrespondenceChecker, checks_of
 from .rating import score_registration
 
 MIN_SAMPLE = 3  # minimum correspondences for a pose
-MUTUAL_FRACTION = 0.1  # minimum fraction of mutual pairs; below it all pairs are used, as in Open3D
 
 
 class RANSACConvergenceCriteria:
@@ -59,68 +58,6 @@ class RANSACConvergenceCriteria:
 
 
 @explain_argument_errors
-def registration_ransac_based_on_feature_matching(
-    source: PointCloud,
-    target: PointCloud,
-    source_feature: Any,
-    target_feature: Any,
-    mutual_filter: bool,
-    max_correspondence_distance: float,
-    estimation_method: TransformationEstimationPointToPoint | None = None,
-    ransac_n: int = MIN_SAMPLE,
-    checkers: Sequence[CorrespondenceChecker] = (),
-    criteria: RANSACConvergenceCriteria | None = None,
-    *,
-    seed: int = 0,
-) -> RegistrationResult:
-    """Register two clouds without a starting pose, by RANSAC over feature matches.
-
-    Args:
-        source: The cloud to move.
-        target: The fixed cloud, on the same device.
-        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`. NumPy or device array.
-        target_feature: Likewise [m, d].
-        mutual_filter: Keep only mutual nearest neighbors, or all pairs if fewer than a tenth are mutual.
-        max_correspondence_distance: Exclusive match distance [m]; typically 1.5 voxels.
-        estimation_method: TransformationEstimationPointToPoint (None), with or without scaling. Its kernel is ignored.
-        ransac_n: Correspondences per sample, at least 3.
-        checkers: Tests that a sample and its pose must pass before scoring.
-        criteria: Stopping criteria; None: RANSACConvergenceCriteria(100000, 0.999).
-        seed: Seed of the samples.
-
-    Returns:
-        The pose with most matched source points, then with smaller distances. `iterations` is the number of hypotheses,
-        `converged` whether the confidence was reached, `score` that of `assess_registration`. Without any pose: the
-        identity, fitness and score 0, not converged, and a warning.
-
-    Raises:
-        ValueError: An argument out of range, or features without one row per point.
-        TypeError: An argument has another type.
-        DeviceError: The clouds are on different devices.
-
-    Notes:
-        See `registration_ransac_based_on_correspondence`.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> x, y = np.random.default_rng(0).uniform(-1, 1, (2, 2000))
-        >>> surface = np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
-        >>> target = loom.PointCloud(surface).estimate_normals(radius=0.1, max_nn=30)
-        >>> target = target.orient_normals_to_align_with_direction()
-        >>> T = np.array([[0, -1.0, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-        >>> source = target.transform(np.linalg.inv(T))
-        >>> features = [loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=100) for cloud in (source, target)]
-        >>> result = loom.registration.registration_ransac_based_on_feature_matching(
-        ...     source, target, *features, mutual_filter=True, max_correspondence_distance=0.05)
-        >>> bool(np.allclose(result.transformation, T, atol=1e-3)), round(result.fitness, 3), result.converged
-        (True, 1.0, True)
-    """
-    check_clouds(source, target)
-    settings = _check_settings(max_correspondence_distance, estimation_method, ransac_n, checkers, criteria, seed)
-    pairs = match_clouds(source, target, source_feature, target_feature, bool(mutual_filter), MUTUAL_FRACTION)
-    return _register(source, target, pairs, *settings)
-
-
 def registration_ransac_based_on_correspondence(
     source: PointCloud,
     target: PointCloud,
@@ -133,17 +70,24 @@ def registration_ransac_based_on_correspondence(
     *,
     seed: int = 0,
 ) -> RegistrationResult:
-    """Register two clouds without a starting pose, by RANSAC over given correspondences.
+    """Register two clouds without a starting pose, by RANSAC over correspondences.
 
     Args:
         source: The cloud to move.
         target: The fixed cloud, on the same device.
-        corres: Indices (source, target), shape [m, 2]. Non-finite points are ignored.
-        max_correspondence_distance: Exclusive match distance [m].
-        estimation_method, ransac_n, checkers, criteria, seed: As in `registration_ransac_based_on_feature_matching`.
+        corres: Indices (source, target), shape [m, 2], as from `correspondences_from_features`. Non-finite points are
+            ignored.
+        max_correspondence_distance: Exclusive match distance [m]; typically 1.5 voxels.
+        estimation_method: TransformationEstimationPointToPoint (None), with or without scaling. Its kernel is ignored.
+        ransac_n: Correspondences per sample, at least 3.
+        checkers: Tests that a sample and its pose must pass before scoring.
+        criteria: Stopping criteria; None: RANSACConvergenceCriteria(100000, 0.999).
+        seed: Seed of the samples.
 
     Returns:
-        As `registration_ransac_based_on_feature_matching`.
+        The pose with most matched source points, then with smaller distances. `iterations` is the number of hypotheses,
+        `converged` whether the confidence was reached, `score` that of `assess_registration`. Without any pose: the
+        identity, fitness and score 0, not converged, and a warning.
 
     Raises:
         ValueError: An argument out of range.
@@ -161,14 +105,16 @@ def registration_ransac_based_on_correspondence(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> rng = np.random.default_rng(0)
-        >>> target = loom.PointCloud(rng.random((500, 3)))
+        >>> x, y = np.random.default_rng(0).uniform(-1, 1, (2, 2000))
+        >>> surface = np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
+        >>> target = loom.PointCloud(surface).estimate_normals(radius=0.1, max_nn=30)
+        >>> target = target.orient_normals_to_align_with_direction()
         >>> T = np.array([[0, -1.0, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
         >>> source = target.transform(np.linalg.inv(T))
-        >>> pairs = np.column_stack([np.arange(500), np.arange(500)])
-        >>> pairs[100:, 1] = rng.integers(0, 500, 400)  # four in five are wrong
-        >>> result = loom.registration.registration_ransac_based_on_correspondence(source, target, pairs, 0.02)
-        >>> bool(np.allclose(result.transformation, T, atol=1e-5)), round(result.fitness, 3), result.converged
+        >>> features = [loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=100) for cloud in (source, target)]
+        >>> pairs = loom.registration.correspondences_from_features(*features, mutual_filter=True)
+        >>> result = loom.registration.registration_ransac_based_on_correspondence(source, target, pairs, 0.05)
+        >>> bool(np.allclose(result.transformation, T, atol=1e-3)), round(result.fitness, 3), result.converged
         (True, 1.0, True)
     """
     check_clouds(source, target)

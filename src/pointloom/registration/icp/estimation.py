@@ -52,7 +52,9 @@ class TransformationEstimation:
         for field in dataclasses.fields(self):
             value = getattr(self, field.name)
             if field.name.endswith("kernel") and not isinstance(value, RobustKernel):
-                raise TypeError(f"{field.name}: expected a robust kernel such as TukeyLoss(0.1), got {value!r}")
+                raise TypeError(
+                    f"{field.name}: expected a robust kernel such as RobustKernel.tukey(0.1), got {value!r}"
+                )
 
     @property
     def scales(self) -> bool:

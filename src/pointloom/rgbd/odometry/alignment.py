@@ -14,7 +14,7 @@ from ...kernels.rgbd.alignment import Alignment, align_levels
 from ...kernels.rgbd.alignment_rows import AlignmentRules
 from .frames import OdometryFrame
 from .motion_checks import judge
-from .options import OdometryMethod
+from .options import OdometryMethod, check_method
 from .results import OdometryResult
 
 OUTLIER_LIMIT = 25.0  # in standard deviations of the depth noise
@@ -24,11 +24,7 @@ BRIGHTNESS_FRACTION = 0.02  # relative weight of the brightness term: its errors
 
 
 def align_frames(
-    source: OdometryFrame,
-    target: OdometryFrame,
-    init: ArrayLike | None = None,
-    *,
-    method: OdometryMethod = OdometryMethod.Hybrid,
+    source: OdometryFrame, target: OdometryFrame, init: ArrayLike | None = None, *, method: str = "hybrid"
 ) -> OdometryResult:
     """Estimate the motion between two frames of a depth camera.
 
@@ -36,14 +32,15 @@ def align_frames(
         source: The frame to move.
         target: The fixed frame.
         init: Initial pose T_target_source, 4x4; None: the identity.
-        method: Residuals: surfaces, brightness, or both.
+        method: Residuals: "point-to-plane" of surfaces (Chen and Medioni 1991), "intensity" (Steinbruecker, Sturm and
+            Cremers 2011), or "hybrid", both (Park, Zhou and Koltun 2017).
 
     Returns:
         The result; `reliable` is False, with `warnings`, for frames that do not overlap, do not determine the motion,
         or are blank.
 
     Raises:
-        TypeError, ValueError: Not two OdometryFrames, or an initial pose that is not rigid.
+        TypeError, ValueError: Not two OdometryFrames, an initial pose that is not rigid, or an unknown method.
         DeviceError: Frames on different devices.
 
     Notes:
@@ -63,10 +60,8 @@ def align_frames(
         raise DeviceError(
             f"target: expected the device of the source, {source.device}, got {target.device}; use one device"
         )
-    if not isinstance(method, OdometryMethod):
-        raise TypeError(f"method: expected a loom.rgbd.OdometryMethod, got {type(method).__name__}")
     start = np.eye(4) if init is None else check_rigid("init", init)
-    return align_steps(source, target, start, method, MAX_STEPS)
+    return align_steps(source, target, start, check_method(method), MAX_STEPS)
 
 
 def align_steps(

@@ -1,4 +1,4 @@
-"""Options of the RGB-D odometry with Open3D's names."""
+"""Options of the RGB-D odometry, and those with Open3D's names of `pointloom.open3d`."""
 
 from __future__ import annotations
 
@@ -21,6 +21,38 @@ class OdometryMethod(enum.Enum):
     Hybrid = 2
 
 
+METHODS = {
+    "hybrid": OdometryMethod.Hybrid,
+    "intensity": OdometryMethod.Intensity,
+    "point-to-plane": OdometryMethod.PointToPlane,
+}
+
+
+def check_method(method: str) -> OdometryMethod:
+    """The method of a name."""
+    if not isinstance(method, str) or method not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
+    return METHODS[method]
+
+
+def check_steps(name: str, steps: Sequence[int]) -> tuple[int, ...]:
+    """Maximum steps per pyramid level."""
+    listed = check_list(name, steps, "iteration counts")
+    if not 1 <= len(listed) <= MAX_LEVELS:
+        raise ValueError(f"{name}: expected 1 to {MAX_LEVELS} levels, got {len(listed)}")
+    limit = {"maximum": MAX_STEPS, "because": "alignments that have not converged by then do not converge"}
+    return tuple(check_count(name, step, minimum=0, **limit) for step in listed)
+
+
+def check_depth_range(depth_min: float, depth_max: float) -> tuple[float, float]:
+    """The depth range [m], of which the end may be infinite."""
+    nearest = check_positive("depth_min", depth_min, allow_zero=True)
+    farthest = check_positive("depth_max", depth_max, allow_infinite=True)
+    if nearest >= farthest:
+        raise ValueError(f"depth_min: expected less than depth_max, {depth_max}, got {depth_min}")
+    return nearest, farthest
+
+
 class RGBDOdometryJacobianFromColorTerm:
     """Brightness only (Steinbruecker, Sturm and Cremers 2011)."""
 
@@ -37,21 +69,15 @@ class RGBDOdometryJacobianFromHybridTerm:
 
 @dataclasses.dataclass(frozen=True)
 class OdometryOption:
-    """Options of `compute_rgbd_odometry` with Open3D's fields and defaults.
+    """Options of Open3D's `compute_rgbd_odometry`.
 
     Args:
-        iteration_number_per_pyramid_level: Maximum steps per level, the coarsest first. Further levels repeat the first
-            number. Exact numbers of steps and levels with `weights="open3d"`.
-        depth_diff_max: Maximum depth difference of a pixel pair [m] with `weights="open3d"`. Otherwise by the noise.
+        iteration_number_per_pyramid_level: Steps per level, the coarsest first.
+        depth_diff_max: Maximum depth difference of a pixel pair [m].
         depth_min, depth_max: Valid depth range [m].
 
     Raises:
         ValueError, TypeError: A number is out of range.
-
-    Example:
-        >>> import pointloom as loom
-        >>> loom.rgbd.OdometryOption(depth_max=3.0).iteration_number_per_pyramid_level
-        (20, 10, 5)
     """
 
     iteration_number_per_pyramid_level: Sequence[int] = (20, 10, 5)
@@ -61,27 +87,18 @@ class OdometryOption:
 
     def __post_init__(self) -> None:
         name = "iteration_number_per_pyramid_level"
-        steps = check_list(name, self.iteration_number_per_pyramid_level, "iteration counts")
-        if not 1 <= len(steps) <= MAX_LEVELS:
-            raise ValueError(f"{name}: expected 1 to {MAX_LEVELS} levels, got {len(steps)}")
-        reason = "alignments that have not converged by then do not converge"
-        limit = {"maximum": MAX_STEPS, "because": reason}
-        object.__setattr__(self, name, tuple(check_count(name, step, minimum=0, **limit) for step in steps))
+        object.__setattr__(self, name, check_steps(name, self.iteration_number_per_pyramid_level))
         check_positive("depth_diff_max", self.depth_diff_max)
-        check_positive("depth_min", self.depth_min, allow_zero=True)
-        check_positive("depth_max", self.depth_max, allow_infinite=True)
-        if self.depth_min >= self.depth_max:
-            raise ValueError(f"depth_min: expected less than depth_max, {self.depth_max}, got {self.depth_min}")
+        check_depth_range(self.depth_min, self.depth_max)
 
 
 @dataclasses.dataclass(frozen=True)
 class OdometryConvergenceCriteria:
-    """Stopping criteria of a level of `rgbd_odometry_multi_scale`.
+    """Stopping criteria of a level of Open3D's `rgbd_odometry_multi_scale`.
 
     Args:
         max_iteration: Maximum number of steps.
-        relative_rmse, relative_fitness: Relative changes below which a level ends with `weights="open3d"`. Otherwise it
-            ends when a step moves pixels by less than 0.03 px.
+        relative_rmse, relative_fitness: Relative changes below which a level ends.
 
     Raises:
         ValueError, TypeError: A number is out of range.
@@ -106,7 +123,7 @@ class OdometryConvergenceCriteria:
 
 @dataclasses.dataclass(frozen=True)
 class OdometryLossParams:
-    """Residual limits for `weights="open3d"`. Otherwise they follow the frame noise.
+    """Residual limits of Open3D's `rgbd_odometry_multi_scale`.
 
     Args:
         depth_outlier_trunc: Maximum depth residual [m].

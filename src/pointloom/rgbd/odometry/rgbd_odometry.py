@@ -1,7 +1,7 @@
-"""Open3D's RGB-D odometry functions, with additional reliability checks.
+"""RGB-D odometry of two images: with reliability checks, and as in Open3D.
 
-`weights="open3d"` reproduces Open3D 0.20: equal weights or half a Huber loss, no convergence test. Steps are solved on
-the host in float64. Where Open3D raises or returns NaN, the result is unreliable here.
+The functions `open3d_...` reproduce Open3D 0.20: equal weights or half a Huber loss, no convergence test. Steps are
+solved on the host in float64. Where Open3D raises or returns NaN, their result is unreliable.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX
+from ...cameras.depth_range import DEPTH_MAX, OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage, upload_depth
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_finite, check_list, check_positive, check_rigid, check_shape
@@ -38,10 +38,12 @@ from .options import (
     OdometryOption,
     RGBDOdometryJacobianFromColorTerm,
     RGBDOdometryJacobianFromHybridTerm,
+    check_depth_range,
+    check_method,
+    check_steps,
 )
 from .results import OdometryResult, spread_information
 
-WEIGHTS = ("robust", "open3d")
 MAX_SIDE_PER_FOCAL = 20.0  # image sides per focal length: 168 degrees
 Jacobian = RGBDOdometryJacobianFromColorTerm | RGBDOdometryJacobianFromHybridTerm
 
@@ -52,10 +54,11 @@ def compute_rgbd_odometry(
     target: RGBDImage,
     pinhole_camera_intrinsic: PinholeCameraIntrinsic | ArrayLike,
     odo_init: ArrayLike | None = None,
-    jacobian: Jacobian | None = None,
-    option: OdometryOption | None = None,
     *,
-    weights: str = "robust",
+    method: str = "hybrid",
+    max_iterations: Sequence[int] = OdometryOption.iteration_number_per_pyramid_level,
+    depth_min: float = 0.0,
+    depth_max: float = DEPTH_MAX,
 ) -> OdometryResult:
     """Estimate the motion between two RGB-D images of one camera.
 
@@ -64,10 +67,9 @@ def compute_rgbd_odometry(
         target: The fixed image.
         pinhole_camera_intrinsic: The camera of both, or its matrix [3, 3].
         odo_init: Initial T_target_source, 4x4; None: the identity.
-        jacobian: Brightness only, or with surfaces; None: RGBDOdometryJacobianFromHybridTerm().
-        option: None: OdometryOption().
-        weights: "robust" weighs pixels by the frame noise, as `align_frames`, and checks the result; "open3d"
-            reproduces Open3D 0.20 without checks.
+        method: As of `align_frames`.
+        max_iterations: Maximum steps per pyramid level, the coarsest first. Further levels repeat the first number.
+        depth_min, depth_max: Valid depth range [m].
 
     Returns:
         The result, which unpacks as Open3D's (reliable, transformation, information).
@@ -78,8 +80,8 @@ def compute_rgbd_odometry(
         DeviceError: Images on different devices.
 
     Notes:
-        Bitwise reproducible for any number of threads. `OdometryFrame` avoids preparing an image twice. Park, Zhou and
-        Koltun, "Colored point cloud registration revisited", ICCV 2017. Steinbruecker, Sturm and Cremers 2011.
+        Bitwise reproducible for any number of threads. `OdometryFrame` avoids preparing an image twice.
+        `pointloom.open3d` has the function with the weights of Open3D and without reliability checks.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -90,80 +92,59 @@ def compute_rgbd_odometry(
         (False, np.False_)
     """
     camera = _check_pair("pinhole_camera_intrinsic", source, target, pinhole_camera_intrinsic)
+    start, residuals = _check_start("odo_init", odo_init), check_method(method)
+    steps = check_steps("max_iterations", max_iterations)
+    nearest, farthest = check_depth_range(depth_min, depth_max)
+    frames = [OdometryFrame.from_image(image, camera, nearest, farthest) for image in (source, target)]
+    return _reported(align_steps(frames[0], frames[1], start, residuals, steps), source, target, camera)
+
+
+def open3d_odometry(
+    source: RGBDImage,
+    target: RGBDImage,
+    pinhole_camera_intrinsic: PinholeCameraIntrinsic,
+    odo_init: ArrayLike,
+    jacobian: Jacobian,
+    option: OdometryOption,
+) -> OdometryResult:
+    """Open3D's `compute_rgbd_odometry`, without the check of reliability. `inlier_rmse` is 0."""
+    camera = _check_pair("pinhole_camera_intrinsic", source, target, pinhole_camera_intrinsic)
     start = _check_start("odo_init", odo_init)
-    term = RGBDOdometryJacobianFromHybridTerm() if jacobian is None else jacobian
-    if not isinstance(term, Jacobian):
-        raise TypeError(f"jacobian: expected a RGBDOdometryJacobianFrom...Term, got {type(term).__name__}")
-    chosen = OdometryOption() if option is None else option
-    if not isinstance(chosen, OdometryOption):
-        raise TypeError(f"option: expected an OdometryOption, got {type(chosen).__name__}")
-    with_depth = isinstance(term, RGBDOdometryJacobianFromHybridTerm)
-    if _check_weights(weights) == "open3d":
-        _check_levels(camera, len(chosen.iteration_number_per_pyramid_level))
-        return _reported(run_legacy(source, target, camera, start, with_depth, chosen), source, target, camera)
-    frames = [OdometryFrame.from_image(image, camera, chosen.depth_min, chosen.depth_max) for image in (source, target)]
-    method = OdometryMethod.Hybrid if with_depth else OdometryMethod.Intensity
-    result = align_steps(frames[0], frames[1], start, method, chosen.iteration_number_per_pyramid_level)
-    return _reported(result, source, target, camera)
+    if not isinstance(jacobian, Jacobian):
+        raise TypeError(f"jacobian: expected a RGBDOdometryJacobianFrom...Term, got {type(jacobian).__name__}")
+    if not isinstance(option, OdometryOption):
+        raise TypeError(f"option: expected an OdometryOption, got {type(option).__name__}")
+    _check_levels(camera, len(option.iteration_number_per_pyramid_level))
+    with_depth = isinstance(jacobian, RGBDOdometryJacobianFromHybridTerm)
+    return _reported(run_legacy(source, target, camera, start, with_depth, option), source, target, camera)
 
 
-def rgbd_odometry_multi_scale(
+def open3d_multi_scale_odometry(
     source: RGBDImage,
     target: RGBDImage,
     intrinsics: PinholeCameraIntrinsic | ArrayLike,
-    init_source_to_target: ArrayLike | None = None,
-    depth_scale: float = DEPTH_SCALE,
-    depth_max: float = OPEN3D_DEPTH_MAX,
-    criteria_list: Sequence[OdometryConvergenceCriteria] | None = None,
-    method: OdometryMethod = OdometryMethod.Hybrid,
-    params: OdometryLossParams | None = None,
-    *,
-    weights: str = "robust",
+    init_source_to_target: ArrayLike,
+    depth_max: float,
+    criteria_list: Sequence[OdometryConvergenceCriteria] | None,
+    method: OdometryMethod,
+    params: OdometryLossParams | None,
 ) -> OdometryResult:
-    """Estimate the motion between two RGB-D images of one camera by one of three methods.
+    """Open3D's `rgbd_odometry_multi_scale`, without the check of reliability.
 
-    Args:
-        source: The image to move.
-        target: The fixed image.
-        intrinsics: The camera of both, or its matrix [3, 3].
-        init_source_to_target: Initial pose, 4x4; None: the identity.
-        depth_scale: For Open3D compatibility; unused, since an RGBDImage is in meters.
-        depth_max: Exclusive maximum depth [m].
-        criteria_list: One per level, the coarsest first; None: 10, 5 and 3 steps.
-        method: Surfaces, brightness, or both.
-        params: None: OdometryLossParams().
-        weights: As in `compute_rgbd_odometry`.
-
-    Returns:
-        The result. With "open3d" its `inlier_rmse` is Open3D's, the mean Huber loss. Where Open3D raises ("Singular
-        6x6", "Invalid inlier_count"), the result is failed, with the reason.
-
-    Raises:
-        ValueError, TypeError, DeviceError: As `compute_rgbd_odometry`.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> from pointloom.rgbd.odometry.rgbd_odometry import rgbd_odometry_multi_scale
-        >>> blank = loom.RGBDImage(np.zeros((48, 64), np.uint8), np.zeros((48, 64), np.uint16))
-        >>> K = [[60.0, 0, 31.5], [0, 60.0, 23.5], [0, 0, 1]]
-        >>> rgbd_odometry_multi_scale(blank, blank, K).warnings[0]
-        'the source has no depth'
+    `inlier_rmse` is the mean Huber loss. Where Open3D raises ("Singular 6x6", "Invalid inlier_count"), the result is
+    failed, with the reason.
     """
     camera = _check_pair("intrinsics", source, target, intrinsics)
     start = _check_start("init_source_to_target", init_source_to_target)
-    check_positive("depth_scale", depth_scale)
-    farthest, inputs = check_positive("depth_max", depth_max), (source, target, camera)
-    criteria = _check_criteria(criteria_list)
+    farthest, criteria = check_positive("depth_max", depth_max), _check_criteria(criteria_list)
     if not isinstance(method, OdometryMethod):
-        raise TypeError(f"method: expected a loom.rgbd.OdometryMethod, got {type(method).__name__}")
+        raise TypeError(f"method: expected one of {', '.join(map(str, OdometryMethod))}, got {type(method).__name__}")
     limits = OdometryLossParams() if params is None else params
     if not isinstance(limits, OdometryLossParams):
         raise TypeError(f"params: expected an OdometryLossParams, got {type(limits).__name__}")
-    if _check_weights(weights) == "open3d":
-        _check_levels(camera, len(criteria))
-        return _reported(run_tensor(source, target, camera, start, farthest, criteria, method, limits), *inputs)
-    frames = [OdometryFrame.from_image(image, camera, 0.0, farthest) for image in (source, target)]
-    return _reported(align_steps(frames[0], frames[1], start, method, [c.max_iteration for c in criteria]), *inputs)
+    _check_levels(camera, len(criteria))
+    result = run_tensor(source, target, camera, start, farthest, criteria, method, limits)
+    return _reported(result, source, target, camera)
 
 
 def compute_odometry_information_matrix(
@@ -269,12 +250,6 @@ def _upload(name: str, depth: ArrayLike, depth_scale: float | None, device: Any)
 
 def _check_start(name: str, pose: ArrayLike | None) -> NDArray[np.float64]:
     return np.eye(4) if pose is None else check_rigid(name, pose)
-
-
-def _check_weights(weights: str) -> str:
-    if not isinstance(weights, str) or weights not in WEIGHTS:
-        raise ValueError(f"weights: expected 'robust' or 'open3d', got {weights!r}")
-    return weights
 
 
 def _check_levels(camera: PinholeCameraIntrinsic, count: int) -> None:

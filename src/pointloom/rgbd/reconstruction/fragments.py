@@ -29,7 +29,7 @@ from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, Pos
 from ...registration.pose_graphs.pose_graph_files import write_pose_graph
 from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizationOption, global_optimization
 from ...registration.rigid import adjoint_of, invert_pose
-from ..odometry.alignment import OdometryMethod, align_frames
+from ..odometry.alignment import align_frames
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .config import ReconstructionConfig
@@ -316,11 +316,6 @@ def _forget(job: JobFiles, number: int) -> None:
                 path.unlink(missing_ok=True)
 
 
-METHODS = {
-    "hybrid": OdometryMethod.Hybrid,
-    "intensity": OdometryMethod.Intensity,
-    "point_to_plane": OdometryMethod.PointToPlane,
-}
 MAX_LINK_FRAMES = 30  # maximum frames between two linked fragments: a second
 
 
@@ -509,8 +504,8 @@ def align(
     config: ReconstructionConfig, source: OdometryFrame, target: OdometryFrame, T_target_source: Matrix
 ) -> OdometryResult:
     """Odometry between two frames with the configured method. Depth only if one has no color."""
-    method = METHODS[config.odometry_method if source.has_color and target.has_color else "point_to_plane"]
-    return align_frames(source, target, T_target_source, method=method)
+    method = config.odometry_method if source.has_color and target.has_color else "point_to_plane"
+    return align_frames(source, target, T_target_source, method=method.replace("_", "-"))
 
 
 SAMPLED_PIXELS = 300  # sampled depth pixels per keyframe

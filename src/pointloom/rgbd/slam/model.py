@@ -18,7 +18,7 @@ from ...kernels.rgbd.model_maps import colors_of, hide_unseen
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
-from ..odometry.alignment import OdometryMethod, align_frames
+from ..odometry.alignment import align_frames
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .frames import MAX_PIXELS, SensorFrame
@@ -150,7 +150,7 @@ class SlamModel(Serialized):
             TypeError, ValueError: As `prepare`; or an initial pose that is not rigid.
         """
         given = self.current_frame_pose if T_world_camera is None else check_rigid("T_world_camera", T_world_camera)
-        result = align_frames(self.prepare(frame).pyramid, self.seen_from(given), method=OdometryMethod.Hybrid)
+        result = align_frames(self.prepare(frame).pyramid, self.seen_from(given))
         return _moved(result, given)
 
     def integrate(self, frame: Any, T_world_camera: ArrayLike) -> None:

@@ -77,13 +77,12 @@ def compute_rgbd_odometry(
     term = RGBDOdometryJacobianFromHybridTerm() if jacobian is None else jacobian
     chosen = OdometryOption() if option is None else option
     return tuple(
-        rgbd_odometry.compute_rgbd_odometry(
+        rgbd_odometry.open3d_odometry(
             unwrap(rgbd_source, RGBDImage, "rgbd_source"),
             unwrap(rgbd_target, RGBDImage, "rgbd_target"),
             unwrap(camera, PinholeCameraIntrinsic, "pinhole_camera_intrinsic"),
             odo_init,
             unwrap(term, RGBDOdometryJacobian, "jacobian"),
             unwrap(chosen, OdometryOption, "option"),
-            weights="open3d",
         )
     )

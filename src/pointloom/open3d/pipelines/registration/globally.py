@@ -13,6 +13,7 @@ from ....core.attribute_hints import KnownNames
 from ....core.checks import check_count, check_number, check_numeric
 from ....pcd import features
 from ....registration import matching, result
+from ....registration.correspondence_input import match_clouds
 from ....registration.globally import fast_global, ransac
 from ....registration.icp import evaluation, icp, ndt
 from ...argument_errors import ArgumentError, as_runtime_errors
@@ -31,6 +32,8 @@ from .estimation import (
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
 )
+
+MIN_MUTUAL_FRACTION = 0.1  # of the source points; with fewer mutual pairs, all pairs are used
 
 
 @dataclass(eq=False, repr=False)
@@ -87,11 +90,11 @@ def registration_ransac_based_on_feature_matching(
     if not isinstance(mutual_filter, bool | np.bool_ | int):
         remedy = "the distance follows it since Open3D 0.12"
         raise TypeError(f"mutual_filter: expected True or False, got {mutual_filter!r}; {remedy}")
-    result = ransac.registration_ransac_based_on_feature_matching(
-        *clouds_of(source, target),
-        rows_of(source_feature, "source_feature"),
-        rows_of(target_feature, "target_feature"),
-        mutual_filter,
+    pair = clouds_of(source, target)
+    features = rows_of(source_feature, "source_feature"), rows_of(target_feature, "target_feature")
+    result = ransac.registration_ransac_based_on_correspondence(
+        *pair,
+        match_clouds(*pair, *features, bool(mutual_filter), MIN_MUTUAL_FRACTION),
         max_correspondence_distance,
         *_rules(estimation_method, ransac_n, checkers, criteria),
         seed=next_seed(),
@@ -124,13 +127,10 @@ def registration_ransac_based_on_correspondence(
 def registration_fgr_based_on_feature_matching(
     source: Any, target: Any, source_feature: Any, target_feature: Any, option: Any = None
 ) -> RegistrationResult:
-    result = fast_global.registration_fgr_based_on_feature_matching(
-        *clouds_of(source, target),
-        rows_of(source_feature, "source_feature"),
-        rows_of(target_feature, "target_feature"),
-        _option(option),
-        seed=next_seed(),
-    )
+    pair = clouds_of(source, target)
+    features = rows_of(source_feature, "source_feature"), rows_of(target_feature, "target_feature")
+    matches = match_clouds(*pair, *features, True, 0.0)
+    result = fast_global.registration_fgr_based_on_correspondence(*pair, matches, _option(option), seed=next_seed())
     return RegistrationResult.from_native(result)
 
 

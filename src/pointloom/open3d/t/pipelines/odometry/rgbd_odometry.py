@@ -98,16 +98,15 @@ def align(
     criteria = None if criteria_list is None else [
         unwrap(one, OdometryConvergenceCriteria, "criteria_list") for one in criteria_list
     ]  # fmt: skip
-    found = rgbd_odometry.rgbd_odometry_multi_scale(
+    found = rgbd_odometry.open3d_multi_scale_odometry(
         source,
         target,
         on_host(intrinsics),
         on_host(start),
-        depth_max=depth_max,
-        criteria_list=criteria,
-        method=method,
-        params=None if params is None else unwrap(params, OdometryLossParams, "params"),
-        weights="open3d",
+        depth_max,
+        criteria,
+        method,
+        None if params is None else unwrap(params, OdometryLossParams, "params"),
     )
     if found.warnings:
         raise RuntimeError(f"source, target: {'; '.join(found.warnings)}")
