@@ -209,7 +209,7 @@ def test_a_field_round_trips_through_files_and_pickle(tmp_path, scan):
         field.save(tmp_path / "field.npz")
         for again in (loom.DistanceField.load(tmp_path / "field.npz"), pickle.loads(pickle.dumps(field))):
             assert repr(again) == repr(field) and (again.origin == field.origin).all()
-            np.testing.assert_array_equal(again._blocks.sqdists, field._blocks.sqdists)
+            np.testing.assert_array_equal(again.blocks.sqdists, field.blocks.sqdists)
             np.testing.assert_array_equal(again.occupied_voxels, field.occupied_voxels)
 
 

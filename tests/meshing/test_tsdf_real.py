@@ -40,7 +40,7 @@ def open3d_voxels(o3d, frames, camera, depth_scale, stride=1):
 
 def assert_voxels_are(volume, theirs, stride=1):
     keys, distances, weights, colors = theirs
-    used, blocks = volume.block_count * SIDE**3, volume._blocks
+    used, blocks = volume.block_count * SIDE**3, volume.blocks
     corners = block_box(blocks.keys.numpy()[: volume.block_count])[:, None] * SIDE
     inner = np.stack(np.meshgrid(*[np.arange(SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     our_keys = flat_key((corners + inner).reshape(-1, 3))

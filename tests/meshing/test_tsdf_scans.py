@@ -31,9 +31,9 @@ def wall(x, count=25, seed=0):
 
 def voxels_of(volume):
     """(value, weight) of each observed voxel, by its integer coordinates."""
-    keys = download(volume._blocks.keys)[: volume.block_count]
-    weights = download(volume._blocks.weights)[: 512 * len(keys)]
-    values = download(volume._blocks.distances)[: 512 * len(keys)]
+    keys = download(volume.blocks.keys)[: volume.block_count]
+    weights = download(volume.blocks.weights)[: 512 * len(keys)]
+    values = download(volume.blocks.distances)[: 512 * len(keys)]
     seen = np.flatnonzero(weights)
     inner = np.stack(np.unravel_index(seen % 512, (8, 8, 8)), axis=1)
     coordinates = block_box(keys)[seen // 512] * SIDE + inner
@@ -134,7 +134,7 @@ def test_outlier_points_create_no_blocks(device, carve):
     volumes = volume_on(device), volume_on(device)
     for volume, scan in zip(volumes, (points, np.vstack([points, wild])), strict=True):
         volume.integrate_points(scan, np.zeros(3), **options)
-    keys = [volume._downloaded()["keys"].tobytes() for volume in volumes]
+    keys = [volume.downloaded()["keys"].tobytes() for volume in volumes]
     assert keys[0] == keys[1] and volumes[0].memory_bytes == volumes[1].memory_bytes
     assert carve or fingerprint(volumes[0]) == fingerprint(volumes[1])
 

@@ -50,6 +50,8 @@ NORMALS = "call cloud = cloud.estimate_normals()"
 class Segmentation(Selection):
     """Methods of PointCloud that find clusters, planes, shapes and regions."""
 
+    _internal = ("grow_regions",)
+
     @explain_argument_errors
     def cluster_dbscan(self, eps: float, min_points: int, print_progress: bool = False) -> NDArray[np.int32]:
         """Cluster points by density (DBSCAN), with the labels of Open3D's legacy implementation.
@@ -461,15 +463,15 @@ class Segmentation(Selection):
         limits = math.cos(math.radians(angle)), limit, *sizes
         distinct = distinct_points(self.search_tree(), count)
         if distinct is None:
-            labels = self._grow_regions(normals, count, limits)
+            labels = self.grow_regions(normals, count, limits)
         else:  # copies of a position have no other neighbors
             first_points, firsts = self.select_rows(distinct.firsts), distinct.firsts
-            labels = first_points._grow_regions(gather_rows(normals, firsts), count, limits)
+            labels = first_points.grow_regions(gather_rows(normals, firsts), count, limits)
             labels = gather_rows(labels, distinct.rows)
         report("clusters", cloud=self, labels=labels)
         return self.arrays.hand_out(labels)
 
-    def _grow_regions(self, normals: Any, count: int, limits: tuple[float, float, int, int]) -> Any:
+    def grow_regions(self, normals: Any, count: int, limits: tuple[float, float, int, int]) -> Any:
         nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
         curvature = measure_curvature(self.search_tree(), math.inf, count)
         return grow_regions(normals, curvature, nearest, *limits)[0]

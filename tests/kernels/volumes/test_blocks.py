@@ -186,7 +186,7 @@ def volumes_of_frames(device, rng, count=5):
 def dense(volume, values, fill):
     """Values of voxels in an array over the box of the blocks, one voxel more on the high sides."""
     count = volume.block_count
-    blocks = block_box(volume._blocks.keys.numpy()[:count])
+    blocks = block_box(volume.blocks.keys.numpy()[:count])
     low = blocks.min(0)
     grid = np.full((blocks.max(0) - low + 1) * SIDE + 1, fill)
     for block, cube in zip((blocks - low) * SIDE, values[: count * SIDE**3].reshape(-1, SIDE, SIDE, SIDE), strict=True):
@@ -197,7 +197,7 @@ def dense(volume, values, fill):
 
 def cells_behind(volume):
     """By block, the cells with a corner that was seen and is not in front of a surface: bool [blocks, 8, 8, 8]."""
-    voxels = volume._blocks
+    voxels = volume.blocks
     behind = (voxels.distances.numpy() <= 0) & (voxels.weights.numpy() > 0)
     grid, corners = dense(volume, behind, False)
     sides = [slice(None, -1), slice(1, None)]
@@ -214,7 +214,7 @@ def test_cells_are_those_with_a_corner_behind_a_surface(device, rng):
     for k, volume in enumerate(volumes_of_frames(device, rng)):
         if k in (1, 2):
             continue  # signs of several frames are updated at once
-        signs, count = signs_of(volume._blocks), volume.block_count
+        signs, count = signs_of(volume.blocks), volume.block_count
         expected = cells_behind(volume)
         np.testing.assert_array_equal(bits_of(signs.cells, count), expected)
         parts = expected.reshape(-1, 2, 4, 2, 4, 2, 4).any(axis=(2, 4, 6)).reshape(-1, 8) @ (1 << np.arange(8))
@@ -225,7 +225,7 @@ def test_cells_are_those_with_a_corner_behind_a_surface(device, rng):
 def test_updated_neighbors_equal_recomputed_ones(device, rng):
     counts = []
     for volume in volumes_of_frames(device, rng):
-        blocks = volume._blocks
+        blocks = volume.blocks
         rebuilt = BlockNeighbors(blocks.changes, blocks.device).update(blocks)
         used = 27 * blocks.count
         np.testing.assert_array_equal(neighbors_of(blocks).numpy()[:used], rebuilt.numpy()[:used])
@@ -235,16 +235,16 @@ def test_updated_neighbors_equal_recomputed_ones(device, rng):
 
 def test_signs_follow_voxels_that_are_put_in_by_other_means(device, rng):
     *_, volume = volumes_of_frames(device, rng, 2)
-    signs_of(volume._blocks)
-    negated = -volume._blocks.distances.numpy()
+    signs_of(volume.blocks)
+    negated = -volume.blocks.distances.numpy()
     scenes.set_voxels(volume, "distances", negated)
-    signs = signs_of(volume._blocks)
+    signs = signs_of(volume.blocks)
     np.testing.assert_array_equal(bits_of(signs.cells, volume.block_count), cells_behind(volume))
 
 
 def test_signs_of_an_empty_volume_are_none(device):
     volume = loom.TSDFVolume(voxel_size=scenes.VOXEL, device=device)
-    signs_of(volume._blocks)
+    signs_of(volume.blocks)
     assert not scenes.view_from(volume, np.eye(4)).depth.any()
 
 

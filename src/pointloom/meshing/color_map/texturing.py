@@ -166,5 +166,5 @@ def _paint_atlas(colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: i
         mesh = mesh.compute_uvatlas(size, gutter=GUTTER)
     images = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
     extrinsics = [inv(pose) for pose in colors.trajectory.poses]
-    textured, fraction = mesh._with_albedo(images, camera, extrinsics, size)
+    textured, fraction = mesh.with_albedo(images, camera, extrinsics, size)
     return textured.with_arrays(vertex_colors=None), fraction  # viewers multiply texture and vertex colors

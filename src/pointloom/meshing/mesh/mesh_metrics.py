@@ -70,7 +70,7 @@ class _Measured:
         if not tree.count:
             raise ValueError(UNREACHED)
         self._count, shift = count, (mesh.origin, other.origin)
-        cloud = mesh._draw(surface, count, False, seed)
+        cloud = mesh.draw_samples(surface, count, False, seed)
         sampled = distances_to(points_about(cloud.arrays["points"], *shift), tree)
         self._sums = DistanceSums(sampled, radii)
         vertices = points_about(mesh.arrays["vertices"], *shift)
@@ -98,7 +98,7 @@ def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: 
         surface.area = surface.area_of(values)
     directions = []
     for mesh, other, surface, tree in ((one, two, surfaces[0], trees[1]), (two, one, surfaces[1], trees[0])):
-        mesh._check_surface(surface, "compute_metrics")
+        mesh.check_surface(surface, "compute_metrics")
         directions.append(_Measured(mesh, other, tree, surface, radii, count, seed))
     values = read_together([array for direction in directions for array in direction.arrays])  # sync
     parts = list(zip(values[::3], values[1::3], strict=True))

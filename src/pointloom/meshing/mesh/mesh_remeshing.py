@@ -69,6 +69,8 @@ ENERGIES = ("spokes", "smoothed")
 class MeshRemeshing(MeshMeasures):
     """Methods of TriangleMesh that simplify, remesh, subdivide, smooth and deform it."""
 
+    _internal = ("drop_degenerate_triangles", "subdivided")
+
     @returns_new
     def simplify_vertex_clustering(self, voxel_size: float, contraction: Any = "average") -> Self:
         """Merge the vertices of each voxel, and keep the triangles between three voxels.
@@ -105,7 +107,7 @@ class MeshRemeshing(MeshMeasures):
         )
         without: dict[str, Any] = dict.fromkeys(TEXTURE)
         left: dict[str, Any] = without | dict(zip(rows, arrays, strict=True))
-        return with_attributes_of(self._bare().with_arrays(triangles=triangles, **left), self)
+        return with_attributes_of(self.without_attributes().with_arrays(triangles=triangles, **left), self)
 
     @returns_new
     def simplify_quadric_decimation(
@@ -158,7 +160,7 @@ class MeshRemeshing(MeshMeasures):
         job.run()
         triangles, arrays, *texture = job.result()
         remaining: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
-        left = self._bare().with_arrays(triangles=triangles, **remaining)
+        left = self.without_attributes().with_arrays(triangles=triangles, **remaining)
         if len(left) > target and np.isinf(error):
             warnings.warn(
                 f"{len(left)} triangles remain instead of {target}: no other edge can collapse without tearing it",
@@ -221,15 +223,16 @@ class MeshRemeshing(MeshMeasures):
         check_room(self.device, int(TRIANGLE_BYTES * expected), f"about {expected:,.0f} triangles")
         surface = TriangleTree(vertices, triangles, all_finite=True)
         mesh = _remesh(surface, target, count, math.radians(angle))
-        bare = source._bare().with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
-        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._drop_degenerate_triangles()
+        dropped = dict.fromkeys(("vertex_normals", "vertex_colors", *TEXTURE))
+        bare = source.without_attributes().with_arrays(**dropped)
+        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles).drop_degenerate_triangles()
         return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
 
-    def _drop_degenerate_triangles(self) -> Self:
+    def drop_degenerate_triangles(self) -> Self:
         """Remove fully degenerate triangles and unused vertices. One sync."""
-        triangles, count = self.arrays["triangles"], self._vertex_count
+        triangles, count = self.arrays["triangles"], self.arrays.vertex_count
         removed = clean_triangles.mask_degenerate(self.arrays["vertices"], triangles, zero_area=False)
-        return self._drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, count))
+        return self.drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, count))
 
     @returns_new
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> Self:
@@ -254,7 +257,7 @@ class MeshRemeshing(MeshMeasures):
             >>> mesh.subdivide_midpoint().triangles.tolist()
             [[0, 3, 5], [3, 1, 4], [4, 2, 5], [3, 4, 5]]
         """
-        return self._subdivided(number_of_iterations, subdivision.halve, self.arrays["vertices"].size)
+        return self.subdivided(number_of_iterations, subdivision.halve, self.arrays["vertices"].size)
 
     @returns_new
     def subdivide_loop(self, number_of_iterations: int = 1) -> Self:
@@ -282,9 +285,9 @@ class MeshRemeshing(MeshMeasures):
         """
         count = check_count("number_of_iterations", number_of_iterations, minimum=0)
         sewn = sew(self) if count and len(self) else Sewn(self, None)
-        return sewn.mesh._subdivided(count, subdivision.mask, 0, sewn.in_order)
+        return sewn.mesh.subdivided(count, subdivision.mask, 0, sewn.in_order)
 
-    def _subdivided(
+    def subdivided(
         self, iterations: int, rule: Callable[..., list[Any]], first_new: int, in_order: SortedEdges | None = None
     ) -> Self:
         """Apply a subdivision rule. Normals before `first_new` stay unchanged. `in_order`: known `sorted_edges`."""
@@ -503,7 +506,7 @@ class MeshRemeshing(MeshMeasures):
         reason = "vertices no longer move after that"
         iterations = check_count("max_iter", max_iter, minimum=0, maximum=MAX_DEFORM_ITERATIONS, because=reason)
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
-        likeness = alpha * self._finite_area() if _energy_of(energy) == "smoothed" else 0.0
+        likeness = alpha * self.finite_area() if _energy_of(energy) == "smoothed" else 0.0
         if iterations == 0:
             return self.with_arrays()
         rows = upload(fixed, int32, self.device)

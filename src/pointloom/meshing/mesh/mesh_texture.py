@@ -33,6 +33,8 @@ GUTTER = 8  # texels of padding: three mipmap levels
 class MeshTexture(MeshArrays):
     """Methods of TriangleMesh that compute texture coordinates and textures."""
 
+    _internal = ("with_albedo",)
+
     @returns_new
     def compute_uvatlas(self, size: int = 512, gutter: float = 1.0) -> Self:
         """Compute texture coordinates: cut the surface into charts and pack them, with xatlas on the CPU.
@@ -143,9 +145,9 @@ class MeshTexture(MeshArrays):
             >>> textured.textures[0][20, 5].tolist()
             [200, 0, 0]
         """
-        return self._with_albedo(images, intrinsic_matrices, extrinsic_matrices, tex_size)[0]
+        return self.with_albedo(images, intrinsic_matrices, extrinsic_matrices, tex_size)[0]
 
-    def _with_albedo(self, images: Any, cameras: Any, poses: Any, tex_size: int) -> tuple[Any, float]:
+    def with_albedo(self, images: Any, cameras: Any, poses: Any, tex_size: int) -> tuple[Any, float]:
         """(mesh with its texture, fraction of texels seen in an image)."""
         because = "the texture and its intermediate arrays would not fit into memory. Use fewer texels"
         size = check_count("tex_size", tex_size, minimum=1, maximum=MAX_TEXELS, because=because)

@@ -129,8 +129,8 @@ def smooth_mesh(
         method=method,
         iterations=count,
         moved=Movement(float(moved.mean()), float(moved.max())) if len(moved) else None,
-        area_in=mesh._finite_area(),
-        area=smooth._finite_area(),
+        area_in=mesh.finite_area(),
+        area=smooth.finite_area(),
     )
 
 

@@ -60,7 +60,7 @@ class FieldViews:
     max_distance: float | None
     origin: NDArray[np.float64]
     shape: tuple[int, int, int] | None
-    _blocks: DistanceBlocks
+    blocks: DistanceBlocks
     _grid: DistanceGrid
     _library: str = NUMPY  # library of returned arrays, see src/pointloom/core/array_libraries.py
 
@@ -78,7 +78,7 @@ class FieldViews:
         """First stored voxel, and the one after the last."""
         if self.shape is not None:
             return np.zeros(3, np.int64), np.array(self.shape, np.int64)
-        return voxels_of_blocks(download(self._blocks.keys))  # sync
+        return voxels_of_blocks(download(self.blocks.keys))  # sync
 
     def _box(self, bounds: Any, layer: tuple[int, int] | None = None) -> Box:
         """Voxels in bounds [m]; those of a layer: (axis index, position along it)."""

@@ -52,7 +52,8 @@ class OccupancyQuestions(Serialized):
 
     device: Any
     voxel_size: float
-    _blocks: OddsBlocks
+    blocks: OddsBlocks
+    _internal = ("blocks", "device_voxels")
     _library: str = NUMPY  # library of returned arrays, see src/pointloom/core/array_libraries.py
 
     @property
@@ -134,8 +135,8 @@ class OccupancyQuestions(Serialized):
         length = check_positive("max_range", max_range)
         starts, stops = (self._device_rays if is_on_gpu(directions) else self._host_rays)(origins, directions, length)
         form = form_of(directions)
-        self._blocks.count  # noqa: B018  what was interrupted is settled
-        states, distances, voxels = odds.cast_rays(starts, stops, THRESHOLD, self._blocks)
+        self.blocks.count  # noqa: B018  what was interrupted is settled
+        states, distances, voxels = odds.cast_rays(starts, stops, THRESHOLD, self.blocks)
         return RayHits(form.hand_out(states, dtype=np.int8), form.hand_out(distances), form.hand_out(voxels))
 
     def _host_rays(self, origins: Any, directions: Any, length: float) -> tuple[Points, Points]:
@@ -174,18 +175,18 @@ class OccupancyQuestions(Serialized):
         return hand_out_host(self._sorted_voxels(), self._library, self.device)
 
     def _sorted_voxels(self) -> NDArray[np.int32]:
-        voxels = np.array(download(self._device_voxels()), np.int32).reshape(-1, 3)
+        voxels = np.array(download(self.device_voxels()), np.int32).reshape(-1, 3)
         return voxels[np.lexsort(voxels.T[::-1])]
 
-    def _device_voxels(self) -> Cells:
+    def device_voxels(self) -> Cells:
         """Occupied voxels on the device, vec3i, in block order."""
-        return odds.list_occupied(self._blocks, THRESHOLD)
+        return odds.list_occupied(self.blocks, THRESHOLD)
 
     @returns_new
     def to_point_cloud(self) -> PointCloud:
         """Centers of the occupied voxels, in block order."""
-        voxels = self._device_voxels()
-        centers = odds.voxel_centers(voxels, self._blocks.lattice)
+        voxels = self.device_voxels()
+        centers = odds.voxel_centers(voxels, self.blocks.lattice)
         return PointCloud.from_device_arrays({"points": centers}, self.origin, self._library)
 
     def to_voxel_grid(self) -> VoxelGrid:
@@ -221,8 +222,8 @@ class OccupancyQuestions(Serialized):
             raise ValueError(f"bounds: {' x '.join(map(str, size))} voxels are more than 2^31. Use smaller bounds")
         check_room(self.device, 12 * count, f"{count:,} voxels")
         x, y, z = low.tolist()
-        self._blocks.count  # noqa: B018  what was interrupted is settled
-        log_odds = np.array(download(odds.look_up_box((x, y, z), (size[0], size[1], size[2]), self._blocks)))
+        self.blocks.count  # noqa: B018  what was interrupted is settled
+        log_odds = np.array(download(odds.look_up_box((x, y, z), (size[0], size[1], size[2]), self.blocks)))
         return hand_out_host(_probability(log_odds).astype(np.float32).reshape(size), self._library, self.device)
 
     def _voxels_in(self, bounds: ArrayLike) -> Corners:
@@ -230,8 +231,8 @@ class OccupancyQuestions(Serialized):
         return voxels_in_bounds(bounds, self.origin, self.voxel_size, OUTERMOST, beyond)
 
     def _voxel_bounds(self) -> Corners:
-        count = self._blocks.count
-        return voxels_of_blocks(download(self._blocks.keys)[:count])
+        count = self.blocks.count
+        return voxels_of_blocks(download(self.blocks.keys)[:count])
 
     def _cloud_of(self, name: str, points: Any) -> PointCloud:
         if isinstance(points, PointCloud):
@@ -246,8 +247,8 @@ class OccupancyQuestions(Serialized):
         cloud = self._cloud_of("points", points)
         form = Form(points.array_library, False) if isinstance(points, PointCloud) else form_of(points)
         x, y, z = (cloud.origin - self.origin).tolist()
-        self._blocks.count  # noqa: B018  what was interrupted is settled
-        return odds.look_up(cloud.arrays["points"], (x, y, z), self._blocks), form
+        self.blocks.count  # noqa: B018  what was interrupted is settled
+        return odds.look_up(cloud.arrays["points"], (x, y, z), self.blocks), form
 
 
 def _probability(log_odds: NDArray[np.float32]) -> NDArray[np.float64]:

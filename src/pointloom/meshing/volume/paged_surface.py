@@ -54,7 +54,7 @@ class CubeReader:
         high = low + volume.side
         arrays = self._around(cube, low, high)
         surface = BlockSurface(
-            SeenBlocks(blocks_of(arrays, volume._blocks), self._threshold),
+            SeenBlocks(blocks_of(arrays, volume.blocks), self._threshold),
             not self._as_points,
             None if self._as_points else (low, high),
         )

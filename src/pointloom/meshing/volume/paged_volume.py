@@ -30,7 +30,7 @@ from ..mesh.mesh import TriangleMesh
 from .page_files import LIST, MAX_SIDE, PageFolder
 from .paged_blocks import PagedBlocks, blocks_of
 from .paged_surface import CubeReader, CubeSurface, joined
-from .tsdf import TSDFVolume
+from .tsdf import FrameState, TSDFVolume
 from .tsdf_views import RayCast, check_view
 
 
@@ -104,8 +104,9 @@ class PagedTSDFVolume(Serialized, HintedNames):
         sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "device": resolve_device(device)}
         paged = cls.__new__(cls)
         with values_of_file(pages.path / LIST):
-            paged._volume = PagedBlocks(pages, saved.side, limit, color=bool(saved.header["has_color"][0]), **sizes)
-            paged._volume.adopt(saved)
+            volume = PagedBlocks(pages, saved.side, limit, color=bool(saved.header["has_color"][0]), **sizes)
+            volume.adopt(saved)
+        vars(paged)["_volume"] = volume
         return paged
 
     def __enter__(self) -> Self:
@@ -308,8 +309,9 @@ class PagedTSDFVolume(Serialized, HintedNames):
         complete = TSDFVolume(**sizes, color=volume.has_color, device=volume.device)
         if len(arrays["keys"]) > MAX_BLOCKS:
             raise ValueError(f"{len(arrays['keys']):,} blocks exceed the maximum of one volume, {MAX_BLOCKS:,}")
-        blocks = blocks_of(arrays, volume._blocks)
-        complete._adopt(blocks, volume.frame_count, volume.origin, volume._current_frames.colored, volume.array_library)
+        blocks = blocks_of(arrays, volume.blocks)
+        frames = FrameState(volume.frame_count, volume.origin, volume.has_frame_colors)
+        complete.set_content(blocks, frames, volume.array_library)
         return complete
 
     def _surfaces(self, weight_threshold: float, *, as_points: bool) -> Iterator[CubeSurface]:

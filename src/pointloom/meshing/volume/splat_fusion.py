@@ -98,7 +98,7 @@ def fuse_splats(
         seen = surface_before(splats, intrinsic, T)
         T_world_camera, colors = inv(T), color_surface(seen)
         try:
-            volume._integrate_device_frame(seen.medians, intrinsic, T_world_camera, colors, depth_max=farthest)
+            volume.integrate_device_frame(seen.medians, intrinsic, T_world_camera, colors, depth_max=farthest)
         except ValueError as error:
             raise ValueError(f"voxel_size, truncation: {error}") from None
     mesh = volume.extract_triangle_mesh(weight_threshold)

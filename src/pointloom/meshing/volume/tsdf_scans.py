@@ -36,7 +36,7 @@ class ScanIntegration(Serialized):
 
     device: Any
     has_color: bool
-    _blocks: Any
+    blocks: Any
     _frames: Any
     _next: Any
     _current_frames: Any
@@ -104,11 +104,11 @@ class ScanIntegration(Serialized):
         else:
             positions = upload(scan - start, vec3d, self.device)
         rays = ScanRays(
-            positions, upload(scanners - start, vec3d, self.device), colors, (nearest, farthest), self._blocks
+            positions, upload(scanners - start, vec3d, self.device), colors, (nearest, farthest), self.blocks
         )
         self._check_rays(rays)
         after = dataclasses.replace(frames, count=frames.count + 1, origin=start, colored=has_colors)
-        self._next = (self._blocks.frame_count + 1, after)
+        self._next = (self.blocks.frame_count + 1, after)
         count = self._fold_scan(rays, carve)
         self._frames, self._next, self._library = after, None, library
         report("integrate_points", volume=self, origin=scanners)
@@ -118,9 +118,9 @@ class ScanIntegration(Serialized):
         """Integrate a scan into the blocks. Returns the number of touched ones."""
         if not rays.points.size:
             return 0
-        keys = self._filter_keys(scan_blocks(rays, carve, self._blocks))
+        keys = self._filter_keys(scan_blocks(rays, carve, self.blocks))
         if keys.size:
-            integrate_scan(keys, rays, carve, self._blocks)
+            integrate_scan(keys, rays, carve, self.blocks)
         return keys.size
 
     def _check_rays(self, rays: ScanRays) -> None:

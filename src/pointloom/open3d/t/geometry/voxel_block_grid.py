@@ -204,7 +204,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
             raise ValueError(f"attribute_name: expected one of {', '.join(self._dtypes)}, got {attribute_name!r}")
         if self._device.name != "cpu":
             raise ValueError(f"attribute: expected a grid on the CPU, got {self._device}; call grid.cpu().attribute")
-        arrays, channels = self._any._downloaded(), CHANNELS[attribute_name]
+        arrays, channels = self._any.downloaded(), CHANNELS[attribute_name]
         values = arrays.get({"tsdf": "distances", "weight": "weights", "color": "colors"}[attribute_name])
         if values is None:  # frames without color
             values = np.zeros((len(arrays["distances"]), channels))
@@ -241,7 +241,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
 
     def _corners(self) -> NDArray[np.int64]:
         """First voxel of each block."""
-        return SIDE * block_box(self._any._downloaded()["keys"])
+        return SIDE * block_box(self._any.downloaded()["keys"])
 
     def save(self, file_name: FilePath) -> None:
         """Write an .npz file of `loom.TSDFVolume`, which Open3D cannot read."""
@@ -265,7 +265,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         target = device_of(device)
         if target == self._device and not copy:
             return self
-        made = self._around(TSDFVolume._from_downloaded(self._any._downloaded(), resolve_device(target.name)))
+        made = self._around(TSDFVolume.from_downloaded(self._any.downloaded(), resolve_device(target.name)))
         made._dtypes = dict(self._dtypes)
         return made
 

@@ -20,7 +20,7 @@ def voxels_around(volume: TSDFVolume, points: NDArray[Any], seen: NDArray[np.boo
     mask: True for voxels that were observed.
     interp_ratio: Trilinear weights. 0 where the mask is false.
     """
-    arrays = volume._downloaded()
+    arrays = volume.downloaded()
     keys, weights = arrays["keys"], arrays["weights"]
     place = np.where(seen, points - volume.origin, 0.0) / volume.voxel_size
     first = np.floor(place).astype(np.int64)
