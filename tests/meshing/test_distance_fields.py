@@ -248,7 +248,7 @@ def test_a_damaged_file_is_a_named_error(tmp_path):
 def test_too_large_fields_are_rejected_with_their_size(monkeypatch):
     with pytest.raises(ValueError, match=r"would need [\d,]+ blocks"):
         loom.DistanceField.from_voxels([[0, 0, 0]], 0.01, 20.0)
-    monkeypatch.setattr(distance_blocks, "BYTES", 2**50)
+    monkeypatch.setattr(distance_blocks, "BLOCK_BYTES", 2**50)
     with pytest.raises(MemoryError, match=r"a distance field of \d+ blocks"):
         loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 2.0)
 

@@ -64,7 +64,7 @@ def test_counted_capacity_and_boxes_beyond_the_grid_change_nothing(device, on_cp
 
 def test_growth_between_recorded_frames_loses_nothing(device, on_cpu, monkeypatch):
     """Memory for one frame at a time: most frames move the voxels and drop launches recorded for the old ones."""
-    monkeypatch.setattr(device_frames, "FURTHER", 0)
+    monkeypatch.setattr(device_frames, "RESERVED_RATIO", 0)
     assert fused(device) == on_cpu[True]
 
 

@@ -11,7 +11,7 @@ from pointloom.cameras.images import upload_raw_depth
 from pointloom.kernels.images.depth import largest_depth, metric_depth
 from pointloom.kernels.lang import uint8, uint16
 from pointloom.kernels.memory import upload
-from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
+from pointloom.kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box, touched_blocks
 
 from ..registration.poses import as_pose
 from . import tsdf_scenes as scenes
@@ -295,12 +295,12 @@ def dense_field(volume, threshold):
     """(field, low voxel): the distances in one array, NaN where weights do not exceed the threshold."""
     blocks, distances, weights, _ = scenes.voxels_of(volume)
     low = blocks.min(axis=0)
-    size = (blocks.max(axis=0) + 1 - low) * SIDE
+    size = (blocks.max(axis=0) + 1 - low) * BLOCK_SIDE
     field = np.full(size, np.nan, np.float32)
-    for block, d, w in zip((blocks - low) * SIDE, distances, weights, strict=True):
+    for block, d, w in zip((blocks - low) * BLOCK_SIDE, distances, weights, strict=True):
         x, y, z = (slice(k, k + 8) for k in block)
         field[x, y, z] = np.where(w > threshold, d, np.nan)
-    return field, low * SIDE
+    return field, low * BLOCK_SIDE
 
 
 def test_a_sphere_seen_from_all_sides_is_closed_and_round(device):
@@ -463,9 +463,9 @@ def partly_seen_plane(device, normal, offset, is_seen):
     """A plane with exact distances, seen from below where `is_seen(x, z)` [voxels]."""
     T = look_at((0, 0, -1.2))
     volume = fuse([(scenes.plane_depth(FINE, T, normal, offset), T)], device, camera=FINE)
-    count, cells = volume.block_count, volume.block_count * SIDE**3
+    count, cells = volume.block_count, volume.block_count * BLOCK_SIDE**3
     blocks = block_box(volume.blocks.keys.numpy()[:count])
-    x, y, z = (blocks[:, :, None] * SIDE).T.reshape(3, -1, 1) + np.indices([SIDE] * 3).reshape(3, 1, -1)
+    x, y, z = (blocks[:, :, None] * BLOCK_SIDE).T.reshape(3, -1, 1) + np.indices([BLOCK_SIDE] * 3).reshape(3, 1, -1)
     inward = (np.stack([x, y, z], axis=-1) @ normal * VOXEL - offset).reshape(-1) / TRUNCATION
     distances, weights = (getattr(volume.blocks, name).numpy().copy() for name in ("distances", "weights"))
     distances[:cells] = np.clip(inward, -1, 1)

@@ -4,7 +4,7 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.kernels.memory import upload
-from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
+from pointloom.kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box
 
 from ..interruptions import run_lines
 
@@ -67,8 +67,8 @@ def fused_sphere(device, **options):
 def voxels_of(volume):
     """(blocks [m, 3], distances, weights, colors or None), all of shape [m, 8, 8, 8, ...], sorted by block."""
     keys = volume.blocks.keys.numpy()[: volume.block_count]
-    order, used = np.argsort(keys), volume.block_count * SIDE**3
-    shape = (-1, SIDE, SIDE, SIDE)
+    order, used = np.argsort(keys), volume.block_count * BLOCK_SIDE**3
+    shape = (-1, BLOCK_SIDE, BLOCK_SIDE, BLOCK_SIDE)
     arrays = volume.blocks.distances, volume.blocks.weights
     distances, weights = (values.numpy()[:used].reshape(shape)[order] for values in arrays)
     colors = volume.blocks.colors.numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None

@@ -34,7 +34,7 @@ from .units import unit_under
 if TYPE_CHECKING:
     from .cloud import PointCloud
 
-FLAT = 1e-12  # of the largest variance: below it is float32 rounding
+MIN_VARIANCE_RATIO = 1e-12  # of the largest variance: below it is float32 rounding
 
 
 class Bounds(Selection, Movable):
@@ -262,7 +262,7 @@ class Bounds(Selection, Movable):
         """
         points = self.arrays["points"]
         count, mean, covariance = mean_and_covariance(points)
-        inverse = pinvh(covariance, FLAT) if count else np.zeros((3, 3))
+        inverse = pinvh(covariance, MIN_VARIANCE_RATIO) if count else np.zeros((3, 3))
         return self.arrays.hand_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
 
 

@@ -21,7 +21,7 @@ from .convex_hull import find_extremes
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .point_arrays import read_only
 
-CORNERS = np.array(  # Open3D's order, in halves of the extent
+CORNER_SIGNS = np.array(  # Open3D's order, in halves of the extent
     [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1], [1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]], np.float64
 )
 
@@ -133,7 +133,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     def get_box_points(self) -> NDArray[np.float64]:
         """Corners in Open3D's order, shape (8, 3)."""
-        return np.where(CORNERS < 0, self._min_bound, self._max_bound)
+        return np.where(CORNER_SIGNS < 0, self._min_bound, self._max_bound)
 
     def get_print_info(self) -> str:
         """Bounds as Open3D prints them."""
@@ -306,7 +306,7 @@ class OrientedBoundingBox(BoundingBox):
 
     def get_box_points(self) -> NDArray[np.float64]:
         """Corners in Open3D's order, shape (8, 3)."""
-        return self._center + matmul(CORNERS * (self._extent / 2), self._R.T)
+        return self._center + matmul(CORNER_SIGNS * (self._extent / 2), self._R.T)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """Smallest axis-aligned box around it."""

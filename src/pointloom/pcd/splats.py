@@ -29,7 +29,7 @@ from ..kernels.linear_algebra import cube_root, det, matmul
 from ..kernels.splats.motion import mask_splats, rotate_harmonics, rotate_quaternions
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .cloud import PointCloud
-from .harmonics import FIRST, MAX_DEGREE, degree_of, rotation_of_harmonics
+from .harmonics import DEGREE_0_HARMONIC, MAX_DEGREE, degree_of, rotation_of_harmonics
 from .motion import Movable
 from .point_arrays import check_cloud, read_only
 from .polygon_volume import SelectionPolygonVolume
@@ -193,7 +193,7 @@ class GaussianSplats(Movable, RasterizationMixin):
         cloud = PointCloud(self.centers, device=self.device, arrays=self._cloud.array_library)
         if not len(self):
             return cloud
-        cloud.colors = np.clip(0.5 + FIRST * self._cloud["f_dc"].astype(np.float64), 0, 1)
+        cloud.colors = np.clip(0.5 + DEGREE_0_HARMONIC * self._cloud["f_dc"].astype(np.float64), 0, 1)
         cloud["opacity"] = self.opacities
         shortest = self._cloud["scale"].argmin(axis=1)
         cloud.normals = np.take_along_axis(self._axes(), shortest[:, None, None], axis=2)[:, :, 0]

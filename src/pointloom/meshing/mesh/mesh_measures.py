@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 SAME_NORMAL = 1e-3  # rounding of float32 normals
 SAMPLE_BYTES = 64  # per sampled point, with triangle, weights, normal and color
 MAX_SAMPLES = 2**24  # initial points of Poisson disk sampling: about 4 GB with neighbors
-LONGEST = 1e30  # [m] limit of coordinates
+MAX_COORDINATE = 1e30  # [m] limit of coordinates
 MAX_KEYS = 2**62
 MAX_CELLS = 2**30  # along an axis
 
@@ -590,7 +590,7 @@ class MeshMeasures(MeshSelection):
             >>> len(box.voxelize(1)), len(box.voxelize(1, solid=True))
             (98, 125)
         """
-        size = check_positive("voxel_size", voxel_size, maximum=LONGEST)
+        size = check_positive("voxel_size", voxel_size, maximum=MAX_COORDINATE)
         extremes, findings = self._examined(solid)  # sync
         low, high = self._bounds_of_voxels(box_of(extremes), size, min_bound, max_bound)
         with np.errstate(over="ignore"):
@@ -682,6 +682,6 @@ def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) 
 
 def _check_corner(name: str, values: ArrayLike) -> NDArray[np.float64]:
     corner = check_finite(name, check_shape(name, values, (3,)))
-    if np.abs(corner).max() > LONGEST:
-        raise ValueError(f"{name}: expected coordinates up to {LONGEST:g} m, got {corner.tolist()}")
+    if np.abs(corner).max() > MAX_COORDINATE:
+        raise ValueError(f"{name}: expected coordinates up to {MAX_COORDINATE:g} m, got {corner.tolist()}")
     return corner

@@ -22,7 +22,7 @@ from ...kernels.rays.surface_hausdorff import (
 from ...kernels.rays.triangle_tree import TriangleTree, trees_over
 
 UNREACHED = "mesh2: expected finite triangles at less than 1.8e19 m, got none"
-CLOSE = 1e-5  # of the meshes' size: precision of the Hausdorff bounds
+HAUSDORFF_PRECISION = 1e-5  # of the meshes' size: precision of the Hausdorff bounds
 
 
 class SurfaceMetrics(NamedTuple):
@@ -76,7 +76,7 @@ class _Measured:
         vertices = points_about(mesh.arrays["vertices"], *shift)
         size = float(np.max(tree.high.astype(np.float64) - tree.low))
         triangles, known = mesh.arrays["triangles"], self._sums.largest
-        self.farthest = FarthestSearch(vertices, triangles, tree, known, CLOSE * size)
+        self.farthest = FarthestSearch(vertices, triangles, tree, known, HAUSDORFF_PRECISION * size)
         self.arrays = [self._sums.buffer, sum_squares(sampled), self.farthest.known]
 
     def check(self, sums: NDArray[Any]) -> None:

@@ -52,13 +52,14 @@ from .vertex_numbers import check_finite_vertices, check_vertices
 
 CONTRACTIONS = ("average", "quadric")
 MAX_TRIANGLES = 2**29  # 32-bit half-edge indices, also of the result
-LONG, SHORT = 4 / 3, 4 / 5  # of the target length: limits of splits and collapses (Botsch and Kobbelt 2004)
-RELAXED = 2  # relaxation steps per iteration
-ROUNDS = 3  # of collapses and flips per iteration. Each uses independent edges
+# Limits of splits and collapses, of the target length (Botsch and Kobbelt 2004).
+SPLIT_LENGTH, COLLAPSE_LENGTH = 4 / 3, 4 / 5
+RELAXATION_STEPS = 2  # relaxation steps per iteration
+ROUNDS_PER_ITERATION = 3  # of collapses and flips per iteration. Each uses independent edges
 MIN_CREASE = 3.0  # of the target length: shorter creases are roughness
 MAX_ITERATIONS = 1000
 TRIANGLE_BYTES = 400  # temporary memory
-FEW = 0.002  # of all edges: a round that changes fewer is the last
+MIN_CHANGED_FRACTION = 0.002  # of all edges: a round that changes fewer is the last
 MAX_CORNERS = 2**31 - 1  # 32-bit half-edge indices
 MAX_PASSES = 10_000
 SCOPES = {"all": tuple(PER_VERTEX), "vertex": ("vertices",), "normal": ("vertex_normals",), "color": ("vertex_colors",)}
@@ -552,7 +553,7 @@ class Course:
 
     def __init__(self, mesh: CreasedMesh, trees: tuple[TriangleTree, TriangleTree], target: float) -> None:
         self.mesh, self.trees = mesh, trees
-        self.longest, self.shortest = LONG * target, SHORT * target
+        self.longest, self.shortest = SPLIT_LENGTH * target, COLLAPSE_LENGTH * target
         self.steps: tuple[Callable[..., tuple[CreasedMesh, int | None]], ...] = (self._collapse, flip_edges)
         self.all_rounds = [mesh.vertices.device.is_cuda for _ in self.steps]
         self.state: Integers | None = None  # two numbers of `end_rounds` per step, then `reverted` for each relaxation
@@ -566,7 +567,7 @@ class Course:
                 self.mesh = made
             else:
                 split = 1
-        state = zeros(2 * len(self.steps) + RELAXED, int32, device)
+        state = zeros(2 * len(self.steps) + RELAXATION_STEPS, int32, device)
         for k, step in enumerate(self.steps):
             self._make_rounds(k, step, state[2 * k : 2 * k + 2])
         if not device.is_cuda:
@@ -585,7 +586,7 @@ class Course:
         if self.state is None:
             return True
         self.state = None
-        self.all_rounds = [counts[2 * k + 1] == ROUNDS for k in range(len(self.steps))]
+        self.all_rounds = [counts[2 * k + 1] == ROUNDS_PER_ITERATION for k in range(len(self.steps))]
         if not any(counts[2 * len(self.steps) :]):
             return True
         self.mesh.vertices = self.before
@@ -599,15 +600,17 @@ class Course:
 
     def _make_rounds(self, k: int, step: Callable[..., tuple[CreasedMesh, int | None]], rounds: Integers) -> None:
         """Run the rounds of a step, without a host check or with one after each (sync)."""
-        for round_number in range(1, ROUNDS + 1):
-            self.mesh, changed = step(self.mesh, FEW, rounds if self.all_rounds[k] else None)
-            if changed is not None and (changed <= FEW * self.mesh.edges.count or round_number == ROUNDS):
+        for round_number in range(1, ROUNDS_PER_ITERATION + 1):
+            self.mesh, changed = step(self.mesh, MIN_CHANGED_FRACTION, rounds if self.all_rounds[k] else None)
+            if changed is not None and (
+                changed <= MIN_CHANGED_FRACTION * self.mesh.edges.count or round_number == ROUNDS_PER_ITERATION
+            ):
                 fill(rounds[1:], round_number)
                 break
 
     def _relax(self, reverted: Integers | None = None) -> None:
         """Relax vertices RELAXED times along the surface and creases. One sync each if `reverted` is None."""
-        for k in range(RELAXED):
+        for k in range(RELAXATION_STEPS):
             moved = relaxed(self.mesh)
             on_surface, on_lines = (SurfacePositions(moved, tree).points for tree in self.trees)
             targets = choose_positions(self.mesh, on_surface, on_lines)

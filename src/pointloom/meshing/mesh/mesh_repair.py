@@ -46,8 +46,8 @@ if TYPE_CHECKING:
     from .mesh import TriangleMesh
 
 MAX_INT32 = 2**31 - 1
-MANIFOLD = 2  # triangles per edge of a closed surface
-ROUNDING = 1e-9  # relative, of area sums
+TRIANGLES_PER_EDGE = 2  # triangles per edge of a closed surface
+AREA_ROUNDING = 1e-9  # relative, of area sums
 MAX_LOST = 0.01  # fraction of the area, without copies, above which parts of the surface may be missing
 
 
@@ -148,9 +148,9 @@ class MeshRepair(MeshMeasures):
             ([[0, 1]], 7)
         """
         edges = self.unique_edges()
-        mask = mesh_edges.mask_counts(edges, MANIFOLD + 1, MAX_INT32)
+        mask = mesh_edges.mask_counts(edges, TRIANGLES_PER_EDGE + 1, MAX_INT32)
         if not allow_boundary_edges:
-            mask = mesh_edges.mask_other_counts(edges, MANIFOLD)
+            mask = mesh_edges.mask_other_counts(edges, TRIANGLES_PER_EDGE)
         return self._ends(edges, mask)
 
     def get_boundary_edges(self) -> NDArray[np.int32]:
@@ -640,14 +640,15 @@ class MeshRepair(MeshMeasures):
 def count_edges(mesh: MeshRepair) -> EdgeCounts:
     edges = mesh.unique_edges()
     boundary, crowded = (
-        positions_of(mesh_edges.mask_counts(edges, *limits)).size for limits in ((1, 1), (MANIFOLD + 1, MAX_INT32))
+        positions_of(mesh_edges.mask_counts(edges, *limits)).size
+        for limits in ((1, 1), (TRIANGLES_PER_EDGE + 1, MAX_INT32))
     )
     return EdgeCounts(edges.count, boundary, crowded)
 
 
 def _difference(total: float, rest: float) -> float:
     """Difference of sums. 0 if it is below the rounding error."""
-    return total - rest if total - rest > ROUNDING * total else 0.0
+    return total - rest if total - rest > AREA_ROUNDING * total else 0.0
 
 
 def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bool, what: str) -> Any:

@@ -53,7 +53,7 @@ from .mesh_arrays import MeshArrays
 from .mesh_attributes import each
 from .section_paths import join_lines, lines_in_plane, outline, run_alike
 
-FINEST = 2.0**-45  # of the largest coordinate: float64 cannot resolve smaller cells
+MIN_CELL_RATIO = 2.0**-45  # of the largest coordinate: float64 cannot resolve smaller cells
 
 
 class _Plane(NamedTuple):
@@ -264,7 +264,7 @@ class MeshSelection(MeshArrays):
         radius, vertices = check_positive(name, distance), self.arrays["vertices"]
         low, high, count = bound_points(vertices)
         extent = float(np.abs([low, high]).max()) if count else 0.0
-        if radius < FINEST * extent or radius * radius == 0:
+        if radius < MIN_CELL_RATIO * extent or radius * radius == 0:
             raise ValueError(
                 f"{name}: {radius:g} m is too small for coordinates up to {extent:g} m. Use remove_duplicated_vertices "
                 "to merge vertices at one position"
@@ -656,7 +656,8 @@ class MeshSelection(MeshArrays):
         slack = float(
             matmul(
                 np.abs(direction),
-                plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self.arrays.origin) + np.abs(center)),
+                plane_cut.FLOAT32_ROUNDING * largest
+                + plane_cut.FLOAT64_ROUNDING * (np.abs(self.arrays.origin) + np.abs(center)),
             )
         )
         mesh = self

@@ -22,12 +22,12 @@ from .posed_images import Names, check_images
 
 MAX_SIZE = 2**14  # per side. File formats allow 2^28 texels
 TEXEL_BYTES = 40
-TRIES = 3
+MAX_SIZES_TRIED = 3
 MAX_EXCESS = 3  # maximum ratio of xatlas's image to the size: beyond, wider gutters only enlarge the image
-_WIDER = 1.5  # xatlas exceeds the requested size by 20% or more, which shrinks the gutter
+_GUTTER_FACTOR = 1.5  # xatlas exceeds the requested size by 20% or more, which shrinks the gutter
 MAX_TEXELS = 16384  # per side: 2.7e8 texels, about 30 GB temporarily
 NAMES = Names("images", "intrinsic_matrices", "extrinsic_matrices")
-GUTTER = 8  # texels of padding: three mipmap levels
+GUTTER_TEXELS = 8  # texels of padding: three mipmap levels
 
 
 class MeshTexture(MeshArrays):
@@ -165,7 +165,7 @@ class MeshTexture(MeshArrays):
         trees = plant_trees(self.arrays["vertices"], self.arrays["triangles"])
         sums = texels.blend(checked.stacked(self.arrays.origin, 0), trees)
         colors = self.arrays.get("vertex_colors")
-        image = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
+        image = download(texels.write(sums, colors, GUTTER_TEXELS)).reshape(size, size, 3)  # sync
         fraction = texels.visible_fraction(sums)  # sync
         textured = self.with_arrays(triangle_material_ids=None)
         textured.textures = (image.copy(),)
@@ -177,8 +177,8 @@ def _lay_out(
 ) -> NDArray[np.float32]:
     """Texture coordinates of corners by xatlas, (3 t, 2)."""
     xatlas = _import_xatlas()
-    padding, reason = math.ceil(_WIDER * gutter), ""
-    for _ in range(TRIES):
+    padding, reason = math.ceil(_GUTTER_FACTOR * gutter), ""
+    for _ in range(MAX_SIZES_TRIED):
         options = xatlas.PackOptions()
         options.resolution, options.padding = size, padding
         atlas = xatlas.Atlas()
@@ -194,7 +194,7 @@ def _lay_out(
         reason = f"its {atlas.chart_count} charts with gutters of {gutter:g} need {edge} x {edge} texels"
         if edge > MAX_EXCESS * size:
             break
-        padding = math.ceil(_WIDER * gutter * edge / size)
+        padding = math.ceil(_GUTTER_FACTOR * gutter * edge / size)
     raise ValueError(f"size: {size} x {size} texels are too few for the mesh: {reason}")
 
 

@@ -31,7 +31,7 @@ from ...pcd.point_arrays import check_cloud
 from ...pcd.raster_cells import check_lengths
 from ..mesh.voxel_grid import VoxelGrid
 from .distance_field_files import (
-    LARGEST,
+    MAX_COORDINATE,
     FieldSource,
     arrays_of,
     check_field_arrays,
@@ -231,7 +231,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         cells = check_rows("coordinates", on_host("coordinates", coordinates), 3)
         if cells.dtype.kind not in "iu" and cells.size:
             raise TypeError(f"coordinates: expected whole numbers, got {cells.dtype}")
-        if cells.size and not (cells.min() > -LARGEST and cells.max() < LARGEST):
+        if cells.size and not (cells.min() > -MAX_COORDINATE and cells.max() < MAX_COORDINATE):
             raise ValueError(f"coordinates: {cells.min()}..{cells.max()} exceed 30 bits")
         edge, limit = check_voxel_size(voxel_size), check_positive("max_distance", max_distance)
         corner = check_finite("origin", check_shape("origin", origin, (3,)))

@@ -86,7 +86,7 @@ class FieldViews:
             low, high = self._voxel_bounds()
         else:
             beyond = "exceed the range of block indices around the origin"
-            low, high = voxels_in_bounds(bounds, self.origin, self.voxel_size, queries.OUTERMOST, beyond)
+            low, high = voxels_in_bounds(bounds, self.origin, self.voxel_size, queries.MAX_QUERY_VOXELS, beyond)
         if layer is not None:
             low[layer[0]], high[layer[0]] = layer[1], layer[1] + 1
         count, (x, y, z), size = math.prod((high - low).tolist()), low.tolist(), (high - low).tolist()
@@ -146,7 +146,7 @@ class FieldViews:
         along = check_axis(axis)
         number = check_number("position", position)
         cell = (number - float(self.origin[along])) / self.voxel_size
-        if not abs(cell) < queries.OUTERMOST:
+        if not abs(cell) < queries.MAX_QUERY_VOXELS:
             raise ValueError(f"position: {number:g} m exceeds the range of block indices around the origin")
         layer = math.floor(cell)
         low, size = thin = self._box(bounds, (along, layer))

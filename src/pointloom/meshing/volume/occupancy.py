@@ -21,7 +21,7 @@ from ...core.pickled_arrays import device_like, unpickling
 from ...kernels.lang import float32, int64, vec3
 from ...kernels.memory import download, upload
 from ...kernels.volumes import occupancy_blocks as odds
-from ...kernels.volumes.occupancy_blocks import OUTERMOST, OddsBlocks
+from ...kernels.volumes.occupancy_blocks import MAX_KEY_VOXELS, OddsBlocks
 from ...kernels.volumes.occupancy_rays import Lattice
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS
 from ...pcd.cloud import PointCloud
@@ -29,7 +29,7 @@ from .occupancy_files import check_grid_arrays, find_fault_of_model, log_odds_of
 from .occupancy_queries import OccupancyQuestions
 from .voxel_boxes import check_positions, check_voxel_size
 
-FARTHEST = 3.0e38  # [m] default of max_range
+UNLIMITED_RANGE = 3.0e38  # [m] default of max_range
 
 
 class OccupancyGrid(OccupancyQuestions, HintedNames):
@@ -145,12 +145,12 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
             )
         cloud = self._cloud_of("points", points)
         starts = check_positions("origin", on_host("origin", origin), len(cloud))
-        longest = FARTHEST if max_range is None else check_positive("max_range", max_range)
+        longest = UNLIMITED_RANGE if max_range is None else check_positive("max_range", max_range)
         if not len(cloud):
             return 0
         new_origin = self._origin if self._origin is not None else origin_of_sensor(starts[0])
         local = starts - new_origin
-        if not np.abs(local).max() < OUTERMOST * self.voxel_size:
+        if not np.abs(local).max() < MAX_KEY_VOXELS * self.voxel_size:
             raise ValueError(
                 f"origin: a ray starts {np.abs(local).max():.6g} m from the grid's origin {new_origin.tolist()}"
             )

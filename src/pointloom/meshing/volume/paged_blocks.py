@@ -16,7 +16,7 @@ from ...kernels.volumes.voxel_blocks import VoxelBlocks
 from .page_files import Keys, Page, PageFolder, Saved, cubes_of
 from .tsdf import FrameState, TSDFVolume
 
-SPARE = 4  # a quarter of `max_blocks` is freed at once, so that not each frame pages
+FREED_DIVISOR = 4  # a quarter of `max_blocks` is freed at once, so that not each frame pages
 
 
 @dataclass
@@ -152,7 +152,7 @@ class PagedBlocks(TSDFVolume):
         if needed + left <= self.max_blocks:
             return []
         for cube in sorted(others, key=lambda cube: (self._last_access.get(cube, 0), cube)):
-            if needed + left <= self.max_blocks - self.max_blocks // SPARE:
+            if needed + left <= self.max_blocks - self.max_blocks // FREED_DIVISOR:
                 break
             leaving.append(cube)
             left -= others[cube]

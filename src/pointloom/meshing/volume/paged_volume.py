@@ -24,7 +24,7 @@ from ...kernels.arrays.block_keys import BIAS
 from ...kernels.lang import vec3, vec3i
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import upload
-from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, SIDE, frame_box
+from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE, MAX_BLOCKS, frame_box
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .page_files import LIST, MAX_SIDE, PageFolder
@@ -289,7 +289,7 @@ class PagedTSDFVolume(Serialized, HintedNames):
         """
         volume = self._volume
         _, far, _ = check_view(intrinsic, depth_min, depth_max, weight_threshold)
-        far = min(far, 4 * BIAS * SIDE * volume.voxel_size)  # beyond it blocks have no key
+        far = min(far, 4 * BIAS * BLOCK_SIDE * volume.voxel_size)  # beyond it blocks have no key
         T = inv(check_rigid("extrinsic", extrinsic))
         T[:3, 3] -= volume.origin
         low, size, _ = frame_box(far, intrinsic, T, volume.truncation, volume.voxel_size)

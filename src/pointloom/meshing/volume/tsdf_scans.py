@@ -24,7 +24,7 @@ from ...kernels.lang import float32, vec3, vec3d
 from ...kernels.memory import download, upload
 from ...kernels.volumes.scan_fusion import integrate_scan, scan_blocks
 from ...kernels.volumes.scan_rays import ScanRays, find_faults
-from ...kernels.volumes.tsdf_blocks import SIDE
+from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE
 from ...pcd.cloud import PointCloud
 from .voxel_boxes import check_positions
 
@@ -133,7 +133,7 @@ class ScanIntegration(Serialized):
                 "cloud.remove_non_finite_points()"
             )
         if faults.far < count:
-            extent = BIAS * SIDE * rays.voxel_size
+            extent = BIAS * BLOCK_SIDE * rays.voxel_size
             raise ValueError(
                 f"points, origin: point {faults.far} or its scanner is beyond {extent:.0f} m from the volume's "
                 f"origin, the range of {rays.voxel_size} m voxels. Use max_range to ignore outliers"
