@@ -203,4 +203,4 @@ def test_two_volumes_in_two_threads_are_those_of_one(emulated):
     for thread in threads:
         thread.join()
     for volume in volumes:
-        assert digest(volume._downloaded()) == digest(alone._downloaded())
+        assert digest(volume.downloaded()) == digest(alone.downloaded())

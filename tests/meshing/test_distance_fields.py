@@ -209,7 +209,7 @@ def test_a_field_round_trips_through_files_and_pickle(tmp_path, scan):
         field.save(tmp_path / "field.npz")
         for again in (loom.DistanceField.load(tmp_path / "field.npz"), pickle.loads(pickle.dumps(field))):
             assert repr(again) == repr(field) and (again.origin == field.origin).all()
-            np.testing.assert_array_equal(again._blocks.sqdists, field._blocks.sqdists)
+            np.testing.assert_array_equal(again.blocks.sqdists, field.blocks.sqdists)
             np.testing.assert_array_equal(again.occupied_voxels, field.occupied_voxels)
 
 
@@ -248,7 +248,7 @@ def test_a_damaged_file_is_a_named_error(tmp_path):
 def test_too_large_fields_are_rejected_with_their_size(monkeypatch):
     with pytest.raises(ValueError, match=r"would need [\d,]+ blocks"):
         loom.DistanceField.from_voxels([[0, 0, 0]], 0.01, 20.0)
-    monkeypatch.setattr(distance_blocks, "BYTES", 2**50)
+    monkeypatch.setattr(distance_blocks, "BLOCK_BYTES", 2**50)
     with pytest.raises(MemoryError, match=r"a distance field of \d+ blocks"):
         loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 2.0)
 

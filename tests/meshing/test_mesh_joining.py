@@ -101,7 +101,7 @@ def test_a_prism_is_closed_and_has_its_volume(way, is_reversed, is_far):
     prism = base.extrude_linear(way)
     assert prism.is_watertight()
     assert prism.get_volume() == pytest.approx(base.get_surface_area() * abs(way[2]), rel=1e-6)
-    assert prism._signed_volume() > 0
+    assert prism.signed_volume() > 0
 
 
 def test_a_spring_matches_open3ds_example():

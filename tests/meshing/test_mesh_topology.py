@@ -165,7 +165,7 @@ def test_closed_components_can_be_oriented_outwards_and_open_ones_stay(device, w
     assert orientable and is_consistent(oriented.triangles)
     for first in (0, 12):
         part = TriangleMesh(oriented.vertices, oriented.triangles[first : first + 12])
-        assert part.get_volume() == pytest.approx(1, rel=1e-6) and part._signed_volume() > 0
+        assert part.get_volume() == pytest.approx(1, rel=1e-6) and part.signed_volume() > 0
     assert oriented.triangles[24].tolist() == mesh.triangles[24].tolist()
 
 

@@ -144,14 +144,14 @@ def test_each_material_uses_its_texture(device):
 
 def test_strips_of_rows_give_one_map(monkeypatch):
     full = loom.meshing.orthophoto(town(), 0.5)
-    monkeypatch.setattr(source, "STRIP", 100)  # two rows and a part of one
+    monkeypatch.setattr(source, "CELLS_PER_STRIP", 100)  # two rows and a part of one
     parts = loom.meshing.orthophoto(town(), 0.5)
     np.testing.assert_array_equal(parts.heights.values, full.heights.values)
     np.testing.assert_array_equal(parts.colors, full.colors)
 
 
 def test_a_frame_georeferences_the_map_in_its_utm_zone(device, monkeypatch):
-    monkeypatch.setattr(source, "PART", 5)  # several parts of vertices
+    monkeypatch.setattr(source, "VERTICES_PER_PART", 5)  # several parts of vertices
     mesh = town(np.zeros(3), device)
     made = loom.meshing.orthophoto(mesh, 0.25, frame=FRAME)
     assert made.heights.crs == "EPSG:32632"

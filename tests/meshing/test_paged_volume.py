@@ -39,7 +39,7 @@ def paged(folder, device, max_blocks=190, **more):
 
 
 def bits_of(volume):
-    return {name: np.array(values) for name, values in volume._downloaded().items()}
+    return {name: np.array(values) for name, values in volume.downloaded().items()}
 
 
 def assert_same_bits(one, other):

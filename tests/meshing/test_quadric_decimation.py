@@ -339,7 +339,7 @@ def test_triangles_become_uniform_and_stay_on_the_surface(shape, length):
     assert ((lengths > 0.8) & (lengths < 4 / 3)).mean() > 0.98 and np.median(smallest_angles(made)) > 50
     assert smallest_angles(made).min() > 25
     assert made.is_watertight() and made.euler_poincare_characteristic() == mesh.euler_poincare_characteristic()
-    assert made.get_volume() == pytest.approx(mesh.get_volume(), rel=0.01) and made._signed_volume() > 0
+    assert made.get_volume() == pytest.approx(mesh.get_volume(), rel=0.01) and made.signed_volume() > 0
     # Edges between the faces of the round shape are cut where they have no vertex.
     metrics = made.compute_metrics(mesh, n_sampled_points=500)
     assert max(metrics.max) < 0.15 * length and not made.is_self_intersecting()

@@ -38,7 +38,7 @@ def fused(device, *, count=8, color=True, depth_max=3.0):
         int(volume.integrate(depth, camera, T, paint if color else None, depth_max=depth_max))
         for depth, camera, T, paint in frames(count)
     ]
-    keys = volume._blocks.keys.numpy()[: volume.block_count]
+    keys = volume.blocks.keys.numpy()[: volume.block_count]
     return touched, keys.tobytes(), fingerprint(volume), volume.frame_count
 
 
@@ -64,7 +64,7 @@ def test_counted_capacity_and_boxes_beyond_the_grid_change_nothing(device, on_cp
 
 def test_growth_between_recorded_frames_loses_nothing(device, on_cpu, monkeypatch):
     """Memory for one frame at a time: most frames move the voxels and drop launches recorded for the old ones."""
-    monkeypatch.setattr(device_frames, "FURTHER", 0)
+    monkeypatch.setattr(device_frames, "RESERVED_RATIO", 0)
     assert fused(device) == on_cpu[True]
 
 
@@ -128,7 +128,7 @@ def painted_wall(device, *, color=True, origin=(0.0, 0.0, 0.0)):
 
 
 def rendered(volume, T, **options):
-    maps = volume._render_maps(CAMERA, T, weight_threshold=0, **options)
+    maps = volume.render_maps(CAMERA, T, weight_threshold=0, **options)
     shape = (CAMERA.height, CAMERA.width)
     intensity = None if maps.intensity is None else download(maps.intensity).reshape(shape)
     return download(maps.depth).reshape(shape), download(maps.normals).reshape(*shape, 3), intensity

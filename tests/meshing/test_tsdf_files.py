@@ -38,9 +38,9 @@ def make(device, *, color=True, colored=None, seeds=(0, 1), voxel_size=0.03):
 
 def bits(volume):
     count = volume.block_count
-    keys = volume._blocks.keys.numpy()[:count].tobytes()
+    keys = volume.blocks.keys.numpy()[:count].tobytes()
     names = ("distances", "weights", "colors")[: 3 if volume.has_color else 2]
-    voxels = [getattr(volume._blocks, name).numpy()[: count * 512].tobytes() for name in names]
+    voxels = [getattr(volume.blocks, name).numpy()[: count * 512].tobytes() for name in names]
     numbers = (volume.voxel_size, volume.truncation, volume.frame_count, volume.has_color, volume.origin.tolist())
     return keys, voxels, numbers
 

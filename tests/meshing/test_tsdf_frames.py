@@ -41,7 +41,7 @@ def volume(device, color=True):
 
 
 def assert_equal(one, other):
-    arrays = [each._downloaded() for each in (one, other)]
+    arrays = [each.downloaded() for each in (one, other)]
     assert arrays[0].keys() == arrays[1].keys()
     for name, values in arrays[0].items():
         np.testing.assert_array_equal(values, arrays[1][name], err_msg=name)

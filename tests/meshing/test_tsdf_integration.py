@@ -11,7 +11,7 @@ from pointloom.cameras.images import upload_raw_depth
 from pointloom.kernels.images.depth import largest_depth, metric_depth
 from pointloom.kernels.lang import uint8, uint16
 from pointloom.kernels.memory import upload
-from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
+from pointloom.kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box, touched_blocks
 
 from ..registration.poses import as_pose
 from . import tsdf_scenes as scenes
@@ -69,7 +69,7 @@ def test_a_removed_frame_leaves_the_voxels_of_the_others(device, rng):
             raw, scale, farthest, *_ = upload_raw_depth(depth, None, 3.0, volume.device)
             pixels = upload(color.reshape(-1, 3), uint8, volume.device)
             T = np.linalg.inv(np.linalg.inv(T))
-            volume._remove_device_frame(metric_depth(raw, scale, farthest)[0], SMALL, T, pixels, farthest)
+            volume.remove_device_frame(metric_depth(raw, scale, farthest)[0], SMALL, T, pixels, farthest)
     assert (partial.frame_count, complete.frame_count, emptied.frame_count) == (4, 4, 0)
     assert scenes.voxels_of(emptied)[2].max() == 0 and not len(emptied.extract_triangle_mesh(0))
     expected, result = (
@@ -107,11 +107,11 @@ def test_weights_saturate_at_65535_and_values_continue_as_a_running_mean(device)
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device)
     depth = np.full((SMALL.height, SMALL.width), 1.005)
     volume.integrate(depth, SMALL, np.eye(4))
-    weights = volume._blocks.weights.numpy()
+    weights = volume.blocks.weights.numpy()
     scenes.set_voxels(volume, "weights", np.where(weights > 0, 65534, 0).astype(np.uint16))
     for expected in (65535, 65535):
         volume.integrate(depth + 0.02, SMALL, np.eye(4))
-        now = volume._blocks.weights.numpy()
+        now = volume.blocks.weights.numpy()
         assert now.max() == expected and now.dtype == np.uint16
         assert (now[weights > 0] >= 65534).all(), "no weight wraps around"
     mesh = volume.extract_triangle_mesh(weight_threshold=65534)
@@ -191,16 +191,16 @@ def test_mean_colors_are_rounded_to_nearest(device, rng):
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     depth = np.full((SMALL.height, SMALL.width), 1.005)
     volume.integrate(depth, SMALL, np.eye(4), color=np.zeros((*depth.shape, 3), np.uint8))
-    seen = volume._blocks.weights.numpy() == 1
+    seen = volume.blocks.weights.numpy() == 1
     weights = np.where(seen, rng.integers(1, 200, seen.shape), 0)
     colors = np.where(seen[:, None], rng.integers(0, 65536, (len(seen), 3)), 0)
     scenes.set_voxels(volume, "weights", weights.astype(np.uint16))
     scenes.set_voxels(volume, "colors", colors.astype(np.uint16))
     volume.integrate(depth, SMALL, np.eye(4), color=np.full((*depth.shape, 3), 77, np.uint8))
     mean = (colors * weights[:, None] + 77 * 257.0) / (weights[:, None] + 1)
-    again = volume._blocks.weights.numpy() == weights + 1
+    again = volume.blocks.weights.numpy() == weights + 1
     assert again.sum() == seen.sum() > 1000
-    error = (volume._blocks.colors.numpy() - mean)[again]
+    error = (volume.blocks.colors.numpy() - mean)[again]
     assert np.abs(error).max() < 0.51  # half a step, and the rounding of float32 sums of up to 1.3e7
 
 
@@ -261,7 +261,7 @@ def test_any_depth_gives_finite_voxels_within_one(values, voxel_size):
     _, distances, weights, _ = scenes.voxels_of(volume)
     assert (np.abs(distances) <= 1).all() and weights.max(initial=0) <= 1
     assert np.isfinite(volume.extract_triangle_mesh(0).vertices).all()
-    assert uint16 == volume._blocks.weights.dtype
+    assert uint16 == volume.blocks.weights.dtype
 
 
 def test_a_rejected_far_first_frame_sets_no_origin(device):
@@ -295,12 +295,12 @@ def dense_field(volume, threshold):
     """(field, low voxel): the distances in one array, NaN where weights do not exceed the threshold."""
     blocks, distances, weights, _ = scenes.voxels_of(volume)
     low = blocks.min(axis=0)
-    size = (blocks.max(axis=0) + 1 - low) * SIDE
+    size = (blocks.max(axis=0) + 1 - low) * BLOCK_SIDE
     field = np.full(size, np.nan, np.float32)
-    for block, d, w in zip((blocks - low) * SIDE, distances, weights, strict=True):
+    for block, d, w in zip((blocks - low) * BLOCK_SIDE, distances, weights, strict=True):
         x, y, z = (slice(k, k + 8) for k in block)
         field[x, y, z] = np.where(w > threshold, d, np.nan)
-    return field, low * SIDE
+    return field, low * BLOCK_SIDE
 
 
 def test_a_sphere_seen_from_all_sides_is_closed_and_round(device):
@@ -320,7 +320,7 @@ def test_a_sphere_seen_from_all_sides_is_closed_and_round(device):
 def test_a_surface_of_random_values_matches_the_dense_copy(device, rng):
     """Every case of the table, across block boundaries, with random unseen voxels."""
     volume = fused_sphere(device)
-    count = volume._blocks.distances.size
+    count = volume.blocks.distances.size
     scenes.set_voxels(volume, "distances", rng.uniform(-1, 1, count).astype(np.float32))
     scenes.set_voxels(volume, "weights", rng.integers(0, 30, count).astype(np.uint16))
     mesh = volume.extract_triangle_mesh(1)
@@ -463,11 +463,11 @@ def partly_seen_plane(device, normal, offset, is_seen):
     """A plane with exact distances, seen from below where `is_seen(x, z)` [voxels]."""
     T = look_at((0, 0, -1.2))
     volume = fuse([(scenes.plane_depth(FINE, T, normal, offset), T)], device, camera=FINE)
-    count, cells = volume.block_count, volume.block_count * SIDE**3
-    blocks = block_box(volume._blocks.keys.numpy()[:count])
-    x, y, z = (blocks[:, :, None] * SIDE).T.reshape(3, -1, 1) + np.indices([SIDE] * 3).reshape(3, 1, -1)
+    count, cells = volume.block_count, volume.block_count * BLOCK_SIDE**3
+    blocks = block_box(volume.blocks.keys.numpy()[:count])
+    x, y, z = (blocks[:, :, None] * BLOCK_SIDE).T.reshape(3, -1, 1) + np.indices([BLOCK_SIDE] * 3).reshape(3, 1, -1)
     inward = (np.stack([x, y, z], axis=-1) @ normal * VOXEL - offset).reshape(-1) / TRUNCATION
-    distances, weights = (getattr(volume._blocks, name).numpy().copy() for name in ("distances", "weights"))
+    distances, weights = (getattr(volume.blocks, name).numpy().copy() for name in ("distances", "weights"))
     distances[:cells] = np.clip(inward, -1, 1)
     weights[:cells] = (np.abs(inward) < 1) & is_seen(x, z).reshape(-1)
     scenes.set_voxels(volume, "distances", distances)

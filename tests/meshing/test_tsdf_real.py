@@ -7,7 +7,7 @@ import pointloom as loom
 from pointloom.cameras.images import upload_raw_depth
 from pointloom.io.frames.datasets import open_dataset
 from pointloom.kernels.images.depth import largest_depth, metric_depth
-from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
+from pointloom.kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box, touched_blocks
 
 from .tsdf_scenes import SMALL, TRUNCATION, VOXEL, small_frames
 
@@ -20,7 +20,7 @@ def open3d_voxels(o3d, frames, camera, depth_scale, stride=1):
     Half a pixel is added to the principal point, as Open3D truncates pixel coordinates that pointloom rounds.
     """
     tensor, types = o3d.core.Tensor, (o3d.core.float32,) * 3
-    given = ("tsdf", "weight", "color"), types, ((1), (1), (3)), VOXEL, SIDE, 20_000, o3d.core.Device("CPU:0")
+    given = ("tsdf", "weight", "color"), types, ((1), (1), (3)), VOXEL, BLOCK_SIDE, 20_000, o3d.core.Device("CPU:0")
     grid = o3d.t.geometry.VoxelBlockGrid(*given)
     K = camera.matrix
     K[:2, 2] += 0.5
@@ -40,9 +40,9 @@ def open3d_voxels(o3d, frames, camera, depth_scale, stride=1):
 
 def assert_voxels_are(volume, theirs, stride=1):
     keys, distances, weights, colors = theirs
-    used, blocks = volume.block_count * SIDE**3, volume._blocks
-    corners = block_box(blocks.keys.numpy()[: volume.block_count])[:, None] * SIDE
-    inner = np.stack(np.meshgrid(*[np.arange(SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    used, blocks = volume.block_count * BLOCK_SIDE**3, volume.blocks
+    corners = block_box(blocks.keys.numpy()[: volume.block_count])[:, None] * BLOCK_SIDE
+    inner = np.stack(np.meshgrid(*[np.arange(BLOCK_SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     our_keys = flat_key((corners + inner).reshape(-1, 3))
     order = np.argsort(our_keys)[::stride]
     result = [values.numpy()[:used][order] for values in (blocks.distances, blocks.weights, blocks.colors)]

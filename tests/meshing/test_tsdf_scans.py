@@ -5,7 +5,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.kernels.memory import download
-from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
+from pointloom.kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box
 from pointloom.meshing.volume.shift_scores import score_shifts
 
 from .tsdf_scenes import assert_complete_or_absent, fingerprint
@@ -31,12 +31,12 @@ def wall(x, count=25, seed=0):
 
 def voxels_of(volume):
     """(value, weight) of each observed voxel, by its integer coordinates."""
-    keys = download(volume._blocks.keys)[: volume.block_count]
-    weights = download(volume._blocks.weights)[: 512 * len(keys)]
-    values = download(volume._blocks.distances)[: 512 * len(keys)]
+    keys = download(volume.blocks.keys)[: volume.block_count]
+    weights = download(volume.blocks.weights)[: 512 * len(keys)]
+    values = download(volume.blocks.distances)[: 512 * len(keys)]
     seen = np.flatnonzero(weights)
     inner = np.stack(np.unravel_index(seen % 512, (8, 8, 8)), axis=1)
-    coordinates = block_box(keys)[seen // 512] * SIDE + inner
+    coordinates = block_box(keys)[seen // 512] * BLOCK_SIDE + inner
     return {tuple(p): (v, w) for p, v, w in zip(coordinates.tolist(), values[seen], weights[seen], strict=True)}
 
 
@@ -61,13 +61,13 @@ def reference(scans, carve):
             d = (p - scanner) / distance
             a, b = ((scanner + d * r) / VOXEL + 0.5 for r in (distance - TRUNCATION, distance + TRUNCATION))
             ends = cells_between(a, b)
-            blocks |= {tuple(c // SIDE for c in cell) for cell in ends}
+            blocks |= {tuple(c // BLOCK_SIDE for c in cell) for cell in ends}
             rays.append((distance, d, ends | (cells_between(scanner / VOXEL + 0.5, a) if carve else {})))
         samples = {}
         for distance, d, cells in rays:
             for cell in cells:
                 value = (distance - (np.array(cell) * VOXEL - scanner) @ d) / TRUNCATION
-                if value > -1 and tuple(c // SIDE for c in cell) in blocks:
+                if value > -1 and tuple(c // BLOCK_SIDE for c in cell) in blocks:
                     samples.setdefault(cell, []).append(min(value, 1.0))
         for cell, values in samples.items():
             old, w = voxels.get(cell, (0.0, 0))
@@ -134,7 +134,7 @@ def test_outlier_points_create_no_blocks(device, carve):
     volumes = volume_on(device), volume_on(device)
     for volume, scan in zip(volumes, (points, np.vstack([points, wild])), strict=True):
         volume.integrate_points(scan, np.zeros(3), **options)
-    keys = [volume._downloaded()["keys"].tobytes() for volume in volumes]
+    keys = [volume.downloaded()["keys"].tobytes() for volume in volumes]
     assert keys[0] == keys[1] and volumes[0].memory_bytes == volumes[1].memory_bytes
     assert carve or fingerprint(volumes[0]) == fingerprint(volumes[1])
 

@@ -4,7 +4,7 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.kernels.memory import upload
-from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
+from pointloom.kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box
 
 from ..interruptions import run_lines
 
@@ -66,17 +66,17 @@ def fused_sphere(device, **options):
 
 def voxels_of(volume):
     """(blocks [m, 3], distances, weights, colors or None), all of shape [m, 8, 8, 8, ...], sorted by block."""
-    keys = volume._blocks.keys.numpy()[: volume.block_count]
-    order, used = np.argsort(keys), volume.block_count * SIDE**3
-    shape = (-1, SIDE, SIDE, SIDE)
-    arrays = volume._blocks.distances, volume._blocks.weights
+    keys = volume.blocks.keys.numpy()[: volume.block_count]
+    order, used = np.argsort(keys), volume.block_count * BLOCK_SIDE**3
+    shape = (-1, BLOCK_SIDE, BLOCK_SIDE, BLOCK_SIDE)
+    arrays = volume.blocks.distances, volume.blocks.weights
     distances, weights = (values.numpy()[:used].reshape(shape)[order] for values in arrays)
-    colors = volume._blocks.colors.numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None
+    colors = volume.blocks.colors.numpy()[:used].reshape(*shape, 3)[order] if volume.has_color else None
     return block_box(keys[order]), distances, weights, colors
 
 
 def set_voxels(volume, name, values):
-    setattr(volume._blocks, name, upload(values, getattr(volume._blocks, name).dtype, volume.device))
+    setattr(volume.blocks, name, upload(values, getattr(volume.blocks, name).dtype, volume.device))
 
 
 def fingerprint(volume):

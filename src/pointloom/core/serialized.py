@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterable, Iterator
 from types import FunctionType
 from typing import Any, Self, TypeVar, cast
 
+from .attribute_hints import internal_names
+
 Method = TypeVar("Method", bound=Callable[..., Any])
 
 _OPERATORS = {
@@ -35,7 +37,7 @@ class Serialized:
     def __init_subclass__(cls, **options: Any) -> None:
         super().__init_subclass__(**options)
         for name, value in list(vars(cls).items()):
-            if name.startswith("_") and name not in _OPERATORS:
+            if (name.startswith("_") and name not in _OPERATORS) or name in internal_names(cls):
                 continue
             if isinstance(value, property):
                 parts: list[Any] = [part and one_at_a_time(part) for part in (value.fget, value.fset, value.fdel)]
@@ -51,7 +53,7 @@ class Serialized:
 
 
 def one_at_a_time(function: Method) -> Method:
-    """Acquire the lock of the object for a method. Needed for private methods that other objects call."""
+    """Acquire the lock of the object for a method. Needed for internal methods that other objects call."""
 
     def call(self: Any, *args: Any, **options: Any) -> Any:
         with self._lock:

@@ -15,7 +15,6 @@ from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
 from ..core.units import common_unit
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
-from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows
 from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
 from ..kernels.extent.visibility import direct_positions, visible_rows
@@ -35,7 +34,7 @@ from .units import unit_under
 if TYPE_CHECKING:
     from .cloud import PointCloud
 
-FLAT = 1e-12  # of the largest variance: below it is float32 rounding
+MIN_VARIANCE_RATIO = 1e-12  # of the largest variance: below it is float32 rounding
 
 
 class Bounds(Selection, Movable):
@@ -43,11 +42,11 @@ class Bounds(Selection, Movable):
 
     def get_min_bound(self) -> NDArray[np.float64]:
         """Minimum coordinates of the finite points [m], shape (3,); zeros if there are none."""
-        return self._device_bounds()[0]
+        return self.arrays.bounds()[0]
 
     def get_max_bound(self) -> NDArray[np.float64]:
         """Maximum coordinates of the finite points [m], shape (3,); zeros if there are none."""
-        return self._device_bounds()[1]
+        return self.arrays.bounds()[1]
 
     def get_center(self) -> NDArray[np.float64]:
         """Mean of the finite points [m], shape (3,); zeros if there are none."""
@@ -56,7 +55,7 @@ class Bounds(Selection, Movable):
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """Smallest axis-aligned box of the finite points. At zero if there are none."""
-        return AxisAlignedBoundingBox(*self._device_bounds())
+        return AxisAlignedBoundingBox(*self.arrays.bounds())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """Box along the principal axes of the convex hull's vertices, largest variance first.
@@ -101,13 +100,6 @@ class Bounds(Selection, Movable):
         extremes, _, positions = hull_of_cloud(self.arrays["points"], bool(robust))
         return OrientedBoundingBox(*fit_smallest_box(positions, self.arrays.origin, extremes, self.device))
 
-    def _device_bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Lowest and highest corner of the finite points [m], (3,) each; zeros if there are none."""
-        low, high, finite = bound_points(self.arrays["points"])
-        if not finite:
-            return np.zeros(3), np.zeros(3)
-        return low.astype(np.float64) + self.arrays.origin, high.astype(np.float64) + self.arrays.origin
-
     @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
         """Apply a 4x4 affine map in float64. Normals are rotated and keep their lengths.
@@ -123,13 +115,13 @@ class Bounds(Selection, Movable):
         """Apply an affine map; `name` is the argument reported in errors."""
         A, t = T[:3, :3], T[:3, 3]
         moved = matmul(A, self.arrays.origin) + t
-        origin = origin_under(name, A, t, *self._device_bounds(), moved)
+        origin = origin_under(name, A, t, *self.arrays.bounds(), moved)
         cloud = self._under(A, moved - origin, origin)
         cloud.unit = unit_under(self.unit, A)
         return cloud
 
     def _enlarged(self, factor: float) -> Self:
-        max_coordinate = np.abs(np.array(self._device_bounds()) - self.arrays.origin).max() * factor
+        max_coordinate = np.abs(np.array(self.arrays.bounds()) - self.arrays.origin).max() * factor
         if not max_coordinate <= FLOAT32_MAX:
             raise ValueError(
                 f"unit: moves points to {max_coordinate:.3g} from their origin, beyond float32. Use a larger unit"
@@ -270,7 +262,7 @@ class Bounds(Selection, Movable):
         """
         points = self.arrays["points"]
         count, mean, covariance = mean_and_covariance(points)
-        inverse = pinvh(covariance, FLAT) if count else np.zeros((3, 3))
+        inverse = pinvh(covariance, MIN_VARIANCE_RATIO) if count else np.zeros((3, 3))
         return self.arrays.hand_out(mahalanobis_distances(points, np.nan_to_num(mean), inverse))
 
 

@@ -21,7 +21,7 @@ from .convex_hull import find_extremes
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .point_arrays import read_only
 
-CORNERS = np.array(  # Open3D's order, in halves of the extent
+CORNER_SIGNS = np.array(  # Open3D's order, in halves of the extent
     [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1], [1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]], np.float64
 )
 
@@ -84,7 +84,7 @@ class AxisAlignedBoundingBox(BoundingBox):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, AxisAlignedBoundingBox):
             return NotImplemented
-        return bool((self._min_bound == other._min_bound).all() and (self._max_bound == other._max_bound).all())
+        return np.array_equal(self, other)
 
     __hash__ = None  # type: ignore[assignment]  # boxes compare by value
 
@@ -92,11 +92,11 @@ class AxisAlignedBoundingBox(BoundingBox):
         """Smallest box around both, in this one's color. A box without volume adds nothing, as in Open3D."""
         if not isinstance(other, AxisAlignedBoundingBox):
             return NotImplemented
-        low, high = self._min_bound, self._max_bound
+        low, high = self
         if self.is_empty():
-            low, high = other._min_bound, other._max_bound
+            low, high = other
         elif not other.is_empty():
-            low, high = np.minimum(low, other._min_bound), np.maximum(high, other._max_bound)
+            low, high = np.minimum(low, other.min_bound), np.maximum(high, other.max_bound)
         return self._like(low, high)
 
     def get_min_bound(self) -> NDArray[np.float64]:
@@ -133,7 +133,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     def get_box_points(self) -> NDArray[np.float64]:
         """Corners in Open3D's order, shape (8, 3)."""
-        return np.where(CORNERS < 0, self._min_bound, self._max_bound)
+        return np.where(CORNER_SIGNS < 0, self._min_bound, self._max_bound)
 
     def get_print_info(self) -> str:
         """Bounds as Open3D prints them."""
@@ -176,7 +176,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     def _like(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> AxisAlignedBoundingBox:
         box = AxisAlignedBoundingBox(low, high)
-        box._color = self._color
+        box.color = self.color
         return box
 
     def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
@@ -268,8 +268,7 @@ class OrientedBoundingBox(BoundingBox):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, OrientedBoundingBox):
             return NotImplemented
-        pairs = ((self._center, other._center), (self._R, other._R), (self._extent, other._extent))
-        return all(bool((mine == its).all()) for mine, its in pairs)
+        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in ("center", "R", "extent"))
 
     __hash__ = None  # type: ignore[assignment]  # boxes compare by value
 
@@ -307,7 +306,7 @@ class OrientedBoundingBox(BoundingBox):
 
     def get_box_points(self) -> NDArray[np.float64]:
         """Corners in Open3D's order, shape (8, 3)."""
-        return self._center + matmul(CORNERS * (self._extent / 2), self._R.T)
+        return self._center + matmul(CORNER_SIGNS * (self._extent / 2), self._R.T)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """Smallest axis-aligned box around it."""
@@ -345,7 +344,7 @@ class OrientedBoundingBox(BoundingBox):
 
     def _like(self, *parts: NDArray[np.float64]) -> OrientedBoundingBox:
         box = OrientedBoundingBox(*parts)
-        box._color = self._color
+        box.color = self.color
         return box
 
     def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:

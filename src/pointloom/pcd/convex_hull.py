@@ -22,10 +22,10 @@ from ..kernels.memory import download, upload
 if TYPE_CHECKING:
     from scipy.spatial import ConvexHull as Qhull
 
-FEW = 5000  # points for which Qhull takes about as long as one filter round
-ROUNDS = ((8, 32), (32, 96))  # cells, and table nodes, along an edge of the cube's faces: coarse, then fine
-FLAT = 1e-6  # of the size: tolerance of coplanar and collinear points if Qhull finds no body
-ROUNDING = 5e-7  # of the largest coordinate: float32 moves points by 1e-7, planes through three of them more
+MAX_UNFILTERED_POINTS = 5000  # points for which Qhull takes about as long as one filter round
+FILTER_ROUNDS = ((8, 32), (32, 96))  # cells, and table nodes, along an edge of the cube's faces: coarse, then fine
+FLATNESS_TOLERANCE = 1e-6  # of the size: tolerance of coplanar and collinear points if Qhull finds no body
+COORDINATE_ROUNDING = 5e-7  # of the largest coordinate: float32 moves points by 1e-7, planes through three of them more
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +85,7 @@ def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding
         return flat
     hull = _run_qhull(positions, "QJ" if joggle else "Qt")
     if hull is None:
-        flat = _find_flat_extremes(positions, FLAT * float(np.ptp(positions, axis=0).max()))
+        flat = _find_flat_extremes(positions, FLATNESS_TOLERANCE * float(np.ptp(positions, axis=0).max()))
         if flat is not None:
             return flat
         hull = _run_qhull(positions, "QJ")  # for bodies that Qhull rejects for rounding
@@ -178,13 +178,13 @@ def hull_of_cloud(points: wp.array, joggle: bool = False) -> tuple[Extremes, NDA
     rows, near = rows[is_finite], near[is_finite]
     if not len(rows):
         raise ValueError("points: expected at least one finite point, got none")
-    return find_extremes(near, joggle, ROUNDING * float(np.abs(near).max())), rows, near
+    return find_extremes(near, joggle, COORDINATE_ROUNDING * float(np.abs(near).max())), rows, near
 
 
 def _candidates(points: wp.array) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Ascending indices and positions of vec3 points among which are all finite hull vertices: all if there are few."""
     chosen, rows = points, np.arange(points.size)
-    if points.size >= FEW:
+    if points.size >= MAX_UNFILTERED_POINTS:
         low, high, count = bound_points(points)  # sync
         low, high = low.astype(np.float64), high.astype(np.float64)
         half = (high - low) / 2
@@ -198,8 +198,8 @@ def outer_rows(points: wp.array) -> NDArray[np.int64]:
     """Ascending rows of vec3d points that may be hull vertices, including a few inner ones."""
     rows: wp.array | None = None
     center = np.zeros(3)
-    for cells, width in ROUNDS:
-        if points.size < FEW:
+    for cells, width in FILTER_ROUNDS:
+        if points.size < MAX_UNFILTERED_POINTS:
             break
         chosen = farthest_rows(points, center, cells)
         corners = download(gather_positions(points, upload(chosen, int32, points.device)))  # sync

@@ -16,7 +16,7 @@ from ..kernels.sampling.detail_levels import LEVEL_COUNT, MAX_DEPTH
 # Deeper points merged into their parent: this many, or a quarter of its own. An unmerged cell beside it is then at most
 # a quarter thinner, which is not visible. Smaller nodes cost more to address than to send.
 MIN_POINTS = 2048
-FRACTION = 4
+CHILD_FRACTION = 4
 
 MAX_POINTS = 49_152  # points of a node: half a megabyte, under a second on a slow connection
 
@@ -89,7 +89,7 @@ def make_nodes(
         bounds = [(rows.count_before(j, begins), rows.count_before(j, ends)) for j in range(LEVEL_COUNT)]
         counts = np.stack([last - first for first, last in bounds])
         level_counts, deeper = counts[level], counts[level + 1 :].sum(axis=0)
-        closed = deeper <= np.maximum(min_points, level_counts // FRACTION)
+        closed = deeper <= np.maximum(min_points, level_counts // CHILD_FRACTION)
         for k in np.flatnonzero((level_counts > 0) | closed).tolist():
             span = bounds[level:] if closed[k] else bounds[level : level + 1]
             runs = [(int(first[k]), int(last[k])) for first, last in span if last[k] > first[k]]

@@ -19,15 +19,15 @@ from .geographic import krueger_series
 
 Array = NDArray[np.float64]
 
-RADIUS, FLATTENING = 6378137.0, 1 / 298.257223563  # [m] WGS 84
-NORTHERN, SOUTHERN = 32600, 32700  # EPSG codes of UTM zones are these plus 1 to 60
-HIGHEST = 1e5  # [m] from the ellipsoid: above aerial images, far below the formulas' limit
+EQUATORIAL_RADIUS, EARTH_FLATTENING = 6378137.0, 1 / 298.257223563  # [m] WGS 84
+NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE = 32600, 32700  # EPSG codes of UTM zones are these plus 1 to 60
+MAX_ELLIPSOID_HEIGHT = 1e5  # [m] from the ellipsoid: above aerial images, far below the formulas' limit
 
-_SQUARED = FLATTENING * (2 - FLATTENING)  # eccentricity squared
-_SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM [m]
-_THIRD = FLATTENING / (2 - FLATTENING)
-_RECTIFYING = RADIUS / (1 + _THIRD) * (1 + _THIRD**2 / 4 + _THIRD**4 / 64 + _THIRD**6 / 256)
-_ITERATIONS = 8  # each iteration gains three or more digits
+_ECCENTRICITY_SQUARED = EARTH_FLATTENING * (2 - EARTH_FLATTENING)  # eccentricity squared
+_UTM_SCALE, _FALSE_EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM [m]
+_N = EARTH_FLATTENING / (2 - EARTH_FLATTENING)  # third flattening
+_RECTIFYING_RADIUS = EQUATORIAL_RADIUS / (1 + _N) * (1 + _N**2 / 4 + _N**4 / 64 + _N**6 / 256)
+_MAX_ITERATIONS = 8  # each iteration gains three or more digits
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class WorldFrame:
     altitude: float = 0.0
 
     def __post_init__(self):
-        for name, limit in (("latitude", 90.0), ("longitude", 180.0), ("altitude", HIGHEST)):
+        for name, limit in (("latitude", 90.0), ("longitude", 180.0), ("altitude", MAX_ELLIPSOID_HEIGHT)):
             value = check_number(name, getattr(self, name))
             if abs(value) > limit:
                 raise ValueError(f"{name}: expected {-limit:g}..{limit:g}, got {value:g}")
@@ -119,43 +119,46 @@ class WorldFrame:
 def geocentric(points: ArrayLike) -> Array:
     """Geocentric coordinates [m], (n, 3), of latitude, longitude [degrees] and altitude [m]."""
     rows = check_finite("points", check_rows("points", points, 3).astype(np.float64))
-    if (np.abs(rows) > (90.0, 360.0, HIGHEST)).any():
-        wrong = rows[np.flatnonzero((np.abs(rows) > (90.0, 360.0, HIGHEST)).any(axis=1))[0]]
+    if (np.abs(rows) > (90.0, 360.0, MAX_ELLIPSOID_HEIGHT)).any():
+        wrong = rows[np.flatnonzero((np.abs(rows) > (90.0, 360.0, MAX_ELLIPSOID_HEIGHT)).any(axis=1))[0]]
         raise ValueError(f"points: expected latitude, longitude [degrees] and altitude [m], got {wrong.tolist()}")
     a, b, height = np.radians(rows[:, 0]), np.radians(rows[:, 1]), rows[:, 2]
-    across = RADIUS / np.sqrt(1 - _SQUARED * np.sin(a) ** 2)
+    across = EQUATORIAL_RADIUS / np.sqrt(1 - _ECCENTRICITY_SQUARED * np.sin(a) ** 2)
     level = (across + height) * np.cos(a)
-    return np.stack([level * np.cos(b), level * np.sin(b), ((1 - _SQUARED) * across + height) * np.sin(a)], axis=1)
+    return np.stack(
+        [level * np.cos(b), level * np.sin(b), ((1 - _ECCENTRICITY_SQUARED) * across + height) * np.sin(a)], axis=1
+    )
 
 
 def geodetic(points: Array) -> Array:
     """Latitude, longitude [degrees] and altitude [m], (n, 3), of geocentric coordinates [m]."""
     x, y, z = points.T
     level = np.hypot(x, y)
-    minor = RADIUS * (1 - FLATTENING)
-    reduced = np.arctan2(z * RADIUS, level * minor)  # initial reduced latitude
-    second = _SQUARED / (1 - _SQUARED)
+    minor = EQUATORIAL_RADIUS * (1 - EARTH_FLATTENING)
+    reduced = np.arctan2(z * EQUATORIAL_RADIUS, level * minor)  # initial reduced latitude
+    second = _ECCENTRICITY_SQUARED / (1 - _ECCENTRICITY_SQUARED)
     latitude = reduced
-    for _ in range(_ITERATIONS):
+    for _ in range(_MAX_ITERATIONS):
         latitude = np.arctan2(
-            z + second * minor * np.sin(reduced) ** 3, level - _SQUARED * RADIUS * np.cos(reduced) ** 3
+            z + second * minor * np.sin(reduced) ** 3,
+            level - _ECCENTRICITY_SQUARED * EQUATORIAL_RADIUS * np.cos(reduced) ** 3,
         )
-        reduced = np.arctan2((1 - FLATTENING) * np.sin(latitude), np.cos(latitude))
+        reduced = np.arctan2((1 - EARTH_FLATTENING) * np.sin(latitude), np.cos(latitude))
     sine = np.sin(latitude)
-    height = level * np.cos(latitude) + z * sine - RADIUS * np.sqrt(1 - _SQUARED * sine**2)
+    height = level * np.cos(latitude) + z * sine - EQUATORIAL_RADIUS * np.sqrt(1 - _ECCENTRICITY_SQUARED * sine**2)
     return np.stack([np.degrees(latitude), np.degrees(np.arctan2(y, x)), height], axis=1)
 
 
 def utm_zone(latitude: float, longitude: float) -> int:
     """EPSG code of the 6 degree zone, without the exceptions of Norway."""
     zone = min(int((longitude + 180) // 6) + 1, 60)
-    return (NORTHERN if latitude >= 0 else SOUTHERN) + zone
+    return (NORTHERN_EPSG_BASE if latitude >= 0 else SOUTHERN_EPSG_BASE) + zone
 
 
 def utm(coordinates: Array, epsg: int) -> Array:
     """Easting, northing and altitude [m] of latitude, longitude [degrees] and altitude [m], (n, 3)."""
     meridian, south = _zone_of(epsg)
-    e = math.sqrt(_SQUARED)
+    e = math.sqrt(_ECCENTRICITY_SQUARED)
     longitudes = np.radians((coordinates[:, 1] - meridian + 180) % 360 - 180)
     tau = np.tan(np.radians(coordinates[:, 0]))
     sigma = np.sinh(e * np.arctanh(e * tau / np.hypot(1, tau)))
@@ -165,28 +168,34 @@ def utm(coordinates: Array, epsg: int) -> Array:
         np.arcsinh(np.sin(longitudes) / np.hypot(conformal, np.cos(longitudes))),
     )
     dx, dy = _bent(xi, eta)
-    factor = _SCALE * _RECTIFYING
-    return np.stack([_EASTING + factor * (eta + dy), south + factor * (xi + dx), coordinates[:, 2]], axis=1)
+    factor = _UTM_SCALE * _RECTIFYING_RADIUS
+    return np.stack([_FALSE_EASTING + factor * (eta + dy), south + factor * (xi + dx), coordinates[:, 2]], axis=1)
 
 
 def from_utm(points: Array, epsg: int) -> Array:
     """Latitude, longitude [degrees] and altitude [m] of easting, northing and altitude [m], (n, 3)."""
     meridian, south = _zone_of(epsg)
-    if (np.abs(points[:, 0] - _EASTING) > 1e6).any() or (points[:, 1] < -1e4).any() or (points[:, 1] > 1.001e7).any():
+    if (
+        (np.abs(points[:, 0] - _FALSE_EASTING) > 1e6).any()
+        or (points[:, 1] < -1e4).any()
+        or (points[:, 1] > 1.001e7).any()
+    ):
         raise ValueError(f"points: expected easting and northing of EPSG:{epsg} [m], got {points[0, :2].tolist()}")
-    factor, e = _SCALE * _RECTIFYING, math.sqrt(_SQUARED)
-    eta0, xi0 = (points[:, 0] - _EASTING) / factor, (points[:, 1] - south) / factor
+    factor, e = _UTM_SCALE * _RECTIFYING_RADIUS, math.sqrt(_ECCENTRICITY_SQUARED)
+    eta0, xi0 = (points[:, 0] - _FALSE_EASTING) / factor, (points[:, 1] - south) / factor
     xi, eta = xi0, eta0
-    for _ in range(_ITERATIONS):
+    for _ in range(_MAX_ITERATIONS):
         dx, dy = _bent(xi, eta)
         xi, eta = xi0 - dx, eta0 - dy
     conformal = np.sin(xi) / np.hypot(np.sinh(eta), np.cos(xi))
     longitude = meridian + np.degrees(np.arctan2(np.sinh(eta), np.cos(xi)))
-    tau = conformal / (1 - _SQUARED)
-    for _ in range(_ITERATIONS):  # Newton, Karney's equations 19 to 21
+    tau = conformal / (1 - _ECCENTRICITY_SQUARED)
+    for _ in range(_MAX_ITERATIONS):  # Newton, Karney's equations 19 to 21
         sigma = np.sinh(e * np.arctanh(e * tau / np.hypot(1, tau)))
         conformal_of_tau = tau * np.hypot(1, sigma) - sigma * np.hypot(1, tau)
-        step = (1 + (1 - _SQUARED) * tau**2) / ((1 - _SQUARED) * np.hypot(1, tau) * np.hypot(1, conformal_of_tau))
+        step = (1 + (1 - _ECCENTRICITY_SQUARED) * tau**2) / (
+            (1 - _ECCENTRICITY_SQUARED) * np.hypot(1, tau) * np.hypot(1, conformal_of_tau)
+        )
         tau = tau + (conformal - conformal_of_tau) * step
     return np.stack([np.degrees(np.arctan(tau)), (longitude + 180) % 360 - 180, points[:, 2]], axis=1)
 
@@ -194,7 +203,7 @@ def from_utm(points: Array, epsg: int) -> Array:
 def _bent(xi: Array, eta: Array) -> tuple[Array, Array]:
     """Terms of Krüger's series."""
     dx, dy = np.zeros_like(xi), np.zeros_like(eta)
-    for j, alpha in enumerate(krueger_series(_THIRD), start=1):
+    for j, alpha in enumerate(krueger_series(_N), start=1):
         dx = dx + alpha * np.sin(2 * j * xi) * np.cosh(2 * j * eta)
         dy = dy + alpha * np.cos(2 * j * xi) * np.sinh(2 * j * eta)
     return dx, dy
@@ -204,6 +213,6 @@ def _zone_of(epsg: int) -> tuple[float, float]:
     """Central meridian [degrees] and false northing [m] of a zone."""
     code = check_count("epsg", epsg)
     zone = code % 100
-    if code - zone not in (NORTHERN, SOUTHERN) or not 1 <= zone <= 60:
+    if code - zone not in (NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE) or not 1 <= zone <= 60:
         raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")
-    return 6.0 * zone - 183.0, _SOUTHERN_NORTHING if code > SOUTHERN else 0.0
+    return 6.0 * zone - 183.0, _SOUTHERN_NORTHING if code > SOUTHERN_EPSG_BASE else 0.0

@@ -28,12 +28,12 @@ from .point_arrays import check_cloud
 if TYPE_CHECKING:
     from .cloud import PointCloud
 
-_RADIUS, _FLATTENING = 6378137.0, 1 / 298.257223563  # [m] WGS 84
-_SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM scale and false coordinates [m]
-_LATITUDES = (-80.0, 84.0)  # [degrees] range of UTM
-_FARTHEST = 360.0  # [degrees] limit of longitudes
-_WIDEST = 30.0  # [degrees] from the central meridian: beyond zones, within the series
-_NORTHERN, _SOUTHERN = 32600, 32700  # EPSG codes of zones are these plus 1 to 60
+_EQUATORIAL_RADIUS, _EARTH_FLATTENING = 6378137.0, 1 / 298.257223563  # [m] WGS 84
+_UTM_SCALE, _FALSE_EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM scale and false coordinates [m]
+_UTM_LATITUDES = (-80.0, 84.0)  # [degrees] range of UTM
+_MAX_LONGITUDE = 360.0  # [degrees] limit of longitudes
+_MAX_MERIDIAN_DISTANCE = 30.0  # [degrees] from the central meridian: beyond zones, within the series
+_NORTHERN_EPSG_BASE, _SOUTHERN_EPSG_BASE = 32600, 32700  # EPSG codes of zones are these plus 1 to 60
 
 
 def utm_epsg(cloud: PointCloud) -> int:
@@ -54,7 +54,7 @@ def utm_epsg(cloud: PointCloud) -> int:
     starts = upload(np.unique([0, count, degrees.size]), int32, cloud.device)
     longitude, latitude = (float(order_statistics(v, runs, starts)[1][0]) for v in (longitudes, latitudes))
     zone = min(int((longitude + 180) // 6) + 1, 60)
-    return (_NORTHERN if latitude >= 0 else _SOUTHERN) + zone
+    return (_NORTHERN_EPSG_BASE if latitude >= 0 else _SOUTHERN_EPSG_BASE) + zone
 
 
 def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
@@ -85,17 +85,18 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
         )
     code = utm_epsg(cloud) if epsg is None else check_count("epsg", epsg)
     zone = code % 100
-    if code - zone not in (_NORTHERN, _SOUTHERN) or not 1 <= zone <= 60:
+    if code - zone not in (_NORTHERN_EPSG_BASE, _SOUTHERN_EPSG_BASE) or not 1 <= zone <= 60:
         raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")
     degrees = add_origin(cloud.arrays["points"], cloud.origin)
     low, high, count = _box_of(relative_degrees(degrees, 6.0 * zone - 183.0))
     widest = max(-float(low[0]), float(high[0])) if count else 0.0
-    if widest > _WIDEST:
+    if widest > _MAX_MERIDIAN_DISTANCE:
         raise ValueError(
-            f"cloud: expected points within {_WIDEST:g} degrees of the middle of zone {zone}, got one at {widest:.4g}"
+            f"cloud: expected points within {_MAX_MERIDIAN_DISTANCE:g} degrees of the middle of zone {zone}, got one "
+            f"at {widest:.4g}"
         )
-    start = (_EASTING, _SOUTHERN_NORTHING if code > _SOUTHERN else 0.0)
-    projection = mercator(6.0 * zone - 183.0, _RADIUS, _FLATTENING, scale=_SCALE, start=start)
+    start = (_FALSE_EASTING, _SOUTHERN_NORTHING if code > _SOUTHERN_EPSG_BASE else 0.0)
+    projection = mercator(6.0 * zone - 183.0, _EQUATORIAL_RADIUS, _EARTH_FLATTENING, scale=_UTM_SCALE, start=start)
     points, origin = take_points("cloud", project_degrees(degrees, projection), None)
     projected = cloud.with_arrays({**cloud.arrays, "points": points}, grid=cloud.grid)
     projected.arrays.origin, projected.unit = origin, METRE
@@ -126,7 +127,7 @@ def krueger_series(n: float) -> tuple[float, ...]:
 def _box_of(degrees: wp.array) -> tuple[NDArray[np.float32], NDArray[np.float32], int]:
     """Box and number of the finite points as longitudes and latitudes."""
     low, high, count = bound_points(degrees)  # sync
-    if count and (low[1] < _LATITUDES[0] or high[1] > _LATITUDES[1] or high[2] > _FARTHEST):
+    if count and (low[1] < _UTM_LATITUDES[0] or high[1] > _UTM_LATITUDES[1] or high[2] > _MAX_LONGITUDE):
         given = f"longitudes to {high[2]:g} and latitudes {low[1]:g}..{high[1]:g}"
         raise ValueError(f"cloud: expected longitudes to 360 and latitudes -80..84 in x and y [degrees], got {given}")
     return low, high, count

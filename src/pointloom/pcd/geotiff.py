@@ -11,15 +11,15 @@ from typing import Any
 from ..core.atomic import atomic_path, check_writable
 from ..core.errors import FileError, FilePath
 
-BLOCK = 256  # cells per side of a block
+BLOCK_CELLS = 256  # cells per side of a block
 ENDINGS = (".tif", ".tiff")
-_VALUES = {"dtype": "float32", "count": 2, "predictor": 3, "interleave": "band"}
-_IMAGE = {
+_VALUE_BANDS = {"dtype": "float32", "count": 2, "predictor": 3, "interleave": "band"}
+_IMAGE_BANDS = {
     "dtype": "uint8", "count": 4, "predictor": 2, "interleave": "pixel", "photometric": "RGB",
     "alpha": "non-premultiplied",
 }  # fmt: skip
-_MAPS = {
-    "driver": "COG", "blocksize": BLOCK, "compress": "deflate", "predictor": "yes", "bigtiff": "if_safer",
+_MAP_BANDS = {
+    "driver": "COG", "blocksize": BLOCK_CELLS, "compress": "deflate", "predictor": "yes", "bigtiff": "if_safer",
     "overviews": "ignore_existing", "overview_resampling": "average", "num_threads": 1,
 }  # fmt: skip
 
@@ -43,8 +43,9 @@ def geotiff(
     profile = {
         "driver": "GTiff", "height": shape[0], "width": shape[1], "crs": metadata.crs,
         "transform": rasterio.Affine(cell, 0.0, corner[0], 0.0, -cell, corner[1] + shape[0] * cell),
-        "tiled": True, "blockxsize": BLOCK, "blockysize": BLOCK, "compress": "deflate", "BIGTIFF": "IF_SAFER",
-        **(_IMAGE if is_image else {"nodata": metadata.nodata} | _VALUES),
+        "tiled": True, "blockxsize": BLOCK_CELLS, "blockysize": BLOCK_CELLS, "compress": "deflate",
+        "BIGTIFF": "IF_SAFER",
+        **(_IMAGE_BANDS if is_image else {"nodata": metadata.nodata} | _VALUE_BANDS),
     }  # fmt: skip
     first: Path | None = None
     try:
@@ -56,7 +57,7 @@ def geotiff(
                 yield file
             if for_maps:
                 _check_blocks(rasterio, first)
-                rasterio.shutil.copy(first, part, **_MAPS)
+                rasterio.shutil.copy(first, part, **_MAP_BANDS)
             _check_blocks(rasterio, part)
     except rasterio.errors.CRSError as error:
         raise FileError(path, f"crs: {str(metadata.crs)[:80]!r} is unknown: {error}") from error

@@ -24,16 +24,16 @@ MAX_CELLS = 2**28  # 7 GB of grids
 MAX_RADIUS = 512  # cells: number of windows, about 80,000 reads per cell in total
 
 
-CELL, WINDOW, THRESHOLD, SCALING = 1.0, 18.0, 0.5, 1.25  # [m] values of the paper
+CELL_SIZE, MAX_WINDOW, HEIGHT_THRESHOLD, SLOPE_SCALING = 1.0, 18.0, 0.5, 1.25  # [m] values of the paper
 
 
 def classify_ground(
     cloud: PointCloud,
-    cell_size: float = CELL,
+    cell_size: float = CELL_SIZE,
     slope: float = 0.15,
-    max_window: float = WINDOW,
-    elevation_threshold: float = THRESHOLD,
-    scaling: float = SCALING,
+    max_window: float = MAX_WINDOW,
+    elevation_threshold: float = HEIGHT_THRESHOLD,
+    scaling: float = SLOPE_SCALING,
     *,
     corner: ArrayLike | None = None,
 ) -> NDArray[np.bool_]:
@@ -81,7 +81,9 @@ def classify_ground(
     threshold = check_positive("elevation_threshold", elevation_threshold, allow_zero=True)
     fraction = check_positive("scaling", scaling, allow_zero=True)
     fixed = None if corner is None else check_finite("corner", check_shape("corner", corner, (2,)))
-    _warn_of_defaults(cloud, cell == CELL or window == WINDOW or threshold == THRESHOLD or fraction == SCALING)
+    _warn_of_defaults(
+        cloud, cell == CELL_SIZE or window == MAX_WINDOW or threshold == HEIGHT_THRESHOLD or fraction == SLOPE_SCALING
+    )
     points = cloud.arrays["points"]
     low, high, finite = bound_points(points)
     if not finite:

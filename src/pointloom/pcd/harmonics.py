@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..kernels.linear_algebra import matmul, solve
 
 MAX_DEGREE = 4
-FIRST = 0.5 / math.sqrt(math.pi)  # harmonic of degree 0
+DEGREE_0_HARMONIC = 0.5 / math.sqrt(math.pi)  # harmonic of degree 0
 
 
 def degree_of(count: int) -> int | None:

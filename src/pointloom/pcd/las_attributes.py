@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .point_arrays import PointArrays
 
 RANK, ANGLE = "scan_angle_rank", "scan_angle"
-_STEP = 0.006  # degrees per step of `scan_angle`
+_SCAN_ANGLE_STEP = 0.006  # degrees per step of `scan_angle`
 _MAX_DEGREES = 180  # larger angles have no step in 16 bits
 _OVERLAP_CLASS = 12  # overlap points of the older formats, which have no flag for them
 _FLAGS = ("overlap", "scanner_channel")
@@ -29,7 +29,7 @@ def with_scan_angles(attributes: Mapping[str, NDArray[Any]]) -> dict[str, NDArra
         return {**attributes}
     if not ((np.abs(degrees.astype(np.float64)) <= _MAX_DEGREES) & (degrees == np.rint(degrees))).all():
         return {**attributes}
-    steps = np.rint(degrees / _STEP).astype(np.int16)
+    steps = np.rint(degrees / _SCAN_ANGLE_STEP).astype(np.int16)
     return {ANGLE if name == RANK else name: steps if name == RANK else values for name, values in attributes.items()}
 
 

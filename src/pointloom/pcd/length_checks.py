@@ -11,11 +11,11 @@ from ..kernels.arrays.sort import positions
 from ..kernels.search.point_tree import PointTree
 from ..kernels.search.tree_search import count_around
 
-FEW = 10  # points without a warning
-MANY = 100  # points above which one voxel, cluster or plane is suspicious
-SHORT = 0.25  # of the surface spacing: smaller radii are checked
-ALONE = 1.1  # mean points within a radius, including the point itself: 90% have no neighbor
-FAR = 1000.0  # ratio of distance to extent of unrelated data
+MAX_UNCHECKED_POINTS = 10  # points without a warning
+MAX_SINGLE_GROUP_POINTS = 100  # points above which one voxel, cluster or plane is suspicious
+MIN_RADIUS_SPACINGS = 0.25  # of the surface spacing: smaller radii are checked
+MIN_MEAN_NEIGHBORS = 1.1  # mean points within a radius, including the point itself: 90% have no neighbor
+MAX_DISTANCE_RATIO = 1000.0  # ratio of distance to extent of unrelated data
 
 
 def check_order(count_name: str, count: Any, length_name: str, length: Any) -> None:
@@ -26,14 +26,14 @@ def check_order(count_name: str, count: Any, length_name: str, length: Any) -> N
 
 def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: LengthUnit | None, so: str) -> None:
     """Warn if a radius finds no neighbors. Points are counted only if it is short for their extent."""
-    if radius is None or tree.count <= FEW:
+    if radius is None or tree.count <= MAX_UNCHECKED_POINTS:
         return
     extent = float(np.max(np.asarray(tree.high, np.float64) - tree.low))
     usual = extent / float(np.sqrt(tree.count))  # spacing of a surface
-    if radius > SHORT * usual:
+    if radius > MIN_RADIUS_SPACINGS * usual:
         return
     neighbor_count = count_around(tree, positions(tree.count, tree.device), radius)
-    if neighbor_count < ALONE:
+    if neighbor_count < MIN_MEAN_NEIGHBORS:
         m = symbol_of(unit)
         others = f"{neighbor_count - 1:.2g} other points on average"
         warn_of_units(
@@ -44,7 +44,7 @@ def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: Length
 
 def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit: LengthUnit | None, so: str) -> None:
     """Warn if a length exceeds the extent of the points."""
-    extent = float(np.max(np.asarray(high, np.float64) - low)) if count >= MANY else 0.0
+    extent = float(np.max(np.asarray(high, np.float64) - low)) if count >= MAX_SINGLE_GROUP_POINTS else 0.0
     if not (0 < extent < length and called_by_user()):
         return
     m, usual = symbol_of(unit), extent / float(np.sqrt(count))
@@ -60,7 +60,7 @@ def warn_of_far(
     """Warn if a box is so far from a large cloud that position or unit differ."""
     gap = float(np.max(np.maximum(np.asarray(low) - cloud_high, np.asarray(cloud_low) - high)))
     span = float(max(np.max(np.asarray(high) - low), np.max(np.asarray(cloud_high) - cloud_low)))
-    if count >= MANY and gap > FAR * span > 0 and called_by_user():
+    if count >= MAX_SINGLE_GROUP_POINTS and gap > MAX_DISTANCE_RATIO * span > 0 and called_by_user():
         m = symbol_of(unit)
         warn_of_units(
             f"{name}: is {gap:.3g} {m} from the cloud, which spans at most {span:.3g} {m}. The cloud begins at "

@@ -11,7 +11,7 @@ from ..kernels.extent.box_fit import smallest_frame
 from ..kernels.linear_algebra import eigh, matmul, norm
 from .convex_hull import Extremes
 
-ROUNDING = 4 * float(np.finfo(np.float64).eps)  # of a coordinate: rotation into the box axes, and center
+COORDINATE_ROUNDING = 4 * float(np.finfo(np.float64).eps)  # of a coordinate: rotation into the box axes, and center
 
 Box = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 
@@ -89,6 +89,6 @@ def _enclose(positions: NDArray[np.float64], origin: NDArray[np.float64], R: NDA
     center = origin + (middle + matmul(R, (low + high) / 2))
     offsets = np.abs(matmul(positions + (origin - center), R)).max(axis=0)  # as in a crop to the box
     extent = np.maximum(high - low, 2 * offsets)
-    rounding = ROUNDING * (np.abs(positions).max() + np.abs(origin - center).max())
+    rounding = COORDINATE_ROUNDING * (np.abs(positions).max() + np.abs(origin - center).max())
     along_coordinate = np.abs(R).max(axis=0) == 1  # zero thickness is exact there, in any order of sums
     return center, R, np.where((extent == 0) & along_coordinate, 0.0, extent + rounding)

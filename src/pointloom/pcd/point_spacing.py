@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .search import NearestNeighborSearch
 
 # Number of sample points, evenly spread over the file.
-_PROBES = 1000
+_PROBE_COUNT = 1000
 
 # Maximum neighbors of all probes, 8 B each.
 _MAX_NEIGHBORS = 1000
@@ -21,7 +21,7 @@ def probe_points(cloud: Any) -> NDArray[np.float64]:
     """Sample of the finite points, (m, 3). Empty if there are none."""
     points = cloud.points
     points = points[np.isfinite(points).all(axis=1)]
-    return points[:: max(1, len(points) // _PROBES)]
+    return points[:: max(1, len(points) // _PROBE_COUNT)]
 
 
 def distance_of_nearest(

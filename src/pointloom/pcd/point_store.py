@@ -12,6 +12,7 @@ from numpy.typing import DTypeLike, NDArray
 from ..core.array_libraries import NUMPY, hand_out_copy
 from ..core.coordinates import quiet, split_origin
 from ..core.escaped_text import escaped
+from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import vec3
 from ..kernels.memory import download, upload
 from .cached_tree import CachedTree
@@ -55,6 +56,13 @@ class PointStore(dict[str, wp.array]):
         """World coordinates [m], float64 (n, 3)."""
         with quiet():
             return download(self["points"]).astype(np.float64) + self.origin
+
+    def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Lowest and highest corner of the finite points [m], (3,) each; zeros if there are none."""
+        low, high, finite = bound_points(self["points"])
+        if not finite:
+            return np.zeros(3), np.zeros(3)
+        return low.astype(np.float64) + self.origin, high.astype(np.float64) + self.origin
 
     def about(self, origin: NDArray[np.float64]) -> wp.array:
         """Points relative to another origin, a device array of vec3."""

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     Cloud = TypeVar("Cloud", bound=Selection)
 
 # Coordinates u and v of the polygon's plane, and the axis.
-AXES = {"X": (1, 2, 0), "Y": (0, 2, 1), "Z": (0, 1, 2)}
+AXIS_ORDERS = {"X": (1, 2, 0), "Y": (0, 2, 1), "Z": (0, 1, 2)}
 MIN_CORNERS = 3
 _KEYS = frozenset(
     ("class_name", "version_major", "version_minor", "bounding_polygon", "orthogonal_axis", "axis_min", "axis_max")
@@ -72,7 +72,7 @@ class SelectionPolygonVolume:
         if len(corners) < MIN_CORNERS:
             raise ValueError(f"bounding_polygon: expected at least three corners, got {len(corners)}")
         axis = str(orthogonal_axis).upper()
-        if axis not in AXES:
+        if axis not in AXIS_ORDERS:
             raise ValueError(f"orthogonal_axis: expected 'X', 'Y' or 'Z', got {orthogonal_axis!r}")
         given = (("axis_min", axis_min), ("axis_max", axis_max))
         ends = np.array([check_number(name, end, allow_nan=True, allow_infinite=True) for name, end in given])
@@ -174,7 +174,7 @@ def _wide(points: ArrayLike) -> wp.array:
 
 def mask_volume(volume: SelectionPolygonVolume, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
     """uint8 (n,) on the device of the points (vec3 about an origin, or vec3d). 1 inside the volume."""
-    axes = AXES[volume.orthogonal_axis]
+    axes = AXIS_ORDERS[volume.orthogonal_axis]
     corners = upload(volume.bounding_polygon[:, axes[:2]], vec2d, points.device)
     return mask_polygon(points, origin, corners, axes, volume.axis_min, volume.axis_max)
 

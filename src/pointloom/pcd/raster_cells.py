@@ -29,11 +29,11 @@ from ..kernels.terrain.inverse_distance import heights_above, interpolate_center
 from ..kernels.terrain.triangle_heights import TABLE_SIZE, keep_listed, lay_rows, triangle_heights
 from .cloud import PointCloud
 
-GROUND, NOISE = (2,), (7, 18)  # LAS classes
+GROUND_CLASSES, NOISE_CLASSES = (2,), (7, 18)  # LAS classes
 DEFAULT_RADIUS = 20  # default, in cells
 MAX_CELLS = 2**28
-BYTES = 32  # per cell
-SLACK = 1e-9  # of a cell: tolerance for bounds at cell borders
+CELL_BYTES = 32  # per cell
+BORDER_TOLERANCE = 1e-9  # of a cell: tolerance for bounds at cell borders
 
 
 def check_classes(classes: Any) -> tuple[int, ...] | None:
@@ -86,8 +86,8 @@ def cells_over(low: Any, high: Any, corner: Any, side: float) -> tuple[NDArray[n
 def cells_within(ends: NDArray[np.float64], side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Cells of a box with ends at or within cells, as `cells_over`; x and y from the corner."""
     with np.errstate(over="ignore", invalid="ignore"):
-        first = np.floor(ends[0] / side + SLACK)
-        return first, np.maximum(np.ceil(ends[1] / side - SLACK) - first, 1.0)
+        first = np.floor(ends[0] / side + BORDER_TOLERANCE)
+        return first, np.maximum(np.ceil(ends[1] / side - BORDER_TOLERANCE) - first, 1.0)
 
 
 def _check_room(side: float, shape: NDArray[np.float64], device: Any) -> None:
@@ -95,10 +95,11 @@ def _check_room(side: float, shape: NDArray[np.float64], device: Any) -> None:
         cells = float(shape.prod())
     message = f"cell: {side:g} gives {shape[0]:,.0f} x {shape[1]:,.0f} cells"
     if not cells <= MAX_CELLS:
-        raise ValueError(f"{message}, {cells * BYTES / 1e9:,.0f} GB, more than 2^28 cells. Use larger cells or tiles")
+        gigabytes = f"{cells * CELL_BYTES / 1e9:,.0f} GB"
+        raise ValueError(f"{message}, {gigabytes}, more than 2^28 cells. Use larger cells or tiles")
     free = free_bytes(device)
-    if free is not None and cells * BYTES > free:
-        message += f", which need {cells * BYTES / 1e9:.2f} GB, but {device} has {free / 1e9:.2f} GB free"
+    if free is not None and cells * CELL_BYTES > free:
+        message += f", which need {cells * CELL_BYTES / 1e9:.2f} GB, but {device} has {free / 1e9:.2f} GB free"
         raise MemoryError(f"{message}. Use larger cells or tiles")
 
 
@@ -116,7 +117,7 @@ def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_grou
         return points
     if is_ground and not rows.size:
         raise NoGroundError(
-            f"cloud: expected points of class {' or '.join(map(str, classes or GROUND))}, got none. "
+            f"cloud: expected points of class {' or '.join(map(str, classes or GROUND_CLASSES))}, got none. "
             'Classify the ground with classify_ground(cloud) and set cloud["classification"]'
         )
     return gather_rows(points, rows)
@@ -135,7 +136,7 @@ def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool,
     table = np.zeros(TABLE_SIZE, np.uint8)
     table[list(range(TABLE_SIZE) if classes is None else classes)] = 1
     if classes is None:
-        table[list(NOISE)] = 0
+        table[list(NOISE_CLASSES)] = 0
     returns = np.zeros(TABLE_SIZE, np.uint8)
     returns[:2] = 1  # some files do not number returns
     tables = [("classification", table)] if has_classes else []

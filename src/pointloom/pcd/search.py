@@ -23,7 +23,7 @@ from ..kernels.search.tree_search import search_nearest, search_within
 from .cloud import PointCloud
 from .point_arrays import PointArrays, check_cloud
 
-FEW = 1024  # allowed neighbors beyond the number of points
+EXTRA_NEIGHBORS = 1024  # allowed neighbors beyond the number of points
 
 
 class Neighbors(NamedTuple):
@@ -147,7 +147,7 @@ class NearestNeighborSearch(HintedNames):
         return in_batches(batch.points.size, part)
 
     def _check_neighbors(self, name: str, count: Any) -> int:
-        max_count = len(self.cloud) + FEW
+        max_count = len(self.cloud) + EXTRA_NEIGHBORS
         reason = f"the cloud has {len(self.cloud):,} points, and each neighbor takes 8 B per query"
         return check_count(name, count, maximum=max_count, because=reason)
 

@@ -38,17 +38,19 @@ from .shape_checks import shape_of
 
 MAX_SIZE = 2**31 - 2  # more points than a cloud can have
 # Upper limit of thresholds.
-ANY: dict[str, Any] = {"maximum": 2**63 - 1, "because": "counts have 64 bits"}
+UNLIMITED_COUNT: dict[str, Any] = {"maximum": 2**63 - 1, "because": "counts have 64 bits"}
 EDGE_FRACTION = 0.01  # of the cloud's longest edge: Open3D's default
 POINT_FRACTION = 0.001  # of the points: Open3D's default
 MIN_POINTS = 10
 MAX_SAMPLES = 10_000_000
-WRAP = 2**30  # sample numbers stay below 2^31
+SEED_MODULUS = 2**30  # sample numbers stay below 2^31
 NORMALS = "call cloud = cloud.estimate_normals()"
 
 
 class Segmentation(Selection):
     """Methods of PointCloud that find clusters, planes, shapes and regions."""
+
+    _internal = ("grow_regions",)
 
     @explain_argument_errors
     def cluster_dbscan(self, eps: float, min_points: int, print_progress: bool = False) -> NDArray[np.int32]:
@@ -77,7 +79,7 @@ class Segmentation(Selection):
             [0, 0, 1, 1, -1]
         """
         check_order("min_points", min_points, "eps", eps)
-        search_radius, min_count = check_positive("eps", eps), check_count("min_points", min_points, **ANY)
+        search_radius, min_count = check_positive("eps", eps), check_count("min_points", min_points, **UNLIMITED_COUNT)
         with printed_duration(f"clusters of {len(self):,} points", print_progress):
             tree, unit = self.search_tree(), self.unit
             labels, cluster_count = cluster_points(tree, len(self), search_radius, min_count)
@@ -115,10 +117,10 @@ class Segmentation(Selection):
             [-1, 0, 0, 0]
         """
         step = check_positive("tolerance", tolerance)
-        min_size = check_count("min_cluster_size", min_cluster_size, **ANY)
+        min_size = check_count("min_cluster_size", min_cluster_size, **UNLIMITED_COUNT)
         max_size = MAX_SIZE
         if max_cluster_size is not None:
-            max_size = check_count("max_cluster_size", max_cluster_size, **ANY)
+            max_size = check_count("max_cluster_size", max_cluster_size, **UNLIMITED_COUNT)
             if max_size < min_size:
                 raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {min_size}, got {max_size}")
         labels, cluster_count = cluster_points(self.search_tree(), len(self), step, 1)
@@ -317,7 +319,7 @@ class Segmentation(Selection):
         models: list[NDArray[np.float64]] = []
         while len(models) < max_count and rows.size >= max(min_count, settings[1]):
             search, box = PlaneSearch(points, rows, box), None
-            plane = search.find(*settings, first=len(models) * settings[2] % WRAP)
+            plane = search.find(*settings, first=len(models) * settings[2] % SEED_MODULUS)
             if plane is None:
                 break
             mask, inliers = search.inliers(plane, settings[0])
@@ -449,10 +451,10 @@ class Segmentation(Selection):
             given = shown(smoothness_threshold_deg)
             raise ValueError(f"smoothness_threshold_deg: expected degrees in 0..90, 0 excluded, got {given}")
         limit = check_positive("curvature_threshold", curvature_threshold)
-        min_size = check_count("min_cluster_size", min_cluster_size, **ANY)
+        min_size = check_count("min_cluster_size", min_cluster_size, **UNLIMITED_COUNT)
         max_size = MAX_SIZE
         if max_cluster_size is not None:
-            max_size = check_count("max_cluster_size", max_cluster_size, **ANY)
+            max_size = check_count("max_cluster_size", max_cluster_size, **UNLIMITED_COUNT)
             if max_size < min_size:
                 raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {min_size}, got {max_size}")
         count = check_count("max_nn", max_nn, minimum=2)
@@ -461,15 +463,15 @@ class Segmentation(Selection):
         limits = math.cos(math.radians(angle)), limit, *sizes
         distinct = distinct_points(self.search_tree(), count)
         if distinct is None:
-            labels = self._grow_regions(normals, count, limits)
+            labels = self.grow_regions(normals, count, limits)
         else:  # copies of a position have no other neighbors
             first_points, firsts = self.select_rows(distinct.firsts), distinct.firsts
-            labels = first_points._grow_regions(gather_rows(normals, firsts), count, limits)
+            labels = first_points.grow_regions(gather_rows(normals, firsts), count, limits)
             labels = gather_rows(labels, distinct.rows)
         report("clusters", cloud=self, labels=labels)
         return self.arrays.hand_out(labels)
 
-    def _grow_regions(self, normals: Any, count: int, limits: tuple[float, float, int, int]) -> Any:
+    def grow_regions(self, normals: Any, count: int, limits: tuple[float, float, int, int]) -> Any:
         nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
         curvature = measure_curvature(self.search_tree(), math.inf, count)
         return grow_regions(normals, curvature, nearest, *limits)[0]

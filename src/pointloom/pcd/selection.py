@@ -58,7 +58,7 @@ _NO_SUM = (
 )
 MAX_POINTS = 2**31 - 1  # 32-bit indices
 KEYS = "an attribute's name, a slice, a mask of shape [n] or indices of shape [k]"
-ROUNDING = 1 + 1e-12  # the mean of equal distances may round below them
+MEAN_ROUNDING = 1 + 1e-12  # the mean of equal distances may round below them
 CELL_LIMIT = 2.0**53  # cells from the corner: exact integers in float64
 WITHIN_ONE = 8  # maximum cells of a cloud that is smaller than one cell
 OPEN3D_CELLS = 2**31 - 1  # Open3D counts the cells between the bounds in 32 bits
@@ -309,7 +309,7 @@ class Selection(PointArrays):
         with printed_duration(f"statistical outliers of {len(self):,} points", print_progress):
             distances = average_distances(self.search_tree(), k)
             count, mean, deviation = mean_and_deviation(distances)
-            limit = (mean + ratio * deviation) * ROUNDING if count else 0.0
+            limit = (mean + ratio * deviation) * MEAN_ROUNDING if count else 0.0
             return self._keep(mask_up_to(distances, limit))
 
     @returns_new

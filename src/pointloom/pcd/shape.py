@@ -22,7 +22,7 @@ UNKNOWNS = {  # in the order of the covariance
     "cone": ("shift_u", "shift_v", "shift_axis", "tilt_u", "tilt_v", "half_angle"),
     "torus": ("shift_u", "shift_v", "shift_axis", "tilt_u", "tilt_v", "radius", "minor_radius"),
 }
-ROUND = 64  # steps around an axis of a mesh
+MESH_STEPS_AROUND = 64  # steps around an axis of a mesh
 
 
 def check_kind(kind: Any, kinds: Sequence[str] = KINDS) -> int:
@@ -100,7 +100,7 @@ class Shape(Assessed):
         c, s = np.cos(self.half_angle), np.sin(self.half_angle)
         return np.where(q * s + h * c < 0, np.linalg.norm(y, axis=1), q * c - h * s)
 
-    def to_mesh(self, resolution: int = ROUND) -> ShapeSurface:
+    def to_mesh(self, resolution: int = MESH_STEPS_AROUND) -> ShapeSurface:
         """Surface as triangles: the rectangle of a plane, the part with points of a cylinder or cone. `resolution` is
         the number of steps around, 3 to 2,048. `loom.TriangleMesh(*shape.to_mesh())` is the mesh."""
         steps = check_count("resolution", resolution, minimum=3, maximum=2048, because="more are finer than any scan")

@@ -23,13 +23,13 @@ from .point_arrays import check_cloud
 from .shape import Shape, ShapeSurface
 from .shape_detection import DetectedShapes
 
-CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], np.float64)
-SIDES = np.array(  # corners counterclockwise from outside: low and high of each axis
+UNIT_CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], np.float64)
+SIDE_CORNERS = np.array(  # corners counterclockwise from outside: low and high of each axis
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
 )
-STEPS = 1000  # of the contact distance: heights are integers
+HEIGHT_STEPS = 1000  # of the contact distance: heights are integers
 MAX_DEGREES = 30.0  # beyond it a plane may be perpendicular to two axes
-SHARED = 0.5  # required overlap of two faces along their edge, of the shorter one
+MIN_EDGE_OVERLAP = 0.5  # required overlap of two faces along their edge, of the shorter one
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,8 +64,10 @@ class BoxShape(Assessed):
 
     def to_mesh(self) -> ShapeSurface:
         """Six faces as twelve triangles: `loom.TriangleMesh(*box.to_mesh())`."""
-        vertices = self.center + matmul((CORNERS - 0.5) * self.size, self.axes)
-        return ShapeSurface(vertices, np.concatenate([SIDES[:, :3], SIDES[:, [0, 2, 3]]]).astype(np.int32))
+        vertices = self.center + matmul((UNIT_CORNERS - 0.5) * self.size, self.axes)
+        return ShapeSurface(
+            vertices, np.concatenate([SIDE_CORNERS[:, :3], SIDE_CORNERS[:, [0, 2, 3]]]).astype(np.int32)
+        )
 
     def to_dict(self) -> dict[str, Any]:
         arrays = {name: getattr(self, name).tolist() for name in ("center", "axes", "size", "faces")}
@@ -147,7 +149,7 @@ class _Sides:
         centers = np.array([plane.center - cloud.origin for plane in planes.values()])
         normals = np.array([plane.axis for plane in planes.values()])
         points = cloud.arrays["points"]
-        self._low, self._high = heights_across(points, numbers[detected.labels], centers, normals, gap / STEPS)
+        self._low, self._high = heights_across(points, numbers[detected.labels], centers, normals, gap / HEIGHT_STEPS)
 
     def side(self, plane: int, other: int) -> int:
         """1 or -1 if all points of `other` are on one side of `plane`, else 0."""
@@ -249,6 +251,6 @@ def _apart(group: dict[int, int], extents: dict[int, NDArray[np.float64]]) -> li
         for other in (other for other in group if other > k and group[other] != group[k]):
             (along,) = {0, 1, 2} - {group[k], group[other]}
             (a0, a1), (b0, b1) = extents[k][:, along], extents[other][:, along]
-            if min(a1, b1) - max(a0, b0) < SHARED * min(a1 - a0, b1 - b0):
+            if min(a1, b1) - max(a0, b0) < MIN_EDGE_OVERLAP * min(a1 - a0, b1 - b0):
                 messages.append(f"faces {k} and {other} are separated along their edge")
     return messages

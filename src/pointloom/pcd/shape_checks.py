@@ -24,14 +24,14 @@ from ..kernels.segmentation.shape_search import (
 )
 from .shape import KINDS, Shape
 
-ROUNDING = 2e-6  # of the cloud's size: float32 rounding of positions
+POSITION_ROUNDING = 2e-6  # of the cloud's size: float32 rounding of positions
 AS_FLAT = 1.15  # maximum rms ratio of a plane that explains the points as well
-UNKNOWN = 0.1  # of a radius: a larger standard deviation leaves it undetermined
-CERTAIN = 3.0  # standard deviations between a cone's half angle and a cylinder
-BESIDE = 1.0  # points on a surface per point beside it, up to three times as far: 0.5 by chance
+MAX_RELATIVE_DEVIATION = 0.1  # of a radius: a larger standard deviation leaves it undetermined
+MIN_ANGLE_DEVIATIONS = 3.0  # standard deviations between a cone's half angle and a cylinder
+MIN_SURFACE_RATIO = 1.0  # points on a surface per point beside it, up to three times as far: 0.5 by chance
 RUNS_ON = 0.15  # fraction of nearby points with equal normal: contact strips 0.2 to 0.7, half-distance noise 0.05
-WIDER = 1.6  # times the normal limit: surfaces that branch off turn away
-BETTER = 0.85  # deviation ratio of a better kind. By chance 0.95 and more
+NORMAL_LIMIT_FACTOR = 1.6  # times the normal limit: surfaces that branch off turn away
+BETTER_DEVIATION_RATIO = 0.85  # deviation ratio of a better kind. By chance 0.95 and more
 AS_WELL = 1.1  # deviation ratio up to which a simpler kind is preferred
 RULED_OUT = {  # kinds simpler than another, or as simple and not a special case
     SPHERE: (PLANE,),
@@ -40,7 +40,7 @@ RULED_OUT = {  # kinds simpler than another, or as simple and not a special case
     TORUS: (PLANE, SPHERE, CYLINDER, CONE),
     PLANE: (),
 }
-COVERED = 0.15  # of a round surface: slightly bent surfaces share a smaller part
+MIN_COVERAGE = 0.15  # of a round surface: slightly bent surfaces share a smaller part
 
 # A half rotation about u changes the unknowns: shifts along v and the axis change sign, and so does the tilt
 # toward u, while that toward v keeps its sign, since v is rotated too.
@@ -57,7 +57,7 @@ def shape_of(
     """Shape found among other points, with failed checks; `every` searches all points. Three syncs."""
     every = every or search
     extremes, box, cells = search.spread_unread(candidate)
-    wider = np.cos(min(WIDER * np.arccos(min(limits.cosine, 1.0)), np.pi / 2))
+    wider = np.cos(min(NORMAL_LIMIT_FACTOR * np.arccos(min(limits.cosine, 1.0)), np.pi / 2))
     band = count_band(every, candidate, box, limits.distance, max(float(wider), 0.0))
     return _checked_shape(search, candidate, limits, origin, every, (extremes, cells, band))
 
@@ -138,7 +138,7 @@ def _fit_warnings(search: ShapeSearch, candidate: DetectedShape, shape: Shape, p
     if kind != PLANE and is_flat(search, candidate, plane):
         messages.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
     for name in ("radius", "minor_radius"):
-        if name in sigma and sigma[name] > UNKNOWN * getattr(shape, name):
+        if name in sigma and sigma[name] > MAX_RELATIVE_DEVIATION * getattr(shape, name):
             part = f"points cover {100 * shape.coverage:.0f} % of it"
             messages.append(f"{name} open: {getattr(shape, name):.4g} ± {sigma[name]:.2g} m, as the {part}")
     if kind == CONE and is_open(candidate, shape.extent[1, 2] - shape.extent[0, 2]):
@@ -155,7 +155,7 @@ def _fit_warnings(search: ShapeSearch, candidate: DetectedShape, shape: Shape, p
 
 
 def _strip_warnings(band: Band) -> list[str]:
-    if band.on < BESIDE * band.beside:
+    if band.on < MIN_SURFACE_RATIO * band.beside:
         return [f"chance: {band.on:,} points are on the surface, and {band.beside:,} beside it"]
     if band.beside_facing > RUNS_ON * band.on_facing:
         counts = f"{band.beside_facing:,} points beside the surface have its normals, {band.on_facing:,} are on it"
@@ -166,7 +166,7 @@ def _strip_warnings(band: Band) -> list[str]:
 def _rival_warnings(candidate: DetectedShape, rivals: Sequence[Rival]) -> list[str]:
     """Check for a kind that fits better, or as well and is simpler."""
     better = min(rivals, key=lambda rival: rival.ratio, default=None)
-    if better is not None and better.ratio < BETTER:
+    if better is not None and better.ratio < BETTER_DEVIATION_RATIO:
         fits = f"fits better (rms {better.fit.rms:.3g} m), with {better.support:,} points in all"
         return [f"other kind: a {KINDS[better.kind]} {fits}"]
     for rival in rivals:
@@ -180,18 +180,19 @@ def is_small_part(kind: int, shape: Shape) -> bool:
     if kind == PLANE:
         return False
     cells = SECTOR_COUNT if kind in (CYLINDER, CONE) else SECTOR_COUNT * BAND_COUNT
-    return bool(shape.coverage < COVERED * -np.expm1(-shape.support / cells))
+    return bool(shape.coverage < MIN_COVERAGE * -np.expm1(-shape.support / cells))
 
 
 def is_flat(search: ShapeSearch, candidate: DetectedShape, plane: FlatFit) -> bool:
-    return plane.rms <= AS_FLAT * candidate.fit.rms + ROUNDING * search.size
+    return plane.rms <= AS_FLAT * candidate.fit.rms + POSITION_ROUNDING * search.size
 
 
 def is_open(candidate: DetectedShape, length: float) -> bool:
     """True if a cone may be a cylinder: half angle within its error, or taper below the noise."""
     angle = math.atan2(candidate.fit.shape[7], candidate.fit.shape[6])
     return bool(
-        CERTAIN * np.sqrt(candidate.fit.covariance[-1, -1]) > angle or math.tan(angle) * length < candidate.fit.rms
+        MIN_ANGLE_DEVIATIONS * np.sqrt(candidate.fit.covariance[-1, -1]) > angle
+        or math.tan(angle) * length < candidate.fit.rms
     )
 
 

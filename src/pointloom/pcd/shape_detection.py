@@ -31,12 +31,12 @@ from .shape import KINDS, Shape
 from .shape_checks import is_flat, is_open, plane_of, shape_of
 
 MIN_POINTS, MIN_FRACTION = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
-STEPS = 5.0  # maximum gap in a component, in median neighbor distances
+GAP_DISTANCES = 5.0  # maximum gap in a component, in median neighbor distances
 FIRST_BATCH, MAX_BATCH = 512, 8192  # samples per kind between evaluations
-POOL = 64  # candidates kept between rounds
-TRIED = 3  # candidates fitted per selection
+MAX_CANDIDATES = 64  # candidates kept between rounds
+FITTED_CANDIDATES = 3  # candidates fitted per selection
 # Weights of support by kind, which prefer simpler shapes.
-WORTH = dict(enumerate((1.0, 0.97, 0.95, 0.9, 0.85)))
+KIND_WEIGHTS = dict(enumerate((1.0, 0.97, 0.95, 0.9, 0.85)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +146,7 @@ def detect_shapes(
         if epsilon is None:
             tree = without_copies(cloud.search_tree())
             apart = nearest_distances(tree, tree.source, others=True, missing=0.0)
-            epsilon = STEPS * float(median_above_zero(apart) or limits.distance)
+            epsilon = GAP_DISTANCES * float(median_above_zero(apart) or limits.distance)
         rounds = _Rounds(search, limits, kind_numbers, min_points, epsilon, max_samples, chance, start, labels)
         report_progress("shapes", 0, len(cloud))
         while len(shapes) < largest and (candidate := rounds.next_shape()) is not None:
@@ -246,14 +246,14 @@ class _Rounds:
 
     def _keep(self, shapes: NDArray[Any], of: NDArray[Any], counts: NDArray[Any]) -> None:
         """Keep the candidates with the most points, simple kinds before others with similar support."""
-        worth = counts * np.array([WORTH[int(kind)] for kind in of])
+        worth = counts * np.array([KIND_WEIGHTS[int(kind)] for kind in of])
         order = np.argsort(-worth, kind="stable")
-        order = order[counts[order] >= self._min_points][:POOL]
+        order = order[counts[order] >= self._min_points][:MAX_CANDIDATES]
         self._shapes, self._of, self._counts = shapes[order], of[order], counts[order]
 
     def _best(self) -> DetectedShape | None:
         """Best of the first candidates, fitted to its largest component. Invalid ones are dropped."""
-        first = slice(min(TRIED, len(self._counts)))
+        first = slice(min(FITTED_CANDIDATES, len(self._counts)))
         refined = self.search.each_refined(self._of[first].tolist(), self._shapes[first], self.limits)
         refitted = [None if candidate is None else self._refitted(candidate) for candidate in refined]
         tried = [candidate for candidate in refitted if candidate is not None]
@@ -261,7 +261,7 @@ class _Rounds:
         is_bad[first] = [candidate is None for candidate in refitted]
         is_good = ~is_bad
         self._shapes, self._of, self._counts = self._shapes[is_good], self._of[is_good], self._counts[is_good]
-        return max(tried, key=lambda candidate: candidate.rows.size * WORTH[candidate.kind], default=None)
+        return max(tried, key=lambda candidate: candidate.rows.size * KIND_WEIGHTS[candidate.kind], default=None)
 
     def _refitted(self, refined: DetectedShape) -> DetectedShape | None:
         """Candidate fitted to its largest component. None if it is too small or of another kind."""

@@ -21,11 +21,11 @@ from ..kernels.segmentation.shape_search import DetectedShape, ShapeLimits, Shap
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 from .shape import KINDS, UNKNOWNS, Shape, check_kind
-from .shape_checks import ROUNDING, fitted_shape
+from .shape_checks import POSITION_ROUNDING, fitted_shape
 
-LEVELS = (0.1, 0.03, 0.01, 0.003)  # of the cloud's size: inlier distances of the initialization
-DRAWN, STARTS = 512, 4  # samples per level, and fits of them
-SPREAD = 3.0  # root mean squares that contain nearly all points
+INLIER_LEVELS = (0.1, 0.03, 0.01, 0.003)  # of the cloud's size: inlier distances of the initialization
+SAMPLES_PER_LEVEL, FITS_PER_LEVEL = 512, 4  # samples per level, and fits of them
+SPREAD_DEVIATIONS = 3.0  # root mean squares that contain nearly all points
 
 
 @explain_argument_errors
@@ -84,7 +84,7 @@ def fit_shape(
     if start is None:
         fit = _fit(search, number, fit.shape)
     fit = _fit(search, number, fit.shape)
-    max_distance = max(SPREAD * fit.rms, ROUNDING * search.size)
+    max_distance = max(SPREAD_DEVIATIONS * fit.rms, POSITION_ROUNDING * search.size)
     limits = ShapeLimits(max_distance, 0.0, 0.0, FREE_SIZE * search.size)
     return fitted_shape(search, DetectedShape(number, fit, rows), limits, cloud.origin)
 
@@ -111,9 +111,9 @@ def _best_start(search: ShapeSearch, kind: int, seed: int) -> ShapeFit | None:
         rows = every_of(rows, rows.size // MAX_COMPARED)
     part = ShapeSearch(search.points, search.normals, rows, search)
     limits = ShapeLimits(0.0, 0.0, 0.0, FREE_SIZE * search.size)
-    for level, fraction in enumerate(LEVELS):
+    for level, fraction in enumerate(INLIER_LEVELS):
         near = replace(limits, distance=fraction * search.size)
-        drawn = part.draw(kind, DRAWN, seed, level * DRAWN, near)[0][:STARTS]
+        drawn = part.draw(kind, SAMPLES_PER_LEVEL, seed, level * SAMPLES_PER_LEVEL, near)[0][:FITS_PER_LEVEL]
         if len(drawn):
             fits += search.fitter.fit_all([kind] * len(drawn), drawn, rows)
     fits = [fit for fit in fits if np.isfinite(fit.rms)]

@@ -20,7 +20,7 @@ from ..kernels.splats.tile_lists import TileLists
 from .cloud import PointCloud
 from .harmonics import sizes_of
 
-NEAR = 0.01  # [m] minimum depth of a splat's center
+MIN_DEPTH = 0.01  # [m] minimum depth of a splat's center
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -60,7 +60,7 @@ def list_splats(
 
 
 def surface_before(
-    splats: RasterizationMixin, intrinsic: PinholeCameraIntrinsic, T: NDArray[np.float64], near: float = NEAR
+    splats: RasterizationMixin, intrinsic: PinholeCameraIntrinsic, T: NDArray[np.float64], near: float = MIN_DEPTH
 ) -> SplatSurface:
     """Surface seen by a camera at T_camera_world, on the device, unchecked."""
     view = View(intrinsic, T[:3, :3], matmul(T[:3, :3], splats.cloud.origin) + T[:3, 3])
@@ -87,7 +87,7 @@ class RasterizationMixin:
         extrinsic: ArrayLike,
         *,
         background: Any = (0.0, 0.0, 0.0),
-        near: float = NEAR,
+        near: float = MIN_DEPTH,
     ) -> SplatImage:
         """Render color, opacity, depth and normals.
 

@@ -29,7 +29,7 @@ from ..kernels.linear_algebra import cube_root, det, matmul
 from ..kernels.splats.motion import mask_splats, rotate_harmonics, rotate_quaternions
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .cloud import PointCloud
-from .harmonics import FIRST, MAX_DEGREE, degree_of, rotation_of_harmonics
+from .harmonics import DEGREE_0_HARMONIC, MAX_DEGREE, degree_of, rotation_of_harmonics
 from .motion import Movable
 from .point_arrays import check_cloud, read_only
 from .polygon_volume import SelectionPolygonVolume
@@ -124,13 +124,11 @@ class GaussianSplats(Movable, RasterizationMixin):
             shape = cloud.arrays.required(name, f"splats require {', '.join(NAMES)}").shape
             if shape[1:] != ((width,) if width else ()):
                 raise ValueError(f"cloud: expected {name} of shape {['n', width] if width else ['n']}, got {shape}")
-        splats = object.__new__(cls)
-        splats._cloud = cloud
         if "f_rest" in cloud:
             shape = cloud.arrays["f_rest"].shape
             if len(shape) != 2 or shape[1] % 3 or degree_of(shape[1] // 3 + 1) is None:
                 raise ValueError(f"cloud: expected f_rest of 9, 24, 45 or 72 columns, got {list(shape)}")
-        return splats
+        return cls._over(cloud)
 
     def __len__(self) -> int:
         return len(self._cloud)
@@ -195,7 +193,7 @@ class GaussianSplats(Movable, RasterizationMixin):
         cloud = PointCloud(self.centers, device=self.device, arrays=self._cloud.array_library)
         if not len(self):
             return cloud
-        cloud.colors = np.clip(0.5 + FIRST * self._cloud["f_dc"].astype(np.float64), 0, 1)
+        cloud.colors = np.clip(0.5 + DEGREE_0_HARMONIC * self._cloud["f_dc"].astype(np.float64), 0, 1)
         cloud["opacity"] = self.opacities
         shortest = self._cloud["scale"].argmin(axis=1)
         cloud.normals = np.take_along_axis(self._axes(), shortest[:, None, None], axis=2)[:, :, 0]
@@ -276,7 +274,7 @@ class GaussianSplats(Movable, RasterizationMixin):
                 raise TypeError(f"splats: expected GaussianSplats, got {type(one).__name__}")
             check_same_device("splats", one.device, given[0].device)
         degree = max(one.degree for one in given)
-        return cls.from_cloud(PointCloud.concatenate([one._of_degree(degree)._cloud for one in given]))
+        return cls.from_cloud(PointCloud.concatenate([_cloud_of_degree(one, degree) for one in given]))
 
     @returns_new
     def copy(self) -> Self:
@@ -332,21 +330,24 @@ class GaussianSplats(Movable, RasterizationMixin):
 
         return Rotation.from_quat(np.roll(self._cloud["rot"].astype(np.float64), -1, axis=1)).as_matrix()
 
-    def _of_degree(self, degree: int) -> GaussianSplats:
-        if degree == self.degree:
-            return self
-        cloud = self._cloud.copy()
-        rest = np.zeros((len(self), 3, (degree + 1) ** 2 - 1), np.float32)
-        if self.degree:
-            coefficients = self._cloud["f_rest"].reshape(len(self), 3, -1)
-            rest[:, :, : coefficients.shape[2]] = coefficients
-        cloud["f_rest"] = rest.reshape(len(self), -1)
-        return GaussianSplats.from_cloud(cloud)
-
-    def _over(self, cloud: PointCloud) -> Self:
-        splats = object.__new__(type(self))
-        splats._cloud = cloud
+    @classmethod
+    def _over(cls, cloud: PointCloud) -> Self:
+        splats = object.__new__(cls)
+        vars(splats)["_cloud"] = cloud
         return splats
+
+
+def _cloud_of_degree(splats: GaussianSplats, degree: int) -> PointCloud:
+    """The cloud with the harmonics of a higher degree, which are zero."""
+    if degree == splats.degree:
+        return splats.cloud
+    cloud = splats.cloud.copy()
+    rest = np.zeros((len(cloud), 3, (degree + 1) ** 2 - 1), np.float32)
+    if splats.degree:
+        coefficients = cloud["f_rest"].reshape(len(cloud), 3, -1)
+        rest[:, :, : coefficients.shape[2]] = coefficients
+    cloud["f_rest"] = rest.reshape(len(cloud), -1)
+    return cloud
 
 
 def logits_of(fractions: NDArray[np.float64]) -> NDArray[np.float32]:

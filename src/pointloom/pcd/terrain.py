@@ -22,10 +22,10 @@ from ..kernels.terrain.ground_in_reach import radius_in_cells
 from ..kernels.terrain.inverse_distance import interpolate_centers
 from .cloud import PointCloud
 from .geotiff import geotiff
-from .ground import CELL, WINDOW, check_window
+from .ground import CELL_SIZE, MAX_WINDOW, check_window
 from .point_arrays import check_cloud
 from .raster_cells import (
-    GROUND,
+    GROUND_CLASSES,
     check_box,
     check_classes,
     check_lengths,
@@ -39,8 +39,8 @@ from .raster_cells import (
 
 KINDS = ("dtm", "dsm", "chm", "density", "intensity", "lowest")
 METHODS = ("idw", "tin")
-NODATA = -9999.0
-NEIGHBORS = 8  # of an interpolated height
+NODATA_VALUE = -9999.0
+MIN_NEIGHBORS = 8  # of an interpolated height
 MAX_EDGE = 1 << 24  # cells along a side for gap filling: their centers are float32
 
 
@@ -64,7 +64,7 @@ class Raster:
     filled: NDArray[np.bool_]
     kind: str = ""
     crs: str | None = None
-    nodata: float = NODATA
+    nodata: float = NODATA_VALUE
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -78,7 +78,7 @@ class Raster:
         return f"Raster({self.kind or 'values'}, {columns} x {rows} cells of {self.cell:g}, {known:,} known{made})"
 
     @returns_new
-    def fill_gaps(self, max_distance: float, *, neighbors: int = NEIGHBORS, device: Any = None) -> Raster:
+    def fill_gaps(self, max_distance: float, *, neighbors: int = MIN_NEIGHBORS, device: Any = None) -> Raster:
         """Fill empty cells by inverse distance weighting and set `filled` in them.
 
         Args:
@@ -149,7 +149,7 @@ def rasterize(
     *,
     method: str = "idw",
     reach: float | None = None,
-    neighbors: int = NEIGHBORS,
+    neighbors: int = MIN_NEIGHBORS,
     classes: Any = None,
     corner: ArrayLike = (0.0, 0.0),
     bounds: ArrayLike | None = None,
@@ -209,7 +209,7 @@ def rasterize(
     window = window_of(points, start - cloud.origin[:2], side, box, cloud.origin)
     surface = ground = None
     if kind in ("dtm", "chm"):
-        chosen = chosen_points(cloud, GROUND if class_numbers is None else class_numbers, is_ground=True)
+        chosen = chosen_points(cloud, GROUND_CLASSES if class_numbers is None else class_numbers, is_ground=True)
         ground = ground_heights(chosen, window, method, far, count)
     if kind != "dtm":
         surface = measured_cells(cloud, window, kind, None if kind == "chm" else class_numbers)
@@ -222,10 +222,10 @@ def height_above_ground(
     cloud: PointCloud,
     *,
     reach: float = 20.0,
-    neighbors: int = NEIGHBORS,
+    neighbors: int = MIN_NEIGHBORS,
     cell: float = 1.0,
     corner: ArrayLike = (0.0, 0.0),
-    classes: Any = GROUND,
+    classes: Any = GROUND_CLASSES,
 ) -> NDArray[np.float32]:
     """Height of each point above nearby ground points, interpolated by inverse distance in plan.
 
@@ -258,13 +258,13 @@ def height_above_ground(
     class_numbers = check_classes(classes)
     check_lengths(cloud)
     points = cloud.arrays["points"]
-    ground = chosen_points(cloud, GROUND if class_numbers is None else class_numbers, is_ground=True)
+    ground = chosen_points(cloud, GROUND_CLASSES if class_numbers is None else class_numbers, is_ground=True)
     return cloud.arrays.hand_out(
         cast(heights_above_ground(points, ground, start - cloud.origin[:2], side, far, count), float32)
     )
 
 
-def ground_reach(cell_size: float = CELL, max_window: float = WINDOW) -> float:
+def ground_reach(cell_size: float = CELL_SIZE, max_window: float = MAX_WINDOW) -> float:
     """Radius along x and y [m] that `classify_ground` with a `corner` depends on.
 
     The sum of the two small fillings, the closing of low points, twice the largest window, the filling of the bare

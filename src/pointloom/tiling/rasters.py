@@ -23,7 +23,7 @@ from ..kernels.lru_cache import LruCache
 from ..pcd.cloud import PointCloud
 from ..pcd.geotiff import geotiff
 from ..pcd.raster_cells import NoGroundError
-from ..pcd.terrain import NODATA, Raster, rasterize
+from ..pcd.terrain import NODATA_VALUE, Raster, rasterize
 from .manifest import Manifest
 from .plan import Plan
 from .sources import file_of
@@ -127,7 +127,7 @@ def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, o
     boxes = np.array([*cells_of.values()])
     x0, y0, x1, y1 = [*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0)]
     shape, low = (int(y1 - y0), int(x1 - x0)), np.array(step.params["corner"]) + np.array([x0, y0]) * step.cell
-    metadata = SimpleNamespace(kind=step.kind, crs=step.params["crs"] or crs_of(plan), nodata=NODATA)
+    metadata = SimpleNamespace(kind=step.kind, crs=step.params["crs"] or crs_of(plan), nodata=NODATA_VALUE)
     windows: Any = import_for(path, "rasterio.windows", "geo")
     indices = [*cells_of]
     with (
@@ -139,7 +139,7 @@ def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, o
                 rows, columns = min(WINDOW_CELLS, shape[0] - top), min(WINDOW_CELLS, shape[1] - left)
                 box = (x0 + left, y1 - top - rows, x0 + left + columns, y1 - top)
                 out = np.zeros((2, rows, columns), np.float32)
-                out[0] = 0.0 if step.kind == "density" else NODATA
+                out[0] = 0.0 if step.kind == "density" else NODATA_VALUE
                 meet = (boxes[:, 0] < box[2]) & (boxes[:, 2] > box[0]) & (boxes[:, 1] < box[3]) & (boxes[:, 3] > box[1])
                 for number in np.flatnonzero(meet):
                     opened.copy_cells(indices[number], boxes[number], box, out)

@@ -141,7 +141,7 @@ def test_tetrahedra_are_positively_oriented_and_faces_point_outwards(device):
 def test_a_star_that_exceeds_its_memory_is_rebuilt(device):
     around = np.random.default_rng(2).normal(size=(150, 3))
     around /= np.linalg.norm(around, axis=1)[:, None]  # 296 triangles around the middle
-    assert 2 * len(around) - 4 > alpha_faces.ROOM
+    assert 2 * len(around) - 4 > alpha_faces.STAR_TRIANGLES
     ((faces, corners),) = find([*around, (0, 0, 0)], [2.0], device)
     assert (corners == 150).any(axis=1).sum() == 2 * len(around) - 4 == len(faces)
 
@@ -150,7 +150,7 @@ def test_a_star_that_exceeds_its_memory_is_rebuilt(device):
     ("seed", "count", "alpha", "limits"),
     [
         (3, 60, 0.3, {"FACES_A_POINT": 0, "TETRAHEDRA_A_POINT": 0}),
-        (4, 300, 0.2, {"SCRATCH": alpha_faces.ROOM * alpha_faces.NUMBERS, "RUN": 7}),
+        (4, 300, 0.2, {"SCRATCH": alpha_faces.STAR_TRIANGLES * alpha_faces.NUMBERS_PER_TRIANGLE, "RUN": 7}),
     ],
     ids=["tables that are made again", "launches in parts"],
 )

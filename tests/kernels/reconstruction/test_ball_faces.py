@@ -98,7 +98,7 @@ def test_points_with_too_many_neighbors_are_processed_again(device, rng, monkeyp
     monkeypatch.setattr(ball_faces, "FIRST_ROOM", 4)
     monkeypatch.setattr(ball_faces, "CPU_ROOM", 4)
     monkeypatch.setattr(ball_faces, "FIRST_SLOTS", 1)
-    monkeypatch.setattr(ball_faces, "PART", 70)
+    monkeypatch.setattr(ball_faces, "POINTS_PER_LAUNCH", 70)
     faces, _ = faces_of(points, normals, 0.3, device)
     assert len(faces) == len(expected) and as_set(faces) == as_set(expected)
 

@@ -13,7 +13,7 @@ from pointloom.kernels.reconstruction import poisson
 from pointloom.kernels.reconstruction.poisson import grow_tree, mean_at_samples, solve
 from pointloom.kernels.reconstruction.poisson_system import constraints
 from pointloom.kernels.reconstruction.sample_cells import Cube, gather_samples, sample_rows
-from pointloom.kernels.reconstruction.sample_density import BELOW, ENDS, ON
+from pointloom.kernels.reconstruction.sample_density import TREE_CONTINUES, TREE_ENDED_ABOVE, TREE_ENDS
 
 SIDE, CORNER = 2.2, np.array([-1.1, -1.1, -1.1])
 
@@ -110,7 +110,7 @@ def test_the_density_is_that_of_splines_by_brute_force(device):
         between = depth - 1 + np.log(np.maximum(above[parents], 1)) / np.log(np.maximum(above[parents], 1) / w)
         local = np.where(w < 1, between, depth + (np.log(np.maximum(w, 1)) / np.log(4) if depth == 2 else 1))
         np.testing.assert_allclose(download(nodes.depths), local, atol=1e-5)
-        np.testing.assert_array_equal(download(nodes.states), np.where(local > depth, ON, ENDS))
+        np.testing.assert_array_equal(download(nodes.states), np.where(local > depth, TREE_CONTINUES, TREE_ENDS))
         above = w
 
 
@@ -176,7 +176,7 @@ def test_each_sample_cell_has_the_slot_of_its_position(pyramid):
         exists = slots >= 0
         positions = slot_cells(level)
         np.testing.assert_array_equal(positions[slots[exists]], code_cells(download(cells.codes))[exists])
-        assert is_cell(level)[slots[exists & (download(nodes.states) != BELOW)]].all()
+        assert is_cell(level)[slots[exists & (download(nodes.states) != TREE_ENDED_ABOVE)]].all()
         expected = np.full(8 * level.count, -1)
         expected[slots[exists]] = np.flatnonzero(exists)
         np.testing.assert_array_equal(download(at), expected)
@@ -211,7 +211,7 @@ def spread_samples(pyramid, depth):
         local = download(nodes.depths).astype(float)
         fraction = np.clip(1 - (k - local), 0, 1) if k > 1 else np.ones_like(local)
         fraction = fraction if k == depth else 1 - fraction
-        fraction[download(nodes.states) != ENDS] = 0
+        fraction[download(nodes.states) != TREE_ENDS] = 0
         values = download(cells.sums) * (fraction * 4.0 ** (depth - local) / 1.5)[:, None]
         into = np.arange(cells.count) if k == depth else download(cells.parents)
         np.add.at(flux, into, values)

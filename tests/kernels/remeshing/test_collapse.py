@@ -47,10 +47,10 @@ def test_vertices_are_free_on_a_line_or_corners(device):
     middles = vertices[triangles].mean(axis=1)
     materials = np.where(middles[:, 0] < 2, 0, np.where(middles[:, 1] < 2, 1, 2))
     kinds = download(started(vertices, triangles, device, materials).mesh.kinds).reshape(5, 5)
-    expected = np.full((5, 5), cm.FREE)
-    expected[[0, 4], :] = expected[:, [0, 4]] = cm.LINE
-    expected[:, 2] = expected[2, 2:] = cm.LINE
-    expected[2, 2] = expected[0, 2] = expected[4, 2] = expected[2, 4] = cm.CORNER
+    expected = np.full((5, 5), cm.FREE_VERTEX)
+    expected[[0, 4], :] = expected[:, [0, 4]] = cm.LINE_VERTEX
+    expected[:, 2] = expected[2, 2:] = cm.LINE_VERTEX
+    expected[2, 2] = expected[0, 2] = expected[4, 2] = expected[2, 4] = cm.CORNER_VERTEX
     np.testing.assert_array_equal(kinds, expected)
 
 
@@ -62,7 +62,7 @@ def test_chosen_edges_are_apart_and_in_the_end_no_other_is(device, rounds):
         for v in t:
             rings[v] |= set(map(int, t))
     edges = owners(job)
-    note(job.mesh, cm.EDGES, edges.size)
+    note(job.mesh, cm.EDGE_COUNT, edges.size)
     job.choice.run(job.mesh, job.twin, edges, rounds)
     chosen, ends = download(job.choice.chosen)[: edges.size] == 1, ends_of(job, edges)
     near = [rings[a] | rings[b] for a, b in ends]
@@ -88,7 +88,7 @@ def test_the_number_of_collapsed_edges_matches_the_target(device):
     border |= ((ends // 12 == 0) | (ends // 12 == 11)).all(axis=1) & (np.ptp(ends, axis=1) == 1)
     order = np.argsort(download(job.mesh.keys)[download(edges)])
     removed = np.cumsum(np.where(border, 1, 2)[order])
-    note(job.mesh, cm.PICKED, edges.size)
+    note(job.mesh, cm.PICKED_COUNT, edges.size)
     for max_count in (1, 2, 7, 100, int(removed[-1]), len(edges) // 2, 2 * len(edges)):
         bins = EdgeBins(len(triangles) - max_count, job.mesh)
         mask = upload(np.zeros(edges.size), uint8, edges.device)
@@ -104,17 +104,17 @@ def test_keys_of_edges_stay_unique_after_renumbering(device):
     vertices, triangles = grid(40)
     job = started(vertices, triangles, device)
     mesh, slot_counts = job.mesh, []
-    while number(mesh, cm.TRIANGLES) > 300:
-        slot_counts.append(number(mesh, cm.SLOTS))
+    while number(mesh, cm.TRIANGLE_COUNT) > 300:
+        slot_counts.append(number(mesh, cm.SLOT_COUNT))
         job.run_round()
-        assert number(mesh, cm.CHOSEN)
+        assert number(mesh, cm.CHOSEN_COUNT)
         job.price_edges()
-        slots = number(mesh, cm.SLOTS)
+        slots = number(mesh, cm.SLOT_COUNT)
         keys = download(mesh.keys)[: 3 * slots]
         keys = keys[keys < 2**63 - 3]
         assert len(keys) == len(np.unique(keys))
         left = download(mesh.triangles).reshape(-1, 3)[:slots, 0] >= 0
-        assert left.sum() == number(mesh, cm.TRIANGLES)
+        assert left.sum() == number(mesh, cm.TRIANGLE_COUNT)
     assert len(np.unique(slot_counts)) > 4
 
 

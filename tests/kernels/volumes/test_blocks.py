@@ -12,7 +12,7 @@ from pointloom.kernels.memory import upload
 from pointloom.kernels.volumes import tsdf_blocks
 from pointloom.kernels.volumes.block_rows import BlockNeighbors, neighbors_of
 from pointloom.kernels.volumes.block_signs import signs_of
-from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
+from pointloom.kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box, touched_blocks
 
 from ...meshing import tsdf_scenes as scenes
 
@@ -46,7 +46,7 @@ def segments(depth, T, truncation, voxel_size, camera=CAMERA):
     rays = np.column_stack([(u - camera[2]) / camera[0], (v - camera[3]) / camera[1], np.ones(len(u))])
     near = np.maximum(d - truncation, 0)
     ends = [(rays * k[:, None]) @ T[:3, :3].T + T[:3, 3] for k in (near, d + truncation)]
-    return [e / (SIDE * voxel_size) for e in ends]
+    return [e / (BLOCK_SIDE * voxel_size) for e in ends]
 
 
 def sampled_blocks(a, b, count=2000):
@@ -134,7 +134,7 @@ def test_neighboring_rays_are_less_than_half_a_block_apart(device, distance, foc
     voxel_size, width, height = 0.01, 160, 120
     camera = (focal, focal, 79.5, 59.5)
     blocks = touched(np.full((height, width), distance), np.eye(4), 0.04, voxel_size, device, camera)
-    block = SIDE * voxel_size
+    block = BLOCK_SIDE * voxel_size
     assert distance / focal < block / 2, "the claim is about cameras whose pixels are finer than half a block"
     half_width, half_height = 79.5 * distance / focal, 59.5 * distance / focal
     columns = np.arange(np.ceil(-half_width / block - 0.5), np.floor(half_width / block - 0.5) + 1).astype(int)
@@ -165,7 +165,7 @@ def test_rays_begin_at_the_camera_if_the_truncation_extends_behind_it(device):
 
 def test_a_frame_beyond_the_limit_is_refused_with_figures(device):
     depth, voxel_size = np.full((HEIGHT, WIDTH), 1.0), 0.001
-    limit = BIAS * SIDE * voxel_size
+    limit = BIAS * BLOCK_SIDE * voxel_size
     for axis in range(3):
         for sign in (-1, 1):
             T = np.eye(4)
@@ -186,35 +186,43 @@ def volumes_of_frames(device, rng, count=5):
 def dense(volume, values, fill):
     """Values of voxels in an array over the box of the blocks, one voxel more on the high sides."""
     count = volume.block_count
-    blocks = block_box(volume._blocks.keys.numpy()[:count])
+    blocks = block_box(volume.blocks.keys.numpy()[:count])
     low = blocks.min(0)
-    grid = np.full((blocks.max(0) - low + 1) * SIDE + 1, fill)
-    for block, cube in zip((blocks - low) * SIDE, values[: count * SIDE**3].reshape(-1, SIDE, SIDE, SIDE), strict=True):
+    grid = np.full((blocks.max(0) - low + 1) * BLOCK_SIDE + 1, fill)
+    for block, cube in zip(
+        (blocks - low) * BLOCK_SIDE,
+        values[: count * BLOCK_SIDE**3].reshape(-1, BLOCK_SIDE, BLOCK_SIDE, BLOCK_SIDE),
+        strict=True,
+    ):
         x, y, z = block
-        grid[x : x + SIDE, y : y + SIDE, z : z + SIDE] = cube
-    return grid, (blocks - low) * SIDE
+        grid[x : x + BLOCK_SIDE, y : y + BLOCK_SIDE, z : z + BLOCK_SIDE] = cube
+    return grid, (blocks - low) * BLOCK_SIDE
 
 
 def cells_behind(volume):
     """By block, the cells with a corner that was seen and is not in front of a surface: bool [blocks, 8, 8, 8]."""
-    voxels = volume._blocks
+    voxels = volume.blocks
     behind = (voxels.distances.numpy() <= 0) & (voxels.weights.numpy() > 0)
     grid, corners = dense(volume, behind, False)
     sides = [slice(None, -1), slice(1, None)]
     cells = np.any([grid[a, b, c] for a in sides for b in sides for c in sides], axis=0)
-    return np.stack([cells[x : x + SIDE, y : y + SIDE, z : z + SIDE] for x, y, z in corners])
+    return np.stack([cells[x : x + BLOCK_SIDE, y : y + BLOCK_SIDE, z : z + BLOCK_SIDE] for x, y, z in corners])
 
 
 def bits_of(words, count):
-    words = words.numpy()[: count * SIDE].view(np.uint64).reshape(-1, SIDE, 1)
-    return ((words >> np.arange(64, dtype=np.uint64)) & np.uint64(1)).astype(bool).reshape(-1, SIDE, SIDE, SIDE)
+    words = words.numpy()[: count * BLOCK_SIDE].view(np.uint64).reshape(-1, BLOCK_SIDE, 1)
+    return (
+        ((words >> np.arange(64, dtype=np.uint64)) & np.uint64(1))
+        .astype(bool)
+        .reshape(-1, BLOCK_SIDE, BLOCK_SIDE, BLOCK_SIDE)
+    )
 
 
 def test_cells_are_those_with_a_corner_behind_a_surface(device, rng):
     for k, volume in enumerate(volumes_of_frames(device, rng)):
         if k in (1, 2):
             continue  # signs of several frames are updated at once
-        signs, count = signs_of(volume._blocks), volume.block_count
+        signs, count = signs_of(volume.blocks), volume.block_count
         expected = cells_behind(volume)
         np.testing.assert_array_equal(bits_of(signs.cells, count), expected)
         parts = expected.reshape(-1, 2, 4, 2, 4, 2, 4).any(axis=(2, 4, 6)).reshape(-1, 8) @ (1 << np.arange(8))
@@ -225,7 +233,7 @@ def test_cells_are_those_with_a_corner_behind_a_surface(device, rng):
 def test_updated_neighbors_equal_recomputed_ones(device, rng):
     counts = []
     for volume in volumes_of_frames(device, rng):
-        blocks = volume._blocks
+        blocks = volume.blocks
         rebuilt = BlockNeighbors(blocks.changes, blocks.device).update(blocks)
         used = 27 * blocks.count
         np.testing.assert_array_equal(neighbors_of(blocks).numpy()[:used], rebuilt.numpy()[:used])
@@ -235,16 +243,16 @@ def test_updated_neighbors_equal_recomputed_ones(device, rng):
 
 def test_signs_follow_voxels_that_are_put_in_by_other_means(device, rng):
     *_, volume = volumes_of_frames(device, rng, 2)
-    signs_of(volume._blocks)
-    negated = -volume._blocks.distances.numpy()
+    signs_of(volume.blocks)
+    negated = -volume.blocks.distances.numpy()
     scenes.set_voxels(volume, "distances", negated)
-    signs = signs_of(volume._blocks)
+    signs = signs_of(volume.blocks)
     np.testing.assert_array_equal(bits_of(signs.cells, volume.block_count), cells_behind(volume))
 
 
 def test_signs_of_an_empty_volume_are_none(device):
     volume = loom.TSDFVolume(voxel_size=scenes.VOXEL, device=device)
-    signs_of(volume._blocks)
+    signs_of(volume.blocks)
     assert not scenes.view_from(volume, np.eye(4)).depth.any()
 
 

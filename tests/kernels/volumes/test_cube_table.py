@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pointloom.kernels.volumes import cube_table
-from pointloom.kernels.volumes.cube_table import EDGE_AXIS, EDGE_CORNER, FACES, TRIANGLE_COUNT, TRIANGLE_EDGES
+from pointloom.kernels.volumes.cube_table import EDGE_AXIS, EDGE_CORNER, FACE_CORNERS, TRIANGLE_COUNT, TRIANGLE_EDGES
 
 CORNERS = np.array([[c & 1, c >> 1 & 1, c >> 2 & 1] for c in range(8)])
 MIDPOINTS = CORNERS[EDGE_CORNER] + 0.5 * np.eye(3)[EDGE_AXIS]
@@ -30,7 +30,7 @@ def boundary(case: int) -> set[tuple[int, int]]:
 
 @cache
 def faces_of(edge: int) -> set[int]:
-    return {f for f, face in enumerate(FACES) if set(EDGE_ENDS[edge]) <= set(face)}
+    return {f for f, face in enumerate(FACE_CORNERS) if set(EDGE_ENDS[edge]) <= set(face)}
 
 
 def crossing_edges(case: int) -> set[int]:
@@ -53,13 +53,13 @@ def test_inner_sides_of_a_case_have_opposites_and_the_rest_are_on_faces():
 
 @pytest.mark.parametrize("axis", range(3))
 def test_neighboring_cells_draw_the_same_contour_on_their_common_face_in_opposite_directions(axis):
-    low, high = FACES[2 * axis], FACES[2 * axis + 1]
+    low, high = FACE_CORNERS[2 * axis], FACE_CORNERS[2 * axis + 1]
 
     def contours(face, drop):
         by_signs = {}
         for case in CASES:
             signs = tuple(case >> c & 1 for c in sorted(face))
-            on_face = {(a, b) for a, b in boundary(case) if faces_of(a) & faces_of(b) == {FACES.index(face)}}
+            on_face = {(a, b) for a, b in boundary(case) if faces_of(a) & faces_of(b) == {FACE_CORNERS.index(face)}}
             directed = on_face if face is high else [segment[::-1] for segment in on_face]
             ends = {tuple(tuple(np.delete(MIDPOINTS[e], drop)) for e in segment) for segment in directed}
             by_signs.setdefault(signs, set()).add(frozenset(ends))
@@ -76,7 +76,7 @@ def test_normals_point_from_inside_to_outside():
     for case in CASES:
         for a, b in boundary(case):
             (face,) = faces_of(a) & faces_of(b)
-            inward = np.array([0.5, 0.5, 0.5]) - CORNERS[FACES[face]].mean(axis=0)
+            inward = np.array([0.5, 0.5, 0.5]) - CORNERS[FACE_CORNERS[face]].mean(axis=0)
             left = np.cross(inward, MIDPOINTS[b] - MIDPOINTS[a])
             for edge in (a, b):
                 inside = next(c for c in EDGE_ENDS[edge] if case >> c & 1)
@@ -88,7 +88,7 @@ def test_normals_point_from_inside_to_outside():
 
 def test_an_ambiguous_face_cuts_off_each_inside_corner():
     for case in CASES:
-        for f, face in enumerate(FACES):
+        for f, face in enumerate(FACE_CORNERS):
             if [case >> c & 1 for c in face] in ([0, 1, 0, 1], [1, 0, 1, 0]):
                 on_face = [(a, b) for a, b in boundary(case) if faces_of(a) & faces_of(b) == {f}]
                 assert len(on_face) == 2

@@ -10,7 +10,7 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.datasets.scenes.room import room_sequence, surface_errors
 from pointloom.io.frames.frames import READ_AHEAD
-from pointloom.meshing.volume.surface_weights import WEIGHTS
+from pointloom.meshing.volume.surface_weights import FRAME_THRESHOLDS
 from pointloom.rgbd.fusion.pose_check import PoseCheck
 
 from .walls import Wall
@@ -115,7 +115,9 @@ def test_frames_without_color_give_a_mesh_without():
 def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, threshold):
     result = loom.rgbd.fuse(Wall(frame_count), voxel_size=0.05)
     assert result.weight_threshold == threshold and result.frame_count == frame_count and len(result.mesh) > 0
-    assert [frames for frames, _ in WEIGHTS] == sorted((frames for frames, _ in WEIGHTS), reverse=True)
+    assert [frames for frames, _ in FRAME_THRESHOLDS] == sorted(
+        (frames for frames, _ in FRAME_THRESHOLDS), reverse=True
+    )
 
 
 def test_shares_distinguish_missing_depth_from_depth_out_of_range():

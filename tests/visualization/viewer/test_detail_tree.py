@@ -5,7 +5,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.pcd.detail_nodes import FRACTION, MIN_POINTS
+from pointloom.pcd.detail_nodes import CHILD_FRACTION, MIN_POINTS
 from pointloom.visualization.render.view import View, fit_view
 from pointloom.visualization.viewer import detail_tree
 from pointloom.visualization.viewer.detail_files import sample_file
@@ -62,7 +62,7 @@ def test_points_down_to_a_level_are_evenly_spaced(rng):
         spacing = tree.spacings[nodes].min()
         voxels = np.unique(np.floor((drawn - tree._corner - tree.origin) / spacing), axis=0)
         every = np.unique(np.floor((points - tree._corner - tree.origin) / spacing), axis=0)
-        assert len(drawn) - len(voxels) <= len(nodes) * MIN_POINTS + len(drawn) / FRACTION
+        assert len(drawn) - len(voxels) <= len(nodes) * MIN_POINTS + len(drawn) / CHILD_FRACTION
         assert len(voxels) >= (0.8 if tree.levels.max() > level else 1.0) * len(every)
 
 

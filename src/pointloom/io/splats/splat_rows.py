@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
-from ...pcd.harmonics import FIRST
+from ...pcd.harmonics import DEGREE_0_HARMONIC
 from ...pcd.splats import fractions_of, logits_of, unit_quaternions
 from ..columns import warn_left_out
 from ..source import open_source
@@ -44,7 +44,7 @@ def read_splat(path: str | os.PathLike[str]) -> PointTable:
         scale = np.log(sizes.astype(np.float64)).astype(np.float32)
         opacity = logits_of(colors[:, 3])
     attributes: dict[str, NDArray[Any]] = {
-        "f_dc": ((colors[:, :3] - 0.5) / FIRST).astype(np.float32),
+        "f_dc": ((colors[:, :3] - 0.5) / DEGREE_0_HARMONIC).astype(np.float32),
         "opacity": opacity,
         "scale": scale,
         "rot": ((rows["rot"].astype(np.float32) - 128) / 128),
@@ -62,7 +62,7 @@ def write_splat(path: str | os.PathLike[str], table: PointTable, *, overwrite: b
     rows["point"] = points
     with np.errstate(over="ignore"):
         rows["scale"] = np.exp(columns["scale"].astype(np.float64))
-    rows["color"][:, :3] = to_bytes((0.5 + FIRST * columns["f_dc"].astype(np.float64)) * 255)
+    rows["color"][:, :3] = to_bytes((0.5 + DEGREE_0_HARMONIC * columns["f_dc"].astype(np.float64)) * 255)
     rows["color"][:, 3] = to_bytes(fractions_of(columns["opacity"]) * 255)
     rows["rot"] = to_bytes(unit_quaternions(columns["rot"]) * 128 + 128)
     with atomic_write(path, overwrite=overwrite) as file:

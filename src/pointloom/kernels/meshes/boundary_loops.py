@@ -18,9 +18,10 @@ from ..memory import clone, download, empty, full, upload
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_indices
 from .mesh_topology import corner_vertex, next_corner
 
-BORDER, BLOCKED = -1, -2  # stored for a half-edge without an opposite
-UNSEEN, CHAIN, LOOP = 0, 1, 2  # states of a half-edge: not visited, not on a loop, on a loop
-FEW = 1 << 14  # half-edges that one thread follows faster than two jump: 2.2 to 3.2 ms, 0.2 to 0.6 for 30 (2026-11-28)
+BORDER_EDGE, BLOCKED_EDGE = -1, -2  # stored for a half-edge without an opposite
+NOT_VISITED, ON_CHAIN, ON_LOOP = 0, 1, 2  # states of a half-edge: not visited, not on a loop, on a loop
+# half-edges that one thread follows faster than two jump: 2.2 to 3.2 ms, 0.2 to 0.6 for 30 (2026-11-28)
+MAX_SERIAL_HALF_EDGES = 1 << 14
 
 
 @kernel
@@ -34,9 +35,9 @@ def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int3
         if lower_end(edges.keys[i], bits) != higher_end(edges.keys[i], bits):
             distinct = 1
     for j in range(first, first + count):
-        twin = BLOCKED
+        twin = BLOCKED_EDGE
         if distinct == 1 and count == 1:
-            twin = BORDER
+            twin = BORDER_EDGE
         if distinct == 1 and count == 2:
             twin = edges.order[2 * first + 1 - j]
         twins[edges.order[j]] = twin
@@ -45,7 +46,7 @@ def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int3
 @kernel
 def mark_border_kernel(twins: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
-    mask[i] = uint8(1 if twins[i] == BORDER else 0)
+    mask[i] = uint8(1 if twins[i] == BORDER_EDGE else 0)
 
 
 @kernel
@@ -69,7 +70,7 @@ def find_next_kernel(
             g = h  # the two triangles are inconsistently oriented; h is at the boundary, so the rotation ends
             end = -1
     following = -1
-    if twins[g] == BORDER and end >= 0:
+    if twins[g] == BORDER_EDGE and end >= 0:
         following = indices[g]
     nexts[i] = following
 
@@ -182,23 +183,23 @@ def trace_loops_kernel(
     LOOP."""
     i = tid()
     for h in range(i, nexts.shape[0]):
-        if int(states[h]) == UNSEEN:
+        if int(states[h]) == NOT_VISITED:
             leader = pack_bits(vertices[h], h)
             at = h
             going = 1
             while going == 1:
-                states[at] = uint8(CHAIN)
+                states[at] = uint8(ON_CHAIN)
                 leader = min(leader, pack_bits(vertices[at], at))
                 at = nexts[at]
                 going = 0
                 if at >= 0:
-                    if int(states[at]) == UNSEEN:
+                    if int(states[at]) == NOT_VISITED:
                         going = 1
             if at == h:
                 at = int(leader & 0xFFFFFFFF)
                 distance = int64(0)
-                while int(states[at]) == CHAIN:
-                    states[at] = uint8(LOOP)
+                while int(states[at]) == ON_CHAIN:
+                    states[at] = uint8(ON_LOOP)
                     leaders[at] = leader
                     before[at] = distance
                     distance += 1
@@ -207,7 +208,7 @@ def trace_loops_kernel(
 
 def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]:
     """Loops among distinct successors, each from its lowest vertex on, sorted: (rows int32 [k], padded UniqueKeys)."""
-    if not nexts.device.is_cuda and nexts.size <= FEW:
+    if not nexts.device.is_cuda and nexts.size <= MAX_SERIAL_HALF_EDGES:
         return _rank_few(vertices, nexts)
     device, count = nexts.device, nexts.size
     leaders = empty(count, int64, device)
@@ -230,9 +231,9 @@ def _rank_few(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]:
     """`rank_loops` on the CPU by one thread."""
     device, count = nexts.device, nexts.size
     leaders, before = empty(count, int64, device), empty(count, int64, device)
-    states = full(count, UNSEEN, uint8, device)
+    states = full(count, NOT_VISITED, uint8, device)
     launch(trace_loops_kernel, min(1, count), [vertices, nexts, leaders, before, states])
-    rows = np.flatnonzero(download(states) == LOOP)
+    rows = np.flatnonzero(download(states) == ON_LOOP)
     keys = download(leaders)[rows]
     order = np.lexsort([download(before)[rows], keys])
     sorted_keys: LongIntegers = upload(keys[order], int64, device)

@@ -36,7 +36,7 @@ from .mesh_edges import run_indices
 HASH_BITS = 57  # of a block
 CELL_BITS = 6  # of a cell in it
 NO_STATE = -1  # of a cell in which no vertex stayed
-WIDER = 1 + 1e-6  # cells per half radius: more than the rounding of coordinates up to 1e10 times the radius
+CELL_MARGIN = 1 + 1e-6  # cells per half radius: more than the rounding of coordinates up to 1e10 times the radius
 cell = vector(3, int64)
 
 
@@ -134,7 +134,7 @@ class Cells:
         device, count = points.device, points.size
         self.points, self.salt = points, 0
         self.square_radius = float(radius) * float(radius)
-        self.side = 2 * float(radius) * WIDER
+        self.side = 2 * float(radius) * CELL_MARGIN
         while True:
             keys = empty(count, int64, device)
             launch(hash_cells_kernel, count, [points, self.side, self.salt, keys])

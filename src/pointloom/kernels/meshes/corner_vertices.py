@@ -15,7 +15,7 @@ from .mesh_edges import find_edges, key_bits, run_indices, unite_corners_kernel
 from .mesh_edits import find_first_positions_kernel, mask_and_index
 from .mesh_topology import CornersByVertex, corner_vertex
 
-NONE = 2**31 - 1  # above all vertices and corners
+NO_CORNER = 2**31 - 1  # above all vertices and corners
 
 
 @kernel
@@ -36,7 +36,7 @@ def find_first_sets_kernel(sets: array(dtype=int32), lowest: array(dtype=int32),
 @kernel
 def mark_first_sets_kernel(firsts: array(dtype=int32), used: array(dtype=int32)):
     i = tid()
-    used[i] = 1 if firsts[i] != NONE else 0
+    used[i] = 1 if firsts[i] != NO_CORNER else 0
 
 
 @kernel
@@ -84,7 +84,7 @@ class CornerVertices:
 
     def __init__(self, triangles: Triangles, vertex_count: int, sets: Indices) -> None:
         device, corners = triangles.device, sets.size
-        lowest, firsts = full(corners, NONE, int32, device), full(vertex_count, NONE, int32, device)
+        lowest, firsts = full(corners, NO_CORNER, int32, device), full(vertex_count, NO_CORNER, int32, device)
         launch(find_lowest_vertices_kernel, corners, [triangles, sets, lowest])
         launch(find_first_sets_kernel, corners, [sets, lowest, firsts])
         used, further = empty(vertex_count, int32, device), empty(corners, int32, device)
@@ -154,7 +154,7 @@ def times_named(t: vec3i, v: int) -> int:
 def drop_folded_corners_kernel(triangles: array(dtype=vec3i), around: CornersByVertex, fans: array(dtype=int32)):
     """Merge corners of triangles that use their vertex twice with the first fan there."""
     i = tid()
-    first = NONE
+    first = NO_CORNER
     for j in range(around.starts[i], around.starts[i + 1]):
         corner = around.corners[j]
         if times_named(triangles[corner // 3], i) == 1:
@@ -162,7 +162,7 @@ def drop_folded_corners_kernel(triangles: array(dtype=vec3i), around: CornersByV
     for j in range(around.starts[i], around.starts[i + 1]):
         corner = around.corners[j]
         if times_named(triangles[corner // 3], i) > 1:
-            if first == NONE:
+            if first == NO_CORNER:
                 first = corner
             fans[corner] = first
 
@@ -232,10 +232,10 @@ def split_fans(triangles: Triangles, vertex_count: int) -> tuple[Triangles, Indi
     launch(unite_corners_kernel, corners, [triangles, edges, key_bits(vertex_count), edge_of, fans])
     launch(flatten_sets_kernel, corners, [fans])
     launch(drop_folded_corners_kernel, vertex_count, [triangles, CornersByVertex(triangles, vertex_count), fans])
-    lowest = full(corners, NONE, int32, device)
+    lowest = full(corners, NO_CORNER, int32, device)
     launch(find_first_positions_kernel, corners, [fans, lowest])
     launch(name_fans_kernel, corners, [lowest, fans])
-    firsts, further = full(vertex_count, NONE, int32, device), empty(corners, int32, device)
+    firsts, further = full(vertex_count, NO_CORNER, int32, device), empty(corners, int32, device)
     launch(find_first_fans_kernel, corners, [triangles, fans, firsts])
     launch(mark_further_fans_kernel, corners, [triangles, fans, firsts, further])
     numbers, count = exclusive_scan(further, largest=1)  # sync

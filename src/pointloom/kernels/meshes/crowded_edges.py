@@ -16,10 +16,11 @@ from .clean_triangles import uses_vertex_twice
 from .mesh_edges import find_edges
 from .surface_samples import measure_areas
 
-MANIFOLD = 2  # maximum number of triangles at an edge
+MAX_EDGE_TRIANGLES = 2  # maximum number of triangles at an edge
 COUNT_MASK = 0xFFFF_FFFF  # of a word: remaining triangles of an edge; decided ones above
-OPEN, KEPT, REMOVED = 0, 1, 2
-FEW = 1 << 11  # triangles that one CPU thread decides faster than rounds on two: 0.46 to 0.54 ms (2026-11-28)
+UNDECIDED_TRIANGLE, KEPT_TRIANGLE, REMOVED_TRIANGLE = 0, 1, 2
+# triangles that one CPU thread decides faster than rounds on two: 0.46 to 0.54 ms (2026-11-28)
+MAX_SERIAL_TRIANGLES = 1 << 11
 
 
 @kernel
@@ -28,7 +29,7 @@ def spread_edges_kernel(edges: UniqueKeys, of_half_edge: array(dtype=int32)):
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
-    edge = i if last - first > MANIFOLD else -1
+    edge = i if last - first > MAX_EDGE_TRIANGLES else -1
     for j in range(first, last):
         of_half_edge[edges.order[j]] = edge
 
@@ -107,23 +108,23 @@ class CrowdedEdges:
 def decide_triangle(i: int, crowded: CrowdedEdges) -> int:
     """Decide a triangle that is next at all its edges. Its state. Each word has one writer. Others read it whole."""
     before = crowded.states[i]
-    state = KEPT
+    state = KEPT_TRIANGLE
     for k in range(3):
         g = crowded.of_slot[3 * i + k]
         if g >= 0:
             word = crowded.words[g]
             if int(word >> 32) != crowded.ranks[3 * i + k]:
-                state = OPEN
-            elif state == KEPT and int(word & int64(COUNT_MASK)) > MANIFOLD:
-                state = REMOVED
-    if before != OPEN:
+                state = UNDECIDED_TRIANGLE
+            elif state == KEPT_TRIANGLE and int(word & int64(COUNT_MASK)) > MAX_EDGE_TRIANGLES:
+                state = REMOVED_TRIANGLE
+    if before != UNDECIDED_TRIANGLE:
         state = before
-    if before == OPEN and state != OPEN:
+    if before == UNDECIDED_TRIANGLE and state != UNDECIDED_TRIANGLE:
         for k in range(3):
             g = crowded.of_slot[3 * i + k]
             if g >= 0:
                 word = crowded.words[g] + (int64(1) << int64(32))
-                if state == REMOVED:
+                if state == REMOVED_TRIANGLE:
                     word = word - 1
                 crowded.words[g] = word
         crowded.states[i] = state
@@ -134,7 +135,7 @@ def decide_triangle(i: int, crowded: CrowdedEdges) -> int:
 def try_triangles_kernel(rows: array(dtype=int32), crowded: CrowdedEdges, open_rows: array(dtype=uint8)):
     i = tid()
     state = decide_triangle(rows[i], crowded)
-    open_rows[i] = uint8(1 if state == OPEN else 0)
+    open_rows[i] = uint8(1 if state == UNDECIDED_TRIANGLE else 0)
 
 
 @kernel
@@ -147,7 +148,7 @@ def decide_rest_kernel(rows: array(dtype=int32), crowded: CrowdedEdges):
 @kernel
 def mask_removed_kernel(rows: array(dtype=int32), states: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
-    if states[i] == REMOVED:
+    if states[i] == REMOVED_TRIANGLE:
         mask[rows[i]] = 1
 
 
@@ -190,7 +191,7 @@ def mask_crowding(vertices: Points, triangles: Triangles, at_crowded_edges: Crow
 
 def _decide_in_rounds(crowded: CrowdedEdges, count: int, device: Device) -> Indices:
     """Decide triangles in rounds. Returns the rest, ascending, for one thread: on the CPU all if there are few."""
-    if not device.is_cuda and count <= FEW:
+    if not device.is_cuda and count <= MAX_SERIAL_TRIANGLES:
         return positions(count, device)
     return resolve_in_rounds(
         lambda rows, open_rows: launch(try_triangles_kernel, rows.size, [rows, crowded, open_rows]), count, device

@@ -33,7 +33,7 @@ from .mesh_topology import CornersByVertex, corner_vertex
 
 # Smaller relative decreases are ignored: around slivers, distances kept decreasing by up to 7e-11 per round on some
 # meshes.
-GAIN = 2.0e-10
+MIN_RELATIVE_GAIN = 2.0e-10
 
 
 @func
@@ -118,7 +118,7 @@ def spread_distances_kernel(
         if isfinite(shortest):
             if not isfinite(distance):
                 nearer = 1
-            elif shortest < distance - float64(GAIN) * distance:
+            elif shortest < distance - float64(MIN_RELATIVE_GAIN) * distance:
                 nearer = 1
         if nearer == 1:
             distance = shortest

@@ -47,8 +47,9 @@ if TYPE_CHECKING:
     from .holes import BoundaryLoops
 
 
-SHORT = 32  # vertices of a loop: a thread weighs its triangles in about the time of 30 launches (an estimate)
-STEPS = 256.0  # quantization of bends in 0..2: the first step is 5 degrees, later ones are smaller
+# vertices of a loop: a thread weighs its triangles in about the time of 30 launches (an estimate)
+SHORT_LOOP_VERTICES = 32
+BEND_STEPS = 256.0  # quantization of bends in 0..2: the first step is 5 degrees, later ones are smaller
 
 
 @kernel
@@ -169,7 +170,7 @@ def weigh_chord(edge_keys: array(dtype=int64), bits: int, loops: Loops, loop: in
                 sharpest = max(bend_to(unit, loops.normals[left]), bend_to(unit, loops.normals[right]))
                 if is_closing == 1:
                     sharpest = max(sharpest, bend_to(unit, across))
-            bend = max(floor(sharpest * float64(STEPS)), bend)
+            bend = max(floor(sharpest * float64(BEND_STEPS)), bend)
             size = side + square_side(a, b) + square_side(b, c) + loops.sizes[left] + loops.sizes[right]
             if bend < best_bend or (bend == best_bend and size < best_size):
                 best_bend = bend
@@ -266,9 +267,9 @@ def close_loops(
     loops, bits = Loops(all_loops, batch, counts), key_bits(vertices.size)
     launch(begin_loops_kernel, loops.owners.size, [vertices, triangles, loops])
     longest = int(counts.max())
-    if longest <= SHORT and not device.is_cuda:
+    if longest <= SHORT_LOOP_VERTICES and not device.is_cuda:
         launch(weigh_loops_kernel, len(counts), [all_loops.edge_keys, bits, loops])
-    for span in range(2, longest if longest > SHORT or device.is_cuda else 0):
+    for span in range(2, longest if longest > SHORT_LOOP_VERTICES or device.is_cuda else 0):
         launch(weigh_chords_kernel, loops.owners.size, [all_loops.edge_keys, bits, loops, span])
     mask = empty(len(batch), uint8, device)
     launch(mark_closed_kernel, len(batch), [loops, mask])
@@ -284,7 +285,7 @@ def close_loops(
 
 MAX_VERTICES = 1000  # of a loop: 1.7e8 triangles, a second or two on two cores
 MAX_CELLS = 2**24  # pairs of vertices at once: 740 MB
-PASSES = 8  # over holes that use a chord of another
+MAX_CHORD_PASSES = 8  # over holes that use a chord of another
 
 
 @kernel
@@ -399,7 +400,7 @@ class Filling:
     def __init__(self, vertices: Points, triangles: Triangles, hole_size: float) -> None:
         self.triangles, self.filled, waiting = triangles, 0, 1
         self.corners = empty(0, int32, triangles.device)
-        for _ in range(PASSES):
+        for _ in range(MAX_CHORD_PASSES):
             if waiting:
                 waiting = self._fill(vertices, hole_size)
 

@@ -13,7 +13,7 @@ from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, vec3i
 from ..memory import download, empty, zeros
 
-BOUNDARY, CROWDED, TWISTED, SPLIT = 0, 1, 2, 3  # indices of the findings
+BOUNDARY_EDGES, CROWDED_EDGES, TWISTED_EDGES, SPLIT_VERTICES = 0, 1, 2, 3  # indices of the findings
 
 
 @kernel
@@ -124,13 +124,13 @@ def pair_edges_kernel(
                     last = 0
     twin = -1
     if before + after == 0:
-        atomic_max(findings, BOUNDARY, 1)
+        atomic_max(findings, BOUNDARY_EDGES, 1)
     elif before + after == 2 or first == 0 or last == 0:
-        atomic_max(findings, CROWDED, 1)
+        atomic_max(findings, CROWDED_EDGES, 1)
     else:
         twin = order[i - before + after]
         if corner_vertex(triangles, twin) == corner_vertex(triangles, h):
-            atomic_max(findings, TWISTED, 1)
+            atomic_max(findings, TWISTED_EDGES, 1)
     twins[h] = twin
 
 
@@ -166,7 +166,7 @@ def check_fans_kernel(
             else:
                 visited += 1
     if visited != count:
-        atomic_max(findings, SPLIT, 1)
+        atomic_max(findings, SPLIT_VERTICES, 1)
 
 
 def sorted_edges(triangles: Triangles, vertex_count: int) -> tuple[LongIntegers, Integers]:

@@ -16,11 +16,11 @@ from .level_cut import LevelCut
 from .mesh_measures import triangle_cross
 from .mesh_topology import corner_vertex, next_corner
 
-ROUNDING = 2.0**-24  # of a coordinate in float32
-COARSE = 2.0**-50  # of a coordinate in float64, with margin for short sums
+FLOAT32_ROUNDING = 2.0**-24  # of a coordinate in float32
+FLOAT64_ROUNDING = 2.0**-50  # of a coordinate in float64, with margin for short sums
 
-ABOVE = 1
-BELOW = -1
+SIDE_ABOVE = 1
+SIDE_BELOW = -1
 IN_PLANE_UP = 2  # all corners in the plane, oriented along its normal
 IN_PLANE_DOWN = 3
 
@@ -123,7 +123,7 @@ def mask_side_kernel(side_of: array(dtype=int32), with_up: int, mask: array(dtyp
     i = tid()
     side = side_of[i]
     selected = 0
-    if side == ABOVE or side == IN_PLANE_DOWN or (side == IN_PLANE_UP and with_up == 1):
+    if side == SIDE_ABOVE or side == IN_PLANE_DOWN or (side == IN_PLANE_UP and with_up == 1):
         selected = 1
     mask[i] = uint8(selected)
 

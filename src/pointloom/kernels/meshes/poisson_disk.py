@@ -33,11 +33,11 @@ from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import PointTree
 
-BETA, GAMMA = 0.65, 1.5  # of the paper's r_min. Its alpha, 8, is the power in `pair_weight`
+RADIUS_BETA, RADIUS_GAMMA = 0.65, 1.5  # of the paper's r_min. Its alpha, 8, is the power in `pair_weight`
 WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbors it fits into 62 bits
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
 MAX_SEQUENTIAL = 2**16  # samples up to which one core is no slower than two in rounds, which do the work twice
-ROOM = 6.5  # neighbors times kept samples over all, 1.8 times the value of random samples on a plane
+PAIRS_PER_SAMPLE = 6.5  # neighbors times kept samples over all, 1.8 times the value of random samples on a plane
 MAX_ROOM = 2**26  # entries of lists that are not counted first: 512 MB
 MAX_PAIRS = 2**30  # entries of the lists: 8 GB
 
@@ -67,7 +67,7 @@ class Elimination:
         self.states = empty(count, int64, device)
         self.rivals, self.peaks = full(count, -1, int32, device), zeros(count, int32, device)
         self.remaining, self.running = zeros(1, int32, device), full(1, 1, int32, device)
-        near, room = Neighborhood(tree, max_radius, None), math.ceil(ROOM * count / kept_count)
+        near, room = Neighborhood(tree, max_radius, None), math.ceil(PAIRS_PER_SAMPLE * count / kept_count)
         if device.is_cuda or room * count > MAX_ROOM or not self._list_at_once(near, room):
             self._list_counted(near)
 
@@ -269,7 +269,7 @@ def spread_keys_kernel(states: array(dtype=int64), order: array(dtype=int32), ke
 def eliminate_samples(tree: PointTree, kept_count: int, max_radius: float) -> Integers:
     """Ascending rows (int32) of evenly spread samples; `max_radius` is r_max [m]. About 40 rounds of two launches.
     One sync. Raises CrowdedError for more than 2^30 pairs of neighbors, MemoryError if device memory is exhausted."""
-    min_radius = max_radius * BETA * (1 - (kept_count / tree.count) ** GAMMA)
+    min_radius = max_radius * RADIUS_BETA * (1 - (kept_count / tree.count) ** RADIUS_GAMMA)
     samples = Elimination(tree, max_radius, min_radius, kept_count)
     if tree.device.is_cuda or tree.count > MAX_SEQUENTIAL:
         loop_while(samples.running, samples.round)

@@ -32,7 +32,7 @@ from .mesh_components import label_parts
 from .mesh_measures import measure_triangle, triangle_cross
 from .mesh_topology import CornersByVertex, find_topology, pair_edges_kernel, sorted_edges, topology_of
 
-NARROW = 1e-16  # sine squared of the angle at the first corner: below it float32 corners define no direction
+MIN_SINE_SQUARED = 1e-16  # sine squared of the angle at the first corner: below it float32 corners define no direction
 
 
 @func
@@ -55,7 +55,7 @@ def count_narrow(vertices: array(dtype=vec3), triangles: array(dtype=vec3i)) -> 
     b = widen(vertices[t[1]]) - a
     c = widen(vertices[t[2]]) - a
     narrow = float64(1.0)
-    if dot(n, n) > float64(NARROW) * dot(b, b) * dot(c, c):
+    if dot(n, n) > float64(MIN_SINE_SQUARED) * dot(b, b) * dot(c, c):
         narrow = 0.0
     return vec2d(narrow, 0.0)
 

@@ -40,7 +40,7 @@ from .part_votes import follow_majority
 
 SAME_ANGLE = 1.0e-5  # [rad]: float32 resolution of the angle between coincident walls
 MAX_TRIED = 64  # half-edges at one edge for which all pairs are tried
-MATCHED, TENTATIVE = 1, 2  # how a half-edge was matched, 0 if it was not
+MATCHED_PAIR, TENTATIVE_PAIR = 1, 2  # how a half-edge was matched, 0 if it was not
 
 
 @func
@@ -206,7 +206,7 @@ def match_brackets(
                 if partner >= 0:
                     g = open_edges.half_edges[partner]
                     if tip_of(welded, g) != tip and open_edges.ends[partner] != 0:
-                        join_slots(open_edges, s, partner, MATCHED)
+                        join_slots(open_edges, s, partner, MATCHED_PAIR)
                         changed = 1
 
 
@@ -252,7 +252,7 @@ def match_flattest(
                             e = y
                             matched = 1
         if matched == 1:
-            join_slots(open_edges, s, e, TENTATIVE if against == 0 else MATCHED)
+            join_slots(open_edges, s, e, TENTATIVE_PAIR if against == 0 else MATCHED_PAIR)
 
 
 @kernel
@@ -296,7 +296,7 @@ def write_twins_kernel(
             h = open_edges.half_edges[p]
             if open_edges.partners[p] >= 0:
                 twins[h] = open_edges.half_edges[open_edges.partners[p]]
-                if int(open_edges.states[p]) == TENTATIVE:
+                if int(open_edges.states[p]) == TENTATIVE_PAIR:
                     tentative[h] = uint8(1)
             else:
                 crowding[h // 3] = uint8(1)
@@ -321,7 +321,7 @@ def crowded_rows(open_edges: OpenEdges) -> Indices:
     return positions_of(crowded)  # sync
 
 
-FLAT = 1.0e-6  # of its area to the power of 1.5: with less volume the orientation is undefined
+MIN_VOLUME_RATIO = 1.0e-6  # of its area to the power of 1.5: with less volume the orientation is undefined
 
 
 @kernel
@@ -490,7 +490,7 @@ class Sheets:
         launch(mark_roots_kernel, count, [parents, natural, ends])
         launch(spread_marks_kernel, count, [parents, ends, naturals])
         area, volume = measure(vertices, welded)  # sync
-        flips = _winding(self._forms(), parents, volume < -FLAT * area**1.5)
+        flips = _winding(self._forms(), parents, volume < -MIN_VOLUME_RATIO * area**1.5)
         match_by_angle(open_edges, vertices, welded, rows, naturals, flips)
         tentative = zeros(3 * count, uint8, device)
         launch(write_twins_kernel, open_edges.count, [open_edges, self.twins, tentative, self.crowding])

@@ -17,9 +17,9 @@ from ..lang import NAN, array, float64, func, int32, isfinite, kernel, launch, l
 from ..memory import download, empty, rows_of
 from .mesh_measures import triangle_cross, unit_or_up
 
-WORD = 1.0 / 4294967296.0  # 2^-32
+WORD_FRACTION = 1.0 / 4294967296.0  # 2^-32
 HALF_WORD = 1.0 / 4503599627370496.0  # 2^-52, of a 52-bit number: times a sum, it rounds to less than the sum
-GUIDED = 4  # minimum samples per entry of the lookup table
+MIN_SAMPLES_PER_ENTRY = 4  # minimum samples per entry of the lookup table
 
 
 @kernel
@@ -74,8 +74,8 @@ def draw_samples_kernel(
     fraction = (float64(words[0]) * 1048576.0 + float64(words[1] >> 12)) * float64(HALF_WORD)
     step = int(fraction * float64(steps))
     chosen[i] = find_fraction(running, fraction, guide[step], guide[step + 1])
-    root = sqrt(float64(words[2]) * float64(WORD))
-    s = float64(words[3]) * float64(WORD)
+    root = sqrt(float64(words[2]) * float64(WORD_FRACTION))
+    s = float64(words[3]) * float64(WORD_FRACTION)
     weights[i] = vec3d(1.0 - root, root * (1.0 - s), root * s)
 
 
@@ -157,7 +157,7 @@ class SurfaceSamples:
     def draw(self, count: int, seed: int) -> None:
         self.count = count
         self.chosen, self.weights = empty(count, int32, self.device), empty(count, vec3d, self.device)
-        steps = 1 << max(0, min(self.triangles.size, count // GUIDED).bit_length() - 1)
+        steps = 1 << max(0, min(self.triangles.size, count // MIN_SAMPLES_PER_ENTRY).bit_length() - 1)
         guide = empty(steps + 1, int32, self.device)
         launch(guide_fractions_kernel, steps + 1, [self.running, steps, guide])
         launch(draw_samples_kernel, count, [self.running, steps, guide, seed, self.chosen, self.weights])

@@ -48,12 +48,12 @@ from ..search.point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, SIDES, PointT
 from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius, offset_of, side_of_sphere, sphere_through
 
 FIRST_TRIANGLES = 8
-NUMBERS = 6  # of a triangle: N, D, the bounds of their errors
-LANES = 8  # spheres processed together in vector registers
+NUMBERS_PER_TRIANGLE = 6  # of a triangle: N, D, the bounds of their errors
+SPHERE_LANES = 8  # spheres processed together in vector registers
 LANE_BITS = 3
-MARGIN = 2e-6  # relative: 32 roundings of float32, where ten are made
-LARGEST = 1e18  # [m] spheres farther away are not tested in float32: their products overflow
-OPEN = 3e38  # margin of a sphere that may contain any point
+RELATIVE_MARGIN = 2e-6  # relative: 32 roundings of float32, where ten are made
+MAX_FLOAT32_DISTANCE = 1e18  # [m] spheres farther away are not tested in float32: their products overflow
+OPEN_MARGIN = 3e38  # margin of a sphere that may contain any point
 eight_counts = vector(8, int32)
 NO_ROOM = -1
 
@@ -76,7 +76,7 @@ class Stars:
     def __init__(self, device: Device, threads: int, room: int) -> None:
         self.room = room
         self.corners = empty(3 * threads * room, int32, device)
-        self.spheres = empty(NUMBERS * threads * room, float64, device)
+        self.spheres = empty(NUMBERS_PER_TRIANGLE * threads * room, float64, device)
         self.xs, self.ys, self.zs, self.margins = (empty(threads * room, float32, device) for _ in range(4))
         self.edges = empty(3 * threads * room, int32, device)
 
@@ -87,8 +87,8 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
     stars.corners[3 * at + 1] = c
     stars.corners[3 * at + 2] = d
     sphere = sphere_through(offset_of(b, a, given), offset_of(c, a, given), offset_of(d, a, given))
-    for j in range(NUMBERS):
-        stars.spheres[at * NUMBERS + j] = sphere[j]
+    for j in range(NUMBERS_PER_TRIANGLE):
+        stars.spheres[at * NUMBERS_PER_TRIANGLE + j] = sphere[j]
     fraction = 1.0 / sphere[3]
     x = sphere[0] * fraction
     y = sphere[1] * fraction
@@ -98,18 +98,18 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
     stars.xs[at] = 0.0
     stars.ys[at] = 0.0
     stars.zs[at] = 0.0
-    stars.margins[at] = float(OPEN)
-    if sphere[3] > 0.0 and size < float64(LARGEST) and error < float64(LARGEST):
+    stars.margins[at] = float(OPEN_MARGIN)
+    if sphere[3] > 0.0 and size < float64(MAX_FLOAT32_DISTANCE) and error < float64(MAX_FLOAT32_DISTANCE):
         stars.xs[at] = float(x)
         stars.ys[at] = float(y)
         stars.zs[at] = float(z)
-        stars.margins[at] = float(error + size * float64(MARGIN))
+        stars.margins[at] = float(error + size * float64(RELATIVE_MARGIN))
 
 
 @func
 def fill_lanes(first: int, size: int, stars: Stars):
     """Pad the float32 spheres with empty ones to a multiple of LANES."""
-    for j in range(first + size, first + (size + LANES - 1) // LANES * LANES):
+    for j in range(first + size, first + (size + SPHERE_LANES - 1) // SPHERE_LANES * SPHERE_LANES):
         stars.xs[j] = 0.0
         stars.ys[j] = 0.0
         stars.zs[j] = 0.0
@@ -134,8 +134,8 @@ def exchange_triangles(a: int, b: int, stars: Stars):
         corner = stars.corners[3 * a + j]
         stars.corners[3 * a + j] = stars.corners[3 * b + j]
         stars.corners[3 * b + j] = corner
-    for j in range(NUMBERS):
-        stars.spheres[NUMBERS * a + j] = stars.spheres[NUMBERS * b + j]
+    for j in range(NUMBERS_PER_TRIANGLE):
+        stars.spheres[NUMBERS_PER_TRIANGLE * a + j] = stars.spheres[NUMBERS_PER_TRIANGLE * b + j]
     stars.xs[a] = stars.xs[b]
     stars.ys[a] = stars.ys[b]
     stars.zs[a] = stars.zs[b]
@@ -147,15 +147,15 @@ def may_touch(p: vec3, first: int, size: int, stars: Stars) -> int:
     """Number of spheres that may contain a point relative to the star's own. 0 is certain."""
     square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
     far = sqrt(square)
-    threshold = square - square * MARGIN
+    threshold = square - square * RELATIVE_MARGIN
     counts = eight_counts(0)
-    for chunk in range((size + LANES - 1) // LANES):
-        start = ((first >> LANE_BITS) + chunk) * LANES  # in this form, a compiler can exclude wrapping of lanes
-        for j in range(LANES):
+    for chunk in range((size + SPHERE_LANES - 1) // SPHERE_LANES):
+        start = ((first >> LANE_BITS) + chunk) * SPHERE_LANES  # in this form, a compiler can exclude wrapping of lanes
+        for j in range(SPHERE_LANES):
             value = p[0] * stars.xs[start + j] + p[1] * stars.ys[start + j] + p[2] * stars.zs[start + j]
             counts[j] = counts[j] + (1 if value + far * stars.margins[start + j] >= threshold else 0)
     total = 0
-    for j in range(LANES):
+    for j in range(SPHERE_LANES):
         total += counts[j]
     return total
 
@@ -169,7 +169,7 @@ def part_touched(a: int, code: int, thread: int, first: int, size: int, stars: S
     left = size
     j = 0
     while j < left:
-        at = (first + j) * NUMBERS
+        at = (first + j) * NUMBERS_PER_TRIANGLE
         value = p[0] * stars.spheres[at] + p[1] * stars.spheres[at + 1] + p[2] * stars.spheres[at + 2]
         value = value - square * stars.spheres[at + 3]
         bound = far * (stars.spheres[at + 4] + far * stars.spheres[at + 5])
@@ -252,18 +252,18 @@ def may_touch_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) ->
     z = larger(-low[2], high[2])
     far = sqrt(x * x + y * y + z * z)
     counts = eight_counts(0)
-    for chunk in range((size + LANES - 1) // LANES):
-        start = ((first >> LANE_BITS) + chunk) * LANES  # in this form, a compiler can exclude wrapping of lanes
-        for j in range(LANES):
+    for chunk in range((size + SPHERE_LANES - 1) // SPHERE_LANES):
+        start = ((first >> LANE_BITS) + chunk) * SPHERE_LANES  # in this form, a compiler can exclude wrapping of lanes
+        for j in range(SPHERE_LANES):
             N = vec3(stars.xs[start + j], stars.ys[start + j], stars.zs[start + j])
             x = larger(low[0], smaller(high[0], N[0] * 0.5))
             y = larger(low[1], smaller(high[1], N[1] * 0.5))
             z = larger(low[2], smaller(high[2], N[2] * 0.5))
             square = x * x + y * y + z * z
             value = x * N[0] + y * N[1] + z * N[2] + far * stars.margins[start + j]
-            counts[j] = counts[j] + (1 if value >= square - square * MARGIN else 0)
+            counts[j] = counts[j] + (1 if value >= square - square * RELATIVE_MARGIN else 0)
     total = 0
-    for j in range(LANES):
+    for j in range(SPHERE_LANES):
         total += counts[j]
     return total
 
@@ -358,7 +358,7 @@ def grow_star(
     return size
 
 
-COLUMNS = 5  # of a result: a face's corners and two classes, or a tetrahedron's corners and class
+RESULT_COLUMNS = 5  # of a result: a face's corners and two classes, or a tetrahedron's corners and class
 
 
 @struct
@@ -373,11 +373,11 @@ class EmittedRows:
 
     def __init__(self, device: Device, owners: int, capacity: int, total: Integers) -> None:
         self.device, self.capacity, self.total = device, capacity, total
-        self.table = empty(capacity * COLUMNS, int32, device)
+        self.table = empty(capacity * RESULT_COLUMNS, int32, device)
         self.starts, self.counts = zeros(owners, int32, device), zeros(owners, int32, device)
 
     def sorted_table(self, total: int) -> Integers:
-        table = empty(total * COLUMNS, int32, self.device)
+        table = empty(total * RESULT_COLUMNS, int32, self.device)
         launch(sort_emitted_kernel, self.counts.size, [self, offsets_of(self.counts), table])
         return table
 
@@ -389,20 +389,20 @@ def sort_emitted_kernel(emitted: EmittedRows, offsets: array(dtype=int32), table
     first = emitted.starts[i]
     last = first + emitted.counts[i]
     for j in range(first, last):
-        key = pack_bits(emitted.table[j * COLUMNS + 1], emitted.table[j * COLUMNS + 2])
+        key = pack_bits(emitted.table[j * RESULT_COLUMNS + 1], emitted.table[j * RESULT_COLUMNS + 2])
         slot = offsets[i]
         for k in range(first, last):
-            if pack_bits(emitted.table[k * COLUMNS + 1], emitted.table[k * COLUMNS + 2]) < key:
+            if pack_bits(emitted.table[k * RESULT_COLUMNS + 1], emitted.table[k * RESULT_COLUMNS + 2]) < key:
                 slot += 1
-        for column in range(COLUMNS):
-            table[slot * COLUMNS + column] = emitted.table[j * COLUMNS + column]
+        for column in range(RESULT_COLUMNS):
+            table[slot * RESULT_COLUMNS + column] = emitted.table[j * RESULT_COLUMNS + column]
 
 
 @kernel
 def mark_faces_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
     i = tid()
     inside = 0
-    if table[i * COLUMNS + 3] <= kind and kind < table[i * COLUMNS + 4]:
+    if table[i * RESULT_COLUMNS + 3] <= kind and kind < table[i * RESULT_COLUMNS + 4]:
         inside = 1
     mask[i] = uint8(inside)
 
@@ -411,7 +411,7 @@ def mark_faces_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=ui
 def mark_tetrahedra_kernel(table: array(dtype=int32), kind: int, mask: array(dtype=uint8)):
     i = tid()
     inside = 0
-    if table[i * COLUMNS + 4] <= kind:
+    if table[i * RESULT_COLUMNS + 4] <= kind:
         inside = 1
     mask[i] = uint8(inside)
 
@@ -419,19 +419,19 @@ def mark_tetrahedra_kernel(table: array(dtype=int32), kind: int, mask: array(dty
 @kernel
 def read_faces_kernel(table: array(dtype=int32), rows: array(dtype=int32), triangles: array(dtype=vec3i)):
     i = tid()
-    at = rows[i] * COLUMNS
+    at = rows[i] * RESULT_COLUMNS
     triangles[i] = vec3i(table[at], table[at + 1], table[at + 2])
 
 
 @kernel
 def read_tetrahedra_kernel(table: array(dtype=int32), rows: array(dtype=int32), corners: array(dtype=vec4i)):
     i = tid()
-    at = rows[i] * COLUMNS
+    at = rows[i] * RESULT_COLUMNS
     corners[i] = vec4i(table[at], table[at + 1], table[at + 2], table[at + 3])
 
 
 def mark_rows(mark: Kernel, table: Integers, kind: int) -> Mask:
-    count = table.size // COLUMNS
+    count = table.size // RESULT_COLUMNS
     mask = empty(count, uint8, table.device)
     launch(mark, count, [table, kind, mask])
     return mask
@@ -443,14 +443,14 @@ def read_rows(read: Kernel, kind_of_row: type[Element], table: Integers, rows: I
     return out
 
 
-NEAREST = 16  # points inserted into a star before the traversal
-RUN = 64  # points per thread on the CPU, which share its scratch memory
-ROOM = 96  # initial triangles per star
-SCRATCH = 2**25  # scratch numbers per launch
+FIRST_NEIGHBORS = 16  # points inserted into a star before the traversal
+CPU_POINTS_PER_THREAD = 64  # points per thread on the CPU, which share its scratch memory
+STAR_TRIANGLES = 96  # initial triangles per star
+SCRATCH_NUMBERS = 2**25  # scratch numbers per launch
 FACES_A_POINT = 6  # initial room: a surface has 4 per point, both sides counted
 TETRAHEDRA_A_POINT = 8  # a Delaunay triangulation of random points has 6.8
-WIDER = 2.001  # times alpha: search slightly more than necessary
-TOGETHER = 16  # alphas whose faces are counted in one sync. Each takes a byte per face
+SEARCH_ALPHAS = 2.001  # times alpha: search slightly more than necessary
+ALPHAS_PER_SYNC = 16  # alphas whose faces are counted in one sync. Each takes a byte per face
 GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and an integer number of units
 
 
@@ -459,7 +459,7 @@ def class_of(b: int, c: int, d: int, a: int, at: int, thread: int, stars: Stars,
     """Index of the first radius >= the circumradius of a tetrahedron, or the number of radii."""
     sphere = ball(0.0)
     for j in range(6):
-        sphere[j] = stars.spheres[NUMBERS * at + j]
+        sphere[j] = stars.spheres[NUMBERS_PER_TRIANGLE * at + j]
     kind = 0
     searching = 1
     while searching == 1 and kind < given.radii.shape[0]:
@@ -511,7 +511,7 @@ def write_faces(
         j = listed // 3
         b = stars.corners[3 * first + listed]
         c = stars.corners[3 * (first + j) + (listed + 1) % 3]
-        at = (start + index) * COLUMNS
+        at = (start + index) * RESULT_COLUMNS
         faces.table[at] = given.rows[a]
         faces.table[at + 1] = given.rows[c]
         faces.table[at + 2] = given.rows[b]
@@ -536,7 +536,7 @@ def write_tetrahedra(
             lowest = min(b, min(c, d))
             if lowest > row:
                 if count < room:
-                    at = (start + count) * COLUMNS
+                    at = (start + count) * RESULT_COLUMNS
                     tetrahedra.table[at] = row
                     tetrahedra.table[at + 1] = lowest
                     tetrahedra.table[at + 2] = c if lowest == b else d if lowest == c else b
@@ -599,7 +599,7 @@ def find_alpha_shapes(
     while True:
         totals, needed = zeros(2, int32, tree.device), [0, 0]
         faces, tetrahedra = (EmittedRows(tree.device, owners, size, totals[k : k + 1]) for k, size in enumerate(room))
-        for begin, lists in list_neighbors(tree, NEAREST, radius):
+        for begin, lists in list_neighbors(tree, FIRST_NEIGHBORS, radius):
             needed = search_stars(
                 tree, begin, lists, max_sqdist, given, int(with_tetrahedra), faces, tetrahedra, totals
             )
@@ -609,8 +609,8 @@ def find_alpha_shapes(
     face_table = faces.sorted_table(needed[0])
     table = tetrahedra.sorted_table(needed[1]) if with_tetrahedra else None
     shapes: list[tuple[Cells, Array1[vec4i] | None]] = []
-    for first in range(0, len(alphas), TOGETHER):
-        kinds = range(first, min(first + TOGETHER, len(alphas)))
+    for first in range(0, len(alphas), ALPHAS_PER_SYNC):
+        kinds = range(first, min(first + ALPHAS_PER_SYNC, len(alphas)))
         marks = [mark_rows(mark_faces_kernel, face_table, kind) for kind in kinds]
         marks += [mark_rows(mark_tetrahedra_kernel, table, kind) for kind in kinds if table is not None]
         listed = positions_of_each(*marks)  # sync
@@ -632,19 +632,19 @@ def search_stars(
     totals: Integers,
 ) -> list[int]:
     """Launch the search, and repeat it with more room for stars that overflowed. One sync per launch."""
-    device, room, needed = tree.device, ROOM, [0, 0]
-    run = 1 if device.is_cuda else RUN
-    todo = empty(lists.size // NEAREST, int32, device)
+    device, room, needed = tree.device, STAR_TRIANGLES, [0, 0]
+    run = 1 if device.is_cuda else CPU_POINTS_PER_THREAD
+    todo = empty(lists.size // FIRST_NEIGHBORS, int32, device)
     launch(list_ranks_kernel, todo.size, [begin, todo])
     while todo.size:
-        step = max(1, SCRATCH // (room * NUMBERS)) * run
+        step = max(1, SCRATCH_NUMBERS // (room * NUMBERS_PER_TRIANGLE)) * run
         left = []
         for first in range(0, todo.size, step):
             ranks = todo[first : min(first + step, todo.size)]
             threads = -(-ranks.size // run)
             given.reserve(threads)
             crowded = empty(ranks.size, int32, device)
-            search = [ranks, run, begin, lists, NEAREST, max_sqdist, tree, Stars(device, threads, room), given]
+            search = [ranks, run, begin, lists, FIRST_NEIGHBORS, max_sqdist, tree, Stars(device, threads, room), given]
             launch(find_faces_kernel, threads, [*search, with_tetrahedra, faces, tetrahedra, crowded])
             (offsets, (count,)), (_, needed) = scan_together([(crowded, [ranks.size])], totals, largest=1)  # sync
             left.append(rows_by_offsets(ranks, offsets, count))
@@ -669,7 +669,7 @@ def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) 
     # D is an integer and |N| < 32 extent^4, so no sphere's radius |N| / (2 D) exceeds this one
     largest = 16 * extent**4
     radii = [Fraction(largest) if math.isinf(alpha) else min(Fraction(alpha) / one, largest) for alpha in alphas]
-    guard = math.ceil(Fraction(WIDER) * radii[-1])
+    guard = math.ceil(Fraction(SEARCH_ALPHAS) * radii[-1])
     spare = max(0, guard.bit_length() - GUARD_BITS)
     guard = -(-guard >> spare) << spare
     size = extent + guard
@@ -687,6 +687,6 @@ def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) 
         exact.table([square.numerator for square in squares]),
         exact.table([square.denominator for square in squares]),
     )
-    radius = WIDER * float(radii[-1] * one)
+    radius = SEARCH_ALPHAS * float(radii[-1] * one)
     max_sqdist = min(radius * radius * (1 + 1e-6) + 1e-37, LARGEST_SQDIST)  # smaller squares are no float32
     return given, max_sqdist, radius

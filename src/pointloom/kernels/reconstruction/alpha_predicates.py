@@ -20,11 +20,11 @@ from ..array_types import Doubles, Indices, LongIntegers, Points
 from ..lang import array, cross, dot, float64, func, int32, int64, length, sqrt, struct, vec3, vec3d, vector
 from ..memory import empty
 
-ERROR = 4.44e-15  # 40 roundings of float64: the sums of absolute values below take at most 31
+RELATIVE_ERROR = 4.44e-15  # 40 roundings of float64: the sums of absolute values below take at most 31
 BELOW_ONE = 0.999999999999999  # and above: covers the rounding of a radius
 ABOVE_ONE = 1.000000000000001
 NO_ROW = 0x7FFFFFFF
-ROWS = 20  # residues of five points with their squares
+RESIDUE_ROWS = 20  # residues of five points with their squares
 EXACT_BITS = 53  # integers below 2^53 are exact in float64
 MAX_ROW = 0x7FFFFFF0  # guards follow all rows of a cloud
 ball = vector(6, float64)  # N and D of a sphere, and the bounds of their errors
@@ -67,7 +67,7 @@ class Predicates:
         self.radii, self.numerators, self.denominators = radii, numerators, denominators
 
     def reserve(self, threads: int) -> None:
-        self.digits = empty(threads * (self.exact.count + ROWS), int64, self.points.device)
+        self.digits = empty(threads * (self.exact.count + RESIDUE_ROWS), int64, self.points.device)
 
 
 @func
@@ -90,7 +90,7 @@ def offset_of(code: int, a: int, given: Predicates) -> vec3d:
 def fill_residues(b: int, c: int, d: int, p: int, origin: int, a: int, k: int, thread: int, given: Predicates):
     """Write four points relative to an origin, each with its square, modulo prime k to rows 1 to 4 of the thread."""
     prime = given.exact.primes[k]
-    at = thread * (given.exact.count + ROWS) + given.exact.count
+    at = thread * (given.exact.count + RESIDUE_ROWS) + given.exact.count
     points = int(5)
     axes = int(3)
     for j in range(points):
@@ -111,7 +111,7 @@ def fill_residues(b: int, c: int, d: int, p: int, origin: int, a: int, k: int, t
 
 @func
 def row_of_residues(j: int, thread: int, given: Predicates) -> quadruple:
-    at = thread * (given.exact.count + ROWS) + given.exact.count + 4 * j
+    at = thread * (given.exact.count + RESIDUE_ROWS) + given.exact.count + 4 * j
     return quadruple(given.digits[at], given.digits[at + 1], given.digits[at + 2], given.digits[at + 3])
 
 
@@ -125,7 +125,7 @@ def side_of_plane(origin: int, b: int, c: int, d: int, a: int, thread: int, give
     value = dot(x - o, cross(y - o, z - o))
     # all are rounded before subtraction: their own sizes count, not those of the differences
     far = length(o)
-    bound = (length(x) + far) * (length(y) + far) * (length(z) + far) * float64(ERROR)
+    bound = (length(x) + far) * (length(y) + far) * (length(z) + far) * float64(RELATIVE_ERROR)
     if given.plane_primes == 0:
         bound = 0.0
     sign = 0
@@ -134,7 +134,7 @@ def side_of_plane(origin: int, b: int, c: int, d: int, a: int, thread: int, give
     elif value < -bound:
         sign = -1
     else:
-        base = thread * (given.exact.count + ROWS)
+        base = thread * (given.exact.count + RESIDUE_ROWS)
         for k in range(given.plane_primes):
             p = given.exact.primes[k]
             fill_residues(b, c, d, d, origin, a, k, thread, given)
@@ -155,7 +155,7 @@ def sphere_through(b: vec3d, c: vec3d, d: vec3d) -> ball:
     x = length(b)
     y = length(c)
     z = length(d)
-    sizes = x * y * z * float64(ERROR)
+    sizes = x * y * z * float64(RELATIVE_ERROR)
     return ball(N[0], N[1], N[2], dot(b, cd), sizes * (x + y + z), sizes)
 
 
@@ -198,7 +198,7 @@ def resolve_tie(b: int, c: int, d: int, p: int, a: int, thread: int, given: Pred
 @func
 def side_of_sphere(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predicates) -> int:
     """1 if p is inside the sphere of tetrahedron (a, b, c, d), else -1; never 0. Exact and slow."""
-    base = thread * (given.exact.count + ROWS)
+    base = thread * (given.exact.count + RESIDUE_ROWS)
     for k in range(given.sphere_primes):
         fill_residues(b, c, d, p, a, a, k, thread, given)
         x = row_of_residues(1, thread, given)
@@ -223,7 +223,7 @@ def is_within_radius(b: int, c: int, d: int, sphere: ball, a: int, j: int, threa
     if size - sphere[4] > double * (sphere[3] + sphere[5]) * float64(ABOVE_ONE):
         within = 0
     if within == 2:
-        base = thread * (given.exact.count + ROWS)
+        base = thread * (given.exact.count + RESIDUE_ROWS)
         for k in range(given.radius_primes):
             p = given.exact.primes[k]
             fill_residues(b, c, d, d, a, a, k, thread, given)

@@ -5,9 +5,9 @@ Arcs are kept too long rather than too short. Directions on the circle are numbe
 
 from ..lang import array, cross, dot, float64, func, sqrt, vec3d
 
-ARCS = 8  # per circle. If there are more, one is not split, so that too much of it remains
-FRACTION = 1.0e-9  # relative rounding of the numbers that define an arc's ends, by which it is shortened
-LOSS = 1.0e-14  # of the lengths, which covers rounding
+MAX_ARCS = 8  # per circle. If there are more, one is not split, so that too much of it remains
+ARC_ROUNDING = 1.0e-9  # relative rounding of the numbers that define an arc's ends, by which it is shortened
+LENGTH_ROUNDING = 1.0e-14  # of the lengths, which covers rounding
 FULL_CIRCLE = 4.0
 
 
@@ -71,7 +71,7 @@ def cut_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, en
                 arcs[at + 2 * j] = end
             elif end >= high:
                 arcs[at + 2 * j + 1] = start
-            elif left < ARCS:
+            elif left < MAX_ARCS:
                 arcs[at + 2 * j + 1] = start
                 arcs[at + 2 * left] = end
                 arcs[at + 2 * left + 1] = high
@@ -112,7 +112,7 @@ def forbid_arc(
     x = dot(q, u)
     y = dot(q, v)
     limit = 2.0 * height * sqrt(x * x + y * y)
-    rise += float64(FRACTION) * (abs(rise) + limit) + float64(LOSS) * size * (size + length + height)
+    rise += float64(ARC_ROUNDING) * (abs(rise) + limit) + float64(LENGTH_ROUNDING) * size * (size + length + height)
     if rise < limit:
         if rise <= -limit:
             left = 0

@@ -8,20 +8,19 @@ contains it. Corners of triangles have rims that touch an open cell. Cells are t
 
 from ..lang import float32, func, int32, sqrt, vec3, vector
 
-LANES = 8  # cells tested together
+CELL_LANES = 8  # cells tested together
 eight_numbers = vector(8, float32)
 eight_cells = vector(8, int32)  # 12 bits each: the halves of three faces, and the opposite halves
 ALL_CELLS = 0xFFF
-HALF, OPPOSITE = 1, 2  # bits of the first half, the others follow
+FIRST_HALF, SECOND_HALF = 1, 2  # bits of the first half, the others follow
 # Unit vectors (1, a, b) / |(1, a, b)| for a, b of 0.19696 (near) and 0.67575 (far). Cells end at 0, 0.41514 and 1
 INNER_AXIS, INNER_SIDE = 0.9633271, 0.1897378  # both near
 MIXED_AXIS, MIXED_NEAR, MIXED_FAR = 0.8177445, 0.1610637, 0.5525870  # one of each
 OUTER_AXIS, OUTER_SIDE = 0.7229572, 0.4885350  # both far
-COSINE, SINE = 0.9593273, 0.2822961  # of a cone's half-angle, 16.4 degrees, with a margin of 0.05 degrees
-NEAR_FRACTION = (
-    0.25  # |q|^2 / (2 r)^2 up to which caps are tested: those of farther neighbors rarely contain another cell
-)
-TINY = 1e-30  # [m^2] smaller squares lose digits
+CONE_COSINE, CONE_SINE = 0.9593273, 0.2822961  # of a cone's half-angle, 16.4 degrees, with a margin of 0.05 degrees
+# |q|^2 / (2 r)^2 up to which caps are tested: those of farther neighbors rarely contain another cell
+NEAR_FRACTION = 0.25
+MIN_SQUARE = 1e-30  # [m^2] smaller squares lose digits
 
 
 @func
@@ -31,7 +30,7 @@ def offsets_along(x: float, y: float, z: float) -> eight_numbers:
     a = eight_numbers(INNER_SIDE, INNER_SIDE, MIXED_NEAR, MIXED_NEAR, MIXED_FAR, MIXED_FAR, OUTER_SIDE, OUTER_SIDE)
     b = eight_numbers(INNER_SIDE, -INNER_SIDE, MIXED_FAR, -MIXED_FAR, MIXED_NEAR, -MIXED_NEAR, OUTER_SIDE, -OUTER_SIDE)
     offsets = eight_numbers(0.0)
-    for j in range(LANES):
+    for j in range(CELL_LANES):
         offsets[j] = x * axis[j] + y * a[j] + z * b[j]
     return offsets
 
@@ -41,8 +40,8 @@ def cover_half(cells: eight_cells, x: float, y: float, z: float, limit: float, s
     """Remove the cells of half a face and its opposite whose centers are beyond a limit."""
     offsets = offsets_along(x, y, z)
     left = eight_cells(0)
-    for j in range(LANES):
-        covered = (HALF if offsets[j] > limit else 0) | (OPPOSITE if offsets[j] < -limit else 0)
+    for j in range(CELL_LANES):
+        covered = (FIRST_HALF if offsets[j] > limit else 0) | (SECOND_HALF if offsets[j] < -limit else 0)
         left[j] = cells[j] & ~(covered << shift)
     return left
 
@@ -51,7 +50,7 @@ def cover_half(cells: eight_cells, x: float, y: float, z: float, limit: float, s
 def any_cell(cells: eight_cells) -> int:
     """Bits of the halves of faces with an open cell."""
     halves = 0
-    for j in range(LANES):
+    for j in range(CELL_LANES):
         halves = halves | cells[j]
     return halves
 
@@ -87,8 +86,8 @@ def touch_half(cells: eight_cells, x: float, y: float, z: float, limit: float, s
     """Bits of the open cells of half a face and its opposite whose centers reach a limit."""
     offsets = offsets_along(x, y, z)
     touched = 0
-    for j in range(LANES):
-        reached = (HALF if offsets[j] >= limit else 0) | (OPPOSITE if offsets[j] <= -limit else 0)
+    for j in range(CELL_LANES):
+        reached = (FIRST_HALF if offsets[j] >= limit else 0) | (SECOND_HALF if offsets[j] <= -limit else 0)
         touched = touched | (cells[j] & (reached << shift))
     return touched
 

@@ -53,13 +53,13 @@ from ..memory import empty, fill
 from ..search.bucket_walk import points_within
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
-from .ball_arcs import ARCS, FULL_CIRCLE, across, arc_sag, forbid_arc, passes_arc, point_at
+from .ball_arcs import FULL_CIRCLE, MAX_ARCS, across, arc_sag, forbid_arc, passes_arc, point_at
 from .ball_directions import (
     ALL_CELLS,
-    COSINE,
+    CONE_COSINE,
+    CONE_SINE,
+    MIN_SQUARE,
     NEAR_FRACTION,
-    SINE,
-    TINY,
     any_cell,
     cap_limit,
     cover_cells,
@@ -68,14 +68,15 @@ from .ball_directions import (
 )
 from .ball_predicates import ball_center, contains_point, root_of_ball, side_of_normals, width_of_circle
 
-NEAR = 2.0e-8  # of the lengths: five times the effect of SHARE, so that points touching an arc's end are found
+# of the lengths: five times the effect of ARC_ROUNDING, so that points touching an arc's end are found
+TOUCHING_DISTANCE = 2.0e-8
 FIRST_ROOM, CPU_ROOM = 96, 384  # initial neighbors per thread in scratch memory
 FIRST_SLOTS = 8  # triangles per point, which is the first corner of about two
-SCRATCH, CUDA_SCRATCH = 2**24, 2**23  # neighbors of all points of a launch
-LANES = 8  # of a point on CUDA
-PART = 2**18  # points a launch
+SCRATCH_NEIGHBORS, CUDA_SCRATCH = 2**24, 2**23  # neighbors of all points of a launch
+CUDA_LANES = 8  # of a point on CUDA
+POINTS_PER_LAUNCH = 2**18  # points a launch
 CPU_THREADS = 512  # per launch: few, so that scratch memory stays in the caches, but more than the chunks
-NEAREST = 5  # points that cut a circle before testing which others reach the rest
+CUTTING_POINTS = 5  # points that cut a circle before testing which others reach the rest
 FEW_CORNERS = 40  # possible corners up to which all pairs are tested
 SQDIST_MARGIN = 1.00001  # times the squared search radius: float32 distances must not lose a neighbor
 
@@ -104,19 +105,21 @@ class BallScratch:
     sags: array(dtype=float64)
 
     def __init__(self, count: int, room: int, device: Device) -> None:
-        max_threads = max(1, CUDA_SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
+        max_threads = (
+            max(1, CUDA_SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH_NEIGHBORS // room))
+        )
         self.threads, self.room, self.first = min(count, max_threads), room, 0
         self.run = -(-count // self.threads)
         self.threads = -(-count // self.run)
-        total, circles = self.threads * room, self.threads * (LANES if device.is_cuda else 1)
+        total, circles = self.threads * room, self.threads * (CUDA_LANES if device.is_cuda else 1)
         self.keys, self.indices = empty(2 * total, int64, device), empty(total, int32, device)
         self.xs, self.ys, self.zs, self.sizes = (empty(total, float64, device) for _ in range(4))
         points = self.threads if device.is_cuda else 0
         self.cells, self.tallies = empty(points, eight_cells, device), empty(2 * points, int32, device)
         self.cutters, self.cuts = empty(circles * room, int32, device), empty(circles, int32, device)
-        self.arcs = empty(circles * 2 * ARCS, float64, device)
-        self.ends = empty(circles * 2 * ARCS, vec3d, device)
-        self.sags = empty(circles * 2 * ARCS, float64, device)
+        self.arcs = empty(circles * 2 * MAX_ARCS, float64, device)
+        self.ends = empty(circles * 2 * MAX_ARCS, vec3d, device)
+        self.sags = empty(circles * 2 * MAX_ARCS, float64, device)
 
 
 @struct
@@ -176,8 +179,8 @@ def list_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: i
             if neighbor_count < scratch.room:
                 scratch.keys[2 * base + neighbor_count] = pack_key(sqdist, j)
             neighbor_count += 1
-            if sqdist <= near and sqdist > TINY:
-                limit = cap_limit(sqdist, diameter, COSINE, SINE)
+            if sqdist <= near and sqdist > MIN_SQUARE:
+                limit = cap_limit(sqdist, diameter, CONE_COSINE, CONE_SINE)
                 cells = cover_cells(cells, halves, points.tree.points[j] - p, limit)
                 halves = any_cell(cells)
                 if halves == 0:
@@ -191,9 +194,9 @@ def list_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: i
 def may_be_corner(key: int64, p: vec3, cells: eight_cells, halves: int, points: BallPoints) -> int:
     """0 if a neighbor is certainly no corner of a triangle of p. `halves`: the result of `any_cell`."""
     sqdist = key_number(key)
-    limit = cap_limit(sqdist, float(points.radius * 2.0), COSINE, -SINE)
+    limit = cap_limit(sqdist, float(points.radius * 2.0), CONE_COSINE, -CONE_SINE)
     touched = touches_cells(cells, halves, points.tree.points[key_index(key)] - p, limit)
-    return 1 if sqdist <= TINY or touched != 0 else 0
+    return 1 if sqdist <= MIN_SQUARE or touched != 0 else 0
 
 
 @func
@@ -256,7 +259,7 @@ def is_outside(
     """1 if a neighbor is not in the ball on a point and two of its neighbors, with the given center."""
     outside = 1
     clearance = size * size - 2.0 * dot(x, q)
-    slack = float64(NEAR) * points.radius * size
+    slack = float64(TOUCHING_DISTANCE) * points.radius * size
     if clearance < -slack:
         outside = 0
     elif clearance <= slack:
@@ -306,7 +309,7 @@ def is_empty_ball(
 @func
 def write_ends(b: vec3d, u: vec3d, v: vec3d, height: float64, count: int, scratch: BallScratch, at: int):
     middle = b * 0.5
-    slack = float64(NEAR) * (height + sqrt(dot(b, b)))  # more than NEAR of the radius
+    slack = float64(TOUCHING_DISTANCE) * (height + sqrt(dot(b, b)))  # more than TOUCHING_DISTANCE of the radius
     for k in range(count):
         low = scratch.arcs[at + 2 * k]
         high = scratch.arcs[at + 2 * k + 1]
@@ -331,7 +334,7 @@ def free_arcs(
     jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, corner_count: int, circle: int
 ) -> int:
     """Number of remaining arcs of the circle of centers over two points. Neighbors between both go first."""
-    at = circle * 2 * ARCS
+    at = circle * 2 * MAX_ARCS
     cutters = circle * scratch.room
     b = neighbor_at(scratch, jb)
     length = scratch.sizes[jb]
@@ -347,7 +350,7 @@ def free_arcs(
             scratch.cutters[cutters + cuts] = j
             cuts += 1
         j += 1
-    early = cuts + NEAREST
+    early = cuts + CUTTING_POINTS
     j = base
     known = 0
     while j < base + corner_count and count > 0:
@@ -394,7 +397,7 @@ def ends_at(j: int, count: int, points: BallPoints, scratch: BallScratch, at: in
     """1 if a neighbor touches the start of an arc, 1 if it touches the end of one."""
     q = neighbor_at(scratch, j)
     size = scratch.sizes[j]
-    slack = float64(NEAR) * points.radius * size
+    slack = float64(TOUCHING_DISTANCE) * points.radius * size
     begins = 0
     ends = 0
     for k in range(count):
@@ -477,7 +480,7 @@ def find_faces_over(
             if third > other and points.searched[third] != 0:
                 sides = vec2i(1, 1)
                 if arcs > 0:
-                    sides = ends_at(jc, arcs, points, scratch, circle * 2 * ARCS)
+                    sides = ends_at(jc, arcs, points, scratch, circle * 2 * MAX_ARCS)
                 if sides[0] + sides[1] > 0:
                     total = try_face(index, row, jb, jc, sides, points, scratch, base, counts, total, faces)
     return total
@@ -528,7 +531,7 @@ def part_neighbors(
             scratch.keys[2 * base + scratch.room + atomic_add(scratch.tallies, 2 * point, 1)] = key
         else:
             scratch.keys[2 * (base + scratch.room) - 1 - atomic_add(scratch.tallies, 2 * point + 1, 1)] = key
-        j += LANES
+        j += CUDA_LANES
 
 
 @cuda_func
@@ -543,7 +546,7 @@ def sort_corners(index: int, k: int, corner_count: int, points: BallPoints, scra
         for other in range(first, first + corner_count):
             rank += 1 if scratch.keys[other] < key else 0
         store_corner(key, base + rank, p, points, scratch)
-        j += LANES
+        j += CUDA_LANES
 
 
 @cuda_func
@@ -569,8 +572,8 @@ def sort_faces(row: int, count: int, faces: BallFaces):
 def find_faces_of_lanes_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
     """CUDA variant, eight lanes per point, after `list_neighbors_kernel`. A lane has every eighth neighbor."""
     i = tid()
-    k = i % LANES
-    point = i // LANES
+    k = i % CUDA_LANES
+    point = i // CUDA_LANES
     row = scratch.first + point
     base = point * scratch.room
     index = 0
@@ -590,7 +593,7 @@ def find_faces_of_lanes_kernel(points: BallPoints, scratch: BallScratch, faces: 
     jb = base + k
     while jb < base + counts[1]:
         find_faces_over(index, row, jb, base, i, points, scratch, counts, 0, faces)
-        jb += LANES
+        jb += CUDA_LANES
     sync_lanes()  # all lanes have stored their triangles
     if is_searched == 1 and k == 0:
         count = atomic_add(faces.counts, row, 0)
@@ -607,7 +610,7 @@ def find_faces(points: BallPoints, scratch: BallScratch, faces: BallFaces) -> No
     for first in range(0, faces.indices.size, scratch.threads):
         scratch.first, count = first, min(scratch.threads, faces.indices.size - first)
         launch(list_neighbors_kernel, count, arguments)
-        launch(find_faces_kernel, -(-count * LANES // WARP) * WARP, arguments)  # whole warps
+        launch(find_faces_kernel, -(-count * CUDA_LANES // WARP) * WARP, arguments)  # whole warps
 
 
 @kernel
@@ -645,9 +648,9 @@ def list_faces(points: BallPoints, indices: Integers, expected: int = 0) -> tupl
     float32 [t]; the largest number of neighbors). One sync per batch, and one more if points need more room.
     `expected` neighbors have room from the start on the CPU, so that few points are searched twice."""
     device, batches, largest = indices.device, [], 0
-    cpu_room = max(CPU_ROOM, min(expected, SCRATCH // CPU_THREADS))
-    for begin in range(0, indices.size, PART):
-        left, slots = indices[begin : min(begin + PART, indices.size)], FIRST_SLOTS
+    cpu_room = max(CPU_ROOM, min(expected, SCRATCH_NEIGHBORS // CPU_THREADS))
+    for begin in range(0, indices.size, POINTS_PER_LAUNCH):
+        left, slots = indices[begin : min(begin + POINTS_PER_LAUNCH, indices.size)], FIRST_SLOTS
         room = FIRST_ROOM if device.is_cuda else cpu_room
         while left.size:
             faces = BallFaces(left, slots)

@@ -6,11 +6,11 @@ Formulas and sources: ball_faces.py.
 from ..algebra.transform import widen
 from ..lang import cross, dot, float64, func, sqrt, vec3, vec3d
 
-ROUNDING = 1.0e-14  # times the magnitudes: some 45 ulp, three times the rounding of the polynomial
-FACING = 1.0e-15  # times the lengths: a perpendicular normal agrees with a face, as in Open3D
-THINNEST = 1.0e-20  # squared sine of the angle below which three float32 points are collinear
-FLAT = 1.0e-10  # times the magnitudes: accuracy of a center for the thinnest triangle allowed
-TAKEN = 4  # more than the indices of four points
+RELATIVE_ROUNDING = 1.0e-14  # times the magnitudes: some 45 ulp, three times the rounding of the polynomial
+MIN_NORMAL_AGREEMENT = 1.0e-15  # times the lengths: a perpendicular normal agrees with a face, as in Open3D
+MIN_SINE_SQUARED = 1.0e-20  # squared sine of the angle below which three float32 points are collinear
+CENTER_ACCURACY = 1.0e-10  # times the magnitudes: accuracy of a center for the thinnest triangle allowed
+TIE_STEPS = 4  # more than the indices of four points
 
 
 @func
@@ -22,7 +22,7 @@ def side_of_normals(n: vec3d, a: vec3, b: vec3, c: vec3) -> int:
     x = dot(n, p)
     y = dot(n, q)
     z = dot(n, r)
-    size = sqrt(dot(n, n)) * float64(FACING)
+    size = sqrt(dot(n, n)) * float64(MIN_NORMAL_AGREEMENT)
     side = 0
     if x + y + z > 0.0:
         side = 1
@@ -45,7 +45,7 @@ def root_of_ball(b: vec3d, c: vec3d, radius: float64) -> float64:
     scale = 4.0 * radius * radius * nn
     rest = scale - bb * cc * dot(d, d)
     root = float64(-1.0)
-    if nn > float64(THINNEST) * bb * cc and rest >= -scale * float64(ROUNDING):
+    if nn > float64(MIN_SINE_SQUARED) * bb * cc and rest >= -scale * float64(RELATIVE_ROUNDING):
         root = sqrt(max(rest, 0.0))
     return root
 
@@ -80,7 +80,7 @@ def weigh_tie(on_a: int, on_b: int, on_c: int, a: int, b: int, c: int, d: int) -
     """1 if D on the ball of A, B and C counts as inside, else -1. The lowest index with a coordinate != 0 decides."""
     decided = 0
     passed = -1
-    for step in range(TAKEN):
+    for step in range(TIE_STEPS):
         lowest = d
         sign = -1
         if d <= passed:
@@ -111,13 +111,15 @@ def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, i
     on_a = 0
     on_b = 0
     on_c = 0
-    if abs(dot(d, n)) <= float64(ROUNDING) * sqrt(dot(d, d)) * lengths:  # in the plane of the others: on their circle
-        on_a = sign_of(dot(n, cross(v, w)), float64(ROUNDING) * lengths * sqrt(dot(v, v) * dot(w, w)))
-        on_b = sign_of(dot(n, cross(d, c)), float64(ROUNDING) * lengths * sqrt(dot(c, c) * dot(d, d)))
-        on_c = sign_of(dot(n, cross(b, d)), float64(ROUNDING) * lengths * sqrt(dot(b, b) * dot(d, d)))
+    if (
+        abs(dot(d, n)) <= float64(RELATIVE_ROUNDING) * sqrt(dot(d, d)) * lengths
+    ):  # in the plane of the others: on their circle
+        on_a = sign_of(dot(n, cross(v, w)), float64(RELATIVE_ROUNDING) * lengths * sqrt(dot(v, v) * dot(w, w)))
+        on_b = sign_of(dot(n, cross(d, c)), float64(RELATIVE_ROUNDING) * lengths * sqrt(dot(c, c) * dot(d, d)))
+        on_c = sign_of(dot(n, cross(b, d)), float64(RELATIVE_ROUNDING) * lengths * sqrt(dot(b, b) * dot(d, d)))
     else:  # coordinates relative to the center
         x = ball_center(b, c, root, side)
-        size = sqrt(dot(x, x)) * float64(FLAT)
+        size = sqrt(dot(x, x)) * float64(CENTER_ACCURACY)
         on_a = -side * sign_of(dot(d - x, cross(v, w)), size * sqrt(dot(v, v) * dot(w, w)))
         on_b = -side * sign_of(-dot(x, cross(d, c)), size * sqrt(dot(d, d) * dot(c, c)))
         on_c = -side * sign_of(-dot(x, cross(b, d)), size * sqrt(dot(b, b) * dot(d, d)))
@@ -140,8 +142,8 @@ def contains_point(
     lengths = sqrt(bb * cc)
     far = sqrt(dd)
     scale = 4.0 * radius * radius * lengths * sqrt(nn)
-    loss = float64(ROUNDING) * (scale + bb * cc * dot(b - c, b - c))  # of R
-    bound = float64(ROUNDING) * far * lengths * (lengths * (far + sqrt(bb) + sqrt(cc)) + root)
+    loss = float64(RELATIVE_ROUNDING) * (scale + bb * cc * dot(b - c, b - c))  # of R
+    bound = float64(RELATIVE_ROUNDING) * far * lengths * (lengths * (far + sqrt(bb) + sqrt(cc)) + root)
     bound += abs(height) * loss / (root + sqrt(loss))
     inside = -sign_of(value, bound)
     if inside == 0:

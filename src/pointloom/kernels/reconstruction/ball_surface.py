@@ -37,7 +37,7 @@ from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from ..search.point_tree import PointTree
 from .ball_faces import BallPoints, list_faces
 
-REJECTED, UNDECIDED, ACCEPTED = 0, 1, 2
+REJECTED_FACE, UNDECIDED_FACE, ACCEPTED_FACE = 0, 1, 2
 
 
 @kernel
@@ -70,8 +70,8 @@ class BallMesh:
         self.around = CornersByVertex(self.triangles, covered.size)
         self.ends = empty(3 * count, int32, device)
         launch(find_ends_kernel, 3 * count, [self.triangles, self.around, self.ends])
-        self.states, self.waiting = full(count, UNDECIDED, uint8, device), zeros(count, uint8, device)
-        copy(self.states, full(accepted.size, ACCEPTED, uint8, device), count=accepted.size)
+        self.states, self.waiting = full(count, UNDECIDED_FACE, uint8, device), zeros(count, uint8, device)
+        copy(self.states, full(accepted.size, ACCEPTED_FACE, uint8, device), count=accepted.size)
 
 
 @func
@@ -103,7 +103,7 @@ def has_accepted_edge(a: int, b: int, mesh: BallMesh) -> int:
     accepted = 0
     for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
         if mesh.ends[j] == b:
-            if mesh.states[mesh.around.corners[j] // 3] == uint8(ACCEPTED):
+            if mesh.states[mesh.around.corners[j] // 3] == uint8(ACCEPTED_FACE):
                 accepted = 1
     return accepted
 
@@ -129,7 +129,7 @@ def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh, changed: 
     if i == 0:
         changed[0] = 0
     t = undecided[i]
-    if mesh.states[t] == uint8(UNDECIDED):
+    if mesh.states[t] == uint8(UNDECIDED_FACE):
         mesh.waiting[t] = uint8(1 - can_grow(t, mesh))
 
 
@@ -137,11 +137,11 @@ def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh, changed: 
 def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(dtype=uint8)):
     i = tid()
     t = undecided[i]
-    state = int(ACCEPTED)
+    state = int(ACCEPTED_FACE)
     if mesh.waiting[t] == 1:
-        state = UNDECIDED
+        state = UNDECIDED_FACE
     sides = int(3)
-    if mesh.states[t] != uint8(UNDECIDED):
+    if mesh.states[t] != uint8(UNDECIDED_FACE):
         state = int(mesh.states[t])
         sides = 0
     for k in range(sides):
@@ -151,11 +151,11 @@ def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(
             other = mesh.around.corners[j] // 3
             if mesh.ends[j] == b and other != t:
                 rival = int(mesh.states[other])
-                if rival == ACCEPTED:
-                    state = REJECTED
-                elif rival == UNDECIDED and state == ACCEPTED and mesh.waiting[other] == 0:
+                if rival == ACCEPTED_FACE:
+                    state = REJECTED_FACE
+                elif rival == UNDECIDED_FACE and state == ACCEPTED_FACE and mesh.waiting[other] == 0:
                     if comes_before(other, t, mesh) == 1:
-                        state = UNDECIDED
+                        state = UNDECIDED_FACE
     decided[i] = uint8(state)
 
 
@@ -174,7 +174,7 @@ def apply_decisions_kernel(
         mesh.states[t] = decided[i]
         changed[0] = 1
     open = 0
-    if decided[i] == uint8(UNDECIDED):
+    if decided[i] == uint8(UNDECIDED_FACE):
         open = 1
     left[i] = uint8(open)
 
@@ -185,7 +185,7 @@ def mark_covered_kernel(
 ):
     """Mark vertices that have triangles, and those on boundary edges between searched ones (same value written)."""
     i = tid()
-    if mesh.states[i] == uint8(ACCEPTED):
+    if mesh.states[i] == uint8(ACCEPTED_FACE):
         for k in range(3):
             a = corner_vertex(mesh.triangles, 3 * i + k)
             b = corner_vertex(mesh.triangles, next_corner(3 * i + k))
@@ -214,7 +214,7 @@ def part_triangles_kernel(
     i = tid()
     near = 0
     far = 0
-    if mesh.states[i] == uint8(ACCEPTED):
+    if mesh.states[i] == uint8(ACCEPTED_FACE):
         t = mesh.triangles[i]
         far = 1
         if searched[t[0]] != 0 or searched[t[1]] != 0 or searched[t[2]] != 0:

@@ -26,10 +26,10 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from .octree_levels import SLOTS, OctreeLevel, slot_position
+from .octree_levels import BLOCK_SLOTS, OctreeLevel, slot_position
 from .sample_cells import Cube
 
-OUTSIDE = 0.5  # value of the function there: it rises by 1 across the surface, and is about 0 on it
+OUTSIDE_VALUE = 0.5  # value of the function there: it rises by 1 across the surface, and is about 0 on it
 FULL_ANGLE = 12.566370614359172  # 4 pi
 
 
@@ -84,11 +84,11 @@ def fix_outside_kernel(
     i = tid()
     if mask[i] != 0:
         color = i // level.count
-        slot = SLOTS * (i - color * level.count) + color
+        slot = BLOCK_SLOTS * (i - color * level.count) + color
         position = slot_position(slot, level)
         x = vec3d(float64(position[0]), float64(position[1]), float64(position[2])) / float64(1 << level.depth)
         if is_enclosed(cube.corner + x * cube.side, envelope) == 0:
-            values[slot] = float(OUTSIDE)
+            values[slot] = float(OUTSIDE_VALUE)
             mask[i] = 0
 
 

@@ -24,10 +24,10 @@ from ..lang import (
     vec3i,
 )
 from ..memory import empty
-from .octree_levels import SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_position
+from .octree_levels import BLOCK_SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_position
 from .sample_cells import Cube
 
-HALVINGS = 24  # of an edge, to a float32's precision
+EDGE_HALVINGS = 24  # of an edge, to a float32's precision
 
 
 @struct
@@ -109,7 +109,7 @@ def mark_crossings_kernel(
     m = int(3)
     for corner in range(n):
         for axis in range(m):
-            if has_vertex(SLOTS * i + corner, axis, level, values) == 1:
+            if has_vertex(BLOCK_SLOTS * i + corner, axis, level, values) == 1:
                 bits = bits | (1 << (3 * corner + axis))
     crossings[i] = bits
     counts[i] = bit_count(bits)
@@ -118,8 +118,8 @@ def mark_crossings_kernel(
 @func
 def own_vertex(slot: int, axis: int, surface: LevelSurface) -> int:
     """Vertex on an edge of this level, or -1."""
-    block = slot // SLOTS
-    bit = 3 * (slot - SLOTS * block) + axis
+    block = slot // BLOCK_SLOTS
+    bit = 3 * (slot - BLOCK_SLOTS * block) + axis
     bits = surface.crossings[block]
     vertex = -1
     if ((bits >> bit) & 1) == 1:
@@ -132,7 +132,7 @@ def edge_vertex(slot: int, axis: int, surface: LevelSurface, below: LevelSurface
     """Vertex on an edge that crosses the surface: its own, or that of one of its halves."""
     vertex = own_vertex(slot, axis, surface)
     if vertex < 0:
-        first = SLOTS * surface.level.children[slot]
+        first = BLOCK_SLOTS * surface.level.children[slot]
         vertex = own_vertex(first, axis, below)
         if vertex < 0:
             vertex = own_vertex(first + (1 << axis), axis, below)
@@ -172,7 +172,7 @@ def crossing_fraction(a: float, b: float, slope_a: float, slope_b: float, is_lin
             slope = slope_a * (rise / mean)
             low = 0.0
             high = 1.0
-            n = int(HALVINGS)
+            n = int(EDGE_HALVINGS)
             for _ in range(n):
                 t = 0.5 * (low + high)
                 if differ(a + t * (slope + t * (rise - slope)), a) == 1:
@@ -202,7 +202,7 @@ def write_vertices_kernel(
     while left != 0:
         bit = bit_count((left & (-left)) - 1)
         left = left & (left - 1)
-        slot = SLOTS * i + bit // 3
+        slot = BLOCK_SLOTS * i + bit // 3
         step = along(bit % 3)
         end = slot_after(slot, step, surface.level)
         a = surface.values[slot]

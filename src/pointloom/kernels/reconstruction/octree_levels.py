@@ -13,8 +13,8 @@ from ..arrays.prefix_sum import exclusive_scan, offsets_of
 from ..lang import array, func, int32, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import check_room, empty, fill, full, upload, zeros
 
-SLOTS = 8  # of a block
-AROUND = 27  # blocks around a block, including itself
+BLOCK_SLOTS = 8  # of a block
+BLOCKS_AROUND = 27  # blocks around a block, including itself
 
 
 @struct
@@ -35,23 +35,26 @@ class OctreeLevel:
     def __init__(self, depth: int, count: int, device: Device) -> None:
         self.depth, self.count, self.device = depth, count, device
         self.positions, self.parents = empty(count, vec3i, device), empty(count, int32, device)
-        self.has_cells, self.around = empty(count, uint8, device), empty(AROUND * count, int32, device)
-        self.divided, self.children = zeros(SLOTS * count, uint8, device), full(SLOTS * count, -1, int32, device)
+        self.has_cells, self.around = empty(count, uint8, device), empty(BLOCKS_AROUND * count, int32, device)
+        self.divided, self.children = (
+            zeros(BLOCK_SLOTS * count, uint8, device),
+            full(BLOCK_SLOTS * count, -1, int32, device),
+        )
 
 
 @func
 def slot_beside(around: array(dtype=int32), block: int, x: int, y: int, z: int) -> int:
     """Slot at (x, y, z), each -2..3, from the first slot of a block, or -1 for none."""
-    other = around[AROUND * block + 9 * ((x >> 1) + 1) + 3 * ((y >> 1) + 1) + (z >> 1) + 1]
+    other = around[BLOCKS_AROUND * block + 9 * ((x >> 1) + 1) + 3 * ((y >> 1) + 1) + (z >> 1) + 1]
     slot = -1
     if other >= 0:
-        slot = SLOTS * other + (x & 1) + 2 * (y & 1) + 4 * (z & 1)
+        slot = BLOCK_SLOTS * other + (x & 1) + 2 * (y & 1) + 4 * (z & 1)
     return slot
 
 
 @func
 def slot_position(slot: int, level: OctreeLevel) -> vec3i:
-    position = level.positions[slot // SLOTS]
+    position = level.positions[slot // BLOCK_SLOTS]
     return vec3i(2 * position[0] + (slot & 1), 2 * position[1] + ((slot >> 1) & 1), 2 * position[2] + ((slot >> 2) & 1))
 
 
@@ -59,7 +62,7 @@ def slot_position(slot: int, level: OctreeLevel) -> vec3i:
 def is_cell(slot: int, level: OctreeLevel) -> int:
     flag = 0
     if slot >= 0:
-        flag = int(level.has_cells[slot // SLOTS])
+        flag = int(level.has_cells[slot // BLOCK_SLOTS])
     return flag
 
 
@@ -75,7 +78,7 @@ def is_divided(slot: int, level: OctreeLevel) -> int:
 def neighbor_slot(slot: int, x: int, y: int, z: int, level: OctreeLevel) -> int:
     """Slot at an offset of -2..2 per axis, or -1."""
     return slot_beside(
-        level.around, slot // SLOTS, x + (slot & 1), y + ((slot >> 1) & 1), z + ((slot >> 2) & 1)
+        level.around, slot // BLOCK_SLOTS, x + (slot & 1), y + ((slot >> 1) & 1), z + ((slot >> 2) & 1)
     )  # fmt: skip
 
 
@@ -97,7 +100,7 @@ def divide_around_kernel(wanted: array(dtype=int32), level: OctreeLevel):
 @kernel
 def divide_all_kernel(level: OctreeLevel):
     i = tid()
-    level.divided[i] = level.has_cells[i // SLOTS]
+    level.divided[i] = level.has_cells[i // BLOCK_SLOTS]
 
 
 @kernel
@@ -130,7 +133,7 @@ def find_blocks_around_kernel(level: OctreeLevel, below: OctreeLevel):
     """Neighbors of each new block: the children of the slots around its parent."""
     i = tid()
     parent = below.parents[i]
-    at = AROUND * i
+    at = BLOCKS_AROUND * i
     n = int(3)
     for x in range(n):
         for y in range(n):
@@ -147,21 +150,21 @@ def first_levels(device: Device) -> tuple[OctreeLevel, OctreeLevel]:
     """Level 0, which stores only its child, and level 1: one block of octants and a halo of seven."""
     root = OctreeLevel(0, 1, device)
     fill(root.children, 0)
-    level = OctreeLevel(1, SLOTS, device)
-    grid = np.stack([np.arange(SLOTS) >> axis & 1 for axis in range(3)], axis=1).astype(np.int32)
+    level = OctreeLevel(1, BLOCK_SLOTS, device)
+    grid = np.stack([np.arange(BLOCK_SLOTS) >> axis & 1 for axis in range(3)], axis=1).astype(np.int32)
     step = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     beside = grid[:, None] + step[None]
     inside = ((beside == 0) | (beside == 1)).all(axis=2)
     around = np.where(inside, beside @ [1, 2, 4], -1).astype(np.int32)
     level.positions, level.around = upload(grid, vec3i, device), upload(around.ravel(), int32, device)
-    level.has_cells = upload(np.array([1] + [0] * (SLOTS - 1), np.uint8), uint8, device)
-    level.parents = full(SLOTS, -1, int32, device)
+    level.has_cells = upload(np.array([1] + [0] * (BLOCK_SLOTS - 1), np.uint8), uint8, device)
+    level.parents = full(BLOCK_SLOTS, -1, int32, device)
     return root, level
 
 
 def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> OctreeLevel | None:
     """Next level for the marked cells, or None. One sync unless `is_full`. Raises MemoryError before any allocation."""
-    slots, device = SLOTS * level.count, level.device
+    slots, device = BLOCK_SLOTS * level.count, level.device
     marks = empty(slots, int32, device)
     launch(mark_children_kernel, slots, [level, marks])
     if is_full:
@@ -170,7 +173,7 @@ def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> O
         offsets, count = exclusive_scan(marks, largest=1)  # sync
     if count == 0:
         return None
-    check_room(device, count * block_bytes, f"level {level.depth + 1} of the octree, {SLOTS * count:,} cells")
+    check_room(device, count * block_bytes, f"level {level.depth + 1} of the octree, {BLOCK_SLOTS * count:,} cells")
     below = OctreeLevel(level.depth + 1, count, device)
     launch(begin_blocks_kernel, slots, [level, marks, offsets, below])
     launch(find_blocks_around_kernel, count, [level, below])
@@ -180,6 +183,6 @@ def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> O
 def divide(level: OctreeLevel, wanted: Integers | None) -> None:
     """Mark cells (int32 slots, -1 for none) and their neighbors as divided. None for all cells."""
     if wanted is None:
-        launch(divide_all_kernel, SLOTS * level.count, [level])
+        launch(divide_all_kernel, BLOCK_SLOTS * level.count, [level])
     else:
         launch(divide_around_kernel, wanted.size, [wanted, level])

@@ -18,10 +18,10 @@ from ..lang import array, float64, func, int32, kernel, launch, length, struct, 
 from ..memory import empty
 from ..volumes.cube_table import MAX_TRIANGLES, CubeTables, device_tables
 from .octree_edges import LevelSurface, along, edge_vertex, own_vertex, slot_after, write_vertices_kernel
-from .octree_levels import SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot
+from .octree_levels import BLOCK_SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot
 from .sample_cells import Cube
 
-SEGMENTS = 48  # of the contours on a cell's faces: two on each of four parts of six faces
+MAX_SEGMENTS = 48  # of the contours on a cell's faces: two on each of four parts of six faces
 
 
 @func
@@ -51,7 +51,7 @@ class Contours:
     def __init__(self, cells: Indices, base: int) -> None:
         device, self.cells, self.count, self.base = cells.device, cells, cells.size, base
         self.sizes = empty(cells.size, int32, device)
-        self.froms, self.tos = (empty(SEGMENTS * cells.size, int32, device) for _ in range(2))
+        self.froms, self.tos = (empty(MAX_SEGMENTS * cells.size, int32, device) for _ in range(2))
 
 
 @func
@@ -60,7 +60,7 @@ def face_corner(slot: int, axis: int, side: int, u: int, v: int, is_fine: int, l
     corner = slot_after(slot, step, level)
     if is_fine == 1:
         child = ((u & 1) << ((axis + 1) % 3)) + ((v & 1) << ((axis + 2) % 3))
-        corner = SLOTS * level.children[corner] + child
+        corner = BLOCK_SLOTS * level.children[corner] + child
     return corner
 
 
@@ -122,7 +122,7 @@ def draw_contour(
             last = k
             while ((inside >> ((last + 1) % 4)) & 1) == 1:
                 last += 1
-            at = SEGMENTS * i + total
+            at = MAX_SEGMENTS * i + total
             contours.froms[at] = contour_vertex(slot, axis, side, k + 3, u, v, is_fine, surface, below)
             contours.tos[at] = contour_vertex(slot, axis, side, last, u, v, is_fine, surface, below)
             total += 1
@@ -132,7 +132,7 @@ def draw_contour(
 @func
 def join_segments(i: int, size: int, contours: Contours) -> vec3i:
     """Order the segments of a cell by loop. Return (triangles, middle vertices, 0)."""
-    base = SEGMENTS * i
+    base = MAX_SEGMENTS * i
     triangles = 0
     middles = 0
     start = 0
@@ -200,7 +200,7 @@ def write_loops_kernel(
 ):
     """Write the triangles of each loop and the middle vertices of loops with more than three sides."""
     i = tid()
-    base = SEGMENTS * i
+    base = MAX_SEGMENTS * i
     triangle = first + offsets[i]
     middle = first_middle + middles[i]
     start = 0
@@ -235,7 +235,7 @@ def write_loops_kernel(
             start = at + 1
 
 
-EDGES = 15  # entries of a case in the triangle table
+ENTRIES_PER_CASE = 15  # entries of a case in the triangle table
 MAX_COUNT = 2**31 - 1  # triangles and vertices
 
 
@@ -308,7 +308,7 @@ def write_triangles_kernel(
     if count > 0:
         case = leaf_case(i, surface)
         for t in range(count):
-            entry = case * EDGES + 3 * t
+            entry = case * ENTRIES_PER_CASE + 3 * t
             a = cell_edge_vertex(i, tables.triangle_edges[entry], surface, below, tables)
             b = cell_edge_vertex(i, tables.triangle_edges[entry + 1], surface, below, tables)
             c = cell_edge_vertex(i, tables.triangle_edges[entry + 2], surface, below, tables)
@@ -337,7 +337,7 @@ class OctreeSurface:
     def _find_vertices(self, levels: Sequence[OctreeLevel], solutions: Sequence[Scalars], iso: Array1[vec2d]) -> None:
         """Find edge vertices, count the table's triangles, and list the cells next to finer ones."""
         blocks = self._blocks
-        slots = [SLOTS * block for block in blocks]
+        slots = [BLOCK_SLOTS * block for block in blocks]
         vertices, triangles, joined = (empty(n, int32, self._device) for n in (blocks[-1], slots[-1], slots[-1]))
         self._surfaces = []
         for k, (level, values) in enumerate(zip(levels, solutions, strict=True)):
@@ -346,7 +346,7 @@ class OctreeSurface:
             part = slice(slots[k], slots[k + 1])
             arguments = [surface, self._tables, triangles[part], joined[part]]
             launch(count_triangles_kernel, slots[k + 1] - slots[k], arguments)
-        largest = max(3 * SLOTS, MAX_TRIANGLES)  # edges of a block, triangles of a cell
+        largest = max(3 * BLOCK_SLOTS, MAX_TRIANGLES)  # edges of a block, triangles of a cell
         scans = scan_together([(vertices, blocks), (triangles, slots), (joined, slots)], largest=largest)  # sync
         (firsts, self._vertex_ends), (self._triangles, self._triangle_ends), (ranks, self._joined_ends) = scans
         for k, surface in enumerate(self._surfaces):
@@ -359,7 +359,7 @@ class OctreeSurface:
         self._contours = []
         for k, (surface, below) in enumerate(self._pairs()):
             ends = (self._joined_ends[k], self._joined_ends[k + 1])
-            contours = Contours(_part(self._joined, *ends), SLOTS * self._blocks[k])
+            contours = Contours(_part(self._joined, *ends), BLOCK_SLOTS * self._blocks[k])
             self._contours.append(contours)
             launch(
                 draw_contours_kernel,
@@ -367,7 +367,7 @@ class OctreeSurface:
                 [surface, below, contours, _part(loops, *ends), _part(middles, *ends)],
             )
         scans = scan_together(
-            [(loops, self._joined_ends), (middles, self._joined_ends)], largest=SEGMENTS
+            [(loops, self._joined_ends), (middles, self._joined_ends)], largest=MAX_SEGMENTS
         )  # sync, sides
         (self._loops, self._loop_ends), (self._middles, self._middle_ends) = scans
 
@@ -390,8 +390,8 @@ class OctreeSurface:
             arguments = [surface, cube, int(is_linear), self.vertices, self.normals, self.slots, self.cube_positions]
             launch(write_vertices_kernel, surface.level.count, arguments)
         for k, (surface, below) in enumerate(self._pairs()):
-            slots, contours = SLOTS * surface.level.count, self._contours[k]
-            offsets = self._triangles[SLOTS * self._blocks[k] :][: slots + 1]
+            slots, contours = BLOCK_SLOTS * surface.level.count, self._contours[k]
+            offsets = self._triangles[BLOCK_SLOTS * self._blocks[k] :][: slots + 1]
             arguments = [surface, below, self._tables, offsets, self._loop_ends[k], self.triangles]
             launch(write_triangles_kernel, slots, arguments)
             ends = (self._joined_ends[k], self._joined_ends[k + 1])

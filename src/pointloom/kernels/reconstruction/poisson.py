@@ -43,8 +43,8 @@ from ..lang import (
 from ..memory import check_room, download, empty, fill, upload, zeros
 from .envelope import Envelope, fix_outside
 from .octree_levels import (
-    AROUND,
-    SLOTS,
+    BLOCK_SLOTS,
+    BLOCKS_AROUND,
     OctreeLevel,
     divide,
     first_levels,
@@ -57,7 +57,7 @@ from .octree_levels import (
 from .octree_surface import OctreeSurface
 from .poisson_system import constraints, fractions_in_parent
 from .sample_cells import Cube, SampleCells, gather_samples
-from .sample_density import ENDS, DensityPyramid, SampleNodes, local_depths
+from .sample_density import TREE_ENDS, DensityPyramid, SampleNodes, local_depths
 from .splines import corner_value, corner_weight, fractions_in_cell
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
     """Mark corners in the cube whose cells all exist, by color and block."""
     i = tid()
     color = i // blocks
-    slot = SLOTS * (i - color * blocks) + color
+    slot = BLOCK_SLOTS * (i - color * blocks) + color
     position = slot_position(slot, level)
     cells = 1 << level.depth
     unknown = 1
@@ -107,7 +107,7 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
 def name_corners_kernel(indices: array(dtype=int32), blocks: int, corners: array(dtype=int32)):
     i = tid()
     color = indices[i] // blocks
-    corners[i] = SLOTS * (indices[i] - color * blocks) + color
+    corners[i] = BLOCK_SLOTS * (indices[i] - color * blocks) + color
 
 
 @kernel
@@ -128,7 +128,7 @@ def list_unknowns_kernel(
     i = tid()
     color = i // blocks
     if mask[i] != 0:
-        corners[ranks[i] - 1] = SLOTS * (i - color * blocks) + color
+        corners[ranks[i] - 1] = BLOCK_SLOTS * (i - color * blocks) + color
     if i == 0:
         firsts[0] = 0
     if i + 1 == (color + 1) * blocks:
@@ -139,22 +139,22 @@ def list_unknowns(mask: Mask, blocks: int) -> tuple[Indices, Integers, list[int]
     """Unknowns by color, from uint8 [8 * blocks]: (slots, color starts int32 [9], upper bound per color)."""
     device = mask.device
     if device.is_cuda:
-        ranks, corners, firsts = (empty(size, int32, device) for size in (mask.size, mask.size, SLOTS + 1))
+        ranks, corners, firsts = (empty(size, int32, device) for size in (mask.size, mask.size, BLOCK_SLOTS + 1))
         launch(count_unknowns_kernel, mask.size, [mask, ranks])
         inclusive_scan(ranks, ranks)
         launch(list_unknowns_kernel, mask.size, [mask, ranks, blocks, corners, firsts])
-        return corners, firsts, [blocks] * SLOTS
+        return corners, firsts, [blocks] * BLOCK_SLOTS
     indices = positions_of(mask)
-    begins = np.searchsorted(download(indices), np.arange(SLOTS + 1) * blocks)
+    begins = np.searchsorted(download(indices), np.arange(BLOCK_SLOTS + 1) * blocks)
     corners = empty(indices.size, int32, device)
     launch(name_corners_kernel, indices.size, [indices, blocks, corners])
     return corners, upload(begins, int32, device), np.diff(begins).tolist()
 
 
-COARSE = 4  # levels up to this one are small and get more sweeps
+COARSE_LEVELS = 4  # levels up to this one are small and get more sweeps
 COARSE_SWEEPS = 10
 FULL_SWEEPS = 8  # of the last level that fills the cube; four leave its surface 10% less accurate
-SWEEPS = 4  # from the level above its solution. Eight change no error by 1%
+SWEEPS_PER_LEVEL = 4  # from the level above its solution. Eight change no error by 1%
 MAX_ALONE = 1024  # blocks of a level that one block of threads solves: 4 corners of a color per thread
 MAX_ALONE_ON_CPU = 128  # the same for one thread: a color takes 10 us, which would not be divided among threads
 eight = vector(8, int32)
@@ -165,7 +165,7 @@ def lower_values_kernel(
     above: OctreeLevel, coarse: array(dtype=float32), level: OctreeLevel, fine: array(dtype=float32)
 ):
     i = tid()
-    fine[i] = corner_value(coarse, level.parents[i // SLOTS], fractions_in_parent(i), above)
+    fine[i] = corner_value(coarse, level.parents[i // BLOCK_SLOTS], fractions_in_parent(i), above)
 
 
 @struct
@@ -211,28 +211,29 @@ def begin_pulls_kernel(
     pulls.values[i] = value
 
 
-FACES, CELLS = 12, 8  # corners across the faces and across the cells around a corner
-ENTRIES = FACES + 2 * CELLS  # of a kind of corner in the table, the cells around it last
-EVEN, ODD, FIRST, LAST = range(4)  # position of a corner along an axis: in its block, or at a side of the cube
+FACE_CORNERS, CELL_CORNERS = 12, 8  # corners across the faces and across the cells around a corner
+CORNER_ENTRIES = FACE_CORNERS + 2 * CELL_CORNERS  # of a kind of corner in the table, the cells around it last
+# position of a corner along an axis: in its block, or at a side of the cube
+EVEN_CORNER, ODD_CORNER, FIRST_CORNER, LAST_CORNER = range(4)
 
 
 def _step(kind: int, step: int) -> tuple[int, int]:
     """Along one axis: block offset and slot of the adjacent corner, mirrored at a side."""
-    if (kind == FIRST and step < 0) or (kind == LAST and step > 0):
+    if (kind == FIRST_CORNER and step < 0) or (kind == LAST_CORNER and step > 0):
         step = -step
-    at = (1 if kind == ODD else 0) + step
+    at = (1 if kind == ODD_CORNER else 0) + step
     return at >> 1, at & 1
 
 
 def _entry(kinds: Sequence[int], steps: Sequence[int] | tuple[int, int, int]) -> int:
     blocks, indices = zip(*(_step(kind, step) for kind, step in zip(kinds, steps, strict=True)), strict=True)
     around = sum(factor * (block + 1) for factor, block in zip((9, 3, 1), blocks, strict=True))
-    return SLOTS * around + sum(index << axis for axis, index in enumerate(indices))
+    return BLOCK_SLOTS * around + sum(index << axis for axis, index in enumerate(indices))
 
 
 def _cell_entry(kinds: Sequence[int], corner: int) -> int:
     """Table entry of the cell with the given corner. No block outside the cube."""
-    plain = [ODD if kind == ODD else EVEN for kind in kinds]
+    plain = [ODD_CORNER if kind == ODD_CORNER else EVEN_CORNER for kind in kinds]
     return _entry(plain, [-(corner >> axis & 1) for axis in range(3)])
 
 
@@ -242,20 +243,20 @@ def _build_table() -> np.ndarray:
     rows = []
     for number in range(64):
         kinds = [number >> 2 * axis & 3 for axis in range(3)]
-        rows.append([_entry(kinds, step) for step in far] + [_cell_entry(kinds, c) for c in range(CELLS)])
+        rows.append([_entry(kinds, step) for step in far] + [_cell_entry(kinds, c) for c in range(CELL_CORNERS)])
     return np.array(rows, np.int32).ravel()
 
 
-CORNER_TABLE = _build_table()  # [64 * ENTRIES], SLOTS * (neighbor block) + index in it
+CORNER_TABLE = _build_table()  # [64 * CORNER_ENTRIES], BLOCK_SLOTS * (neighbor block) + index in it
 
 
 @func
 def axis_kind(at: int, cells: int) -> int:
     kind = at & 1
     if at == 0:
-        kind = FIRST
+        kind = FIRST_CORNER
     if at == cells:
-        kind = LAST
+        kind = LAST_CORNER
     return kind
 
 
@@ -279,27 +280,27 @@ def renew_corner(
     values: array(dtype=float32),
 ):
     """One Gauss-Seidel step at a corner. A cell of samples has one corner of a color, so none is shared."""
-    around = AROUND * (slot // SLOTS)
+    around = BLOCKS_AROUND * (slot // BLOCK_SLOTS)
     position = slot_position(slot, level)
     side = 1 << level.depth
     kind = axis_kind(position[0], side) + 4 * axis_kind(position[1], side) + 16 * axis_kind(position[2], side)
-    row = ENTRIES * kind
+    row = CORNER_ENTRIES * kind
     across_faces = 0.0
-    for j in range(FACES):
+    for j in range(FACE_CORNERS):
         entry = table[row + j]
-        across_faces += values[SLOTS * level.around[around + (entry >> 3)] + (entry & 7)]
+        across_faces += values[BLOCK_SLOTS * level.around[around + (entry >> 3)] + (entry & 7)]
     across_cells = 0.0
-    for j in range(CELLS):
-        entry = table[row + FACES + j]
-        across_cells += values[SLOTS * level.around[around + (entry >> 3)] + (entry & 7)]
+    for j in range(CELL_CORNERS):
+        entry = table[row + FACE_CORNERS + j]
+        across_cells += values[BLOCK_SLOTS * level.around[around + (entry >> 3)] + (entry & 7)]
     pull = 0.0
     stiffness = 0.0
     cells = eight(-1)
-    for corner in range(CELLS):
-        entry = table[row + FACES + CELLS + corner]
+    for corner in range(CELL_CORNERS):
+        entry = table[row + FACE_CORNERS + CELL_CORNERS + corner]
         block = level.around[around + (entry >> 3)]
         if block >= 0:
-            cell = pulls.cells_at[SLOTS * block + (entry & 7)]
+            cell = pulls.cells_at[BLOCK_SLOTS * block + (entry & 7)]
             if cell >= 0:
                 cells[corner] = cell
                 fraction = corner_weight(pulls.fractions[cell], corner)
@@ -311,7 +312,7 @@ def renew_corner(
     change = rest / (8.0 / 3.0 + mirrored * stiffness)
     values[slot] = value + change
     if stiffness > 0.0:
-        for corner in range(CELLS):
+        for corner in range(CELL_CORNERS):
             cell = cells[corner]
             if cell >= 0:
                 pulls.values[cell] = pulls.values[cell] + corner_weight(pulls.fractions[cell], corner) * change
@@ -350,7 +351,7 @@ def renew_level_kernel(
 ):
     """All sweeps over all colors of a small level: one block on CUDA, one thread on the CPU."""
     i = tid()
-    colors = int(SLOTS)
+    colors = int(BLOCK_SLOTS)
     for _ in range(sweeps):
         for color in range(colors):
             at = firsts[color] + i
@@ -392,7 +393,7 @@ def solve(
         if progress is not None:
             progress("levels", depth - 1, len(levels) - 1)
         level, device = levels[depth], levels[depth].device
-        values = zeros(SLOTS * level.count, float32, device)
+        values = zeros(BLOCK_SLOTS * level.count, float32, device)
         if depth > 1:
             launch(lower_values_kernel, values.size, [levels[depth - 1], solutions[-1], level, values])
         mask = empty(values.size, uint8, device)
@@ -408,7 +409,9 @@ def solve(
             for color, count in enumerate(counts):
                 launch(renew_corners_kernel, count, [corners, firsts, color, table, *arguments])
 
-        sweeps = COARSE_SWEEPS if depth <= COARSE else FULL_SWEEPS if depth == COARSE + 1 else SWEEPS
+        sweeps = (
+            COARSE_SWEEPS if depth <= COARSE_LEVELS else FULL_SWEEPS if depth == COARSE_LEVELS + 1 else SWEEPS_PER_LEVEL
+        )
         if level.count <= (MAX_ALONE if device.is_cuda else MAX_ALONE_ON_CPU):
             threads = block_threads(device)
             launch(renew_level_kernel, threads, [threads, sweeps, corners, firsts, table, *arguments])
@@ -461,7 +464,7 @@ def sum_areas(cells: SampleCells, nodes: SampleNodes) -> vec2d:
     i = tid()
     area = float64(0.0)
     weight = float64(0.0)
-    if nodes.states[i] == ENDS:
+    if nodes.states[i] == TREE_ENDS:
         area = float64(cells.weights[i]) * float64(pow(4.0, -nodes.depths[i]))
         weight = float64(cells.weights[i])
     return vec2d(area, weight)

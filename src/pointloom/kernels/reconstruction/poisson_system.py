@@ -28,9 +28,9 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, zeros
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_position
+from .octree_levels import BLOCK_SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_position
 from .sample_cells import SampleCells
-from .sample_density import ENDS, DensityPyramid, SampleNodes
+from .sample_density import TREE_ENDS, DensityPyramid, SampleNodes
 from .splines import fractions_in_cell, is_beyond, mirrored_step, spline_weight
 
 eight = vector(8, float32)
@@ -65,13 +65,13 @@ def sum_flux_kernel(
     """Area times normal of each cell's samples on this level. All threads that write `flux_flags` write 1."""
     i = tid()
     total = vec3(0.0, 0.0, 0.0)
-    if nodes.states[i] == ENDS:
+    if nodes.states[i] == TREE_ENDS:
         local = nodes.depths[i]
         total = cells.sums[i] * (level_fraction(local, depth) * cell_area(local, depth, samples_per_cell))
         atomic_max(flux_flags, depth, 1)
     if has_below == 1 and nodes.slots[i] >= 0:
         for j in range(cells.starts[i], cells.starts[i + 1]):
-            if below_nodes.states[j] == ENDS:
+            if below_nodes.states[j] == TREE_ENDS:
                 local = below_nodes.depths[j]
                 rest = 1.0 - level_fraction(local, depth + 1)
                 if rest > 0.0:
@@ -117,13 +117,13 @@ def spread_flux_kernel(
                     wx = vec2(near_weight(fx, 1 - x), near_weight(fx, 2 - x))
                     wy = vec2(near_weight(fy, 1 - y), near_weight(fy, 2 - y))
                     wz = vec2(near_weight(fz, 1 - z), near_weight(fz, 2 - z))
-                    for corner in range(SLOTS):
+                    for corner in range(BLOCK_SLOTS):
                         weight = wx[corner & 1] * wy[(corner >> 1) & 1] * wz[(corner >> 2) & 1]
                         xs[corner] = xs[corner] + weight * v[0]
                         ys[corner] = ys[corner] + weight * v[1]
                         zs[corner] = zs[corner] + weight * v[2]
-    for corner in range(SLOTS):
-        field[SLOTS * i + corner] = vec3(xs[corner], ys[corner], zs[corner])
+    for corner in range(BLOCK_SLOTS):
+        field[BLOCK_SLOTS * i + corner] = vec3(xs[corner], ys[corner], zs[corner])
 
 
 @func
@@ -244,10 +244,10 @@ def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: arra
                     low = low + tested_along_z(v, z - 2, base[2], width, spline_mass, spline_slope)
                     high = high + tested_along_z(v, z - 3, base[2] + 1, width, spline_mass, spline_slope)
             total = tested_across(total, low, high, x - 2, y - 2, base, width, spline_mass, spline_slope)
-    for corner in range(SLOTS):
-        if is_beyond(slot_position(SLOTS * i + corner, level), width) == 1:
+    for corner in range(BLOCK_SLOTS):
+        if is_beyond(slot_position(BLOCK_SLOTS * i + corner, level), width) == 1:
             total[corner] = 0.0
-        tested[SLOTS * i + corner] = total[corner]
+        tested[BLOCK_SLOTS * i + corner] = total[corner]
 
 
 @kernel
@@ -263,7 +263,7 @@ def restrict_tests_kernel(level: OctreeLevel, below: array(dtype=float32), teste
                 if slot >= 0:
                     block = level.children[slot]
                     if block >= 0:
-                        child = SLOTS * block + ((x + 1) & 1) + 2 * ((y + 1) & 1) + 4 * ((z + 1) & 1)
+                        child = BLOCK_SLOTS * block + ((x + 1) & 1) + 2 * ((y + 1) & 1) + 4 * ((z + 1) & 1)
                         weight = 1.0
                         if x != 1:
                             weight = weight * 0.5
@@ -323,7 +323,7 @@ def lower_field_kernel(
                     slot = neighbor_slot(parent, x - 1, y - 1, z - 1, above)
                     if slot >= 0:
                         u = coarse[slot] * 0.5
-                for corner in range(SLOTS):
+                for corner in range(BLOCK_SLOTS):
                     a = corner & 1
                     b = (corner >> 1) & 1
                     c = (corner >> 2) & 1
@@ -334,11 +334,11 @@ def lower_field_kernel(
                     xs[corner] = xs[corner] + weight * v[0] + fraction * u[0]
                     ys[corner] = ys[corner] + weight * v[1] + fraction * u[1]
                     zs[corner] = zs[corner] + weight * v[2] + fraction * u[2]
-    for corner in range(SLOTS):
+    for corner in range(BLOCK_SLOTS):
         lowered = vec3(xs[corner], ys[corner], zs[corner])
-        if is_beyond(slot_position(SLOTS * i + corner, level), 2 * width) == 1:
+        if is_beyond(slot_position(BLOCK_SLOTS * i + corner, level), 2 * width) == 1:
             lowered = vec3(0.0, 0.0, 0.0)
-        fine[SLOTS * i + corner] = lowered
+        fine[BLOCK_SLOTS * i + corner] = lowered
 
 
 @kernel
@@ -360,9 +360,9 @@ def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: ar
                     low = low + tested_along_z(v, z - 1, base[2], width, linear_mass, linear_slope)
                     high = high + tested_along_z(v, z - 2, base[2] + 1, width, linear_mass, linear_slope)
             total = tested_across(total, low, high, x - 1, y - 1, base, width, linear_mass, linear_slope)
-    for corner in range(SLOTS):
-        if is_beyond(slot_position(SLOTS * i + corner, level), width) == 0:
-            tested[SLOTS * i + corner] = tested[SLOTS * i + corner] + total[corner]
+    for corner in range(BLOCK_SLOTS):
+        if is_beyond(slot_position(BLOCK_SLOTS * i + corner, level), width) == 0:
+            tested[BLOCK_SLOTS * i + corner] = tested[BLOCK_SLOTS * i + corner] + total[corner]
 
 
 def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
@@ -382,7 +382,7 @@ def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
     # on CUDA a field of zeros is faster than a test for zero
     has_flux = np.ones(last + 1, bool) if device.is_cuda else download(flux_flags) != 0
     for depth in range(last, 0, -1):
-        level, slots = levels[depth], SLOTS * levels[depth].count
+        level, slots = levels[depth], BLOCK_SLOTS * levels[depth].count
         tests[depth] = zeros(slots, float32, device)
         flux, fields[depth] = fields[depth], zeros(slots, vec3, device)
         if has_flux[depth]:
@@ -391,12 +391,12 @@ def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
             launch(test_field_kernel, level.count, [fields[depth], level, tests[depth]])
         if depth < last:
             launch(restrict_tests_kernel, slots, [level, tests[depth + 1], tests[depth]])
-    coarse = zeros(SLOTS * levels[1].count, vec3, device)
+    coarse = zeros(BLOCK_SLOTS * levels[1].count, vec3, device)
     for depth in range(2, last + 1):
         if not has_flux[:depth].any():
-            coarse = zeros(SLOTS * levels[depth].count, vec3, device)
+            coarse = zeros(BLOCK_SLOTS * levels[depth].count, vec3, device)
             continue
-        fine = empty(SLOTS * levels[depth].count, vec3, device)
+        fine = empty(BLOCK_SLOTS * levels[depth].count, vec3, device)
         launch(
             lower_field_kernel, levels[depth].count, [levels[depth - 1], coarse, fields[depth - 1], levels[depth], fine]
         )

@@ -11,11 +11,12 @@ from typing import Any
 from ..array_types import Device, Integers, Points, Scalars
 from ..lang import array, float32, func, int32, kernel, launch, log, struct, tid, vec3
 from ..memory import empty, full
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_position
+from .octree_levels import BLOCK_SLOTS, OctreeLevel, neighbor_slot, slot_position
 from .sample_cells import SampleCells
 from .splines import fractions_in_cell, is_beyond, spline_product, spline_value
 
-ON, ENDS, BELOW = 0, 1, 2  # the tree continues below a cell of samples, ends with it, or has ended above it
+# The tree continues below a cell of samples, ends with it, or has ended above it.
+TREE_CONTINUES, TREE_ENDS, TREE_ENDED_ABOVE = 0, 1, 2
 SPLINE_SQUARES = 0.59375  # of the splines at the center of a cell, along one axis: 1 / 64 + 9 / 16 + 1 / 64
 LOG_4 = 1.3862943611198906  # on a surface a cell's children contain a quarter of its points
 
@@ -47,7 +48,7 @@ def find_slots_kernel(
     if above.slots[parent] >= 0:
         block = level_above.children[above.slots[parent]]
         if block >= 0:
-            slot = SLOTS * block + int(cells.codes[i] & 7)
+            slot = BLOCK_SLOTS * block + int(cells.codes[i] & 7)
     nodes.slots[i] = slot
     nodes.anchors[i] = slot if has_density == 1 else above.anchors[parent]
 
@@ -108,14 +109,14 @@ def measure_depths_kernel(
     """W at each cell of samples with a growing parent, and whether the cell itself grows."""
     i = tid()
     parent = cells.parents[i]
-    state = int(BELOW)
+    state = int(TREE_ENDED_ABOVE)
     w = 0.0
     local = above.depths[parent]
-    if nodes.slots[i] >= 0 and above.states[parent] == ON:
+    if nodes.slots[i] >= 0 and above.states[parent] == TREE_CONTINUES:
         w = spline_value(
             density, nodes.anchors[i], fractions_in_cell(cells.means[i], nodes.anchors[i], density_level), density_level
         )
-        state = ENDS
+        state = TREE_ENDS
         if depth > density_level.depth:
             local = depth_beyond(w, density_level.depth)
         elif w < 1.0:
@@ -125,7 +126,7 @@ def measure_depths_kernel(
         else:
             local = float(depth + 1)
         if local > float(depth) and depth < deepest:
-            state = ON
+            state = TREE_CONTINUES
     nodes.states[i] = state
     nodes.densities[i] = w
     nodes.depths[i] = local
@@ -136,7 +137,7 @@ def list_growing_kernel(nodes: SampleNodes, growing: array(dtype=int32)):
     """Slots of cells of samples that the tree subdivides, -1 for others."""
     i = tid()
     slot = -1
-    if nodes.states[i] == ON:
+    if nodes.states[i] == TREE_CONTINUES:
         slot = nodes.slots[i]
     growing[i] = slot
 
@@ -153,7 +154,7 @@ class DensityPyramid:
         device = cells[0].codes.device
         top = SampleNodes(1, device)
         top.slots, top.anchors = full(1, 0, int32, device), full(1, 0, int32, device)
-        top.states, top.depths = full(1, ON, int32, device), full(1, 0.0, float32, device)
+        top.states, top.depths = full(1, TREE_CONTINUES, int32, device), full(1, 0.0, float32, device)
         top.densities = full(1, max(1.0, sample_count / samples_per_cell), float32, device)
         self.nodes: list[SampleNodes] = [top]
         self.cells_at: list[Any] = [None]  # by depth. None at 0
@@ -167,10 +168,10 @@ class DensityPyramid:
         nodes = SampleNodes(cells.count, device)
         has_density = int(depth <= self.kernel_depth)
         launch(find_slots_kernel, cells.count, [cells, above, level_above, has_density, nodes])
-        cells_at = full(SLOTS * level.count, -1, int32, device)
+        cells_at = full(BLOCK_SLOTS * level.count, -1, int32, device)
         launch(fill_cells_kernel, cells.count, [nodes.slots, cells_at])
         if has_density:
-            density = empty(SLOTS * level.count, float32, device)
+            density = empty(BLOCK_SLOTS * level.count, float32, device)
             launch(gather_density_kernel, density.size, [cells_at, cells, self.unit, level, density])
             self.densities.append(density)
             self.density_level = level
@@ -225,7 +226,7 @@ def rise_to_density_kernel(
             if has_density == 1:
                 below[i] = w
             depths[i] = level.depth - 1
-            slots[i] = level.parents[slot // SLOTS]
+            slots[i] = level.parents[slot // BLOCK_SLOTS]
 
 
 def local_depths(pyramid: DensityPyramid, positions: Points, slots: Integers, depths: Integers) -> Scalars:

@@ -20,18 +20,18 @@ from ..memory import clone, empty, fill, full, host_view, rows_of, upload, zeros
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, last_corner, next_corner
 from .quadrics import quadric
 
-OWNER, FEATURE = 1, 2  # bits of a half-edge: owner of its edge. Feature edge
-FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
+OWNER_BIT, FEATURE_BIT = 1, 2  # bits of a half-edge: owner of its edge. Feature edge
+FREE_VERTEX, LINE_VERTEX, CORNER_VERTEX = 0, 1, 2  # kinds of vertices
 REJECTED_KEY = NO_KEY - 1  # of an edge that may not collapse in its current neighborhood
 STALE_KEY = NO_KEY - 2  # of an edge whose cost must be computed
 MAX_NEAR = 16  # corners of a vertex that are always read: longer lists only if the neighbor's is not shorter
 
 # Record: remaining triangles. Triangles and vertices including removed ones. Edges considered, able to collapse at
 # once, and collapsing. The highest cost bin considered (-1 for none).
-TRIANGLES, SLOTS, VERTICES, EDGES, PICKED, CHOSEN, BIN = 0, 1, 2, 3, 4, 5, 6
+TRIANGLE_COUNT, SLOT_COUNT, VERTEX_COUNT, EDGE_COUNT, PICKED_COUNT, CHOSEN_COUNT, HIGHEST_BIN = 0, 1, 2, 3, 4, 5, 6
 # Flags: triangles may flip, seams are features, compaction is due, all features must be found.
-BENDING, SEAMS, SQUEEZE, EVERY = 7, 8, 9, 10
-NUMBERS = 11
+MAY_FLIP, SEAMS_ARE_FEATURES, NEEDS_COMPACTION, FINDS_ALL_FEATURES = 7, 8, 9, 10
+RECORD_SIZE = 11
 
 LISTS = ("starts", "corners", "spokes")  # arrays recomputed by a round
 OTHERS = ("positions", "quadrics", "triangles", "uvs", "materials", "flags", "kinds", "touched", "keys")
@@ -71,8 +71,14 @@ class CollapseMesh:
         device = triangles.device
         self.positions, self.triangles = positions, clone(triangles)
         self.rows = [clone(values) for values in rows]
-        numbers = np.zeros(NUMBERS, np.int32)
-        numbers[[TRIANGLES, SLOTS, VERTICES, SEAMS, EVERY]] = triangles.size, triangles.size, positions.size, 1, 1
+        numbers = np.zeros(RECORD_SIZE, np.int32)
+        numbers[[TRIANGLE_COUNT, SLOT_COUNT, VERTEX_COUNT, SEAMS_ARE_FEATURES, FINDS_ALL_FEATURES]] = (
+            triangles.size,
+            triangles.size,
+            positions.size,
+            1,
+            1,
+        )
         self.numbers = upload(numbers, int32, device)
         self.record = None if device.is_cuda else host_view(self.numbers)
         self.has_uvs, self.has_materials = int(uvs is not None), int(materials is not None)
@@ -108,19 +114,19 @@ class CollapseMesh:
 
     def find_all_features(self) -> None:
         """Flag all half-edges and classify all vertices if the record requests it. All edges then need a cost."""
-        every, count = empty(0, int32, self.numbers.device), self.live(VERTICES, self.positions.size)
+        every, count = empty(0, int32, self.numbers.device), self.live(VERTEX_COUNT, self.positions.size)
         self._find_features(every, count)
 
     def find_features(self, moved: Integers, capacity: int) -> None:
         """`find_all_features` around moved vertices (int32), none adjacent to another."""
-        self._find_features(moved, self.live(CHOSEN, capacity))
+        self._find_features(moved, self.live(CHOSEN_COUNT, capacity))
 
     def _find_features(self, rows: Integers, count: int) -> None:
         launch(find_features_kernel, count, [self, rows, self.flags, self.keys, self.kinds])
 
     def join_corners(self, partners: Integers, other: "CollapseMesh", scan: LoopScan) -> None:
         """Update corner lists. `partners`: vertex whose corners each takes over; -2 - v if v keeps its own, else -1."""
-        count = self.live(VERTICES, self.positions.size)
+        count = self.live(VERTEX_COUNT, self.positions.size)
         counts = rows_of(other.starts, 1, other.starts.size)
         launch(count_corners_kernel, count, [self, partners, counts])
         scan.run(counts, counts, count)
@@ -159,7 +165,7 @@ def joined_spoke(mesh: CollapseMesh, j: int, partners: array(dtype=int32)) -> ve
 @kernel
 def count_corners_kernel(mesh: CollapseMesh, partners: array(dtype=int32), counts: array(dtype=int32)):
     i = tid()
-    if i >= mesh.numbers[VERTICES]:
+    if i >= mesh.numbers[VERTEX_COUNT]:
         counts[i] = 0
         return
     count = 0
@@ -183,7 +189,7 @@ def join_corners_kernel(
 ):
     """Corners of each vertex, followed by those that it takes over."""
     i = tid()
-    if i >= mesh.numbers[VERTICES]:
+    if i >= mesh.numbers[VERTEX_COUNT]:
         return
     slot = starts[i]
     v = i if partners[i] > -2 else -1
@@ -202,7 +208,7 @@ def keep_lists_kernel(
     other: CollapseMesh, starts: array(dtype=int32), corners: array(dtype=int32), spokes: array(dtype=vec2i)
 ):
     i = tid()
-    count = other.numbers[VERTICES]
+    count = other.numbers[VERTEX_COUNT]
     if i <= count:
         starts[i] = other.starts[i]
     if i < other.starts[count]:
@@ -298,11 +304,11 @@ def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
                 other = g
     value = 0
     if count != 2:
-        value = FEATURE
+        value = FEATURE_BIT
     elif seams == 1 and other >= 0:
-        value = FEATURE * differ_across(mesh, h, other, a, b)
+        value = FEATURE_BIT * differ_across(mesh, h, other, a, b)
     if first == h:
-        value += OWNER
+        value += OWNER_BIT
     return value
 
 
@@ -311,16 +317,16 @@ def row_at(mesh: CollapseMesh, i: int, rows: array(dtype=int32)) -> int:
     """The i-th moved vertex, or vertex i if there are no rows and the record requests all, or -1 for none."""
     v = -1
     if rows.shape[0] > 0:
-        if i < mesh.numbers[CHOSEN]:
+        if i < mesh.numbers[CHOSEN_COUNT]:
             v = rows[i]
-    elif mesh.numbers[EVERY] == 1 and i < mesh.numbers[VERTICES]:
+    elif mesh.numbers[FINDS_ALL_FEATURES] == 1 and i < mesh.numbers[VERTEX_COUNT]:
         v = i
     return v
 
 
 @func
 def key_of_flags(value: int) -> int64:
-    return int64(STALE_KEY) if (value & OWNER) != 0 else int64(NO_KEY)
+    return int64(STALE_KEY) if (value & OWNER_BIT) != 0 else int64(NO_KEY)
 
 
 @kernel
@@ -337,9 +343,9 @@ def find_features_kernel(
     v = row_at(mesh, i, rows)
     if v < 0:
         return
-    seams = mesh.numbers[SEAMS]
+    seams = mesh.numbers[SEAMS_ARE_FEATURES]
     both_ways = min(rows.shape[0], 1)
-    both = OWNER + FEATURE
+    both = OWNER_BIT + FEATURE_BIT
     count = 0
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         c = mesh.corners[j]
@@ -356,9 +362,9 @@ def find_features_kernel(
         if both_ways == 1:
             flags[d] = uint8(value)
             keys[d] = key_of_flags(value)
-    kind = int(CORNER)
+    kind = int(CORNER_VERTEX)
     if count == 0:
-        kind = FREE
+        kind = FREE_VERTEX
     if count == 2:
-        kind = LINE
+        kind = LINE_VERTEX
     kinds[v] = uint8(kind)

@@ -36,20 +36,20 @@ from ..lang import (
 from ..memory import empty, full, host_view
 from ..meshes.mesh_topology import corner_vertex, last_corner, next_corner
 from .collapse_mesh import (
-    BENDING,
-    BIN,
-    CHOSEN,
-    EDGES,
-    EVERY,
-    FREE,
-    PICKED,
+    CHOSEN_COUNT,
+    EDGE_COUNT,
+    FINDS_ALL_FEATURES,
+    FREE_VERTEX,
+    HIGHEST_BIN,
+    MAY_FLIP,
+    NEEDS_COMPACTION,
+    PICKED_COUNT,
     REJECTED_KEY,
-    SEAMS,
-    SLOTS,
-    SQUEEZE,
+    SEAMS_ARE_FEATURES,
+    SLOT_COUNT,
     STALE_KEY,
-    TRIANGLES,
-    VERTICES,
+    TRIANGLE_COUNT,
+    VERTEX_COUNT,
     CollapseMesh,
     edge_at,
     fill_first,
@@ -96,7 +96,7 @@ def weigh_corners_kernel(
 ):
     """Weights `fractions` of first end, other end and tip (`tips`) of the triangle below the new vertex."""
     i = tid()
-    if i >= mesh.numbers[CHOSEN]:
+    if i >= mesh.numbers[CHOSEN_COUNT]:
         return
     h = edges[i]
     a = corner_vertex(mesh.triangles, h)
@@ -106,7 +106,7 @@ def weigh_corners_kernel(
     r = mesh.positions[b]
     best = weights_in_triangle(p, r, p, x)
     tip = -1
-    if int(mesh.kinds[a]) == FREE and int(mesh.kinds[b]) == FREE:
+    if int(mesh.kinds[a]) == FREE_VERTEX and int(mesh.kinds[b]) == FREE_VERTEX:
         for j in range(mesh.starts[a], mesh.starts[a + 1]):
             g = edge_at(mesh, j, b)
             if g >= 0:
@@ -132,7 +132,7 @@ def collapse_edges_kernel(
 ):
     """Move the first end (in `moved`) of each edge to its new position with the triangles of the other end."""
     i = tid()
-    if i >= mesh.numbers[CHOSEN]:
+    if i >= mesh.numbers[CHOSEN_COUNT]:
         return
     h = edges[i]
     a = corner_vertex(triangles, h)
@@ -169,7 +169,7 @@ def merge_rows_kernel(
 ):
     """Attributes of merged vertices; normalized if `unit` is 1."""
     i = tid()
-    if i >= mesh.numbers[CHOSEN]:
+    if i >= mesh.numbers[CHOSEN_COUNT]:
         return
     h = edges[i]
     a = corner_vertex(mesh.triangles, h)
@@ -216,7 +216,7 @@ def merge_uvs_kernel(
 ):
     """Texture coordinates around collapsing edges; `uvs` is a separate array."""
     i = tid()
-    if i >= mesh.numbers[CHOSEN]:
+    if i >= mesh.numbers[CHOSEN_COUNT]:
         return
     h = edges[i]
     a = corner_vertex(mesh.triangles, h)
@@ -232,7 +232,7 @@ def merge_uvs_kernel(
 @kernel
 def take_uvs_kernel(mesh: CollapseMesh, edges: array(dtype=int32), merged: array(dtype=vec2), uvs: array(dtype=vec2)):
     i = tid()
-    if i >= mesh.numbers[CHOSEN]:
+    if i >= mesh.numbers[CHOSEN_COUNT]:
         return
     h = edges[i]
     v = corner_vertex(mesh.triangles, h)
@@ -256,7 +256,7 @@ class EdgeCollapse:
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices) -> None:
         """Collapse independent edges (int32 half-edges), as many as in the record."""
-        count, vertices = mesh.live(CHOSEN, self.capacity), mesh.live(VERTICES, mesh.positions.size)
+        count, vertices = mesh.live(CHOSEN_COUNT, self.capacity), mesh.live(VERTEX_COUNT, mesh.positions.size)
         if self._weighted:
             launch(weigh_corners_kernel, count, [mesh, edges, self._fractions, self._tips])
         for rows, is_unit in zip(mesh.rows, self.unit, strict=True):
@@ -285,7 +285,7 @@ def list_edges_kernel(
     mesh: CollapseMesh, edges: array(dtype=int32), keys: array(dtype=int64), ends: array(dtype=vec2i)
 ):
     i = tid()
-    if i < mesh.numbers[EDGES]:
+    if i < mesh.numbers[EDGE_COUNT]:
         list_edge(i, mesh, edges, keys, ends)
 
 
@@ -313,7 +313,7 @@ def take_edges_kernel(
     lowest: array(dtype=int64),
 ):
     i = tid()
-    if i < numbers[EDGES]:
+    if i < numbers[EDGE_COUNT]:
         take_edge(i, ends, blocked, keys, lowest)
 
 
@@ -361,7 +361,7 @@ def choose_edge(
             first = is_lowest_around(mesh, b, key, lowest)
         if first == 1:
             h = edges[i]
-            if may_collapse(mesh, h, a, b, mesh.numbers[BENDING]) == 1:
+            if may_collapse(mesh, h, a, b, mesh.numbers[MAY_FLIP]) == 1:
                 chosen[i] = 1
                 block_around(mesh, a, blocked)
                 block_around(mesh, b, blocked)
@@ -382,7 +382,7 @@ def choose_edges_kernel(
     blocked: array(dtype=uint8),
 ):
     i = tid()
-    if i < mesh.numbers[EDGES]:
+    if i < mesh.numbers[EDGE_COUNT]:
         choose_edge(i, mesh, edges, ends, lowest, listed, keys, chosen, blocked)
 
 
@@ -401,8 +401,8 @@ def choose_at_once_kernel(
 ):
     """All passes of the selection: one block on CUDA, one thread on the CPU. Clears `chosen` and `blocked` before."""
     i = tid()
-    count = mesh.numbers[EDGES]
-    vertices = mesh.numbers[VERTICES]
+    count = mesh.numbers[EDGE_COUNT]
+    vertices = mesh.numbers[VERTEX_COUNT]
     at = i + 0
     while at < chosen.shape[0]:
         chosen[at] = uint8(0)
@@ -445,7 +445,7 @@ class EdgeChoice:
     def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices, passes: int) -> None:
         """Select independent `edges` (owners) in passes; sets `mesh.touched` and the keys of rejected edges. Keys and
         spokes of the twin are scratch memory."""
-        count, vertices = mesh.live(EDGES, edges.size), mesh.live(VERTICES, mesh.positions.size)
+        count, vertices = mesh.live(EDGE_COUNT, edges.size), mesh.live(VERTEX_COUNT, mesh.positions.size)
         keys, ends = twin.keys, twin.spokes
         if self._threads:
             arguments = [mesh, edges, ends, self._lowest, keys, mesh.keys, self.chosen, mesh.touched]
@@ -461,8 +461,8 @@ class EdgeChoice:
             launch(choose_edges_kernel, count, arguments)
 
 
-PASSES = 3  # selection passes per round
-LEFT, PARTS = 3, 4  # fraction of remaining triangles below which the mesh is compacted
+SELECTION_PASSES = 3  # selection passes per round
+COMPACTED_NUMERATOR, COMPACTED_DENOMINATOR = 3, 4  # fraction of remaining triangles below which the mesh is compacted
 
 
 @kernel
@@ -484,21 +484,21 @@ def judge_round_kernel(
 ):
     """Round outcome: if no edge can collapse, relax constraints. Decide on compaction."""
     i = tid()
-    left = mesh.starts[numbers[VERTICES]] // 3
-    numbers[TRIANGLES] = left
-    numbers[EVERY] = i
+    left = mesh.starts[numbers[VERTEX_COUNT]] // 3
+    numbers[TRIANGLE_COUNT] = left
+    numbers[FINDS_ALL_FEATURES] = i
     running[0] = 1
-    if numbers[BIN] < 0:
-        if numbers[BENDING] == 1 or stops_at_limit == 1:
+    if numbers[HIGHEST_BIN] < 0:
+        if numbers[MAY_FLIP] == 1 or stops_at_limit == 1:
             running[0] = 0
         else:
-            has_seams = numbers[SEAMS] * max(mesh.has_uvs, mesh.has_materials)
-            numbers[BENDING] = 1 - has_seams
-            numbers[SEAMS] = numbers[SEAMS] * (1 - has_seams)
-            numbers[EVERY] = 1
-    elif numbers[CHOSEN] > 0:
-        numbers[BENDING] = 0
-    numbers[SQUEEZE] = 1 if PARTS * left < LEFT * numbers[SLOTS] else 0
+            has_seams = numbers[SEAMS_ARE_FEATURES] * max(mesh.has_uvs, mesh.has_materials)
+            numbers[MAY_FLIP] = 1 - has_seams
+            numbers[SEAMS_ARE_FEATURES] = numbers[SEAMS_ARE_FEATURES] * (1 - has_seams)
+            numbers[FINDS_ALL_FEATURES] = 1
+    elif numbers[CHOSEN_COUNT] > 0:
+        numbers[MAY_FLIP] = 0
+    numbers[NEEDS_COMPACTION] = 1 if COMPACTED_DENOMINATOR * left < COMPACTED_NUMERATOR * numbers[SLOT_COUNT] else 0
 
 
 @kernel
@@ -509,18 +509,18 @@ def end_round_kernel(
     i = tid()
     count = left_vertices(mesh, ranks)
     if count >= 0:
-        numbers[VERTICES] = count
-        numbers[SLOTS] = numbers[TRIANGLES]
-    numbers[SQUEEZE] = i
-    numbers[EVERY] = i
-    if numbers[TRIANGLES] <= target:
+        numbers[VERTEX_COUNT] = count
+        numbers[SLOT_COUNT] = numbers[TRIANGLE_COUNT]
+    numbers[NEEDS_COMPACTION] = i
+    numbers[FINDS_ALL_FEATURES] = i
+    if numbers[TRIANGLE_COUNT] <= target:
         running[0] = 0
 
 
 @kernel
 def request_squeeze_kernel(numbers: array(dtype=int32)):
     i = tid()
-    numbers[SQUEEZE] = i + 1
+    numbers[NEEDS_COMPACTION] = i + 1
 
 
 class CollapseRounds:
@@ -554,30 +554,30 @@ class CollapseRounds:
     def price_edges(self) -> None:
         """Compute missing edge costs and the limit of edges to consider."""
         mesh = self.mesh
-        count = 3 * mesh.live(SLOTS, mesh.triangles.size)
+        count = 3 * mesh.live(SLOT_COUNT, mesh.triangles.size)
         launch(price_edges_kernel, count, [mesh, self.max_error, mesh.keys, self.bins.bins])
         self.bins.limit_prices()
 
     def choose(self) -> Indices:
         """Select cheap independent edges, at most as many as needed."""
         mesh, numbers = self.mesh, self.mesh.numbers
-        count = 3 * mesh.live(SLOTS, mesh.triangles.size)
+        count = 3 * mesh.live(SLOT_COUNT, mesh.triangles.size)
         launch(mark_cheap_edges_kernel, count, [mesh.keys, numbers, self.cheap])
-        self.considered.find(self.cheap, count, numbers, EDGES)
-        self.choice.run(mesh, self.twin, self.considered.rows, PASSES)
-        considered_count = mesh.live(EDGES, self.considered.rows.size)
-        self.picked_list.find(self.choice.chosen, considered_count, numbers, PICKED)
-        picked = mesh.live(PICKED, self.picked.size)
-        rows = [self.considered.rows, self.picked_list.rows, numbers, PICKED, self.picked]
+        self.considered.find(self.cheap, count, numbers, EDGE_COUNT)
+        self.choice.run(mesh, self.twin, self.considered.rows, SELECTION_PASSES)
+        considered_count = mesh.live(EDGE_COUNT, self.considered.rows.size)
+        self.picked_list.find(self.choice.chosen, considered_count, numbers, PICKED_COUNT)
+        picked = mesh.live(PICKED_COUNT, self.picked.size)
+        rows = [self.considered.rows, self.picked_list.rows, numbers, PICKED_COUNT, self.picked]
         launch(take_rows_kernel, picked, rows)
         if mesh.record is not None:
-            if 2 * picked <= mesh.record[TRIANGLES] - self.target:  # as is_cut
-                mesh.record[CHOSEN] = picked
+            if 2 * picked <= mesh.record[TRIANGLE_COUNT] - self.target:  # as is_cut
+                mesh.record[CHOSEN_COUNT] = picked
                 return self.picked
         self.bins.mark_cheapest(mesh, self.picked, picked, self.taken)
-        self.taken_list.find(self.taken, picked, numbers, CHOSEN)
-        rows = [self.picked, self.taken_list.rows, numbers, CHOSEN, self.chosen]
-        launch(take_rows_kernel, mesh.live(CHOSEN, self.chosen.size), rows)
+        self.taken_list.find(self.taken, picked, numbers, CHOSEN_COUNT)
+        rows = [self.picked, self.taken_list.rows, numbers, CHOSEN_COUNT, self.chosen]
+        launch(take_rows_kernel, mesh.live(CHOSEN_COUNT, self.chosen.size), rows)
         return self.chosen
 
     def run_round(self) -> None:
@@ -586,12 +586,12 @@ class CollapseRounds:
         self.collapse.run(mesh, self.twin, self.choose())
         mesh.find_features(self.collapse.moved, self.collapse.capacity)
         launch(judge_round_kernel, 1, [mesh, self.stops_at_limit, mesh.numbers, self.running])
-        if mesh.record is None or mesh.record[EVERY]:
+        if mesh.record is None or mesh.record[FINDS_ALL_FEATURES]:
             mesh.find_all_features()
         self.squeeze()
 
     def squeeze(self) -> None:
         mesh = self.mesh
-        if mesh.record is None or mesh.record[SQUEEZE]:
+        if mesh.record is None or mesh.record[NEEDS_COMPACTION]:
             self.squeezing.run(mesh, self.twin)
         launch(end_round_kernel, 1, [mesh, self.squeezing.ranks, self.target, mesh.numbers, self.running])

@@ -8,20 +8,29 @@ from ..array_types import Integers
 from ..arrays.loop_scan import LoopScan
 from ..lang import array, func, int32, int64, kernel, launch, tid, uint8, vec2, vec2i, vec3, vec3d, vec3i
 from ..memory import empty
-from .collapse_mesh import OTHERS, SLOTS, SQUEEZE, STALE_KEY, TRIANGLES, VERTICES, CollapseMesh, mix_number
+from .collapse_mesh import (
+    NEEDS_COMPACTION,
+    OTHERS,
+    SLOT_COUNT,
+    STALE_KEY,
+    TRIANGLE_COUNT,
+    VERTEX_COUNT,
+    CollapseMesh,
+    mix_number,
+)
 from .quadrics import quadric
 
 
 @kernel
 def mark_left_kernel(mesh: CollapseMesh, marks: array(dtype=int32)):
     i = tid()
-    slots = mesh.numbers[SLOTS]
+    slots = mesh.numbers[SLOT_COUNT]
     mark = 0
-    if mesh.numbers[SQUEEZE] == 1:
+    if mesh.numbers[NEEDS_COMPACTION] == 1:
         if i < slots:
             t = mesh.triangles[i]
             mark = 1 if t[0] >= 0 else 0
-        elif i < slots + mesh.numbers[VERTICES]:
+        elif i < slots + mesh.numbers[VERTEX_COUNT]:
             v = i - slots
             mark = 1 if mesh.starts[v + 1] > mesh.starts[v] else 0
     marks[i] = mark
@@ -31,8 +40,8 @@ def mark_left_kernel(mesh: CollapseMesh, marks: array(dtype=int32)):
 def list_left_kernel(mesh: CollapseMesh, ranks: array(dtype=int32), old: array(dtype=int32)):
     """Remaining triangles, then vertices, in order; `ranks` count from one."""
     i = tid()
-    slots = mesh.numbers[SLOTS]
-    if mesh.numbers[SQUEEZE] == 1 and i < slots + mesh.numbers[VERTICES]:
+    slots = mesh.numbers[SLOT_COUNT]
+    if mesh.numbers[NEEDS_COMPACTION] == 1 and i < slots + mesh.numbers[VERTEX_COUNT]:
         before = 0
         if i > 0:
             before = ranks[i - 1]
@@ -42,7 +51,7 @@ def list_left_kernel(mesh: CollapseMesh, ranks: array(dtype=int32), old: array(d
 
 @func
 def vertex_index(mesh: CollapseMesh, ranks: array(dtype=int32), v: int) -> int:
-    slots = mesh.numbers[SLOTS]
+    slots = mesh.numbers[SLOT_COUNT]
     return ranks[slots + v] - 1 - ranks[slots - 1]
 
 
@@ -59,7 +68,7 @@ def gather_edges_kernel(
 ):
     """Arrays of the remaining half-edges. Costs stay with new unique numbers."""
     i = tid()
-    if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
+    if mesh.numbers[NEEDS_COMPACTION] == 0 or i >= 3 * mesh.numbers[TRIANGLE_COUNT]:
         return
     row = old[i // 3]
     h = 3 * row + i % 3
@@ -91,7 +100,7 @@ def gather_vertices_kernel(
     starts: array(dtype=int32),
 ):
     i = tid()
-    left = mesh.numbers[TRIANGLES]
+    left = mesh.numbers[TRIANGLE_COUNT]
     count = left_vertices(mesh, ranks)
     if i == 0 and count >= 0:
         starts[count] = 3 * left
@@ -109,9 +118,9 @@ def gather_vertices_kernel(
 def left_vertices(mesh: CollapseMesh, ranks: array(dtype=int32)) -> int:
     """Number of remaining vertices, -1 without compaction."""
     count = -1
-    if mesh.numbers[SQUEEZE] == 1:
-        slots = mesh.numbers[SLOTS]
-        count = ranks[slots + mesh.numbers[VERTICES] - 1] - ranks[slots - 1]
+    if mesh.numbers[NEEDS_COMPACTION] == 1:
+        slots = mesh.numbers[SLOT_COUNT]
+        count = ranks[slots + mesh.numbers[VERTEX_COUNT] - 1] - ranks[slots - 1]
     return count
 
 
@@ -125,7 +134,7 @@ def gather_left_kernel(
 ):
     i = tid()
     if i < left_vertices(mesh, ranks):
-        out[i] = rows[old[mesh.numbers[TRIANGLES] + i]]
+        out[i] = rows[old[mesh.numbers[TRIANGLE_COUNT] + i]]
 
 
 @kernel
@@ -133,7 +142,7 @@ def renumber_corners_kernel(
     mesh: CollapseMesh, ranks: array(dtype=int32), corners: array(dtype=int32), spokes: array(dtype=vec2i)
 ):
     i = tid()
-    if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
+    if mesh.numbers[NEEDS_COMPACTION] == 0 or i >= 3 * mesh.numbers[TRIANGLE_COUNT]:
         return
     h = corners[i]
     s = spokes[i]
@@ -151,7 +160,7 @@ def keep_edges_kernel(
     materials: array(dtype=int32),
 ):
     i = tid()
-    if mesh.numbers[SQUEEZE] == 0 or i >= 3 * mesh.numbers[TRIANGLES]:
+    if mesh.numbers[NEEDS_COMPACTION] == 0 or i >= 3 * mesh.numbers[TRIANGLE_COUNT]:
         return
     keys[i] = mesh.keys[i]
     flags[i] = mesh.flags[i]
@@ -205,11 +214,11 @@ class Squeezing:
     def run(self, mesh: CollapseMesh, twin: CollapseMesh) -> None:
         """Compact. The counts in the record change at the end of the round."""
         ranks: Integers = self.ranks
-        slots, count = mesh.live(SLOTS, mesh.triangles.size), mesh.live(VERTICES, mesh.positions.size)
+        slots, count = mesh.live(SLOT_COUNT, mesh.triangles.size), mesh.live(VERTEX_COUNT, mesh.positions.size)
         launch(mark_left_kernel, slots + count, [mesh, ranks])
         self._scan.run(ranks, ranks, slots + count)
         launch(list_left_kernel, slots + count, [mesh, ranks, self._old])
-        half_edge_count = 3 * mesh.live(TRIANGLES, mesh.triangles.size)
+        half_edge_count = 3 * mesh.live(TRIANGLE_COUNT, mesh.triangles.size)
         edges = ["triangles", "keys", "flags", "uvs", "materials"]
         launch(gather_edges_kernel, half_edge_count, [mesh, ranks, self._old, *(getattr(twin, name) for name in edges)])
         vertices = ["positions", "quadrics", "kinds", "touched", "starts"]

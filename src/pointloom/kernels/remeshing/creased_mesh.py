@@ -39,7 +39,7 @@ from ..meshes.mesh_edges import MeshEdges, key_bits
 from ..meshes.mesh_measures import triangle_cross
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, last_corner, next_corner
 
-FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
+FREE_VERTEX, LINE_VERTEX, CORNER_VERTEX = 0, 1, 2  # kinds of vertices
 NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # above all keys
 
 
@@ -136,13 +136,13 @@ def join_creases_kernel(
 @kernel
 def sort_vertices_kernel(ends: array(dtype=int32), fixed: array(dtype=uint8), kinds: array(dtype=uint8)):
     i = tid()
-    kind = int(CORNER)
+    kind = int(CORNER_VERTEX)
     if ends[i] == 0:
-        kind = FREE
+        kind = FREE_VERTEX
     if ends[i] == 2:
-        kind = LINE
+        kind = LINE_VERTEX
     if fixed[i] != 0:
-        kind = CORNER
+        kind = CORNER_VERTEX
     kinds[i] = uint8(kind)
 
 
@@ -191,9 +191,9 @@ def fix_bends_kernel(mesh: CreasedMesh, cosine: float64, fixed: array(dtype=uint
     i = tid()
     kind = int(mesh.kinds[i])
     value = 0
-    if kind == CORNER:
+    if kind == CORNER_VERTEX:
         value = 1
-    if kind == LINE:
+    if kind == LINE_VERTEX:
         u = line_neighbor(mesh, i, -1)
         w = line_neighbor(mesh, i, u)
         if u >= 0 and w >= 0:

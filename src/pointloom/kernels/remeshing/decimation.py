@@ -16,7 +16,7 @@ from ..arrays.sort import argsort_keys
 from ..lang import array, cross, int32, int64, kernel, launch, length, tid, uint8, vec2
 from ..memory import clone, download, empty, full
 from ..meshes.mesh_edits import gather_corners, gather_triangles
-from .collapse_mesh import TRIANGLES, VERTICES, CollapseMesh, edge_valence
+from .collapse_mesh import TRIANGLE_COUNT, VERTEX_COUNT, CollapseMesh, edge_valence
 from .collapse_rounds import CollapseRounds
 from .edge_costs import sum_quadrics_kernel
 from .quadrics import quadric
@@ -108,7 +108,7 @@ class Decimation:
         rounds.run()
         self.mesh = mesh = rounds.mesh
         numbers = download(mesh.numbers)  # sync
-        left, vertices = int(numbers[TRIANGLES]), int(numbers[VERTICES])
+        left, vertices = int(numbers[TRIANGLE_COUNT]), int(numbers[VERTEX_COUNT])
         sizes = {"triangles": left, "positions": vertices}
         sizes |= {"uvs": 3 * left} if mesh.has_uvs else {}
         sizes |= {"materials": left} if mesh.has_materials else {}

@@ -9,15 +9,15 @@ from ..arrays.blocks import block_threads, wait_for_block
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid, uint8
 from ..memory import empty, full, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .collapse_mesh import BIN, PICKED, TRIANGLES, CollapseMesh, edge_valence
-from .edge_costs import BINS, STEP
+from .collapse_mesh import HIGHEST_BIN, PICKED_COUNT, TRIANGLE_COUNT, CollapseMesh, edge_valence
+from .edge_costs import COST_BINS, COST_BITS
 
 MIN_EDGES = 4  # minimum number of edges considered
-BLOCKS = 64  # of bins
-BLOCK = BINS // BLOCKS
-DIGIT_BITS = 12  # of BINS
-PRICE_SHIFT = 32 + STEP  # of a key: lower bits are zeros and the unique number
-DIGITS = 4  # of a key: 11 bits of the cost and 32 of the unique number
+BIN_BLOCKS = 64  # of bins
+BLOCK = COST_BINS // BIN_BLOCKS
+DIGIT_BITS = 12  # of COST_BINS
+PRICE_SHIFT = 32 + COST_BITS  # of a key: lower bits are zeros and the unique number
+KEY_DIGITS = 4  # of a key: 11 bits of the cost and 32 of the unique number
 
 
 @func
@@ -47,12 +47,12 @@ def limit_prices_kernel(blocks: array(dtype=int32), target: int, bins: array(dty
     """Highest cost bin to consider (or -1): a fraction of edges, at most the triangles to remove; clears bins."""
     i = tid()
     before = sum_of_blocks(blocks, i)
-    total = sum_of_blocks(blocks, BLOCKS)
-    excess = numbers[TRIANGLES] - target
+    total = sum_of_blocks(blocks, BIN_BLOCKS)
+    excess = numbers[TRIANGLE_COUNT] - target
     fraction = int((int64(total) * 7 + 19) // 20)  # 0.35, rounded up: more is faster and less accurate
     wanted = min(max(min(fraction, excess), MIN_EDGES), total)
     if i == 0 and total == 0:
-        numbers[BIN] = -1
+        numbers[HIGHEST_BIN] = -1
     has_limit = 0
     if total > 0 and before < wanted and before + blocks[i] >= wanted:
         has_limit = 1
@@ -60,7 +60,7 @@ def limit_prices_kernel(blocks: array(dtype=int32), target: int, bins: array(dty
         if has_limit == 1 and before < wanted:
             before += bins[j]
             if before >= wanted:
-                numbers[BIN] = j
+                numbers[HIGHEST_BIN] = j
         bins[j] = 0
 
 
@@ -72,7 +72,7 @@ def short_key(key: int64) -> int64:
 @func
 def is_cut(mesh: CollapseMesh, target: int) -> int:
     """1 if more triangles than necessary would be removed."""
-    return 1 if 2 * mesh.numbers[PICKED] > mesh.numbers[TRIANGLES] - target else 0
+    return 1 if 2 * mesh.numbers[PICKED_COUNT] > mesh.numbers[TRIANGLE_COUNT] - target else 0
 
 
 @func
@@ -87,11 +87,11 @@ def count_removed(
     """Triangles removed by the edges of each digit, among those with the digits found so far."""
     h = edges[i]
     key = short_key(mesh.keys[h])
-    rest = DIGIT_BITS * (DIGITS - 1 - digit)
+    rest = DIGIT_BITS * (KEY_DIGITS - 1 - digit)
     if (key >> int64(rest + DIGIT_BITS)) == heads[digit]:
         a = corner_vertex(mesh.triangles, h)
         b = corner_vertex(mesh.triangles, next_corner(h))
-        atomic_add(bins, int((key >> int64(rest)) & int64(BINS - 1)), edge_valence(mesh, a, b))  # integers
+        atomic_add(bins, int((key >> int64(rest)) & int64(COST_BINS - 1)), edge_valence(mesh, a, b))  # integers
 
 
 @kernel
@@ -105,7 +105,7 @@ def count_removed_kernel(
 ):
     i = tid()
     cut = is_cut(mesh, target)
-    if i < mesh.numbers[PICKED] and cut == 1:
+    if i < mesh.numbers[PICKED_COUNT] and cut == 1:
         count_removed(i, mesh, edges, digit, heads, bins)
 
 
@@ -121,14 +121,14 @@ def find_digit(
     bins: array(dtype=int32),
 ):
     """Next digit of the highest key to take (the highest if all are), and the triangles to remove with it."""
-    wanted = mesh.numbers[TRIANGLES] - target
+    wanted = mesh.numbers[TRIANGLE_COUNT] - target
     if digit > 0:
         wanted = rests[digit]
     before = sum_of_blocks(blocks, i)
     after = before + blocks[i]
     bin_index = -1
-    if i == BLOCKS - 1 and after < wanted:
-        bin_index = BINS - 1
+    if i == BIN_BLOCKS - 1 and after < wanted:
+        bin_index = COST_BINS - 1
         rests[digit + 1] = wanted
     for j in range(i * BLOCK, (i + 1) * BLOCK):
         if before < wanted:
@@ -160,10 +160,10 @@ def find_digit_kernel(
 def is_cheap(mesh: CollapseMesh, edges: array(dtype=int32), target: int, heads: array(dtype=int64), i: int) -> int:
     """1 for edges up to the key found. For all if that does not exceed the target."""
     taken = 0
-    if i < mesh.numbers[PICKED]:
+    if i < mesh.numbers[PICKED_COUNT]:
         if is_cut(mesh, target) == 0:
             taken = 1
-        elif short_key(mesh.keys[edges[i]]) <= heads[DIGITS]:
+        elif short_key(mesh.keys[edges[i]]) <= heads[KEY_DIGITS]:
             taken = 1
     return taken
 
@@ -191,22 +191,22 @@ def mark_cheapest_at_once_kernel(
 ):
     """All digits: one block on CUDA, one thread on the CPU. `count` flags are written."""
     i = tid()
-    digits = int(DIGITS)
+    digits = int(KEY_DIGITS)
     if is_cut(mesh, target) == 0:
         digits = 0
     for digit in range(digits):
         at = i + 0
-        while at < mesh.numbers[PICKED]:
+        while at < mesh.numbers[PICKED_COUNT]:
             count_removed(at, mesh, edges, digit, heads, bins)
             at += threads
         wait_for_block()
         at = i + 0
-        while at < BLOCKS:
+        while at < BIN_BLOCKS:
             blocks[at] = sum_of_bins(at, bins)
             at += threads
         wait_for_block()
         at = i + 0
-        while at < BLOCKS:
+        while at < BIN_BLOCKS:
             find_digit(at, mesh, blocks, target, digit, heads, rests, bins)
             at += threads
         wait_for_block()
@@ -229,13 +229,13 @@ class EdgeBins:
         numbers, device = mesh.numbers, mesh.numbers.device
         self._threads = threads_at_once(mesh)
         self.target, self.numbers = target, numbers
-        self.bins, self._blocks = zeros(BINS, int32, device), empty(BLOCKS, int32, device)
-        self._heads: Keys = full(DIGITS + 1, 0, int64, device)
-        self._rests = zeros(DIGITS + 1, int32, device)
+        self.bins, self._blocks = zeros(COST_BINS, int32, device), empty(BIN_BLOCKS, int32, device)
+        self._heads: Keys = full(KEY_DIGITS + 1, 0, int64, device)
+        self._rests = zeros(KEY_DIGITS + 1, int32, device)
 
     def limit_prices(self) -> None:
-        launch(sum_bins_kernel, BLOCKS, [self.bins, self._blocks])
-        launch(limit_prices_kernel, BLOCKS, [self._blocks, self.target, self.bins, self.numbers])
+        launch(sum_bins_kernel, BIN_BLOCKS, [self.bins, self._blocks])
+        launch(limit_prices_kernel, BIN_BLOCKS, [self._blocks, self.target, self.bins, self.numbers])
 
     def mark_cheapest(self, mesh: CollapseMesh, edges: Indices, count: int, mask: Bytes) -> None:
         """Mark the cheapest selected edges that reach the target, or all."""
@@ -243,9 +243,9 @@ class EdgeBins:
             given = [mesh, edges, self.target, self._blocks, self._heads, self._rests, self.bins, mask]
             launch(mark_cheapest_at_once_kernel, self._threads, [self._threads, count, *given])
             return
-        for digit in range(DIGITS):
+        for digit in range(KEY_DIGITS):
             launch(count_removed_kernel, count, [mesh, edges, self.target, digit, self._heads, self.bins])
-            launch(sum_bins_kernel, BLOCKS, [self.bins, self._blocks])
+            launch(sum_bins_kernel, BIN_BLOCKS, [self.bins, self._blocks])
             arguments = [mesh, self._blocks, self.target, digit, self._heads, self._rests, self.bins]
-            launch(find_digit_kernel, BLOCKS, arguments)
+            launch(find_digit_kernel, BIN_BLOCKS, arguments)
         launch(mark_cheapest_kernel, count, [mesh, edges, self.target, self._heads, mask])

@@ -25,19 +25,30 @@ from ..lang import (
     vec4d,
 )
 from ..meshes.mesh_topology import corner_vertex, last_corner, next_corner
-from .collapse_mesh import BIN, FEATURE, FREE, LINE, SLOTS, STALE_KEY, CollapseMesh, mix_number, reads_other
+from .collapse_mesh import (
+    FEATURE_BIT,
+    FREE_VERTEX,
+    HIGHEST_BIN,
+    LINE_VERTEX,
+    SLOT_COUNT,
+    STALE_KEY,
+    CollapseMesh,
+    mix_number,
+    reads_other,
+)
 from .quadrics import minimum_point, plane_quadric, quadric, quadric_error, quadric_trace
 
-REJECTED, BEST, FIRST, SECOND = -1, 0, 1, 2  # possible positions of the merged vertex
+# Possible positions of the merged vertex.
+REJECTED_POSITION, BEST_POSITION, FIRST_POSITION, SECOND_POSITION = -1, 0, 1, 2
 PRICE_UNIT = 2.0**60  # costs are stored in float32: nonzero costs should not be subnormal
-SHAPE = 1e-9  # what the squared length adds to the cost: short edges go first on ties
-PULL = 1e-8  # prior weight of the edge midpoint relative to the planes
+LENGTH_WEIGHT = 1e-9  # what the squared length adds to the cost: short edges go first on ties
+MIDPOINT_WEIGHT = 1e-8  # prior weight of the edge midpoint relative to the planes
 MAX_SHIFT = 2.0  # edge lengths: maximum distance of the merged vertex from the midpoint
-STEP = 21  # of a float's bits: costs are compared in quarters of a doubling; equal ones go in any order
+COST_BITS = 21  # of a float's bits: costs are compared in quarters of a doubling; equal ones go in any order
 MIN_COSINE = 0.2  # minimum cosine between a triangle's normals before and after: 78 degrees
-SHRINK = 1e-3  # minimum fraction of a triangle's area that remains
+MIN_AREA_FRACTION = 1e-3  # minimum fraction of a triangle's area that remains
 BIN_SHIFT = 19  # of a float's bits: sign, exponent and four more bits give a bin
-BINS = 4096
+COST_BINS = 4096
 KEY_SHIFT = 32 + BIN_SHIFT  # of a key
 
 
@@ -68,9 +79,9 @@ def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: ar
             total += plane_quadric(n, p, area)
             c = mesh.corners[j]
             d = last_corner(c)
-            if (int(mesh.flags[c]) & FEATURE) != 0:
+            if (int(mesh.flags[c]) & FEATURE_BIT) != 0:
                 total += border_quadric(mesh, c, n, area * border_weight)
-            if (int(mesh.flags[d]) & FEATURE) != 0:
+            if (int(mesh.flags[d]) & FEATURE_BIT) != 0:
                 total += border_quadric(mesh, d, n, area * border_weight)
     quadrics[i] = total
 
@@ -79,20 +90,20 @@ def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: ar
 def placement(mesh: CollapseMesh, h: int, a: int, b: int) -> int:
     ka = int(mesh.kinds[a])
     kb = int(mesh.kinds[b])
-    mode = int(REJECTED)
-    if (int(mesh.flags[h]) & FEATURE) != 0:
-        if ka == LINE and kb == LINE:
-            mode = BEST
-        elif ka == LINE:
-            mode = SECOND
-        elif kb == LINE:
-            mode = FIRST
-    elif ka == FREE and kb == FREE:
-        mode = BEST
-    elif ka == FREE:
-        mode = SECOND
-    elif kb == FREE:
-        mode = FIRST
+    mode = int(REJECTED_POSITION)
+    if (int(mesh.flags[h]) & FEATURE_BIT) != 0:
+        if ka == LINE_VERTEX and kb == LINE_VERTEX:
+            mode = BEST_POSITION
+        elif ka == LINE_VERTEX:
+            mode = SECOND_POSITION
+        elif kb == LINE_VERTEX:
+            mode = FIRST_POSITION
+    elif ka == FREE_VERTEX and kb == FREE_VERTEX:
+        mode = BEST_POSITION
+    elif ka == FREE_VERTEX:
+        mode = SECOND_POSITION
+    elif kb == FREE_VERTEX:
+        mode = FIRST_POSITION
     return mode
 
 
@@ -102,11 +113,11 @@ def merged_position(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
     p = mesh.positions[a]
     r = mesh.positions[b]
     x = p
-    if mode == SECOND:
+    if mode == SECOND_POSITION:
         x = r
-    if mode == BEST:
+    if mode == BEST_POSITION:
         middle = (p + r) * 0.5
-        x = minimum_point(q, middle, float64(PULL))
+        x = minimum_point(q, middle, float64(MIDPOINT_WEIGHT))
         shift = x - middle
         edge = r - p
         if not (dot(shift, shift) <= float64(MAX_SHIFT * MAX_SHIFT) * dot(edge, edge)):
@@ -124,13 +135,13 @@ def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, max_error: float64) -> 
     """Cost of an edge with a unique number in the low bits."""
     key = int64(NO_KEY)
     mode = placement(mesh, h, a, b)
-    if mode != REJECTED:
+    if mode != REJECTED_POSITION:
         merged = merged_position(mesh, a, b, mode)
         if merged[3] <= max_error and isfinite(merged[3]):
             edge = mesh.positions[b] - mesh.positions[a]
             weight = quadric_trace(mesh.quadrics[a]) + quadric_trace(mesh.quadrics[b])
-            price = float((merged[3] + weight * dot(edge, edge) * float64(SHAPE)) * float64(PRICE_UNIT))
-            key = (int64((float_bits(price) >> STEP) << STEP) << 32) | mix_number(h)
+            price = float((merged[3] + weight * dot(edge, edge) * float64(LENGTH_WEIGHT)) * float64(PRICE_UNIT))
+            key = (int64((float_bits(price) >> COST_BITS) << COST_BITS) << 32) | mix_number(h)
     return key
 
 
@@ -138,7 +149,7 @@ def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, max_error: float64) -> 
 def price_edges_kernel(mesh: CollapseMesh, max_error: float64, keys: array(dtype=int64), bins: array(dtype=int32)):
     """Keys of edges at owners, and a histogram of costs. Unmoved edges keep theirs. Rejected ones are reevaluated."""
     i = tid()
-    if i >= 3 * mesh.numbers[SLOTS]:
+    if i >= 3 * mesh.numbers[SLOT_COUNT]:
         return
     key = keys[i]
     if key != int64(NO_KEY):
@@ -156,8 +167,8 @@ def price_edges_kernel(mesh: CollapseMesh, max_error: float64, keys: array(dtype
 def mark_cheap_edges_kernel(keys: array(dtype=int64), numbers: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
     cheap = 0
-    if i < 3 * numbers[SLOTS]:
-        if int(keys[i] >> int64(KEY_SHIFT)) <= numbers[BIN]:
+    if i < 3 * numbers[SLOT_COUNT]:
+        if int(keys[i] >> int64(KEY_SHIFT)) <= numbers[HIGHEST_BIN]:
             cheap = 1
     mask[i] = uint8(cheap)
 
@@ -196,7 +207,7 @@ def has_triangle(mesh: CollapseMesh, v: int, p: int, q: int) -> int:
 def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
     broken = 0
     closed = 0  # 1 if each neighbor of a begins a triangle there
-    if int(mesh.kinds[a]) == FREE:
+    if int(mesh.kinds[a]) == FREE_VERTEX:
         closed = 1
     j = mesh.starts[a]
     while j < mesh.starts[a + 1] and broken == 0:
@@ -208,7 +219,7 @@ def breaks_surface(mesh: CollapseMesh, a: int, b: int) -> int:
             side = c
             if p == b:
                 side = last_corner(c)
-            if (int(mesh.flags[side]) & int(mesh.flags[next_corner(c)]) & FEATURE) != 0:
+            if (int(mesh.flags[side]) & int(mesh.flags[next_corner(c)]) & FEATURE_BIT) != 0:
                 broken = 1
         else:
             near_p = has_neighbor(mesh, b, p)
@@ -241,7 +252,7 @@ def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
             new = dot(after, after)
             product = dot(before, after)
             flips = product < 0.0 or product * product < float64(MIN_COSINE * MIN_COSINE) * (old * new)
-            if flips or new < old * float64(SHRINK * SHRINK):
+            if flips or new < old * float64(MIN_AREA_FRACTION * MIN_AREA_FRACTION):
                 bent = 1
         j += 1
     return bent
@@ -252,7 +263,7 @@ def may_collapse(mesh: CollapseMesh, h: int, a: int, b: int, bending: int) -> in
     """1 if an edge may collapse; `bending` is 1 if triangles may flip."""
     mode = placement(mesh, h, a, b)
     rejected = 1
-    if mode != REJECTED:
+    if mode != REJECTED_POSITION:
         rejected = breaks_surface(mesh, a, b)
         if rejected == 0 and bending == 0:
             merged = merged_position(mesh, a, b, mode)

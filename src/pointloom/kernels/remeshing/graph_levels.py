@@ -18,12 +18,13 @@ from ..memory import cast, download, empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, split_edge_keys_kernel
 from ..meshes.vertex_neighbors import VertexNeighbors
 
-ROUNDS = 8  # of selection. Vertices still undecided are then selected
-DAMPING = 0.85  # of Jacobi sweeps, which are stable below 1. 0.7 takes a tenth more iterations
-STRETCH = 1.2  # of corrections, since the coarse system is stiffer than the error. 2 takes twice the iterations
-COARSEST = 100  # vertices of the inverted matrix, 80 kB: one block inverts it
-FLAT = 1.0e-14  # of its diagonal: rounding of a pivot that should be zero
-UNDECIDED, CHOSEN, JOINED = 0, 1, 2
+SELECTION_ROUNDS = 8  # of selection. Vertices still undecided are then selected
+JACOBI_DAMPING = 0.85  # of Jacobi sweeps, which are stable below 1. 0.7 takes a tenth more iterations
+# of corrections, since the coarse system is stiffer than the error. 2 takes twice the iterations
+CORRECTION_FACTOR = 1.2
+MAX_INVERTED_VERTICES = 100  # vertices of the inverted matrix, 80 kB: one block inverts it
+PIVOT_ROUNDING = 1.0e-14  # of its diagonal: rounding of a pivot that should be zero
+UNDECIDED_VERTEX, CHOSEN_VERTEX, JOINED_VERTEX = 0, 1, 2
 
 
 @struct
@@ -73,7 +74,7 @@ def spread_weights_kernel(
     diagonal[i] = total
     step = float64(0.0)
     if free[i] == 1 and total > 0.0:
-        step = float64(DAMPING) / total
+        step = float64(JACOBI_DAMPING) / total
     steps[i] = step
 
 
@@ -105,10 +106,10 @@ def choose_peaks_kernel(level: Level, states: array(dtype=int32), last: int, pea
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
         other = level.around.vertices[j]
         if level.pulls[j] > 0.0 and level.free[other] == 1:
-            if states[other] == UNDECIDED and last == 0:
+            if states[other] == UNDECIDED_VERTEX and last == 0:
                 rivals += precedes(other, i)
     peak = 0
-    if rivals == 0 and level.free[i] == 1 and states[i] == UNDECIDED:
+    if rivals == 0 and level.free[i] == 1 and states[i] == UNDECIDED_VERTEX:
         peak = 1
     peaks[i] = peak
 
@@ -118,19 +119,19 @@ def join_peaks_kernel(level: Level, peaks: array(dtype=int32), states: array(dty
     """Select the peaks, and mark their undecided neighbors to join one."""
     i = tid()
     if peaks[i] == 1:
-        states[i] = CHOSEN
-    elif level.free[i] == 1 and states[i] == UNDECIDED:
+        states[i] = CHOSEN_VERTEX
+    elif level.free[i] == 1 and states[i] == UNDECIDED_VERTEX:
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
             if level.pulls[j] > 0.0:
                 if peaks[level.around.vertices[j]] == 1:
-                    states[i] = JOINED
+                    states[i] = JOINED_VERTEX
 
 
 @kernel
 def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
     i = tid()
     mark = 0
-    if states[i] == CHOSEN:
+    if states[i] == CHOSEN_VERTEX:
         mark = 1
     marks[i] = mark
 
@@ -142,14 +143,14 @@ def find_parents_kernel(
     """Coarse vertex of each vertex: that of the selected neighbor with the largest weight. The last index if fixed."""
     i = tid()
     parent = coarse_indices[coarse_indices.shape[0] - 1]
-    if states[i] == CHOSEN:
+    if states[i] == CHOSEN_VERTEX:
         parent = coarse_indices[i]
-    elif states[i] == JOINED:
+    elif states[i] == JOINED_VERTEX:
         heaviest = float64(0.0)
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
             other = level.around.vertices[j]
             weight = level.pulls[j]
-            if states[other] == CHOSEN and weight > heaviest:
+            if states[other] == CHOSEN_VERTEX and weight > heaviest:
                 heaviest = weight
                 parent = coarse_indices[other]
     parents[i] = parent
@@ -222,8 +223,8 @@ class Coarsening:
     def __init__(self, level: Level) -> None:
         device, count = level.free.device, level.count
         states, peaks, marks = zeros(count, int32, device), empty(count, int32, device), empty(count, int32, device)
-        for iteration in range(ROUNDS):
-            launch(choose_peaks_kernel, count, [level, states, int(iteration == ROUNDS - 1), peaks])
+        for iteration in range(SELECTION_ROUNDS):
+            launch(choose_peaks_kernel, count, [level, states, int(iteration == SELECTION_ROUNDS - 1), peaks])
             launch(join_peaks_kernel, count, [level, peaks, states])
         launch(mark_chosen_kernel, count, [states, marks])
         coarse_indices = offsets_of(marks)
@@ -273,7 +274,7 @@ def corrected(
     """Damped Jacobi sweep from zero plus the correction of the coarser level."""
     guess = level.steps[i] * residual[i]
     if level.free[i] == 1:
-        guess = guess + float64(STRETCH) * coarse[parents[i]]
+        guess = guess + float64(CORRECTION_FACTOR) * coarse[parents[i]]
     return guess
 
 
@@ -322,7 +323,7 @@ def eliminate_row(
     """Gauss-Jordan step of unknown k for a row. Zeros for a zero pivot."""
     scale = max(level.diagonal[k], matrix[k, k])
     inverse = float64(0.0)
-    if matrix[k, k] > float64(FLAT) * scale:
+    if matrix[k, k] > float64(PIVOT_ROUNDING) * scale:
         inverse = 1.0 / matrix[k, k]
     factor = matrix[row, k] * inverse
     for column in range(matrix.shape[0]):
@@ -383,7 +384,7 @@ class Preconditioner:
 
     def __init__(self, level: Level) -> None:
         device, self.levels, self.coarsenings = level.free.device, [level], []
-        while self.levels[-1].count > COARSEST:
+        while self.levels[-1].count > MAX_INVERTED_VERTICES:
             coarsening = Coarsening(self.levels[-1])
             if not 0 < coarsening.count < self.levels[-1].count:
                 break
@@ -392,7 +393,9 @@ class Preconditioner:
         self.residuals = [None, *(empty(coarse.count, vec3d, device) for coarse in self.levels[1:])]
         self.forces = [None, *(empty(coarse.count, vec3d, device) for coarse in self.levels[1:])]
         last = self.levels[-1]
-        self.inverse = invert(last) if last.count <= COARSEST else None  # else no vertex has a neighbor there
+        self.inverse = (
+            invert(last) if last.count <= MAX_INVERTED_VERTICES else None
+        )  # else no vertex has a neighbor there
 
     def apply(self, residual: Positions, forces: Positions) -> None:
         """Write the result of a cycle on a residual to `forces` (vec3d [m]); allocates nothing."""

@@ -29,7 +29,7 @@ from ..meshes.mesh_edges import MeshEdges, SortedEdges
 from ..meshes.vertex_neighbors import VertexNeighbors
 
 MIN_REPEATED = 3  # periods of passes that are worth a loop on the CPU (an estimate)
-NEAREST = 1.0e-12  # added to distances [m] in weights, so that coincident vertices have finite ones
+ADDED_DISTANCE = 1.0e-12  # added to distances [m] in weights, so that coincident vertices have finite ones
 
 
 @struct
@@ -80,7 +80,7 @@ def inverse_distance(p: vec3d, q: vec3d) -> float64:
     sqdist = dot(d, d)
     weight = float64(0.0)
     if isfinite(sqdist):
-        weight = 1.0 / (sqrt(sqdist) + float64(NEAREST))
+        weight = 1.0 / (sqrt(sqdist) + float64(ADDED_DISTANCE))
     return weight
 
 

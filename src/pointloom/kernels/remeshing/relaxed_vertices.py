@@ -11,10 +11,10 @@ from ..array_types import Integers, Points
 from ..lang import array, atomic_add, dot, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3d
 from ..memory import download, empty, zeros
 from ..meshes.mesh_measures import triangle_cross
-from .creased_mesh import FREE, LINE, CreasedMesh, line_neighbor
+from .creased_mesh import FREE_VERTEX, LINE_VERTEX, CreasedMesh, line_neighbor
 from .flipped_edges import agrees
 
-PASSES = 2  # of restoring before the host reads the count: the first nearly always restores nothing
+RESTORE_PASSES = 2  # of restoring before the host reads the count: the first nearly always restores nothing
 
 
 @kernel
@@ -23,7 +23,7 @@ def relax_kernel(mesh: CreasedMesh, moved: array(dtype=vec3)):
     p = widen(mesh.vertices[i])
     x = mesh.vertices[i]
     kind = int(mesh.kinds[i])
-    if kind == FREE:
+    if kind == FREE_VERTEX:
         n = vec3d(0.0, 0.0, 0.0)
         q = vec3d(0.0, 0.0, 0.0)
         total = float64(0.0)
@@ -40,7 +40,7 @@ def relax_kernel(mesh: CreasedMesh, moved: array(dtype=vec3)):
             n = n / size
             q = q / total
             x = narrow(p + (q - dot(n, q) * n))
-    if kind == LINE:
+    if kind == LINE_VERTEX:
         u = line_neighbor(mesh, i, -1)
         w = line_neighbor(mesh, i, u)
         if u >= 0 and w >= 0:
@@ -93,9 +93,9 @@ def choose_positions_kernel(
 ):
     i = tid()
     x = before[i]
-    if int(kinds[i]) == FREE:
+    if int(kinds[i]) == FREE_VERTEX:
         x = on_surface[i]
-    if int(kinds[i]) == LINE:
+    if int(kinds[i]) == LINE_VERTEX:
         x = on_lines[i]
     chosen[i] = x
 
@@ -118,10 +118,10 @@ def move_without_flips(mesh: CreasedMesh, moved: Points, taken: Integers | None 
     vertices. If that is zero, the result is complete."""
     for pass_number in itertools.count(1):  # each pass restores a vertex that had moved
         back, count = zeros(moved.size, uint8, moved.device), zeros(1, int32, moved.device)
-        if taken is not None and pass_number == PASSES:
+        if taken is not None and pass_number == RESTORE_PASSES:
             count = taken
         launch(mark_flipped_kernel, mesh.triangles.size, [mesh, moved, back])
         launch(take_back_kernel, moved.size, [mesh.vertices, back, moved, count])
-        if pass_number == PASSES if taken is not None else not download(count)[0]:  # sync, if it is not given
+        if pass_number == RESTORE_PASSES if taken is not None else not download(count)[0]:  # sync, if it is not given
             break
     mesh.vertices = moved

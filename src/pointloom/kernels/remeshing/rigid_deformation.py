@@ -120,7 +120,8 @@ class LaplacianSolver:
         self.preconditioner.apply(self.state.residual, self.state.forces)
 
 
-TOLERANCE = 1.0e-8  # of a solve: residuals relative to the stretch of the mesh at rest, in the norm of the weights
+# of a solve: residuals relative to the stretch of the mesh at rest, in the norm of the weights
+RESIDUAL_TOLERANCE = 1.0e-8
 
 
 @func
@@ -297,7 +298,7 @@ def deform_rigidly(
     free = _fix_vertices(edges, weights, bending, fixed, targets)
     level = Level(edges, weights, zeros((count, 1), float64, device), free)
     stretch = reduce(measure_stretch, edges.count, [edges, weights, bending.rest])
-    solver = LaplacianSolver(level, bending.positions, TOLERANCE * TOLERANCE, unit=stretch)
+    solver = LaplacianSolver(level, bending.positions, RESIDUAL_TOLERANCE * RESIDUAL_TOLERANCE, unit=stretch)
     launch(rest_rotations_kernel, count, [bending.rotations])
     _solve(level, bending, solver)
     iteration = _Iteration(level, bending, solver, likeness)

@@ -31,7 +31,7 @@ from ..lang import (
 from ..memory import clone, download, empty, full, zeros
 from ..meshes.mesh_edges import opposite_vertex
 from ..meshes.mesh_edits import gather_triangles
-from .creased_mesh import FREE, LINE, NO_NUMBER, CreasedMesh, after_round, is_edge, is_paired, mixed_key
+from .creased_mesh import FREE_VERTEX, LINE_VERTEX, NO_NUMBER, CreasedMesh, after_round, is_edge, is_paired, mixed_key
 
 MIN_COSINE = 0.5  # between the normals of a triangle before and after
 
@@ -101,18 +101,18 @@ def goal(mesh: CreasedMesh, e: int) -> int:
     b = int(mesh.kinds[mesh.edges.highs[e]])
     crease = int(mesh.creases[mesh.edges.half_edges[mesh.edges.starts[e]]])
     way = 0
-    if a == FREE and b == FREE:
+    if a == FREE_VERTEX and b == FREE_VERTEX:
         way = 3
-    elif a == FREE:
+    elif a == FREE_VERTEX:
         way = 2
-    elif b == FREE:
+    elif b == FREE_VERTEX:
         way = 1
     elif crease == 1:
-        if a == LINE and b == LINE:
+        if a == LINE_VERTEX and b == LINE_VERTEX:
             way = 3
-        elif a == LINE:
+        elif a == LINE_VERTEX:
             way = 2
-        elif b == LINE:
+        elif b == LINE_VERTEX:
             way = 1
     return way
 

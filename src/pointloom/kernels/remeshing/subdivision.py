@@ -16,9 +16,11 @@ from ..meshes.mesh_edges import MeshEdges, SortedEdges, count_sharers, opposite_
 from ..meshes.mixed_rows import MixedRows, with_vertices_on_edges
 from ..meshes.vertex_neighbors import VertexNeighbors
 
-FEW = 1 << 14  # half-edges that one CPU thread numbers faster than two: 60 us less of 290 for 13,812 (2026-11-28)
+# half-edges that one CPU thread numbers faster than two: 60 us less of 290 for 13,812 (2026-11-28)
+MAX_SERIAL_HALF_EDGES = 1 << 14
 
-FEW = 1 << 14  # half-edges that one CPU thread numbers faster than two: 60 us less of 290 for 13,812 (2026-11-28)
+# half-edges that one CPU thread numbers faster than two: 60 us less of 290 for 13,812 (2026-11-28)
+MAX_SERIAL_HALF_EDGES = 1 << 14
 
 
 @kernel
@@ -69,7 +71,7 @@ class EdgeSplit:
         device, half_edge_count = triangles.device, 3 * triangles.size
         self.edges = MeshEdges(triangles, vertex_count, in_order=in_order)  # sync
         self.numbers, self.middles = empty(self.edges.count, int32, device), empty(half_edge_count, int32, device)
-        if device.is_cuda or half_edge_count > FEW:
+        if device.is_cuda or half_edge_count > MAX_SERIAL_HALF_EDGES:
             firsts = zeros(half_edge_count, int32, device)
             launch(mark_first_half_edges_kernel, self.edges.count, [self.edges, firsts])
             offsets = offsets_of(firsts)

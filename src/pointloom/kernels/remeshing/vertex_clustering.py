@@ -41,7 +41,7 @@ from ..sampling.voxel_keys import VoxelGroups
 from .quadrics import minimum_point, plane_quadric, quadric
 from .unit_frame import UnitFrame
 
-PULL = 1e-3  # prior weight of a voxel's mean relative to its planes: less leaves a line or a plane undetermined
+MEAN_WEIGHT = 1e-3  # prior weight of a voxel's mean relative to its planes: less leaves a line or a plane undetermined
 
 
 @struct
@@ -141,7 +141,7 @@ def fit_clusters_kernel(
             size = length(n)
             if size > 0.0 and isfinite(size):
                 q += plane_quadric(n / size, p - mean, size * 0.5)
-    x = minimum_point(q, vec3d(0.0, 0.0, 0.0), float64(PULL))
+    x = minimum_point(q, vec3d(0.0, 0.0, 0.0), float64(MEAN_WEIGHT))
     if not (length(x) <= max_distance):
         x = vec3d(0.0, 0.0, 0.0)
     points[i] = mean + x

@@ -6,8 +6,8 @@ highest bit goes through uint32.
 
 from ..lang import array, bit_count, func, int32, uint32
 
-WORD = 32  # samples per word
-ALL = -1  # all bits set
+WORD_BITS = 32  # samples per word
+ALL_BITS = -1  # all bits set
 LOW_31 = 0x7FFF_FFFF  # clears the sign bits of a right shift
 
 
@@ -49,8 +49,8 @@ def with_below(words: array(dtype=int32), row: int, w: int, width: int) -> int:
 
 @func
 def has_next(w: int, nz: int) -> int:
-    left = nz - 1 - w * WORD
-    mask = int(ALL)
-    if left < WORD:
+    left = nz - 1 - w * WORD_BITS
+    mask = int(ALL_BITS)
+    if left < WORD_BITS:
         mask = bits_below(max(left, 0))
     return mask

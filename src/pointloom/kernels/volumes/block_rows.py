@@ -11,16 +11,16 @@ from ..arrays.block_keys import BIAS, block_key, key_block
 from ..arrays.hash_table import find_position
 from ..lang import array, func, int32, kernel, launch, struct, tid
 from ..memory import copy, empty
-from .tsdf_blocks import ROWS, SIDE
+from .tsdf_blocks import BLOCK_ROWS, BLOCK_SIDE
 from .voxel_blocks import VoxelBlocks
 
 if TYPE_CHECKING:
     from ..arrays.atomic_changes import Changes
 
-AROUND = 27  # a block and its neighbors; (dx, dy, dz) is at 9 dx + 3 dy + dz + 13
-VALID = 16  # shift of the validity bits
-NINE = 0x1FF
-EIGHT = 0xFF
+BLOCKS_AROUND = 27  # a block and its neighbors; (dx, dy, dz) is at 9 dx + 3 dy + dz + 13
+VALID_SHIFT = 16  # shift of the validity bits
+NINE_BITS = 0x1FF
+EIGHT_BITS = 0xFF
 
 
 @struct
@@ -32,7 +32,7 @@ class SeenBlocks:
     threshold: float
 
     def __init__(self, blocks: VoxelBlocks, threshold: float) -> None:
-        self.blocks, self.threshold, self.row_count = blocks, float(threshold), blocks.count * ROWS
+        self.blocks, self.threshold, self.row_count = blocks, float(threshold), blocks.count * BLOCK_ROWS
         self.neighbors = neighbors_of(blocks)
 
 
@@ -47,11 +47,11 @@ class BlockNeighbors:
         count, known = blocks.count, self.count
         if count > known:
             listed = self.listed
-            if listed.size < count * AROUND:
-                listed = empty(blocks.keys.size * AROUND, int32, blocks.device)
+            if listed.size < count * BLOCKS_AROUND:
+                listed = empty(blocks.keys.size * BLOCKS_AROUND, int32, blocks.device)
                 if known:
-                    copy(listed, self.listed, count=known * AROUND)
-            launch(find_neighbors_kernel, (count - known) * AROUND, [blocks, known, listed])
+                    copy(listed, self.listed, count=known * BLOCKS_AROUND)
+            launch(find_neighbors_kernel, (count - known) * BLOCKS_AROUND, [blocks, known, listed])
             self.listed, self.count = listed, count
         return self.listed
 
@@ -67,18 +67,18 @@ def neighbors_of(blocks: VoxelBlocks) -> Indices:
 def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtype=int32)):
     """The 27 blocks around each new block including itself, or -1. Known blocks get new neighbors."""
     i = tid()
-    position = known + i // AROUND
+    position = known + i // BLOCKS_AROUND
     block = key_block(blocks.keys[position])
-    side = i % AROUND
+    side = i % BLOCKS_AROUND
     x = block[0] + side // 9 - 1
     y = block[1] + side // 3 % 3 - 1
     z = block[2] + side % 3 - 1
     neighbor = -1
     if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last possible block means an empty slot
         neighbor = find_position(block_key(x, y, z), blocks.table)
-    neighbors[position * AROUND + side] = neighbor
+    neighbors[position * BLOCKS_AROUND + side] = neighbor
     if neighbor >= 0 and neighbor < known:
-        neighbors[neighbor * AROUND + AROUND - 1 - side] = position  # no other thread has this pair
+        neighbors[neighbor * BLOCKS_AROUND + BLOCKS_AROUND - 1 - side] = position  # no other thread has this pair
 
 
 @func
@@ -87,7 +87,7 @@ def offset_of(c: int) -> int:
     o = 0
     if c < 0:
         o = -1
-    if c >= SIDE:
+    if c >= BLOCK_SIDE:
         o = 1
     return o
 
@@ -97,10 +97,10 @@ def row_near(block: int, x: int, y: int, dz: int, seen: SeenBlocks) -> int:
     """Row at local (x, y), each in -8..15, or -1."""
     dx = offset_of(x)
     dy = offset_of(y)
-    other = seen.neighbors[block * AROUND + 13 + 9 * dx + 3 * dy + dz]
+    other = seen.neighbors[block * BLOCKS_AROUND + 13 + 9 * dx + 3 * dy + dz]
     row = -1
     if other >= 0:
-        row = other * ROWS + (x - dx * SIDE) * SIDE + (y - dy * SIDE)
+        row = other * BLOCK_ROWS + (x - dx * BLOCK_SIDE) * BLOCK_SIDE + (y - dy * BLOCK_SIDE)
     return row
 
 
@@ -111,7 +111,7 @@ def voxel_near(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
     row = row_near(block, x, y, dz, seen)
     voxel = -1
     if row >= 0:
-        voxel = row * SIDE + z - dz * SIDE
+        voxel = row * BLOCK_SIDE + z - dz * BLOCK_SIDE
     return voxel
 
 
@@ -130,7 +130,7 @@ def signs_of(voxel: int, index: int, seen: SeenBlocks) -> int:
     """A voxel's bits in a word. It is valid if its weight exceeds the threshold."""
     word = 0
     if float(seen.blocks.weights[voxel]) > seen.threshold:
-        word = 1 << (index + VALID)
+        word = 1 << (index + VALID_SHIFT)
         if seen.blocks.distances[voxel] < 0.0:
             word = word | (1 << index)
     return word
@@ -140,11 +140,11 @@ def signs_of(voxel: int, index: int, seen: SeenBlocks) -> int:
 def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
     i = tid()
     word = 0
-    for j in range(SIDE):
-        word = word | signs_of(i * SIDE + j, j, seen)
-    above = seen.neighbors[i // ROWS * AROUND + 14]
+    for j in range(BLOCK_SIDE):
+        word = word | signs_of(i * BLOCK_SIDE + j, j, seen)
+    above = seen.neighbors[i // BLOCK_ROWS * BLOCKS_AROUND + 14]
     if above >= 0:
-        word = word | signs_of((above * ROWS + i % ROWS) * SIDE, SIDE, seen)
+        word = word | signs_of((above * BLOCK_ROWS + i % BLOCK_ROWS) * BLOCK_SIDE, BLOCK_SIDE, seen)
     words[i] = word
 
 

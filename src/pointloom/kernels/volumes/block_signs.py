@@ -10,22 +10,22 @@ from typing import TYPE_CHECKING
 from ..array_types import Device
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
 from ..memory import empty
-from .block_rows import AROUND, neighbors_of
-from .tsdf_blocks import SIDE
+from .block_rows import BLOCKS_AROUND, neighbors_of
+from .tsdf_blocks import BLOCK_SIDE
 from .voxel_blocks import VoxelBlocks
 
 if TYPE_CHECKING:
     from ..arrays.atomic_changes import Changes
 
-MIDDLE = 13  # index of a block among its neighbors
+MIDDLE_BLOCK = 13  # index of a block among its neighbors
 LOW_SEVEN = 0x7F7F7F7F7F7F7F7F  # voxels with one above along z in the slice
-LOWEST = 0x0101010101010101
+LOWEST_BITS = 0x0101010101010101
 LOW_SEVEN_ROWS = 0x00FFFFFFFFFFFFFF  # y
 LOW_Y = 0x00000000FFFFFFFF
 LOW_Z = 0x0F0F0F0F0F0F0F0F
-HALF = SIDE // 2  # cells per edge of a part
-PARTS = 8  # of a block, bit 4 x + 2 y + z
-BYTE = 0xFF
+PART_CELLS = BLOCK_SIDE // 2  # cells per edge of a part
+PARTS_PER_BLOCK = 8  # of a block, bit 4 x + 2 y + z
+BYTE_MASK = 0xFF
 
 
 @struct
@@ -53,16 +53,16 @@ class BlockSigns:
             self._reserve(blocks.keys.size)
             is_same = False
         if is_same and number == frame == self.number + 1:
-            launch(find_touched_signs_kernel, touched.size * SIDE, [touched, blocks, self.signs])
+            launch(find_touched_signs_kernel, touched.size * BLOCK_SIDE, [touched, blocks, self.signs])
         else:
-            launch(find_signs_kernel, count * SIDE, [blocks, self.signs])
+            launch(find_signs_kernel, count * BLOCK_SIDE, [blocks, self.signs])
         launch(find_cells_with_signs_kernel, count, [neighbors_of(blocks), self.signs, self.cells, self.parts])
         self._voxels, self.number = tuple(weakref.ref(a) for a in voxels), number
 
     def _reserve(self, count: int) -> None:
         device = self.signs.device
         self.number = -1
-        self.signs, self.cells = (empty(count * SIDE, int64, device) for _ in range(2))
+        self.signs, self.cells = (empty(count * BLOCK_SIDE, int64, device) for _ in range(2))
         self.parts = empty(count, int32, device)
 
 
@@ -81,7 +81,7 @@ def slice_signs(layer: int, blocks: VoxelBlocks) -> int64:
     for y in range(n):
         row = 0
         for z in range(8):
-            voxel = (layer * SIDE + y) * SIDE + z
+            voxel = (layer * BLOCK_SIDE + y) * BLOCK_SIDE + z
             row = row | ((int(blocks.distances[voxel] <= 0.0) & int(int(blocks.weights[voxel]) > 0)) << z)
         word = word | (int64(row) << int64(8 * y))
     return word
@@ -96,7 +96,7 @@ def find_signs_kernel(blocks: VoxelBlocks, signs: array(dtype=int64)):
 @kernel
 def find_touched_signs_kernel(touched: array(dtype=int32), blocks: VoxelBlocks, signs: array(dtype=int64)):
     i = tid()
-    layer = touched[i // SIDE] * SIDE + i % SIDE
+    layer = touched[i // BLOCK_SIDE] * BLOCK_SIDE + i % BLOCK_SIDE
     signs[layer] = slice_signs(layer, blocks)
 
 
@@ -104,7 +104,7 @@ def find_touched_signs_kernel(touched: array(dtype=int32), blocks: VoxelBlocks, 
 def slice_at(block: int, x: int, signs: array(dtype=int64)) -> int64:
     word = int64(0)
     if block >= 0:
-        word = signs[block * SIDE + x]
+        word = signs[block * BLOCK_SIDE + x]
     return word
 
 
@@ -115,8 +115,8 @@ def spread_slice(first: int, x: int, neighbors: array(dtype=int32), signs: array
     above_z = slice_at(neighbors[first + 1], x, signs)
     above_y = slice_at(neighbors[first + 3], x, signs)
     above = slice_at(neighbors[first + 4], x, signs)
-    w = w | ((w >> 1) & int64(LOW_SEVEN)) | ((above_z & int64(LOWEST)) << 7)
-    up = above_y | ((above_y >> 1) & int64(LOW_SEVEN)) | ((above & int64(LOWEST)) << 7)
+    w = w | ((w >> 1) & int64(LOW_SEVEN)) | ((above_z & int64(LOWEST_BITS)) << 7)
+    up = above_y | ((above_y >> 1) & int64(LOW_SEVEN)) | ((above & int64(LOWEST_BITS)) << 7)
     return w | ((w >> 8) & int64(LOW_SEVEN_ROWS)) | (up << 56)
 
 
@@ -134,20 +134,20 @@ def find_cells_with_signs_kernel(
 ):
     """Cells of a block with a corner behind a surface. Cells of the last slices use the blocks above."""
     i = tid()
-    first = i * AROUND + MIDDLE
+    first = i * BLOCKS_AROUND + MIDDLE_BLOCK
     word = spread_slice(first, 0, neighbors, signs)
     low = int64(0)
     high = int64(0)
     n = int(8)
     for x in range(n):
         following = int64(0)
-        if x < SIDE - 1:
+        if x < BLOCK_SIDE - 1:
             following = spread_slice(first, x + 1, neighbors, signs)
         else:
             following = spread_slice(first + 9, 0, neighbors, signs)
         word = word | following
-        cells[i * SIDE + x] = word
-        if x < HALF:
+        cells[i * BLOCK_SIDE + x] = word
+        if x < PART_CELLS:
             low = low | word
         else:
             high = high | word

@@ -12,12 +12,12 @@ from ..arrays.block_keys import key_block
 from ..arrays.prefix_sum import scan_two
 from ..lang import array, bit_count, func, int32, int64, kernel, launch, sqrt, struct, tid, vec3, vec3i
 from ..memory import empty
-from .block_rows import EIGHT, NINE, VALID, SeenBlocks, pack_rows, row_near, voxel_near, word_near
+from .block_rows import EIGHT_BITS, NINE_BITS, VALID_SHIFT, SeenBlocks, pack_rows, row_near, voxel_near, word_near
 from .cube_table import MAX_TRIANGLES, CubeTables, device_tables
-from .tsdf_blocks import ROWS, SIDE
+from .tsdf_blocks import BLOCK_ROWS, BLOCK_SIDE
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks, voxel_color
 
-EDGES = 3 * SIDE * ROWS  # grid edges that belong to a block
+EDGES_PER_BLOCK = 3 * BLOCK_SIDE * BLOCK_ROWS  # grid edges that belong to a block
 MAX_EDGES = 15  # entries of a case in the triangle table
 
 
@@ -57,7 +57,9 @@ class BlockSurface:
             low, high = (vec3i(*(int(c) for c in corner)) for corner in within)
             launch(drop_cells_kernel, rows, [self, low, high, counts])
         launch(find_edges_kernel, rows, [self, int(need_cells), counts])
-        self.offsets, self.vertex_count, total = scan_two(counts, MAX_TRIANGLES * SIDE)  # more than 3 edges per voxel
+        self.offsets, self.vertex_count, total = scan_two(
+            counts, MAX_TRIANGLES * BLOCK_SIDE
+        )  # more than 3 edges per voxel
         self.triangle_count = total - self.vertex_count
 
     def vertices(self, has_color: bool, has_normals: bool) -> tuple[Points, Vectors | None, Vectors | None]:
@@ -85,25 +87,25 @@ class BlockSurface:
 def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
     """Cut cells of each row. Their triangle counts go to the second half of `counts`."""
     i = tid()
-    block = i // ROWS
-    x = i // SIDE % SIDE
-    y = i % SIDE
+    block = i // BLOCK_ROWS
+    x = i // BLOCK_SIDE % BLOCK_SIDE
+    y = i % BLOCK_SIDE
     cut = 0
     triangles = 0
     w00 = surface.words[i]
-    if (w00 >> VALID) != 0:
+    if (w00 >> VALID_SHIFT) != 0:
         w10 = word_near(surface.words, block, x + 1, y, 0, surface.seen)
         w01 = word_near(surface.words, block, x, y + 1, 0, surface.seen)
         w11 = word_near(surface.words, block, x + 1, y + 1, 0, surface.seen)
         every = w00 & w10 & w01 & w11
         some = w00 | w10 | w01 | w11
-        valid = every >> VALID
-        complete = valid & (valid >> 1) & EIGHT
-        negative = every & NINE
-        any_negative = some & NINE
-        cut = complete & (any_negative | (any_negative >> 1)) & ~(negative & (negative >> 1)) & EIGHT
+        valid = every >> VALID_SHIFT
+        complete = valid & (valid >> 1) & EIGHT_BITS
+        negative = every & NINE_BITS
+        any_negative = some & NINE_BITS
+        cut = complete & (any_negative | (any_negative >> 1)) & ~(negative & (negative >> 1)) & EIGHT_BITS
         if cut != 0:
-            for z in range(SIDE):
+            for z in range(BLOCK_SIDE):
                 if ((cut >> z) & 1) == 1:
                     triangles += surface.tables.triangle_count[case_of(w00, w10, w01, w11, z)]
     surface.cells[i] = cut
@@ -113,7 +115,7 @@ def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
 @kernel
 def drop_cells_kernel(surface: BlockSurface, low: vec3i, high: vec3i, counts: array(dtype=int32)):
     i = tid()
-    block = key_block(surface.seen.blocks.keys[i // ROWS])
+    block = key_block(surface.seen.blocks.keys[i // BLOCK_ROWS])
     inside = block[0] >= low[0] and block[1] >= low[1] and block[2] >= low[2]
     if not (inside and block[0] < high[0] and block[1] < high[1] and block[2] < high[2]):
         surface.cells[i] = 0
@@ -130,25 +132,25 @@ def cells_beside(block: int, x: int, y: int, surface: BlockSurface) -> int:
     """Bit z: the cell at z or below it is cut in the row at (x, y)."""
     here = cells_near(block, x, y, surface)
     below = word_near(surface.cells, block, x, y, -1, surface.seen)
-    return (here | (here << 1) | (below >> (SIDE - 1))) & EIGHT
+    return (here | (here << 1) | (below >> (BLOCK_SIDE - 1))) & EIGHT_BITS
 
 
 @kernel
 def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtype=int32)):
     """Edges of each row with a vertex (`need_cells`: of cells with triangles). Counts go to the first half."""
     i = tid()
-    block = i // ROWS
-    x = i // SIDE % SIDE
-    y = i % SIDE
+    block = i // BLOCK_ROWS
+    x = i // BLOCK_SIDE % BLOCK_SIDE
+    y = i % BLOCK_SIDE
     word = surface.words[i]
     edges = 0
-    if (word >> VALID) != 0:
+    if (word >> VALID_SHIFT) != 0:
         wx = word_near(surface.words, block, x + 1, y, 0, surface.seen)
         wy = word_near(surface.words, block, x, y + 1, 0, surface.seen)
-        along_x = (word ^ wx) & ((word & wx) >> VALID) & EIGHT
-        along_y = (word ^ wy) & ((word & wy) >> VALID) & EIGHT
-        valid = word >> VALID
-        along_z = (word ^ (word >> 1)) & valid & (valid >> 1) & EIGHT
+        along_x = (word ^ wx) & ((word & wx) >> VALID_SHIFT) & EIGHT_BITS
+        along_y = (word ^ wy) & ((word & wy) >> VALID_SHIFT) & EIGHT_BITS
+        valid = word >> VALID_SHIFT
+        along_z = (word ^ (word >> 1)) & valid & (valid >> 1) & EIGHT_BITS
         if need_cells == 1 and (along_x | along_y | along_z) != 0:
             here = cells_beside(block, x, y, surface)
             along_x = along_x & (here | cells_beside(block, x, y - 1, surface))
@@ -156,7 +158,7 @@ def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtyp
             around = surface.cells[i] | cells_near(block, x - 1, y, surface)
             around = around | cells_near(block, x, y - 1, surface)
             along_z = along_z & (around | cells_near(block, x - 1, y - 1, surface))
-        edges = along_x | (along_y << SIDE) | (along_z << (2 * SIDE))
+        edges = along_x | (along_y << BLOCK_SIDE) | (along_z << (2 * BLOCK_SIDE))
     surface.edges[i] = edges
     counts[i] = bit_count(edges)
 
@@ -206,23 +208,25 @@ def emit_vertices_kernel(
     marks = surface.edges[i]
     if marks == 0:
         return
-    block = i // ROWS
-    x = i // SIDE % SIDE
-    y = i % SIDE
+    block = i // BLOCK_ROWS
+    x = i // BLOCK_SIDE % BLOCK_SIDE
+    y = i % BLOCK_SIDE
     corner = key_block(surface.seen.blocks.keys[block])
     at = surface.offsets[i]
-    for e in range(3 * SIDE):
+    for e in range(3 * BLOCK_SIDE):
         if ((marks >> e) & 1) == 1:
-            axis = e // SIDE
-            z = e % SIDE
+            axis = e // BLOCK_SIDE
+            z = e % BLOCK_SIDE
             ox = x + int(axis == 0)
             oy = y + int(axis == 1)
             oz = z + int(axis == 2)
-            a = i * SIDE + z
+            a = i * BLOCK_SIDE + z
             b = voxel_near(block, ox, oy, oz, surface.seen)
             before = surface.seen.blocks.distances[a]
             fraction = before / (before - surface.seen.blocks.distances[b])
-            p = vec3(float(corner[0] * SIDE + x), float(corner[1] * SIDE + y), float(corner[2] * SIDE + z))
+            p = vec3(
+                float(corner[0] * BLOCK_SIDE + x), float(corner[1] * BLOCK_SIDE + y), float(corner[2] * BLOCK_SIDE + z)
+            )
             if axis == 0:
                 p = vec3(p[0] + fraction, p[1], p[2])
             if axis == 1:
@@ -250,16 +254,16 @@ def emit_edges_kernel(surface: BlockSurface, blocks: array(dtype=int64), edges: 
     i = tid()
     marks = surface.edges[i]
     at = surface.offsets[i]
-    for e in range(3 * SIDE):
+    for e in range(3 * BLOCK_SIDE):
         if ((marks >> e) & 1) == 1:
-            blocks[at] = surface.seen.blocks.keys[i // ROWS]
-            edges[at] = i % ROWS * (3 * SIDE) + e
+            blocks[at] = surface.seen.blocks.keys[i // BLOCK_ROWS]
+            edges[at] = i % BLOCK_ROWS * (3 * BLOCK_SIDE) + e
             at += 1
 
 
 @func
 def vertex_of(row: int, axis: int, z: int, surface: BlockSurface) -> int:
-    bit = axis * SIDE + z
+    bit = axis * BLOCK_SIDE + z
     return surface.offsets[row] + bit_count(surface.edges[row] & ((1 << bit) - 1))
 
 
@@ -269,14 +273,14 @@ def emit_triangles_kernel(surface: BlockSurface, triangles: array(dtype=vec3i)):
     cut = surface.cells[i]
     if cut == 0:
         return
-    block = i // ROWS
-    x = i // SIDE % SIDE
-    y = i % SIDE
+    block = i // BLOCK_ROWS
+    x = i // BLOCK_SIDE % BLOCK_SIDE
+    y = i % BLOCK_SIDE
     w10 = word_near(surface.words, block, x + 1, y, 0, surface.seen)
     w01 = word_near(surface.words, block, x, y + 1, 0, surface.seen)
     w11 = word_near(surface.words, block, x + 1, y + 1, 0, surface.seen)
     at = surface.offsets[surface.rows + i] - surface.offsets[surface.rows]
-    for z in range(SIDE):
+    for z in range(BLOCK_SIDE):
         if ((cut >> z) & 1) == 1:
             case = case_of(surface.words[i], w10, w01, w11, z)
             for t in range(surface.tables.triangle_count[case]):
@@ -285,8 +289,8 @@ def emit_triangles_kernel(surface: BlockSurface, triangles: array(dtype=vec3i)):
                     e = surface.tables.triangle_edges[case * MAX_EDGES + 3 * t + k]
                     c = surface.tables.edge_corner[e]
                     up = z + ((c >> 2) & 1)
-                    dz = up // SIDE
+                    dz = up // BLOCK_SIDE
                     row = row_near(block, x + (c & 1), y + ((c >> 1) & 1), dz, surface.seen)
-                    triangle[k] = vertex_of(row, surface.tables.edge_axis[e], up - dz * SIDE, surface)
+                    triangle[k] = vertex_of(row, surface.tables.edge_axis[e], up - dz * BLOCK_SIDE, surface)
                 triangles[at] = triangle
                 at += 1

@@ -28,14 +28,14 @@ from ..lang import (
 )
 from ..linear_algebra import inv, matmul
 from ..memory import empty, fill
-from .block_signs import HALF, PARTS, BlockSigns
-from .tsdf_blocks import SIDE
+from .block_signs import PART_CELLS, PARTS_PER_BLOCK, BlockSigns
+from .tsdf_blocks import BLOCK_SIDE
 from .voxel_blocks import VoxelBlocks
 
-TILE = 8  # pixels per side
-MARGIN = 1.0  # [px] margin around a projected block, above rounding
+TILE_PIXELS = 8  # pixels per side
+BLOCK_MARGIN = 1.0  # [px] margin around a projected block, above rounding
 HALF_PART = 2.0  # [voxels] from the center of a part to its faces
-FARTHEST = 0x7F800000  # the bits of infinity
+INFINITY_BITS = 0x7F800000  # the bits of infinity
 
 
 @struct
@@ -65,20 +65,20 @@ class CameraRays:
     ) -> None:
         self.camera, self.nearest, self.farthest = camera, nearest, farthest  # type: ignore[assignment]  # like a Camera
         position = T_volume_camera[:3, 3] / blocks.voxel_size
-        if np.abs(position).max() >= BIAS * SIDE:
+        if np.abs(position).max() >= BIAS * BLOCK_SIDE:
             raise ValueError(
                 f"extrinsic: the camera is {np.abs(T_volume_camera[:3, 3]).max():.0f} m from the volume's origin; "
-                f"at {blocks.voxel_size} m a voxel the limit is {BIAS * SIDE * blocks.voxel_size:.0f} m"
+                f"at {blocks.voxel_size} m a voxel the limit is {BIAS * BLOCK_SIDE * blocks.voxel_size:.0f} m"
             )
         base = np.floor(position)
         self.R, self.base = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int))
         self.start = position - base
         K = np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
         self.sight = mat33d(*(matmul(T_volume_camera[:3, :3], inv(K)) / blocks.voxel_size).ravel())
-        self.columns, rows = -(-camera.width // TILE), -(-camera.height // TILE)
+        self.columns, rows = -(-camera.width // TILE_PIXELS), -(-camera.height // TILE_PIXELS)
         device = blocks.keys.device
         self.nears, self.fars = empty(self.columns * rows, int32, device), empty(self.columns * rows, int32, device)
-        fill(self.nears, FARTHEST)
+        fill(self.nears, INFINITY_BITS)
         fill(self.fars, 0)
         launch(bound_tiles_kernel, blocks.count, [self, blocks, signs, rows, self.nears, self.fars])
 
@@ -99,8 +99,8 @@ def in_camera(x: float64, y: float64, z: float64, R: mat33d) -> vec3d:
 
 @func
 def tile_of(pixel: float64, count: int) -> int:
-    inside = max(0.0, min(pixel, float64(count * TILE - 1)))
-    return int(inside) // TILE
+    inside = max(0.0, min(pixel, float64(count * TILE_PIXELS - 1)))
+    return int(inside) // TILE_PIXELS
 
 
 @func
@@ -115,10 +115,10 @@ def bound_box(
         right = max((middle[0] + half_size[0]) / near, (middle[0] + half_size[0]) / far)
         top = min((middle[1] - half_size[1]) / near, (middle[1] - half_size[1]) / far)
         bottom = max((middle[1] + half_size[1]) / near, (middle[1] + half_size[1]) / far)
-        left = rays.camera.fx * left + rays.camera.cx - float64(MARGIN)
-        right = rays.camera.fx * right + rays.camera.cx + float64(MARGIN)
-        top = rays.camera.fy * top + rays.camera.cy - float64(MARGIN)
-        bottom = rays.camera.fy * bottom + rays.camera.cy + float64(MARGIN)
+        left = rays.camera.fx * left + rays.camera.cx - float64(BLOCK_MARGIN)
+        right = rays.camera.fx * right + rays.camera.cx + float64(BLOCK_MARGIN)
+        top = rays.camera.fy * top + rays.camera.cy - float64(BLOCK_MARGIN)
+        bottom = rays.camera.fy * bottom + rays.camera.cy + float64(BLOCK_MARGIN)
         is_beside = right < 0.0 or left > float64(rays.camera.width)
         is_above = bottom < 0.0 or top > float64(rays.camera.height)
         if not is_beside and not is_above:
@@ -143,7 +143,7 @@ def bound_tiles_kernel(
     i = tid()
     parts = signs.parts[i]
     if parts != 0:
-        low = key_block(blocks.keys[i]) * SIDE - rays.base
+        low = key_block(blocks.keys[i]) * BLOCK_SIDE - rays.base
         size = blocks.voxel_size
         half = size * float64(HALF_PART)
         R = rays.R
@@ -152,9 +152,9 @@ def bound_tiles_kernel(
             half * (abs(R[0, 1]) + abs(R[1, 1]) + abs(R[2, 1])),
             half * (abs(R[0, 2]) + abs(R[1, 2]) + abs(R[2, 2])),
         )
-        for part in range(PARTS):
+        for part in range(PARTS_PER_BLOCK):
             if ((parts >> part) & 1) == 1:
-                x = float64(low[0] + (part >> 2) * HALF) + float64(HALF_PART) - float64(rays.start[0])
-                y = float64(low[1] + ((part >> 1) & 1) * HALF) + float64(HALF_PART) - float64(rays.start[1])
-                z = float64(low[2] + (part & 1) * HALF) + float64(HALF_PART) - float64(rays.start[2])
+                x = float64(low[0] + (part >> 2) * PART_CELLS) + float64(HALF_PART) - float64(rays.start[0])
+                y = float64(low[1] + ((part >> 1) & 1) * PART_CELLS) + float64(HALF_PART) - float64(rays.start[1])
+                z = float64(low[2] + (part & 1) * PART_CELLS) + float64(HALF_PART) - float64(rays.start[2])
                 bound_box(in_camera(x * size, y * size, z * size, R), half_size, rays, rows, nears, fars)

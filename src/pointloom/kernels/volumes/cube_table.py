@@ -17,8 +17,8 @@ from ..memory import upload
 
 MAX_TRIANGLES = 5  # of a case; asserted below
 
-_EDGES = [(corner, axis) for axis in range(3) for corner in range(8) if not corner >> axis & 1]
-_EDGE_OF = {frozenset((corner, corner | 1 << axis)): edge for edge, (corner, axis) in enumerate(_EDGES)}
+_CUBE_EDGES = [(corner, axis) for axis in range(3) for corner in range(8) if not corner >> axis & 1]
+_EDGE_OF = {frozenset((corner, corner | 1 << axis)): edge for edge, (corner, axis) in enumerate(_CUBE_EDGES)}
 
 
 def _face_corners(axis: int, side: int) -> list[int]:
@@ -27,8 +27,8 @@ def _face_corners(axis: int, side: int) -> list[int]:
     return [corner | side << axis for corner in cycle]
 
 
-FACES = [_face_corners(axis, side) for axis in range(3) for side in range(2)]
-FACE_EDGES = [{_EDGE_OF[frozenset((f[k], f[k - 1]))] for k in range(4)} for f in FACES]
+FACE_CORNERS = [_face_corners(axis, side) for axis in range(3) for side in range(2)]
+FACE_EDGES = [{_EDGE_OF[frozenset((f[k], f[k - 1]))] for k in range(4)} for f in FACE_CORNERS]
 
 
 def face_segments(case: int, face: list[int]) -> list[tuple[int, int]]:
@@ -47,7 +47,7 @@ def face_segments(case: int, face: list[int]) -> list[tuple[int, int]]:
 
 
 def _loops(case: int) -> list[list[int]]:
-    following = dict(segment for face in FACES for segment in face_segments(case, face))
+    following = dict(segment for face in FACE_CORNERS for segment in face_segments(case, face))
     loops = []
     while following:
         loop = [min(following)]
@@ -69,7 +69,7 @@ def _triangulations(first: int, last: int) -> list[list[tuple[int, int, int]]]:
 
 
 def _midpoint(edge: int) -> np.ndarray:
-    corner, axis = _EDGES[edge]
+    corner, axis = _CUBE_EDGES[edge]
     point = np.array([corner & 1, corner >> 1 & 1, corner >> 2 & 1], float)
     point[axis] = 0.5
     return point
@@ -106,8 +106,8 @@ def _build() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return counts, edges.ravel(), masks
 
 
-EDGE_CORNER = np.array([corner for corner, _ in _EDGES], np.int32)  # [12] the owner of each edge
-EDGE_AXIS = np.array([axis for _, axis in _EDGES], np.int32)  # [12]
+EDGE_CORNER = np.array([corner for corner, _ in _CUBE_EDGES], np.int32)  # [12] the owner of each edge
+EDGE_AXIS = np.array([axis for _, axis in _CUBE_EDGES], np.int32)  # [12]
 TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK = _build()  # [256], [256 * 15] padded with -1, [256]
 
 

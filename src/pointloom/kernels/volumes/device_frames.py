@@ -42,13 +42,13 @@ from ..lang import (
 from ..linear_algebra import inv
 from ..memory import Readback, copy, download, empty, fill, free_bytes, rows_of, write, zeros
 from .frame_record import (
-    COUNTED,
+    BOX_LOW,
+    BOX_SIZE,
+    COUNTED_INDEX,
     INTO_VOLUME,
-    LENGTH,
-    LOW,
-    MISSING,
-    SIZE,
-    TOUCHED,
+    MISSING_INDEX,
+    RECORD_LENGTH,
+    TOUCHED_INDEX,
     FrameCounts,
     FrameTouches,
     recorded_rotation,
@@ -56,10 +56,10 @@ from .frame_record import (
 )
 from .integrate import Frame, launch_integration
 from .tsdf_blocks import (
+    BLOCK_SIDE,
     MAX_BLOCKS,
     MAX_GRID,
     MAX_STRIDE,
-    SIDE,
     blocks_on_segment,
     frame_box,
     is_out_of_range,
@@ -72,9 +72,9 @@ from .voxel_blocks import VoxelBlocks, check_block_count
 RawDepth: TypeAlias = Scalars | Array1[uint16] | NDArray[Any]  # of the device or the host, as Colors
 Colors: TypeAlias = Array2[uint8] | NDArray[np.uint8]
 LONGEST_STRIDE = float(MAX_STRIDE)
-GROUP = 32  # cells counted together
-MARKED, LACKED = 1, 2  # states of a cell: touched; touched without a block in the volume
-FURTHER = 1  # times the existing blocks, plus an eighth of those a frame may touch: reserve for later frames
+CELLS_PER_GROUP = 32  # cells counted together
+TOUCHED_CELL, MISSING_CELL = 1, 2  # states of a cell: touched; touched without a block in the volume
+RESERVED_RATIO = 1  # times the existing blocks, plus an eighth of those a frame may touch: reserve for later frames
 ROOM_FRACTION = 0.125  # of the free memory, for blocks that a frame may touch but will hardly need
 
 
@@ -133,24 +133,24 @@ def mark_touched_kernel(
             ray = pixel_ray(float64(u), float64(v), camera)
             a = (R @ (ray * max(d - truncation, 0.0)) + t) / block_size
             b = (R @ (ray * (d + truncation)) + t) / block_size
-            nx = int(record[SIZE])
-            ny = int(record[SIZE + 1])
-            nz = int(record[SIZE + 2])
+            nx = int(record[BOX_SIZE])
+            ny = int(record[BOX_SIZE + 1])
+            nz = int(record[BOX_SIZE + 2])
             for _slot, x, y, z in blocks_on_segment(a, b, slots):
-                cx = x - int(record[LOW])
-                cy = y - int(record[LOW + 1])
-                cz = z - int(record[LOW + 2])
+                cx = x - int(record[BOX_LOW])
+                cy = y - int(record[BOX_LOW + 1])
+                cz = z - int(record[BOX_LOW + 2])
                 if cx >= 0 and cy >= 0 and cz >= 0 and cx < nx and cy < ny and cz < nz:
-                    grid[(cx * ny + cy) * nz + cz] = uint8(MARKED)  # all threads write the same
+                    grid[(cx * ny + cy) * nz + cz] = uint8(TOUCHED_CELL)  # all threads write the same
 
 
 @func
 def cell_key(cell: int, record: array(dtype=float64)) -> int64:
-    ny = int(record[SIZE + 1])
-    nz = int(record[SIZE + 2])
-    x = cell // (ny * nz) + int(record[LOW])
-    y = (cell // nz) % ny + int(record[LOW + 1])
-    return block_key(x, y, cell % nz + int(record[LOW + 2]))
+    ny = int(record[BOX_SIZE + 1])
+    nz = int(record[BOX_SIZE + 2])
+    x = cell // (ny * nz) + int(record[BOX_LOW])
+    y = (cell // nz) % ny + int(record[BOX_LOW + 1])
+    return block_key(x, y, cell % nz + int(record[BOX_LOW + 2]))
 
 
 @kernel
@@ -160,10 +160,10 @@ def count_touched_kernel(
     """Touched cells of each group, followed by the number of missing blocks. Integer sums."""
     i = tid()
     if grid[i] != 0:
-        atomic_add(sizes, i // GROUP, 1)
+        atomic_add(sizes, i // CELLS_PER_GROUP, 1)
         if find_position(cell_key(i, record), table) < 0:
-            grid[i] = uint8(LACKED)
-            atomic_add(sizes, groups + i // GROUP, 1)
+            grid[i] = uint8(MISSING_CELL)
+            atomic_add(sizes, groups + i // CELLS_PER_GROUP, 1)
 
 
 @kernel
@@ -179,19 +179,19 @@ def list_touched_kernel(
 ):
     i = tid()
     if i == 0:
-        counts[TOUCHED] = offsets[groups]
-        counts[MISSING] = offsets[2 * groups] - offsets[groups]
+        counts[TOUCHED_INDEX] = offsets[groups]
+        counts[MISSING_INDEX] = offsets[2 * groups] - offsets[groups]
     if grid[i] != 0:
-        group = i // GROUP
+        group = i // CELLS_PER_GROUP
         at = offsets[group]
-        position = counts[COUNTED] + offsets[groups + group] - offsets[groups]
-        for j in range(group * GROUP, i):
+        position = counts[COUNTED_INDEX] + offsets[groups + group] - offsets[groups]
+        for j in range(group * CELLS_PER_GROUP, i):
             if grid[j] != 0:
                 at += 1
-            if grid[j] == uint8(LACKED):
+            if grid[j] == uint8(MISSING_CELL):
                 position += 1
         key = cell_key(i, record)
-        if grid[i] == uint8(LACKED):
+        if grid[i] == uint8(MISSING_CELL):
             keys[position] = key
         else:
             position = find_position(key, table)
@@ -202,15 +202,15 @@ def list_touched_kernel(
 def insert_new_kernel(counts: array(dtype=int32), keys: array(dtype=int64), table: HashTable):
     """Insert the keys of new blocks. The number of threads is an upper bound."""
     i = tid()
-    if i < counts[MISSING]:
-        insert_key(keys[counts[COUNTED] + i], table)
+    if i < counts[MISSING_INDEX]:
+        insert_key(keys[counts[COUNTED_INDEX] + i], table)
 
 
 @kernel
 def store_all_positions_kernel(counts: array(dtype=int32), keys: array(dtype=int64), table: HashTable):
     """Store each key's position, since insertion moves keys. The number of threads is an upper bound."""
     i = tid()
-    if i < counts[COUNTED] + counts[MISSING]:
+    if i < counts[COUNTED_INDEX] + counts[MISSING_INDEX]:
         table.positions[find_slot(keys[i], table)] = i
 
 
@@ -218,7 +218,7 @@ class FrameShape:
     """Sizes shared by frames with the same launches: pixels between rays, maximum blocks per ray and frame."""
 
     def __init__(self, scale: float, farthest: float, camera: CameraLike, has_color: bool, blocks: VoxelBlocks) -> None:
-        self.block_size = SIDE * blocks.voxel_size
+        self.block_size = BLOCK_SIDE * blocks.voxel_size
         self.stride = ray_stride(farthest, camera, self.block_size)
         self.slots = ray_slots(camera, blocks.truncation, blocks.voxel_size)
         columns, rows = ray_grid(camera, self.stride)
@@ -368,12 +368,12 @@ class DeviceFrames:
         self._pixels = zeros((size if has_color else 1, 3), uint8, device)
         colors = [rows_of(self._pixels, k * count, (k + 1) * count) if has_color else None for k in range(frames)]
         self._frames = [Frame(self._depth, farthest, c, p) for c, p in zip(cameras, colors, strict=True)]
-        self._values = zeros(frames * LENGTH, float64, device)  # of frames together
+        self._values = zeros(frames * RECORD_LENGTH, float64, device)  # of frames together
         self._touched_counts = zeros(frames, int32, device)
         self._readback = Readback(self._touched_counts)
         self._cells = min(MAX_GRID, 1 << (cells - 1).bit_length() + 1)
-        self._groups = -(-self._cells // GROUP)
-        self._grid = zeros(self._groups * GROUP, uint8, device)
+        self._groups = -(-self._cells // CELLS_PER_GROUP)
+        self._grid = zeros(self._groups * CELLS_PER_GROUP, uint8, device)
         self._sizes, self._offsets = zeros(2 * self._groups, int32, device), zeros(2 * self._groups + 1, int32, device)
         self._touched = empty(min(max(shape.max_blocks for shape in shapes), self._cells), int32, device)
         self._shapes = shapes
@@ -382,7 +382,7 @@ class DeviceFrames:
         """True if all blocks that the frames could touch fit, possibly after a modest reallocation."""
         blocks, max_touched = self._blocks, len(self._shapes) * self._touched.size
         if not blocks.has_room(known + max_touched):
-            free, room = free_bytes(blocks.device), max_touched + FURTHER * (known + max_touched // 8)
+            free, room = free_bytes(blocks.device), max_touched + RESERVED_RATIO * (known + max_touched // 8)
             if known + room > MAX_BLOCKS or free is None or max_touched * blocks.block_bytes > ROOM_FRACTION * free:
                 return False
             blocks.make_room(known + room)
@@ -391,7 +391,7 @@ class DeviceFrames:
     def _record(self, k: int) -> Doubles:
         if len(self._frames) == 1:
             return self._blocks.record.values
-        return rows_of(self._values, k * LENGTH, (k + 1) * LENGTH)
+        return rows_of(self._values, k * RECORD_LENGTH, (k + 1) * RECORD_LENGTH)
 
     def _find(self, k: int) -> None:
         shape, values, table = self._shapes[k], self._record(k), self._blocks.table
@@ -425,7 +425,7 @@ class DeviceFrames:
             self._find(k)
             self._fold(k)
             if len(self._frames) > 1:
-                copy(self._touched_counts, rows_of(counts, TOUCHED, TOUCHED + 1), count=1, offset=k)
+                copy(self._touched_counts, rows_of(counts, TOUCHED_INDEX, TOUCHED_INDEX + 1), count=1, offset=k)
 
     def _run_all(self) -> None:
         """Find blocks and integrate; recorded on the second run, since a graph costs more than one run. Several frames

@@ -16,12 +16,12 @@ from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import check_room, empty, full, zeros
-from .distance_cells import NOWHERE
-from .distance_sweeps import FAR, FARTHEST, LONGEST, sweep_blocks
-from .tsdf_blocks import BLOCK_VOXELS, SIDE, voxel_cell, voxel_in_block
+from .distance_cells import NOT_FINITE_CELL
+from .distance_sweeps import MAX_RANGE_VOXELS, MAX_SQUARED_VOXELS, NO_SEED, sweep_blocks
+from .tsdf_blocks import BLOCK_SIDE, BLOCK_VOXELS, voxel_cell, voxel_in_block
 
 MAX_BLOCKS = (2**31 - 1) // BLOCK_VOXELS  # voxels are counted in 32 bits
-BYTES = 32 * BLOCK_VOXELS + 64  # of memory per block while signed distances are computed
+BLOCK_BYTES = 32 * BLOCK_VOXELS + 64  # of memory per block while signed distances are computed
 
 
 class DistanceLimits(NamedTuple):
@@ -34,29 +34,30 @@ class DistanceLimits(NamedTuple):
     @property
     def blocks(self) -> int:
         """Radius in blocks around an occupied block."""
-        return 0 if self.box else (self.along + SIDE - 1) // SIDE
+        return 0 if self.box else (self.along + BLOCK_SIDE - 1) // BLOCK_SIDE
 
     @property
     def largest_coordinate(self) -> int:
         """Upper bound of occupied coordinates."""
-        return SIDE * (BIAS - 2 - self.blocks)
+        return BLOCK_SIDE * (BIAS - 2 - self.blocks)
 
 
 def limits_for(distance: float) -> DistanceLimits:
     """Limits for a distance [voxels]. Raises ValueError if its square exceeds int32."""
-    if distance > FARTHEST:
-        raise ValueError(f"max_distance: {distance:.0f} voxels, more than {FARTHEST:,}; take larger voxels")
+    if distance > MAX_RANGE_VOXELS:
+        raise ValueError(f"max_distance: {distance:.0f} voxels, more than {MAX_RANGE_VOXELS:,}; take larger voxels")
     return DistanceLimits(int(distance), int(distance * distance))
 
 
 def limits_for_box(shape: tuple[int, int, int]) -> DistanceLimits:
     """Limits of a dense box. Raises ValueError if the squared diagonal exceeds int32."""
     diagonal = math.sqrt(sum(n * n for n in shape))
-    if diagonal > LONGEST:
+    if diagonal > MAX_SQUARED_VOXELS:
         raise ValueError(
-            f"occupied: {list(shape)} voxels are {diagonal:,.0f} across, more than {LONGEST:,}; give a max_distance"
+            f"occupied: {list(shape)} voxels are {diagonal:,.0f} across, more than {MAX_SQUARED_VOXELS:,}; give a "
+            "max_distance"
         )
-    return DistanceLimits(LONGEST, FAR - 1, shape)
+    return DistanceLimits(MAX_SQUARED_VOXELS, NO_SEED - 1, shape)
 
 
 @struct
@@ -87,7 +88,7 @@ class DistanceBlocks:
 
 @func
 def block_of(cell: vec3i) -> vec3i:
-    return vec3i(cell[0] // SIDE, cell[1] // SIDE, cell[2] // SIDE)
+    return vec3i(cell[0] // BLOCK_SIDE, cell[1] // BLOCK_SIDE, cell[2] // BLOCK_SIDE)
 
 
 @func
@@ -107,7 +108,7 @@ def find_block_keys_kernel(cells: array(dtype=vec3i), largest: int, keys: array(
     i = tid()
     cell = cells[i]
     key = int64(NO_KEY)
-    if cell[0] != NOWHERE:
+    if cell[0] != NOT_FINITE_CELL:
         if max(abs(cell[0]), max(abs(cell[1]), abs(cell[2]))) < largest:
             block = block_of(cell)
             key = block_key(block[0], block[1], block[2])
@@ -121,7 +122,7 @@ def mark_cells_kernel(cells: array(dtype=vec3i), table: HashTable, marks: array(
     """Mark voxels of existing blocks."""
     i = tid()
     cell = cells[i]
-    if cell[0] != NOWHERE:
+    if cell[0] != NOT_FINITE_CELL:
         marks[find_voxel(cell, table)] = 1  # all threads write the same
 
 
@@ -166,7 +167,7 @@ def plant_free_kernel(size: vec3i, keys: array(dtype=int64), sqdists: array(dtyp
     """Distance 0 at each free voxel of a box, FAR at all others."""
     i = tid()
     cell = voxel_cell(i, keys)
-    seed = int(FAR)
+    seed = int(NO_SEED)
     if sqdists[i] != 0 and cell[0] >= 0 and cell[1] >= 0 and cell[2] >= 0:
         if cell[0] < size[0] and cell[1] < size[1] and cell[2] < size[2]:
             seed = 0
@@ -186,7 +187,7 @@ def mark_known_kernel(sqdists: array(dtype=int32), known: array(dtype=uint8)):
     is_known = 0
     k = 0
     while is_known == 0 and k < BLOCK_VOXELS:
-        if sqdists[i * BLOCK_VOXELS + k] != FAR:
+        if sqdists[i * BLOCK_VOXELS + k] != NO_SEED:
             is_known = 1
         k += 1
     known[i] = uint8(is_known)
@@ -201,10 +202,10 @@ def gather_voxels_kernel(values: array(dtype=int32), blocks: array(dtype=int32),
 def _check_blocks(count: int, device: Device) -> None:
     if count > MAX_BLOCKS:
         raise ValueError(
-            f"the distance field would need {count:,} blocks of {SIDE}^3 voxels, more than {MAX_BLOCKS:,}; "
+            f"the distance field would need {count:,} blocks of {BLOCK_SIDE}^3 voxels, more than {MAX_BLOCKS:,}; "
             "take larger voxels or a smaller max_distance"
         )
-    check_room(device, count * BYTES, f"a distance field of {count:,} blocks of {SIDE}^3 voxels")
+    check_room(device, count * BLOCK_BYTES, f"a distance field of {count:,} blocks of {BLOCK_SIDE}^3 voxels")
 
 
 def _distinct(cells: Cells, limits: DistanceLimits) -> tuple[Keys, Cells]:
@@ -232,7 +233,7 @@ def _blocks_within(keys: Keys, limits: DistanceLimits) -> Keys:
     """Ascending keys of all blocks within the limit. Raises ValueError if too many, MemoryError if they do not fit."""
     device = keys.device
     if limits.box:
-        size = [-(-n // SIDE) for n in limits.box]
+        size = [-(-n // BLOCK_SIDE) for n in limits.box]
         count = math.prod(size)
         _check_blocks(count, device)
         keys = empty(count, int64, device)
@@ -261,7 +262,7 @@ def find_distances(
     keys, occupied = _distinct(cells, limits)
     keys = _blocks_within(keys, limits)
     table, count = list_keys(keys, keys.size), keys.size * BLOCK_VOXELS
-    sqdists, nearest = full(count, FAR, int32, device), full(count, -1, int32, device)
+    sqdists, nearest = full(count, NO_SEED, int32, device), full(count, -1, int32, device)
     launch(plant_seeds_kernel, occupied.size, [occupied, table, sqdists, nearest])
     sweep_blocks(keys, limits.along, limits.limit, sqdists, nearest)
     if signed_in is not None:

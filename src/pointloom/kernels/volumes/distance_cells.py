@@ -8,16 +8,16 @@ from ..arrays.select import positions_of
 from ..lang import array, float64, floor, func, int32, isfinite, kernel, launch, tid, vec3, vec3d, vec3i
 from ..memory import empty
 
-NOWHERE = 1 << 30  # coordinate for a point that is not finite
-BEYOND = 1 << 29  # coordinate for a point out of range
-WIDEST = 2.0**29
+NOT_FINITE_CELL = 1 << 30  # coordinate for a point that is not finite
+OUT_OF_RANGE_CELL = 1 << 29  # coordinate for a point out of range
+MAX_CELL = 2.0**29
 
 
 @func
 def cell_number(x: float64) -> int:
     """Voxel coordinate along an axis. BEYOND if it exceeds int32."""
-    number = BEYOND
-    if abs(x) < WIDEST:
+    number = OUT_OF_RANGE_CELL
+    if abs(x) < MAX_CELL:
         number = int(floor(x))
     return number
 
@@ -27,7 +27,7 @@ def find_cells_kernel(points: array(dtype=vec3), shift: vec3d, voxel_size: float
     """Voxel of each point. NOWHERE if it is not finite."""
     i = tid()
     p = points[i]
-    cell = vec3i(NOWHERE, NOWHERE, NOWHERE)
+    cell = vec3i(NOT_FINITE_CELL, NOT_FINITE_CELL, NOT_FINITE_CELL)
     if isfinite(p):
         x = (float64(p[0]) + shift[0]) / voxel_size
         y = (float64(p[1]) + shift[1]) / voxel_size

@@ -37,9 +37,9 @@ from ..lang import (
 )
 from ..memory import empty
 from .distance_blocks import DistanceBlocks, find_voxel
-from .distance_sweeps import FAR
+from .distance_sweeps import NO_SEED
 
-OUTERMOST = 8.0e6  # voxels from the origin: no block is farther
+MAX_QUERY_VOXELS = 8.0e6  # voxels from the origin: no block is farther
 HALF_DIAGONAL = 0.8660254037844387  # of a voxel [voxels]
 
 
@@ -81,7 +81,7 @@ def grid_position(p: vec3d, grid: DistanceGrid) -> vec3d:
 def is_inner(q: vec3d) -> int:
     """1 if a position is finite and in the range of blocks."""
     inner = 0
-    if abs(q[0]) < OUTERMOST and abs(q[1]) < OUTERMOST and abs(q[2]) < OUTERMOST:
+    if abs(q[0]) < MAX_QUERY_VOXELS and abs(q[1]) < MAX_QUERY_VOXELS and abs(q[2]) < MAX_QUERY_VOXELS:
         inner = 1
     return inner
 
@@ -109,7 +109,7 @@ def cell_center(cell: vec3i) -> vec3d:
 def is_known(voxel: int, grid: DistanceGrid) -> int:
     known = 0
     if voxel >= 0:
-        if abs(grid.sqdists[voxel]) != FAR:
+        if abs(grid.sqdists[voxel]) != NO_SEED:
             known = 1
     return known
 
@@ -120,7 +120,7 @@ def distance_at(voxel: int, grid: DistanceGrid) -> float64:
     if voxel >= 0:
         sqdist = grid.sqdists[voxel]
         d = grid.beyond
-        if abs(sqdist) != FAR:
+        if abs(sqdist) != NO_SEED:
             d = sqrt(float64(abs(sqdist))) * grid.voxel_size
         if sqdist < 0:
             d = -d
@@ -234,7 +234,7 @@ def find_obstacles_kernel(
     if isfinite(p):
         d = distance_at(voxel, grid)
     if voxel >= 0:
-        if grid.sqdists[voxel] != FAR:
+        if grid.sqdists[voxel] != NO_SEED:
             row = grid.nearest[voxel]
             position = cell_center(grid.occupied[row]) * grid.voxel_size + grid.origin
             d = length(p - position)
@@ -292,7 +292,7 @@ def list_sqdists_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, sqdists: ar
     """Squared distances of a box of voxels [voxels^2]. FAR if unknown."""
     i = tid()
     voxel = lattice_voxel(i, low, size, grid)
-    sqdist = int(FAR)
+    sqdist = int(NO_SEED)
     if voxel >= 0:
         sqdist = grid.sqdists[voxel]
     sqdists[i] = sqdist
@@ -305,7 +305,7 @@ def list_nearest_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, rows: array
     voxel = lattice_voxel(i, low, size, grid)
     row = -1
     if voxel >= 0:
-        if grid.sqdists[voxel] != FAR:
+        if grid.sqdists[voxel] != NO_SEED:
             row = grid.nearest[voxel]
     rows[i] = row
 

@@ -14,11 +14,11 @@ from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec4i
 from ..memory import copy, empty, upload
-from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE
+from .tsdf_blocks import BLOCK_ROWS, BLOCK_SIDE, BLOCK_VOXELS
 
-FAR = 2**31 - 1  # squared distance of a voxel without a known seed
-LONGEST = 2**15 - 1  # voxels: squares of distances up to it, and sums of two, are int32
-FARTHEST = LONGEST // 2  # maximum range of distances in voxels
+NO_SEED = 2**31 - 1  # squared distance of a voxel without a known seed
+MAX_SQUARED_VOXELS = 2**15 - 1  # voxels: squares of distances up to it, and sums of two, are int32
+MAX_RANGE_VOXELS = MAX_SQUARED_VOXELS // 2  # maximum range of distances in voxels
 
 
 @kernel
@@ -73,7 +73,7 @@ def first_position_won(a: int, fa: int, b: int, fb: int) -> int:
     """First position at which site b is strictly nearer than a site a before it."""
     apart = b - a
     position = a + apart // 2  # beyond the range of both
-    if apart <= LONGEST:
+    if apart <= MAX_SQUARED_VOXELS:
         position = a + (apart * apart + fb - fa) // (2 * apart) + 1
     return position
 
@@ -82,17 +82,17 @@ def first_position_won(a: int, fa: int, b: int, fb: int) -> int:
 def row_offset(row: int, axis: int) -> int:
     offset = row
     if axis == 1:
-        offset = (row // SIDE) * ROWS + row % SIDE
+        offset = (row // BLOCK_SIDE) * BLOCK_ROWS + row % BLOCK_SIDE
     if axis == 2:
-        offset = row * SIDE
+        offset = row * BLOCK_SIDE
     return offset
 
 
 @func
 def row_step(axis: int) -> int:
-    step = ROWS
+    step = BLOCK_ROWS
     if axis == 1:
-        step = SIDE
+        step = BLOCK_SIDE
     if axis == 2:
         step = 1
     return step
@@ -109,13 +109,13 @@ def sweep_lines_kernel(
 ):
     """Minimum of (p - site)^2 + sqdists[site] along each line, and the nearest seed of that site."""
     i = tid()
-    begin = lines.starts[i // ROWS]
-    end = lines.starts[i // ROWS + 1]
-    offset = row_offset(i % ROWS, lines.axis)
+    begin = lines.starts[i // BLOCK_ROWS]
+    end = lines.starts[i // BLOCK_ROWS + 1]
+    offset = row_offset(i % BLOCK_ROWS, lines.axis)
     step = row_step(lines.axis)
-    size = int(SIDE)
-    last = (end - begin) * SIDE - 1
-    base = begin * BLOCK_VOXELS + i % ROWS
+    size = int(BLOCK_SIDE)
+    last = (end - begin) * BLOCK_SIDE - 1
+    base = begin * BLOCK_VOXELS + i % BLOCK_ROWS
     depth = 0
     position = 0
     top = vec4i(0, 0, 0, 0)  # of the stack: a site, the first position that it wins, its squared distance, its seed
@@ -123,7 +123,7 @@ def sweep_lines_kernel(
         voxel = lines.order[b] * BLOCK_VOXELS + offset
         for _ in range(size):
             g = sqdists[voxel]
-            if g != FAR:
+            if g != NO_SEED:
                 won = 0
                 if depth > 0:
                     won = first_position_won(top[0], top[2], position, g)
@@ -131,28 +131,28 @@ def sweep_lines_kernel(
                     depth -= 1
                     won = 0
                     if depth > 0:
-                        top = stack[base + (depth - 1) * ROWS]
+                        top = stack[base + (depth - 1) * BLOCK_ROWS]
                         won = first_position_won(top[0], top[2], position, g)
                 if won <= last:
                     top = vec4i(position, won, g, nearest[voxel])
-                    stack[base + depth * ROWS] = top
+                    stack[base + depth * BLOCK_ROWS] = top
                     depth += 1
             position += 1
             voxel += step
     if depth > 0:
         for c in range(begin, end):
-            voxel = lines.order[begin + end - 1 - c] * BLOCK_VOXELS + offset + (SIDE - 1) * step
+            voxel = lines.order[begin + end - 1 - c] * BLOCK_VOXELS + offset + (BLOCK_SIDE - 1) * step
             for _ in range(size):
                 position -= 1
                 while position < top[1]:
                     depth -= 1
-                    top = stack[base + (depth - 1) * ROWS]
+                    top = stack[base + (depth - 1) * BLOCK_ROWS]
                 apart = abs(position - top[0])
-                g = int(FAR)
+                g = int(NO_SEED)
                 if apart <= max_distance:
                     g = apart * apart + top[2]
                 if g > limit:
-                    g = int(FAR)
+                    g = int(NO_SEED)
                 sqdists[voxel] = g
                 nearest[voxel] = top[3]
                 voxel -= step
@@ -167,4 +167,4 @@ def sweep_blocks(keys: Keys, max_distance: int, limit: int, sqdists: Integers, n
     stack: Array1[vec4i] = empty(sqdists.size, vec4i, keys.device)
     for axis in (2, 1, 0):
         lines = BlockLines(keys, axis)
-        launch(sweep_lines_kernel, lines.count * ROWS, [lines, max_distance, limit, sqdists, nearest, stack])
+        launch(sweep_lines_kernel, lines.count * BLOCK_ROWS, [lines, max_distance, limit, sqdists, nearest, stack])

@@ -7,18 +7,18 @@ from ..lang import array, float64, func, int32, mat33d, vec3d
 from ..memory import Readback, write, zeros
 
 INTO_VOLUME, INTO_CAMERA = 0, 12  # offsets in a record: a rotation by rows, then a translation
-LOW, SIZE = 24, 27  # the frame's box in blocks
-NUMBER = 30  # number of the frame among the changes of its blocks
-LENGTH = 31
-COUNTED, TOUCHED, MISSING = 0, 1, 2  # indices of counts
+BOX_LOW, BOX_SIZE = 24, 27  # the frame's box in blocks
+CHANGE_NUMBER = 30  # number of the frame among the changes of its blocks
+RECORD_LENGTH = 31
+COUNTED_INDEX, TOUCHED_INDEX, MISSING_INDEX = 0, 1, 2  # indices of counts
 
 
 class FrameRecord:
     """Record of the current frame: `values` float64, and `counts` int32 [3] of valid, touched and missing blocks."""
 
     def __init__(self, device: Device, counted: int = 0) -> None:
-        self.values, self.counts = zeros(LENGTH, float64, device), zeros(3, int32, device)
-        self._host = np.zeros(LENGTH)  # next record to write. Offsets of both poses
+        self.values, self.counts = zeros(RECORD_LENGTH, float64, device), zeros(3, int32, device)
+        self._host = np.zeros(RECORD_LENGTH)  # next record to write. Offsets of both poses
         self._poses = [
             (self._host[at : at + 9].reshape(3, 3), self._host[at + 9 : at + 12]) for at in (INTO_VOLUME, INTO_CAMERA)
         ]
@@ -38,7 +38,7 @@ class FrameRecord:
         for (rotation, translation), T in zip(self._poses, (T_volume_camera, T_camera_volume), strict=True):
             rotation[:], translation[:] = T[:3, :3], T[:3, 3]
         host = self._host
-        host[LOW:SIZE], host[SIZE:NUMBER], host[NUMBER] = low, size, number
+        host[BOX_LOW:BOX_SIZE], host[BOX_SIZE:CHANGE_NUMBER], host[CHANGE_NUMBER] = low, size, number
         return host
 
     def write_counts(self, counted: int, touched: int, missing: int) -> None:
@@ -55,7 +55,7 @@ class FrameCounts:
         """Read the numbers (sync) before the next frame overwrites them."""
         if self._counts is None:
             counts = self._record.readback.read()
-            self._counts = int(counts[COUNTED]), int(counts[TOUCHED])
+            self._counts = int(counts[COUNTED_INDEX]), int(counts[TOUCHED_INDEX])
         return self._counts
 
     @property

@@ -31,16 +31,24 @@ from ..lang import (
     vector,
 )
 from ..memory import zeros
-from .frame_record import COUNTED, INTO_CAMERA, MISSING, NUMBER, TOUCHED, recorded_rotation, recorded_translation
-from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE
+from .frame_record import (
+    CHANGE_NUMBER,
+    COUNTED_INDEX,
+    INTO_CAMERA,
+    MISSING_INDEX,
+    TOUCHED_INDEX,
+    recorded_rotation,
+    recorded_translation,
+)
+from .tsdf_blocks import BLOCK_ROWS, BLOCK_SIDE, BLOCK_VOXELS
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks
 
 CPU_RUN = 8  # rows per thread: the pose is applied once per 64 voxels
 CUDA_GROUPS = 264  # groups of 512 threads: capacity of 132 SMs. Each processes several blocks of a frame
 MAX_WEIGHT = 65535.0
 COLOR_LIMIT = 65535.0  # removals may lead beyond it by rounding
-NEAREST = 1.0e-6  # [m] keeps the division finite for voxels behind the camera, which are not used
-UNSEEN = -2.0  # below every truncated distance
+MIN_DEPTH = 1.0e-6  # [m] keeps the division finite for voxels behind the camera, which are not used
+UNSEEN_DISTANCE = -2.0  # below every truncated distance
 run_values = vector(64, float32)  # of CPU_RUN rows
 run_pixels = vector(64, int32)
 
@@ -94,17 +102,17 @@ def margin_of(u: float, v: float, right: float, bottom: float, z: float, d: floa
 @func
 def project_voxel(i: int, block: int, R: mat33d, t: vec3d, frame: Frame, blocks: VoxelBlocks) -> vec3:
     """The position (u, v) of a voxel in the image, from the image's corner [px], and its depth [m]."""
-    row = float(i // SIDE % SIDE)
-    j = float(i % SIDE)
+    row = float(i // BLOCK_SIDE % BLOCK_SIDE)
+    j = float(i % BLOCK_SIDE)
     size = blocks.voxel_size
-    corner = key_block(blocks.keys[block]) * SIDE
-    x = corner[0] + i // ROWS % SIDE
+    corner = key_block(blocks.keys[block]) * BLOCK_SIDE
+    x = corner[0] + i // BLOCK_ROWS % BLOCK_SIDE
     p = narrow(R @ (vec3d(float64(x), float64(corner[1]), float64(corner[2])) * size) + t)
     p0 = p[0] + float(R[0, 1] * size) * row
     p1 = p[1] + float(R[1, 1] * size) * row
     p2 = p[2] + float(R[2, 1] * size) * row
     depth_z = p2 + float(R[2, 2] * size) * j
-    scale = 1.0 / larger(depth_z, NEAREST)
+    scale = 1.0 / larger(depth_z, MIN_DEPTH)
     u = (p0 + float(R[0, 2] * size) * j) * scale * float(frame.camera.fx) + (float(frame.camera.cx) + 0.5)
     v = (p1 + float(R[1, 2] * size) * j) * scale * float(frame.camera.fy) + (float(frame.camera.cy) + 0.5)
     return vec3(u, v, depth_z)
@@ -113,8 +121,8 @@ def project_voxel(i: int, block: int, R: mat33d, t: vec3d, frame: Frame, blocks:
 @func
 def note_frame(i: int, counts: array(dtype=int32), record: array(dtype=float64), blocks: VoxelBlocks):
     if i == 0:
-        counts[COUNTED] = counts[COUNTED] + counts[MISSING]
-        blocks.changes.latest[0] = int64(record[NUMBER])
+        counts[COUNTED_INDEX] = counts[COUNTED_INDEX] + counts[MISSING_INDEX]
+        blocks.changes.latest[0] = int64(record[CHANGE_NUMBER])
 
 
 @kernel(max_registers=64)
@@ -129,12 +137,12 @@ def integrate_depth_kernel(
     """Integrate `stride` rows per thread. All are computed before the first is stored: the branch is unpredictable."""
     i = tid()
     note_frame(i, counts, record, blocks)
-    block = touched[i * stride // ROWS]
-    first = i * stride % ROWS
+    block = touched[i * stride // BLOCK_ROWS]
+    first = i * stride % BLOCK_ROWS
     corner = key_block(blocks.keys[block])
-    x = corner[0] * SIDE + first // SIDE
-    y = corner[1] * SIDE + first % SIDE
-    z = corner[2] * SIDE
+    x = corner[0] * BLOCK_SIDE + first // BLOCK_SIDE
+    y = corner[1] * BLOCK_SIDE + first % BLOCK_SIDE
+    z = corner[2] * BLOCK_SIDE
     size = blocks.voxel_size
     R = recorded_rotation(record, INTO_CAMERA)
     p = narrow(R @ (vec3d(float64(x), float64(y), float64(z)) * size) + recorded_translation(record, INTO_CAMERA))
@@ -156,36 +164,36 @@ def integrate_depth_kernel(
         p1 = p[1] + next_row[1] * float(row)
         p2 = p[2] + next_row[2] * float(row)
         # The first and last loop have no branches, and the first stores to registers only: vector code on the CPU.
-        for j in range(SIDE):
+        for j in range(BLOCK_SIDE):
             depth_z = p2 + step[2] * float(j)
-            scale = 1.0 / larger(depth_z, NEAREST)
+            scale = 1.0 / larger(depth_z, MIN_DEPTH)
             u = (p0 + step[0] * float(j)) * scale * fx + (cx + 0.5)
             v = (p1 + step[1] * float(j)) * scale * fy + (cy + 0.5)
             pixel = pixel_of(u, v, right, bottom, width)
             d = frame.depth[pixel]
-            value = float(UNSEEN)
+            value = float(UNSEEN_DISTANCE)
             if margin_of(u, v, right, bottom, depth_z, d, truncation) > 0.0:
                 value = smaller((d - depth_z) * inverse, 1.0)
-            values[row * SIDE + j] = value
-            pixels_seen[row * SIDE + j] = pixel
+            values[row * BLOCK_SIDE + j] = value
+            pixels_seen[row * BLOCK_SIDE + j] = pixel
     for row in range(stride):
-        base = (block * ROWS + first + row) * SIDE
-        at = row * SIDE
+        base = (block * BLOCK_ROWS + first + row) * BLOCK_SIDE
+        at = row * BLOCK_SIDE
         seen = 0
-        for j in range(SIDE):
-            if values[at + j] > UNSEEN:
+        for j in range(BLOCK_SIDE):
+            if values[at + j] > UNSEEN_DISTANCE:
                 seen += 1
         if seen > 0:
             if frame.has_color == 1:
-                for j in range(SIDE):
-                    if values[at + j] > UNSEEN:
+                for j in range(BLOCK_SIDE):
+                    if values[at + j] > UNSEEN_DISTANCE:
                         change_color(base + j, pixels_seen[at + j], 1.0, frame, blocks)
-            for j in range(SIDE):
+            for j in range(BLOCK_SIDE):
                 old = blocks.distances[base + j]
                 w = float(blocks.weights[base + j])
                 new = old
                 heavier = w
-                if values[at + j] > UNSEEN:
+                if values[at + j] > UNSEEN_DISTANCE:
                     new = changed_mean(old, w, values[at + j], 1.0)
                     heavier = min(w + 1.0, MAX_WEIGHT)
                 blocks.distances[base + j] = new
@@ -211,7 +219,7 @@ def integrate_voxels_kernel(
     right = float(width)
     bottom = float(frame.camera.height)
     at = i // BLOCK_VOXELS
-    while at < counts[TOUCHED]:
+    while at < counts[TOUCHED_INDEX]:
         block = touched[at]
         at += stride
         voxel = block * BLOCK_VOXELS + i % BLOCK_VOXELS
@@ -234,7 +242,7 @@ def launch_integration(
     touched: Integers, count: int, frame: Frame, blocks: VoxelBlocks, values: Doubles | None = None
 ) -> None:
     """Integrate a frame into `count` blocks. On CUDA into blocks.record.counts. `values`: another record."""
-    stride, threads = CPU_RUN, count * ROWS // CPU_RUN
+    stride, threads = CPU_RUN, count * BLOCK_ROWS // CPU_RUN
     if touched.device.is_cuda:
         stride, threads = CUDA_GROUPS, CUDA_GROUPS * BLOCK_VOXELS
     record = blocks.record

@@ -30,7 +30,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, host_view, zeros
-from .bit_rows import LOW_31, WORD, above, bit, bits_below, has_next, lowest_bit, with_below
+from .bit_rows import LOW_31, WORD_BITS, above, bit, bits_below, has_next, lowest_bit, with_below
 from .cube_table import MAX_TRIANGLES, CubeTables, device_tables
 
 
@@ -73,11 +73,13 @@ class SignGrid:
 
     def __init__(self, field: SampledField) -> None:
         device, self.ny, self.nz = field.values.device, field.ny, field.nz
-        self.width, self.rows = -(-field.nz // WORD), field.nx * field.ny
+        self.width, self.rows = -(-field.nz // WORD_BITS), field.nx * field.ny
         self.signs, self.finite, self.complete = (empty(self.rows * self.width, int32, device) for _ in range(3))
         self.has_gaps = zeros(1, int32, device)
         words = self.rows * self.width
-        launch(pack_signs_kernel, -(-words // WORD) * WORD if device.is_cuda else words, [field, self])  # full warps
+        launch(
+            pack_signs_kernel, -(-words // WORD_BITS) * WORD_BITS if device.is_cuda else words, [field, self]
+        )  # full warps
         if device.is_cuda or host_view(self.has_gaps)[0]:
             launch(find_complete_cells_kernel, self.rows, [self])
 
@@ -87,12 +89,12 @@ def pack_signs_kernel(field: SampledField, grid: SignGrid):
     """One thread per word. Bits beyond the row are zero."""
     i = tid()
     row = i // grid.width
-    first = (i - row * grid.width) * WORD
-    size = min(field.nz - first, WORD)
+    first = (i - row * grid.width) * WORD_BITS
+    size = min(field.nz - first, WORD_BITS)
     below = 0
     known = 0
-    if size == WORD:  # a constant count: vector code
-        for j in range(WORD):
+    if size == WORD_BITS:  # a constant count: vector code
+        for j in range(WORD_BITS):
             value = field.values[row, first + j]
             below = below | (int(value < field.level) << j)
             known = known | (int(isfinite(value)) << j)
@@ -111,14 +113,14 @@ def pack_signs_kernel(field: SampledField, grid: SignGrid):
 def pack_lanes_kernel(field: SampledField, grid: SignGrid):
     """A warp packs the words of its threads together, one sample per lane: coalesced reads."""
     i = tid()
-    lane = i % WORD
+    lane = i % WORD_BITS
     below = 0
     known = 0
-    n = int(WORD)
+    n = int(WORD_BITS)
     for source_lane in range(n):
         word = i - lane + source_lane
         row = word // grid.width
-        k = (word - row * grid.width) * WORD + lane
+        k = (word - row * grid.width) * WORD_BITS + lane
         is_below = 0
         is_known = 0
         if row < grid.rows and k < field.nz:
@@ -133,7 +135,7 @@ def pack_lanes_kernel(field: SampledField, grid: SignGrid):
     if i < grid.rows * grid.width:
         grid.signs[i] = below
         grid.finite[i] = known
-        if bit_count(known) < min(field.nz - i % grid.width * WORD, WORD):
+        if bit_count(known) < min(field.nz - i % grid.width * WORD_BITS, WORD_BITS):
             atomic_max(grid.has_gaps, 0, 1)  # set by any thread
 
 
@@ -158,7 +160,7 @@ def find_complete_cells_kernel(grid: SignGrid):
         grid.complete[i * grid.width + w] = cells
 
 
-EDGES = 3 * MAX_TRIANGLES  # entries of a case in the triangle table
+ENTRIES_PER_CASE = 3 * MAX_TRIANGLES  # entries of a case in the triangle table
 cell_edges = vector(12, int32)
 
 
@@ -173,7 +175,7 @@ class SurfaceEdges:
         device = grid.signs.device
         self.words, counts = empty(grid.rows * grid.width, vec4i, device), empty(2 * grid.rows, int32, device)
         launch(count_surface_kernel, grid.rows, [grid, tables, self, counts])
-        largest = MAX_TRIANGLES * WORD * grid.width  # of a row, which has 3 edges per sample
+        largest = MAX_TRIANGLES * WORD_BITS * grid.width  # of a row, which has 3 edges per sample
         self.offsets, self.vertex_count, self.total = scan_two(counts, largest)  # sync
 
 
@@ -304,7 +306,7 @@ def write_vertices_kernel(field: SampledField, grid: SignGrid, edges: SurfaceEdg
         while left != 0:
             j = lowest_bit(left)
             left = left ^ (1 << j)
-            k = w * WORD + j
+            k = w * WORD_BITS + j
             z = field.origin[2] + field.spacing[2] * float(k)
             a = field.values[i, k]
             if bit(crossing[1], j) == 1:
@@ -379,7 +381,7 @@ def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTabl
             y3 = q[2] + bit(low_x_above, j)
             numbers = cell_edges(p[0], r[0], p[2], r[2], y0, y1, y2, y3, p[1], q[1], r[1], s[1])
             for t in range(tables.triangle_count[case]):
-                entry = case * EDGES + 3 * t
+                entry = case * ENTRIES_PER_CASE + 3 * t
                 a = numbers[tables.triangle_edges[entry]]
                 b = numbers[tables.triangle_edges[entry + 1]]
                 c = numbers[tables.triangle_edges[entry + 2]]

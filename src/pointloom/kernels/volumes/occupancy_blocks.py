@@ -47,15 +47,15 @@ from .occupancy_rays import (
     prepare_rays_kernel,
     voxels_on_ray,
 )
-from .tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, SIDE, BlockMarks, voxel_cell, voxel_in_block
+from .tsdf_blocks import BLOCK_SIDE, BLOCK_VOXELS, MAX_BLOCKS, BlockMarks, voxel_cell, voxel_in_block
 from .voxel_blocks import begin_blocks
 
-UNKNOWN = 1.0e9  # log odds of unobserved voxels. Observed ones are clamped far below
+UNKNOWN_LOG_ODDS = 1.0e9  # log odds of unobserved voxels. Observed ones are clamped far below
 KNOWN_BELOW = 1.0e8
 FIRST_CAPACITY = 256
 MAX_CELLS = 1 << 26  # blocks in the box of a scan: 64 MB of flags
 LARGEST_COMPONENT = 1.0e100  # of a direction: squares of larger ones overflow
-OUTERMOST = 2.0**22  # [voxels] from the grid's origin: half the range of block keys
+MAX_KEY_VOXELS = 2.0**22  # [voxels] from the grid's origin: half the range of block keys
 
 
 @struct
@@ -100,7 +100,10 @@ class OddsBlocks:
         if count <= self.keys.size:
             return
         capacity, known = min(MAX_BLOCKS, max(count, 2 * self.keys.size)), int(self.changes.value)
-        keys, odds = empty(capacity, int64, self.device), full(capacity * BLOCK_VOXELS, UNKNOWN, float32, self.device)
+        keys, odds = (
+            empty(capacity, int64, self.device),
+            full(capacity * BLOCK_VOXELS, UNKNOWN_LOG_ODDS, float32, self.device),
+        )
         if known:
             copy(keys, self.keys, count=known)
             copy(odds, self.odds, count=known * BLOCK_VOXELS)
@@ -165,12 +168,12 @@ def fold_scan(rays: ScanRays, blocks: OddsBlocks) -> int:
         return 0
     low = np.minimum(boxes[0][0], boxes[1][0]).astype(np.float64) * blocks.lattice.per_meter
     high = np.maximum(boxes[0][1], boxes[1][1]).astype(np.float64) * blocks.lattice.per_meter
-    if not max(np.abs(low).max(), np.abs(high).max()) < OUTERMOST:
+    if not max(np.abs(low).max(), np.abs(high).max()) < MAX_KEY_VOXELS:
         raise WildScanError(f"the scan reaches {max(np.abs(low).max(), np.abs(high).max()):.3g} voxels from the origin")
-    low = np.floor(low / SIDE) - 1
-    size = np.floor(high / SIDE) + 2 - low
+    low = np.floor(low / BLOCK_SIDE) - 1
+    size = np.floor(high / BLOCK_SIDE) + 2 - low
     if size.prod() > MAX_CELLS:
-        around = " x ".join(f"{SIDE * s * blocks.lattice.voxel_size:.6g}" for s in size)
+        around = " x ".join(f"{BLOCK_SIDE * s * blocks.lattice.voxel_size:.6g}" for s in size)
         raise WildScanError(f"the scan fills a box of {around} m, {size.prod():.3g} blocks of 8^3 voxels")
     marks = BlockMarks(low, size, 0, 1, blocks.device, MAX_CELLS)
     launch(mark_blocks_kernel, rays.ends.size, [rays, marks])
@@ -191,7 +194,7 @@ def fold_scan(rays: ScanRays, blocks: OddsBlocks) -> int:
 def odds_at(x: int, y: int, z: int, blocks: OddsBlocks) -> float:
     """Log odds of a voxel. UNKNOWN without a block."""
     position = find_position(block_key(x >> 3, y >> 3, z >> 3), blocks.table)
-    value = float(UNKNOWN)
+    value = float(UNKNOWN_LOG_ODDS)
     if position >= 0:
         value = blocks.odds[position * BLOCK_VOXELS + voxel_in_block(x, y, z)]
     return value
@@ -202,10 +205,10 @@ def look_up_kernel(points: array(dtype=vec3), shift: vec3d, blocks: OddsBlocks, 
     """Log odds at each point. UNKNOWN if it is out of range or not finite."""
     i = tid()
     p = narrow(widen(points[i]) + shift)
-    value = float(UNKNOWN)
+    value = float(UNKNOWN_LOG_ODDS)
     if isfinite(p):
         q = widen(p) * blocks.lattice.per_meter
-        if max(abs(q[0]), max(abs(q[1]), abs(q[2]))) < float64(OUTERMOST):
+        if max(abs(q[0]), max(abs(q[1]), abs(q[2]))) < float64(MAX_KEY_VOXELS):
             value = odds_at(int(floor(q[0])), int(floor(q[1])), int(floor(q[2])), blocks)
     out[i] = value
 

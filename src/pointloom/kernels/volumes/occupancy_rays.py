@@ -27,7 +27,7 @@ from ..lang import (
 )
 from .tsdf_blocks import BLOCK_VOXELS, NO_CROSSING, BlockMarks, leave_mark, step_along, voxel_in_block
 
-NO_RAY, HIT, PASSED = 0, 1, 2  # no ray, one with an end point, one that was cut
+NO_RAY, HIT_RAY, CUT_RAY = 0, 1, 2  # no ray, one with an end point, one that was cut
 
 
 @struct
@@ -167,9 +167,9 @@ def prepare_rays_kernel(
     if isfinite(p):
         a = start_of(i, rays)
         ray = q - a
-        kind = HIT
+        kind = HIT_RAY
         if span_of(ray) > longest:
-            kind = PASSED
+            kind = CUT_RAY
             u = unit_of(ray)
             q = vec3(a[0] + u[0] * longest, a[1] + u[1] * longest, a[2] + u[2] * longest)
     else:
@@ -195,7 +195,7 @@ def mark_blocks_kernel(rays: ScanRays, marks: BlockMarks):
                 by = y >> 3
                 bz = z >> 3
                 leave_mark(bx, by, bz, 0, 0, marks)
-    if int(rays.kinds[i]) == HIT:
+    if int(rays.kinds[i]) == HIT_RAY:
         q = rays.ends[i]
         ex = voxel_of(q[0], rays.lattice) >> 3
         ey = voxel_of(q[1], rays.lattice) >> 3
@@ -226,7 +226,7 @@ def mark_passed_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32
 def mark_hits_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32), flags: array(dtype=uint8)):
     """2 for each voxel with an end point, overriding passes."""
     i = tid()
-    if int(rays.kinds[i]) == HIT:
+    if int(rays.kinds[i]) == HIT_RAY:
         q = rays.ends[i]
         x = voxel_of(q[0], rays.lattice)
         y = voxel_of(q[1], rays.lattice)

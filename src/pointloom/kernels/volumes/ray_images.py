@@ -13,10 +13,10 @@ from ..lang import NAN, array, float32, func, int32, kernel, launch, mat33d, sqr
 from ..memory import empty
 from .block_rows import SeenBlocks
 from .camera_rays import CameraRays, ray_of
-from .tsdf_blocks import SIDE
+from .tsdf_blocks import BLOCK_SIDE
 from .voxel_blocks import COLOR_SCALE, voxel_color
 from .voxel_samples import (
-    UNSEEN,
+    UNSEEN_DISTANCE,
     between,
     cell_voxels,
     corner_distances,
@@ -84,16 +84,16 @@ def side_distance(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> float
 def slope_along(low: float, high: float, beyond: float, middle: float, fraction: float, is_up: int) -> float:
     """Slope over one voxel, centered at `fraction` between two planes with distances `low` and `high`. `beyond` is
     the third plane's distance (above if `is_up`). If UNSEEN, the slope over the other half voxel is used."""
-    slope = float(UNSEEN)
+    slope = float(UNSEEN_DISTANCE)
     if is_up == 1:
         before = between(low, high, fraction - 0.5)
         slope = 2.0 * (middle - before)
-        if beyond < UNSEEN:
+        if beyond < UNSEEN_DISTANCE:
             slope = between(high, beyond, fraction - 0.5) - before
     else:
         behind = between(low, high, fraction + 0.5)
         slope = 2.0 * (behind - middle)
-        if beyond < UNSEEN:
+        if beyond < UNSEEN_DISTANCE:
             slope = behind - between(beyond, low, fraction + 0.5)
     return slope
 
@@ -102,8 +102,8 @@ def slope_along(low: float, high: float, beyond: float, middle: float, fraction:
 def mean_of_four(a: float, b: float, c: float, d: float, fu: float, fv: float) -> float:
     """Bilinear interpolation, v fastest. UNSEEN if one value is."""
     mean = between(between(a, b, fv), between(c, d, fv), fu)
-    if max(max(a, b), max(c, d)) >= UNSEEN:
-        mean = float(UNSEEN)
+    if max(max(a, b), max(c, d)) >= UNSEEN_DISTANCE:
+        mean = float(UNSEEN_DISTANCE)
     return mean
 
 
@@ -124,13 +124,13 @@ def slopes_at(block: int, x: int, y: int, z: int, f: vec3, c: octet, seen: SeenB
     low_x = between(c00, c01, f[1])
     high_x = between(c10, c11, f[1])
     middle = between(low_x, high_x, f[0])
-    far_x = octet(UNSEEN)
+    far_x = octet(UNSEEN_DISTANCE)
     for k in range(4):
         far_x[k] = side_distance(block, bx, y + (k >> 1), z + (k & 1), seen)
-    far_y = octet(UNSEEN)
+    far_y = octet(UNSEEN_DISTANCE)
     for k in range(4):
         far_y[k] = side_distance(block, x + (k >> 1), by, z + (k & 1), seen)
-    far_z = octet(UNSEEN)
+    far_z = octet(UNSEEN_DISTANCE)
     for k in range(4):
         far_z[k] = side_distance(block, x + (k >> 1), y + (k & 1), bz, seen)
     beyond_x = mean_of_four(far_x[0], far_x[1], far_x[2], far_x[3], f[1], f[2])
@@ -189,7 +189,7 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
     if hit > 0.0:
         p = rays.start + ray_of(i % rays.camera.width, i // rays.camera.width, rays) * hit
         block = images.met[i]
-        corner = key_block(seen.blocks.keys[block]) * SIDE - rays.base
+        corner = key_block(seen.blocks.keys[block]) * BLOCK_SIDE - rays.base
         if images.has_points == 1:
             images.points[i] = (p + to_float(rays.base)) * float(seen.blocks.voxel_size)
         cell = floor_cell(p)
@@ -198,10 +198,10 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
         y = cell[1] - corner[1]
         z = cell[2] - corner[2]
         voxels = cell_voxels(block, x, y, z, seen)
-        corners = octet(UNSEEN)
+        corners = octet(UNSEEN_DISTANCE)
         if images.has_normals == 1:
             corners = corner_distances(voxels, seen)
-        if greatest(corners) < UNSEEN:
+        if greatest(corners) < UNSEEN_DISTANCE:
             g = slopes_at(block, x, y, z, f, corners, seen)
             size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2])
             if size > 0.0:

@@ -29,8 +29,8 @@ from ..lang import (
 from ..memory import full, zeros
 from .integrate import MAX_WEIGHT, note_frame
 from .scan_rays import (
-    DIAGONAL,
-    SPARE,
+    CELLS_PER_LENGTH,
+    SPARE_CELLS,
     ScanRays,
     cell_at,
     distinct_keys,
@@ -42,8 +42,8 @@ from .scan_rays import (
 from .tsdf_blocks import BLOCK_VOXELS, blocks_on_segment, voxel_in_block
 from .voxel_blocks import VoxelBlocks
 
-STEPS = 16777216.0  # steps of a value, 2^24: the float32 resolution. Sums stay exact for 2^38 rays
-SHADES = 65535.0
+VALUE_STEPS = 16777216.0  # steps of a value, 2^24: the float32 resolution. Sums stay exact for 2^38 rays
+COLOR_STEPS = 65535.0
 SURFACE_SHADE = 65536  # weight of a color at its point, over that of 1 in the free space before it
 
 
@@ -76,7 +76,7 @@ def slot_of(key: int64, blocks: VoxelBlocks, sums: ScanSums) -> int:
 
 @func
 def shade_steps(shade: float) -> int64:
-    return int64(floor(float64(min(max(shade, 0.0), 1.0)) * float64(SHADES) + 0.5))
+    return int64(floor(float64(min(max(shade, 0.0), 1.0)) * float64(COLOR_STEPS) + 0.5))
 
 
 @func
@@ -88,7 +88,7 @@ def add_value(
     value = (distance - dot(to_voxel, d)) / rays.truncation
     if value > -1.0:
         at = slot * BLOCK_VOXELS + voxel_in_block(x, y, z)
-        atomic_add(sums.values, at, int64(floor(min(value, 1.0) * float64(STEPS) + 0.5)))
+        atomic_add(sums.values, at, int64(floor(min(value, 1.0) * float64(VALUE_STEPS) + 0.5)))
         atomic_add(sums.counts, at, 1)
         if rays.has_color == 1:
             fraction = int64(1)
@@ -119,7 +119,9 @@ def sum_rays_kernel(rays: ScanRays, carve: int, steps: int, blocks: VoxelBlocks,
         has_end = distance <= rays.max_range
         if carve == 1 and free > 0.0:
             start = cell_at(float64(0.0), d, o, rays)
-            for _k, x, y, z in blocks_on_segment(start, a, int(free / rays.voxel_size * float64(DIAGONAL)) + SPARE):
+            for _k, x, y, z in blocks_on_segment(
+                start, a, int(free / rays.voxel_size * float64(CELLS_PER_LENGTH)) + SPARE_CELLS
+            ):
                 key = voxel_block_key(x, y, z)
                 if key != last:
                     slot = slot_of(key, blocks, sums)
@@ -159,7 +161,7 @@ def fold_sums_kernel(
             for c in range(3):
                 mean = float64(blocks.colors[voxel, c]) * float64(w) + float64(sums.colors[4 * i + c]) / shades
                 blocks.colors[voxel, c] = uint16(mean / float64(w + 1.0) + 0.5)
-        value = float(float64(sums.values[i]) / float64(rays) / float64(STEPS))
+        value = float(float64(sums.values[i]) / float64(rays) / float64(VALUE_STEPS))
         blocks.distances[voxel] = (blocks.distances[voxel] * w + value) / (w + 1.0)
         blocks.weights[voxel] = uint16(min(w + 1.0, MAX_WEIGHT))
 

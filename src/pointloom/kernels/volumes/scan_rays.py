@@ -32,13 +32,13 @@ from ..lang import (
     vec3d,
 )
 from ..memory import copy, download, empty, full, zeros
-from .tsdf_blocks import SIDE, blocks_on_segment
+from .tsdf_blocks import BLOCK_SIDE, blocks_on_segment
 from .voxel_blocks import VoxelBlocks
 
 HALF_SIDE_BITS = 3  # 2^3 voxels per block edge
-DIAGONAL = 1.7320509  # maximum number of cells on a path of length 1, besides the first
-SPARE = 4  # the same, plus one for rounding
-INFINITE = 1.0e100  # [m] same limit, to prevent overflow of squares
+CELLS_PER_LENGTH = 1.7320509  # maximum number of cells on a path of length 1, besides the first
+SPARE_CELLS = 4  # the same, plus one for rounding
+MAX_FINITE_COORDINATE = 1.0e100  # [m] same limit, to prevent overflow of squares
 RAYS_AT_A_TIME = 1 << 20  # blocks listed together
 
 
@@ -68,16 +68,16 @@ class ScanRays:
         self.points, self.scanners, self.step = points, scanners, int(scanners.size > 1)
         self.has_color = int(colors is not None)
         self.colors = zeros(1, vec3, points.device) if colors is None else colors
-        self.min_range, self.max_range = ranges[0], min(ranges[1], INFINITE)
+        self.min_range, self.max_range = ranges[0], min(ranges[1], MAX_FINITE_COORDINATE)
         self.voxel_size, self.truncation = blocks.voxel_size, blocks.truncation
 
     @property
     def slots(self) -> int:
-        return math.ceil(2 * self.truncation / (SIDE * self.voxel_size) * DIAGONAL) + SPARE
+        return math.ceil(2 * self.truncation / (BLOCK_SIDE * self.voxel_size) * CELLS_PER_LENGTH) + SPARE_CELLS
 
     @property
     def end_steps(self) -> int:
-        return math.ceil(2 * self.truncation / self.voxel_size * DIAGONAL) + SPARE
+        return math.ceil(2 * self.truncation / self.voxel_size * CELLS_PER_LENGTH) + SPARE_CELLS
 
 
 class Faults(NamedTuple):
@@ -117,9 +117,9 @@ def find_faults_kernel(rays: ScanRays, limit: float64, faults: array(dtype=int32
     p = rays.points[i]
     o = rays.scanners[i * rays.step]
     largest = max(abs(p[0]), max(abs(p[1]), abs(p[2])))
-    if largest > float64(INFINITE):
+    if largest > float64(MAX_FINITE_COORDINATE):
         atomic_min(faults, 0, i)  # the minimum does not depend on the order
-    if largest <= float64(INFINITE) and isfinite(p):
+    if largest <= float64(MAX_FINITE_COORDINATE) and isfinite(p):
         distance = length(p - o)
         beyond = max(abs(o[0]), max(abs(o[1]), abs(o[2])))
         if distance >= rays.min_range and distance <= rays.max_range:
@@ -157,17 +157,17 @@ def mark_passed_blocks_kernel(rays: ScanRays, blocks: VoxelBlocks, passed: array
     if free > 0.0:
         o = rays.scanners[i * rays.step]
         d = (rays.points[i] - o) / distance
-        side = rays.voxel_size * float64(SIDE)
-        a = cell_at(float64(0.0), d, o, rays) / float64(SIDE)
-        b = cell_at(free, d, o, rays) / float64(SIDE)
-        for _slot, x, y, z in blocks_on_segment(a, b, int(free / side * float64(DIAGONAL)) + SPARE):
+        side = rays.voxel_size * float64(BLOCK_SIDE)
+        a = cell_at(float64(0.0), d, o, rays) / float64(BLOCK_SIDE)
+        b = cell_at(free, d, o, rays) / float64(BLOCK_SIDE)
+        for _slot, x, y, z in blocks_on_segment(a, b, int(free / side * float64(CELLS_PER_LENGTH)) + SPARE_CELLS):
             block = find_position(block_key(x, y, z), blocks.table)
             if block >= 0:
                 passed[block] = 1  # all threads write the same
 
 
 def find_faults(rays: ScanRays) -> Faults:
-    limit = (BIAS - 2) * SIDE * rays.voxel_size - rays.truncation - rays.voxel_size
+    limit = (BIAS - 2) * BLOCK_SIDE * rays.voxel_size - rays.truncation - rays.voxel_size
     faults = full(2, rays.points.size, int32, rays.points.device)
     launch(find_faults_kernel, rays.points.size, [rays, limit, faults])
     infinite, far = download(faults).tolist()  # sync

@@ -9,7 +9,7 @@ from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
 from ..lang import array, float32, floor, kernel, launch, tid, vec3
 from ..memory import empty
-from .tsdf_blocks import BLOCK_VOXELS, SIDE
+from .tsdf_blocks import BLOCK_SIDE, BLOCK_VOXELS
 from .voxel_blocks import VoxelBlocks
 
 FIRST_LOOK = 24  # points before the first test for early termination
@@ -38,7 +38,7 @@ def score_shifts_kernel(
         z = int(floor(p[2] + 0.5))
         block = find_position(block_key(x >> 3, y >> 3, z >> 3), blocks.table)
         if block >= 0:
-            voxel = block * BLOCK_VOXELS + ((x & 7) * SIDE + (y & 7)) * SIDE + (z & 7)
+            voxel = block * BLOCK_VOXELS + ((x & 7) * BLOCK_SIDE + (y & 7)) * BLOCK_SIDE + (z & 7)
             if is_coarse == 1:
                 total += 1.0
             elif float(blocks.weights[voxel]) > threshold:

@@ -38,9 +38,9 @@ from ..lang import (
 from ..linear_algebra import matmul
 from ..memory import download, empty, full, upload, zeros
 
-SIDE = 8  # voxels per block edge
-ROWS = SIDE**2  # rows per block: voxel (x, y, z) of a block has index (x * 8 + y) * 8 + z
-BLOCK_VOXELS = SIDE**3
+BLOCK_SIDE = 8  # voxels per block edge
+BLOCK_ROWS = BLOCK_SIDE**2  # rows per block: voxel (x, y, z) of a block has index (x * 8 + y) * 8 + z
+BLOCK_VOXELS = BLOCK_SIDE**3
 MAX_BLOCKS = (2**31 - 1) // (3 * BLOCK_VOXELS)  # colors of a volume have fewer than 2^31 numbers
 MAX_GRID = 1 << 24  # cells of a dense grid: clearing 16 MB is faster than sorting a frame's keys
 MAX_STRIDE = 4  # pixels between rays
@@ -49,14 +49,18 @@ NO_CROSSING = 1.0e30  # parameter of a ray parallel to an axis
 
 @func
 def voxel_in_block(x: int, y: int, z: int) -> int:
-    return ((x & (SIDE - 1)) * SIDE + (y & (SIDE - 1))) * SIDE + (z & (SIDE - 1))
+    return ((x & (BLOCK_SIDE - 1)) * BLOCK_SIDE + (y & (BLOCK_SIDE - 1))) * BLOCK_SIDE + (z & (BLOCK_SIDE - 1))
 
 
 @func
 def voxel_cell(voxel: int, keys: array(dtype=int64)) -> vec3i:
     block = key_block(keys[voxel // BLOCK_VOXELS])
     k = voxel % BLOCK_VOXELS
-    return vec3i(SIDE * block[0] + k // ROWS, SIDE * block[1] + (k // SIDE) % SIDE, SIDE * block[2] + k % SIDE)
+    return vec3i(
+        BLOCK_SIDE * block[0] + k // BLOCK_ROWS,
+        BLOCK_SIDE * block[1] + (k // BLOCK_SIDE) % BLOCK_SIDE,
+        BLOCK_SIDE * block[2] + k % BLOCK_SIDE,
+    )
 
 
 @func
@@ -214,7 +218,7 @@ def frame_box(
     farthest: float, camera: CameraLike, T_volume_camera: np.ndarray, truncation: float, voxel_size: float
 ) -> tuple[np.ndarray, np.ndarray, int]:
     """Frame bounds for depths up to `farthest` [m]: (low block, size in blocks, maximum number of blocks per ray)."""
-    block_size = SIDE * voxel_size
+    block_size = BLOCK_SIDE * voxel_size
     corners, _ = _corner_rays(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
     ends = corners * (farthest + truncation)
     ends = matmul(ends, T_volume_camera[:3, :3].T) + T_volume_camera[:3, 3]
@@ -226,7 +230,7 @@ def frame_box(
 def ray_slots(camera: CameraLike, truncation: float, voxel_size: float) -> int:
     """Maximum number of blocks per ray for any pose."""
     _, longest = _corner_rays(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy)
-    return int(math.ceil(2 * truncation * longest / (SIDE * voxel_size) * math.sqrt(3))) + 3
+    return int(math.ceil(2 * truncation * longest / (BLOCK_SIDE * voxel_size) * math.sqrt(3))) + 3
 
 
 @functools.lru_cache(64)
@@ -252,7 +256,7 @@ def touched_blocks(
     voxel_size: float,
 ) -> LongIntegers:
     """Ascending keys of blocks within the truncation of depth [m] (0: none). Raises ValueError beyond 2^20 blocks."""
-    block_size = SIDE * voxel_size
+    block_size = BLOCK_SIDE * voxel_size
     stride = ray_stride(farthest, camera, block_size)
     columns, rows = ray_grid(camera, stride)
     low, size, slots = frame_box(farthest, camera, T_volume_camera, truncation, voxel_size)

@@ -14,14 +14,14 @@ from ..algebra.plain_min_max import larger, smaller
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
 from ..lang import array, bits_float, float32, floor, func, int32, int64, kernel, launch, tid, vec2, vec3, vec3i, vec4
-from .block_rows import AROUND, SeenBlocks
-from .block_signs import HALF, BlockSigns, signs_of
-from .camera_rays import TILE, CameraRays, ray_of
+from .block_rows import BLOCKS_AROUND, SeenBlocks
+from .block_signs import PART_CELLS, BlockSigns, signs_of
+from .camera_rays import TILE_PIXELS, CameraRays, ray_of
 from .ray_images import RayImages, shade_hits
-from .tsdf_blocks import SIDE
+from .tsdf_blocks import BLOCK_SIDE
 from .voxel_samples import (
-    MIDDLE,
-    UNSEEN,
+    MIDDLE_BLOCK,
+    UNSEEN_DISTANCE,
     cell_distances,
     floor_cell,
     greatest,
@@ -33,17 +33,17 @@ from .voxel_samples import (
 )
 
 MAX_STEPS = 8192  # of a ray
-NOWHERE = 1 << 30  # beyond all voxels
-ACROSS = 1.0e30  # inverse of a direction parallel to an axis plane
-FLAT = 1.0e-12  # [voxels per meter] below it a component counts as zero
-EARLIER = 0.999999  # of a tile's depth: rays begin before rounding can skip a surface
+NO_BLOCK = 1 << 30  # beyond all voxels
+PARALLEL_INVERSE = 1.0e30  # inverse of a direction parallel to an axis plane
+MIN_COMPONENT = 1.0e-12  # [voxels per meter] below it a component counts as zero
+RAY_START_FRACTION = 0.999999  # of a tile's depth: rays begin before rounding can skip a surface
 
 
 @func
 def inverse_of(direction: float) -> float:
     """Inverse of a direction component with its sign; positive for zero."""
-    inverse = float(ACROSS)
-    if abs(direction) > FLAT:
+    inverse = float(PARALLEL_INVERSE)
+    if abs(direction) > MIN_COMPONENT:
         inverse = 1.0 / direction
     return inverse
 
@@ -97,12 +97,12 @@ def hit_unseen(ends: vec4, block: int, corner: vec3i, ray: vec3, rays: CameraRay
     a = ends[0]
     a_d = ends[1]
     hit = 0.0
-    if m_d <= 0.0 and a_d > 0.0 and a_d < UNSEEN:
+    if m_d <= 0.0 and a_d > 0.0 and a_d < UNSEEN_DISTANCE:
         hit = zero_between(a, a_d, middle, m_d)
-    if m_d < UNSEEN:
+    if m_d < UNSEEN_DISTANCE:
         a = middle
         a_d = m_d
-    if hit == 0.0 and ends[3] <= 0.0 and a_d > 0.0 and a_d < UNSEEN:
+    if hit == 0.0 and ends[3] <= 0.0 and a_d > 0.0 and a_d < UNSEEN_DISTANCE:
         hit = zero_between(a, a_d, ends[2], ends[3])
     return hit
 
@@ -127,18 +127,18 @@ def hit_in_cell(
     """Hit in a cell, or 0, and the distance at its exit. `ends` are the entry, its distance (or UNSEEN), the exit."""
     hit = 0.0
     before = ends[1]
-    after = float(UNSEEN)
+    after = float(UNSEEN_DISTANCE)
     corners = cell_distances(block, cell[0] - corner[0], cell[1] - corner[1], cell[2] - corner[2], seen)
-    if greatest(corners) < UNSEEN:
+    if greatest(corners) < UNSEEN_DISTANCE:
         cell_position = to_float(cell)
         entry_d = value_in_cell(ends[0], cell_position, corners, ray, rays)
         after = value_in_cell(ends[2], cell_position, corners, ray, rays)
         if entry_d > 0.0 and after <= 0.0:
             hit = zero_in_cell(vec4(ends[0], entry_d, ends[2], after), cell_position, corners, ray, rays)
-        if entry_d <= 0.0 and before > 0.0 and before < UNSEEN:
+        if entry_d <= 0.0 and before > 0.0 and before < UNSEEN_DISTANCE:
             hit = ends[0]
     else:
-        if before == UNSEEN:
+        if before == UNSEEN_DISTANCE:
             before = nearest_value(ends[0], block, corner, ray, rays, seen)
         after = nearest_value(ends[2], block, corner, ray, rays, seen)
         hit = hit_unseen(vec4(ends[0], before, ends[2], after), block, corner, ray, rays, seen)
@@ -171,27 +171,27 @@ def cast_rays_kernel(
 ):
     """One ray. The parameter is depth along z [m]. Threads go tile by tile to read the same voxels."""
     i = tid()
-    tile = i // (TILE * TILE)
-    column = tile % rays.columns * TILE + i % TILE
-    row = tile // rays.columns * TILE + i // TILE % TILE
+    tile = i // (TILE_PIXELS * TILE_PIXELS)
+    column = tile % rays.columns * TILE_PIXELS + i % TILE_PIXELS
+    row = tile // rays.columns * TILE_PIXELS + i // TILE_PIXELS % TILE_PIXELS
     if column >= rays.camera.width or row >= rays.camera.height:
         return
     pixel = row * rays.camera.width + column
     ray = ray_of(column, row, rays)
     inverse = vec3(inverse_of(ray[0]), inverse_of(ray[1]), inverse_of(ray[2]))
     ahead = vec3i(-int(inverse[0] > 0.0), -int(inverse[1] > 0.0), -int(inverse[2] > 0.0))  # all bits set if it goes up
-    t = max(rays.nearest, bits_float(rays.nears[tile]) * EARLIER)
+    t = max(rays.nearest, bits_float(rays.nears[tile]) * RAY_START_FRACTION)
     last = min(rays.farthest, bits_float(rays.fars[tile]))
     hit = 0.0
     steps = 0
     if t <= last:
         cell = floor_cell(rays.start + ray * t)
-        before = float(UNSEEN)  # distance at the entry, if known from the previous cell
+        before = float(UNSEEN_DISTANCE)  # distance at the entry, if known from the previous cell
         block = block_at(cell, rays.base, seen)
         corner = vec3i(
-            ((cell[0] + rays.base[0]) & -SIDE) - rays.base[0],
-            ((cell[1] + rays.base[1]) & -SIDE) - rays.base[1],
-            ((cell[2] + rays.base[2]) & -SIDE) - rays.base[2],
+            ((cell[0] + rays.base[0]) & -BLOCK_SIDE) - rays.base[0],
+            ((cell[1] + rays.base[1]) & -BLOCK_SIDE) - rays.base[1],
+            ((cell[2] + rays.base[2]) & -BLOCK_SIDE) - rays.base[2],
         )
         parts = 0
         if block >= 0:
@@ -201,19 +201,19 @@ def cast_rays_kernel(
             x = cell[0] - corner[0]
             y = cell[1] - corner[1]
             z = cell[2] - corner[2]
-            size = int(SIDE)
+            size = int(BLOCK_SIDE)
             is_candidate = 0
             if parts != 0:
-                size = int(HALF)
+                size = int(PART_CELLS)
                 if ((parts >> ((x >> 2) * 4 + (y >> 2) * 2 + (z >> 2))) & 1) == 1:
                     size = 1
-                    is_candidate = int(signs.cells[block * SIDE + x] >> int64(y * SIDE + z)) & 1
+                    is_candidate = int(signs.cells[block * BLOCK_SIDE + x] >> int64(y * BLOCK_SIDE + z)) & 1
             low = vec3i(corner[0] + (x & -size), corner[1] + (y & -size), corner[2] + (z & -size))
             tx = (float(low[0] + (ahead[0] & size)) - rays.start[0]) * inverse[0]
             ty = (float(low[1] + (ahead[1] & size)) - rays.start[1]) * inverse[1]
             tz = (float(low[2] + (ahead[2] & size)) - rays.start[2]) * inverse[2]
             leave = larger(smaller(tx, smaller(ty, tz)), t)
-            after = float(UNSEEN)
+            after = float(UNSEEN_DISTANCE)
             if is_candidate == 1:
                 cell_hit = hit_in_cell(vec3(t, before, leave), cell, block, corner, ray, rays, seen)
                 hit = cell_hit[0]
@@ -227,10 +227,12 @@ def cast_rays_kernel(
                 dz = (cell[2] - corner[2]) >> 3
                 if (dx | dy | dz) != 0:
                     if block >= 0:
-                        block = seen.neighbors[block * AROUND + MIDDLE + 9 * dx + 3 * dy + dz]
+                        block = seen.neighbors[block * BLOCKS_AROUND + MIDDLE_BLOCK + 9 * dx + 3 * dy + dz]
                     else:
                         block = block_at(cell, rays.base, seen)
-                    corner = vec3i(corner[0] + dx * SIDE, corner[1] + dy * SIDE, corner[2] + dz * SIDE)
+                    corner = vec3i(
+                        corner[0] + dx * BLOCK_SIDE, corner[1] + dy * BLOCK_SIDE, corner[2] + dz * BLOCK_SIDE
+                    )
                     parts = 0
                     if block >= 0:
                         parts = signs.parts[block]
@@ -252,5 +254,5 @@ def cast_rays(
     signs = signs_of(seen.blocks)
     rays = CameraRays(camera, T_volume_camera, nearest, farthest, seen.blocks, signs)
     outputs = [images.depth, images.met]
-    launch(cast_rays_kernel, rays.nears.size * TILE * TILE, [rays, seen, signs, *outputs])
+    launch(cast_rays_kernel, rays.nears.size * TILE_PIXELS * TILE_PIXELS, [rays, seen, signs, *outputs])
     shade_hits(rays, seen, images)

@@ -41,14 +41,14 @@ from ..memory import copy, empty
 from .block_rows import SeenBlocks, voxel_near
 from .frame_record import FrameRecord
 from .integrate import MAX_WEIGHT
-from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE, block_box, is_out_of_range
+from .tsdf_blocks import BLOCK_ROWS, BLOCK_SIDE, BLOCK_VOXELS, block_box, is_out_of_range
 from .voxel_blocks import VoxelBlocks, check_block_count
 
 CPU_RUN = 8  # voxels per thread: a row, mostly in one block of the other volume
-SNAP = 1.0e-6  # [voxels] closer positions are snapped to the voxel: float64 sums deviate by some 1e-10
+SNAP_DISTANCE = 1.0e-6  # [voxels] closer positions are snapped to the voxel: float64 sums deviate by some 1e-10
 KEYS_AT_ONCE = 1 << 23  # keys listed together: 64 MB
-EDGE = 8.0  # [voxels] SIDE, for 64 bits
-HALF = 4.0  # [voxels] from the center of a block of positions to its face
+BLOCK_EDGE = 8.0  # [voxels] BLOCK_SIDE, for 64 bits
+HALF_EDGE = 4.0  # [voxels] from the center of a block of positions to its face
 sample = vector(5, float64)  # distance, weight, color
 
 
@@ -71,7 +71,7 @@ class MovedVolume:
 def snapped(a: float64) -> float64:
     nearest = floor(a + 0.5)
     b = a
-    if abs(a - nearest) < float64(SNAP):
+    if abs(a - nearest) < float64(SNAP_DISTANCE):
         b = nearest
     return b
 
@@ -84,7 +84,7 @@ def position_in(x: int, y: int, z: int, moved: MovedVolume) -> vec3d:
 
 @func
 def block_at(a: float64) -> int:
-    return int(floor(a / float64(EDGE)))
+    return int(floor(a / float64(BLOCK_EDGE)))
 
 
 @func
@@ -121,7 +121,9 @@ def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
         dz = c & 1
         fraction = fraction_of(fx, dx) * fraction_of(fy, dy) * fraction_of(fz, dz)
         if fraction > 0.0:
-            voxel = voxel_near(block, x - b[0] * SIDE + dx, y - b[1] * SIDE + dy, z - b[2] * SIDE + dz, moved.seen)
+            voxel = voxel_near(
+                block, x - b[0] * BLOCK_SIDE + dx, y - b[1] * BLOCK_SIDE + dy, z - b[2] * BLOCK_SIDE + dz, moved.seen
+            )
             weight = float64(0.0)
             if voxel >= 0:
                 weight = float64(moved.seen.blocks.weights[voxel])
@@ -159,9 +161,9 @@ def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume
     first = i * run
     own = touched[first // BLOCK_VOXELS]
     corner = key_block(blocks.keys[own])
-    x = corner[0] * SIDE + first // ROWS % SIDE
-    y = corner[1] * SIDE + first // SIDE % SIDE
-    z = corner[2] * SIDE + first % SIDE
+    x = corner[0] * BLOCK_SIDE + first // BLOCK_ROWS % BLOCK_SIDE
+    y = corner[1] * BLOCK_SIDE + first // BLOCK_SIDE % BLOCK_SIDE
+    z = corner[2] * BLOCK_SIDE + first % BLOCK_SIDE
     last = vec3i(BIAS, BIAS, BIAS)
     block = -1
     for j in range(run):
@@ -191,12 +193,12 @@ class BlockMapping:
 
     def __init__(self, back: np.ndarray) -> None:
         there = inv(back)
-        half = np.abs(there[:3, :3]).sum(axis=1) * HALF
-        half_back = np.abs(back[:3, :3]).sum(axis=1) * (HALF - 0.5)
+        half = np.abs(there[:3, :3]).sum(axis=1) * HALF_EDGE
+        half_back = np.abs(back[:3, :3]).sum(axis=1) * (HALF_EDGE - 0.5)
         self.R, self.t, self.half = mat33d(*there[:3, :3].ravel()), vec3d(*there[:3, 3]), vec3d(*half)
         self.R_back, self.t_back = mat33d(*back[:3, :3].ravel()), vec3d(*back[:3, 3])
         self.half_back = vec3d(*half_back)
-        self.slots = int(np.ceil(2 * half.max() / SIDE)) + 1
+        self.slots = int(np.ceil(2 * half.max() / BLOCK_SIDE)) + 1
 
 
 @kernel
@@ -207,18 +209,18 @@ def list_reached_kernel(own_keys: array(dtype=int64), mapping: BlockMapping, rea
     slot = i % per_block
     corner = key_block(own_keys[i // per_block])
     middle = vec3d(float64(corner[0]) + 0.5, float64(corner[1]) + 0.5, float64(corner[2]) + 0.5)
-    middle = middle * float64(EDGE)
+    middle = middle * float64(BLOCK_EDGE)
     p = mapping.R @ middle + mapping.t
     x = block_at(p[0] - mapping.half[0]) + slot // (mapping.slots * mapping.slots)
     y = block_at(p[1] - mapping.half[1]) + slot // mapping.slots % mapping.slots
     z = block_at(p[2] - mapping.half[2]) + slot % mapping.slots
-    inner = vec3d(float64(x * SIDE), float64(y * SIDE), float64(z * SIDE)) + vec3d(3.5, 3.5, 3.5)
+    inner = vec3d(float64(x * BLOCK_SIDE), float64(y * BLOCK_SIDE), float64(z * BLOCK_SIDE)) + vec3d(3.5, 3.5, 3.5)
     back = mapping.R_back @ inner + mapping.t_back - middle
     apart = 0
     for axis in range(3):
-        if abs(p[axis] - inner[axis]) > mapping.half[axis] + float64(HALF):
+        if abs(p[axis] - inner[axis]) > mapping.half[axis] + float64(HALF_EDGE):
             apart += 1
-        if abs(back[axis]) > mapping.half_back[axis] + float64(HALF) + float64(SNAP):
+        if abs(back[axis]) > mapping.half_back[axis] + float64(HALF_EDGE) + float64(SNAP_DISTANCE):
             apart += 1
     key = int64(NO_KEY)
     if apart == 0:
@@ -263,10 +265,10 @@ def _distinct(parts: Sequence[Keys], device: Device) -> Keys:
 
 def check_range(keys: np.ndarray, back: np.ndarray) -> None:
     boxes = block_box(keys)
-    low, high = boxes.min(axis=0) * SIDE, (boxes.max(axis=0) + 1) * SIDE
+    low, high = boxes.min(axis=0) * BLOCK_SIDE, (boxes.max(axis=0) + 1) * BLOCK_SIDE
     corners = np.array(list(itertools.product(*zip(low, high, strict=True))), np.float64)
     there = inv(back)
-    moved = (matmul(corners, there[:3, :3].T) + there[:3, 3]) / SIDE
+    moved = (matmul(corners, there[:3, :3].T) + there[:3, 3]) / BLOCK_SIDE
     low = np.floor(moved.min(axis=0)) - 2
     if is_out_of_range(low, np.ceil(moved.max(axis=0)) + 2 - low):
         far = np.abs(moved).max()

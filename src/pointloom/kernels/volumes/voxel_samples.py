@@ -5,11 +5,11 @@ index. A cell is named by its lowest voxel, local to the block.
 """
 
 from ..lang import float32, floor, func, int32, vec3, vec3i, vector
-from .block_rows import AROUND, SeenBlocks, voxel_near
-from .tsdf_blocks import BLOCK_VOXELS, SIDE
+from .block_rows import BLOCKS_AROUND, SeenBlocks, voxel_near
+from .tsdf_blocks import BLOCK_SIDE, BLOCK_VOXELS
 
-MIDDLE = 13  # index of a block among its neighbors
-UNSEEN = 2.0  # above all truncated distances
+MIDDLE_BLOCK = 13  # index of a block among its neighbors
+UNSEEN_DISTANCE = 2.0  # above all truncated distances
 octet = vector(8, float32)
 cube = vector(8, int32)
 
@@ -27,7 +27,7 @@ def to_float(v: vec3i) -> vec3:
 @func
 def seen_distance(voxel: int, seen: SeenBlocks) -> float:
     """Truncated distance at a voxel, or UNSEEN."""
-    d = float(UNSEEN)
+    d = float(UNSEEN_DISTANCE)
     if voxel >= 0:
         if float(seen.blocks.weights[voxel]) > seen.threshold:
             d = seen.blocks.distances[voxel]
@@ -44,10 +44,10 @@ def nearest_voxel(p: vec3, block: int, corner: vec3i, seen: SeenBlocks) -> int:
 @func
 def voxel_around(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
     """`voxel_near` with only one branch, at the end."""
-    other = seen.neighbors[block * AROUND + MIDDLE + 9 * (x >> 3) + 3 * (y >> 3) + (z >> 3)]
+    other = seen.neighbors[block * BLOCKS_AROUND + MIDDLE_BLOCK + 9 * (x >> 3) + 3 * (y >> 3) + (z >> 3)]
     voxel = -1
     if other >= 0:
-        voxel = other * BLOCK_VOXELS + ((x & 7) * SIDE + (y & 7)) * SIDE + (z & 7)
+        voxel = other * BLOCK_VOXELS + ((x & 7) * BLOCK_SIDE + (y & 7)) * BLOCK_SIDE + (z & 7)
     return voxel
 
 
@@ -55,10 +55,10 @@ def voxel_around(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> int:
 def cell_voxels(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> cube:
     """Eight voxels of a cell, x slowest, coordinates in -8..14, or -1 without a block."""
     voxels = cube(-1)
-    if min(x, min(y, z)) >= 0 and max(x, max(y, z)) < SIDE - 1:  # all eight in one block
-        first = block * BLOCK_VOXELS + (x * SIDE + y) * SIDE + z
+    if min(x, min(y, z)) >= 0 and max(x, max(y, z)) < BLOCK_SIDE - 1:  # all eight in one block
+        first = block * BLOCK_VOXELS + (x * BLOCK_SIDE + y) * BLOCK_SIDE + z
         for c in range(8):
-            voxels[c] = first + ((c >> 2) * SIDE + ((c >> 1) & 1)) * SIDE + (c & 1)
+            voxels[c] = first + ((c >> 2) * BLOCK_SIDE + ((c >> 1) & 1)) * BLOCK_SIDE + (c & 1)
     else:
         for c in range(8):
             voxels[c] = voxel_around(block, x + (c >> 2), y + ((c >> 1) & 1), z + (c & 1), seen)
@@ -67,7 +67,7 @@ def cell_voxels(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> cube:
 
 @func
 def corner_distances(voxels: cube, seen: SeenBlocks) -> octet:
-    values = octet(UNSEEN)
+    values = octet(UNSEEN_DISTANCE)
     for c in range(8):
         values[c] = seen_distance(voxels[c], seen)
     return values

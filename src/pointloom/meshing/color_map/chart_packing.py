@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from ...kernels.textures.charts import Cells
 
-CELL = 6  # texels per side of an unseen triangle: 3 for its legs, the rest padding
-SPOT = 4  # texels per side of the cell shared by all unseen triangles
+CELL_TEXELS = 6  # texels per side of an unseen triangle: 3 for its legs, the rest padding
+SHARED_CELL_TEXELS = 4  # texels per side of the cell shared by all unseen triangles
 MAX_CELLS = 0.5  # maximum fraction of the texture for such triangles; beyond, all share one cell
-STEP = 64  # texels: automatic sizes are multiples of it
-FINER, TRIES = 0.5**7, 40  # precision of the scale. Maximum number of scales tried
+SIZE_STEP = 64  # texels: automatic sizes are multiples of it
+SCALE_PRECISION, MAX_SCALES = 0.5**7, 40  # precision of the scale. Maximum number of scales tried
 
 
 @dataclass(frozen=True)
@@ -34,21 +34,21 @@ def pack_charts(
     extents = boxes[:, 2:]
     if size is not None:
         return _largest_scale(extents, blind, has_colors, padding, size)
-    area = float(((extents + 2 * padding).prod(axis=1)).sum()) + blind * CELL * CELL * has_colors
-    side = math.ceil(max(math.sqrt(area), (extents.max(initial=1) + 2 * padding), STEP) / STEP) * STEP
+    area = float(((extents + 2 * padding).prod(axis=1)).sum()) + blind * CELL_TEXELS * CELL_TEXELS * has_colors
+    side = math.ceil(max(math.sqrt(area), (extents.max(initial=1) + 2 * padding), SIZE_STEP) / SIZE_STEP) * SIZE_STEP
     while side < largest:
         packing = _pack(extents, blind, has_colors, padding, side, 1.0)
         if packing is not None:
             return packing
-        side += max(STEP, side // 20 // STEP * STEP)
+        side += max(SIZE_STEP, side // 20 // SIZE_STEP * SIZE_STEP)
     return _largest_scale(extents, blind, has_colors, padding, largest)
 
 
 def _largest_scale(extents: NDArray[np.int64], blind: int, has_colors: bool, padding: int, size: int) -> Packing:
     best = _pack(extents, blind, has_colors, padding, size, 1.0)
     low, high = 0.0, 1.0
-    for _ in range(TRIES):
-        if best is not None and high - low < FINER * high:
+    for _ in range(MAX_SCALES):
+        if best is not None and high - low < SCALE_PRECISION * high:
             return best
         scale = (low + high) / 2
         candidate = _pack(extents, blind, has_colors, padding, size, scale)
@@ -90,8 +90,8 @@ def _cells(blind: int, has_colors: bool, padding: int, size: int) -> tuple[Cells
     """Cells at the bottom of the texture, and the rows above them."""
     if not blind:
         return Cells(0, 1, 0), size
-    columns = max(size // CELL, 1)
-    rows = -(-blind // columns) * CELL
+    columns = max(size // CELL_TEXELS, 1)
+    rows = -(-blind // columns) * CELL_TEXELS
     if has_colors and rows <= MAX_CELLS * size:
-        return Cells(size - rows, columns, CELL), size - rows - padding
-    return Cells(size - SPOT, 1, 0), size - SPOT - padding
+        return Cells(size - rows, columns, CELL_TEXELS), size - rows - padding
+    return Cells(size - SHARED_CELL_TEXELS, 1, 0), size - SHARED_CELL_TEXELS - padding

@@ -32,12 +32,12 @@ from .image_sources import take_images
 from .image_texture_result import ImageTextureResult
 from .results import NothingSeenError
 
-PADDING = 4  # texels around each chart: two of its image, two of their colors
+CHART_PADDING = 4  # texels around each chart: two of its image, two of their colors
 MAX_SIZE = 16384  # texels per side
-LARGEST = 8192  # default limit
+MAX_TEXTURE_SIZE = 8192  # default limit
 TEXEL_BYTES = 120
 MAX_SMOOTHNESS = 1000.0
-PLAIN = (0.5, 0.5, 0.5)
+UNSEEN_COLOR = (0.5, 0.5, 0.5)
 
 
 def texture_from_images(
@@ -53,7 +53,7 @@ def texture_from_images(
     seam_leveling: bool = True,
     local_leveling: bool = True,
     depth_max: float = np.inf,
-    plain: Any = PLAIN,
+    plain: Any = UNSEEN_COLOR,
     progress: ReportProgress | None = None,
 ) -> ImageTextureResult:
     """Texture a mesh from posed images, each triangle from its best image, without seams.
@@ -194,7 +194,7 @@ def _paint(
     charts = cut_charts(vertices, seams.triangles, seams.twins, seams.views, images)
     colors: wp.array | None = mesh.array("vertex_colors") if mesh.vertex_colors is not None else None
     blind = int((download(seams.views) < 0).sum())  # sync
-    packing = pack_charts(charts.boxes(), blind, colors is not None, PADDING, size, LARGEST)
+    packing = pack_charts(charts.boxes(), blind, colors is not None, CHART_PADDING, size, MAX_TEXTURE_SIZE)
     side = packing.size
     check_room(mesh.device, side * side * TEXEL_BYTES, f"size: a texture of {side} x {side} texels")
     where = (packing.positions, packing.scale, packing.cells, side)
@@ -205,7 +205,7 @@ def _paint(
     if blend:
         blend_strips(texels, vertices, seams, images, choice.exposures, levels.shifts)
         join_seams(seam_samples, texels.colors)
-    pixels = finish_texels(texels, PADDING)
+    pixels = finish_texels(texels, CHART_PADDING)
     steps = drawn_steps(seam_samples, pixels)
     image = download(pixels).reshape(side, side, 3)  # sync
     without = mesh.with_arrays(triangle_uvs=None, triangle_material_ids=None, vertex_colors=None)

@@ -18,9 +18,9 @@ from ..mesh.mesh import TriangleMesh
 
 # Thresholds of the quality checks.
 FEW_SEEN = 0.3  # fraction of the vertices seen
-BLIND = 0.5  # fraction of the frames that see nothing of the mesh
-WON = 0.99  # maximum ratio of residuals after and before, unless the residual is
-AGREED = 0.01  # below this: the level of 8-bit colors and their noise
+MAX_BLIND_FRACTION = 0.5  # fraction of the frames that see nothing of the mesh
+MAX_RESIDUAL_RATIO = 0.99  # maximum ratio of residuals after and before, unless the residual is
+MIN_RESIDUAL = 0.01  # below this: the level of 8-bit colors and their noise
 
 
 class NothingSeenError(ValueError):
@@ -86,8 +86,8 @@ class ColorMapResult(Assessed):
         )
         return failed(
             few if self.seen_fraction < FEW_SEEN else None,
-            f"{blind} of {count} frames show nothing of the mesh" if blind > BLIND * count else None,
-            worse if is_refined and before > AGREED and after > WON * before else None,
+            f"{blind} of {count} frames show nothing of the mesh" if blind > MAX_BLIND_FRACTION * count else None,
+            worse if is_refined and before > MIN_RESIDUAL and after > MAX_RESIDUAL_RATIO * before else None,
         )
 
     def to_dict(self) -> dict[str, Any]:

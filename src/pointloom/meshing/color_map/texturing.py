@@ -27,9 +27,9 @@ from .textured_mesh import TexturedMesh, mean_motion
 METHODS = ("rigid", "non-rigid", "none")
 RIGID_ITERATIONS = 100  # maximum iterations
 NON_RIGID_ITERATIONS = 30  # maximum iterations for image warps, which start from the rigid result
-GUTTER = 4  # texels between charts of an atlas: two mipmap levels
-JUMP = 0.4  # [m] Sobel response of a step of 5 cm: floors at grazing angles and noise are below
-BESIDE = 2  # ignored pixels beside such a step
+GUTTER_TEXELS = 4  # texels between charts of an atlas: two mipmap levels
+MIN_DEPTH_STEP = 0.4  # [m] Sobel response of a step of 5 cm: floors at grazing angles and noise are below
+STEP_MARGIN = 2  # ignored pixels beside such a step
 
 
 def texture_mesh(
@@ -145,8 +145,8 @@ def _color(
 ) -> ColorMapResult:
     numbers: dict[str, Any] = {
         "maximum_allowable_depth": depth_max,
-        "depth_threshold_for_discontinuity_check": JUMP,
-        "half_dilation_kernel_size_for_discontinuity_map": BESIDE,
+        "depth_threshold_for_discontinuity_check": MIN_DEPTH_STEP,
+        "half_dilation_kernel_size_for_discontinuity_map": STEP_MARGIN,
     }
     iterations = 0 if method == "none" else RIGID_ITERATIONS
     option = RigidOptimizerOption(maximum_iteration=iterations, **numbers)
@@ -163,8 +163,8 @@ def _paint_atlas(colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: i
     """Mesh with a texture from the optimized images, and the fraction of it that they see."""
     mesh = colors.mesh
     if mesh.triangle_uvs is None:
-        mesh = mesh.compute_uvatlas(size, gutter=GUTTER)
+        mesh = mesh.compute_uvatlas(size, gutter=GUTTER_TEXELS)
     images = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
     extrinsics = [inv(pose) for pose in colors.trajectory.poses]
-    textured, fraction = mesh._with_albedo(images, camera, extrinsics, size)
+    textured, fraction = mesh.with_albedo(images, camera, extrinsics, size)
     return textured.with_arrays(vertex_colors=None), fraction  # viewers multiply texture and vertex colors

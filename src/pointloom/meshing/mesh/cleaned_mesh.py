@@ -173,8 +173,8 @@ def clean_mesh(
         is_watertight=left.is_watertight() if small else done.is_watertight,
         boundary_edges=len(left.get_boundary_edges()) if small else done.boundary_edges,
         self_intersections=len(left.get_self_intersecting_triangles()),
-        was_watertight=mesh._is_closed(),
-        area_in=mesh._finite_area(),
+        was_watertight=mesh.is_closed(),
+        area_in=mesh.finite_area(),
         merge_distance=merge_distance,
         hole_size=hole_size,
     )

@@ -25,28 +25,37 @@ from .mesh import TriangleMesh
 from .mesh_metrics import points_about
 from .mesh_reconstruction import MIN_DEPTH, NormalsWarning, why_flat
 from .mesh_summary import describe_surface
-from .surface_result import MADE_UP, NEAR, SPARSE, MadeUp, NormalsUsed, PointsOff, Support, SurfaceResult
+from .surface_result import (
+    MADE_UP,
+    MAX_SPARSE_AREA,
+    NEAR_DISTANCE,
+    MadeUp,
+    NormalsUsed,
+    PointsOff,
+    Support,
+    SurfaceResult,
+)
 
 Cut = Callable[[float], TriangleMesh]
 
 METHODS = ("poisson", "ball", "alpha")
-DEPTH = 8
+OCTREE_DEPTH = 8
 DENSITY_QUANTILE = 0.01  # as in Open3D's tutorial: surface that Poisson extrapolates
 MADE_UP_AT_ALL = 0.001  # fraction of the area: ten samples of 10,000; below, the surface is not trimmed
-NEIGHBORS = 30  # for normal estimation, and in the orientation graph
+NORMAL_NEIGHBORS = 30  # for normal estimation, and in the orientation graph
 
 SPACING_NEIGHBORS = 10
 # Times the median distance of a point to its 10th neighbor. Poisson closes smaller gaps well. An alpha shape hides a
 # hollow behind one.
-FAR = {"poisson": 3.0, "alpha": 1.0}
+MAX_SPACINGS = {"poisson": 3.0, "alpha": 1.0}
 SURFACE_SAMPLES, POINT_SAMPLES, SUPPORT_SAMPLES = 10_000, 2_000, 2_000
 MAX_GAP = 0.6  # times the distance of a point to its 10th neighbor
-SQUARINGS = 6  # of an adjugate: the 64th power
+ADJUGATE_SQUARINGS = 6  # of an adjugate: the 64th power
 MIN_COSINE = 0.6  # of the angle between the surface and a tangent plane
-QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # the first that removes the extrapolated surface is proposed
+PROPOSED_QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # the first that removes the extrapolated surface is proposed
 
 _OWNERS = {"depth": "poisson", "density_quantile": "poisson", "radii": "ball", "alpha": "alpha"}
-_DEFAULTS = {"depth": DEPTH, "density_quantile": None, "radii": None, "alpha": "auto"}
+_DEFAULTS = {"depth": OCTREE_DEPTH, "density_quantile": None, "radii": None, "alpha": "auto"}
 
 
 @dataclass(frozen=True)
@@ -160,10 +169,12 @@ def _with_normals(points: PointCloud, method: str, anew: bool) -> tuple[PointClo
         return points, NormalsUsed("not needed", given=False, disagreement=None)
     given, origin = bool(points.has_normals) and not anew, "of the input"
     if not given:
-        origin = f"made of the {NEIGHBORS} nearest points of each and oriented"
+        origin = f"made of the {NORMAL_NEIGHBORS} nearest points of each and oriented"
         origin += "" if points.has_normals else ": the input has none"
         points = points.without("normals") if points.has_normals else points
-        points = points.estimate_normals(max_nn=NEIGHBORS).orient_normals_consistent_tangent_plane(NEIGHBORS)
+        points = points.estimate_normals(max_nn=NORMAL_NEIGHBORS).orient_normals_consistent_tangent_plane(
+            NORMAL_NEIGHBORS
+        )
     return points, NormalsUsed(origin, given, points.normal_disagreement())
 
 
@@ -189,14 +200,14 @@ def _without_made_up(
     """Mesh trimmed by density, and its fraction far from points; sets a default quantile in `settings`."""
     quantile = settings.get("density_quantile")
     mesh = made.mesh if quantile is None or made.cut is None else made.cut(quantile)
-    if method not in FAR or not mesh.get_surface_area() > 0:
+    if method not in MAX_SPACINGS or not mesh.get_surface_area() > 0:
         if method == "poisson":
             settings["density_quantile"] = quantile or 0.0
         return mesh, MadeUp()
     search = NearestNeighborSearch(points)
     probes = points.points[:: max(1, len(points) // POINT_SAMPLES)]
     farthest = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(points))).sqdists[:, -1]
-    far = FAR[method] * float(np.sqrt(np.median(farthest)))
+    far = MAX_SPACINGS[method] * float(np.sqrt(np.median(farthest)))
 
     fraction = _made_up_fraction(search, mesh, far)
     if made.cut is not None and quantile is None:
@@ -214,10 +225,14 @@ def _made_up_fraction(search: NearestNeighborSearch, mesh: TriangleMesh, far: fl
 
 def _with_remedy(points: PointCloud, cut: Cut, made_up: MadeUp, support: Support, quantile: float) -> MadeUp:
     """`made_up` with the smallest larger quantile that makes the surface agree with its points, if any."""
-    if made_up.fraction is None or made_up.far is None or (made_up.fraction <= MADE_UP and support.sparse <= SPARSE):
+    if (
+        made_up.fraction is None
+        or made_up.far is None
+        or (made_up.fraction <= MADE_UP and support.sparse <= MAX_SPARSE_AREA)
+    ):
         return made_up
     search = NearestNeighborSearch(points)
-    for larger in (tried for tried in QUANTILES if tried > quantile):
+    for larger in (tried for tried in PROPOSED_QUANTILES if tried > quantile):
         mesh = cut(larger)
         fraction, (_, support) = _made_up_fraction(search, mesh, made_up.far), _find_fit(points, mesh)
         if fraction <= MADE_UP and support.problem("poisson", None, None) is None:
@@ -234,7 +249,7 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh) -> tuple[PointsOff, Suppor
     tree = TriangleTree(mesh.arrays["vertices"], mesh.arrays["triangles"])
     distances = download(distances_to(points_about(probes.arrays["points"], probes.origin, mesh.origin), tree))
     size = math.dist(points.get_min_bound(), points.get_max_bound())
-    near = NEAR * size
+    near = NEAR_DISTANCE * size
     samples = mesh.sample_points_uniformly(SUPPORT_SAMPLES, use_triangle_normal=True)
     indices, sqdists, _ = search.knn_search(samples, 1)
     rows, owners = np.unique(indices[:, 0], return_inverse=True)
@@ -262,7 +277,7 @@ def _normals_of(groups: NDArray[np.float64]) -> NDArray[np.float64]:
     a, b, c = np.moveaxis(np.sum(spread[:, :, :, None] * spread[:, :, None, :], axis=1), 1, 0)
     powers = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
     with np.errstate(invalid="ignore", divide="ignore"):
-        for _ in range(SQUARINGS):
+        for _ in range(ADJUGATE_SQUARINGS):
             powers /= np.abs(powers).max(axis=(1, 2), keepdims=True)
             powers = matmul(powers, powers)
         longest = np.argmax(np.sum(powers * powers, axis=2), axis=1)

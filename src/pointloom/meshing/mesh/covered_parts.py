@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.meshes.sheets import FLAT
+from ...kernels.meshes.sheets import MIN_VOLUME_RATIO
 from .mesh_nesting import Parts, find_enclosing
 
-BULGE = 0.02  # the same for an open part: a fifth of a sphere's
+MIN_OPEN_BULGE = 0.02  # the same for an open part: a fifth of a sphere's
 
 
 class Copies:
@@ -76,7 +76,7 @@ def _sides_of(
     a, b, c = (corners - middles[part_labels][:, None]).transpose(1, 0, 2)
     volumes = np.bincount(part_labels, np.einsum("ij,ij->i", a, np.cross(b, c)), count) / 6
     areas = np.bincount(part_labels, np.linalg.norm(np.cross(b - a, c - a), axis=1), count) / 2
-    return np.where(np.abs(volumes) > np.where(closed, FLAT, BULGE) * areas**1.5, volumes, 0.0)
+    return np.where(np.abs(volumes) > np.where(closed, MIN_VOLUME_RATIO, MIN_OPEN_BULGE) * areas**1.5, volumes, 0.0)
 
 
 def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copies) -> NDArray[np.bool_]:

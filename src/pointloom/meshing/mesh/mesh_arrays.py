@@ -60,7 +60,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
     """Vertices, triangles and attributes of a mesh, validated on assignment. Base of TriangleMesh."""
 
     arrays: MeshStore  # device arrays for the modules of this package
-    _internal = ("arrays", "from_device_arrays", "with_arrays")
+    _internal = ("arrays", "from_device_arrays", "with_arrays", "without_attributes")
 
     def __len__(self) -> int:
         return self.arrays["triangles"].size
@@ -408,7 +408,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self._with_each(clone)
 
-    def _bare(self) -> Self:
+    def without_attributes(self) -> Self:
         return self.with_arrays(**dict.fromkeys(ATTRIBUTES))
 
     def _with_each(self, change: Callable[[wp.array], Any]) -> Self:

@@ -16,8 +16,8 @@ from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 from .mesh_metrics import SurfaceMetrics
 
-THRESHOLD = 0.01  # of the second mesh's diagonal: default distance of the F-score
-APART = 0.05  # of the diagonal: a larger mean distance suggests another unit or frame
+F_SCORE_DISTANCE = 0.01  # of the second mesh's diagonal: default distance of the F-score
+MAX_MEAN_DISTANCE = 0.05  # of the diagonal: a larger mean distance suggests another unit or frame
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class MeshComparison(Report, Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         mean, m = max(self.metrics.mean), symbol_of(self.unit)
-        if mean > APART * self.diagonal:
+        if mean > MAX_MEAN_DISTANCE * self.diagonal:
             fraction = format_fraction(mean / self.diagonal)
             return (
                 f"the surfaces are {fraction} of their size apart. Check units and frames, and register them first",
@@ -124,7 +124,7 @@ def compare_meshes(
     count, chosen = check_count("samples", samples), check_seed(seed)
     low, high = second.get_axis_aligned_bounding_box()
     diagonal = math.dist(low, high)
-    radii = [check_positive("thresholds", radius) for radius in given] or [THRESHOLD * diagonal]
+    radii = [check_positive("thresholds", radius) for radius in given] or [F_SCORE_DISTANCE * diagonal]
     return MeshComparison(
         metrics=first.compute_metrics(second, radii, count, seed=chosen),
         thresholds=tuple(radii),

@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 SAME_NORMAL = 1e-3  # rounding of float32 normals
 SAMPLE_BYTES = 64  # per sampled point, with triangle, weights, normal and color
 MAX_SAMPLES = 2**24  # initial points of Poisson disk sampling: about 4 GB with neighbors
-LONGEST = 1e30  # [m] limit of coordinates
+MAX_COORDINATE = 1e30  # [m] limit of coordinates
 MAX_KEYS = 2**62
 MAX_CELLS = 2**30  # along an axis
 
@@ -68,6 +68,8 @@ class MeshCurvature(NamedTuple):
 
 class MeshMeasures(MeshSelection):
     """Methods of TriangleMesh that measure and sample it."""
+
+    _internal = ("check_surface", "draw_samples", "finite_area", "is_closed", "signed_volume")
 
     @returns_new
     def compute_vertex_normals(self) -> Self:
@@ -106,7 +108,7 @@ class MeshMeasures(MeshSelection):
             ValueError: If a triangle has a corner that is not finite.
         """
         check_finite_corners("get_surface_area", self)
-        return self._finite_area()
+        return self.finite_area()
 
     def get_volume(self) -> float:
         """Volume of a closed mesh [m^3]. 0 without triangles.
@@ -123,7 +125,7 @@ class MeshMeasures(MeshSelection):
             raise ValueError("get_volume: expected a watertight mesh. Repair it with repair(hole_size=...) first")
         if topology.has_twisted_edge:
             raise ValueError("get_volume: expected consistently oriented triangles. Call orient_triangles() first")
-        return abs(self._signed_volume())
+        return abs(self.signed_volume())
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
         """True if no edge has more than two triangles.
@@ -153,17 +155,17 @@ class MeshMeasures(MeshSelection):
             (True, False)
         """
         check_finite_corners("is_watertight", self)
-        return self._is_closed()
+        return self.is_closed()
 
-    def _is_closed(self) -> bool:
+    def is_closed(self) -> bool:
         """True if there are triangles and each edge has two of them. Corners need not be finite."""
         return len(self) > 0 and is_closed(self.edge_topology())
 
-    def _finite_area(self) -> float:
+    def finite_area(self) -> float:
         """Area of the triangles with finite corners [m^2]."""
         return mesh_measures.measure(self.arrays["vertices"], self.arrays["triangles"])[0]
 
-    def _signed_volume(self) -> float:
+    def signed_volume(self) -> float:
         return mesh_measures.measure(self.arrays["vertices"], self.arrays["triangles"])[1]
 
     def edge_topology(self) -> Topology:
@@ -269,7 +271,7 @@ class MeshMeasures(MeshSelection):
             TriangleMesh(4 vertices, 2 triangles, cpu)
         """
         rows = self._inverse_mask(mask, len(self), "triangles")
-        return self._drop_triangles(rows).remove_unreferenced_vertices()
+        return self.drop_triangles(rows).remove_unreferenced_vertices()
 
     def _corner_cloud(self) -> PointCloud:
         """Vertices as a cloud that shares memory."""
@@ -303,7 +305,7 @@ class MeshMeasures(MeshSelection):
             (500, [0.0, 0.0, 1.0], True)
         """
         count, seed = check_count("number_of_points", number_of_points), check_seed(seed)
-        return self._draw(self._surface("sample_points_uniformly"), count, use_triangle_normal, seed)
+        return self.draw_samples(self._surface("sample_points_uniformly"), count, use_triangle_normal, seed)
 
     @explain_argument_errors
     def sample_points_poisson_disk(
@@ -355,7 +357,7 @@ class MeshMeasures(MeshSelection):
                 raise ValueError(
                     f"{name}: expected up to {MAX_SAMPLES:,} initial points, got {count * factor:,}; {advice}"
                 )
-            start = self._draw(surface, count * factor, use_triangle_normal, seed)
+            start = self.draw_samples(surface, count * factor, use_triangle_normal, seed)
         else:
             check_cloud("pcl", pcl)
             name, advice = "pcl", "downsample it first, for example with pcl.random_down_sample"
@@ -366,10 +368,10 @@ class MeshMeasures(MeshSelection):
 
     def _surface(self, operation: str) -> SurfaceSamples:
         surface = SurfaceSamples(self.arrays["vertices"], self.arrays["triangles"])
-        self._check_surface(surface, operation)
+        self.check_surface(surface, operation)
         return surface
 
-    def _check_surface(self, surface: SurfaceSamples, operation: str) -> None:
+    def check_surface(self, surface: SurfaceSamples, operation: str) -> None:
         if not len(self):
             raise ValueError(f"{operation}: expected a mesh with triangles to sample, got none")
         check_finite_corners(operation, self)
@@ -379,7 +381,7 @@ class MeshMeasures(MeshSelection):
                 "coincident or collinear corners"
             )
 
-    def _draw(self, surface: SurfaceSamples, count: int, use_triangle_normal: bool, seed: int) -> PointCloud:
+    def draw_samples(self, surface: SurfaceSamples, count: int, use_triangle_normal: bool, seed: int) -> PointCloud:
         check_room(
             self.device, count * SAMPLE_BYTES, f"number_of_points: {count:,} points and their intermediate arrays"
         )
@@ -588,7 +590,7 @@ class MeshMeasures(MeshSelection):
             >>> len(box.voxelize(1)), len(box.voxelize(1, solid=True))
             (98, 125)
         """
-        size = check_positive("voxel_size", voxel_size, maximum=LONGEST)
+        size = check_positive("voxel_size", voxel_size, maximum=MAX_COORDINATE)
         extremes, findings = self._examined(solid)  # sync
         low, high = self._bounds_of_voxels(box_of(extremes), size, min_bound, max_bound)
         with np.errstate(over="ignore"):
@@ -680,6 +682,6 @@ def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) 
 
 def _check_corner(name: str, values: ArrayLike) -> NDArray[np.float64]:
     corner = check_finite(name, check_shape(name, values, (3,)))
-    if np.abs(corner).max() > LONGEST:
-        raise ValueError(f"{name}: expected coordinates up to {LONGEST:g} m, got {corner.tolist()}")
+    if np.abs(corner).max() > MAX_COORDINATE:
+        raise ValueError(f"{name}: expected coordinates up to {MAX_COORDINATE:g} m, got {corner.tolist()}")
     return corner

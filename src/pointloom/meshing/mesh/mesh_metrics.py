@@ -22,7 +22,7 @@ from ...kernels.rays.surface_hausdorff import (
 from ...kernels.rays.triangle_tree import TriangleTree, trees_over
 
 UNREACHED = "mesh2: expected finite triangles at less than 1.8e19 m, got none"
-CLOSE = 1e-5  # of the meshes' size: precision of the Hausdorff bounds
+HAUSDORFF_PRECISION = 1e-5  # of the meshes' size: precision of the Hausdorff bounds
 
 
 class SurfaceMetrics(NamedTuple):
@@ -70,13 +70,13 @@ class _Measured:
         if not tree.count:
             raise ValueError(UNREACHED)
         self._count, shift = count, (mesh.origin, other.origin)
-        cloud = mesh._draw(surface, count, False, seed)
+        cloud = mesh.draw_samples(surface, count, False, seed)
         sampled = distances_to(points_about(cloud.arrays["points"], *shift), tree)
         self._sums = DistanceSums(sampled, radii)
         vertices = points_about(mesh.arrays["vertices"], *shift)
         size = float(np.max(tree.high.astype(np.float64) - tree.low))
         triangles, known = mesh.arrays["triangles"], self._sums.largest
-        self.farthest = FarthestSearch(vertices, triangles, tree, known, CLOSE * size)
+        self.farthest = FarthestSearch(vertices, triangles, tree, known, HAUSDORFF_PRECISION * size)
         self.arrays = [self._sums.buffer, sum_squares(sampled), self.farthest.known]
 
     def check(self, sums: NDArray[Any]) -> None:
@@ -98,7 +98,7 @@ def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: 
         surface.area = surface.area_of(values)
     directions = []
     for mesh, other, surface, tree in ((one, two, surfaces[0], trees[1]), (two, one, surfaces[1], trees[0])):
-        mesh._check_surface(surface, "compute_metrics")
+        mesh.check_surface(surface, "compute_metrics")
         directions.append(_Measured(mesh, other, tree, surface, radii, count, seed))
     values = read_together([array for direction in directions for array in direction.arrays])  # sync
     parts = list(zip(values[::3], values[1::3], strict=True))

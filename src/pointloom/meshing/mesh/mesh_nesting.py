@@ -15,8 +15,8 @@ from ...kernels.meshes.mesh_edits import gather_triangles
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.rays.winding_numbers import Dipoles, add_winding_numbers
 
-SAMPLES = 3  # points of a part. Most must be inside another
-INWARDS = 1.0e-4  # of a triangle's size: depth of its test point behind it, so that parts may touch
+PROBES_PER_PART = 3  # points of a part. Most must be inside another
+PROBE_DEPTH = 1.0e-4  # of a triangle's size: depth of its test point behind it, so that parts may touch
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ def find_enclosing(vertices: Points, triangles: Triangles, parts: Parts) -> dict
         ])  # fmt: skip
         part_rows = upload(order[starts[outer] : starts[outer + 1]].astype(np.int32), int32, triangles.device)
         numbers = _winding_numbers(vertices, gather_triangles(triangles, part_rows), queries)
-        within = (np.abs(numbers) > 0.5).reshape(-1, SAMPLES).sum(axis=1) * 2 > SAMPLES
+        within = (np.abs(numbers) > 0.5).reshape(-1, PROBES_PER_PART).sum(axis=1) * 2 > PROBES_PER_PART
         for part in near[within].tolist():
             enclosing.setdefault(part, []).append(outer)
     return enclosing
@@ -86,9 +86,9 @@ def _points_behind(points: NDArray[np.float32], corners: NDArray[np.int32], side
     a, b, c = points[corners].astype(np.float64).transpose(1, 0, 2)
     cross = np.cross(b - a, c - a)
     sizes = np.linalg.norm(cross, axis=1)
-    rows = np.resize(np.argsort(-sizes, kind="stable")[:SAMPLES], SAMPLES)
+    rows = np.resize(np.argsort(-sizes, kind="stable")[:PROBES_PER_PART], PROBES_PER_PART)
     normals = cross[rows] / np.maximum(sizes[rows], np.finfo(float).tiny)[:, None]
-    offset = np.sqrt(sizes[rows])[:, None] * (INWARDS if side > 0 else -INWARDS)
+    offset = np.sqrt(sizes[rows])[:, None] * (PROBE_DEPTH if side > 0 else -PROBE_DEPTH)
     return (a[rows] + b[rows] + c[rows]) / 3 - normals * offset
 
 

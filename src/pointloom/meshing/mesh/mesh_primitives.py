@@ -40,7 +40,7 @@ from .sweep_arrays import (
     wall_triangles,
 )
 
-LONGEST = 1e30  # [m] limit of lengths: float32 with margin for sums
+MAX_LENGTH = 1e30  # [m] limit of lengths: float32 with margin for sums
 MAX_VERTICES = 2**22  # more than an image can resolve
 
 
@@ -379,8 +379,8 @@ class MeshPrimitives(MeshMeasures):
         """
         (length,) = positive_lengths(size=size)
         center = check_finite("origin", check_shape("origin", origin, (3,)))
-        if np.abs(center).max() > LONGEST:
-            raise ValueError(f"origin: expected coordinates up to {LONGEST:g} m, got {center.tolist()}")
+        if np.abs(center).max() > MAX_LENGTH:
+            raise ValueError(f"origin: expected coordinates up to {MAX_LENGTH:g} m, got {center.tolist()}")
         along_z = _arrow(0.035 * length, 0.06 * length, 0.8 * length, 0.2 * length, 20, 4, 1)
         x, y, z = along_z.vertices.T
         arrows = [along_z._replace(vertices=np.stack(axes, axis=1)) for axes in ((z, x, y), (y, z, x), (x, y, z))]
@@ -425,8 +425,8 @@ class MeshPrimitives(MeshMeasures):
         )
         around, breadth, factor = positive_lengths(radius=radius, width=width, scale=scale)
         flat = check_number("flatness", flatness)
-        if flat == 0 or abs(flat) > LONGEST:
-            raise ValueError(f"flatness: expected a number other than 0 up to {LONGEST:g}, got {flat:g}")
+        if flat == 0 or abs(flat) > MAX_LENGTH:
+            raise ValueError(f"flatness: expected a number other than 0 up to {MAX_LENGTH:g}, got {flat:g}")
         check_vertex_count("length_split, width_split", columns * rows)
         return cls._of(shapes.mobius(columns, rows, half_twists, around, flat, breadth, factor), device, arrays)
 
@@ -659,7 +659,7 @@ class MeshPrimitives(MeshMeasures):
 
 
 def positive_lengths(**lengths: float) -> Any:
-    return tuple(check_positive(name, value, maximum=LONGEST) for name, value in lengths.items())
+    return tuple(check_positive(name, value, maximum=MAX_LENGTH) for name, value in lengths.items())
 
 
 def checked_counts(**counts: tuple[int, int]) -> Any:

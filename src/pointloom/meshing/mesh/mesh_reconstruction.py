@@ -41,7 +41,7 @@ from ...kernels.language.device_lock import lock
 from ...kernels.linear_algebra import eigvalsh
 from ...kernels.memory import cast, clone, contiguous, empty, upload
 from ...kernels.meshes.mesh_edits import flip_triangles, keep_counted, list_rows_kernel, mark_referenced
-from ...kernels.reconstruction.alpha_faces import TOGETHER, find_alpha_shapes
+from ...kernels.reconstruction.alpha_faces import ALPHAS_PER_SYNC, find_alpha_shapes
 from ...kernels.reconstruction.ball_surface import RollingBall
 from ...kernels.reconstruction.envelope import Envelope
 from ...kernels.reconstruction.poisson import mean_length, reconstruct_poisson
@@ -58,7 +58,7 @@ from .mesh_measures import MeshMeasures
 MIN_DEPTH = 2  # densities use the level two above the finest, and level 0 has no information
 MAX_POINT_WEIGHT = 1000.0  # at ten times this, float32 rounding causes bumps of a tenth of a cell
 MAX_ENVELOPE = 10_000  # triangles: a minute for a million corners
-OPPOSED = 0.1  # fraction of disagreeing neighbors. Seams of a good cloud are below, random signs give 0.5
+MAX_OPPOSED_FRACTION = 0.1  # fraction of disagreeing neighbors. Seams of a good cloud are below, random signs give 0.5
 MIN_SAMPLES = 0.001  # vertices are then five levels coarser than their points
 NO_NORMALS = "call cloud = cloud.estimate_normals()"  # remedy in errors
 FIRST_RADIUS = 1.5  # times the spacing: bridges grid cells (circumradius 0.7) and some gaps
@@ -68,11 +68,11 @@ MAX_NEIGHBORS = 2**33  # of all points together, about ten minutes on two cores
 LARGEST_FRACTION = 1e4  # times the box: beyond it the ball is flat in float64
 TRIANGLE_CORNERS = 3  # points of a triangle
 SHORT_RADIUS = 0.1  # of the usual radius: below it a ball rarely touches two points
-ADVISED = 3.0  # such medians, advised if alpha is too small: keeps detail and closes even samples
-AUTO = 10.0  # times the median nearest neighbor distance: the minimum that keeps the scanned bunny connected
+ADVISED_ALPHA = 3.0  # such medians, advised if alpha is too small: keeps detail and closes even samples
+AUTO_ALPHA = 10.0  # times the median nearest neighbor distance: the minimum that keeps the scanned bunny connected
 TETRAHEDRON_CORNERS = 4  # points of a tetrahedron
 SHORT_ALPHA = 0.02  # of the usual alpha, a fifth of the nearest neighbor distance: no tetrahedron is so small
-FLAT = 2e-7  # of the largest standard deviation: float32 rounding of a plane's thickness
+MIN_DEVIATION_RATIO = 2e-7  # of the largest standard deviation: float32 rounding of a plane's thickness
 FLAT_REMEDY = "ball pivoting can mesh a flat cloud with normals"
 MAX_ALPHAS = 1000  # each tetrahedron is tested for each alpha
 _FLOAT_MAX = float(np.finfo(np.float32).max)
@@ -345,7 +345,7 @@ class MeshReconstruction(MeshMeasures):
             usual = _choose_alpha(tree, unique.arrays["points"])
             if max(empty_sizes) < SHORT_ALPHA * usual:
                 sizes = ", ".join(f"{size:g}" for size in empty_sizes)
-                usual *= ADVISED / AUTO
+                usual *= ADVISED_ALPHA / AUTO_ALPHA
                 m = "" if cloud.unit is None else f" {cloud.unit.symbol}"
                 warn_of_units(
                     f"alpha: no triangles remain at {sizes}{m}. The point spacing suggests about {usual:.2g}{m}"
@@ -470,7 +470,7 @@ def _warn_of_sides(cloud: PointCloud, side: float) -> None:
     if not SMALLEST_EXTENT < side < LARGEST_EXTENT:
         return
     fraction = cloud.normal_disagreement()
-    if fraction > OPPOSED:
+    if fraction > MAX_OPPOSED_FRACTION:
         warn_of_units(
             f"{100 * fraction:.0f}% of the neighboring points have opposite normals, so the surface does not follow "
             "the points. Call cloud.orient_normals_consistent_tangent_plane(30) first",
@@ -547,15 +547,15 @@ def _flat_reason(distinct: int, points: wp.array) -> str | None:
         return f"there are {distinct} distinct finite points, fewer than {TETRAHEDRON_CORNERS}"
     _, _, covariance = mean_and_covariance(points)
     deviations = np.sqrt(np.maximum(eigvalsh(covariance), 0))  # ascending
-    if deviations[1] <= FLAT * deviations[2]:
+    if deviations[1] <= MIN_DEVIATION_RATIO * deviations[2]:
         return "the points lie on one line"
-    return "the points lie in one plane" if deviations[0] <= FLAT * deviations[2] else None
+    return "the points lie in one plane" if deviations[0] <= MIN_DEVIATION_RATIO * deviations[2] else None
 
 
 def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array, wp.array, int]]:
     """For each shape: mask of used points, their new indices, their count. One sync for several shapes."""
-    for first in range(0, len(shapes), TOGETHER):
-        used = [mark_referenced(triangles, count) for triangles in shapes[first : first + TOGETHER]]
+    for first in range(0, len(shapes), ALPHAS_PER_SYNC):
+        used = [mark_referenced(triangles, count) for triangles in shapes[first : first + ALPHAS_PER_SYNC]]
         for mask, (offsets, (total,)) in zip(
             used, scan_together([(mask, [count]) for mask in used], largest=1), strict=True
         ):
@@ -584,7 +584,7 @@ def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
 def _choose_alpha(tree: Any, points: wp.array) -> float:
     """AUTO times the median nearest neighbor distance; arbitrary with fewer than two points."""
     median = median_above_zero(nearest_distances(tree, points, others=True, missing=0.0))  # sync
-    return 1.0 if median is None else AUTO * median
+    return 1.0 if median is None else AUTO_ALPHA * median
 
 
 def _find_shapes(

@@ -53,13 +53,14 @@ from .vertex_numbers import check_finite_vertices, check_vertices
 
 CONTRACTIONS = ("average", "quadric")
 MAX_TRIANGLES = 2**29  # 32-bit half-edge indices, also of the result
-LONG, SHORT = 4 / 3, 4 / 5  # of the target length: limits of splits and collapses (Botsch and Kobbelt 2004)
-RELAXED = 2  # relaxation steps per iteration
-ROUNDS = 3  # of collapses and flips per iteration. Each uses independent edges
+# Limits of splits and collapses, of the target length (Botsch and Kobbelt 2004).
+SPLIT_LENGTH, COLLAPSE_LENGTH = 4 / 3, 4 / 5
+RELAXATION_STEPS = 2  # relaxation steps per iteration
+ROUNDS_PER_ITERATION = 3  # of collapses and flips per iteration. Each uses independent edges
 MIN_CREASE = 3.0  # of the target length: shorter creases are roughness
 MAX_ITERATIONS = 1000
 TRIANGLE_BYTES = 400  # temporary memory
-FEW = 0.002  # of all edges: a round that changes fewer is the last
+MIN_CHANGED_FRACTION = 0.002  # of all edges: a round that changes fewer is the last
 MAX_CORNERS = 2**31 - 1  # 32-bit half-edge indices
 MAX_PASSES = 10_000
 SCOPES = {"all": tuple(PER_VERTEX), "vertex": ("vertices",), "normal": ("vertex_normals",), "color": ("vertex_colors",)}
@@ -69,6 +70,8 @@ ENERGIES = ("spokes", "smoothed")
 
 class MeshRemeshing(MeshMeasures):
     """Methods of TriangleMesh that simplify, remesh, subdivide, smooth and deform it."""
+
+    _internal = ("drop_degenerate_triangles", "subdivided")
 
     @returns_new
     def simplify_vertex_clustering(self, voxel_size: float, contraction: Any = "average") -> Self:
@@ -106,7 +109,7 @@ class MeshRemeshing(MeshMeasures):
         )
         without: dict[str, Any] = dict.fromkeys(TEXTURE)
         left: dict[str, Any] = without | dict(zip(rows, arrays, strict=True))
-        return with_attributes_of(self._bare().with_arrays(triangles=triangles, **left), self)
+        return with_attributes_of(self.without_attributes().with_arrays(triangles=triangles, **left), self)
 
     @returns_new
     def simplify_quadric_decimation(
@@ -159,7 +162,7 @@ class MeshRemeshing(MeshMeasures):
         job.run()
         triangles, arrays, *texture = job.result()
         remaining: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
-        left = self._bare().with_arrays(triangles=triangles, **remaining)
+        left = self.without_attributes().with_arrays(triangles=triangles, **remaining)
         if len(left) > target and np.isinf(error):
             warnings.warn(
                 f"{len(left)} triangles remain instead of {target}: no other edge can collapse without tearing it",
@@ -222,15 +225,16 @@ class MeshRemeshing(MeshMeasures):
         check_room(self.device, int(TRIANGLE_BYTES * expected), f"about {expected:,.0f} triangles")
         surface = TriangleTree(vertices, triangles, all_finite=True)
         mesh = _remesh(surface, target, count, math.radians(angle))
-        bare = source._bare().with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
-        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles)._drop_degenerate_triangles()
+        dropped = dict.fromkeys(("vertex_normals", "vertex_colors", *TEXTURE))
+        bare = source.without_attributes().with_arrays(**dropped)
+        made = bare.with_arrays(vertices=mesh.vertices, triangles=mesh.triangles).drop_degenerate_triangles()
         return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
 
-    def _drop_degenerate_triangles(self) -> Self:
+    def drop_degenerate_triangles(self) -> Self:
         """Remove fully degenerate triangles and unused vertices. One sync."""
-        triangles, count = self.arrays["triangles"], self._vertex_count
+        triangles, count = self.arrays["triangles"], self.arrays.vertex_count
         removed = clean_triangles.mask_degenerate(self.arrays["vertices"], triangles, zero_area=False)
-        return self._drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, count))
+        return self.drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, count))
 
     @returns_new
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> Self:
@@ -255,7 +259,7 @@ class MeshRemeshing(MeshMeasures):
             >>> mesh.subdivide_midpoint().triangles.tolist()
             [[0, 3, 5], [3, 1, 4], [4, 2, 5], [3, 4, 5]]
         """
-        return self._subdivided(number_of_iterations, subdivision.halve, self.arrays["vertices"].size)
+        return self.subdivided(number_of_iterations, subdivision.halve, self.arrays["vertices"].size)
 
     @returns_new
     def subdivide_loop(self, number_of_iterations: int = 1) -> Self:
@@ -283,9 +287,9 @@ class MeshRemeshing(MeshMeasures):
         """
         count = check_count("number_of_iterations", number_of_iterations, minimum=0)
         sewn = sew(self) if count and len(self) else Sewn(self, None)
-        return sewn.mesh._subdivided(count, subdivision.mask, 0, sewn.in_order)
+        return sewn.mesh.subdivided(count, subdivision.mask, 0, sewn.in_order)
 
-    def _subdivided(
+    def subdivided(
         self, iterations: int, rule: Callable[..., list[Any]], first_new: int, in_order: SortedEdges | None = None
     ) -> Self:
         """Apply a subdivision rule. Normals before `first_new` stay unchanged. `in_order`: known `sorted_edges`."""
@@ -504,7 +508,7 @@ class MeshRemeshing(MeshMeasures):
         reason = "vertices no longer move after that"
         iterations = check_count("max_iter", max_iter, minimum=0, maximum=MAX_DEFORM_ITERATIONS, because=reason)
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
-        likeness = alpha * self._finite_area() if _energy_of(energy) == "smoothed" else 0.0
+        likeness = alpha * self.finite_area() if _energy_of(energy) == "smoothed" else 0.0
         if iterations == 0:
             return self.with_arrays()
         rows = upload(fixed, int32, self.device)
@@ -550,7 +554,7 @@ class Course:
 
     def __init__(self, mesh: CreasedMesh, trees: tuple[TriangleTree, TriangleTree], target: float) -> None:
         self.mesh, self.trees = mesh, trees
-        self.longest, self.shortest = LONG * target, SHORT * target
+        self.longest, self.shortest = SPLIT_LENGTH * target, COLLAPSE_LENGTH * target
         self.steps: tuple[Callable[..., tuple[CreasedMesh, int | None]], ...] = (self._collapse, flip_edges)
         self.all_rounds = [mesh.vertices.device.is_cuda for _ in self.steps]
         self.state: Integers | None = None  # two numbers of `end_rounds` per step, then `reverted` for each relaxation
@@ -564,7 +568,7 @@ class Course:
                 self.mesh = made
             else:
                 split = 1
-        state = zeros(2 * len(self.steps) + RELAXED, int32, device)
+        state = zeros(2 * len(self.steps) + RELAXATION_STEPS, int32, device)
         for k, step in enumerate(self.steps):
             self._make_rounds(k, step, state[2 * k : 2 * k + 2])
         if not device.is_cuda:
@@ -583,7 +587,7 @@ class Course:
         if self.state is None:
             return True
         self.state = None
-        self.all_rounds = [counts[2 * k + 1] == ROUNDS for k in range(len(self.steps))]
+        self.all_rounds = [counts[2 * k + 1] == ROUNDS_PER_ITERATION for k in range(len(self.steps))]
         if not any(counts[2 * len(self.steps) :]):
             return True
         self.mesh.vertices = self.before
@@ -597,15 +601,17 @@ class Course:
 
     def _make_rounds(self, k: int, step: Callable[..., tuple[CreasedMesh, int | None]], rounds: Integers) -> None:
         """Run the rounds of a step, without a host check or with one after each (sync)."""
-        for round_number in range(1, ROUNDS + 1):
-            self.mesh, changed = step(self.mesh, FEW, rounds if self.all_rounds[k] else None)
-            if changed is not None and (changed <= FEW * self.mesh.edges.count or round_number == ROUNDS):
+        for round_number in range(1, ROUNDS_PER_ITERATION + 1):
+            self.mesh, changed = step(self.mesh, MIN_CHANGED_FRACTION, rounds if self.all_rounds[k] else None)
+            if changed is not None and (
+                changed <= MIN_CHANGED_FRACTION * self.mesh.edges.count or round_number == ROUNDS_PER_ITERATION
+            ):
                 fill(rounds[1:], round_number)
                 break
 
     def _relax(self, reverted: Integers | None = None) -> None:
         """Relax vertices RELAXED times along the surface and creases. One sync each if `reverted` is None."""
-        for k in range(RELAXED):
+        for k in range(RELAXATION_STEPS):
             moved = relaxed(self.mesh)
             on_surface, on_lines = (SurfacePositions(moved, tree).points for tree in self.trees)
             targets = choose_positions(self.mesh, on_surface, on_lines)

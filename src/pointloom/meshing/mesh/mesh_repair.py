@@ -46,8 +46,8 @@ if TYPE_CHECKING:
     from .mesh import TriangleMesh
 
 MAX_INT32 = 2**31 - 1
-MANIFOLD = 2  # triangles per edge of a closed surface
-ROUNDING = 1e-9  # relative, of area sums
+TRIANGLES_PER_EDGE = 2  # triangles per edge of a closed surface
+AREA_ROUNDING = 1e-9  # relative, of area sums
 MAX_LOST = 0.01  # fraction of the area, without copies, above which parts of the surface may be missing
 
 
@@ -129,6 +129,8 @@ class MeshRepair(MeshMeasures):
     `is_self_intersecting` and `is_intersecting` raise ValueError for them.
     """
 
+    _internal = ("fill_small_holes", "findings", "flipped", "nested", "unique_edges")
+
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> NDArray[np.int32]:
         """List the edges of more than two triangles.
 
@@ -145,10 +147,10 @@ class MeshRepair(MeshMeasures):
             >>> mesh.get_non_manifold_edges().tolist(), len(mesh.get_non_manifold_edges(False))
             ([[0, 1]], 7)
         """
-        edges = self._edges()
-        mask = mesh_edges.mask_counts(edges, MANIFOLD + 1, MAX_INT32)
+        edges = self.unique_edges()
+        mask = mesh_edges.mask_counts(edges, TRIANGLES_PER_EDGE + 1, MAX_INT32)
         if not allow_boundary_edges:
-            mask = mesh_edges.mask_other_counts(edges, MANIFOLD)
+            mask = mesh_edges.mask_other_counts(edges, TRIANGLES_PER_EDGE)
         return self._ends(edges, mask)
 
     def get_boundary_edges(self) -> NDArray[np.int32]:
@@ -160,7 +162,7 @@ class MeshRepair(MeshMeasures):
             >>> mesh.get_boundary_edges().tolist()
             [[0, 1], [0, 2], [1, 3], [2, 3]]
         """
-        edges = self._edges(padded=True)
+        edges = self.unique_edges(padded=True)
         return self._ends(edges, mesh_edges.mask_counts(edges, 1, 1))
 
     def get_boundaries(self) -> list[NDArray[np.int32]]:
@@ -277,7 +279,7 @@ class MeshRepair(MeshMeasures):
         """
         check_finite_corners("euler_poincare_characteristic", self)
         used = count_referenced(self.arrays["triangles"], self.arrays["vertices"].size)
-        return used - self._edges().count + len(self)
+        return used - self.unique_edges().count + len(self)
 
     def compute_adjacency_list(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
         """List the neighbors of each vertex along edges.
@@ -310,7 +312,7 @@ class MeshRepair(MeshMeasures):
         """
         return self.arrays.hand_out(triangle_areas(self.arrays["vertices"], self.arrays["triangles"]))
 
-    def _edges(self, padded: bool = False) -> mesh_edges.UniqueKeys:
+    def unique_edges(self, padded: bool = False) -> mesh_edges.UniqueKeys:
         return mesh_edges.find_edges(self.arrays["triangles"], self.arrays["vertices"].size, padded)
 
     def _ends(self, edges: mesh_edges.UniqueKeys, mask: Mask) -> NDArray[np.int32]:
@@ -344,7 +346,7 @@ class MeshRepair(MeshMeasures):
             >>> mesh.fill_holes().triangles[3].tolist(), mesh.fill_holes().is_watertight()
             ([2, 3, 1], True)
         """
-        return self._fill(check_positive("hole_size", hole_size))[0]
+        return self.fill_small_holes(check_positive("hole_size", hole_size))[0]
 
     @returns_new
     def repair(
@@ -380,22 +382,23 @@ class MeshRepair(MeshMeasures):
         """
         size = None if hole_size is None else check_positive("hole_size", hole_size)
         removed = clean_triangles.mask_not_finite(self.arrays["vertices"], self.arrays["triangles"])
-        mesh = self._drop_triangles(removed)
-        before = mesh._vertex_count
-        finite = mesh if merge_distance is None else mesh._merge_close("merge_distance", merge_distance)
+        mesh = self.drop_triangles(removed)
+        before = mesh.arrays.vertex_count
+        finite = mesh if merge_distance is None else mesh.merge_close("merge_distance", merge_distance)
         stitched = cut_and_stitch(finite)
-        mesh, orientation = (stitched.mesh, Orientation(stitched.mesh.arrays["triangles"], stitched.mesh._vertex_count))
+        mesh, arrays = stitched.mesh, stitched.mesh.arrays
+        orientation = Orientation(arrays["triangles"], arrays.vertex_count)
         orientation.follow_majority()
-        mesh, flipped = stitched.mesh._flipped(orientation.flips), orientation.flips
+        mesh, flipped = stitched.mesh.flipped(orientation.flips), orientation.flips
         area, filled, left = mesh.get_surface_area(), 0, None
         if size is not None:
-            mesh, filled, left = mesh._fill(size)
+            mesh, filled, left = mesh.fill_small_holes(size)
         added = len(mesh) - flipped.size
-        mesh, orientable = mesh._nested(flipped)
-        area_in = self._finite_area()
+        mesh, orientable = mesh.nested(flipped)
+        area_in = self.finite_area()
         report = MeshRepairReport(
             removed_non_finite_triangles=len(self) - len(finite),
-            merged_vertices=stitched.merged + before - finite._vertex_count,
+            merged_vertices=stitched.merged + before - finite.arrays.vertex_count,
             removed_degenerate_triangles=stitched.degenerate,
             removed_duplicated_triangles=stitched.copies,
             removed_crowding_triangles=stitched.crowding,
@@ -408,7 +411,7 @@ class MeshRepair(MeshMeasures):
             area_in=area_in,
             is_orientable=orientable,
             holes_left=left,
-            **mesh._findings(),
+            **mesh.findings(),
         )
         return mesh, report
 
@@ -429,11 +432,11 @@ class MeshRepair(MeshMeasures):
             >>> mesh.triangles.tolist(), mesh.vertices[5].tolist()
             ([[0, 1, 2], [5, 3, 4]], [0.0, 0.0, 0.0])
         """
-        triangles, count = self.arrays["triangles"], self._vertex_count
+        triangles, count = self.arrays["triangles"], self.arrays.vertex_count
         split, rows = split_fans(triangles, count)
         return self.with_arrays(triangles=split, **self.arrays.vertices_at(rows))
 
-    def _fill(self, hole_size: float) -> tuple[Self, int, int]:
+    def fill_small_holes(self, hole_size: float) -> tuple[Self, int, int]:
         """(mesh with filled holes, number filled, number not filled)."""
         filling = Filling(self.arrays["vertices"], self.arrays["triangles"], hole_size)
         arrays: dict[str, Any] = {"triangles": filling.triangles}
@@ -446,13 +449,13 @@ class MeshRepair(MeshMeasures):
             arrays |= self.arrays.attributes_at("triangle_attributes", sources)
         return self.with_arrays(**arrays), filling.filled, filling.left
 
-    def _flipped(self, flips: Mask) -> Self:
+    def flipped(self, flips: Mask) -> Self:
         arrays: dict[str, Any] = {"triangles": flip_some(self.arrays["triangles"], flips)}
         if "triangle_uvs" in self.arrays:
             arrays["triangle_uvs"] = flip_some_corners(self.arrays["triangle_uvs"], flips)
         return self.with_arrays(**arrays)
 
-    def _nested(self, flipped: Mask) -> tuple[Self, bool]:
+    def nested(self, flipped: Mask) -> tuple[Self, bool]:
         """(mesh with closed parts oriented by nesting, orientable); `flipped` marks inconsistently oriented input."""
         vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
         orientation = Orientation(triangles, vertices.size)
@@ -464,13 +467,13 @@ class MeshRepair(MeshMeasures):
         orientation.flip_parts(
             measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), is_fixed)
         )
-        return self._flipped(orientation.flips), orientation.orientable
+        return self.flipped(orientation.flips), orientation.orientable
 
-    def _findings(self) -> dict[str, Any]:
+    def findings(self) -> dict[str, Any]:
         """Remaining defects, by the field names of MeshRepairReport."""
         vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
         boundary, split, empty = positions_of_each(  # sync
-            mask_counts(self._edges(padded=True), 1, 1),
+            mask_counts(self.unique_edges(padded=True), 1, 1),
             find_split_vertices(triangles, vertices.size),
             clean_triangles.mask_degenerate(vertices, triangles, zero_area=True),
         )
@@ -635,16 +638,17 @@ class MeshRepair(MeshMeasures):
 
 
 def count_edges(mesh: MeshRepair) -> EdgeCounts:
-    edges = mesh._edges()
+    edges = mesh.unique_edges()
     boundary, crowded = (
-        positions_of(mesh_edges.mask_counts(edges, *limits)).size for limits in ((1, 1), (MANIFOLD + 1, MAX_INT32))
+        positions_of(mesh_edges.mask_counts(edges, *limits)).size
+        for limits in ((1, 1), (TRIANGLES_PER_EDGE + 1, MAX_INT32))
     )
     return EdgeCounts(edges.count, boundary, crowded)
 
 
 def _difference(total: float, rest: float) -> float:
     """Difference of sums. 0 if it is below the rounding error."""
-    return total - rest if total - rest > ROUNDING * total else 0.0
+    return total - rest if total - rest > AREA_ROUNDING * total else 0.0
 
 
 def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bool, what: str) -> Any:
@@ -657,7 +661,7 @@ def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bo
             raise ValueError(f"{what} is not closed. Close holes with repair(hole_size=...) first")
         if topology.has_twisted_edge:
             raise ValueError(f"{what} has inconsistently oriented triangles. Call orient_triangles() first")
-        if mesh._signed_volume() < 0:
+        if mesh.signed_volume() < 0:
             raise ValueError(f"{what} faces inward. Call orient_triangles(outward=True) first")
     columns = [mesh.vertices - origin]
     if with_colors:

@@ -53,7 +53,7 @@ from .mesh_arrays import MeshArrays
 from .mesh_attributes import each
 from .section_paths import join_lines, lines_in_plane, outline, run_alike
 
-FINEST = 2.0**-45  # of the largest coordinate: float64 cannot resolve smaller cells
+MIN_CELL_RATIO = 2.0**-45  # of the largest coordinate: float64 cannot resolve smaller cells
 
 
 class _Plane(NamedTuple):
@@ -70,6 +70,11 @@ class _Plane(NamedTuple):
 
 class MeshSelection(MeshArrays):
     """Methods of TriangleMesh that select, remove and cut parts."""
+
+    _internal = (
+        "cut_by", "drop_triangles", "drop_triangles_and_vertices", "keep_triangles", "merge_close", "part_above",
+        "section_at", "with_lid",
+    )  # fmt: skip
 
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:
@@ -128,7 +133,7 @@ class MeshSelection(MeshArrays):
             arrays |= self.arrays.attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
         return self.with_arrays(triangles=triangles, **arrays, **per_triangle)
 
-    def _keep_triangles(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
+    def keep_triangles(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
         """Select by a uint8 mask: (mesh, triangle rows, rows of used vertices, positions of other masks). One sync."""
         count = self.arrays["vertices"].size
         used = mesh_edits.mark_chosen(self.arrays["triangles"], mask, count)
@@ -163,7 +168,7 @@ class MeshSelection(MeshArrays):
             [[0, 1, 3]]
         """
         vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
-        return self._drop_triangles(clean_triangles.mask_degenerate(vertices, triangles, zero_area=zero_area))
+        return self.drop_triangles(clean_triangles.mask_degenerate(vertices, triangles, zero_area=zero_area))
 
     @returns_new
     def remove_duplicated_triangles(self) -> Self:
@@ -177,7 +182,7 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_duplicated_triangles().triangles.tolist()
             [[0, 1, 2], [0, 2, 1]]
         """
-        return self._drop_triangles(clean_triangles.mask_repeats(self.arrays["triangles"]))
+        return self.drop_triangles(clean_triangles.mask_repeats(self.arrays["triangles"]))
 
     @returns_new
     def remove_duplicated_vertices(self) -> Self:
@@ -224,7 +229,7 @@ class MeshSelection(MeshArrays):
             >>> merged.vertices[0].tolist(), merged.triangles.tolist()
             ([0.25, 0.0, 0.0], [[0, 1, 2], [0, 1, 2]])
         """
-        return self._merge_close("eps", eps)
+        return self.merge_close("eps", eps)
 
     @returns_new
     def remove_non_manifold_edges(self) -> Self:
@@ -244,22 +249,22 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_non_manifold_edges().triangles.tolist()
             [[0, 1, 3], [0, 1, 4]]
         """
-        crowded = crowded_edges.CrowdedTriangles(self.arrays["triangles"], self._vertex_count)
+        crowded = crowded_edges.CrowdedTriangles(self.arrays["triangles"], self.arrays.vertex_count)
         if not crowded.rows.size:
             return self.with_arrays()
         mesh = self
         if crowded.plain.size < len(self):
             mesh = self.with_arrays(**self.arrays.triangles_at(crowded.plain))
-            crowded = crowded_edges.CrowdedTriangles(mesh.arrays["triangles"], self._vertex_count)
+            crowded = crowded_edges.CrowdedTriangles(mesh.arrays["triangles"], self.arrays.vertex_count)
         vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
-        return mesh._drop_triangles(crowded_edges.mask_crowding(vertices, triangles, crowded))
+        return mesh.drop_triangles(crowded_edges.mask_crowding(vertices, triangles, crowded))
 
-    def _merge_close(self, name: str, distance: Any) -> Self:
+    def merge_close(self, name: str, distance: Any) -> Self:
         """`merge_close_vertices`; `name` is the argument named in errors."""
         radius, vertices = check_positive(name, distance), self.arrays["vertices"]
         low, high, count = bound_points(vertices)
         extent = float(np.abs([low, high]).max()) if count else 0.0
-        if radius < FINEST * extent or radius * radius == 0:
+        if radius < MIN_CELL_RATIO * extent or radius * radius == 0:
             raise ValueError(
                 f"{name}: {radius:g} m is too small for coordinates up to {extent:g} m. Use remove_duplicated_vertices "
                 "to merge vertices at one position"
@@ -285,9 +290,9 @@ class MeshSelection(MeshArrays):
             clean_triangles.mask_degenerate(vertices, triangles, zero_area=False),
             clean_triangles.mask_not_finite(vertices, triangles),
         )
-        return self._drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, vertices.size))
+        return self.drop_triangles_and_vertices(removed, clean_triangles.mask_used(triangles, removed, vertices.size))
 
-    def _drop_triangles_and_vertices(self, removed: Mask, used: Mask) -> Self:
+    def drop_triangles_and_vertices(self, removed: Mask, used: Mask) -> Self:
         """Remove masked triangles, and vertices outside the mask `used`. One sync."""
         rows, vertices = positions_of_each(invert_mask(removed), used)  # sync
         arrays = self.arrays.triangles_at(rows) | self.arrays.vertices_at(vertices)
@@ -295,11 +300,7 @@ class MeshSelection(MeshArrays):
         arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
         return self.with_arrays(**arrays)
 
-    @property
-    def _vertex_count(self) -> int:
-        return self.arrays["vertices"].size
-
-    def _drop_triangles(self, mask: wp.array) -> Self:
+    def drop_triangles(self, mask: wp.array) -> Self:
         """Remove masked triangles. All vertices stay."""
         rows = mesh_edits.unmarked_rows(mask)  # sync
         return self.with_arrays(**({} if rows.size == mask.size else self.arrays.triangles_at(rows)))
@@ -342,8 +343,8 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_vertices_by_index([0]).triangles.tolist()
             [[1, 0, 2]]
         """
-        rows = self._rows_of("vertex_indices", vertex_indices, self._vertex_count, "vertices")
-        return self._at_vertices(other_rows(rows, self._vertex_count))
+        rows = self._rows_of("vertex_indices", vertex_indices, self.arrays.vertex_count, "vertices")
+        return self._at_vertices(other_rows(rows, self.arrays.vertex_count))
 
     @returns_new
     def select_by_index(self, indices: ArrayLike, cleanup: bool = True) -> Self:
@@ -365,8 +366,8 @@ class MeshSelection(MeshArrays):
             >>> mesh.select_by_index([3, 2, 1]).triangles.tolist()
             [[1, 2, 0]]
         """
-        rows = self._rows_of("indices", indices, self._vertex_count, "vertices")
-        return self._select_vertices(mesh_edits.first_listed(rows, self._vertex_count), cleanup)
+        rows = self._rows_of("indices", indices, self.arrays.vertex_count, "vertices")
+        return self._select_vertices(mesh_edits.first_listed(rows, self.arrays.vertex_count), cleanup)
 
     @returns_new
     def crop(
@@ -415,11 +416,11 @@ class MeshSelection(MeshArrays):
         repeats = clean_triangles.mask_repeats(triangles)
         used = clean_triangles.mask_used(triangles, repeats, vertices.size)  # keep those of degenerate triangles
         degenerate = clean_triangles.mask_degenerate(vertices, triangles, zero_area=False)
-        return chosen._drop_triangles_and_vertices(clean_triangles.join_masks(repeats, degenerate), used)
+        return chosen.drop_triangles_and_vertices(clean_triangles.join_masks(repeats, degenerate), used)
 
     def _at_vertices(self, rows: wp.array) -> Self:
         """Select vertices by row, each once, and the triangles between them."""
-        used, new_indices = mesh_edits.mask_and_index(rows, self._vertex_count)
+        used, new_indices = mesh_edits.mask_and_index(rows, self.arrays.vertex_count)
         arrays = self.arrays.triangles_at(mesh_edits.complete_triangles(self.arrays["triangles"], used))  # sync
         arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
         arrays |= self.arrays.vertices_at(rows)
@@ -474,7 +475,7 @@ class MeshSelection(MeshArrays):
             TriangleMesh(4 vertices, 2 triangles, cpu)
         """
         count, area = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)
-        return self._keep_triangles(self._parts().mask_large(count, area))[0]  # sync
+        return self.keep_triangles(self._parts().mask_large(count, area))[0]  # sync
 
     def _parts(self) -> Parts:
         return Parts(self.arrays["vertices"], self.arrays["triangles"])
@@ -518,7 +519,7 @@ class MeshSelection(MeshArrays):
         cut = LevelCut(self.arrays["triangles"], upload(values, float64, self.device), where)
         cut_mesh = self._cut_up(cut)
         mask = mask_trimmed(cut_mesh.arrays["vertices"], cut, self.arrays["triangles"], ratio)
-        return cut_mesh._keep_triangles(mask)[0]  # sync
+        return cut_mesh.keep_triangles(mask)[0]  # sync
 
     def _cut_up(self, cut: LevelCut) -> Self:
         """All pieces of a cut as a mesh, with interpolated attributes."""
@@ -568,12 +569,12 @@ class MeshSelection(MeshArrays):
         plane, mesh = self._plane(point, normal)
         if cap:
             load_manifold("cap")
-        cut, sides, cut_mesh = mesh._cut_by(plane)
+        cut, sides, cut_mesh = mesh.cut_by(plane)
         mask = plane_cut.mask_above(sides, with_up=not cap)
         if not cap:
-            return cut_mesh._keep_triangles(mask)[0]  # sync
-        above, half_edges = cut_mesh._above(cut, sides, mask)  # sync
-        return above._with_lid(half_edges, plane)
+            return cut_mesh.keep_triangles(mask)[0]  # sync
+        above, half_edges = cut_mesh.part_above(cut, sides, mask)  # sync
+        return above.with_lid(half_edges, plane)
 
     @overload
     def slice_plane(self, point: ArrayLike, normal: ArrayLike, contour_values: ArrayLike = (0.0,)) -> LineSet: ...
@@ -615,7 +616,7 @@ class MeshSelection(MeshArrays):
             raise ValueError(f"contour_values: expected shape [k], got {list(heights.shape)}")
         (plane, mesh), points, lines = self._plane(point, normal), [np.zeros((0, 3))], []
         for height in heights.tolist():
-            positions, ends = mesh._section(plane._replace(offset=plane.offset - height))
+            positions, ends = mesh.section_at(plane._replace(offset=plane.offset - height))
             lines.append(ends + sum(map(len, points)))
             points.append(positions)
         return LineSet(np.concatenate(points), np.concatenate([np.zeros((0, 2), np.int64), *lines]).astype(np.int32))
@@ -641,7 +642,7 @@ class MeshSelection(MeshArrays):
             (9, True, [0.25, 0.25])
         """
         plane, mesh = self._plane(point, normal)
-        points, ends = mesh._section(plane)
+        points, ends = mesh.section_at(plane)
         flat = matmul(points - self.arrays.origin, plane.axes().T)
         loops, paths = join_lines(ends, dict(enumerate(flat)))
         return [points[[*loop, loop[0]]] for loop in loops] + [points[path] for path in paths]
@@ -655,33 +656,34 @@ class MeshSelection(MeshArrays):
         slack = float(
             matmul(
                 np.abs(direction),
-                plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self.arrays.origin) + np.abs(center)),
+                plane_cut.FLOAT32_ROUNDING * largest
+                + plane_cut.FLOAT64_ROUNDING * (np.abs(self.arrays.origin) + np.abs(center)),
             )
         )
         mesh = self
         if count < vertices.size:
-            mesh = self._drop_triangles(clean_triangles.mask_not_finite(vertices, self.arrays["triangles"]))  # sync
+            mesh = self.drop_triangles(clean_triangles.mask_not_finite(vertices, self.arrays["triangles"]))  # sync
         return _Plane(direction, float(matmul(direction, self.arrays.origin - center)), slack), mesh
 
-    def _cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
+    def cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
         """(cut, side of each piece, mesh of all pieces)."""
         heights = plane_cut.measure_heights(self.arrays["vertices"], *plane)
         cut = LevelCut(self.arrays["triangles"], heights, 0.0)
         cut_mesh = self._cut_up(cut)
         return cut, plane_cut.find_sides(cut_mesh.arrays["vertices"], cut.pieces, cut.sides, plane.normal), cut_mesh
 
-    def _section(self, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    def section_at(self, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """(points (n, 3) [m], lines (k, 2))."""
-        cut, sides, cut_mesh = self._cut_by(plane)
+        cut, sides, cut_mesh = self.cut_by(plane)
         rows = positions_of(plane_cut.mark_in_plane(cut))  # sync
         half_edges = plane_cut.read_half_edges(cut_mesh.arrays["vertices"], cut.pieces, sides, rows)  # sync
         ends = lines_in_plane(half_edges.rows, self.arrays["vertices"].size)
         used, numbers = np.unique(ends, return_inverse=True)
         return half_edges.positions(used) + self.arrays.origin, numbers.reshape(-1, 2)
 
-    def _above(self, cut: LevelCut, sides: wp.array, mask: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
+    def part_above(self, cut: LevelCut, sides: wp.array, mask: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
         """(kept pieces with their vertices, their half-edges in the plane). Two syncs."""
-        mesh, rows, chosen, half_edges = self._keep_triangles(mask, plane_cut.mark_in_plane(cut, mask))  # sync
+        mesh, rows, chosen, half_edges = self.keep_triangles(mask, plane_cut.mark_in_plane(cut, mask))  # sync
         vertices, pieces = self.arrays["vertices"], cut.pieces
         new_indices = [
             mesh_edits.mask_and_index(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))
@@ -690,7 +692,7 @@ class MeshSelection(MeshArrays):
             vertices, pieces, sides, half_edges, (new_indices[0], new_indices[1])
         )  # sync
 
-    def _with_lid(self, half_edges: plane_cut.HalfEdges, plane: _Plane) -> Self:
+    def with_lid(self, half_edges: plane_cut.HalfEdges, plane: _Plane) -> Self:
         ends = outline(half_edges.rows)[:, ::-1]  # in the direction of the cap's triangles
         used = np.unique(ends)
         flat = matmul(half_edges.positions(used), plane.axes()[::-1].T)  # seen from below

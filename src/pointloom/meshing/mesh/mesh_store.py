@@ -44,6 +44,10 @@ class MeshStore(dict[str, wp.array]):
         self.attributes = {kind: dict((attributes or {}).get(kind) or {}) for kind in ATTRIBUTES}
         self.up: Direction | None = None
 
+    @property
+    def vertex_count(self) -> int:
+        return self["vertices"].size
+
     def hand_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
         """Convert a result to `library`. NumPy arrays share no memory with the CPU's device arrays."""
         return hand_out_copy(array, self.library, dtype)

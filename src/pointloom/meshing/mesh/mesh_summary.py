@@ -10,7 +10,7 @@ import numpy as np
 from .mesh import TriangleMesh
 from .mesh_repair import count_edges
 
-ISLAND = 0.01  # of the area: a part below it is an island, a larger one may be an object
+MAX_ISLAND_AREA = 0.01  # of the area: a part below it is an island, a larger one may be an object
 Corner = tuple[float, float, float]
 
 
@@ -70,7 +70,7 @@ def describe_surface(mesh: TriangleMesh) -> SurfaceSummary:
         area=area,
         parts=len(areas),
         largest_fraction=float(areas.max() / area) if area else 0.0,
-        islands_fraction=float(areas[areas < ISLAND * area].sum() / area) if area else 0.0,
+        islands_fraction=float(areas[areas < MAX_ISLAND_AREA * area].sum() / area) if area else 0.0,
         edges=edges.all,
         boundary_edges=edges.boundary,
         crowded_edges=edges.crowded,

@@ -22,16 +22,18 @@ from .posed_images import Names, check_images
 
 MAX_SIZE = 2**14  # per side. File formats allow 2^28 texels
 TEXEL_BYTES = 40
-TRIES = 3
+MAX_SIZES_TRIED = 3
 MAX_EXCESS = 3  # maximum ratio of xatlas's image to the size: beyond, wider gutters only enlarge the image
-_WIDER = 1.5  # xatlas exceeds the requested size by 20% or more, which shrinks the gutter
+_GUTTER_FACTOR = 1.5  # xatlas exceeds the requested size by 20% or more, which shrinks the gutter
 MAX_TEXELS = 16384  # per side: 2.7e8 texels, about 30 GB temporarily
 NAMES = Names("images", "intrinsic_matrices", "extrinsic_matrices")
-GUTTER = 8  # texels of padding: three mipmap levels
+GUTTER_TEXELS = 8  # texels of padding: three mipmap levels
 
 
 class MeshTexture(MeshArrays):
     """Methods of TriangleMesh that compute texture coordinates and textures."""
+
+    _internal = ("with_albedo",)
 
     @returns_new
     def compute_uvatlas(self, size: int = 512, gutter: float = 1.0) -> Self:
@@ -143,9 +145,9 @@ class MeshTexture(MeshArrays):
             >>> textured.textures[0][20, 5].tolist()
             [200, 0, 0]
         """
-        return self._with_albedo(images, intrinsic_matrices, extrinsic_matrices, tex_size)[0]
+        return self.with_albedo(images, intrinsic_matrices, extrinsic_matrices, tex_size)[0]
 
-    def _with_albedo(self, images: Any, cameras: Any, poses: Any, tex_size: int) -> tuple[Any, float]:
+    def with_albedo(self, images: Any, cameras: Any, poses: Any, tex_size: int) -> tuple[Any, float]:
         """(mesh with its texture, fraction of texels seen in an image)."""
         because = "the texture and its intermediate arrays would not fit into memory. Use fewer texels"
         size = check_count("tex_size", tex_size, minimum=1, maximum=MAX_TEXELS, because=because)
@@ -163,7 +165,7 @@ class MeshTexture(MeshArrays):
         trees = plant_trees(self.arrays["vertices"], self.arrays["triangles"])
         sums = texels.blend(checked.stacked(self.arrays.origin, 0), trees)
         colors = self.arrays.get("vertex_colors")
-        image = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
+        image = download(texels.write(sums, colors, GUTTER_TEXELS)).reshape(size, size, 3)  # sync
         fraction = texels.visible_fraction(sums)  # sync
         textured = self.with_arrays(triangle_material_ids=None)
         textured.textures = (image.copy(),)
@@ -175,8 +177,8 @@ def _lay_out(
 ) -> NDArray[np.float32]:
     """Texture coordinates of corners by xatlas, (3 t, 2)."""
     xatlas = _import_xatlas()
-    padding, reason = math.ceil(_WIDER * gutter), ""
-    for _ in range(TRIES):
+    padding, reason = math.ceil(_GUTTER_FACTOR * gutter), ""
+    for _ in range(MAX_SIZES_TRIED):
         options = xatlas.PackOptions()
         options.resolution, options.padding = size, padding
         atlas = xatlas.Atlas()
@@ -192,7 +194,7 @@ def _lay_out(
         reason = f"its {atlas.chart_count} charts with gutters of {gutter:g} need {edge} x {edge} texels"
         if edge > MAX_EXCESS * size:
             break
-        padding = math.ceil(_WIDER * gutter * edge / size)
+        padding = math.ceil(_GUTTER_FACTOR * gutter * edge / size)
     raise ValueError(f"size: {size} x {size} texels are too few for the mesh: {reason}")
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import matmul
 
 Ends = NDArray[np.int64]
-ABOVE, BELOW = 1, -1
+SIDE_ABOVE, SIDE_BELOW = 1, -1
 
 
 def lines_in_plane(half_edges: NDArray[np.int32], first_new: int) -> Ends:
@@ -23,10 +23,10 @@ def lines_in_plane(half_edges: NDArray[np.int32], first_new: int) -> Ends:
     key = low * (int(high.max(initial=0)) + 1) + high
     _, first, group = np.unique(key, return_index=True, return_inverse=True)
     count, group = len(first), group.reshape(-1)
-    above = np.bincount(group[rows[:, 2] == ABOVE], minlength=count)
-    others = np.bincount(group[rows[:, 2] != ABOVE], minlength=count)
+    above = np.bincount(group[rows[:, 2] == SIDE_ABOVE], minlength=count)
+    others = np.bincount(group[rows[:, 2] != SIDE_ABOVE], minlength=count)
     is_line = (above > 0) & ((others > 0) | (above % 2 == 1) | (high[first] >= first_new))
-    direction = np.where(rows[:, 2] == ABOVE, np.where(rows[:, 0] == low, 1, -1), 0)
+    direction = np.where(rows[:, 2] == SIDE_ABOVE, np.where(rows[:, 0] == low, 1, -1), 0)
     is_back = np.bincount(group, direction, minlength=count) < 0
     ends = np.where(is_back[:, None], np.c_[high[first], low[first]], np.c_[low[first], high[first]])
     return ends[is_line]

@@ -22,7 +22,7 @@ _BOX_TRIANGLES = (
 )  # fmt: skip
 
 # In quarters of the image: the faces of the unfolded box.
-_UNFOLDED = (
+_BOX_UVS = (
     2, 2, 3, 3, 2, 3,  2, 2, 3, 2, 3, 3,  1, 2, 1, 1, 2, 2,  1, 1, 2, 1, 2, 2,
     1, 2, 1, 3, 0, 2,  1, 3, 0, 3, 0, 2,  1, 3, 2, 3, 2, 4,  1, 3, 2, 4, 1, 4,
     1, 1, 1, 0, 2, 0,  1, 1, 2, 0, 2, 1,  1, 2, 2, 2, 1, 3,  1, 3, 2, 2, 2, 3,
@@ -37,7 +37,7 @@ _EACH_FACE = (
 def box(width: float, height: float, depth: float, each_face: bool) -> Shape:
     """Box at the origin, with the image on each face or the unfolded box in the image."""
     corners = [[x, y, z] for y in (0, 1) for z in (0, 1) for x in (0, 1)]
-    uvs = np.array(_EACH_FACE, float) if each_face else np.array(_UNFOLDED) / 4
+    uvs = np.array(_EACH_FACE, float) if each_face else np.array(_BOX_UVS) / 4
     return Shape(np.array(corners) * [width, height, depth], np.array(_BOX_TRIANGLES), uvs.reshape(-1, 2))
 
 
@@ -67,7 +67,7 @@ def octahedron(radius: float) -> Shape:
     return Shape(radius * corners, np.array(triangles), np.array([(step[u], v / 4) for u, v in upper + lower]))
 
 
-_ICOSAHEDRON = (
+_ICOSAHEDRON_UVS = (
     (0, 4, 1), (0, 1, 5), (1, 4, 9), (1, 9, 10), (1, 10, 5), (0, 8, 4), (0, 11, 8), (0, 5, 11), (5, 6, 11), (5, 10, 6),
     (4, 8, 7), (4, 7, 9), (3, 6, 2), (3, 2, 7), (2, 6, 10), (2, 10, 9), (2, 9, 7), (3, 11, 6), (3, 8, 11), (3, 7, 8),
 )  # fmt: skip
@@ -79,8 +79,8 @@ _ICOSAHEDRON_AT = (
     1, 11, 1, 9, 2, 10,  1, 1, 2, 0, 2, 2,  2, 8, 2, 6, 3, 7,  2, 8, 3, 9, 2, 10,  3, 5, 2, 6, 2, 4,
     3, 3, 2, 4, 2, 2,  3, 1, 2, 2, 2, 0,  2, 8, 1, 7, 2, 6,  2, 8, 1, 9, 1, 7,  2, 8, 2, 10, 1, 9,
 )  # fmt: skip
-_COLUMNS = (0.0001, 0.1575, 0.3149, 0.4724)
-_ROWS = (0.0001, 0.091, 0.1819, 0.2728, 0.3637, 0.4546, 0.5454, 0.6363, 0.7272, 0.8181, 0.909, 0.9999)
+_UV_COLUMNS = (0.0001, 0.1575, 0.3149, 0.4724)
+_UV_ROWS = (0.0001, 0.091, 0.1819, 0.2728, 0.3637, 0.4546, 0.5454, 0.6363, 0.7272, 0.8181, 0.909, 0.9999)
 
 
 def icosahedron(radius: float) -> Shape:
@@ -91,8 +91,8 @@ def icosahedron(radius: float) -> Shape:
         [0, p, -1], [0, -p, -1], [-p, -1, 0], [p, -1, 0], [p, 1, 0], [-p, 1, 0],
     ]  # fmt: skip
     at = np.array(_ICOSAHEDRON_AT).reshape(-1, 2)
-    uvs = np.stack([np.array(_COLUMNS)[at[:, 0]], np.array(_ROWS)[at[:, 1]]], axis=1)
-    return Shape(radius * np.array(corners), np.array(_ICOSAHEDRON), uvs)
+    uvs = np.stack([np.array(_UV_COLUMNS)[at[:, 0]], np.array(_UV_ROWS)[at[:, 1]]], axis=1)
+    return Shape(radius * np.array(corners), np.array(_ICOSAHEDRON_UVS), uvs)
 
 
 def _band(rows: int, columns: int, first: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

@@ -16,9 +16,9 @@ from .finite_corners import find_wrong_corner
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 
-MISSED = 1.05  # times the target: more triangles are reported
-FAR = 0.01  # of the box's diagonal: a larger RMS distance is reported
-SAMPLES = 20_000
+MAX_COUNT_RATIO = 1.05  # times the target: more triangles are reported
+MAX_RMS_RATIO = 0.01  # of the box's diagonal: a larger RMS distance is reported
+DISTANCE_SAMPLES = 20_000
 
 _WAYS = {
     "triangles": "to {:,.0f} triangles",
@@ -63,9 +63,9 @@ class SimplifiedMesh(ChangedMesh):
         if not count:
             return ("no triangles remain: use more triangles or smaller voxels",)
         reasons = []
-        if target is not None and count > max(target * MISSED, target + 4) and math.isinf(self.max_error):
+        if target is not None and count > max(target * MAX_COUNT_RATIO, target + 4) and math.isinf(self.max_error):
             reasons.append(f"{count:,} triangles are left instead of {target:,}: repair the mesh with clean_mesh first")
-        if self.errors is not None and self.errors.rms > FAR * self.diagonal:
+        if self.errors is not None and self.errors.rms > MAX_RMS_RATIO * self.diagonal:
             fraction = self.errors.rms / self.diagonal
             reasons.append(f"the surface moved by {fraction:.1%} of its size: use more triangles or smaller voxels")
         return tuple(reasons)
@@ -165,5 +165,5 @@ def _shift_of(small: TriangleMesh, full: TriangleMesh) -> SurfaceShift | None:
         return None
     if not (small.get_surface_area() > 0 and full.get_surface_area() > 0):
         return None
-    metrics = full.compute_metrics(small, n_sampled_points=SAMPLES)
+    metrics = full.compute_metrics(small, n_sampled_points=DISTANCE_SAMPLES)
     return SurfaceShift(metrics.rms[0], metrics.max[0])

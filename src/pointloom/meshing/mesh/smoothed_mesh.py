@@ -18,9 +18,9 @@ from .mesh_arrays import check_mesh
 from .mesh_remeshing import MAX_PASSES
 
 METHODS = ("taubin", "laplacian", "simple", "sharpen")
-SHRUNK = 0.1  # of the area: a larger loss is reported
+MAX_AREA_LOSS = 0.1  # of the area: a larger loss is reported
 
-_DEFAULTS = {"lambda_filter": 0.5, "mu": -0.53, "strength": 1.0}
+_DEFAULT_FACTORS = {"lambda_filter": 0.5, "mu": -0.53, "strength": 1.0}
 _OWNERS = {"lambda_filter": ("taubin", "laplacian"), "mu": ("taubin",), "strength": ("sharpen",)}
 
 
@@ -58,7 +58,7 @@ class SmoothedMesh(ChangedMesh):
         change = self.area / self.area_in - 1 if self.area_in > 0 else 0.0
         if not math.isfinite(change) or (self.method == "sharpen" and change > 1):
             return (f"the area grew {self.area / self.area_in:.3g} times: use fewer iterations or a smaller strength",)
-        if self.method != "sharpen" and change < -SHRUNK:
+        if self.method != "sharpen" and change < -MAX_AREA_LOSS:
             other = "" if self.method == "taubin" else ", or method='taubin', which shrinks less"
             return (f"{format_fraction(-change)} of the area was lost: use fewer iterations{other}",)
         return ()
@@ -129,8 +129,8 @@ def smooth_mesh(
         method=method,
         iterations=count,
         moved=Movement(float(moved.mean()), float(moved.max())) if len(moved) else None,
-        area_in=mesh._finite_area(),
-        area=smooth._finite_area(),
+        area_in=mesh.finite_area(),
+        area=smooth.finite_area(),
     )
 
 
@@ -143,4 +143,6 @@ def _factors_of(method: Any, given: dict[str, Any]) -> list[float]:
             owners = " or ".join(repr(owner) for owner in _OWNERS[name])
             raise ValueError(f"{name}: applies to method {owners}, not to {method!r}")
     applicable = {name: value for name, value in given.items() if method in _OWNERS[name]}
-    return [_DEFAULTS[name] if value is None else check_number(name, value) for name, value in applicable.items()]
+    return [
+        _DEFAULT_FACTORS[name] if value is None else check_number(name, value) for name, value in applicable.items()
+    ]

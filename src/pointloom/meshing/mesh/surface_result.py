@@ -9,21 +9,23 @@ from ...core.reports import Assessed, Fields, Report, failed, in_columns, qualit
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_bounds, format_fraction, plain
 from .mesh import TriangleMesh
-from .mesh_reconstruction import FLAT_REMEDY, OPPOSED
+from .mesh_reconstruction import FLAT_REMEDY, MAX_OPPOSED_FRACTION
 from .mesh_summary import SurfaceSummary
 
 # Thresholds of the quality checks.
-TORN = 0.1  # fraction of boundary edges: 4% for 30 x 30 squares, 30% if the ball falls through gaps
-CROWDED = 0.01  # fraction of non-manifold edges, except of alpha shapes, which are often two-sided
-ISLANDS = {"poisson": 0.1, "ball": 0.1, "alpha": 0.9}  # fraction of the area in small parts. Alpha shapes have cavities
+MAX_BOUNDARY_FRACTION = 0.1  # fraction of boundary edges: 4% for 30 x 30 squares, 30% if the ball falls through gaps
+MAX_NON_MANIFOLD_FRACTION = 0.01  # fraction of non-manifold edges, except of alpha shapes, which are often two-sided
+# Fraction of the area in small parts. Alpha shapes have cavities.
+MAX_SMALL_PART_AREA = {"poisson": 0.1, "ball": 0.1, "alpha": 0.9}
 MADE_UP = 0.05  # fraction of the surface far from all points
-OFF = 0.006  # of the points' extent: limit of their median distance from the surface
+MAX_MEDIAN_DISTANCE = 0.006  # of the points' extent: limit of their median distance from the surface
 # Chosen on benchmarks/trust/surface_shapes.py, `CHOOSING`, for surfaces within 2% of the points' extent.
-NEAR = 0.02  # of the points' extent
-LONG = 8.0  # times the points' extent: limit of the boundary length
-SPARSE, BENT = 0.05, 0.05  # fractions of the area of Poisson surfaces and alpha shapes
-MISSED = {"poisson": 0.1, "ball": 0.07, "alpha": 0.05}  # fraction of the points that are not near the surface
-TURNED = 0.05  # fraction of the area of ball pivoting
+NEAR_DISTANCE = 0.02  # of the points' extent
+MAX_BOUNDARY_LENGTH = 8.0  # times the points' extent: limit of the boundary length
+MAX_SPARSE_AREA, MAX_BENT_AREA = 0.05, 0.05  # fractions of the area of Poisson surfaces and alpha shapes
+# Fraction of the points that are not near the surface.
+MAX_MISSED_POINTS = {"poisson": 0.1, "ball": 0.07, "alpha": 0.05}
+MAX_TURNED_AREA = 0.05  # fraction of the area of ball pivoting
 
 _LARGER = {"poisson": "a smaller density_quantile or depth", "ball": "larger radii", "alpha": "a larger alpha"}
 
@@ -40,7 +42,7 @@ class NormalsUsed:
     def problem(self) -> str | None:
         """Warning about these normals with its remedy, or None."""
         fraction = self.disagreement
-        if fraction is None or fraction <= OPPOSED:
+        if fraction is None or fraction <= MAX_OPPOSED_FRACTION:
             return None
         statement = f"{format_fraction(fraction)} of neighboring normals point to opposite sides"
         if self.given:
@@ -73,7 +75,7 @@ class PointsOff:
     @property
     def problem(self) -> str | None:
         """Warning if the surface does not fit the points, or None."""
-        if self.median is None or self.median <= OFF * self.size:
+        if self.median is None or self.median <= MAX_MEDIAN_DISTANCE * self.size:
             return None
         fraction = format_fraction(self.median / self.size)
         distance = f"{self.median:.3g} {symbol_of(self.unit)}"
@@ -105,16 +107,16 @@ class Support:
         """Warning if the points are too sparse for their shape, or None."""
         near = f"{self.near:.3g} {symbol_of(unit)}"
         remedy = "the points are too sparse or too noisy for the shape; use more points, or smooth them first"
-        if method == "ball" and self.turned > TURNED:
+        if method == "ball" and self.turned > MAX_TURNED_AREA:
             fraction = format_fraction(self.turned)
             return f"{fraction} of the area is inclined by more than 53 degrees to the points near it: {remedy}"
-        if method != "ball" and self.sparse > SPARSE:
+        if method != "ball" and self.sparse > MAX_SPARSE_AREA:
             remedy = f"use density_quantile {better_quantile:g}" if better_quantile else remedy
             return f"{format_fraction(self.sparse)} of the area has no point within {near}: {remedy}"
-        if method != "ball" and self.bent > BENT:
+        if method != "ball" and self.bent > MAX_BENT_AREA:
             fraction = format_fraction(self.bent)
             return f"{fraction} of the area is farther than {near} from the planes of the points near it: {remedy}"
-        if self.missed > MISSED[method]:
+        if self.missed > MAX_MISSED_POINTS[method]:
             fraction = format_fraction(self.missed)
             remedy = f"use {_LARGER[method]}, or more points"
             return f"{fraction} of the points are farther than {near} from the surface; {remedy}"
@@ -209,15 +211,15 @@ class SurfaceResult(Report, Assessed):
         """Warnings if the mesh is torn, far from the points or fragmented."""
         summary, larger = self.summary, _LARGER[self.method]
         reasons: list[str] = []
-        if summary.boundary_edges > TORN * summary.edges:
+        if summary.boundary_edges > MAX_BOUNDARY_FRACTION * summary.edges:
             fraction = format_fraction(summary.boundary_edges / summary.edges)
             reasons.append(f"the mesh has many holes: {fraction} of its edges are boundary edges; use {larger}")
-        elif summary.boundary_length > LONG * self.off.size > 0:
+        elif summary.boundary_length > MAX_BOUNDARY_LENGTH * self.off.size > 0:
             times = summary.boundary_length / self.off.size
             reasons.append(
                 f"the mesh has many holes: its boundary is {times:.1f} times as long as its size; use {larger}"
             )
-        if self.method != "alpha" and summary.crowded_edges > CROWDED * summary.edges:
+        if self.method != "alpha" and summary.crowded_edges > MAX_NON_MANIFOLD_FRACTION * summary.edges:
             fraction = format_fraction(summary.crowded_edges / summary.edges)
             reasons.append(f"{fraction} of its edges have three or more triangles, so it is not a single surface")
         made_up, far, better = self.made_up.fraction, self.made_up.far, self.made_up.better_quantile
@@ -230,7 +232,7 @@ class SurfaceResult(Report, Assessed):
                 f"{format_fraction(made_up)} of the area is farther than {away} from all points "
                 f"and was extrapolated to close the surface; use {remedy}"
             )
-        if summary.islands_fraction > ISLANDS[self.method]:
+        if summary.islands_fraction > MAX_SMALL_PART_AREA[self.method]:
             fraction = format_fraction(summary.islands_fraction)
             reasons.append(f"{fraction} of the area is in small islands: clean the cloud first, or use {larger}")
         return reasons

@@ -22,15 +22,15 @@ from ...kernels.memory import download, empty, upload
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...pcd.geodesy import WorldFrame
-from ...pcd.geotiff import BLOCK, geotiff
+from ...pcd.geotiff import BLOCK_CELLS, geotiff
 from ...pcd.raster_cells import check_box
 from ...pcd.terrain import Raster
 from ..mesh.mesh import TriangleMesh
 from .plan_grid import PlanGrid, grid_over, grid_within
 
-STRIP = 2**20  # cells per batch, 24 B each on the device
-PART = 2**18  # vertices projected per batch, about 300 B each
-EVERY = -1  # material id for all triangles
+CELLS_PER_STRIP = 2**20  # cells per batch, 24 B each on the device
+VERTICES_PER_PART = 2**18  # vertices projected per batch, about 300 B each
+EVERY_MATERIAL = -1  # material id for all triangles
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,8 +73,8 @@ class Orthophoto:
         heights, (rows, _, _) = self.heights, self.colors.shape
         georeference = self.colors.shape[:2], (heights.corner[0], heights.corner[1]), heights.cell, heights
         with geotiff(path, *georeference, overwrite=overwrite, for_maps=True, is_image=True) as file:
-            for top in range(0, rows, BLOCK):
-                part = self.colors[top : top + BLOCK]
+            for top in range(0, rows, BLOCK_CELLS):
+                part = self.colors[top : top + BLOCK_CELLS]
                 window = ((top, top + len(part)), (0, part.shape[1]))
                 file.write(np.ascontiguousarray(np.moveaxis(part, 2, 0)), window=window)
         return Path(path)
@@ -169,8 +169,8 @@ def _vertices_in_frame(
     if frame is None:
         return mesh.array("vertices"), mesh.origin
     positions = np.array(mesh.vertices)
-    for first in range(0, len(positions), PART):
-        part = positions[first : first + PART]
+    for first in range(0, len(positions), VERTICES_PER_PART):
+        part = positions[first : first + VERTICES_PER_PART]
         finite = np.isfinite(part).all(axis=1)
         part[finite] = frame.to_utm(part[finite], epsg)
     finite = positions[np.isfinite(positions).all(axis=1)]
@@ -185,7 +185,7 @@ def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]
     flat = view_as(arrays["triangles"], int32, (3 * arrays["triangles"].size,))
     looks: dict[str, Any] = {"normals": none, "plain": vec3(0.0, 0.0, 0.0), "lit": False, "edges": False}
     surfaces: list[tuple[int, Surface]] = []
-    numbers = [EVERY]
+    numbers = [EVERY_MATERIAL]
     if "triangle_uvs" in arrays and mesh.textures:
         numbers = (
             [0] if "triangle_material_ids" not in arrays else np.unique(np.asarray(mesh.triangle_material_ids)).tolist()
@@ -200,8 +200,8 @@ def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]
             material = {"colors": arrays["vertex_colors"], "uvs": empty(0, vec2, device), "texture": nothing}
         else:
             continue
-        is_for_all = "triangle_material_ids" not in arrays or numbers == [EVERY]
-        surfaces.append((EVERY if is_for_all else number, Surface(vertices, flat, **material, **looks)))
+        is_for_all = "triangle_material_ids" not in arrays or numbers == [EVERY_MATERIAL]
+        surfaces.append((EVERY_MATERIAL if is_for_all else number, Surface(vertices, flat, **material, **looks)))
     return surfaces
 
 
@@ -215,7 +215,7 @@ def _strips(
     cells = PlanCells(grid.corner[0] - origin[0], top - origin[1], grid.cell, columns, above)
     materials = mesh.arrays.get("triangle_material_ids")
     materials = empty(0, int32, mesh.device) if materials is None else materials
-    step = max(1, STRIP // columns)
+    step = max(1, CELLS_PER_STRIP // columns)
     for first in range(0, rows, step):
         strip = slice(first, min(first + step, rows))
         count = strip.stop - first

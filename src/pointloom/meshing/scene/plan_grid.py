@@ -14,9 +14,9 @@ from ...kernels.terrain.cells import check_cell_numbers
 from ...pcd.raster_cells import MAX_CELLS, cells_over, cells_within
 
 MAX_ALONG = 2**24  # cells per side: rows are processed completely
-BYTES = 9  # per cell: color, height, fill flag
-DIGITS = 2  # significant digits of a proposed length
-LONGEST = 1e12  # largest number printed with all digits
+CELL_BYTES = 9  # per cell: color, height, fill flag
+LENGTH_DIGITS = 2  # significant digits of a proposed length
+MAX_PRINTED_NUMBER = 1e12  # largest number printed with all digits
 
 Array = NDArray[np.float64]
 Cells = tuple[Array, Array]  # first cell along x and y, and counts
@@ -45,7 +45,7 @@ def _grid_of(cells_of: Callable[[float], Cells], corner: Array, cell: float) -> 
     with np.errstate(over="ignore", invalid="ignore"):  # overflow means too many cells
         first, counts = cells_of(cell)
         if not _fits(counts):
-            columns, rows, gigabytes = map(_counted, (*counts, counts[0] * counts[1] * BYTES / 1e9))
+            columns, rows, gigabytes = map(_counted, (*counts, counts[0] * counts[1] * CELL_BYTES / 1e9))
             raise ValueError(
                 f"cell: {cell:g} gives {columns} x {rows} cells, {gigabytes} GB; expected at most 2^28; "
                 f"{_what_fits(cells_of, cell, counts)}, or use smaller bounds"
@@ -73,9 +73,9 @@ def _what_fits(cells_of: Callable[[float], Cells], cell: float, counts: Array) -
 
 
 def _counted(number: float) -> str:
-    return f"{number:,.0f}" if number < LONGEST else f"{number:.1e}"
+    return f"{number:,.0f}" if number < MAX_PRINTED_NUMBER else f"{number:.1e}"
 
 
 def _rounded_up(length: float) -> float:
-    step = 10.0 ** (math.floor(math.log10(length)) + 1 - DIGITS)
+    step = 10.0 ** (math.floor(math.log10(length)) + 1 - LENGTH_DIGITS)
     return math.ceil(length / step) * step

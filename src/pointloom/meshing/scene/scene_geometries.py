@@ -55,8 +55,9 @@ class SceneGeometries(Serialized, KnownNames):
     def __copy__(self) -> Self:
         """Independent scene that shares the meshes."""
         scene = type(self)(self._device)
-        scene._meshes, scene._trees = list(self._meshes), list(self._trees)
-        scene._mesh_of, scene._poses = list(self._mesh_of), [pose.copy() for pose in self._poses]
+        lists = {"_meshes": self._meshes, "_trees": self._trees, "_mesh_of": self._mesh_of}
+        vars(scene).update({name: list(values) for name, values in lists.items()})
+        vars(scene)["_poses"] = [pose.copy() for pose in self._poses]
         return scene
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:

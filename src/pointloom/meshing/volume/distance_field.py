@@ -18,11 +18,12 @@ from ...core.errors import values_of_file
 from ...core.exchange import on_host
 from ...core.gpu_arrays import device_for, take_numbers
 from ...core.pickled_arrays import device_like, unpickling
+from ...core.serialized import locked_objects
 from ...kernels.array_types import Cells, Mask
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import uint8, vec3i
 from ...kernels.memory import clone, download, upload
-from ...kernels.volumes.distance_blocks import find_distances, limits_for, limits_for_box
+from ...kernels.volumes.distance_blocks import DistanceBlocks, find_distances, limits_for, limits_for_box
 from ...kernels.volumes.distance_cells import find_cells, find_set_cells
 from ...kernels.volumes.distance_queries import DistanceGrid
 from ...pcd.cloud import PointCloud
@@ -30,7 +31,7 @@ from ...pcd.point_arrays import check_cloud
 from ...pcd.raster_cells import check_lengths
 from ..mesh.voxel_grid import VoxelGrid
 from .distance_field_files import (
-    LARGEST,
+    MAX_COORDINATE,
     FieldSource,
     arrays_of,
     check_field_arrays,
@@ -71,6 +72,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
     """
 
     _fixed = ("device", "voxel_size", "max_distance", "shape", "origin", "is_signed")
+    _internal = ("blocks", "set_source")
     device: Any
     voxel_size: float
     max_distance: float | None
@@ -229,7 +231,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         cells = check_rows("coordinates", on_host("coordinates", coordinates), 3)
         if cells.dtype.kind not in "iu" and cells.size:
             raise TypeError(f"coordinates: expected whole numbers, got {cells.dtype}")
-        if cells.size and not (cells.min() > -LARGEST and cells.max() < LARGEST):
+        if cells.size and not (cells.min() > -MAX_COORDINATE and cells.max() < MAX_COORDINATE):
             raise ValueError(f"coordinates: {cells.min()}..{cells.max()} exceed 30 bits")
         edge, limit = check_voxel_size(voxel_size), check_positive("max_distance", max_distance)
         corner = check_finite("origin", check_shape("origin", origin, (3,)))
@@ -259,9 +261,9 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         if not isinstance(grid, OccupancyGrid):
             raise TypeError(f"grid: expected an OccupancyGrid, got {type(grid).__name__}")
         limit = check_positive("max_distance", max_distance)
-        with grid._lock:
+        with locked_objects([grid]):
             source = FieldSource(grid.origin, grid.voxel_size, limit)
-            return cls._of(grid._device_voxels(), source, grid.array_library)
+            return cls._of(grid.device_voxels(), source, grid.array_library)
 
     @classmethod
     def _of(cls, cells: Cells, source: FieldSource, library: str = NUMPY) -> DistanceField:
@@ -272,12 +274,12 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
             else limits_for(source.max_distance / source.voxel_size)
         )
         field = cls.__new__(cls)
-        field._take(source, cells, find_distances(cells, radius, source.shape if source.signed else None))
-        field._library = library
+        blocks = find_distances(cells, radius, source.shape if source.signed else None)
+        field.set_source(source, cells, blocks, library)
         return field
 
-    def _take(self, source: FieldSource, cells: Cells, blocks: Any) -> None:
-        self.device, self._source, self._blocks = cells.device, source, blocks
+    def set_source(self, source: FieldSource, cells: Cells, blocks: DistanceBlocks, library: str) -> None:
+        self.device, self._source, self.blocks, self._library = cells.device, source, blocks, library
         self.origin, self.voxel_size, self.max_distance = source.origin, source.voxel_size, source.max_distance
         self.shape, self.is_signed = source.shape, source.signed
         self._grid = DistanceGrid(blocks, source.origin.tolist(), source.voxel_size, source.max_distance)
@@ -290,22 +292,22 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
     @property
     def voxel_count(self) -> int:
         """Number of occupied voxels."""
-        return self._blocks.occupied.size
+        return self.blocks.occupied.size
 
     @property
     def block_count(self) -> int:
         """Number of blocks of 8^3 voxels."""
-        return self._blocks.keys.size
+        return self.blocks.keys.size
 
     @property
     def memory_bytes(self) -> int:
         """Device memory of voxels, keys and hash table [B]."""
-        return self._blocks.memory_bytes
+        return self.blocks.memory_bytes
 
     @property
     def occupied_voxels(self) -> NDArray[np.int32]:
         """Coordinates of the occupied voxels, int32 (k, 3), indexed by `nearest_obstacles`. A copy."""
-        return hand_out(clone(self._blocks.occupied), self._library)
+        return hand_out(clone(self.blocks.occupied), self._library)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the occupied voxels to an .npz file atomically; `load` recomputes the distances.
@@ -328,11 +330,11 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
             return cls._of_arrays(arrays, where)
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
-        return arrays_of(self._source, np.array(download(self._blocks.occupied)).reshape(-1, 3))
+        return arrays_of(self._source, np.array(download(self.blocks.occupied)).reshape(-1, 3))
 
     @classmethod
-    def _of_arrays(cls, arrays: dict[str, NDArray[Any]], device: Any) -> DistanceField:
-        return cls._of(upload(arrays["voxels"], vec3i, device), source_of(arrays))
+    def _of_arrays(cls, arrays: dict[str, NDArray[Any]], device: Any, library: str = NUMPY) -> DistanceField:
+        return cls._of(upload(arrays["voxels"], vec3i, device), source_of(arrays), library)
 
     def __getstate__(self) -> dict[str, Any]:
         return {"arrays": self._arrays(), "device": str(self.device), "library": self._library}
@@ -341,8 +343,8 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("distance field"):
             where = device_like("distance field", state["device"])
-            made = self._of_arrays(check_field_arrays(state["arrays"]), where)
-            made._library = check_library("library", state.get("library", NUMPY))
+            arrays, library = check_field_arrays(state["arrays"]), check_library("library", state.get("library", NUMPY))
+            made = self._of_arrays(arrays, where, library)
         vars(self).update(vars(made))
 
 

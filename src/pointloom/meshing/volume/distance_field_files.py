@@ -16,7 +16,7 @@ from ...io.points.archives import Arrays, Expected, check_arrays, read_archive, 
 from .voxel_boxes import find_fault_of_voxel_size
 
 FORMAT = b"pointloom distance field 1"
-LARGEST = 2**29  # of voxel coordinates. The supported range is smaller
+MAX_COORDINATE = 2**29  # of voxel coordinates. The supported range is smaller
 
 
 class FieldSource(NamedTuple):
@@ -82,7 +82,7 @@ def _find_fault(arrays: Arrays) -> str:
         return f"shape: {shape.tolist()}"
     if not len(voxels):
         return ""
-    low, high = (0, shape) if has_shape else (-LARGEST, LARGEST)
+    low, high = (0, shape) if has_shape else (-MAX_COORDINATE, MAX_COORDINATE)
     if not ((voxels >= low) & (voxels < high)).all():
         return "voxels: out of range"
     if len(np.unique(voxels, axis=0)) != len(voxels):

@@ -60,7 +60,7 @@ class FieldViews:
     max_distance: float | None
     origin: NDArray[np.float64]
     shape: tuple[int, int, int] | None
-    _blocks: DistanceBlocks
+    blocks: DistanceBlocks
     _grid: DistanceGrid
     _library: str = NUMPY  # library of returned arrays, see src/pointloom/core/array_libraries.py
 
@@ -78,7 +78,7 @@ class FieldViews:
         """First stored voxel, and the one after the last."""
         if self.shape is not None:
             return np.zeros(3, np.int64), np.array(self.shape, np.int64)
-        return voxels_of_blocks(download(self._blocks.keys))  # sync
+        return voxels_of_blocks(download(self.blocks.keys))  # sync
 
     def _box(self, bounds: Any, layer: tuple[int, int] | None = None) -> Box:
         """Voxels in bounds [m]; those of a layer: (axis index, position along it)."""
@@ -86,7 +86,7 @@ class FieldViews:
             low, high = self._voxel_bounds()
         else:
             beyond = "exceed the range of block indices around the origin"
-            low, high = voxels_in_bounds(bounds, self.origin, self.voxel_size, queries.OUTERMOST, beyond)
+            low, high = voxels_in_bounds(bounds, self.origin, self.voxel_size, queries.MAX_QUERY_VOXELS, beyond)
         if layer is not None:
             low[layer[0]], high[layer[0]] = layer[1], layer[1] + 1
         count, (x, y, z), size = math.prod((high - low).tolist()), low.tolist(), (high - low).tolist()
@@ -146,7 +146,7 @@ class FieldViews:
         along = check_axis(axis)
         number = check_number("position", position)
         cell = (number - float(self.origin[along])) / self.voxel_size
-        if not abs(cell) < queries.OUTERMOST:
+        if not abs(cell) < queries.MAX_QUERY_VOXELS:
             raise ValueError(f"position: {number:g} m exceeds the range of block indices around the origin")
         layer = math.floor(cell)
         low, size = thin = self._box(bounds, (along, layer))

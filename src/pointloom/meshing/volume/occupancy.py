@@ -21,7 +21,7 @@ from ...core.pickled_arrays import device_like, unpickling
 from ...kernels.lang import float32, int64, vec3
 from ...kernels.memory import download, upload
 from ...kernels.volumes import occupancy_blocks as odds
-from ...kernels.volumes.occupancy_blocks import OUTERMOST, OddsBlocks
+from ...kernels.volumes.occupancy_blocks import MAX_KEY_VOXELS, OddsBlocks
 from ...kernels.volumes.occupancy_rays import Lattice
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS
 from ...pcd.cloud import PointCloud
@@ -29,7 +29,7 @@ from .occupancy_files import check_grid_arrays, find_fault_of_model, log_odds_of
 from .occupancy_queries import OccupancyQuestions
 from .voxel_boxes import check_positions, check_voxel_size
 
-FARTHEST = 3.0e38  # [m] default of max_range
+UNLIMITED_RANGE = 3.0e38  # [m] default of max_range
 
 
 class OccupancyGrid(OccupancyQuestions, HintedNames):
@@ -63,6 +63,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
     device: Any
     voxel_size: float
     _fixed = ("device", "voxel_size")
+    _internal = ("downloaded", "from_downloaded")
 
     @explain_argument_errors
     def __init__(
@@ -85,7 +86,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         self._origin: NDArray[np.float64] | None = None
         lattice = Lattice(edge, float(np.float32(edge * 0.5)))
         hit_odds, miss_odds, low, high = (log_odds_of(p) for p in self._model)
-        self._blocks = OddsBlocks(lattice, (hit_odds, miss_odds, low, high), self.device)
+        self.blocks = OddsBlocks(lattice, (hit_odds, miss_odds, low, high), self.device)
         self._scans_before = 0
 
     def __repr__(self) -> str:
@@ -100,17 +101,17 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
     @property
     def block_count(self) -> int:
         """Number of blocks of 8^3 voxels."""
-        return self._blocks.count
+        return self.blocks.count
 
     @property
     def scan_count(self) -> int:
         """Number of inserted scans with points."""
-        return self._blocks.scan_count + self._scans_before
+        return self.blocks.scan_count + self._scans_before
 
     @property
     def memory_bytes(self) -> int:
         """Device memory of voxels, keys and hash table [B]."""
-        return self._blocks.memory_bytes
+        return self.blocks.memory_bytes
 
     @explain_argument_errors
     def insert_scan(
@@ -144,17 +145,17 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
             )
         cloud = self._cloud_of("points", points)
         starts = check_positions("origin", on_host("origin", origin), len(cloud))
-        longest = FARTHEST if max_range is None else check_positive("max_range", max_range)
+        longest = UNLIMITED_RANGE if max_range is None else check_positive("max_range", max_range)
         if not len(cloud):
             return 0
         new_origin = self._origin if self._origin is not None else origin_of_sensor(starts[0])
         local = starts - new_origin
-        if not np.abs(local).max() < OUTERMOST * self.voxel_size:
+        if not np.abs(local).max() < MAX_KEY_VOXELS * self.voxel_size:
             raise ValueError(
                 f"origin: a ray starts {np.abs(local).max():.6g} m from the grid's origin {new_origin.tolist()}"
             )
         x, y, z = (cloud.origin - new_origin).tolist()
-        lattice, ray_starts = self._blocks.lattice, upload(local.astype(np.float32), vec3, self.device)
+        lattice, ray_starts = self.blocks.lattice, upload(local.astype(np.float32), vec3, self.device)
         rays, infinite = odds.prepare_rays(cloud.arrays["points"], (x, y, z), ray_starts, longest, lattice)
         if infinite:
             raise ValueError(
@@ -163,7 +164,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         before = self._origin
         try:
             self._origin = new_origin
-            count = odds.fold_scan(rays, self._blocks)
+            count = odds.fold_scan(rays, self.blocks)
         except odds.WildScanError as error:
             self._origin = before
             raise ValueError(f"points: {error}; an outlier may be far away: use max_range or larger voxels") from None
@@ -178,7 +179,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         Raises:
             FileError: If the file cannot be written, or exists and `overwrite` is False.
         """
-        write_grid(path, self._downloaded(), overwrite=overwrite)
+        write_grid(path, self.downloaded(), overwrite=overwrite)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> OccupancyGrid:
@@ -189,35 +190,35 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         """
         arrays, where = read_grid(path), resolve_device(device)
         with values_of_file(path):
-            return cls._from_downloaded(arrays, where)
+            return cls.from_downloaded(arrays, where)
 
-    def _downloaded(self) -> dict[str, Any]:
+    def downloaded(self) -> dict[str, Any]:
         count = self.block_count
         return {
             "voxel_size": np.array(self.voxel_size),
             "probabilities": np.array(self._model),
             "origin": self.origin,
             "scan_count": np.array(self.scan_count),
-            "keys": download(self._blocks.keys)[:count],
-            "odds": download(self._blocks.odds)[: count * BLOCK_VOXELS],
+            "keys": download(self.blocks.keys)[:count],
+            "odds": download(self.blocks.odds)[: count * BLOCK_VOXELS],
         }
 
     @classmethod
-    def _from_downloaded(cls, arrays: dict[str, Any], device: Any) -> OccupancyGrid:
+    def from_downloaded(cls, arrays: dict[str, Any], device: Any, library: str = NUMPY) -> OccupancyGrid:
         grid = cls(float(arrays["voxel_size"]), *arrays["probabilities"].tolist(), device=device)
-        grid._scans_before = int(arrays["scan_count"])
-        grid._origin = arrays["origin"] if grid._scans_before else None
+        count = int(arrays["scan_count"])
+        vars(grid).update(_scans_before=count, _origin=arrays["origin"] if count else None, _library=library)
         keys = upload(np.ascontiguousarray(arrays["keys"]), int64, grid.device)
         values = upload(np.ascontiguousarray(arrays["odds"]), float32, grid.device)
-        grid._blocks.fill(keys, values)
+        grid.blocks.fill(keys, values)
         return grid
 
     @returns_new
     def copy(self) -> OccupancyGrid:
         """Independent copy with the same voxels."""
         grid = OccupancyGrid(self.voxel_size, *self._model, device=self.device)
-        grid._scans_before, grid._origin, grid._blocks = self.scan_count, self._origin, self._blocks.clone()
-        grid._library = self._library
+        state: dict[str, Any] = {"_origin": self._origin, "_library": self._library, "blocks": self.blocks.clone()}
+        vars(grid).update(state, _scans_before=self.scan_count)
         return grid
 
     def __copy__(self) -> OccupancyGrid:
@@ -227,12 +228,12 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         return self.copy()
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"arrays": self._downloaded(), "device": str(self.device), "library": self._library}
+        return {"arrays": self.downloaded(), "device": str(self.device), "library": self._library}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("occupancy grid"):
             where = device_like("occupancy grid", state["device"])
-            made = self._from_downloaded(check_grid_arrays(state["arrays"]), where)
-            made._library = check_library("library", state.get("library", NUMPY))
+            library = check_library("library", state.get("library", NUMPY))
+            made = self.from_downloaded(check_grid_arrays(state["arrays"]), where, library)
         vars(self).update(vars(made))

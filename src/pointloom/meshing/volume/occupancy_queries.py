@@ -21,12 +21,12 @@ from ...kernels.array_types import Cells, Points, Scalars
 from ...kernels.lang import vec3, vec3d
 from ...kernels.memory import check_room, download, upload
 from ...kernels.volumes import occupancy_blocks as odds
-from ...kernels.volumes.occupancy_blocks import KNOWN_BELOW, OUTERMOST, OddsBlocks
+from ...kernels.volumes.occupancy_blocks import KNOWN_BELOW, MAX_KEY_VOXELS, OddsBlocks
 from ...pcd.cloud import PointCloud
 from ..mesh.voxel_grid import VoxelGrid
 from .voxel_boxes import Corners, check_positions, voxels_in_bounds, voxels_of_blocks
 
-THRESHOLD = 0.0  # log odds of probability 0.5
+OCCUPIED_LOG_ODDS = 0.0  # log odds of probability 0.5
 _WILD_DIRECTION = "directions: expected finite numbers up to 1e+100, got others"
 _ZERO_DIRECTION = "directions: expected nonzero vectors, got some of length 0"
 _FAR_RAY = "origins, max_range: rays extend more than 2^22 voxels from the grid's origin"
@@ -52,7 +52,8 @@ class OccupancyQuestions(Serialized):
 
     device: Any
     voxel_size: float
-    _blocks: OddsBlocks
+    blocks: OddsBlocks
+    _internal = ("blocks", "device_voxels")
     _library: str = NUMPY  # library of returned arrays, see src/pointloom/core/array_libraries.py
 
     @property
@@ -79,7 +80,7 @@ class OccupancyQuestions(Serialized):
             ValueError: If the shape is wrong.
         """
         value, form = self._odds_of(points)
-        return form.hand_out(odds.find_states(value, THRESHOLD), dtype=np.int8)
+        return form.hand_out(odds.find_states(value, OCCUPIED_LOG_ODDS), dtype=np.int8)
 
     @explain_argument_errors
     def occupied(self, points: PointCloud | ArrayLike) -> NDArray[np.bool_]:
@@ -89,7 +90,7 @@ class OccupancyQuestions(Serialized):
             ValueError: If the shape is wrong.
         """
         value, form = self._odds_of(points)
-        return form.hand_out(odds.mask_occupied(value, THRESHOLD), dtype=np.bool_)
+        return form.hand_out(odds.mask_occupied(value, OCCUPIED_LOG_ODDS), dtype=np.bool_)
 
     @explain_argument_errors
     def probabilities(self, points: PointCloud | ArrayLike) -> NDArray[np.float64]:
@@ -134,8 +135,8 @@ class OccupancyQuestions(Serialized):
         length = check_positive("max_range", max_range)
         starts, stops = (self._device_rays if is_on_gpu(directions) else self._host_rays)(origins, directions, length)
         form = form_of(directions)
-        self._blocks.count  # noqa: B018  what was interrupted is settled
-        states, distances, voxels = odds.cast_rays(starts, stops, THRESHOLD, self._blocks)
+        self.blocks.count  # noqa: B018  what was interrupted is settled
+        states, distances, voxels = odds.cast_rays(starts, stops, OCCUPIED_LOG_ODDS, self.blocks)
         return RayHits(form.hand_out(states, dtype=np.int8), form.hand_out(distances), form.hand_out(voxels))
 
     def _host_rays(self, origins: Any, directions: Any, length: float) -> tuple[Points, Points]:
@@ -146,7 +147,7 @@ class OccupancyQuestions(Serialized):
             raise ValueError(_ZERO_DIRECTION)
         start_points = np.broadcast_to(check_positions("origins", origins, len(vectors)), vectors.shape) - self.origin
         ends = start_points + vectors / lengths * length
-        if not max(np.abs(start_points).max(initial=0), np.abs(ends).max(initial=0)) < OUTERMOST * self.voxel_size:
+        if not max(np.abs(start_points).max(initial=0), np.abs(ends).max(initial=0)) < MAX_KEY_VOXELS * self.voxel_size:
             raise ValueError(_FAR_RAY)
         starts, stops = (upload(a.astype(np.float32), vec3, self.device) for a in (start_points, ends))
         return starts, stops
@@ -163,7 +164,9 @@ class OccupancyQuestions(Serialized):
         else:
             starts = upload(check_positions("origins", origins, vectors.size), vec3d, self.device)
         x, y, z = self.origin.tolist()
-        *ends, faults = odds.prepare_queries(starts, vectors, (x, y, z), length, OUTERMOST * self.voxel_size)  # sync
+        *ends, faults = odds.prepare_queries(
+            starts, vectors, (x, y, z), length, MAX_KEY_VOXELS * self.voxel_size
+        )  # sync
         for is_wrong, message in zip(faults, (_WILD_DIRECTION, _ZERO_DIRECTION, _FAR_RAY), strict=True):
             if is_wrong:
                 raise ValueError(message)
@@ -174,18 +177,18 @@ class OccupancyQuestions(Serialized):
         return hand_out_host(self._sorted_voxels(), self._library, self.device)
 
     def _sorted_voxels(self) -> NDArray[np.int32]:
-        voxels = np.array(download(self._device_voxels()), np.int32).reshape(-1, 3)
+        voxels = np.array(download(self.device_voxels()), np.int32).reshape(-1, 3)
         return voxels[np.lexsort(voxels.T[::-1])]
 
-    def _device_voxels(self) -> Cells:
+    def device_voxels(self) -> Cells:
         """Occupied voxels on the device, vec3i, in block order."""
-        return odds.list_occupied(self._blocks, THRESHOLD)
+        return odds.list_occupied(self.blocks, OCCUPIED_LOG_ODDS)
 
     @returns_new
     def to_point_cloud(self) -> PointCloud:
         """Centers of the occupied voxels, in block order."""
-        voxels = self._device_voxels()
-        centers = odds.voxel_centers(voxels, self._blocks.lattice)
+        voxels = self.device_voxels()
+        centers = odds.voxel_centers(voxels, self.blocks.lattice)
         return PointCloud.from_device_arrays({"points": centers}, self.origin, self._library)
 
     def to_voxel_grid(self) -> VoxelGrid:
@@ -221,17 +224,17 @@ class OccupancyQuestions(Serialized):
             raise ValueError(f"bounds: {' x '.join(map(str, size))} voxels are more than 2^31. Use smaller bounds")
         check_room(self.device, 12 * count, f"{count:,} voxels")
         x, y, z = low.tolist()
-        self._blocks.count  # noqa: B018  what was interrupted is settled
-        log_odds = np.array(download(odds.look_up_box((x, y, z), (size[0], size[1], size[2]), self._blocks)))
+        self.blocks.count  # noqa: B018  what was interrupted is settled
+        log_odds = np.array(download(odds.look_up_box((x, y, z), (size[0], size[1], size[2]), self.blocks)))
         return hand_out_host(_probability(log_odds).astype(np.float32).reshape(size), self._library, self.device)
 
     def _voxels_in(self, bounds: ArrayLike) -> Corners:
         beyond = "extend more than 2^22 voxels from the grid's origin"
-        return voxels_in_bounds(bounds, self.origin, self.voxel_size, OUTERMOST, beyond)
+        return voxels_in_bounds(bounds, self.origin, self.voxel_size, MAX_KEY_VOXELS, beyond)
 
     def _voxel_bounds(self) -> Corners:
-        count = self._blocks.count
-        return voxels_of_blocks(download(self._blocks.keys)[:count])
+        count = self.blocks.count
+        return voxels_of_blocks(download(self.blocks.keys)[:count])
 
     def _cloud_of(self, name: str, points: Any) -> PointCloud:
         if isinstance(points, PointCloud):
@@ -246,8 +249,8 @@ class OccupancyQuestions(Serialized):
         cloud = self._cloud_of("points", points)
         form = Form(points.array_library, False) if isinstance(points, PointCloud) else form_of(points)
         x, y, z = (cloud.origin - self.origin).tolist()
-        self._blocks.count  # noqa: B018  what was interrupted is settled
-        return odds.look_up(cloud.arrays["points"], (x, y, z), self._blocks), form
+        self.blocks.count  # noqa: B018  what was interrupted is settled
+        return odds.look_up(cloud.arrays["points"], (x, y, z), self.blocks), form
 
 
 def _probability(log_odds: NDArray[np.float32]) -> NDArray[np.float64]:

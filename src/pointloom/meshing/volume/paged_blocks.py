@@ -14,9 +14,9 @@ from ...kernels.volumes.scan_rays import ScanRays, passed_blocks
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box
 from ...kernels.volumes.voxel_blocks import VoxelBlocks
 from .page_files import Keys, Page, PageFolder, Saved, cubes_of
-from .tsdf import TSDFVolume, _Frames
+from .tsdf import FrameState, TSDFVolume
 
-SPARE = 4  # a quarter of `max_blocks` is freed at once, so that not each frame pages
+FREED_DIVISOR = 4  # a quarter of `max_blocks` is freed at once, so that not each frame pages
 
 
 @dataclass
@@ -48,7 +48,7 @@ class PagedBlocks(TSDFVolume):
     def adopt(self, saved: Saved) -> None:
         """Load a saved state. All of it is on disk."""
         count = int(saved.header["frame_count"])
-        self._frames = _Frames(count, saved.header["origin"] if count else None, bool(saved.header["has_color"][1]))
+        self._frames = FrameState(count, saved.header["origin"] if count else None, bool(saved.header["has_color"][1]))
         total = sum(len(page.keys) for page in saved.pages.values())
         self._state = _PagingState(self._state.blocks, np.zeros(0, np.int64), total, dict(saved.pages), {})
 
@@ -57,7 +57,7 @@ class PagedBlocks(TSDFVolume):
         self._state = _PagingState(blocks, np.zeros(0, np.int64), 0, {}, {})
 
     @property
-    def _blocks(self) -> VoxelBlocks:  # type: ignore[override]
+    def blocks(self) -> VoxelBlocks:  # type: ignore[override]
         return self._state.blocks
 
     @property
@@ -152,7 +152,7 @@ class PagedBlocks(TSDFVolume):
         if needed + left <= self.max_blocks:
             return []
         for cube in sorted(others, key=lambda cube: (self._last_access.get(cube, 0), cube)):
-            if needed + left <= self.max_blocks - self.max_blocks // SPARE:
+            if needed + left <= self.max_blocks - self.max_blocks // FREED_DIVISOR:
                 break
             leaving.append(cube)
             left -= others[cube]

@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 from ...kernels.lru_cache import LruCache
 from ...kernels.memory import download
 from ...kernels.volumes.block_rows import SeenBlocks
-from ...kernels.volumes.block_surface import EDGES, BlockSurface
-from ...kernels.volumes.tsdf_blocks import ROWS, block_box, box_keys
+from ...kernels.volumes.block_surface import EDGES_PER_BLOCK, BlockSurface
+from ...kernels.volumes.tsdf_blocks import BLOCK_ROWS, block_box, box_keys
 from .page_files import cubes_of
 from .paged_blocks import PagedBlocks, blocks_of
 
 Rows = NDArray[np.int64]
-_AROUND = np.array([[x, y, z] for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)])
+_CUBE_OFFSETS = np.array([[x, y, z] for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)])
 
 
 class CubeSurface(NamedTuple):
@@ -54,7 +54,7 @@ class CubeReader:
         high = low + volume.side
         arrays = self._around(cube, low, high)
         surface = BlockSurface(
-            SeenBlocks(blocks_of(arrays, volume._blocks), self._threshold),
+            SeenBlocks(blocks_of(arrays, volume.blocks), self._threshold),
             not self._as_points,
             None if self._as_points else (low, high),
         )
@@ -63,7 +63,7 @@ class CubeReader:
         order = np.argsort(arrays["keys"])
         ranks = arrays["ranks"][order[np.searchsorted(arrays["keys"], keys, sorter=order)]]
         attributes = [None if rows is None else download(rows).reshape(-1, 3) for rows in (shades, slopes)]
-        vertices, edges = download(positions).reshape(-1, 3), ranks * EDGES + at
+        vertices, edges = download(positions).reshape(-1, 3), ranks * EDGES_PER_BLOCK + at
         if self._as_points:
             is_own = cubes_of(keys, volume.side) == cube
             attributes, none = (
@@ -73,7 +73,7 @@ class CubeReader:
             return CubeSurface(
                 vertices[is_own], attributes[0], attributes[1], edges[is_own], none, np.zeros(0, np.int64)
             )
-        firsts = download(surface.offsets)[surface.rows :][::ROWS]
+        firsts = download(surface.offsets)[surface.rows :][::BLOCK_ROWS]
         owners = np.repeat(arrays["ranks"], np.diff(firsts))
         triangles = download(surface.triangles()).reshape(-1, 3)
         return CubeSurface(vertices, attributes[0], attributes[1], edges, triangles, owners)
@@ -82,7 +82,7 @@ class CubeReader:
         """Blocks of a cube and the layer around it, in insertion order."""
         first = low - 1 if self._as_points else low
         parts = []
-        for beside in _AROUND if self._as_points else _AROUND[(_AROUND >= 0).all(axis=1)]:
+        for beside in _CUBE_OFFSETS if self._as_points else _CUBE_OFFSETS[(_CUBE_OFFSETS >= 0).all(axis=1)]:
             x, y, z = low // self._volume.side + beside
             key = int(box_keys(x, y, z))
             if key not in self._all:

@@ -24,13 +24,13 @@ from ...kernels.arrays.block_keys import BIAS
 from ...kernels.lang import vec3, vec3i
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import upload
-from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, SIDE, frame_box
+from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE, MAX_BLOCKS, frame_box
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from .page_files import LIST, MAX_SIDE, PageFolder
 from .paged_blocks import PagedBlocks, blocks_of
 from .paged_surface import CubeReader, CubeSurface, joined
-from .tsdf import TSDFVolume
+from .tsdf import FrameState, TSDFVolume
 from .tsdf_views import RayCast, check_view
 
 
@@ -104,8 +104,9 @@ class PagedTSDFVolume(Serialized, HintedNames):
         sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "device": resolve_device(device)}
         paged = cls.__new__(cls)
         with values_of_file(pages.path / LIST):
-            paged._volume = PagedBlocks(pages, saved.side, limit, color=bool(saved.header["has_color"][0]), **sizes)
-            paged._volume.adopt(saved)
+            volume = PagedBlocks(pages, saved.side, limit, color=bool(saved.header["has_color"][0]), **sizes)
+            volume.adopt(saved)
+        vars(paged)["_volume"] = volume
         return paged
 
     def __enter__(self) -> Self:
@@ -288,7 +289,7 @@ class PagedTSDFVolume(Serialized, HintedNames):
         """
         volume = self._volume
         _, far, _ = check_view(intrinsic, depth_min, depth_max, weight_threshold)
-        far = min(far, 4 * BIAS * SIDE * volume.voxel_size)  # beyond it blocks have no key
+        far = min(far, 4 * BIAS * BLOCK_SIDE * volume.voxel_size)  # beyond it blocks have no key
         T = inv(check_rigid("extrinsic", extrinsic))
         T[:3, 3] -= volume.origin
         low, size, _ = frame_box(far, intrinsic, T, volume.truncation, volume.voxel_size)
@@ -308,8 +309,9 @@ class PagedTSDFVolume(Serialized, HintedNames):
         complete = TSDFVolume(**sizes, color=volume.has_color, device=volume.device)
         if len(arrays["keys"]) > MAX_BLOCKS:
             raise ValueError(f"{len(arrays['keys']):,} blocks exceed the maximum of one volume, {MAX_BLOCKS:,}")
-        blocks = blocks_of(arrays, volume._blocks)
-        complete._adopt(blocks, volume.frame_count, volume.origin, volume._current_frames.colored, volume.array_library)
+        blocks = blocks_of(arrays, volume.blocks)
+        frames = FrameState(volume.frame_count, volume.origin, volume.has_frame_colors)
+        complete.set_content(blocks, frames, volume.array_library)
         return complete
 
     def _surfaces(self, weight_threshold: float, *, as_points: bool) -> Iterator[CubeSurface]:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.serialized import locked_objects
 from ...kernels.lang import vec3
 from ...kernels.memory import download, upload
 from ...kernels.volumes import shift_scores
@@ -25,7 +26,7 @@ def score_shifts(
     """Mean closeness of points (n, 3) to the surface after each shift (m, 3) [m], 0 (a truncation off, or unseen) to 1.
     Voxels with at most `weight_threshold` frames are ignored. Shifts whose first points score below `min_score` stop
     early. With `is_coarse` a point scores 1 in any existing block."""
-    with volume._lock:
+    with locked_objects([volume]):
         return _score_shifts(volume, points, shifts, weight_threshold, min_score, is_coarse)
 
 
@@ -37,7 +38,7 @@ def _score_shifts(
     min_score: float,
     is_coarse: bool,
 ) -> NDArray[np.float32]:
-    blocks = volume._blocks
+    blocks = volume.blocks
     local_points: Any = upload(((points - volume.origin) / volume.voxel_size).astype(np.float32), vec3, blocks.device)
     moves: Any = upload((shifts / volume.voxel_size).astype(np.float32), vec3, blocks.device)
     scores = shift_scores.score_shifts(local_points, moves, blocks, weight_threshold, min_score, is_coarse=is_coarse)

@@ -18,13 +18,13 @@ from ...pcd.splats import GaussianSplats
 from ..mesh.mesh import TriangleMesh
 from .tsdf import TSDFVolume
 
-AROUND = 60  # default views of an object
-TRUNCATION = 3.0  # voxels
+DEFAULT_VIEWS = 60  # default views of an object
+TRUNCATION_VOXELS = 3.0  # voxels
 MAX_VOXELS = 1 << 20  # along an axis
-PIXELS = 3.0  # image pixels per voxel
+PIXELS_PER_VOXEL = 3.0  # image pixels per voxel
 MIN_SIDE, MAX_SIDE = 64, 1200  # [px] of the rendered images
 CAMERA_DISTANCE = 2.5  # camera distance in radii
-BEYOND = 0.02  # fraction of splats outside the radius: floating fog
+OUTLIER_FRACTION = 0.02  # fraction of splats outside the radius: floating fog
 
 
 def fuse_splats(
@@ -82,7 +82,7 @@ def fuse_splats(
         raise ValueError(
             f"voxel_size: {voxel_size} m is too small for splats {extent:g} m across. Use about {extent / 1000:g} m"
         )
-    limit = TRUNCATION * edge if truncation is None else check_positive("truncation", truncation)
+    limit = TRUNCATION_VOXELS * edge if truncation is None else check_positive("truncation", truncation)
     if limit > MAX_VOXELS * edge:
         raise ValueError(f"truncation: {truncation} m is too large for voxels of {voxel_size} m. 3 voxels are usual")
     if intrinsic is None or extrinsics is None:
@@ -98,7 +98,7 @@ def fuse_splats(
         seen = surface_before(splats, intrinsic, T)
         T_world_camera, colors = inv(T), color_surface(seen)
         try:
-            volume._integrate_device_frame(seen.medians, intrinsic, T_world_camera, colors, depth_max=farthest)
+            volume.integrate_device_frame(seen.medians, intrinsic, T_world_camera, colors, depth_max=farthest)
         except ValueError as error:
             raise ValueError(f"voxel_size, truncation: {error}") from None
     mesh = volume.extract_triangle_mesh(weight_threshold)
@@ -112,14 +112,14 @@ def views_around(
 ) -> tuple[PinholeCameraIntrinsic, list[NDArray[np.float64]]]:
     """A camera and poses evenly distributed on a sphere around the centers."""
     middle = np.median(centers, axis=0)
-    radius = float(np.quantile(np.linalg.norm(centers - middle, axis=1), 1 - BEYOND))
+    radius = float(np.quantile(np.linalg.norm(centers - middle, axis=1), 1 - OUTLIER_FRACTION))
     away = CAMERA_DISTANCE * max(radius, 1e-9)
-    side = int(min(max(PIXELS * 2 * radius / voxel_size, MIN_SIDE), MAX_SIDE))
+    side = int(min(max(PIXELS_PER_VOXEL * 2 * radius / voxel_size, MIN_SIDE), MAX_SIDE))
     focal = 0.5 * side * math.sqrt(CAMERA_DISTANCE**2 - 1)
     camera = PinholeCameraIntrinsic(side, side, focal, focal, 0.5 * (side - 1), 0.5 * (side - 1))
     poses = []
-    for k in range(AROUND):
-        z = 1 - (2 * k + 1) / AROUND
+    for k in range(DEFAULT_VIEWS):
+        z = 1 - (2 * k + 1) / DEFAULT_VIEWS
         angle = k * math.pi * (3 - math.sqrt(5))
         around = math.sqrt(1 - z * z)
         forward = -np.array([around * math.cos(angle), around * math.sin(angle), z])

@@ -51,7 +51,9 @@ OTHER_UNIT = 30.0  # times the maximum depth: more distant content suggests anot
 
 
 @dataclass(frozen=True)
-class _Frames:
+class FrameState:
+    """Number, origin [m] and colors of the integrated frames."""
+
     count: int = 0
     origin: NDArray[np.float64] | None = None
     colored: bool = False  # True if the frames had color
@@ -87,6 +89,10 @@ class TSDFVolume(ScanIntegration, HintedNames):
     device: Any
     has_color: bool
     _fixed = ("device", "has_color")
+    _internal = (
+        "blocks", "downloaded", "from_downloaded", "integrate_device_frame", "remove_device_frame", "render_colors",
+        "render_maps", "set_content",
+    )  # fmt: skip
 
     @explain_argument_errors
     def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
@@ -97,8 +103,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
         if limit < edge:
             raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m). 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
-        self._frames, self._library = _Frames(), NUMPY
-        self._next: tuple[int, _Frames] | None = None  # block frame count, and the state once the blocks reach it
+        self._frames, self._library = FrameState(), NUMPY
+        self._next: tuple[int, FrameState] | None = None  # block frame count, and the state once the blocks reach it
         self._keep(VoxelBlocks(edge, limit, self.has_color, self.device))
 
     def __repr__(self) -> str:
@@ -108,17 +114,17 @@ class TSDFVolume(ScanIntegration, HintedNames):
     @property
     def voxel_size(self) -> float:
         """Edge of a voxel [m]."""
-        return self._blocks.voxel_size
+        return self.blocks.voxel_size
 
     @property
     def truncation(self) -> float:
         """Truncation distance [m]."""
-        return self._blocks.truncation
+        return self.blocks.truncation
 
     @property
     def block_count(self) -> int:
         """Number of blocks of 8^3 voxels."""
-        return self._blocks.count
+        return self.blocks.count
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -134,7 +140,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
     @property
     def memory_bytes(self) -> int:
         """Device memory of voxels, keys and hash table [B]."""
-        return self._blocks.memory_bytes
+        return self.blocks.memory_bytes
 
     @explain_argument_errors
     def integrate(
@@ -181,7 +187,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         if color is not None:
             pixels = upload_color(color, height, width, self.device, on_host=on_host)
         T = inv(T_camera_world)
-        count = self._integrate_device_frame(raw, camera, T, pixels, scale, farthest)
+        count = self.integrate_device_frame(raw, camera, T, pixels, scale, farthest)
         self._library = library
         report("integrate", volume=self, intrinsic=camera, T_world_camera=T)
         return count
@@ -248,8 +254,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
             poses = [frames.poses[k].copy() for k in rows]
             for T in poses:
                 T[:3, 3] -= origin
-            after = _Frames(before.count + len(rows), origin, frames.pixels is not None)
-            self._next = (self._blocks.frame_count + len(rows), after)
+            after = FrameState(before.count + len(rows), origin, frames.pixels is not None)
+            self._next = (self.blocks.frame_count + len(rows), after)
             raw, pixels = frames.images(rows)
             cameras = [frames.cameras[k] for k in rows]
             touches = device_frames.integrate_together(raw, frames.scale, frames.farthest, cameras, poses, pixels)
@@ -260,11 +266,11 @@ class TSDFVolume(ScanIntegration, HintedNames):
         for k in rows:
             raw, pixels = frames.images(range(k, k + 1))
             given = (pixels, frames.scale, frames.farthest)
-            counts.append(self._integrate_device_frame(raw, frames.cameras[k], frames.poses[k], *given))
+            counts.append(self.integrate_device_frame(raw, frames.cameras[k], frames.poses[k], *given))
         return counts
 
     @one_at_a_time
-    def _integrate_device_frame(
+    def integrate_device_frame(
         self,
         depth: Any,
         intrinsic: PinholeCameraIntrinsic,
@@ -280,27 +286,27 @@ class TSDFVolume(ScanIntegration, HintedNames):
         if origin is None:
             origin = origin_of_sensor(T[:3, 3])
         T[:3, 3] -= origin
-        after = _Frames(frames.count + 1, origin, pixels is not None)
-        self._next = (self._blocks.frame_count + 1, after)
+        after = FrameState(frames.count + 1, origin, pixels is not None)
+        self._next = (self.blocks.frame_count + 1, after)
         count = self._fold(depth, depth_scale, depth_max, intrinsic, T, pixels)
         self._frames, self._next = after, None
         return count
 
-    def _remove_device_frame(
+    def remove_device_frame(
         self, depth: Any, intrinsic: PinholeCameraIntrinsic, T_world_camera: NDArray[Any], pixels: Any, depth_max: float
     ) -> None:
         """Undo `_integrate_device_frame` of the same frame at the same pose, up to rounding. `depth` is in meters."""
         frames, T = self._current_frames, np.array(T_world_camera, np.float64)
         T[:3, 3] -= self.origin
-        after = _Frames(frames.count - 1, frames.origin, frames.colored)
+        after = FrameState(frames.count - 1, frames.origin, frames.colored)
         metric, largest = depth_images.metric_depth(depth, 1.0, depth_max)
         frame = Frame(metric, depth_images.largest_depth(largest), intrinsic, pixels)
-        self._next = (self._blocks.frame_count + 1, after)
+        self._next = (self.blocks.frame_count + 1, after)
         if frame.farthest > 0:
             sizes = self.truncation, self.voxel_size
             keys: Any = self._filter_keys(touched_blocks(metric, frame.farthest, intrinsic, T, *sizes))
             if keys.size:
-                remove_depth(keys, frame, inv(T), self._blocks)
+                remove_depth(keys, frame, inv(T), self.blocks)
         self._frames, self._next = after, None
 
     def _pixels_of(self, image: RGBDImage, color: ArrayLike | None) -> Any:
@@ -340,7 +346,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         )
         if not keys.size:
             return 0
-        integrate_depth(keys, frame, inv(T), self._blocks)
+        integrate_depth(keys, frame, inv(T), self.blocks)
         return keys.size
 
     def _filter_keys(self, keys: Any) -> Any:
@@ -408,11 +414,11 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._pose_about_origin(inv(check_rigid("extrinsic", extrinsic)))
-        seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
+        seen, colored = SeenBlocks(self.blocks, threshold), self.has_frame_colors
         return cast_view(seen, intrinsic, T, (near, far), self.origin, colored, self._library)
 
     @one_at_a_time
-    def _render_maps(
+    def render_maps(
         self,
         intrinsic: PinholeCameraIntrinsic,
         T_world_camera: NDArray[Any],
@@ -426,11 +432,11 @@ class TSDFVolume(ScanIntegration, HintedNames):
         than `ray_cast`: no points, colors or copies. The pose is not checked."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._pose_about_origin(np.array(T_world_camera, np.float64))
-        seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
+        seen, colored = SeenBlocks(self.blocks, threshold), self.has_frame_colors
         return render_maps(seen, intrinsic, T, (near, far), colored, normals)
 
     @one_at_a_time
-    def _render_colors(
+    def render_colors(
         self,
         intrinsic: PinholeCameraIntrinsic,
         T_world_camera: NDArray[Any],
@@ -442,7 +448,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """As `_render_maps`: depth, float32 (h * w,), 0 without surface, and colors, vec3 (h * w,) in 0..1."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._pose_about_origin(np.array(T_world_camera, np.float64))
-        return render_colors(SeenBlocks(self._blocks, threshold), intrinsic, T, (near, far))
+        return render_colors(SeenBlocks(self.blocks, threshold), intrinsic, T, (near, far))
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the volume to an .npz file atomically.
@@ -450,9 +456,9 @@ class TSDFVolume(ScanIntegration, HintedNames):
         Raises:
             FileError: If the file cannot be written, or exists and `overwrite` is False.
         """
-        write_volume_arrays(path, self._downloaded(), overwrite=overwrite)
+        write_volume_arrays(path, self.downloaded(), overwrite=overwrite)
 
-    def _downloaded(self) -> dict[str, Any]:
+    def downloaded(self) -> dict[str, Any]:
         """Complete state as NumPy arrays, for files, pickle and copies."""
         used = self.block_count * BLOCK_VOXELS
         arrays = {
@@ -460,12 +466,12 @@ class TSDFVolume(ScanIntegration, HintedNames):
             "origin": self.origin,
             "frame_count": np.array(self.frame_count),
             "has_color": np.array([self.has_color, self._current_frames.colored]),
-            "keys": download(self._blocks.keys)[: self.block_count],
-            "distances": download(self._blocks.distances)[:used],
-            "weights": download(self._blocks.weights)[:used],
+            "keys": download(self.blocks.keys)[: self.block_count],
+            "distances": download(self.blocks.distances)[:used],
+            "weights": download(self.blocks.weights)[:used],
         }
         if self.has_frame_colors:
-            arrays["colors"] = download(self._blocks.colors)[:used]
+            arrays["colors"] = download(self.blocks.colors)[:used]
         return arrays
 
     @classmethod
@@ -477,16 +483,16 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """
         arrays, where = read_volume_arrays(path), resolve_device(device)
         with values_of_file(path):
-            return cls._from_downloaded(arrays, where)
+            return cls.from_downloaded(arrays, where)
 
     @classmethod
-    def _from_downloaded(cls, arrays: dict[str, Any], device: Any) -> TSDFVolume:
+    def from_downloaded(cls, arrays: dict[str, Any], device: Any) -> TSDFVolume:
         voxel_size, truncation = arrays["sizes"].tolist()
         has_color, colored = arrays["has_color"].tolist()
         volume = cls(voxel_size=voxel_size, truncation=truncation, color=has_color, device=device)
         frame_count = int(arrays["frame_count"])
-        volume._frames = _Frames(frame_count, arrays["origin"] if frame_count else None, colored)
-        volume._blocks.fill({name: arrays[name] for name in VOXEL_ARRAYS if name in arrays})
+        vars(volume)["_frames"] = FrameState(frame_count, arrays["origin"] if frame_count else None, colored)
+        volume.blocks.fill({name: arrays[name] for name in VOXEL_ARRAYS if name in arrays})
         return volume
 
     @returns_new
@@ -494,8 +500,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """Independent copy with the same voxels."""
         sizes = {"voxel_size": self.voxel_size, "truncation": self.truncation}
         volume = TSDFVolume(**sizes, color=self.has_color, device=self.device)
-        volume._frames, volume._library = self._current_frames, self._library
-        volume._keep(self._blocks.clone())
+        volume.set_content(self.blocks.clone(), self._current_frames, self._library)
         return volume
 
     def __copy__(self) -> TSDFVolume:
@@ -505,31 +510,29 @@ class TSDFVolume(ScanIntegration, HintedNames):
         return self.copy()
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"arrays": self._downloaded(), "device": str(self.device)}
+        return {"arrays": self.downloaded(), "device": str(self.device)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("volume"):
             where = device_like("volume", state["device"])
-            made = self._from_downloaded(check_volume_arrays(state["arrays"]), where)
+            made = self.from_downloaded(check_volume_arrays(state["arrays"]), where)
         vars(self).update(vars(made))
 
     def _keep(self, blocks: VoxelBlocks) -> None:
-        self._blocks = blocks
+        self.blocks = blocks
         self._device_frames = DeviceFrames(blocks, depth_images) if self.device.is_cuda else None
 
-    def _adopt(
-        self, blocks: VoxelBlocks, frame_count: int, origin: NDArray[np.float64], colored: bool, library: str
-    ) -> None:
-        self._frames, self._library = _Frames(frame_count, origin, colored), library
+    def set_content(self, blocks: VoxelBlocks, frames: FrameState, library: str) -> None:
+        self._frames, self._library = frames, library
         self._keep(blocks)
 
     @property
-    def _current_frames(self) -> _Frames:
+    def _current_frames(self) -> FrameState:
         """Current state. An interrupted frame counts if the blocks contain it."""
         if self._next is not None:
             number, after = self._next
-            if self._blocks.frame_count == number:
+            if self.blocks.frame_count == number:
                 self._frames = after
             self._next = None
         return self._frames
@@ -551,4 +554,4 @@ class TSDFVolume(ScanIntegration, HintedNames):
 
     def _surface(self, weight_threshold: float, *, need_cells: bool) -> BlockSurface:
         threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
-        return BlockSurface(SeenBlocks(self._blocks, threshold), need_cells)
+        return BlockSurface(SeenBlocks(self.blocks, threshold), need_cells)

@@ -24,7 +24,7 @@ from ...kernels.lang import float32, vec3, vec3d
 from ...kernels.memory import download, upload
 from ...kernels.volumes.scan_fusion import integrate_scan, scan_blocks
 from ...kernels.volumes.scan_rays import ScanRays, find_faults
-from ...kernels.volumes.tsdf_blocks import SIDE
+from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE
 from ...pcd.cloud import PointCloud
 from .voxel_boxes import check_positions
 
@@ -36,7 +36,7 @@ class ScanIntegration(Serialized):
 
     device: Any
     has_color: bool
-    _blocks: Any
+    blocks: Any
     _frames: Any
     _next: Any
     _current_frames: Any
@@ -104,11 +104,11 @@ class ScanIntegration(Serialized):
         else:
             positions = upload(scan - start, vec3d, self.device)
         rays = ScanRays(
-            positions, upload(scanners - start, vec3d, self.device), colors, (nearest, farthest), self._blocks
+            positions, upload(scanners - start, vec3d, self.device), colors, (nearest, farthest), self.blocks
         )
         self._check_rays(rays)
         after = dataclasses.replace(frames, count=frames.count + 1, origin=start, colored=has_colors)
-        self._next = (self._blocks.frame_count + 1, after)
+        self._next = (self.blocks.frame_count + 1, after)
         count = self._fold_scan(rays, carve)
         self._frames, self._next, self._library = after, None, library
         report("integrate_points", volume=self, origin=scanners)
@@ -118,9 +118,9 @@ class ScanIntegration(Serialized):
         """Integrate a scan into the blocks. Returns the number of touched ones."""
         if not rays.points.size:
             return 0
-        keys = self._filter_keys(scan_blocks(rays, carve, self._blocks))
+        keys = self._filter_keys(scan_blocks(rays, carve, self.blocks))
         if keys.size:
-            integrate_scan(keys, rays, carve, self._blocks)
+            integrate_scan(keys, rays, carve, self.blocks)
         return keys.size
 
     def _check_rays(self, rays: ScanRays) -> None:
@@ -133,7 +133,7 @@ class ScanIntegration(Serialized):
                 "cloud.remove_non_finite_points()"
             )
         if faults.far < count:
-            extent = BIAS * SIDE * rays.voxel_size
+            extent = BIAS * BLOCK_SIDE * rays.voxel_size
             raise ValueError(
                 f"points, origin: point {faults.far} or its scanner is beyond {extent:.0f} m from the volume's "
                 f"origin, the range of {rays.voxel_size} m voxels. Use max_range to ignore outliers"

@@ -17,7 +17,7 @@ from ...core.serialized import locked_objects
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.memory import download
 from ...kernels.volumes.volume_fusion import check_range, fuse_moved
-from .tsdf import TSDFVolume
+from .tsdf import FrameState, TSDFVolume
 
 Matrix = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ class _Moved(NamedTuple):
     @property
     def digest(self) -> bytes:
         """Second sort key: hash of the voxels."""
-        arrays = self.volume._downloaded()
+        arrays = self.volume.downloaded()
         order = np.argsort(arrays["keys"])
         digest = hashlib.sha256(arrays["keys"][order].tobytes())
         for name in ("distances", "weights", "colors"):
@@ -121,10 +121,11 @@ def _fuse(moved: list[_Moved], voxel_size: float | None, truncation: float | Non
     backs = [_way_back(m, origin, size) for m in moved]
     for m, back in zip(moved, backs, strict=True):
         if m.volume.block_count:
-            check_range(download(m.volume._blocks.keys[: m.volume.block_count]), back)
-    blocks = [m.volume._blocks for m in moved]
+            check_range(download(m.volume.blocks.keys[: m.volume.block_count]), back)
+    blocks = [m.volume.blocks for m in moved]
     fused = fuse_moved(blocks, backs, has_color, size, limit, has_color, first.device)
-    result._adopt(fused, sum(v.frame_count for v in filled), origin, has_color, first.array_library)
+    frames = FrameState(sum(v.frame_count for v in filled), origin, has_color)
+    result.set_content(fused, frames, first.array_library)
     return result
 
 

@@ -14,7 +14,7 @@ from ...kernels.volumes.block_rows import SeenBlocks
 from ...kernels.volumes.block_surface import BlockSurface
 from ...kernels.volumes.tsdf_blocks import block_box
 from ...kernels.volumes.voxel_blocks import VoxelBlocks
-from .tsdf import TSDFVolume, _Frames
+from .tsdf import FrameState, TSDFVolume
 
 Blocks = NDArray[np.int64]
 
@@ -38,10 +38,10 @@ class VolumePart(TSDFVolume):
     def __init__(self, low: Sequence[int], high: Sequence[int], *, origin: NDArray[np.float64], **sizes: Any):
         super().__init__(**sizes)
         self._low, self._high = np.asarray(low), np.asarray(high)
-        self._frames = _Frames(origin=np.array(origin, np.float64))
+        self._frames = FrameState(origin=np.array(origin, np.float64))
 
     def _keep(self, blocks: VoxelBlocks) -> None:
-        self._blocks, self._device_frames = blocks, None
+        self.blocks, self._device_frames = blocks, None
 
     def _filter_keys(self, keys: Any) -> Any:
         downloaded = download(keys)  # sync. Some thousand
@@ -51,7 +51,7 @@ class VolumePart(TSDFVolume):
 
     def extract_part(self, weight_threshold: float) -> PartSurface:
         """Surface of the part by marching cubes. See `TSDFVolume.extract_triangle_mesh`."""
-        surface = BlockSurface(SeenBlocks(self._blocks, weight_threshold), True, (self._low, self._high))
+        surface = BlockSurface(SeenBlocks(self.blocks, weight_threshold), True, (self._low, self._high))
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
         blocks, edge_slots = surface.vertex_edges()
         return PartSurface(
@@ -69,10 +69,10 @@ class BlockFinder(TSDFVolume):
     def __init__(self, *, origin: NDArray[np.float64], **sizes: Any):
         super().__init__(**sizes)
         self.block_indices: Blocks = np.zeros((0, 3), np.int64)
-        self._frames = _Frames(origin=np.array(origin, np.float64))
+        self._frames = FrameState(origin=np.array(origin, np.float64))
 
     def _keep(self, blocks: VoxelBlocks) -> None:
-        self._blocks, self._device_frames = blocks, None
+        self.blocks, self._device_frames = blocks, None
 
     def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
         self.block_indices = np.zeros((0, 3), np.int64)

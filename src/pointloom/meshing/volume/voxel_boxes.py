@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape
-from ...kernels.volumes.tsdf_blocks import SIDE, block_box
+from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box
 
 Corners = tuple[NDArray[np.int64], NDArray[np.int64]]
 
@@ -32,8 +32,8 @@ def voxels_of_blocks(keys: NDArray[np.int64]) -> Corners:
     """First voxel of blocks along each axis, and the one after the last, or zeros if none."""
     if not len(keys):
         return np.zeros(3, np.int64), np.zeros(3, np.int64)
-    blocks = SIDE * block_box(keys)
-    return blocks.min(axis=0), blocks.max(axis=0) + SIDE
+    blocks = BLOCK_SIDE * block_box(keys)
+    return blocks.min(axis=0), blocks.max(axis=0) + BLOCK_SIDE
 
 
 def voxels_in_bounds(

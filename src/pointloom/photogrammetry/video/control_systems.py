@@ -15,7 +15,7 @@ from ...core.checks import shown
 from ...core.escaped_text import escaped
 from ...io.optional_imports import foreign_errors, import_for
 from ...io.points.geodetic import system_named
-from ...pcd.geodesy import HIGHEST, NORTHERN, SOUTHERN, from_utm
+from ...pcd.geodesy import MAX_ELLIPSOID_HEIGHT, NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE, from_utm
 
 Array = NDArray[np.float64]
 
@@ -28,8 +28,8 @@ _PROJ_ZONE = re.compile(r"\+zone=(\d{1,2})\b")
 
 def to_geodetic(positions: Array, crs: str, path: str) -> Array:
     """Latitude, longitude [degrees], height [m], [n, 3]; `crs`: EPSG code, ODM's "WGS84 UTM 32N", or PROJ text."""
-    if (np.abs(positions[:, 2]) > HIGHEST).any():
-        raise ValueError(f"crs: expected heights below {HIGHEST:g} m, got {positions[:, 2].max():g}")
+    if (np.abs(positions[:, 2]) > MAX_ELLIPSOID_HEIGHT).any():
+        raise ValueError(f"crs: expected heights below {MAX_ELLIPSOID_HEIGHT:g} m, got {positions[:, 2].max():g}")
     if (code := utm_code(crs)) is not None:
         return from_utm(_checked(positions, crs), code)
     if _is_degrees(crs):
@@ -67,14 +67,14 @@ def utm_code(crs: str) -> int | None:
     if match := re.fullmatch(r"EPSG:(\d{1,6})", text, re.IGNORECASE):
         code = int(match[1])
         if ETRS89_UTM_BASE + 28 <= code <= ETRS89_UTM_BASE + 38:
-            return NORTHERN + code - ETRS89_UTM_BASE
-        return code if any(base < code <= base + 60 for base in (NORTHERN, SOUTHERN)) else None
+            return NORTHERN_EPSG_BASE + code - ETRS89_UTM_BASE
+        return code if any(base < code <= base + 60 for base in (NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE)) else None
     if "+proj=utm" in text and (match := _PROJ_ZONE.search(text)):
         if "+units=" in text and "+units=m" not in text.split():
             return None
-        base = SOUTHERN if "+south" in text else NORTHERN
+        base = SOUTHERN_EPSG_BASE if "+south" in text else NORTHERN_EPSG_BASE
     elif (match := _ZONE.search(text)) and "WGS84" in text.upper().replace(" ", ""):
-        base = SOUTHERN if (match[2] or "N").upper() == "S" else NORTHERN
+        base = SOUTHERN_EPSG_BASE if (match[2] or "N").upper() == "S" else NORTHERN_EPSG_BASE
     else:
         return None
     return base + int(match[1]) if 1 <= int(match[1]) <= 60 else None

@@ -101,7 +101,7 @@ class ControlGrid(Serialized):
             DeviceError: The cloud is on another device.
         """
         points = self._points_of("cloud", cloud, first=True)
-        low, high = (np.asarray(bound) for bound in cloud._device_bounds())
+        low, high = (np.asarray(bound) for bound in cloud.arrays.bounds())
         max_offset = max(np.abs(low - self._origin).max(), np.abs(high - self._origin).max()) if len(cloud) else 0.0
         if max_offset >= (MAX_CELL - 2) * self.grid_size:
             raise ValueError(

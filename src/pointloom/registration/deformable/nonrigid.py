@@ -143,7 +143,7 @@ def register_nonrigid(
     for name, cloud in (("source", source), ("target", target)):
         if cloud.search_tree().count < MIN_POINTS:
             raise ValueError(f"{name}: expected at least {MIN_POINTS} finite points, got {cloud.search_tree().count}")
-    low, high = (np.asarray(bound) for bound in source._device_bounds())
+    low, high = (np.asarray(bound) for bound in source.arrays.bounds())
     spacing = _check_spacing(node_spacing, float(norm(high - low)))
     max_distance = 2 * spacing
     if max_correspondence_distance is not None:
@@ -244,7 +244,7 @@ class _NonRigidRegistration:
             for cloud in (source, target)
         )
         self.spacing, self.max_distance, self.pins = spacing, max_distance, pins
-        low, high = source._device_bounds()
+        low, high = source.arrays.bounds()
         # with sparse nodes, the match is judged at the scale of the body
         self.grain = min(spacing, float(norm(np.asarray(high) - np.asarray(low))) / NODES_ACROSS)
         if init is None and len(pins[0]) >= 3:

@@ -118,7 +118,7 @@ class SlamModel(Serialized):
         """Remove what `fuse` returned for a frame from the surface. Tracking continues with the complete volume."""
         if self._without is None:
             self._without = self.volume.copy()
-        self._without._remove_device_frame(depth, self.intrinsic, pose, pixels, self.depth_max)
+        self._without.remove_device_frame(depth, self.intrinsic, pose, pixels, self.depth_max)
 
     def begin_anew(self, pose: Pose) -> None:
         """Reset the volume. The next frame is at the given T_world_camera."""
@@ -174,7 +174,7 @@ class SlamModel(Serialized):
         depth = prepared.still if prepared.still is not None else self.movers.still_depth(prepared, pose)
         volumes = [self.volume] if self._without is None else [self.volume, self._without]
         for volume in volumes:
-            volume._integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
+            volume.integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
         if self.leave_out_moving:
             self.movers.add(prepared, pose)
         self.current_frame_pose = pose
@@ -205,7 +205,7 @@ class SlamModel(Serialized):
         edge = self.volume.voxel_size
         is_shaded = edge >= MIN_SHADED_VOXEL and self.frame_count >= MIN_FRAMES
         limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": is_shaded}
-        maps: Any = self.volume._render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
+        maps: Any = self.volume.render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
             hide_unseen(maps.depth, maps.intensity)
         surface = {"normals": maps.normals, "blur": BLUR_VOXELS * edge}
@@ -226,7 +226,7 @@ class SlamModel(Serialized):
 
     def _own_colors(self, pose: Pose) -> Any:
         limits = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max}
-        return colors_of(*self.volume._render_colors(self.intrinsic, pose, weight_threshold=0.0, **limits))
+        return colors_of(*self.volume.render_colors(self.intrinsic, pose, weight_threshold=0.0, **limits))
 
 
 def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:

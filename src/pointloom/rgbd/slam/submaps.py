@@ -250,7 +250,7 @@ class SubmapRecorder(Serialized):
         for volume, T_world_submap, numbers in known:
             if number in numbers:
                 T = inv(matmul(invert_pose(pose), T_world_submap))
-                volume._remove_device_frame(depth, self._intrinsic, T, pixels, self._depth_max)
+                volume.remove_device_frame(depth, self._intrinsic, T, pixels, self._depth_max)
 
     def _fullness(self, recording: _Recording) -> float:
         return max(len(recording.numbers) / self._max_frames, recording.way / self._max_way)

@@ -17,7 +17,7 @@ from ...io.meshes.mesh_formats import MESH_READERS
 from ...io.points.archives import Arrays, Expected, read_part_of_job, rows_of
 from ...io.points.ply import write_ply_mesh, write_ply_mesh_parts
 from ...io.table import MeshTable
-from ...kernels.volumes.block_surface import EDGES
+from ...kernels.volumes.block_surface import EDGES_PER_BLOCK
 from ..manifest import Manifest
 from .fusion import Cube, FusionJob, surface_path
 from .job import done_in
@@ -49,8 +49,8 @@ def _find_wrong_number(arrays: Arrays) -> str:
         numbers = arrays[name]
         if numbers.size and not 0 <= numbers.min() <= numbers.max() < vertices:
             return f"{name}: expected indices of {vertices} vertices, got {numbers.min()}..{numbers.max()}"
-    if arrays["places"].size and not 0 <= arrays["places"].min() <= arrays["places"].max() < EDGES:
-        return f"places: expected numbers from 0 to {EDGES - 1}"
+    if arrays["places"].size and not 0 <= arrays["places"].min() <= arrays["places"].max() < EDGES_PER_BLOCK:
+        return f"places: expected numbers from 0 to {EDGES_PER_BLOCK - 1}"
     return "" if np.isfinite(arrays["vertices"]).all() else "vertices: expected finite numbers"
 
 
@@ -178,7 +178,7 @@ def _match(known: list[_Sides], blocks: NDArray[np.int64], edges: NDArray[np.int
         return np.full(len(blocks), -1, np.int64)
     before = _Sides(*(np.concatenate([getattr(side, name) for side in known]) for name in _Sides._fields))
     rank = np.unique(np.concatenate([before.blocks, blocks]), return_inverse=True)[1].astype(np.int64)
-    codes = rank * EDGES + np.concatenate([before.edges, edges])
+    codes = rank * EDGES_PER_BLOCK + np.concatenate([before.edges, edges])
     old, new = codes[: len(before.blocks)], codes[len(before.blocks) :]
     order = np.argsort(old, kind="stable")
     if not len(order):

@@ -28,7 +28,7 @@ from ...core.paths import job_file, path_of, plain_name
 from ...io.frames.datasets import Frame, RGBDDataset, open_frames
 from ...io.frames.frames import depth_unit, read_in_order, source_warnings
 from ...kernels.linear_algebra import inv
-from ...kernels.volumes.tsdf_blocks import SIDE, block_box
+from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.volume_part import BlockFinder, PartSurface, VolumePart
 from ..manifest import NAME, hash_of
@@ -253,9 +253,10 @@ def plan_fusion(
     cut = 4 * edge if truncation is None else check_positive("truncation", truncation)
     if cut < edge:
         raise ValueError(f"truncation: expected at least one voxel ({edge} m), got {cut} m. 4 voxels are usual")
-    blocks = BLOCKS_PER_SIDE if size is None else int(check_positive("size", size) / (SIDE * edge) * (1 + 1e-9))
+    blocks = BLOCKS_PER_SIDE if size is None else int(check_positive("size", size) / (BLOCK_SIDE * edge) * (1 + 1e-9))
     if blocks < 1:
-        raise ValueError(f"size: expected at least one block of {SIDE} voxels ({SIDE * edge:g} m), got {size} m")
+        smallest = f"{BLOCK_SIDE} voxels ({BLOCK_SIDE * edge:g} m)"
+        raise ValueError(f"size: expected at least one block of {smallest}, got {size} m")
     if weight_threshold is not None:
         weight_threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
     camera = None if intrinsic is None else asdict(intrinsic)
@@ -341,9 +342,9 @@ def surface_path(folder: Path, name: str) -> Path:
 def write_surface(path: Path, surface: PartSurface, low: NDArray[np.int64], high: NDArray[np.int64]) -> None:
     """Write a cube's surface, with its vertices on the cube's sides, which other cubes share."""
     beyond = block_box(surface.blocks)
-    row, remainder = np.divmod(surface.edge_slots, 3 * SIDE)
-    axis, z = np.divmod(remainder, SIDE)
-    voxel = np.stack([row // SIDE, row % SIDE, z], axis=1)
+    row, remainder = np.divmod(surface.edge_slots, 3 * BLOCK_SIDE)
+    axis, z = np.divmod(remainder, BLOCK_SIDE)
+    voxel = np.stack([row // BLOCK_SIDE, row % BLOCK_SIDE, z], axis=1)
     lowest = (beyond == low) & (voxel == 0) & (axis[:, None] != np.arange(3))
     shared = np.flatnonzero(((beyond == high) | lowest).any(axis=1))
     codes = {"shared": shared, "blocks": surface.blocks[shared], "places": surface.edge_slots[shared]}

@@ -33,10 +33,10 @@ from ...kernels.segmentation.neighbor_counts import mask_crowded
 from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.change import check_radii, m3c2
 from ...pcd.features import compute_eigen_features
-from ...pcd.ground import CELL, SCALING, THRESHOLD, WINDOW, classify_ground
-from ...pcd.raster_cells import GROUND, NoGroundError, check_classes
-from ...pcd.segmentation import ANY
-from ...pcd.selection import ROUNDING
+from ...pcd.ground import CELL_SIZE, HEIGHT_THRESHOLD, MAX_WINDOW, SLOPE_SCALING, classify_ground
+from ...pcd.raster_cells import GROUND_CLASSES, NoGroundError, check_classes
+from ...pcd.segmentation import UNLIMITED_COUNT
+from ...pcd.selection import MEAN_ROUNDING
 from ...pcd.terrain import ground_reach, height_above_ground
 from ..exact_sums import ExactSums
 from ..label_join import MAX_INT32, border_data, join_labels
@@ -125,7 +125,7 @@ class ClusterDbscan(Clusters):
 
     def check(self) -> None:
         self.radius = check_positive("eps", self.params["eps"])
-        self.min_points = check_count("min_points", self.params["min_points"], **ANY)
+        self.min_points = check_count("min_points", self.params["min_points"], **UNLIMITED_COUNT)
 
 
 class ClusterEuclidean(Clusters):
@@ -134,9 +134,9 @@ class ClusterEuclidean(Clusters):
 
     def check(self) -> None:
         self.radius = check_positive("tolerance", self.params["tolerance"])
-        low = check_count("min_cluster_size", self.params["min_cluster_size"], **ANY)
+        low = check_count("min_cluster_size", self.params["min_cluster_size"], **UNLIMITED_COUNT)
         maximum = self.params["max_cluster_size"]
-        high = self.bounds[1] if maximum is None else check_count("max_cluster_size", maximum, **ANY)
+        high = self.bounds[1] if maximum is None else check_count("max_cluster_size", maximum, **UNLIMITED_COUNT)
         if high < low:
             raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {low}, got {high}")
         self.bounds = low, high
@@ -220,8 +220,8 @@ class ClassifyGround(Step):
 
     name, searches = "classify_ground", False
     defaults: ClassVar[dict[str, Any]] = {
-        "cell_size": CELL, "slope": 0.15, "max_window": WINDOW, "elevation_threshold": THRESHOLD, "scaling": SCALING,
-        "corner": (0.0, 0.0),
+        "cell_size": CELL_SIZE, "slope": 0.15, "max_window": MAX_WINDOW, "elevation_threshold": HEIGHT_THRESHOLD,
+        "scaling": SLOPE_SCALING, "corner": (0.0, 0.0),
     }  # fmt: skip
 
     def check(self) -> None:
@@ -235,10 +235,10 @@ class ClassifyGround(Step):
             ground = np.asarray(classify_ground(part.cloud, **self.params))
         cloud = part.cloud.copy()
         before = np.asarray(cloud["classification"]) if "classification" in cloud else np.zeros(len(cloud), np.uint8)
-        stays = (before != 0) & (before != GROUND[0])
-        cloud["classification"] = np.where(ground, GROUND[0], np.where(stays, before, UNCLASSIFIED_CLASS)).astype(
-            np.uint8
-        )
+        stays = (before != 0) & (before != GROUND_CLASSES[0])
+        cloud["classification"] = np.where(
+            ground, GROUND_CLASSES[0], np.where(stays, before, UNCLASSIFIED_CLASS)
+        ).astype(np.uint8)
         return dataclasses.replace(part, cloud=cloud)
 
 
@@ -247,7 +247,7 @@ class HeightAboveGround(Step):
 
     name, searches = "height_above_ground", False
     defaults: ClassVar[dict[str, Any]] = {
-        "reach": 20.0, "neighbors": 8, "cell": 1.0, "corner": (0.0, 0.0), "classes": GROUND,
+        "reach": 20.0, "neighbors": 8, "cell": 1.0, "corner": (0.0, 0.0), "classes": GROUND_CLASSES,
     }  # fmt: skip
 
     def check(self) -> None:
@@ -255,7 +255,7 @@ class HeightAboveGround(Step):
         check_count("neighbors", self.params["neighbors"])
         check_positive("cell", self.params["cell"])
         self.params["corner"] = _corner_of(self.params["corner"])
-        self.params["classes"] = [*(check_classes(self.params["classes"]) or GROUND)]
+        self.params["classes"] = [*(check_classes(self.params["classes"]) or GROUND_CLASSES)]
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         cloud = part.cloud.copy()
@@ -298,7 +298,7 @@ class StatisticalOutlier(Step):
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         assert numbers is not None
         mean, deviation = numbers.mean_and_deviation()
-        limit = (mean + self.params["std_ratio"] * deviation) * ROUNDING if numbers.count else 0.0
+        limit = (mean + self.params["std_ratio"] * deviation) * MEAN_ROUNDING if numbers.count else 0.0
         return part.select(self.measure(part) <= limit)
 
 

@@ -12,7 +12,7 @@ from ...core.checks import check_rows
 from ...core.coordinates import choose_origin, split_origin
 from ...kernels.lang import int32, vec3
 from ...kernels.memory import upload
-from ...pcd.polygon_volume import AXES as PLANES
+from ...pcd.polygon_volume import AXIS_ORDERS as PLANES
 from .parts import Lines, Triple
 
 AXES_COLORS = np.array([[0.85, 0.15, 0.15], [0.15, 0.65, 0.20], [0.15, 0.30, 0.85]])  # x, y, z

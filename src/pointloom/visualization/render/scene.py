@@ -39,7 +39,7 @@ from ...kernels.drawing.z_buffer import View as PartView
 from ...kernels.lang import float32, int32, uint8, vec2, vec3
 from ...kernels.memory import check_room, empty, full, upload
 from ...kernels.splats.blending import blend_splats
-from ...pcd.splat_images import NEAR as NEAREST_SPLAT
+from ...pcd.splat_images import MIN_DEPTH as NEAREST_SPLAT
 from ...pcd.splat_images import list_splats
 from .parts import Gaussians, Lines, Matrix, Part, Points, Triangles, Triple
 from .view import Frame, View

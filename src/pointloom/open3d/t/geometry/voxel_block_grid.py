@@ -20,7 +20,7 @@ from ....core.serialized import Serialized
 from ....kernels.images.depth import largest_depth, metric_depth
 from ....kernels.linear_algebra import inv, matmul
 from ....kernels.memory import download
-from ....kernels.volumes.tsdf_blocks import BLOCK_VOXELS, SIDE, block_box, touched_blocks
+from ....kernels.volumes.tsdf_blocks import BLOCK_SIDE, BLOCK_VOXELS, block_box, touched_blocks
 from ....kernels.volumes.voxel_blocks import COLOR_SCALE
 from ....meshing.volume.tsdf import TSDFVolume
 from ...core.device import Device
@@ -38,7 +38,9 @@ CHANNELS = {"tsdf": 1, "weight": 1, "color": 3}
 MULTIPLIER = 8.0  # of the voxel size: default truncation
 AROUND = {"index": np.int64, "mask": np.bool_, "interp_ratio": np.float32}
 RENDERED = ("depth", "vertex", "normal", "color", *AROUND)
-CORNERS = np.stack(np.meshgrid(*[np.arange(SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)[:, ::-1]  # x fastest
+CORNERS = np.stack(np.meshgrid(*[np.arange(BLOCK_SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)[
+    :, ::-1
+]  # x fastest
 
 
 class VoxelBlockGrid(Serialized, KnownNames):
@@ -203,11 +205,13 @@ class VoxelBlockGrid(Serialized, KnownNames):
             raise ValueError(f"attribute_name: expected one of {', '.join(self._dtypes)}, got {attribute_name!r}")
         if self._device.name != "cpu":
             raise ValueError(f"attribute: expected a grid on the CPU, got {self._device}; call grid.cpu().attribute")
-        arrays, channels = self._any._downloaded(), CHANNELS[attribute_name]
+        arrays, channels = self._any.downloaded(), CHANNELS[attribute_name]
         values = arrays.get({"tsdf": "distances", "weight": "weights", "color": "colors"}[attribute_name])
         if values is None:  # frames without color
             values = np.zeros((len(arrays["distances"]), channels))
-        blocks = (values / COLOR_SCALE if attribute_name == "color" else values).reshape(-1, SIDE, SIDE, SIDE, channels)
+        blocks = (values / COLOR_SCALE if attribute_name == "color" else values).reshape(
+            -1, BLOCK_SIDE, BLOCK_SIDE, BLOCK_SIDE, channels
+        )
         return Tensor(blocks.transpose(0, 3, 2, 1, 4), self._dtypes[attribute_name])
 
     def voxel_indices(self, buf_indices: Any = None) -> Tensor:
@@ -240,7 +244,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
 
     def _corners(self) -> NDArray[np.int64]:
         """First voxel of each block."""
-        return SIDE * block_box(self._any._downloaded()["keys"])
+        return BLOCK_SIDE * block_box(self._any.downloaded()["keys"])
 
     def save(self, file_name: FilePath) -> None:
         """Write an .npz file of `loom.TSDFVolume`, which Open3D cannot read."""
@@ -264,7 +268,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         target = device_of(device)
         if target == self._device and not copy:
             return self
-        made = self._around(TSDFVolume._from_downloaded(self._any._downloaded(), resolve_device(target.name)))
+        made = self._around(TSDFVolume.from_downloaded(self._any.downloaded(), resolve_device(target.name)))
         vars(made)["_dtypes"] = dict(self._dtypes)
         return made
 
