@@ -19,7 +19,7 @@ def levels_of(depth, device, *, shade=None, normals=None, max_pixels=10**6, lens
     brightness = None if shade is None else upload(shade.reshape(-1), float32, device)
     numbers = {"max_pixels": max_pixels, "min_side": 4, "radius": 2}
     numbers["normals"] = None if normals is None else upload(normals.reshape(-1, 3), vec3, device)
-    return make_levels(upload(depth.reshape(-1), float32, device), brightness, width, height, lens, **numbers)
+    return make_levels(upload(depth.reshape(-1), float32, device), brightness, (width, height), lens, **numbers)
 
 
 def image(levels, values, k):
@@ -90,7 +90,7 @@ def test_colors_are_weighed_as_brightness(device):
     depth = upload(np.full(24 * 32, 1.0), float32, device)
     for max_pixels in (10**6, 500):
         numbers = {"max_pixels": max_pixels, "min_side": 4, "radius": 2}
-        levels = make_levels(depth, upload(pixels, uint8, device), 32, 24, (50.0, 50.0, 15.5, 11.5), **numbers)
+        levels = make_levels(depth, upload(pixels, uint8, device), (32, 24), (50.0, 50.0, 15.5, 11.5), **numbers)
         assert np.allclose(download(levels.brightness), 0.299, atol=1e-6)
 
 

@@ -4,6 +4,8 @@ An iteration is a reduction over the source and a step. The loop ends after a sh
 mean residual, or after a number of steps. Its last iteration only evaluates the pose.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ..algebra.matrices import multiply44
@@ -36,6 +38,14 @@ from .rows import COUNT_AT, DISTANCE_AT, RESIDUAL_AT, mean_source, row_sums, row
 from .step import about_pivot, broadcast_from_leader, job_of, leads, motion_of_angles
 
 MIN_MEAN_RESIDUAL = 2.0**-52  # smallest mean residual that a change is compared with
+
+
+class StopCriteria(NamedTuple):
+    """Limits of a step (rad, m), of the relative change of the mean residual, and of the iterations."""
+
+    min_step: float
+    min_change: float
+    max_iterations: int
 
 
 @struct
@@ -73,13 +83,11 @@ class DistributionLoop:
         finite_count: int,
         size: float,
         min_eigenvalue: float,
-        min_step: float,
-        min_change: float,
-        max_iterations: int,
+        criteria: StopCriteria,
     ) -> None:
         self.device, self.source, self.target = source.device, source, target
         self.source_count, self.size, self.min_eigenvalue = float(max(finite_count, 1)), size, min_eigenvalue
-        self.min_step, self.min_change, self.max_iterations = min_step, min_change, max_iterations
+        self.min_step, self.min_change, self.max_iterations = criteria
         values = {
             "poses": (pose[None], mat44d),
             "iterations": (np.zeros(1), int32),

@@ -348,8 +348,7 @@ def level_sizes(
 def make_levels(
     depth: Scalars,
     brightness: Scalars | Array2[uint8] | None,
-    width: int,
-    height: int,
+    size: tuple[int, int],
     lens: tuple[float, float, float, float],
     *,
     max_pixels: int,
@@ -361,11 +360,10 @@ def make_levels(
     [px]; `normals` for the first level if it is the image itself, None fits them.
     """
     device = depth.device
-    sizes, lenses, halvings = level_sizes(width, height, lens, max_pixels, min_side)
+    sizes, lenses, halvings = level_sizes(*size, lens, max_pixels, min_side)
     levels = FrameLevels(sizes, lenses, device)
     if brightness is None:
         brightness = full(depth.size, NO_COLOR, float32, device)
-    size = (width, height)
     for step in range(halvings):
         depth, brightness = _halve(depth, brightness, size, levels if step == halvings - 1 else None)
         size = (size[0] // 2, size[1] // 2)

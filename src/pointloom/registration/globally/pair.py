@@ -29,7 +29,8 @@ from ..icp.estimation import (
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
 )
-from ..icp.icp import ICPConvergenceCriteria, check_constrainable, check_poses
+from ..icp.icp import ICPConvergenceCriteria, check_poses
+from ..icp.iterative import check_constrainable
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
 from ..pose_check import describe_open
 from ..result import MIN_FITNESS, RegistrationResult

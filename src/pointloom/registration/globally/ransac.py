@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 import warp as wp
@@ -16,6 +16,7 @@ from ...core.observers import report
 from ...kernels.lang import int32, vec3
 from ...kernels.memory import empty
 from ...kernels.poses.pose_fitness import PoseFitness
+from ...kernels.poses.pose_hypotheses import Checks
 from ...kernels.poses.pose_search import PoseSearch
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds, pairs_on_device, world_middles
@@ -118,13 +119,27 @@ def registration_ransac_based_on_correspondence(
         (True, 1.0, True)
     """
     check_clouds(source, target)
-    settings = _check_settings(max_correspondence_distance, estimation_method, ransac_n, checkers, criteria, seed)
-    return _register(source, target, pairs_on_device(corres, source, target), *settings)
+    settings = _settings_of(max_correspondence_distance, estimation_method, ransac_n, checkers, criteria, seed)
+    return _register(source, target, pairs_on_device(corres, source, target), settings)
 
 
-def _check_settings(
-    distance: Any, method: Any, ransac_n: Any, checkers: Any, criteria: Any, seed: Any
-) -> tuple[float, bool, int, Sequence[CorrespondenceChecker], RANSACConvergenceCriteria, int]:
+class _Settings(NamedTuple):
+    distance: float
+    with_scaling: bool
+    sample_size: int
+    checks: Checks
+    criteria: RANSACConvergenceCriteria
+    seed: int
+
+
+def _settings_of(
+    distance: float,
+    method: TransformationEstimationPointToPoint | None,
+    ransac_n: int,
+    checkers: Sequence[CorrespondenceChecker],
+    criteria: RANSACConvergenceCriteria | None,
+    seed: int,
+) -> _Settings:
     max_distance = check_positive("max_correspondence_distance", distance)
     method = TransformationEstimationPointToPoint() if method is None else method
     if not isinstance(method, TransformationEstimationPointToPoint):
@@ -136,21 +151,13 @@ def _check_settings(
     if not isinstance(criteria, RANSACConvergenceCriteria):
         raise TypeError(f"criteria: expected RANSACConvergenceCriteria, got {type(criteria).__name__}")
     sample_size = check_count("ransac_n", ransac_n, minimum=MIN_SAMPLE)
-    return max_distance, bool(method.with_scaling), sample_size, checkers, criteria, check_seed(seed)
+    with_scaling, checked_seed = bool(method.with_scaling), check_seed(seed)
+    return _Settings(max_distance, with_scaling, sample_size, checks_of(checkers), criteria, checked_seed)
 
 
-def _register(
-    source: PointCloud,
-    target: PointCloud,
-    pairs: wp.array,
-    distance: float,
-    with_scaling: bool,
-    sample_size: int,
-    checkers: Sequence[CorrespondenceChecker],
-    criteria: RANSACConvergenceCriteria,
-    seed: int,
-) -> RegistrationResult:
-    checks, device = checks_of(checkers), source.device
+def _register(source: PointCloud, target: PointCloud, pairs: wp.array, settings: _Settings) -> RegistrationResult:
+    distance, with_scaling, sample_size, checks, criteria, seed = settings
+    device = source.device
     points = source.arrays["points"], target.arrays["points"]
     fitness = PoseFitness(source.arrays.tree.order(), target.search_tree())
     search = PoseSearch(fitness, *points, pairs)

@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import (
-    check_angle,
     check_callback,
     check_count,
     check_list,
@@ -29,9 +28,9 @@ from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_cloud, check_clouds
 from ..result import RegistrationResult
 from ..rigid import nearest_rotation, scale_of
-from .constraint import Constraint, JobConstraints, constraints_of
+from .constraint import Constraint, constraints_of
 from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
-from .iterative import MIN_DETERMINED_EIGENVALUE, IterativeRegistration
+from .iterative import MIN_DETERMINED_EIGENVALUE, ICPOptions, IterativeRegistration
 
 MAX_STEPS = 100_000
 Watcher = Callable[[dict[str, Any]], None]
@@ -128,9 +127,9 @@ def registration_icp(
         >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reliable
         (np.True_, True)
     """
-    options = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
-    jobs, pair = constraints_of(constraint), (source, target, max_correspondence_distance, init)
-    return run_icp(*pair, estimation_method, criteria, callback_after_iteration, jobs, weights=weights, **options)
+    options = ICPOptions(overlap, max_normal_angle, degeneracy, constraints_of(constraint), weights)
+    pair = source, target, max_correspondence_distance, init
+    return run_icp(*pair, estimation_method, criteria, callback_after_iteration, options)
 
 
 def run_icp(
@@ -141,15 +140,13 @@ def run_icp(
     estimation_method: TransformationEstimation | None,
     criteria: ICPConvergenceCriteria | None,
     callback: Watcher | None,
-    constraint: JobConstraints | None,
-    **options: Any,
+    options: ICPOptions,
 ) -> RegistrationResult:
     method, rules = check_rules(estimation_method, criteria)
     check_clouds(source, target)
     poses = check_poses("init", init, method)[None]
-    problem = _make_problem(
-        [source], [target], poses, max_correspondence_distance, method, constraint=constraint, **options
-    )
+    distance = check_positive("max_correspondence_distance", max_correspondence_distance)
+    problem = IterativeRegistration([source], [target], poses, distance, method, options.checked(method))
     check_callback("callback_after_iteration", callback)
     watch = partial(_report, problem, callback, source, target)
     watch = None if callback is None and not watched() else watch
@@ -209,20 +206,11 @@ def registration_icp_batch(
     method, rules = check_rules(estimation_method, criteria)
     left, right, poses = _jobs_of(sources, targets, inits, method)
     jobs = constraints_of(constraint, len(poses))
-    options = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
-    problem = _make_problem(
-        left, right, poses, max_correspondence_distance, method, constraint=jobs, weights=weights, **options
-    )
+    options = ICPOptions(overlap, max_normal_angle, degeneracy, jobs, weights)
+    distance = check_positive("max_correspondence_distance", max_correspondence_distance)
+    problem = IterativeRegistration(left, right, poses, distance, method, options.checked(method))
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse)
     return problem.results()
-
-
-def check_degeneracy(degeneracy: float) -> float:
-    """The fraction of the largest eigenvalue, from 0 to below 1."""
-    fraction = check_positive("degeneracy", degeneracy, allow_zero=True)
-    if fraction >= 1:
-        raise ValueError(f"degeneracy: expected a fraction from 0 to below 1, got {fraction!r}")
-    return fraction
 
 
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
@@ -255,14 +243,6 @@ def check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, I
     return method, criteria
 
 
-def check_constrainable(method: TransformationEstimation, constraint: JobConstraints | None) -> None:
-    if constraint is not None and not method.constrainable:
-        raise ValueError(
-            f"constraint: {type(method).__name__} cannot be constrained. "
-            "Use TransformationEstimationPointToPlane() or another one that can"
-        )
-
-
 def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> bool:
     """Report the last evaluated pose to observers and the callback. True if there is another iteration."""
     state, goes_on = problem.judged()
@@ -270,35 +250,6 @@ def _report(problem: IterativeRegistration, callback: Watcher | None, source: Po
     if callback is not None and state["iteration_index"] > 0:
         callback(state)
     return goes_on
-
-
-def _make_problem(
-    sources: Sequence[PointCloud],
-    targets: Sequence[PointCloud],
-    poses: NDArray[np.float64],
-    distance: float,
-    method: TransformationEstimation,
-    *,
-    overlap: float | None = 1.0,
-    max_normal_angle: float | None = None,
-    degeneracy: float = MIN_DETERMINED_EIGENVALUE,
-    constraint: JobConstraints | None = None,
-    weights: ArrayLike | str | None = None,
-) -> IterativeRegistration:
-    distance = check_positive("max_correspondence_distance", distance)
-    overlap = None if overlap is None else check_positive("overlap", overlap)
-    degeneracy = check_degeneracy(degeneracy)
-    if overlap is not None and overlap > 1:
-        raise ValueError(f"overlap: expected a fraction above 0 and up to 1, got {overlap!r}")
-    if max_normal_angle is not None:
-        max_normal_angle = check_angle("max_normal_angle", max_normal_angle)
-        if method._target_voxel_size is not None:
-            raise ValueError("max_normal_angle: the voxels of a voxelized target have no normals; leave it out")
-    check_constrainable(method, constraint)
-    options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
-    return IterativeRegistration(
-        sources, targets, poses, distance, method, constraint=constraint, weights=weights, **options
-    )
 
 
 def _jobs_of(

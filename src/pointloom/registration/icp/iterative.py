@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.checks import check_angle, check_positive
 from ...kernels.arrays.concatenation import joined_rows
 from ...kernels.icp.freedom import Freedom
 from ...kernels.icp.job_states import JOB_CONVERGED, NO_PAIRS, NOT_FINITE, OUT_OF_ITERATIONS
@@ -40,6 +42,46 @@ MIN_DETERMINED_EIGENVALUE = 5e-3
 MIN_RMSE_CHANGE = 1e-6
 
 
+@dataclass(frozen=True)
+class ICPOptions:
+    """Options of all jobs as of `registration_icp`: selection and weights of pairs, and motions that they may move."""
+
+    overlap: float | None = 1.0
+    max_normal_angle: float | None = None
+    degeneracy: float = MIN_DETERMINED_EIGENVALUE
+    constraint: JobConstraints | None = None
+    weights: ArrayLike | str | None = None
+
+    def checked(self, method: TransformationEstimation) -> ICPOptions:
+        """Options in the types of this class. Raises as `registration_icp`."""
+        overlap = None if self.overlap is None else check_positive("overlap", self.overlap)
+        if overlap is not None and overlap > 1:
+            raise ValueError(f"overlap: expected a fraction above 0 and up to 1, got {overlap!r}")
+        angle, degeneracy = self.max_normal_angle, check_degeneracy(self.degeneracy)
+        if angle is not None:
+            angle = check_angle("max_normal_angle", angle)
+            if method._target_voxel_size is not None:
+                raise ValueError("max_normal_angle: the voxels of a voxelized target have no normals; leave it out")
+        check_constrainable(method, self.constraint)
+        return replace(self, overlap=overlap, max_normal_angle=angle, degeneracy=degeneracy)
+
+
+def check_degeneracy(degeneracy: float) -> float:
+    """The fraction of the largest eigenvalue, from 0 to below 1."""
+    fraction = check_positive("degeneracy", degeneracy, allow_zero=True)
+    if fraction >= 1:
+        raise ValueError(f"degeneracy: expected a fraction from 0 to below 1, got {fraction!r}")
+    return fraction
+
+
+def check_constrainable(method: TransformationEstimation, constraint: JobConstraints | None) -> None:
+    if constraint is not None and not method.constrainable:
+        raise ValueError(
+            f"constraint: {type(method).__name__} cannot be constrained. "
+            "Use TransformationEstimationPointToPlane() or another one that can"
+        )
+
+
 class IterativeRegistration(MatchedClouds[RegistrationLoop]):
     """ICP jobs over clouds on one device, with `poses` T_target_source of each job, float64 [jobs, 4, 4]."""
 
@@ -50,16 +92,12 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         poses: NDArray[np.float64],
         distance: float,
         estimation: TransformationEstimation,
-        *,
-        overlap: float | None = 1.0,
-        max_normal_angle: float | None = None,
-        degeneracy: float = MIN_DETERMINED_EIGENVALUE,
-        constraint: JobConstraints | None = None,
-        weights: ArrayLike | str | None = None,
+        options: ICPOptions | None = None,
     ):
         super().__init__(source_clouds, target_clouds, distance, estimation)
-        self.degeneracy = degeneracy
-        sources, targets = self._sides(max_normal_angle is not None)
+        options = ICPOptions() if options is None else options
+        self.degeneracy = options.degeneracy
+        sources, targets = self._sides(options.max_normal_angle is not None)
         self.source_clouds = order_points(sources)
         source = _point_columns(self.source_clouds, sources.columns)
         forest, gaussians, target = None, None, PointColumns()
@@ -72,19 +110,21 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         geometry = estimation.geometry()
         local = self._local_poses(poses)
         self.loop = RegistrationLoop(jobs, local, distance, gaussians, separate_geometry=geometry is not None)
-        self._constrain(constraint, weights, local)
+        self._constrain(options.constraint, options.weights, local)
         if gaussians is not None:
             target = PointColumns(covariances=self.loop.target_covariances)
         self._arguments = estimation.arguments(self.loop, source, target)
         self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
-        self._rejection = None
-        if overlap is None or overlap < 1 or max_normal_angle is not None:
-            pair_limit = None if overlap is None or overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
-            normals = None
-            if max_normal_angle is not None:
-                normals = (source.normals, target.normals, float(np.cos(max_normal_angle)))
-            sizes = self.loop.progress.sizes if overlap is None else None
-            self._rejection = PairRejection(self.loop.matches, pair_limit, normals, sizes=sizes)
+        self._rejection = self._make_rejection(options, source, target)
+
+    def _make_rejection(self, options: ICPOptions, source: PointColumns, target: PointColumns) -> PairRejection | None:
+        overlap, angle = options.overlap, options.max_normal_angle
+        if overlap is not None and overlap >= 1 and angle is None:
+            return None
+        counts, sizes = self.loop.jobs.counts, self.loop.progress.sizes if overlap is None else None
+        pair_limit = None if overlap is None or overlap >= 1 else np.ceil(overlap * counts).astype(np.int32)
+        normals = None if angle is None else (source.normals, target.normals, float(np.cos(angle)))
+        return PairRejection(self.loop.matches, pair_limit, normals, sizes=sizes)
 
     def _constrain(
         self, constraint: JobConstraints | None, weights: ArrayLike | str | None, local: NDArray[np.float64]

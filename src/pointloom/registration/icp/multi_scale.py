@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -22,6 +23,7 @@ from .constraint import Constraint, constraints_of
 from .estimation import TransformationEstimation
 from .evaluation import evaluate_registration
 from .icp import ICPConvergenceCriteria, Watcher, check_poses, check_rules, run_icp
+from .iterative import ICPOptions
 from .preparation import point_weights
 
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 3.0, 30  # [voxels] radius, and maximum neighbors of normals
@@ -102,8 +104,9 @@ def multi_scale_icp(
         watch = None if callback_after_iteration is None else partial(_at_scale, callback_after_iteration, scale)
         with standing_for(source=source, target=target, scale_index=scale, voxel_size=size):
             near = min(OVERLAP_VOXELS * size, distance) or distance
-            run = partial(run_icp, left, right, distance, pose, method, rules, watch, jobs)
-            result = _register(run, left, right, distance, near, overlap, None if weights is None else WEIGHTS)
+            run = partial(run_icp, left, right, distance, pose, method, rules, watch)
+            options = ICPOptions(overlap, constraint=jobs, weights=None if weights is None else WEIGHTS)
+            result = _register(run, left, right, distance, near, options)
         if jobs is not None:
             jobs = jobs.begun(anchor, result._motion)
         pose, steps = result.transformation, steps + result.iterations
@@ -113,22 +116,21 @@ def multi_scale_icp(
 
 
 def _register(
-    run: Callable[..., RegistrationResult],
+    run: Callable[[ICPOptions], RegistrationResult],
     source: PointCloud,
     target: PointCloud,
     distance: float,
     near: float,
-    overlap: float | None,
-    weights: str | None,
+    options: ICPOptions,
 ) -> RegistrationResult:
     """One scale. With overlap None first all pairs, then if necessary those of the estimated overlap."""
-    result = run(overlap=1.0 if overlap is None else overlap, weights=weights)
-    if overlap is not None or result.fitness == 0:
+    result = run(replace(options, overlap=1.0) if options.overlap is None else options)
+    if options.overlap is not None or result.fitness == 0:
         return result
     met = evaluate_registration(source, target, near, result.transformation).fitness
     if met >= MIN_OVERLAP:
         return result
-    trimmed = run(overlap=None, weights=weights)
+    trimmed = run(options)
     if evaluate_registration(source, target, near, trimmed.transformation).fitness < MIN_OVERLAP_RATIO * met:
         return result
     trimmed.iterations += result.iterations

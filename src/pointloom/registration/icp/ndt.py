@@ -14,7 +14,7 @@ from ...core.observers import report
 from ...kernels.arrays.row_numbers import list_partners
 from ...kernels.arrays.sort import positions
 from ...kernels.extent.mean_covariance import mean_and_covariance
-from ...kernels.icp.distribution_loop import DistributionLoop
+from ...kernels.icp.distribution_loop import DistributionLoop, StopCriteria
 from ...kernels.icp.job_states import FEW_PAIRS, JOB_CONVERGED
 from ...kernels.icp.normal_distributions import NormalDistributions, match_distributions
 from ...kernels.icp.step import SMALLEST_SIZE
@@ -26,8 +26,8 @@ from ..correspondence_input import check_clouds
 from ..result import Pairs, RegistrationResult
 from ..rigid import to_local, to_world
 from .estimation import TransformationEstimationPointToPoint
-from .icp import LOW_FITNESS, MAX_STEPS, check_degeneracy, check_poses, warn_of_low_fitness
-from .iterative import FAILURES, MIN_DETERMINED_EIGENVALUE
+from .icp import LOW_FITNESS, MAX_STEPS, check_poses, warn_of_low_fitness
+from .iterative import FAILURES, MIN_DETERMINED_EIGENVALUE, check_degeneracy
 
 MIN_POINTS = 4  # of a voxel: fewer do not determine a covariance
 NDT_FAILURES = {outcome: text.replace("ICP", "NDT") for outcome, text in FAILURES.items()}
@@ -160,9 +160,7 @@ def _run(
         finite_count=count,
         size=max(float(np.sqrt(max(np.trace(covariance), 0.0))), smallest) or SMALLEST_SIZE,
         min_eigenvalue=degeneracy,
-        min_step=rules.transformation_epsilon,
-        min_change=rules.relative_objective,
-        max_iterations=rules.max_iteration,
+        criteria=StopCriteria(rules.transformation_epsilon, rules.relative_objective, rules.max_iteration),
     )
     loop.run()
     states = loop.states.download()  # sync

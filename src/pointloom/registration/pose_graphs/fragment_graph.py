@@ -18,7 +18,7 @@ from ...pcd.cloud import PointCloud
 from ..icp.constraint import Constraint, constraints_of
 from ..icp.estimation import TransformationEstimationForGeneralizedICP
 from ..icp.icp import ICPConvergenceCriteria
-from ..icp.iterative import IterativeRegistration
+from ..icp.iterative import ICPOptions, IterativeRegistration
 from ..rigid import adjoint_of, invert_pose, rotation_vector
 from .pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
 from .pose_graph_optimization import GlobalOptimizationOption, global_optimization
@@ -122,9 +122,9 @@ def refine_pairs(
     refined, information = [], []
     for pair in pairs:
         start = np.asarray(pair.transformation, np.float64)[None]
-        constraint = constraints_of(Constraint(free))
+        options = ICPOptions(constraint=constraints_of(Constraint(free)))
         ends = [clouds[pair.source]], [clouds[pair.target]]
-        problem = IterativeRegistration(*ends, start, MAX_DISTANCE * size, GENERALIZED, constraint=constraint)
+        problem = IterativeRegistration(*ends, start, MAX_DISTANCE * size, GENERALIZED, options)
         problem.run(FINE_CRITERIA.max_iteration, FINE_CRITERIA.relative_fitness, FINE_CRITERIA.relative_rmse)
         (result,), (matrix,) = problem.results(), problem.information()
         refined.append(pair._replace(transformation=result.transformation, fitness=result.fitness))

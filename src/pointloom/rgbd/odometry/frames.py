@@ -109,17 +109,9 @@ class OdometryFrame:
     ) -> None:
         lens = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
         self.intrinsic, self.device, self.has_color = intrinsic, depth.device, brightness is not None
-        self.levels: FrameLevels = make_levels(
-            depth,
-            brightness,
-            intrinsic.width,
-            intrinsic.height,
-            lens,
-            max_pixels=max_pixels,
-            min_side=MIN_SIDE,
-            radius=PLANE_RADIUS,
-            normals=normals,
-        )
+        limits = {"max_pixels": max_pixels, "min_side": MIN_SIDE, "radius": PLANE_RADIUS}
+        size = intrinsic.width, intrinsic.height
+        self.levels: FrameLevels = make_levels(depth, brightness, size, lens, normals=normals, **limits)
         self.blur = 0.0
         self._coarsest: tuple[NDArray[np.float32], NDArray[np.float32]] | None = None
 

@@ -21,7 +21,7 @@ from .job_files import JobFiles
 from .nonrigid import refine_with_slac, slac_params
 from .placement import register_fragments
 from .refinement import refine_registration
-from .report import SystemReport, report_of
+from .report import Cost, SystemReport, report_of
 from .scene import integrate_scene
 
 CONFIG_FILE = "config.json"
@@ -106,10 +106,10 @@ def run_reconstruction_system(
         observers.report("stage", name="integrate")
         scene = integrate_scene(frames, config, folder, slac=slac, **options)
         clock.stop("integrate")
-    cost: dict[str, Any] = {"seconds": clock.seconds, "peak_bytes": peak_bytes()}
-    figures = None if bent is None else bent.figures
-    cost |= {"slac": figures, "source_warnings": source_warnings(source)}
-    return report_of(os.fspath(folder), len(frames), fragment_set, placement, scene, **cost)
+    figures, cost = None if bent is None else bent.figures, Cost(clock.seconds, peak_bytes())
+    parts = fragment_set, placement, scene
+    warnings = source_warnings(source)
+    return report_of(os.fspath(folder), len(frames), *parts, slac=figures, cost=cost, source_warnings=warnings)
 
 
 def _readable(source: Any, job: JobFiles, resume: bool, report_progress: ReportProgress) -> FrameSource:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import itertools
 import os
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from ...core.escaped_text import escaped
 from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.wording import format_bytes, format_seconds, plain
-from .fragments import FragmentSet
+from .fragments import Fragment, FragmentSet
 from .frames import LostFrame
 from .placement import Placement
 from .scene import Scene
@@ -139,6 +139,13 @@ class SystemReport(Report, Assessed):
         return [*self.parts(), *cost, ("files", ", ".join(self.files) or "none")]
 
 
+class Cost(NamedTuple):
+    """Seconds of each stage, and the maximum memory."""
+
+    seconds: dict[str, float]
+    peak_bytes: int
+
+
 def report_of(
     folder: str,
     frame_count: int,
@@ -147,8 +154,7 @@ def report_of(
     scene: Scene | None,
     *,
     slac: dict[str, Any] | None,
-    seconds: dict[str, float],
-    peak_bytes: int,
+    cost: Cost,
     source_warnings: tuple[str, ...] = (),
 ) -> SystemReport:
     registered = [False] * len(fragment_set.fragments) if placement is None else placement.placed.tolist()
@@ -162,19 +168,7 @@ def report_of(
         folder=folder,
         frames=frame_count,
         lost=tuple(lost),
-        fragments=tuple(
-            FragmentSummary(
-                f.number,
-                len(f),
-                f.names[0],
-                f.names[-1],
-                is_registered,
-                f.broke,
-                f.joint is not None,
-                LoopCount(*f.loops),
-            )
-            for f, is_registered in zip(fragment_set.fragments, registered, strict=True)
-        ),
+        fragments=tuple(map(_summary_of, fragment_set.fragments, registered)),
         edges=len(edges),
         loops=sum(edge.uncertain for edge in edges),
         mesh=figures or None,
@@ -183,9 +177,14 @@ def report_of(
         files=tuple(os.fspath(path) for path in files),
         warnings=(*_warnings(lost, scene, frame_count), *_graph_warnings(placement, slac), *source_warnings),
         slac=slac,
-        seconds=seconds,
-        peak_bytes=peak_bytes,
+        seconds=cost.seconds,
+        peak_bytes=cost.peak_bytes,
     )
+
+
+def _summary_of(f: Fragment, is_registered: bool) -> FragmentSummary:
+    numbers, loops = (f.number, len(f), f.names[0], f.names[-1]), LoopCount(*f.loops)
+    return FragmentSummary(*numbers, is_registered, f.broke, f.joint is not None, loops)
 
 
 def _lost_frames(fragment_set: FragmentSet, registered: list[bool], scene: Scene | None) -> list[LostRun]:
