@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable, part_name
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.quaternions import rotations_to_quaternions
 from ..columns import colors_to_bytes
 from ..optional_imports import foreign_errors, import_for
@@ -74,7 +74,7 @@ def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def check_e57(path: Any, table: PointTable) -> PointTable:
+def check_e57(path: FilePath, table: PointTable) -> PointTable:
     """The table in meters. Raises `FileError` if E57 cannot store it (non-finite, unknown attribute, degrees)."""
     table = in_metres(path, table.checked(), "E57")
     lost = unstorable_in_e57(table)
@@ -103,7 +103,7 @@ def _is_storable(name: str, values: NDArray[Any]) -> bool:
     return high < 2**63 and high - low < 2**63
 
 
-def columns_of(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
+def columns_of(path: FilePath, table: PointTable) -> dict[str, NDArray[Any]]:
     columns: dict[str, NDArray[Any]] = dict(zip(CARTESIAN, table.points.T, strict=True))
     if table.normals is not None:
         columns |= dict(zip(NORMALS, table.normals.T, strict=True))

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
+from ...core.errors import FilePath
 from ...core.units import LengthUnit, is_same, warn_of_units
 from ..columns import warn_of_loss
 from .copc import COPC_HIERARCHY, COPC_INFO
@@ -93,7 +94,7 @@ def describe_together(laspy: Any, header: Any, headers: Iterable[LasHeader]) -> 
         header.vlrs[:] = [*other_records, laspy.VLR(*EXTRA_BYTES, TITLE, join_ranges(records))]
 
 
-def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
+def take_over(laspy: Any, path: FilePath, header: Any, like: LasHeader) -> Any:
     """Copy identification, records and GPS time type to laspy's header. Returns the extended records.
     GeoTIFF keys become WKT in point formats of LAS 1.4. Warns of dropped records."""
     header.global_encoding.value = like.encoding & (GPS_TIME_BIT | WKT_BIT | _SYNTHETIC_RETURNS_BIT)
@@ -124,7 +125,7 @@ def _ascii(text: str) -> str:
     return text.encode("ascii", "replace").decode()
 
 
-def unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader | None) -> Any:
+def unit_record(laspy: Any, path: FilePath, unit: LengthUnit | None, like: LasHeader | None) -> Any:
     """The unit record, unless the coordinate system defines the unit. Warns if that differs."""
     if like is not None:
         declared = units_of(like).plane

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, shown
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import DeviceError, FileError
 from ...core.interrupts import signal_exception
 from ...core.paths import path_of
@@ -268,7 +268,12 @@ class DepthModel:
     """
 
     def __init__(
-        self, path: str | os.PathLike[str], preset: str = DEFAULT, *, device: Any = None, threads: int | None = None
+        self,
+        path: str | os.PathLike[str],
+        preset: str = DEFAULT,
+        *,
+        device: DeviceLike = None,
+        threads: int | None = None,
     ):
         self._preset = find_preset(preset)
         self.path = str(path_of(path))
@@ -340,7 +345,7 @@ class DepthModel:
             raise FileError(self.path, str(error), where=where, remedy=error.remedy or NOT_THE_MODEL) from error
 
 
-def _open_session(path: str, device: Any, threads: int) -> Any:
+def _open_session(path: str, device: DeviceLike, threads: int) -> Any:
     ort = import_for(path, "onnxruntime", "depth")
     providers = _providers(ort, device)
     options = ort.SessionOptions()
@@ -377,11 +382,11 @@ def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
         return ort.InferenceSession(path, options, providers=[CPU], enable_fallback=0)
 
 
-def wants_cuda(device: Any) -> bool:
+def wants_cuda(device: DeviceLike) -> bool:
     return device is not None and str(device).startswith("cuda")
 
 
-def _providers(ort: Any, device: Any) -> list[Any]:
+def _providers(ort: Any, device: DeviceLike) -> list[Any]:
     has_cuda = CUDA in ort.get_available_providers()
     if wants_cuda(device) and not has_cuda:
         raise DeviceError(

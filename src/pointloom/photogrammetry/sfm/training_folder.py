@@ -18,7 +18,7 @@ from ...cameras.undistortion import Undistortion
 from ...core.atomic import atomic_folder
 from ...core.checks import check_count, check_list, check_progress
 from ...core.coordinates import choose_origin
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
@@ -210,7 +210,7 @@ def write_training_folder(
     masks: FilePath | Iterable[Mask] | None = None,
     max_size: int | None = None,
     shift: bool = True,
-    device: Any = None,
+    device: DeviceLike = None,
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> TrainingFolder:
