@@ -11,6 +11,7 @@ import shutil
 import uuid
 from collections.abc import Sequence
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -116,7 +117,7 @@ def columns_of(path: FilePath, table: PointTable) -> dict[str, NDArray[Any]]:
     return columns
 
 
-def _write_image(libe57: Any, path: Path, scans: Sequence[Scan]) -> None:
+def _write_image(libe57: ModuleType, path: Path, scans: Sequence[Scan]) -> None:
     image = libe57.ImageFile(str(path), "w")
     try:
         image.extensionsAdd("", libe57.E57_V1_0_URI)
@@ -152,7 +153,7 @@ def _guid(data: bytes) -> str:
     return f"{{{uuid.UUID(bytes=hashlib.sha256(data).digest()[:16], version=4)}}}"
 
 
-def _pose_node(libe57: Any, image: Any, pose: NDArray[np.float64]) -> Any:
+def _pose_node(libe57: ModuleType, image: Any, pose: NDArray[np.float64]) -> Any:
     node = libe57.StructureNode(image)
     quaternion = rotations_to_quaternions(np.asarray(pose, np.float64)[None, :3, :3])[0]
     for field, names, values in (("rotation", "xyzw", quaternion), ("translation", "xyz", pose[:3, 3])):
@@ -164,7 +165,7 @@ def _pose_node(libe57: Any, image: Any, pose: NDArray[np.float64]) -> Any:
 
 
 def _write_scan(
-    libe57: Any,
+    libe57: ModuleType,
     image: Any,
     scans: Any,
     guid: str,

@@ -24,7 +24,7 @@ def system_of(path: FilePath, header: LasHeader) -> Any:
     return system if system.is_geographic or system.is_projected or system.is_compound else None
 
 
-def system_named(name: str, value: Any) -> Any:
+def system_named(name: str, value: object) -> Any:
     """The pyproj CRS of a name such as "EPSG:25832"; `name` is the argument's, for errors."""
     pyproj: Any = import_for(name, "pyproj", "geo")
     try:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass, replace
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -73,7 +74,7 @@ def write_las(
             writer.write_evlrs(layout.extended)
 
 
-def open_writer(laspy: Any, file: Any, header: Any, *, compress: bool) -> Any:
+def open_writer(laspy: ModuleType, file: Any, header: Any, *, compress: bool) -> Any:
     """laspy's writer to an open file. Attribute names may contain ":", which laspy's own way to the bytes rejects."""
     writer = laspy.LasWriter(file, header, do_compress=compress, closefd=False)
     if not compress:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import sys
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -372,7 +373,7 @@ def _open_session(path: str, device: DeviceLike, threads: int) -> Any:
     return session
 
 
-def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
+def _start(ort: ModuleType, path: str, options: Any, providers: list[Any]) -> Any:
     """Open a session with fallback to the CPU as in onnxruntime, without its banner on stdout."""
     try:
         return ort.InferenceSession(path, options, providers=providers, enable_fallback=0)
@@ -386,7 +387,7 @@ def wants_cuda(device: DeviceLike) -> bool:
     return device is not None and str(device).startswith("cuda")
 
 
-def _providers(ort: Any, device: DeviceLike) -> list[Any]:
+def _providers(ort: ModuleType, device: DeviceLike) -> list[Any]:
     has_cuda = CUDA in ort.get_available_providers()
     if wants_cuda(device) and not has_cuda:
         raise DeviceError(

@@ -144,7 +144,7 @@ class Colors:
         size = (self._cameras[i].intrinsic.height, self._cameras[i].intrinsic.width)
         return image if image.shape[:2] == size else resize_color(image, size, f"images[{i}]")
 
-    def _checked(self, i: int, value: Any) -> NDArray[Any]:
+    def _checked(self, i: int, value: object) -> NDArray[Any]:
         image = check_numeric(f"images[{i}]", value)
         if image.dtype != np.uint8:
             raise TypeError(f"images[{i}]: expected a path or uint8, got {image.dtype}; scale floats by 255")

@@ -65,7 +65,7 @@ def find_images(images: Any, model: SfmModel) -> list[Path | Pixels]:
     return result
 
 
-def _checked_array(name: str, value: Any, size: tuple[int, int]) -> Pixels:
+def _checked_array(name: str, value: object, size: tuple[int, int]) -> Pixels:
     array = np.asarray(value)
     if array.dtype != np.uint8:
         raise TypeError(f"{name}: expected a path or uint8, got {array.dtype}")
