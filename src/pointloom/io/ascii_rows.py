@@ -13,7 +13,7 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.errors import FileError
+from ..core.errors import FileError, FilePath
 
 # Rows formatted or packed at a time: large enough to amortize Python, small enough to limit memory.
 CHUNK_ROWS = 1 << 16
@@ -32,7 +32,7 @@ def is_number(word: bytes) -> bool:
 class AsciiRows:
     """The non-blank lines of a text and their numbers; `first_line` is the line number of the first line, from 1."""
 
-    def __init__(self, path: Any, body: bytes, first_line: int):
+    def __init__(self, path: FilePath, body: bytes, first_line: int):
         body = unix_lines(body)
         self._path, self._body, self._first_line = path, body, first_line
         text = np.frombuffer(body, np.uint8)

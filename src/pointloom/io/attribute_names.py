@@ -14,6 +14,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from ..core.errors import FilePath
 from ..core.escaped_text import escaped
 
 
@@ -64,14 +65,14 @@ def _with_number(name: str, number: int, values: NDArray[Any], rules: NameRules)
     return _clean(name, rules, longest + len(end)) + end
 
 
-def warn_of_names(path: Any, reason: str, renamed: dict[str, str], *, stacklevel: int = 3) -> None:
+def warn_of_names(path: FilePath, reason: str, renamed: dict[str, str], *, stacklevel: int = 3) -> None:
     pairs = ", ".join(f"{old!r} as {new!r}" for old, new in renamed.items())
     message = f"{path}: attributes are {reason}: {pairs}"
     warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def rename(
-    path: Any, format: str, attributes: dict[str, NDArray[Any]], rules: NameRules, *, stacklevel: int = 3
+    path: FilePath, format: str, attributes: dict[str, NDArray[Any]], rules: NameRules, *, stacklevel: int = 3
 ) -> dict[str, NDArray[Any]]:
     """The attributes with valid names. Warns of changes."""
     renamed = new_names(attributes, rules)

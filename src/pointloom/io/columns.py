@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.coordinates import choose_origin, quiet
-from ..core.errors import FileError
+from ..core.errors import FileError, FilePath
 from ..core.escaped_text import escaped
 
 # Rounding errors of colors up to this are clipped. Larger ones are errors.
@@ -24,7 +24,9 @@ def stack_points(columns: Sequence[NDArray[Any]], out: NDArray[Any] | None = Non
     return _stack(columns, np.float32 if single else np.float64, out)
 
 
-def stack_normals(path: Any, columns: Sequence[NDArray[Any]], out: NDArray[Any] | None = None) -> NDArray[np.float32]:
+def stack_normals(
+    path: FilePath, columns: Sequence[NDArray[Any]], out: NDArray[Any] | None = None
+) -> NDArray[np.float32]:
     """Three columns as normals, float32 (n, 3). Raises `FileError` beyond float32."""
     with quiet():
         normals = _stack(columns, np.float32, out)
@@ -36,7 +38,9 @@ def stack_normals(path: Any, columns: Sequence[NDArray[Any]], out: NDArray[Any] 
     return normals
 
 
-def stack_colors(path: Any, columns: Sequence[NDArray[Any]], out: NDArray[Any] | None = None) -> NDArray[np.float32]:
+def stack_colors(
+    path: FilePath, columns: Sequence[NDArray[Any]], out: NDArray[Any] | None = None
+) -> NDArray[np.float32]:
     """Columns as colors in 0..1, float32 (n, 3 or 4).
     uint16 is divided by 65535, other integers by 255, floats are unchanged; out of range raises `FileError`."""
     kinds = {(column.dtype.kind, column.dtype.itemsize) for column in columns}
@@ -58,7 +62,7 @@ def stack_colors(path: Any, columns: Sequence[NDArray[Any]], out: NDArray[Any] |
 
 
 def colors_or_loss(
-    path: Any,
+    path: FilePath,
     columns: Sequence[NDArray[Any]],
     *,
     what: str = "colors",
@@ -105,20 +109,20 @@ def fit_colors(columns: Sequence[NDArray[Any]], full: int) -> tuple[NDArray[np.f
     return np.clip(values, 0, 1).astype(np.float32), note
 
 
-def warn_of_loss(path: Any, what: str, reason: str, *, stacklevel: int = 3) -> None:
+def warn_of_loss(path: FilePath, what: str, reason: str, *, stacklevel: int = 3) -> None:
     """Warn that content of a file is dropped, by default at the reader's caller."""
     message = f"{path}: the {what} are dropped, because {reason}"
     warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
-def warn_left_out(path: Any, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
+def warn_left_out(path: FilePath, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
     """Warn at the writer's caller of content that the format cannot store. No-op without names."""
     if names:
         message = f"{path}: {', '.join(names)} left out, because {format} cannot store them; .ply stores everything"
         warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
-def check_extent(path: Any, points: NDArray[Any]) -> None:
+def check_extent(path: FilePath, points: NDArray[Any]) -> None:
     """Raise `FileError` if mesh vertices are too far apart for float32."""
     try:
         choose_origin(points)
@@ -130,7 +134,7 @@ def check_extent(path: Any, points: NDArray[Any]) -> None:
         raise FileError(path, f"vertices: {reason}", where=f"vertex {int(sizes.argmax())}", remedy=remedy) from error
 
 
-def colors_to_bytes(path: Any, colors: NDArray[Any]) -> NDArray[np.uint8]:
+def colors_to_bytes(path: FilePath, colors: NDArray[Any]) -> NDArray[np.uint8]:
     """Round colors in 0..1 to 8 bits, shape (n, 3). Raises `FileError` if out of range."""
     _refuse_colors(path, _outside(colors), "0..1")
     return np.rint(np.clip(colors, 0, 1) * np.float32(255)).astype(np.uint8)
@@ -144,7 +148,7 @@ def own(column: NDArray[Any], out: NDArray[Any] | None = None) -> NDArray[Any]:
     return column.astype(column.dtype.newbyteorder("="), order="C", copy=True)
 
 
-def check_type(path: Any, name: str, values: NDArray[Any], allowed: str, remedy: str) -> None:
+def check_type(path: FilePath, name: str, values: NDArray[Any], allowed: str, remedy: str) -> None:
     """Raise `FileError` if a format cannot store the type; `allowed` are NumPy type codes separated by blanks."""
     if f"{values.dtype.kind}{values.dtype.itemsize}" not in allowed.split():
         raise FileError(path, f"attribute {name!r}: the format has no type for {values.dtype}", remedy=remedy)
@@ -163,7 +167,7 @@ def narrow_integers(values: NDArray[Any]) -> NDArray[Any] | None:
     return values.astype(np.float64) if low >= -(2**53) and high <= 2**53 else None
 
 
-def check_name(path: Any, name: str) -> None:
+def check_name(path: FilePath, name: str) -> None:
     if not name or not name.isascii() or not name.isprintable() or " " in name:
         raise FileError(
             path, f"attribute {name!r} cannot be named in this format", remedy="Use printable ASCII without blanks"
@@ -177,7 +181,7 @@ def _outside(colors: NDArray[Any]) -> NDArray[np.bool_]:
     return np.logical_or.reduce(~inside.T)
 
 
-def _refuse_colors(path: Any, bad: NDArray[np.bool_], span: str) -> None:
+def _refuse_colors(path: FilePath, bad: NDArray[np.bool_], span: str) -> None:
     if bad.any():
         raise FileError(
             path,

@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ..core.errors import FileError
+from ..core.errors import FileError, FilePath
 from ..core.interrupts import signal_exception
 
 
-def import_for(path: Any, module: str, extra: str) -> Any:
+def import_for(path: FilePath, module: str, extra: str) -> Any:
     """Import a module of an optional package for a file. Raises `FileError` naming the `extra` that installs it."""
     try:
         return importlib.import_module(module)
@@ -23,7 +23,7 @@ def import_for(path: Any, module: str, extra: str) -> Any:
 
 
 @contextlib.contextmanager
-def foreign_errors(path: Any, what: str, *, remedy: str = "") -> Iterator[None]:
+def foreign_errors(path: FilePath, what: str, *, remedy: str = "") -> Iterator[None]:
     """Convert errors of another package to FileError; `what` starts the reason.
     FileError, MemoryError, non-Exception (KeyboardInterrupt, test time limits) and exceptions of signal handlers pass
     unchanged. Panics of Rust packages are converted, although they are no Exception."""

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.atomic import restore_folder
-from ..core.errors import FileError, PointloomError
+from ..core.errors import FileError, FilePath, PointloomError
 from ..core.interrupts import signal_exception
 from ..core.paths import path_of
 
@@ -192,7 +192,7 @@ class _Stamp(NamedTuple):
         return cls(status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns)
 
 
-def changed_error(path: Any, expected: int, given: int) -> FileError:
+def changed_error(path: FilePath, expected: int, given: int) -> FileError:
     """The error for a file that another program changes while it is read."""
     found = f"{given:,}" if given != expected else "as many bytes, with another time of modification"
     reason = f"was changed while it was read: expected {expected:,} bytes, got {found}"
@@ -204,7 +204,7 @@ _Table = TypeVar("_Table")
 
 
 @contextlib.contextmanager
-def content_errors(path: Any) -> Iterator[None]:
+def content_errors(path: FilePath) -> Iterator[None]:
     """Convert errors that damaged content causes in our code or NumPy to FileError: a safety net below the readers.
     IndexError and TypeError pass, as they indicate bugs. A file that was changed meanwhile raises FileError, too."""
     handled, stamp = sys.exception(), _PathStamp(path)
@@ -228,7 +228,7 @@ def content_errors(path: Any) -> Iterator[None]:
 class _PathStamp:
     """The stamp of the file that a path names. None if it has none, which the reader reports."""
 
-    def __init__(self, path: Any) -> None:
+    def __init__(self, path: FilePath) -> None:
         self._given = path
         try:
             self._path: Path | None = path_of(path)
@@ -257,7 +257,8 @@ def netted(reader: Callable[_Given, _Table]) -> Callable[_Given, _Table]:
 
     @functools.wraps(reader)
     def read(*args: _Given.args, **kwargs: _Given.kwargs) -> _Table:
-        with content_errors(args[0]):
+        path: Any = args[0]
+        with content_errors(path):
             return reader(*args, **kwargs)
 
     return read
@@ -299,7 +300,7 @@ def _pass_signals(error: BaseException, handled: BaseException | None) -> None:
         raise stopped from None
 
 
-def parse_count(path: Any, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:
+def parse_count(path: FilePath, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:
     """A decimal count in a header, at most `maximum`. Raises `FileError` with the line otherwise."""
     where = f"line {line}"
     if text.startswith("-") and text[1:].isdigit():

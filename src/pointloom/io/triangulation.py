@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.errors import FileError
+from ..core.errors import FileError, FilePath
 from ..core.escaped_text import escaped
 
 # Maximum corners of a polygon: the cost is quadratic, and 10,000 take about 5 s.
@@ -229,7 +229,7 @@ Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
 
-def split_faces(path: Any, lengths: Indices, corners: NDArray[Any], vertices: NDArray[Any]) -> Indices:
+def split_faces(path: FilePath, lengths: Indices, corners: NDArray[Any], vertices: NDArray[Any]) -> Indices:
     """Triangles as indices into all corners, shape (t, 3). Warns of self-intersecting faces."""
     small = np.flatnonzero(lengths < 3)
     if len(small):
@@ -367,7 +367,7 @@ def _flattened(p: Floats, n: Floats) -> tuple[Floats, Floats, Floats]:
     return p[rows, :, u], p[rows, :, v], np.abs(part)
 
 
-def _warn_of_crossed(path: Any, crossed: Indices, lengths: Indices) -> None:
+def _warn_of_crossed(path: FilePath, crossed: Indices, lengths: Indices) -> None:
     if not len(crossed):
         return
     many = f"{len(crossed)} faces cross themselves, the first" if len(crossed) > 1 else "a face crosses itself:"

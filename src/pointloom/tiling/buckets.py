@@ -23,6 +23,7 @@ from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.las import COLORS, LasFile, open_las
 from ..io.points.npz import MAX_DEFLATE_RATIO
 from .manifest import DAMAGE, is_dead
+from .plan_check import TilePlan
 
 FOLDER, INDEX = "buckets", "index.json"
 MAX_ROWS = 1 << 22  # rows in memory before a flush
@@ -54,7 +55,7 @@ def folder_of(folder: Path, number: int) -> Path:
     return folder / FOLDER / f"{number:06d}"
 
 
-def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
+def fill_buckets(plan: TilePlan, folder: Path, number: int, owner: str) -> Filled:
     """Sort the rows of a file into tiles. Removes unfinished data of dead workers. An existing folder is complete and
     kept, since a worker may still read it. Raises FileError if the file is damaged, has points outside its header's
     bounds, or the disk is full."""
@@ -97,7 +98,7 @@ def _filled(done: Path) -> Filled:
         raise FileError(done / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(done)) from error
 
 
-def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
+def _fill(plan: TilePlan, file: LasFile, part: Path) -> Filled:
     pending: dict[int, list[tuple[Any, NDArray[np.uint64]]]] = {}
     sizes: dict[int, int] = {}
     tiles: dict[int, int] = {}
@@ -130,7 +131,7 @@ def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
     return Filled(begin, 255 if brightest <= 255 else 65535, writer.size, tiles)
 
 
-def _checked_positions(plan: Any, file: LasFile, rows: Any, begin: int) -> NDArray[np.float64]:
+def _checked_positions(plan: TilePlan, file: LasFile, rows: Any, begin: int) -> NDArray[np.float64]:
     """x and y of rows, checked to be in the header's box up to rounding."""
     low, high = file.header.bounds
     positions = positions_of(file, rows, "XYZ")
@@ -148,7 +149,7 @@ def _checked_positions(plan: Any, file: LasFile, rows: Any, begin: int) -> NDArr
 class _Writer:
     """Appends blocks to the files of tiles."""
 
-    def __init__(self, plan: Any, file: LasFile, part: Path):
+    def __init__(self, plan: TilePlan, file: LasFile, part: Path):
         self._plan, self._file, self._part, self.size = plan, file, part, 0
 
     def write(self, tile: int, pieces: list[tuple[Any, NDArray[np.uint64]]]) -> None:
@@ -171,7 +172,7 @@ def positions_of(file: LasFile, rows: NDArray[Any], axes: str = "XY") -> NDArray
     return np.column_stack([rows[name] * scales[k] + offsets[k] for k, name in enumerate(axes)])
 
 
-def check_size(plan: Any, count: int) -> None:
+def check_size(plan: TilePlan, count: int) -> None:
     """Raise ValueError if a tile with halo has more points than the plan allows."""
     if count > plan.max_points:
         reason = f"expected at most {plan.max_points:,} points in a tile and its halo, got at least {count:,}"
@@ -215,7 +216,7 @@ def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], positions: ND
 
 
 def read_buckets(
-    plan: Any, folder: Path, number: int, file: LasFile, window: Any
+    plan: TilePlan, folder: Path, number: int, file: LasFile, window: Any
 ) -> tuple[NDArray[Any], NDArray[np.int64]]:
     """Rows of a file in a window in file order, and their numbers. FileError if a bucket is damaged."""
     bucket = folder_of(folder, number)

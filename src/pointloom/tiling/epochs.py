@@ -15,6 +15,7 @@ from ..core.progress import ReportProgress
 from ..io.points.point_cloud import cloud_of
 from ..pcd.cloud import PointCloud
 from .buckets import Window
+from .plan_check import TilePlan
 from .sources import check_compatible, describe_all, list_files, original_path, read_window
 from .steps.step import Step
 
@@ -60,7 +61,7 @@ def _check_epoch(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], ste
         raise FileError(original_path(other), reason)
 
 
-def read_epoch(plan: Any, folder: Path, fulls: dict[int, int], step: Step, window: Window) -> PointCloud:
+def read_epoch(plan: TilePlan, folder: Path, fulls: dict[int, int], step: Step, window: Window) -> PointCloud:
     """Points of a step's epoch in a window, in file order, about the plan's origin. FileError if damaged or changed."""
     number = [epoch["paths"] for epoch in plan.epochs].index(step.epoch)
     table = read_window(plan, folder, fulls, window, epoch=number)

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .plan_check import TilePlan
+
 if TYPE_CHECKING:
     from .steps.step import Step
 
@@ -25,7 +27,7 @@ def halos_of(steps: list[Step], radii: list[float], slack: float) -> list[float]
     return halos
 
 
-def far_files(plan: Any, tiles: list[tuple[Any, ...]]) -> set[int]:
+def far_files(plan: TilePlan, tiles: list[tuple[Any, ...]]) -> set[int]:
     """Files without windows that are beyond all tiles and halos, by their bounds. If a halo later reaches one of them,
     it is sorted into tiles then (`UnsortedFileError`)."""
     radii = [step.radius for step in plan.steps]

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Mapping
+from typing import Any, Protocol, TypeGuard
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ..core.checks import shown
 
@@ -12,31 +15,55 @@ MAX_TILES = 1 << 22
 OUTPUTS = ("laz", "copc")
 MAX_NUMBER = 1e300  # sums of numbers stay finite
 
+Box = tuple[float, float, float, float]
+
 Check = Callable[[Any], bool]
 Checks = dict[str, Check]  # by field of a JSON object
 
 
-def is_number(value: Any) -> bool:
+class TilePlan(Protocol):
+    """The fields of `plan.Plan` that steps and readers use."""
+
+    data: dict[str, Any]
+    files: list[dict[str, Any]]
+    epochs: list[dict[str, Any]]
+    steps: list[Any]
+    origin: NDArray[np.float64]
+    voxel_corner: list[float]
+    corner: NDArray[np.float64]
+    size: float
+    shape: tuple[int, ...]
+    slack: float
+    max_points: int
+
+    def numbered(self, epoch: int | None = None) -> list[tuple[int, dict[str, Any]]]: ...
+
+    def tile_of(self, positions: NDArray[np.float64]) -> NDArray[np.int64]: ...
+
+    def tiles_in(self, window: Box) -> list[int]: ...
+
+
+def is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= MAX_NUMBER
 
 
-def is_count(value: Any) -> bool:
+def is_count(value: object) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**63
 
 
-def is_text(value: Any) -> bool:
+def is_text(value: object) -> TypeGuard[str]:
     return isinstance(value, str) and "\0" not in value
 
 
-def is_list(value: Any) -> bool:
+def is_list(value: object) -> bool:
     return isinstance(value, list)
 
 
-def is_flag(value: Any) -> bool:
+def is_flag(value: object) -> bool:
     return isinstance(value, bool)
 
 
-def is_positive(value: Any) -> bool:
+def is_positive(value: object) -> bool:
     return is_number(value) and value > 0
 
 
@@ -64,7 +91,7 @@ def has_fields(checks: Checks) -> Check:
 def builds(make: Callable[[Any], object]) -> Check:
     """Check that a constructor accepts a value."""
 
-    def is_right(value: Any) -> bool:
+    def is_right(value: object) -> bool:
         try:
             make(value)
         except (TypeError, ValueError, LookupError, AttributeError):
@@ -74,13 +101,13 @@ def builds(make: Callable[[Any], object]) -> Check:
     return is_right
 
 
-def _is_shape(value: Any) -> bool:
+def _is_shape(value: object) -> bool:
     return (
         isinstance(value, list) and len(value) == 2 and all(map(is_count, value)) and 0 < math.prod(value) <= MAX_TILES
     )
 
 
-def _is_steps(value: Any) -> bool:
+def _is_steps(value: object) -> bool:
     return isinstance(value, list) and all(isinstance(step, dict) and is_text(step.get("step")) for step in value)
 
 
@@ -112,7 +139,7 @@ _PLAN_CHECKS: Checks = {
 _EPOCH_CHECKS: Checks = {"paths": list_of(is_text), "sources": lambda value: isinstance(value, list) and len(value) > 0}
 
 
-def check_plan(plan: Any) -> None:
+def check_plan(plan: Mapping[str, Any]) -> None:
     """Raise ValueError for the first missing or invalid value of a plan."""
     check_fields("plan", plan, _PLAN_CHECKS)
     if len(plan["guesses"]) != len(plan["steps"]):

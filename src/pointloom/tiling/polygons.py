@@ -64,7 +64,7 @@ def to_json(area: Area) -> list[Any]:
     return [[ring.tolist() for ring in polygon] for polygon in area]
 
 
-def _depth(value: Any) -> int:
+def _depth(value: object) -> int:
     depth = 0
     while isinstance(value, list | tuple) and len(value) and depth <= 4:
         value, depth = value[0], depth + 1

@@ -23,7 +23,7 @@ from typing import Any, Protocol, TypeVar
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.devices import resolve_device
-from ..core.errors import DeviceError, FileError
+from ..core.errors import DeviceError, FileError, FilePath
 from ..core.verbosity import LOGGER
 from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, worker_lock
 
@@ -90,7 +90,7 @@ def run_tasks(
 class Processes:
     """Local worker processes that map functions. Count 0 uses this process. `path` is the output file, for errors."""
 
-    def __init__(self, count: int, path: Any):
+    def __init__(self, count: int, path: FilePath):
         self.count, self._path, self._client = count, path, None
         self._stack = contextlib.ExitStack()
 
@@ -232,7 +232,7 @@ def _record(client: Any, path: Path, book: Book, task: Any, future: Any) -> None
 
 
 @contextlib.contextmanager
-def _local_client(path: Any, count: int) -> Iterator[Any]:
+def _local_client(path: FilePath, count: int) -> Iterator[Any]:
     """Client of new local processes that end with this one."""
     distributed, config = _imported(path, "distributed"), _imported(path, "dask.config")
     threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
@@ -274,7 +274,7 @@ def _remote_client(path: Path, address: str, security: Any) -> Iterator[Any]:
         yield client
 
 
-def _imported(path: Any, module: str) -> Any:
+def _imported(path: FilePath, module: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError as error:

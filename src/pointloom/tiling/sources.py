@@ -32,6 +32,7 @@ from ..io.points.las_units import units_of
 from ..io.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
 from .manifest import NAME, UNSORTED_COLOR, read_plan
+from .plan_check import TilePlan
 from .unindexed_files import FOLDER as MADE
 from .unindexed_files import SUFFIXES as LOOSE
 from .unindexed_files import converted_files
@@ -170,7 +171,7 @@ def original_path(source: dict[str, Any]) -> str:
     return source.get("original", source)["path"]
 
 
-def _value_text(value: Any) -> str:
+def _value_text(value: object) -> str:
     if isinstance(value, dict):
         return ", ".join(f"{name} ({kind})" for name, kind in value.items()) or "none"
     return "unknown" if value is None else str(value)
@@ -221,12 +222,14 @@ class UnsortedFileError(Exception):
     """A tile needs a file that was far from all tiles during planning. The argument is its number."""
 
 
-def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None) -> PointTable:
+def read_window(
+    plan: TilePlan, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None
+) -> PointTable:
     return read_rows(plan, folder, fulls, window, epoch)[0]
 
 
 def read_rows(
-    plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None
+    plan: TilePlan, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None
 ) -> tuple[PointTable, NDArray[np.int64]]:
     """Points of all files in a window in canonical order, and ascending keys made of file number and row."""
     tables, keys, listed = [], [], plan.numbered(epoch)
@@ -260,7 +263,7 @@ def _meets(source: dict[str, Any], window: Window, slack: float) -> bool:
 
 
 def _rows_of_copc(
-    copc: CopcFile, firsts: NDArray[np.int64], window: Window, plan: Any
+    copc: CopcFile, firsts: NDArray[np.int64], window: Window, plan: TilePlan
 ) -> tuple[NDArray[Any], NDArray[np.int64]]:
     low, high = np.array([*window[:2], -np.inf]), np.array([*window[2:], np.inf])
     which = copc.nodes_within(low, high)
@@ -274,7 +277,7 @@ def _rows_of_copc(
     return rows[keep], (begins + np.arange(len(rows)))[keep]
 
 
-def _check_nodes(copc: CopcFile, which: NDArray[np.int64], rows: NDArray[Any], plan: Any) -> None:
+def _check_nodes(copc: CopcFile, which: NDArray[np.int64], rows: NDArray[Any], plan: TilePlan) -> None:
     """Raise FileError if points are outside the cubes of their nodes, where a window would miss them."""
     nodes = copc.nodes[which]
     widths = copc.side / 2.0 ** nodes["level"]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...cameras.depth_range import DEPTH_MAX
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_count, check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality
@@ -127,7 +127,7 @@ def run_demo(
     voxel_size: float = VOXEL_SIZE,
     seed: int = 0,
     noise: bool = True,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> DemoReport:

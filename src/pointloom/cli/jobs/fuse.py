@@ -8,7 +8,7 @@ from typing import Any
 
 from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.pose_files import trajectory_of
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
@@ -55,7 +55,7 @@ def fuse_folder(
     truncation: float | None = None,
     depth_max: float = DEPTH_MAX,
     refine: bool = False,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> FuseReport:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Self, TypedDict
 
 from ...core import outputs
 from ...core.checks import check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, values_of
@@ -140,7 +140,7 @@ class Job:
         command: str,
         source: FilePath,
         *,
-        device: Any = "auto",
+        device: DeviceLike = "auto",
         as_text: bool = False,
         overwrite: bool = False,
         progress: ReportProgress | None = None,

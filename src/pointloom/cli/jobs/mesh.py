@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ...core.devices import DeviceLike
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...io.meshes import tables
@@ -21,7 +22,7 @@ def mesh_file(
     output: FilePath,
     *,
     picture: FilePath | None = None,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     as_text: bool = False,
     overwrite: bool = False,
     progress: ReportProgress | None = None,

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...cameras.pose_files import FORMATS, write_poses
+from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
@@ -67,7 +68,7 @@ def register_folder(
     merged: FilePath | None = None,
     graph: FilePath | None = None,
     columns: Sequence[str] | None = None,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> MultiwayReport:

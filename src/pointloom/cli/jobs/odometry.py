@@ -10,6 +10,7 @@ from typing import Any
 
 from ...cameras.pose_files import FORMATS as POSE_FORMATS
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
+from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, quality, values_of
@@ -75,7 +76,7 @@ def odometry_of_folder(
     truth: FilePath | None = None,
     topic: str | None = None,
     columns: Sequence[str] | None = None,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> OdometryReport:
@@ -123,7 +124,7 @@ class _Scans:
     clouds: Iterator[PointCloud]
 
     @classmethod
-    def open(cls, path: FilePath, topic: str | None, columns: Sequence[str] | None, device: Any) -> _Scans:
+    def open(cls, path: FilePath, topic: str | None, columns: Sequence[str] | None, device: DeviceLike) -> _Scans:
         if is_recording(Path(path)):
             if columns is not None:
                 raise FileError(path, "is a recording, which defines its columns", remedy="Leave --columns out")

@@ -6,7 +6,7 @@ import dataclasses
 from pathlib import Path
 from typing import Any
 
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, with_warnings
@@ -90,7 +90,7 @@ def reconstruct_folder(
     stages: StageOptions | None = None,
     voxel_size: float | None = None,
     depth_max: float | None = None,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> ReconstructReport:

@@ -12,6 +12,7 @@ import numpy as np
 
 from ...cameras.pose_files import write_pose
 from ...cameras.pose_text import read_pose
+from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, quality
@@ -68,7 +69,7 @@ def register_files(
     aligned: FilePath | None = None,
     picture: FilePath | None = None,
     columns: Sequence[str] | None = None,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> RegisterReport:
@@ -115,7 +116,7 @@ def register_files(
     )
 
 
-def read_cloud(path: FilePath, device: Any, columns: Sequence[str] | None = None) -> PointCloud:
+def read_cloud(path: FilePath, device: DeviceLike, columns: Sequence[str] | None = None) -> PointCloud:
     """A cloud with all attributes, or the vertices of a mesh. Raises FileError without finite points."""
     table = tables.read_table(path, columns)
     cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)

@@ -10,7 +10,7 @@ from typing import Any
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...cameras.depth_range import DEPTH_MAX
 from ...core.checks import check_count, check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...core.progress import ReportProgress
@@ -44,7 +44,7 @@ def texture_folder(
     size: int = DEFAULT_TEXTURE_SIZE,
     depth_max: float = DEPTH_MAX,
     intrinsic: FilePath | None = None,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     up: str = "y",
     picture: FilePath | None = None,
     overwrite: bool = False,

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ...core.checks import check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...core.progress import ReportProgress
@@ -43,7 +43,7 @@ def texture_model(
     *,
     size: int | None = None,
     depth_max: float = float("inf"),
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     up: str = "y",
     overwrite: bool = False,
     progress: ReportProgress | None = None,

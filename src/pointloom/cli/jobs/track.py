@@ -8,7 +8,7 @@ from typing import Any
 
 from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.pose_files import check_trajectory_output, write_poses
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, with_warnings
@@ -58,7 +58,7 @@ def track_folder(
     options: FolderOptions | None = None,
     voxel_size: float = VOXEL_SIZE,
     depth_max: float = DEPTH_MAX,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> TrackReport:

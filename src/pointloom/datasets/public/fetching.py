@@ -12,6 +12,7 @@ import shutil
 import stat
 import zipfile
 from pathlib import Path, PurePosixPath
+from types import ModuleType
 from typing import Any
 
 from ...core.atomic import part_name
@@ -144,7 +145,7 @@ def _sources(wanted: PublicSet, file: PublicFile) -> list[str]:
     return [f"{mirror}/{wanted.name}/{file.name}", file.url] if mirror else [file.url]
 
 
-def _matches(pooch: Any, path: Path, file: PublicFile) -> bool:
+def _matches(pooch: ModuleType, path: Path, file: PublicFile) -> bool:
     kind, _, wanted = file.checksum.partition(":")
     return path.is_file() and pooch.file_hash(str(path), alg=kind) == wanted
 

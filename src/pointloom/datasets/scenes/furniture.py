@@ -6,11 +6,11 @@ x is right along the long wall, y into the room, z up [m], origin in a floor cor
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.array_types import Device
 from ...kernels.linear_algebra import matmul
 from ...kernels.scenes.primitives import BOX_KIND, CYLINDER_KIND, Solids
 from ...kernels.scenes.room import CHECKER_PATTERN, GLOW_PATTERN, PLAIN_PATTERN, PLANKS_PATTERN, STRIPES_PATTERN, Room
@@ -39,7 +39,7 @@ def sofa() -> SolidBuilder:
     return alone
 
 
-def build_room(device: Any) -> Room:
+def build_room(device: Device) -> Room:
     """The furnished room on a device, ready to render."""
     parts = furnished_room()
     margin = WALL_THICKNESS + 0.15
@@ -433,7 +433,7 @@ class SolidBuilder:
         self.paints.append((color, second or color))
         self.patterns.append(pattern)
 
-    def solids(self, device: Any) -> Solids:
+    def solids(self, device: Device) -> Solids:
         return Solids(
             np.array(self.kinds, np.int32),
             np.array(self.rotations),

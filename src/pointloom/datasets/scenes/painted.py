@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.devices import DeviceLike
 from ...kernels.linear_algebra import matmul
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.scene.raycasting_scene import RaycastingScene
@@ -87,7 +87,7 @@ class PaintedParts:
     def triangles(self) -> NDArray[np.int64]:
         return np.concatenate(self._triangles)
 
-    def scene(self, device: Any = "cpu") -> RaycastingScene:
+    def scene(self, device: DeviceLike = "cpu") -> RaycastingScene:
         """All triangles as one geometry. Triangle ids are rows of `colors` and `labels`."""
         scene = RaycastingScene(device)
         scene.add_triangles(self.vertices.astype(np.float32), self.triangles)

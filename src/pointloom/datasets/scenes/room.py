@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
 from ...core.atomic import part_name
 from ...core.checks import check_count, check_fraction, check_list, check_name, check_number, check_rigid, check_rows
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...io.frames.datasets import Frame
 from ...io.images.image_files import write_png
@@ -132,7 +132,7 @@ class RoomSequence:
         intrinsic: PinholeCameraIntrinsic,
         seed: int,
         noise: bool,
-        device: Any,
+        device: DeviceLike,
         path: Callable[[float], NDArray[np.float64]] = room_pose,
         effects: RoomEffects | None = None,
         texture: float = 0.0,
@@ -212,7 +212,7 @@ def room_sequence(
     noise: bool = True,
     texture: bool | float = False,
     color_noise: float | None = None,
-    device: Any = "cpu",
+    device: DeviceLike = "cpu",
 ) -> RoomSequence:
     """RGB-D frames of the furnished room along a smooth walk.
 
@@ -250,7 +250,7 @@ def room_loop_sequence(
     person: bool = False,
     texture: bool | float = False,
     color_noise: float | None = None,
-    device: Any = "cpu",
+    device: DeviceLike = "cpu",
 ) -> RoomSequence:
     """RGB-D frames of the furnished room from a camera on a closed loop at 30 Hz.
 
@@ -287,7 +287,7 @@ def room_views(
     noise: bool = False,
     texture: bool | float = True,
     color_noise: float | None = None,
-    device: Any = "cpu",
+    device: DeviceLike = "cpu",
 ) -> RoomSequence:
     """RGB-D frames of the furnished room (5 x 4 x 2.6 m, corner at the origin) from given poses.
 
@@ -328,7 +328,7 @@ def _prime_sense(width: int, height: int) -> PinholeCameraIntrinsic:
     return PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
 
 
-def surface_errors(points: Any, *, device: Any = "cpu") -> NDArray[np.float64]:
+def surface_errors(points: Any, *, device: DeviceLike = "cpu") -> NDArray[np.float64]:
     """Distance of points from the room's true surface, shape (n,) float64 [m]. NaN for non-finite points.
 
     Exact in the air; inside solids deeper than their thickness, a lower bound.
@@ -350,7 +350,7 @@ def write_room_sequence(
     width: int = 640,
     height: int = 480,
     seed: int = 0,
-    device: Any = "cpu",
+    device: DeviceLike = "cpu",
 ) -> None:
     """Write the noisy frames of the room atomically as a folder in the 7-Scenes layout with camera-intrinsics.json."""
     folder = Path(folder)

@@ -16,6 +16,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.array_libraries import library_for
 from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_positive
+from ...core.devices import DeviceLike
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
@@ -142,7 +143,12 @@ class Recording:
         raise FileError(self.path, f"has {what}", remedy="Name one of them" if fitting else f"There are {every}")
 
     def scans(
-        self, topic: str | None = None, *, frame: str | None = None, device: Any = None, arrays: str | None = None
+        self,
+        topic: str | None = None,
+        *,
+        frame: str | None = None,
+        device: DeviceLike = None,
+        arrays: str | None = None,
     ) -> Iterator[PointCloud]:
         """Iterate over the clouds of a PointCloud2 or Livox CustomMsg topic in time order.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -87,7 +88,7 @@ class RealSenseCamera(DepthCamera):
         self._number: int | None = None
         self._pending: tuple[Any, Any, float, Any] | Exception | None = None
 
-    def _read_calibration(self, rs: Any, profile: Any) -> None:
+    def _read_calibration(self, rs: ModuleType, profile: Any) -> None:
         stream = profile.get_stream(rs.stream.color if self._colored else rs.stream.depth)
         lens = stream.as_video_stream_profile().get_intrinsics()
         self.intrinsic = PinholeCameraIntrinsic(lens.width, lens.height, lens.fx, lens.fy, lens.ppx, lens.ppy)

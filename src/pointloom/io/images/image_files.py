@@ -15,14 +15,14 @@ import os
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import IO, Any
+from typing import IO
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import BmpImagePlugin, Image, ImageFile, JpegImagePlugin, PngImagePlugin, TgaImagePlugin, TiffImagePlugin
 
 from ...core.atomic import atomic_write, check_writable
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import input_path
 from ..npy_header import read_npy_header
 from ..optional_imports import foreign_errors
@@ -68,7 +68,7 @@ class _Layout:
         return across * down
 
 
-def testable_jpegs(path: Any, data: bytes) -> list[bytes]:
+def testable_jpegs(path: FilePath, data: bytes) -> list[bytes]:
     """The JPEG to decode, or two variants that must decode to the same pixels. Raises `FileError` if truncated."""
     layout = _parse_segments(path, data)
     if not layout.scans or any(bits for left in layout.bits_left.values() for bits in left):
@@ -80,7 +80,7 @@ def testable_jpegs(path: Any, data: bytes) -> list[bytes]:
     return [data, _SEPARATOR_BYTES.join(parts)]
 
 
-def _parse_segments(path: Any, data: bytes) -> _Layout:
+def _parse_segments(path: FilePath, data: bytes) -> _Layout:
     """Parse the segments up to the end marker. Data after it is ignored."""
     layout, offset = _Layout(), 2
     while True:
@@ -115,7 +115,7 @@ def _parse_segments(path: Any, data: bytes) -> _Layout:
             offset += len(coded)
 
 
-def _check_scan(path: Any, coded: bytes, begin: int, layout: _Layout, units: int) -> None:
+def _check_scan(path: FilePath, coded: bytes, begin: int, layout: _Layout, units: int) -> None:
     if not layout.scans and units > 8 * len(coded):  # each takes at least one bit in a first scan
         reason = f"{layout.width} x {layout.height} pixels cannot fit into {len(coded)} bytes"
         raise FileError(path, f"cut off or damaged: {reason}", where=f"byte {begin}", remedy=_REMEDY)
@@ -126,7 +126,7 @@ def _check_scan(path: Any, coded: bytes, begin: int, layout: _Layout, units: int
             raise FileError(path, reason, where=f"byte {begin}", remedy=_REMEDY)
 
 
-def _marker(path: Any, data: bytes, offset: int) -> tuple[int, int]:
+def _marker(path: FilePath, data: bytes, offset: int) -> tuple[int, int]:
     """The marker at a byte, after fill bytes, and the position after it."""
     if offset >= len(data):
         raise FileError(path, "cut off: the end of the JPEG is missing", where=f"byte {offset}", remedy=_REMEDY)
@@ -138,7 +138,7 @@ def _marker(path: Any, data: bytes, offset: int) -> tuple[int, int]:
     return data[offset], offset + 1
 
 
-def _read_frame(path: Any, segment: bytes, begin: int, layout: _Layout) -> None:
+def _read_frame(path: FilePath, segment: bytes, begin: int, layout: _Layout) -> None:
     count = segment[5] if len(segment) > 5 else 0
     if layout.sampling or not count or len(segment) < 6 + 3 * count:
         raise FileError(path, "damaged: its frame", where=f"byte {begin}", remedy=_REMEDY)
@@ -148,7 +148,7 @@ def _read_frame(path: Any, segment: bytes, begin: int, layout: _Layout) -> None:
         layout.bits_left[segment[k]] = [1] * 64
 
 
-def _read_scan(path: Any, segment: bytes, begin: int, layout: _Layout) -> list[int]:
+def _read_scan(path: FilePath, segment: bytes, begin: int, layout: _Layout) -> list[int]:
     """The components of a scan. Records how many coefficient bits later scans must add."""
     count = segment[0] if segment else 0
     components = [*segment[1 : 1 + 2 * count : 2]]

@@ -10,9 +10,8 @@ import struct
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 
 PNG_MAGIC = b"\x89PNG\r\n\x1a\n"
 
@@ -49,7 +48,7 @@ class PngHeader:
                 yield height, 1 + (width * self.channels * self.bits + 7) // 8
 
 
-def parse_png_header(path: Any, start: bytes) -> PngHeader:
+def parse_png_header(path: FilePath, start: bytes) -> PngHeader:
     if len(start) < 33 or start[8:16] != b"\0\0\0\rIHDR" or zlib.crc32(start[12:29]) != _uint32(start, 29):
         raise FileError(path, "damaged PNG header", where="byte 8", remedy=_REMEDY)
     width, height, bits, color_type, compression, filtering, interlace = struct.unpack(">IIBBBBB", start[16:29])
@@ -65,7 +64,7 @@ def parse_png_header(path: Any, start: bytes) -> PngHeader:
     return PngHeader(width, height, bits, channels, bool(interlace))
 
 
-def checked_png(path: Any, data: bytes) -> bytes:
+def checked_png(path: FilePath, data: bytes) -> bytes:
     """The same image as a PNG with a stored stream. Raises `FileError` if truncated, damaged or animated."""
     header = parse_png_header(path, data[:33])
     chunks, stream = _split_chunks(path, data)
@@ -73,7 +72,7 @@ def checked_png(path: Any, data: bytes) -> bytes:
     return b"".join((PNG_MAGIC, *chunks, _chunk(b"IDAT", zlib.compress(rows, 0)), _chunk(b"IEND", b"")))
 
 
-def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes]:
+def _split_chunks(path: FilePath, data: bytes) -> tuple[list[bytes], bytes]:
     """The chunks needed before the pixels, and the pixel stream, with checksums verified."""
     view, offset, kind, last = memoryview(data), len(PNG_MAGIC), b"", b""
     needed, pixels = [], []
@@ -105,7 +104,7 @@ def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes]:
     return needed, b"".join(pixels)
 
 
-def _inflate(path: Any, stream: bytes, header: PngHeader) -> bytes:
+def _inflate(path: FilePath, stream: bytes, header: PngHeader) -> bytes:
     """The rows of the image. Memory is bounded by the expected size plus one byte."""
     expected = sum(height * length for height, length in header.passes())
     inflate = zlib.decompressobj()

@@ -8,13 +8,13 @@ import re
 import warnings
 from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath, PureWindowsPath
-from typing import IO, Any, TypeVar
+from typing import IO, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..source import open_source
@@ -109,7 +109,7 @@ def drop_alpha(image: NDArray[np.uint8], cutoff: float = 0.0) -> NDArray[np.uint
     return result
 
 
-def warn_left_behind(path: Any, reason: str) -> None:
+def warn_left_behind(path: FilePath, reason: str) -> None:
     warnings.warn(escaped(f"{path}: the textures are dropped, because {reason}"), UserWarning, stacklevel=5)
 
 

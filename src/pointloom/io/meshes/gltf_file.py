@@ -154,7 +154,7 @@ class GltfFile:
             raise self.error(f"{what}: its data URI is damaged: {error}"[:200]) from error
 
 
-def is_integer(value: Any) -> bool:
+def is_integer(value: object) -> bool:
     return isinstance(value, int) and not isinstance(value, bool)
 
 

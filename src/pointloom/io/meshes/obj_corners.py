@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 
 KINDS = ("vertices", "texture coordinates", "normals")
 
@@ -33,7 +32,7 @@ class Corners:
 
 
 def read_corners(
-    path: Any,
+    path: FilePath,
     faces: Sequence[bytes],
     lines: Sequence[int],
     before: Sequence[tuple[int, int, int]],
@@ -110,7 +109,7 @@ def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
     return numbers, given, lengths
 
 
-def _parse_one_by_one(path: Any, faces: Sequence[bytes], lines: Sequence[int]) -> _Parsed:
+def _parse_one_by_one(path: FilePath, faces: Sequence[bytes], lines: Sequence[int]) -> _Parsed:
     """Parse faces one by one. Raises `FileError` with the line of the first error."""
     numbers: list[list[int]] = []
     lengths = []

@@ -24,6 +24,7 @@ from ...core.checks import (
     check_shape,
     shown,
 )
+from ...core.devices import DeviceLike
 from ...core.dropped_results import returns_new
 from ...kernels.linear_algebra import cube_root, det, matmul
 from ...pcd.cloud import PointCloud
@@ -257,7 +258,7 @@ class SfmModel:
         times = None if timestamps is None else check_shape("timestamps", timestamps, (len(self),))
         return Trajectory(self.T_world_camera, times, np.stack([order, order, order + 1], axis=1))
 
-    def point_cloud(self, device: Any = None, *, arrays: str | None = None) -> PointCloud:
+    def point_cloud(self, device: DeviceLike = None, *, arrays: str | None = None) -> PointCloud:
         """The sparse points with colors, `error` [px] and `views` (observations), on `device` (None: CPU).
 
         `arrays` is the library of returned arrays, as of `PointCloud`.

@@ -19,7 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
+from ...core.errors import FilePath
+from ...kernels.array_types import Device
 from ...kernels.lang import vec3d
 from ...kernels.memory import upload
 from ...kernels.sampling.detail_levels import NODE_BITS, find_levels
@@ -48,7 +50,7 @@ def write_copc(
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
     overwrite: bool = True,
-    device: Any = None,
+    device: DeviceLike = None,
 ) -> None:
     """Write points as a COPC file atomically, with options as in `write_las`. The file does not depend on `device`.
     Needs 100 B per point in addition to the table."""
@@ -70,7 +72,7 @@ def write_copc(
 class CopcWriter:
     """Write octree nodes to an empty readable file, in any order; `corner` and `side` define the cube."""
 
-    def __init__(self, path: Any, file: IO[bytes], layout: LasLayout, corner: NDArray[np.float64], side: float):
+    def __init__(self, path: FilePath, file: IO[bytes], layout: LasLayout, corner: NDArray[np.float64], side: float):
         lazrs = import_for(path, "lazrs", "las")
         self._path, self._file = path, file
         self._laspy, self._header = layout.laspy, layout.header
@@ -162,7 +164,7 @@ def pack_chunks(path: str, record: bytes, rows: list[NDArray[Any]]) -> list[byte
     return [bytes(packed[begin : begin + size]) for begin, _, size in chunks_at(path, stream, 0, record).tolist()]
 
 
-def _octree(layout: LasLayout, device: Any) -> tuple[NDArray[np.float64], float, NodeTable]:
+def _octree(layout: LasLayout, device: Device) -> tuple[NDArray[np.float64], float, NodeTable]:
     """Corner and side of the cube around the stored points, and the octree nodes."""
     points, header = layout.table.points, layout.header
     stored = np.empty((len(points), 3))

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.quaternions import quaternions_to_rotations
 from ...core.units import METRE
@@ -140,7 +140,7 @@ def _fields(scan: Any) -> dict[str, Any]:
 
 
 @quiet()
-def read_scan(path: Any, image: Any, scan: Any, *, in_world: bool = True) -> PointTable:
+def read_scan(path: FilePath, image: Any, scan: Any, *, in_world: bool = True) -> PointTable:
     """The points of a scan in world coordinates, or in scanner coordinates if not `placed`."""
     with foreign_errors(path, "a scan is damaged"):
         fields = _fields(scan)
@@ -187,7 +187,7 @@ def _with_nan(dtype: np.dtype[Any]) -> np.dtype[Any]:
     return np.result_type(dtype, np.float32)
 
 
-def _with_white(path: Any, colors: NDArray[Any], is_missing: NDArray[np.bool_]) -> NDArray[Any] | None:
+def _with_white(path: FilePath, colors: NDArray[Any], is_missing: NDArray[np.bool_]) -> NDArray[Any] | None:
     """Set missing colors to white with a warning. None if all are missing."""
     if is_missing.all():
         return None
@@ -198,7 +198,7 @@ def _with_white(path: Any, colors: NDArray[Any], is_missing: NDArray[np.bool_]) 
     return colors
 
 
-def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
+def _read_columns(path: FilePath, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
     """Read the fields of all points. Memory is bounded by the delivered data, not by the declared count."""
     libe57 = _libe57()
     count = vector.childCount()
@@ -233,7 +233,7 @@ def _to_cartesian(
     return np.stack([x, y, z], axis=1)
 
 
-def read_pose(path: Any, scan: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def read_pose(path: FilePath, scan: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Rotation (3, 3) and translation (3,) of T_world_scan, or identity without a pose."""
     quaternion, translation = np.array([0, 0, 0, 1.0]), np.zeros(3)
     if scan.isDefined("pose/rotation"):

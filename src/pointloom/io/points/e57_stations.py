@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.array_libraries import library_for
 from ...core.atomic import check_writable
 from ...core.checks import check_list, check_rigid
+from ...core.devices import DeviceLike
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
@@ -49,7 +49,7 @@ class Stations:
     posed: NDArray[np.bool_]
 
 
-def read_stations(path: str | os.PathLike[str], *, device: Any = "auto", arrays: str | None = None) -> Stations:
+def read_stations(path: str | os.PathLike[str], *, device: DeviceLike = "auto", arrays: str | None = None) -> Stations:
     """Read the scans of an E57 or PTX file in scanner coordinates, with their poses.
 
     `read_point_cloud` reads them as one cloud in world coordinates.

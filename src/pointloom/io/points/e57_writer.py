@@ -11,6 +11,7 @@ import shutil
 import uuid
 from collections.abc import Sequence
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable, part_name
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.quaternions import rotations_to_quaternions
 from ..columns import colors_to_bytes
 from ..optional_imports import foreign_errors, import_for
@@ -74,7 +75,7 @@ def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def check_e57(path: Any, table: PointTable) -> PointTable:
+def check_e57(path: FilePath, table: PointTable) -> PointTable:
     """The table in meters. Raises `FileError` if E57 cannot store it (non-finite, unknown attribute, degrees)."""
     table = in_metres(path, table.checked(), "E57")
     lost = unstorable_in_e57(table)
@@ -103,7 +104,7 @@ def _is_storable(name: str, values: NDArray[Any]) -> bool:
     return high < 2**63 and high - low < 2**63
 
 
-def columns_of(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
+def columns_of(path: FilePath, table: PointTable) -> dict[str, NDArray[Any]]:
     columns: dict[str, NDArray[Any]] = dict(zip(CARTESIAN, table.points.T, strict=True))
     if table.normals is not None:
         columns |= dict(zip(NORMALS, table.normals.T, strict=True))
@@ -116,7 +117,7 @@ def columns_of(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
     return columns
 
 
-def _write_image(libe57: Any, path: Path, scans: Sequence[Scan]) -> None:
+def _write_image(libe57: ModuleType, path: Path, scans: Sequence[Scan]) -> None:
     image = libe57.ImageFile(str(path), "w")
     try:
         image.extensionsAdd("", libe57.E57_V1_0_URI)
@@ -152,7 +153,7 @@ def _guid(data: bytes) -> str:
     return f"{{{uuid.UUID(bytes=hashlib.sha256(data).digest()[:16], version=4)}}}"
 
 
-def _pose_node(libe57: Any, image: Any, pose: NDArray[np.float64]) -> Any:
+def _pose_node(libe57: ModuleType, image: Any, pose: NDArray[np.float64]) -> Any:
     node = libe57.StructureNode(image)
     quaternion = rotations_to_quaternions(np.asarray(pose, np.float64)[None, :3, :3])[0]
     for field, names, values in (("rotation", "xyzw", quaternion), ("translation", "xyz", pose[:3, 3])):
@@ -164,7 +165,7 @@ def _pose_node(libe57: Any, image: Any, pose: NDArray[np.float64]) -> Any:
 
 
 def _write_scan(
-    libe57: Any,
+    libe57: ModuleType,
     image: Any,
     scans: Any,
     guid: str,

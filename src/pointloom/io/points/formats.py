@@ -6,10 +6,10 @@ import os
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from numpy.typing import ArrayLike
 
+from ...core.devices import DeviceLike
 from ...core.escaped_text import escaped
 from ..attribute_names import rename
 from ..source import netted
@@ -75,7 +75,7 @@ def write_table(
     offset: ArrayLike | None = None,
     like: LasHeader | None = None,
     frames: Sequence[ScanFrame] = (),
-    device: Any = None,
+    device: DeviceLike = None,
 ) -> None:
     """Write a table by extension (one of WRITTEN), renaming attributes with a warning if needed (attribute_names.py).
     `ascii` is for .ply and .pcd; `scale`, `offset`, `like` for LAS, see `write_las`; `frames` for .e57, see

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ...core.checks import shown
+from ...core.errors import FilePath
 from ..optional_imports import foreign_errors, import_for
 from .las_crs import find_keys, find_text
 from .las_header import LasHeader
@@ -12,7 +13,7 @@ from .las_header import LasHeader
 _PROJECTED_KEY, _GEOGRAPHIC_KEY = 3072, 2048
 
 
-def system_of(path: Any, header: LasHeader) -> Any:
+def system_of(path: FilePath, header: LasHeader) -> Any:
     """The pyproj CRS of a file. None without a system on the Earth, such as a unit alone."""
     declared = _declared_system(header)
     if declared is None:
@@ -23,7 +24,7 @@ def system_of(path: Any, header: LasHeader) -> Any:
     return system if system.is_geographic or system.is_projected or system.is_compound else None
 
 
-def system_named(name: str, value: Any) -> Any:
+def system_named(name: str, value: object) -> Any:
     """The pyproj CRS of a name such as "EPSG:25832"; `name` is the argument's, for errors."""
     pyproj: Any = import_for(name, "pyproj", "geo")
     try:

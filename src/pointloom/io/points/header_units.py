@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, TypeVar
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.units import METRE, LengthUnit, is_same, text_of, unit_of_text, warn_of_units
 from ..source import MAX_HEADER_BYTES, Source, open_source
 from ..table import MeshTable, PointTable
@@ -62,13 +62,13 @@ def unit_in_header(source: Source, form: tuple[str, str]) -> LengthUnit | None:
     return unit_of_text(units.pop()) if len(units) == 1 else None
 
 
-def warn_of_lost_unit(path: Any, table: PointTable | MeshTable) -> None:
+def warn_of_lost_unit(path: FilePath, table: PointTable | MeshTable) -> None:
     """Warn that a format cannot store a unit other than meters."""
     if not is_same(table.unit, METRE):
         warn_of_units(f"{path}: the format cannot store the unit; coordinates are in {table.unit}")
 
 
-def in_metres(path: Any, table: T, format: str) -> T:
+def in_metres(path: FilePath, table: T, format: str) -> T:
     """Convert a table to meters for a metric format. Raises `FileError` for degrees."""
     if is_same(table.unit, METRE) or table.unit is None:
         return table

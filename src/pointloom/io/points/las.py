@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.reports import failed
 from ..columns import stack_normals
 from ..growing_columns import GrowingColumns
@@ -180,7 +180,7 @@ def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
     return PointTable(arrays["points"], normals, colors, attributes, **how)
 
 
-def layout_of(path: Any, header: LasHeader) -> Any:
+def layout_of(path: FilePath, header: LasHeader) -> Any:
     """The dimensions of a point: standard, extra, and remaining bytes. Raises `FileError` if the record is damaged."""
     laspy = import_for(path, "laspy", "las")
     layout = laspy.PointFormat(header.point_format)

@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 import struct
 import warnings
-from typing import Any
 
+from ...core.errors import FilePath
 from ...core.escaped_text import escaped
 from .las_header import PROJECTION, LasHeader
 
@@ -72,7 +72,7 @@ def is_geographic(header: LasHeader) -> bool:
     return location == 0 and value == _GEOGRAPHIC_MODEL
 
 
-def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:
+def warn_of_degrees(path: FilePath, is_lonlat: bool, *, stacklevel: int) -> None:
     if is_lonlat:
         message = (
             f"{path}: x and y are degrees of longitude and latitude, not lengths: project_to_utm(cloud) gives meters"

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
+from ...core.errors import FilePath
 from ...core.escaped_text import escaped
 from .las_header import SPEC
 
@@ -84,7 +85,7 @@ def _type_with_nan(dimension: Any) -> np.dtype[Any] | None:
     return None if code is None else np.dtype(code)
 
 
-def warn_of_wide_integers(path: Any, layout: Any) -> None:
+def warn_of_wide_integers(path: FilePath, layout: Any) -> None:
     for dimension in layout.extra_dimensions:
         if dimension.no_data is not None and _type_with_nan(dimension) is None:
             message = (

@@ -12,7 +12,7 @@ from datetime import date, timedelta
 from typing import Any
 
 from ...core.coordinates import FLOAT32_MAX
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..source import SourceFile, SourcePart
 
 # Header bytes by minor version.
@@ -82,7 +82,7 @@ class LasHeader:
         return None if data is None else bytes(data)
 
 
-def parse_las_header(path: Any, source: SourceFile) -> LasHeader:
+def parse_las_header(path: FilePath, source: SourceFile) -> LasHeader:
     """The header of a file. Raises `FileError` if it is invalid or does not match the file size."""
     fields = _unpack_header(path, source)
     minor, header_bytes, begin, point_format, length = fields[5], *fields[10:12], *fields[13:15]
@@ -121,7 +121,7 @@ def _day_of(day: int, year: int) -> date | None:
     return date(year, 1, 1) + timedelta(day - 1) if (year, day) < (9999, 366) else None
 
 
-def _unpack_header(path: Any, source: SourceFile) -> tuple[Any, ...]:
+def _unpack_header(path: FilePath, source: SourceFile) -> tuple[Any, ...]:
     if source[:4] != b"LASF":
         raise FileError(path, "is not a LAS file: its first four bytes are not LASF", where="byte 0")
     if len(source) < _HEADER.size:
@@ -139,13 +139,13 @@ def _unpack_header(path: Any, source: SourceFile) -> tuple[Any, ...]:
     return fields
 
 
-def _check_counts(path: Any, legacy: int, count: int) -> None:
+def _check_counts(path: FilePath, legacy: int, count: int) -> None:
     if legacy and legacy != count:
         reason = f"the header counts {count} points in one field and {legacy} in another"
         raise FileError(path, reason, where="byte 107", remedy="Repair it with the program that wrote it")
 
 
-def _check_format(path: Any, minor: int, point_format: int, length: int) -> None:
+def _check_format(path: FilePath, minor: int, point_format: int, length: int) -> None:
     if point_format not in _RECORD_BYTES:
         raise FileError(path, f"unknown point format {point_format}", where="byte 104", remedy="Supported are 0 to 10")
     if point_format >= _FIRST_NEW_FORMAT and minor < 4:
@@ -157,7 +157,7 @@ def _check_format(path: Any, minor: int, point_format: int, length: int) -> None
         raise FileError(path, reason, where="byte 105")
 
 
-def _check_scaling(path: Any, values: tuple[float, ...]) -> tuple[Any, Any]:
+def _check_scaling(path: FilePath, values: tuple[float, ...]) -> tuple[Any, Any]:
     scales, offsets = values[:3], values[3:]
     if not all(math.isfinite(scale) and scale > 0 for scale in scales):
         raise FileError(path, f"the scales {list(scales)} are not finite numbers above 0", where="byte 131")
@@ -169,7 +169,7 @@ def _check_scaling(path: Any, values: tuple[float, ...]) -> tuple[Any, Any]:
     return scales, offsets
 
 
-def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, has_trailer: bool) -> None:
+def _check_extent(path: FilePath, size: int, begin: int, length: int, count: int, *, has_trailer: bool) -> None:
     """Check the point count against the file size. Only known records may follow the points."""
     stored = (size - begin) // length
     if stored < count:
@@ -182,7 +182,7 @@ def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, 
 
 
 def _read_records(
-    path: Any, source: SourceFile, form: struct.Struct, begin: int, end: int, count: int
+    path: FilePath, source: SourceFile, form: struct.Struct, begin: int, end: int, count: int
 ) -> list[LasRecord]:
     """The records from `begin`, none beyond `end`. Extended records are read later, except coordinate systems."""
     if count > (end - begin) // form.size:

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from types import ModuleType
 from typing import Any
 
+from ...core.errors import FilePath
 from ...core.units import LengthUnit, is_same, warn_of_units
 from ..columns import warn_of_loss
 from .copc import COPC_HIERARCHY, COPC_INFO
@@ -85,7 +87,7 @@ def left_out_of(like: LasHeader) -> list[str]:
     return ["waveforms"] * bool(waveforms) + ["spatial index (record LAStools 30)"] * index
 
 
-def describe_together(laspy: Any, header: Any, headers: Iterable[LasHeader]) -> None:
+def describe_together(laspy: ModuleType, header: Any, headers: Iterable[LasHeader]) -> None:
     """Set the extra bytes record of files with equal dimensions, with joint ranges."""
     records = [record for one_header in headers if (record := one_header.find(*EXTRA_BYTES)) is not None]
     if records:
@@ -93,7 +95,7 @@ def describe_together(laspy: Any, header: Any, headers: Iterable[LasHeader]) -> 
         header.vlrs[:] = [*other_records, laspy.VLR(*EXTRA_BYTES, TITLE, join_ranges(records))]
 
 
-def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
+def take_over(laspy: ModuleType, path: FilePath, header: Any, like: LasHeader) -> Any:
     """Copy identification, records and GPS time type to laspy's header. Returns the extended records.
     GeoTIFF keys become WKT in point formats of LAS 1.4. Warns of dropped records."""
     header.global_encoding.value = like.encoding & (GPS_TIME_BIT | WKT_BIT | _SYNTHETIC_RETURNS_BIT)
@@ -124,7 +126,7 @@ def _ascii(text: str) -> str:
     return text.encode("ascii", "replace").decode()
 
 
-def unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader | None) -> Any:
+def unit_record(laspy: ModuleType, path: FilePath, unit: LengthUnit | None, like: LasHeader | None) -> Any:
     """The unit record, unless the coordinate system defines the unit. Warns if that differs."""
     if like is not None:
         declared = units_of(like).plane

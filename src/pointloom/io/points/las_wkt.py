@@ -10,7 +10,7 @@ import warnings
 from dataclasses import replace
 from typing import Any
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.units import LengthUnit
 from ..optional_imports import import_for
@@ -34,7 +34,7 @@ class LostSystemWarning(UserWarning):
     """
 
 
-def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
+def text_of_keys(path: FilePath, header: LasHeader) -> bytes | None:
     """The keys as WKT version 1, which LAS readers support. None, with a warning, if there is no equivalent."""
     keys = find_keys(header)
     if find_text(header) or header.encoding & _WKT_BIT or not keys:  # with the bit set, keys are ignored

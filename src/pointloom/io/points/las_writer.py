@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass, replace
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape
 from ...core.coordinates import finite_box, quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...pcd.las_attributes import with_scan_angles
 from ..attribute_names import NameRules
 from ..columns import stack_colors
@@ -73,7 +74,7 @@ def write_las(
             writer.write_evlrs(layout.extended)
 
 
-def open_writer(laspy: Any, file: Any, header: Any, *, compress: bool) -> Any:
+def open_writer(laspy: ModuleType, file: Any, header: Any, *, compress: bool) -> Any:
     """laspy's writer to an open file. Attribute names may contain ":", which laspy's own way to the bytes rejects."""
     writer = laspy.LasWriter(file, header, do_compress=compress, closefd=False)
     if not compress:
@@ -112,7 +113,7 @@ class LasLayout:
 
 
 def lay_out(
-    path: Any, table: PointTable, scale: Any, offset: Any, like: LasHeader | None, *, is_part: bool = False
+    path: FilePath, table: PointTable, scale: Any, offset: Any, like: LasHeader | None, *, is_part: bool = False
 ) -> LasLayout:
     """The storage layout for `write_las`. Without ranges of extra dimensions if the table is a part of the points."""
     table, laspy = table.checked(), import_for(path, "laspy", "las")
@@ -142,7 +143,7 @@ def lay_out(
     return LasLayout(laspy, table, header, extra, extended)
 
 
-def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
+def unstorable_in_las(path: FilePath, table: PointTable) -> dict[str, str]:
     layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
     standard = {dimension.name: dimension for dimension in layout.dimensions}
     lost, used_names = {}, {*standard, *_TAKEN}
@@ -157,7 +158,7 @@ def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
     return lost
 
 
-def name_rules(path: Any, table: PointTable) -> NameRules:
+def name_rules(path: FilePath, table: PointTable) -> NameRules:
     """Allowed names of dimensions. Standard names only if the values fit."""
     layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
     standard = {dimension.name: dimension for dimension in layout.dimensions if dimension.name not in _TAKEN}
@@ -223,7 +224,7 @@ def _extra_columns(table: PointTable, standard: set[str]) -> dict[str, NDArray[A
 
 @quiet()
 def _scaling(
-    path: Any, points: NDArray[Any], scale: Any, offset: Any, like: LasHeader | None
+    path: FilePath, points: NDArray[Any], scale: Any, offset: Any, like: LasHeader | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Scales and offsets so that every coordinate fits into 32 bits."""
     if like is not None:

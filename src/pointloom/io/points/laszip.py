@@ -15,7 +15,7 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..optional_imports import foreign_errors, import_for
 from ..source import Source, SourceFile
 from .las_header import LasHeader
@@ -81,7 +81,7 @@ def unpack_beginnings(source: SourceFile, header: LasHeader, count: int) -> byte
     return rows
 
 
-def chunks_at(path: Any, file: IO[bytes], begin: int, record: bytes) -> NDArray[np.int64]:
+def chunks_at(path: FilePath, file: IO[bytes], begin: int, record: bytes) -> NDArray[np.int64]:
     """First byte, points and bytes of each chunk, (m, 3), of a validated file with compressed points at `begin`."""
     lazrs = import_for(path, "lazrs", "las")
     with foreign_errors(path, "the table of chunks is damaged"):
@@ -101,7 +101,7 @@ def _lower_chunk_size(header: LasHeader) -> bytes:
     return bytes(record)
 
 
-def check_laszip(path: Any, source: SourceFile, header: LasHeader, *, layers_too: bool = True) -> None:
+def check_laszip(path: FilePath, source: SourceFile, header: LasHeader, *, layers_too: bool = True) -> None:
     """Check the LASzip record, chunk table and, if `layers_too`, chunk layers (else use `check_chunk` later)."""
     lazrs = import_for(path, "lazrs", "las")
     record = header.find(*LASZIP_RECORD)
@@ -115,14 +115,14 @@ def check_laszip(path: Any, source: SourceFile, header: LasHeader, *, layers_too
                 _check_layers(path, source, header, chunks, layers)
 
 
-def check_chunk(path: Any, header: LasHeader, chunk: bytes, what: str) -> None:
+def check_chunk(path: FilePath, header: LasHeader, chunk: bytes, what: str) -> None:
     """Raise `FileError` if the layers of one chunk exceed its bytes."""
     compressor, _, layers = _check_record(path, header.find(*LASZIP_RECORD) or b"", header)
     if compressor == _LAYERED_COMPRESSOR and not _fits(chunk, 0, len(chunk), header.record_length + 4, layers):
         raise FileError(path, f"{what}, is damaged: its layers do not fit into its {len(chunk)} bytes")
 
 
-def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int, int]:
+def _check_record(path: FilePath, record: bytes, header: LasHeader) -> tuple[int, int, int]:
     if len(record) < _FIELDS.size:
         raise FileError(path, f"the LASzip record has {len(record)} bytes, at least {_FIELDS.size} are needed")
     fields = _FIELDS.unpack_from(record)
@@ -143,7 +143,7 @@ def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int
 
 
 def _read_chunk_table(
-    path: Any, source: SourceFile, header: LasHeader, record: bytes, chunk_size: int, lazrs: Any
+    path: FilePath, source: SourceFile, header: LasHeader, record: bytes, chunk_size: int, lazrs: Any
 ) -> list[tuple[int, int]]:
     """(Points, bytes) of each chunk. Points are the chunk size if it is constant."""
     first = header.begin + 8
@@ -177,7 +177,9 @@ def _read_chunk_table(
     return chunks
 
 
-def _check_layers(path: Any, source: SourceFile, header: LasHeader, chunks: list[tuple[int, int]], layers: int) -> None:
+def _check_layers(
+    path: FilePath, source: SourceFile, header: LasHeader, chunks: list[tuple[int, int]], layers: int
+) -> None:
     """Check the layer sizes of each chunk, which follow its first point and count."""
     at, prefix = header.begin + 8, header.record_length + 4
     for number, (_, length) in enumerate(chunks):

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import shown
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import input_path, path_of
 from ...core.units import KNOWN, LengthUnit, text_of, unit_of_text
@@ -114,7 +114,7 @@ def name_rules(table: PointTable) -> NameRules:
     return NameRules(lambda letter: letter.isprintable() and letter not in "/\\", used, in_parts=False)
 
 
-def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:
+def read_member(path: FilePath, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:
     """Read one array after checking its header, directory entry and stored bytes."""
     possible = info.compress_size * (1 if info.compress_type == zipfile.ZIP_STORED else MAX_DEFLATE_RATIO)
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
@@ -136,7 +136,7 @@ def read_npy(path: str | os.PathLike[str]) -> NDArray[Any]:
         raise MemoryError(escaped(f"{path}: not enough memory for its array")) from error
 
 
-def _read_array(path: Any, stream: IO[bytes], name: str, size: int, where: str) -> NDArray[Any]:
+def _read_array(path: FilePath, stream: IO[bytes], name: str, size: int, where: str) -> NDArray[Any]:
     """Read an array from a stream of `size` bytes after checking its header."""
     shape, fortran, dtype = _read_array_header(path, stream, name)
     is_unit = name == _UNIT and dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _LONGEST_UNIT
@@ -155,12 +155,12 @@ def _read_array(path: Any, stream: IO[bytes], name: str, size: int, where: str) 
     return array.astype(dtype.newbyteorder("="), order="C", copy=True)
 
 
-def _read_array_header(path: Any, stream: IO[bytes], name: str) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
+def _read_array_header(path: FilePath, stream: IO[bytes], name: str) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
     with foreign_errors(path, f"{name}: the array's header is damaged"):
         return read_npy_header(stream)
 
 
-def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:
+def _table(path: FilePath, arrays: dict[str, NDArray[Any]]) -> PointTable:
     if "points" not in arrays:
         names = ", ".join(sorted(arrays)[:10]) or "nothing"
         raise FileError(path, f"there is no array 'points' (the archive contains: {names})")
@@ -187,7 +187,7 @@ def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:
     )
 
 
-def _check_shape(path: Any, name: str, values: NDArray[Any], count: int | None) -> None:
+def _check_shape(path: FilePath, name: str, values: NDArray[Any], count: int | None) -> None:
     if (
         values.ndim != 2
         or values.shape[1] != 3
@@ -200,7 +200,7 @@ def _check_shape(path: Any, name: str, values: NDArray[Any], count: int | None) 
         )
 
 
-def _unit(path: Any, value: NDArray[Any]) -> LengthUnit:
+def _unit(path: FilePath, value: NDArray[Any]) -> LengthUnit:
     try:
         text = str(value)
     except ValueError as error:  # no valid characters
@@ -212,7 +212,7 @@ def _unit(path: Any, value: NDArray[Any]) -> LengthUnit:
     return unit
 
 
-def _grid(path: Any, values: NDArray[Any], count: int) -> tuple[int, int]:
+def _grid(path: FilePath, values: NDArray[Any], count: int) -> tuple[int, int]:
     if values.shape == (2,) and values.dtype.kind in "iu":
         height, width = (int(extent) for extent in values)
         if height > 0 and width > 0 and height * width == count:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, write_rows
 from ..attribute_names import NameRules, is_word
@@ -36,7 +36,7 @@ UNREADABLE = "the text of field {!r} is nan, as PCL wrote colors with red from 1
 _PAGE_BYTES = 4096
 
 
-def read_payload(path: Any, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
+def read_payload(path: FilePath, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
     """Decode all fields except padding to arrays (n,) or (n, c), which may be views. Raises `FileError` if damaged."""
     if header.encoding == "ascii":
         return _read_ascii(path, source, header)
@@ -45,7 +45,7 @@ def read_payload(path: Any, source: SourceFile, header: PcdHeader) -> dict[str, 
     return _read_compressed(path, source, header)
 
 
-def point_rows(path: Any, source: SourceFile, header: PcdHeader) -> FixedRows:
+def point_rows(path: FilePath, source: SourceFile, header: PcdHeader) -> FixedRows:
     """The points of the binary encoding, after checking the file against its header."""
     _check_positions(path, {field.name: (field.dtype, field.count) for field in header.fields})
     _check_size(path, source, header.size, header.point_count * header.point_bytes)
@@ -69,7 +69,7 @@ def _shape(count: int, field: Field) -> tuple[int, ...]:
     return (count, field.count) if field.count > 1 else (count,)
 
 
-def _check_size(path: Any, source: SourceFile, offset: int, needed: int) -> None:
+def _check_size(path: FilePath, source: SourceFile, offset: int, needed: int) -> None:
     available = len(source) - offset
     if needed > available:
         raise FileError(
@@ -86,7 +86,7 @@ def _check_size(path: Any, source: SourceFile, offset: int, needed: int) -> None
         )
 
 
-def _read_compressed(path: Any, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
+def _read_compressed(path: FilePath, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
     begin = header.size + 8
     if len(source) < begin:
         raise FileError(path, "truncated: the two sizes before the payload are missing", where=f"byte {len(source)}")
@@ -112,7 +112,7 @@ def _read_compressed(path: Any, source: SourceFile, header: PcdHeader) -> dict[s
     return fields
 
 
-def _read_ascii(path: Any, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
+def _read_ascii(path: FilePath, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
     rows = AsciiRows(path, bytes(source[header.size :]), header.line_count + 1)
     count, width = header.point_count, sum(field.count for field in header.fields)
     if rows.row_count < count:
@@ -165,7 +165,7 @@ def _packed_floats(column: NDArray[np.float64], unmeasured: NDArray[np.bool_]) -
         return known.astype("<f4")
 
 
-def _exact_integers(path: Any, rows: AsciiRows, words: list[bytes], field: Field) -> NDArray[Any]:
+def _exact_integers(path: FilePath, rows: AsciiRows, words: list[bytes], field: Field) -> NDArray[Any]:
     limits = np.iinfo(field.dtype)
     column = np.empty(len(words), field.dtype)
     for row, word in enumerate(words):
@@ -230,7 +230,7 @@ def table_of(path: Path, fields: Mapping[str, NDArray[Any]], out: PointTable | N
     return PointTable(points, normals, colors, attributes)
 
 
-def warn_of_viewpoint(path: Any, viewpoint: tuple[float, ...] | None, stacklevel: int = 3) -> None:
+def warn_of_viewpoint(path: FilePath, viewpoint: tuple[float, ...] | None, stacklevel: int = 3) -> None:
     if viewpoint is not None:
         numbers = " ".join(f"{value:g}" for value in viewpoint)
         message = (
@@ -268,7 +268,7 @@ def write_pcd(
             file.write(np.array([len(packed), len(body)], "<u4").tobytes() + packed)
 
 
-def _check_positions(path: Any, fields: dict[str, tuple[np.dtype[Any], int]]) -> None:
+def _check_positions(path: FilePath, fields: dict[str, tuple[np.dtype[Any], int]]) -> None:
     missing = [name for name in _POINTS if name not in fields]
     if missing:
         raise FileError(path, f"there is no field {', '.join(missing)}")
@@ -295,7 +295,7 @@ def _role_names(names: Container[str], dims: dict[str, int]) -> dict[str, tuple[
 
 
 def _unpack_colors(
-    path: Any, name: str, packed: NDArray[Any], out: NDArray[Any] | None
+    path: FilePath, name: str, packed: NDArray[Any], out: NDArray[Any] | None
 ) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
     """Colors (n, 3) and alpha (n,) from packed bytes 0xAARRGGBB."""
     if packed.dtype.itemsize != 4 or packed.ndim != 1:
@@ -311,7 +311,7 @@ def name_rules(table: PointTable) -> NameRules:
     return NameRules(is_word, used, roles, in_parts=False)
 
 
-def _fields(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
+def _fields(path: FilePath, table: PointTable) -> dict[str, NDArray[Any]]:
     """Fields by name in file order. Raises if one would not read back."""
     attributes = dict(table.attributes)
     fields: dict[str, NDArray[Any]] = dict(zip(_POINTS, table.points.T, strict=True))

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ..source import MAX_HEADER_BYTES, Source, parse_count
 
@@ -66,7 +66,7 @@ class PcdHeader:
         return sum(field.byte_count for field in self.fields)
 
 
-def read_header(path: Any, source: Source) -> PcdHeader:
+def read_header(path: FilePath, source: Source) -> PcdHeader:
     lines, size, line_count = _header_lines(path, source)
     words, line = lines["DATA"]
     if len(words) != 1 or words[0] not in ENCODINGS:
@@ -86,7 +86,7 @@ def read_header(path: Any, source: Source) -> PcdHeader:
     return PcdHeader(_parse_fields(path, lines), width, height, encoding, size, line_count, viewpoint)
 
 
-def _header_lines(path: Any, source: Source) -> tuple[_Lines, int, int]:
+def _header_lines(path: FilePath, source: Source) -> tuple[_Lines, int, int]:
     """Words and line number by keyword, the offset after the DATA line, and the number of header lines."""
     lines: _Lines = {}
     begin = number = 0
@@ -115,7 +115,7 @@ def _header_lines(path: Any, source: Source) -> tuple[_Lines, int, int]:
     return lines, begin, number
 
 
-def _parse_fields(path: Any, lines: _Lines) -> list[Field]:
+def _parse_fields(path: FilePath, lines: _Lines) -> list[Field]:
     names, line = _require(path, lines, "FIELDS")
     columns: dict[str, list[str]] = {"COUNT": ["1"] * len(names)}
     numbers: dict[str, int] = {"COUNT": line}
@@ -144,7 +144,7 @@ def _parse_fields(path: Any, lines: _Lines) -> list[Field]:
     return fields
 
 
-def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
+def _parse_extent(path: FilePath, lines: _Lines) -> tuple[int, int]:
     """Width and height, checked against POINTS. Older files may omit some of the three, or have 0 for a grid."""
     numbers = {key: _parse_one(path, lines, key) for key in ("WIDTH", "HEIGHT", "POINTS") if key in lines}
     height = numbers.get("HEIGHT", 1)
@@ -165,20 +165,20 @@ def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
     return width, height
 
 
-def _parse_one(path: Any, lines: _Lines, key: str) -> int:
+def _parse_one(path: FilePath, lines: _Lines, key: str) -> int:
     words, line = lines[key]
     if len(words) != 1:
         raise FileError(path, f"{key}: expected one number, got {' '.join(words)[:60]!r}", where=f"line {line}")
     return parse_count(path, words[0], key, line)
 
 
-def _require(path: Any, lines: _Lines, key: str) -> tuple[list[str], int]:
+def _require(path: FilePath, lines: _Lines, key: str) -> tuple[list[str], int]:
     if key not in lines:
         raise FileError(path, f"the header has no {key} line")
     return lines[key]
 
 
-def _parse_viewpoint(path: Any, lines: _Lines) -> tuple[float, ...] | None:
+def _parse_viewpoint(path: FilePath, lines: _Lines) -> tuple[float, ...] | None:
     if "VIEWPOINT" not in lines:
         return None
     words, line = lines["VIEWPOINT"]

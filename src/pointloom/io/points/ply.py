@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..ascii_rows import CHUNK_ROWS, write_rows
 from ..attribute_names import NameRules, is_word
 from ..columns import (
@@ -45,7 +45,7 @@ _AT_CORNERS, _NUMBER, _IMAGE = "texcoord", "texnumber", "TextureFile"
 _AT_VERTICES = (("texture_u", "texture_v"), ("s", "t"), ("u", "v"))
 
 
-def texture_properties(path: Any, face: Element) -> list[Property]:
+def texture_properties(path: FilePath, face: Element) -> list[Property]:
     """The texture properties of faces. Raises `FileError` if a list is a scalar or the reverse."""
     properties = [prop for prop in face.properties if prop.name in (_AT_CORNERS, _NUMBER)]
     for prop in properties:
@@ -61,7 +61,7 @@ def pair_at_vertices(attributes: dict[str, NDArray[Any]]) -> tuple[str, str] | N
 
 
 def add_textures(
-    path: Any,
+    path: FilePath,
     mesh: MeshTable,
     header: PlyHeader,
     columns: dict[str, Column],
@@ -96,7 +96,7 @@ def _is_image(words: list[str]) -> bool:
 
 
 def _uvs_of(
-    path: Any, mesh: MeshTable, columns: dict[str, Column], lengths: NDArray[np.int64], fans: NDArray[np.int64]
+    path: FilePath, mesh: MeshTable, columns: dict[str, Column], lengths: NDArray[np.int64], fans: NDArray[np.int64]
 ) -> NDArray[np.float32] | None:
     given, pair = columns.get(_AT_CORNERS), pair_at_vertices(mesh.attributes)
     with quiet():
@@ -311,7 +311,7 @@ def _is_vertex_scalar(element: Element, prop: Property) -> bool:
     return element.name == "vertex" and prop.count_type is None
 
 
-def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tuple[str, ...] | None]:
+def _role_names(path: FilePath, names: Sequence[str] | Mapping[str, Any]) -> list[tuple[str, ...] | None]:
     """The properties of positions, normals and colors. None for a missing role."""
     missing = [name for name in _POINTS if name not in names]
     if missing and _PACKED_SPLATS in names:
@@ -324,7 +324,7 @@ def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tup
 
 
 def _assign_roles(
-    path: Any,
+    path: FilePath,
     columns: Mapping[str, Column],
     colors_of: Callable[..., NDArray[np.float32] | None],
     out: PointTable | None = None,
@@ -342,7 +342,7 @@ def _assign_roles(
     )
 
 
-def _corner_property(path: Any, face: Element) -> Property:
+def _corner_property(path: FilePath, face: Element) -> Property:
     for prop in face.properties:
         if prop.name in _CORNERS:
             if prop.count_type is None or prop.dtype.kind == "f":
@@ -351,7 +351,7 @@ def _corner_property(path: Any, face: Element) -> Property:
     raise FileError(path, f"element {face.name!r} has no property vertex_indices")
 
 
-def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any]:
+def _check_corners(path: FilePath, faces: ListColumn, vertex_count: int) -> NDArray[Any]:
     corners = faces.values
     bad = (corners < 0) | (corners >= vertex_count)
     if bad.any():
@@ -369,7 +369,7 @@ def name_rules(normals: Any, colors: Any) -> NameRules:
 
 
 def _vertex_columns(
-    path: Any,
+    path: FilePath,
     points: NDArray[Any],
     normals: NDArray[Any] | None,
     colors: NDArray[Any] | None,

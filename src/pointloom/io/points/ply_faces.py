@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..attribute_names import NameRules, is_word
 from ..columns import check_name, check_type, colors_or_loss, colors_to_bytes, own, warn_of_loss
 from .ply_header import TYPE_NAMES, PlyHeader
@@ -27,7 +27,7 @@ _CORNERS = ("vertex_indices", "vertex_index")
 _TEXTURE = ("texcoord", "texnumber")
 
 
-def strip_triangles(path: Any, strips: ListColumn, vertex_count: int) -> NDArray[np.int64]:
+def strip_triangles(path: FilePath, strips: ListColumn, vertex_count: int) -> NDArray[np.int64]:
     values = strips.values.astype(np.int64)
     bad = np.flatnonzero((values < -1) | (values >= vertex_count))
     row_of = np.repeat(np.arange(len(strips.lengths)), strips.lengths)
@@ -46,7 +46,7 @@ def strip_triangles(path: Any, strips: ListColumn, vertex_count: int) -> NDArray
 
 
 def triangle_attributes(
-    path: Any, columns: Mapping[str, Column], lengths: NDArray[np.int64]
+    path: FilePath, columns: Mapping[str, Column], lengths: NDArray[np.int64]
 ) -> dict[str, NDArray[Any]]:
     """Face scalars per triangle. Colors out of range as in `colors_or_loss`."""
     scalars = {
@@ -76,7 +76,7 @@ def _color_channels(scalars: dict[str, NDArray[Any]]) -> list[NDArray[Any]]:
     return channels
 
 
-def warn_of_rest(path: Any, header: PlyHeader, columns: Mapping[str, Mapping[str, Column]]) -> None:
+def warn_of_rest(path: FilePath, header: PlyHeader, columns: Mapping[str, Mapping[str, Column]]) -> None:
     lost = []
     for element in header.elements:
         if not element.count:
@@ -96,7 +96,7 @@ def face_name_rules(colors: NDArray[Any] | None) -> NameRules:
 
 
 def attribute_columns(
-    path: Any, attributes: dict[str, NDArray[Any]], types: str, remedy: str
+    path: FilePath, attributes: dict[str, NDArray[Any]], types: str, remedy: str
 ) -> tuple[list[str], list[NDArray[Any]]]:
     """Properties and columns of triangle attributes. Raises `FileError` for unsupported names or types."""
     columns: dict[str, NDArray[Any]] = {}

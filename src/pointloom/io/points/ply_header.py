@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..source import MAX_HEADER_BYTES, Source, parse_count
 
 #: PLY's two families of type names, as NumPy codes without byte order.
@@ -71,7 +71,7 @@ class PlyHeader:
     line_count: int
     comments: list[str] = field(default_factory=list)
 
-    def element(self, path: Any, name: str) -> Element:
+    def element(self, path: FilePath, name: str) -> Element:
         for element in self.elements:
             if element.name == name:
                 return element
@@ -79,7 +79,7 @@ class PlyHeader:
         raise FileError(path, f"the header declares no element {name!r} (it has: {names})")
 
 
-def read_header(path: Any, source: Source) -> PlyHeader:
+def read_header(path: FilePath, source: Source) -> PlyHeader:
     lines, size = _header_lines(path, source)
     byte_order: ByteOrder | None = None
     elements: list[Element] = []
@@ -113,7 +113,7 @@ def read_header(path: Any, source: Source) -> PlyHeader:
     return PlyHeader(byte_order == "=", elements, size, len(lines) + 1, comments)
 
 
-def _header_lines(path: Any, source: Source) -> tuple[list[str], int]:
+def _header_lines(path: FilePath, source: Source) -> tuple[list[str], int]:
     start = bytes(source[:5])
     if not start.startswith(b"ply") or start[3:4] not in (b"\n", b"\r", b" ", b"\t"):
         raise FileError(path, "is not a PLY file: it does not begin with 'ply'", where="byte 0")
@@ -139,7 +139,7 @@ def _header_lines(path: Any, source: Source) -> tuple[list[str], int]:
         begin = end + 1
 
 
-def _parse_format(path: Any, words: list[str], number: int, *, again: bool) -> ByteOrder:
+def _parse_format(path: FilePath, words: list[str], number: int, *, again: bool) -> ByteOrder:
     where = f"line {number}"
     if again:
         raise FileError(path, "a second format line", where=where)
@@ -151,7 +151,7 @@ def _parse_format(path: Any, words: list[str], number: int, *, again: bool) -> B
     return _BYTE_ORDERS[words[1]]
 
 
-def _parse_element(path: Any, words: list[str], number: int, names: set[str]) -> Element:
+def _parse_element(path: FilePath, words: list[str], number: int, names: set[str]) -> Element:
     if len(words) != 3:
         reason = f"expected 'element <name> <count>', got {' '.join(words)[:60]!r}"
         raise FileError(path, reason, where=f"line {number}")
@@ -159,14 +159,14 @@ def _parse_element(path: Any, words: list[str], number: int, names: set[str]) ->
     return Element(words[1], parse_count(path, words[2], f"the count of element {words[1]!r}", number))
 
 
-def _add_name(path: Any, names: set[str], name: str, what: str, number: int) -> None:
+def _add_name(path: FilePath, names: set[str], name: str, what: str, number: int) -> None:
     """Add a name to the previous ones. Raises `FileError` if it is one of them."""
     if name in names:
         raise FileError(path, f"{what} is declared twice", where=f"line {number}")
     names.add(name)
 
 
-def _parse_property(path: Any, words: list[str], number: int, byte_order: ByteOrder) -> Property:
+def _parse_property(path: FilePath, words: list[str], number: int, byte_order: ByteOrder) -> Property:
     where = f"line {number}"
     is_list = len(words) == 5 and words[1] == "list"
     if not is_list and len(words) != 3:

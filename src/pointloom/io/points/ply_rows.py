@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..ascii_rows import AsciiRows
 from ..fixed_rows import Column as FixedColumn
 from ..fixed_rows import FixedRows
@@ -35,7 +35,7 @@ Column = NDArray[Any] | ListColumn
 Wanted = Callable[[Element, Property], bool]
 
 
-def read_rows(path: Any, source: SourceFile, header: PlyHeader, wanted: Wanted) -> dict[str, dict[str, Column]]:
+def read_rows(path: FilePath, source: SourceFile, header: PlyHeader, wanted: Wanted) -> dict[str, dict[str, Column]]:
     """Decode the wanted properties and check the extent of all others.
     Returns columns by property name by element name, possibly views in the file's byte order."""
     rows = _TextRows(path, source, header) if header.ascii else _BinaryRows(path, source, header)
@@ -44,7 +44,7 @@ def read_rows(path: Any, source: SourceFile, header: PlyHeader, wanted: Wanted) 
     return columns
 
 
-def find_rows(path: Any, source: SourceFile, header: PlyHeader, name: str) -> FixedRows:
+def find_rows(path: FilePath, source: SourceFile, header: PlyHeader, name: str) -> FixedRows:
     """The rows of a binary element without lists, after checking the extent of all elements."""
     rows = _BinaryRows(path, source, header)
     found = [rows.fixed(element) if element.name == name else rows.skip(element) for element in header.elements]
@@ -53,7 +53,7 @@ def find_rows(path: Any, source: SourceFile, header: PlyHeader, name: str) -> Fi
 
 
 class _BinaryRows:
-    def __init__(self, path: Any, source: SourceFile, header: PlyHeader):
+    def __init__(self, path: FilePath, source: SourceFile, header: PlyHeader):
         self._path, self._source, self._offset = path, source, header.size
         self._begin, self._rest = 0, np.empty(0, np.uint8)  # the file from the first element with lists
 
@@ -225,7 +225,7 @@ _STRUCT_CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I
 
 
 class _TextRows:
-    def __init__(self, path: Any, source: SourceFile, header: PlyHeader):
+    def __init__(self, path: FilePath, source: SourceFile, header: PlyHeader):
         self._path = path
         self._rows = AsciiRows(path, bytes(source[header.size :]), header.line_count + 1)
         self._next = 0

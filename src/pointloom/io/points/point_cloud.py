@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.array_libraries import library_for
 from ...core.checks import check_count, check_positive
 from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
@@ -34,7 +34,7 @@ from .pcd import warn_of_viewpoint
 def read_point_cloud(
     path: str | os.PathLike[str],
     *,
-    device: Any = None,
+    device: DeviceLike = None,
     scan: int | None = None,
     columns: Sequence[str] | None = None,
     arrays: str | None = None,
@@ -92,7 +92,7 @@ def read_point_cloud(
 
 
 def read_las_chunks(
-    path: str | os.PathLike[str], chunk_size: int = 1_000_000, *, device: Any = None, arrays: str | None = None
+    path: str | os.PathLike[str], chunk_size: int = 1_000_000, *, device: DeviceLike = None, arrays: str | None = None
 ) -> Iterator[PointCloud]:
     """Read a LAS or LAZ file in chunks, for files larger than the memory.
 
@@ -132,7 +132,7 @@ def read_copc(
     *,
     within: AxisAlignedBoundingBox | None = None,
     spacing: float = 0.0,
-    device: Any = None,
+    device: DeviceLike = None,
     arrays: str | None = None,
 ) -> PointCloud:
     """Read a part of a COPC file: the points in a box, or a coarser level of detail.
@@ -183,7 +183,7 @@ def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
     return choose_origin(box if is_right else first.points, first.steps)
 
 
-def _chunks(file: LasFile, chunk_size: int, device: Any, arrays: str) -> Iterator[PointCloud]:
+def _chunks(file: LasFile, chunk_size: int, device: DeviceLike, arrays: str) -> Iterator[PointCloud]:
     origin = None
     for table in iterate_las(file, chunk_size):
         if origin is None:
@@ -197,7 +197,7 @@ def cloud_of(
     table: PointTable,
     path: str | os.PathLike[str],
     *,
-    device: Any = None,
+    device: DeviceLike = None,
     origin: ArrayLike | None = None,
     arrays: str | None = None,
 ) -> PointCloud:

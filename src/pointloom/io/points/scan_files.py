@@ -6,9 +6,9 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 from ...core.atomic import restore_folder
+from ...core.devices import DeviceLike
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
@@ -55,7 +55,9 @@ def natural_key(path: Path) -> tuple[list[tuple[int, int, str]], str]:
     return [(1, int(part), "") if part.isdigit() else (0, 0, part) for part in parts if part], path.name
 
 
-def read_scans(scans: Scans, *, device: Any = None, columns: Sequence[str] | None = None) -> Iterator[PointCloud]:
+def read_scans(
+    scans: Scans, *, device: DeviceLike = None, columns: Sequence[str] | None = None
+) -> Iterator[PointCloud]:
     """Iterate over the scans of a folder or list of files, read lazily, or over clouds."""
     if columns is not None:
         check_columns(columns)

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_list, shown
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..ascii_rows import AsciiRows, is_number, unix_lines
 from ..columns import stack_colors, stack_normals
 from ..source import open_source
@@ -74,7 +74,7 @@ def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None 
     return table_of(path, dict(zip(names, values.T, strict=True)), full)
 
 
-def wrong_count(path: Any, declared: int | None, count: int) -> FileError:
+def wrong_count(path: FilePath, declared: int | None, count: int) -> FileError:
     reason = f"expected {declared} points, which a line above them declares, got {count}"
     return FileError(path, reason, remedy="It was cut off, or the number is wrong")
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import warnings
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.array_libraries import library_for
-from ...core.errors import FileError
+from ...core.devices import DeviceLike
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...pcd.splats import GaussianSplats
@@ -29,7 +29,7 @@ EXTENSIONS = tuple(_READERS)
 
 
 def read_splats(
-    path: str | os.PathLike[str], *, drop_invalid: bool = False, device: Any = None, arrays: str | None = None
+    path: str | os.PathLike[str], *, drop_invalid: bool = False, device: DeviceLike = None, arrays: str | None = None
 ) -> GaussianSplats:
     """Read 3D Gaussian splats: .ply (from training or SuperSplat, compressed), .splat, .spz versions 2 to 4.
 
@@ -109,7 +109,7 @@ def _extension(path: str | os.PathLike[str]) -> str:
     return extension
 
 
-def _only_sound(path: Any, table: PointTable, drop: bool) -> PointTable:
+def _only_sound(path: FilePath, table: PointTable, drop: bool) -> PointTable:
     sound = sound_rows(table)
     count = len(sound) - int(np.count_nonzero(sound))
     if not count:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...pcd.harmonics import DEGREE_0_HARMONIC
 from ...pcd.splats import fractions_of, logits_of, unit_quaternions
 from ..columns import warn_left_out
@@ -74,7 +74,7 @@ def to_bytes(values: NDArray[np.float64]) -> NDArray[np.uint8]:
     return np.clip(np.rint(values), 0, 255).astype(np.uint8)
 
 
-def check_rounding(path: Any, points: NDArray[Any], error: float) -> None:
+def check_rounding(path: FilePath, points: NDArray[Any], error: float) -> None:
     """Raise `FileError` if a format would round centers by more than 2 mm."""
     if error > 2e-3:
         low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()

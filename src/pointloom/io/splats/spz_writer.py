@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...pcd.harmonics import signs_of_flip
 from ...pcd.splats import fractions_of, unit_quaternions
 from ..columns import warn_left_out
@@ -52,7 +52,7 @@ def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
     warn_left_out(path, ".spz", spare, stacklevel=3)
 
 
-def _fractional_bits(path: Any, points: NDArray[Any]) -> int:
+def _fractional_bits(path: FilePath, points: NDArray[Any]) -> int:
     max_coordinate = float(np.abs(points).max(initial=0.0))
     bits = _MAX_BITS
     while bits > 0 and np.rint(max_coordinate * 2.0**bits) > 2**23 - 1:

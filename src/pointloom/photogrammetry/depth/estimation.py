@@ -16,7 +16,7 @@ from ...cameras.camera_models import CameraModel
 from ...cameras.depth_range import DEPTH_SCALE
 from ...cameras.images import RGBDImage, check_intrinsic
 from ...core.checks import check_count, check_name, check_numeric, check_positive, check_progress, check_seed, shown
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.paths import input_path
 from ...core.progress import ReportProgress
@@ -271,7 +271,7 @@ class DepthEstimate(Assessed):
         height, width = self.depth.shape
         return f"DepthEstimate({width} x {height}, unit {self.unit}, {self.provider})"
 
-    def to_point_cloud(self, *, keep_edges: bool = False, stride: int = 1, device: Any = None) -> PointCloud:
+    def to_point_cloud(self, *, keep_edges: bool = False, stride: int = 1, device: DeviceLike = None) -> PointCloud:
         """Unproject the image to a colored point cloud in the camera frame.
 
         Args:
@@ -312,7 +312,7 @@ def estimate_depth(
     depth_scale: float = DEPTH_SCALE,
     tiles: int = 1,
     seed: int = 0,
-    device: Any = None,
+    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> DepthEstimate:
     """Estimate the depth of an image with an ONNX network that you provide. Nothing is downloaded.
@@ -419,7 +419,7 @@ def _own_camera(estimated: OwnCamera, photo: Photo) -> PinholeCameraIntrinsic:
     return PinholeCameraIntrinsic(width, height, estimated.fx, estimated.fy, estimated.cx, estimated.cy)
 
 
-def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
+def _network(model: Any, preset: str | None, device: DeviceLike) -> DepthModel:
     if not isinstance(model, DepthModel):
         if not isinstance(model, str | os.PathLike):
             raise TypeError(f"model: expected the path of an .onnx file or a DepthModel, got {shown(model)}")

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...core.progress import ReportProgress
@@ -49,7 +49,7 @@ def depth_of_images(
     *,
     depth_map: FilePath | None = None,
     picture: FilePath | None = None,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> DepthReport:

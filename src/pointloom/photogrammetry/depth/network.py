@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import sys
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, shown
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import DeviceError, FileError
 from ...core.interrupts import signal_exception
 from ...core.paths import path_of
@@ -268,7 +269,12 @@ class DepthModel:
     """
 
     def __init__(
-        self, path: str | os.PathLike[str], preset: str = DEFAULT, *, device: Any = None, threads: int | None = None
+        self,
+        path: str | os.PathLike[str],
+        preset: str = DEFAULT,
+        *,
+        device: DeviceLike = None,
+        threads: int | None = None,
     ):
         self._preset = find_preset(preset)
         self.path = str(path_of(path))
@@ -340,7 +346,7 @@ class DepthModel:
             raise FileError(self.path, str(error), where=where, remedy=error.remedy or NOT_THE_MODEL) from error
 
 
-def _open_session(path: str, device: Any, threads: int) -> Any:
+def _open_session(path: str, device: DeviceLike, threads: int) -> Any:
     ort = import_for(path, "onnxruntime", "depth")
     providers = _providers(ort, device)
     options = ort.SessionOptions()
@@ -367,7 +373,7 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
     return session
 
 
-def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
+def _start(ort: ModuleType, path: str, options: Any, providers: list[Any]) -> Any:
     """Open a session with fallback to the CPU as in onnxruntime, without its banner on stdout."""
     try:
         return ort.InferenceSession(path, options, providers=providers, enable_fallback=0)
@@ -377,11 +383,11 @@ def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
         return ort.InferenceSession(path, options, providers=[CPU], enable_fallback=0)
 
 
-def wants_cuda(device: Any) -> bool:
+def wants_cuda(device: DeviceLike) -> bool:
     return device is not None and str(device).startswith("cuda")
 
 
-def _providers(ort: Any, device: Any) -> list[Any]:
+def _providers(ort: ModuleType, device: DeviceLike) -> list[Any]:
     has_cuda = CUDA in ort.get_available_providers()
     if wants_cuda(device) and not has_cuda:
         raise DeviceError(

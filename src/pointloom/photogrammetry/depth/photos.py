@@ -14,6 +14,7 @@ from PIL import JpegImagePlugin, PngImagePlugin
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_numeric, shown
+from ...core.errors import FilePath
 from ...core.paths import input_path
 from ...io.images.image_files import PIXEL_LIMIT, read_color, read_depth, read_image_header
 from ...io.optional_imports import ignored_errors
@@ -79,7 +80,7 @@ def _read_photo(path: str | os.PathLike[str]) -> Photo:
     return Photo(np.ascontiguousarray(upright), Path(path).name, focal, rotations % 2 == 1)
 
 
-def _exif_tags(path: Any, kind: str) -> dict[int, Any]:
+def _exif_tags(path: FilePath, kind: str) -> dict[int, Any]:
     """EXIF tags. Empty if damaged, since the pixels are still valid."""
     plugin = PngImagePlugin.PngImageFile if kind == "png" else JpegImagePlugin.JpegImageFile
     with ignored_errors(), input_path(path).open("rb") as file, plugin(file) as image:

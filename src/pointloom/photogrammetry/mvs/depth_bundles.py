@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...core.checks import check_fraction, check_list, check_name, check_transformation
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.errors import FileError, FilePath, values_of_file
 from ...core.paths import path_of
@@ -99,7 +99,7 @@ class DepthBundle:
         voxel_size: float | None = None,
         min_confidence: float = 0.5,
         max_relative: float = MAX_RELATIVE,
-        device: Any = None,
+        device: DeviceLike = None,
         progress: ReportProgress | None = None,
     ) -> PointCloud | TriangleMesh:
         """Filter the maps by mutual confirmation, then `fuse_depth_maps` them. A single image is fused unfiltered.
@@ -130,7 +130,7 @@ class DepthBundle:
         return fuse_depth_maps(maps, self.images, min_views=1, device=device, progress=progress, **options)
 
 
-def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, device: Any = None) -> DepthBundle:
+def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, device: DeviceLike = None) -> DepthBundle:
     """Read poses, depth and confidence as written by VGGT, Depth Anything 3 or MapAnything.
 
     Args:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_list, check_numeric, check_progress, check_seed
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
@@ -94,7 +94,7 @@ def estimate_depth_maps(
     masks: Iterable[Mask] | None = None,
     method: str = "patch_match",
     seed: int = 0,
-    device: Any = None,
+    device: DeviceLike = None,
     folder: FilePath | None = None,
     resume_from: FilePath | None = None,
     device_bytes: int = DEVICE_BYTES,

@@ -11,10 +11,11 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_fraction, check_positive, check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.units import warn_of_units
+from ...kernels.array_types import Device
 from ...kernels.lang import float32, vec3
 from ...kernels.lru_cache import LruCache
 from ...kernels.memory import download, upload
@@ -41,7 +42,7 @@ def filter_depth_maps(
     min_confidence: float = 0.0,
     min_support: float = MIN_SUPPORT,
     folder: FilePath | None = None,
-    device: Any = None,
+    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> DepthMaps:
     """Keep depth that other images confirm, averaged with theirs.
@@ -130,7 +131,7 @@ def pixel_count(camera: PosedCamera) -> int:
 class _DepthsOnDevice:
     """LRU cache of float32 depth on a device, up to CACHE_BYTES."""
 
-    def __init__(self, maps: DepthMaps, device: Any):
+    def __init__(self, maps: DepthMaps, device: Device):
         self._maps, self._device = maps, device
         self._cache: LruCache[wp.array] = LruCache(CACHE_BYTES)
 
@@ -148,7 +149,7 @@ def _filtered(
     limits: tuple[float, float],
     surest: float,
     support: int,
-    device: Any,
+    device: Device,
     report: ReportProgress,
     counts: NDArray[np.int64],
 ) -> Iterator[DepthMap]:

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_fraction, check_list, check_numeric, check_positive, check_progress
 from ...core.coordinates import choose_origin
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.progress import ReportProgress
 from ...io.images.image_files import read_color, resize_color
+from ...kernels.array_types import Device
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.select import gather_rows, positions_of
 from ...kernels.lang import float32, int32, uint8, vec3
@@ -51,7 +52,7 @@ def fuse_depth_maps(
     max_pixels: float = MAX_PIXELS,
     max_relative: float = MAX_RELATIVE,
     max_angle: float = MAX_ANGLE,
-    device: Any = None,
+    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> PointCloud | TriangleMesh:
     """Fuse the depth maps of several images into a cloud or a mesh; filter them first.
@@ -143,7 +144,7 @@ class Colors:
         size = (self._cameras[i].intrinsic.height, self._cameras[i].intrinsic.width)
         return image if image.shape[:2] == size else resize_color(image, size, f"images[{i}]")
 
-    def _checked(self, i: int, value: Any) -> NDArray[Any]:
+    def _checked(self, i: int, value: object) -> NDArray[Any]:
         image = check_numeric(f"images[{i}]", value)
         if image.dtype != np.uint8:
             raise TypeError(f"images[{i}]: expected a path or uint8, got {image.dtype}; scale floats by 255")
@@ -155,7 +156,7 @@ class Colors:
 class _MapsOnDevice:
     """LRU cache of maps with colors on a device, up to CACHE_BYTES."""
 
-    def __init__(self, maps: DepthMaps, colors: Colors, device: Any):
+    def __init__(self, maps: DepthMaps, colors: Colors, device: Device):
         self._maps, self._colors, self._device = maps, colors, device
         self._cache: LruCache[DepthPixels] = LruCache(CACHE_BYTES)
 
@@ -176,7 +177,7 @@ class _MapsOnDevice:
 
 
 def _fuse_points(
-    maps: DepthMaps, colors: Colors, limits: Agreement, min_views: int, device: Any, report: ReportProgress
+    maps: DepthMaps, colors: Colors, limits: Agreement, min_views: int, device: Device, report: ReportProgress
 ) -> PointCloud:
     overlaps = _overlaps(maps)
     origin = choose_origin(np.array([camera.center for camera in maps.cameras]).reshape(-1, 3))
@@ -246,7 +247,7 @@ def _typical_pixel(maps: DepthMaps) -> float:
 
 
 def _fuse_volume(
-    maps: DepthMaps, colors: Colors, voxel: float | None, min_views: int, device: Any, report: ReportProgress
+    maps: DepthMaps, colors: Colors, voxel: float | None, min_views: int, device: DeviceLike, report: ReportProgress
 ) -> TriangleMesh:
     edge = voxel or TSDF_VOXEL * _typical_pixel(maps)
     if not edge:

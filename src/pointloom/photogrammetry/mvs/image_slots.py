@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
+from ...kernels.array_types import Device
 from ...kernels.lang import launch, uint8, uint64, vec4
 from ...kernels.lru_cache import LruCache
 from ...kernels.memory import copy, empty, upload, write
@@ -40,7 +41,7 @@ def other_size(name: str, shape: Sequence[int], size: tuple[int, int]) -> str:
 class Slots:
     """A number of slots for images or maps in one device array."""
 
-    def __init__(self, count: int, size: int, dtype: Any, device: Any):
+    def __init__(self, count: int, size: int, dtype: Any, device: Device):
         self.size = size
         self.values = empty(count * size, dtype, device)
         self._free = list(range(count))
@@ -66,11 +67,11 @@ def put_brightness(slots: Slots, first: int, pixels: NDArray[np.uint8], width: i
     )
 
 
-def image_slots(count: int, size: int, device: Any) -> Slots:
+def image_slots(count: int, size: int, device: Device) -> Slots:
     return Slots(count, size, uint64, device)
 
 
-def plane_slots(count: int, size: int, device: Any) -> Slots:
+def plane_slots(count: int, size: int, device: Device) -> Slots:
     return Slots(count, size, vec4, device)
 
 

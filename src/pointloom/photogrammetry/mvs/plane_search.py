@@ -17,7 +17,7 @@ from ...core.atomic import atomic_write
 from ...core.errors import FileError
 from ...io.fixed_rows import StoredArray
 from ...io.source import open_source
-from ...kernels.array_types import Array1
+from ...kernels.array_types import Array1, Device
 from ...kernels.lang import launch, vec4
 from ...kernels.memory import clone, download, empty, upload
 from ...kernels.stereo.inverse_planes import refine_planes_kernel
@@ -42,7 +42,7 @@ class StoredPlanes:
     def read(self) -> Any:
         return _stored(self.planes, self.camera)[:] if isinstance(self.planes, Path) else self.planes
 
-    def on(self, device: Any) -> Array1[vec4]:
+    def on(self, device: Device) -> Array1[vec4]:
         """A modifiable copy of the planes on the device."""
         planes = self.read()
         return upload(planes, vec4, device) if isinstance(planes, np.ndarray) else clone(planes)

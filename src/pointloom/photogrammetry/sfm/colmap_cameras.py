@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import sqlite3
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -56,7 +57,9 @@ def rms_error(model: Any) -> float:
     return math.sqrt(total / count) if count else math.nan
 
 
-def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps: int = _ADJUSTMENT_STEPS) -> float:
+def adjusted(
+    pycolmap: ModuleType, model: Any, *, focal: bool, lens: bool = True, steps: int = _ADJUSTMENT_STEPS
+) -> float:
     """Bundle-adjust a model, optionally with focal length and distortion. Returns the error."""
     options = pycolmap.BundleAdjustmentOptions()
     options.refine_focal_length, options.refine_extra_params, options.print_summary = focal, lens, False
@@ -70,7 +73,7 @@ def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps
     return rms_error(model)
 
 
-def thinned(pycolmap: Any, model: Any) -> Any:
+def thinned(pycolmap: ModuleType, model: Any) -> Any:
     copy = pycolmap.Reconstruction(model)
     for number in [number for number in copy.point3D_ids() if copy.point3D(number).track.length() < 2]:
         copy.delete_point3D(number)
@@ -102,7 +105,7 @@ def scale_focal_lengths(model: Any, factors: dict[int, float]) -> None:
 
 
 def resolve_cameras(
-    pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
+    pycolmap: ModuleType, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
 ) -> tuple[list[Any], dict[str, Any]]:
     """Check the cameras of the largest model. Returns the models and the values of `camera_check.CameraCheck`."""
     if models[0].num_points3D() < _MIN_POINTS or models[0].num_reg_images() < 2:
@@ -124,13 +127,13 @@ def is_open(rise: float, spread: float) -> bool:
     return rise < MIN_ERROR_RISE or spread > MAX_SPREAD
 
 
-def _known_focal_lengths(pycolmap: Any, database: str) -> dict[int, float]:
+def _known_focal_lengths(pycolmap: ModuleType, database: str) -> dict[int, float]:
     with pycolmap.Database.open(database) as opened:
         cameras = opened.read_all_cameras()
     return {camera.camera_id: focal_length(camera) for camera in cameras if camera.has_prior_focal_length}
 
 
-def with_own_cameras(pycolmap: Any, model: Any) -> Any:
+def with_own_cameras(pycolmap: ModuleType, model: Any) -> Any:
     made = pycolmap.Reconstruction()
     for number in sorted(model.reg_image_ids()):
         image = model.image(number)
@@ -152,7 +155,7 @@ def with_own_cameras(pycolmap: Any, model: Any) -> Any:
     return made
 
 
-def own_focal_lengths(pycolmap: Any, model: Any) -> tuple[float, float, dict[int, float]]:
+def own_focal_lengths(pycolmap: ModuleType, model: Any) -> tuple[float, float, dict[int, float]]:
     """The error with shared and with own cameras, adjusted alike, and the latter's focal lengths."""
     few = thinned(pycolmap, model)
     own = with_own_cameras(pycolmap, few)
@@ -173,7 +176,7 @@ def clusters(lengths: dict[int, float]) -> list[list[int]]:
     return groups
 
 
-def part_cameras(pycolmap: Any, database: str, groups: list[list[int]], lengths: dict[int, float]) -> None:
+def part_cameras(pycolmap: ModuleType, database: str, groups: list[list[int]], lengths: dict[int, float]) -> None:
     numbers = []
     with pycolmap.Database.open(database) as opened:
         for group in groups:
@@ -195,7 +198,7 @@ def part_cameras(pycolmap: Any, database: str, groups: list[list[int]], lengths:
 
 
 def split_cameras(
-    pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
+    pycolmap: ModuleType, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
 ) -> tuple[list[Any], dict[str, Any]]:
     """Use several cameras if they reduce the error by a third; refined cameras that agree are merged again."""
     shared, alone, lengths = own_focal_lengths(pycolmap, models[0])
@@ -218,7 +221,7 @@ def split_cameras(
 
 
 def _parted(
-    pycolmap: Any,
+    pycolmap: ModuleType,
     job: dict[str, Any],
     models: list[Any],
     groups: list[list[int]],
@@ -234,7 +237,7 @@ def _parted(
     return others if rms_error(others[0]) <= max_error else models
 
 
-def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
+def judge_given(pycolmap: ModuleType, model: Any) -> dict[str, Any]:
     """The focal length preferred by the images over a given one, and the error with either."""
     few = thinned(pycolmap, model)
     first = used_cameras(few)[0]
@@ -250,7 +253,7 @@ def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
     return record | ({"spread": spread_of_parts(pycolmap, few)} if is_off and freed > GIVEN_WORSE * error else {})
 
 
-def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
+def _tie_focal_lengths(pycolmap: ModuleType, model: Any) -> None:
     """Use a single focal length for square pixels: two free ones diverge for cameras in a row."""
     for number in used_cameras(model):
         camera = model.camera(number)
@@ -261,7 +264,7 @@ def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
                 camera.params = [(fx + fy) / 2, *center]
 
 
-def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
+def profile(pycolmap: ModuleType, model: Any) -> dict[str, Any]:
     """Minimum rise of the error at fixed focal length factors. If small, also its spread over image subsets."""
     few = thinned(pycolmap, model)
     error = adjusted(pycolmap, few, focal=True)
@@ -276,7 +279,7 @@ def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
     )
 
 
-def spread_of_parts(pycolmap: Any, model: Any) -> float:
+def spread_of_parts(pycolmap: ModuleType, model: Any) -> float:
     """Relative standard error of the focal length: jackknives over image regions and sequences, and a richer lens."""
     numbers = sorted(model.reg_image_ids())
     blocks = {number: k * _SEQUENCE_BLOCKS // len(numbers) for k, number in enumerate(numbers)}
@@ -304,7 +307,7 @@ def _log_focal(model: Any) -> float:
     return float(np.mean([math.log(focal_length(model.camera(number))) for number in used_cameras(model)]))
 
 
-def _focal_of_richer_lens(pycolmap: Any, model: Any) -> float:
+def _focal_of_richer_lens(pycolmap: ModuleType, model: Any) -> float:
     """As `_focal_without`, with a second distortion coefficient."""
     richer = pycolmap.Reconstruction(model)
     for number in used_cameras(richer):
@@ -318,7 +321,7 @@ def _focal_of_richer_lens(pycolmap: Any, model: Any) -> float:
     return _log_focal(richer)
 
 
-def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) -> float:
+def _focal_without(pycolmap: ModuleType, model: Any, is_left_out: Callable[..., bool]) -> float:
     """Mean log focal length without some of the observations."""
     part = pycolmap.Reconstruction(model)
     for number in sorted(part.reg_image_ids()):
@@ -332,7 +335,7 @@ def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) 
     return _log_focal(part)
 
 
-def fix_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
+def fix_at_exif(pycolmap: ModuleType, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
     """The model with EXIF's focal lengths if they fit as well. Cameras without move along."""
     cameras = used_cameras(model)
     factors = {number: known[number] / focal_length(model.camera(number)) for number in cameras if number in known}

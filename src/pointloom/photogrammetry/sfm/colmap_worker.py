@@ -17,6 +17,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 from typing import IO, Any
 
 # Initial focal length without EXIF, relative to the longer side. Phones and depth cameras have 0.7 to 0.9 in videos.
@@ -57,7 +58,7 @@ def main() -> int:
     return _end(answers, {"done": done})
 
 
-def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
+def find_features(pycolmap: ModuleType, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
     """Extract features. Images are numbered before the threads start, since these finish in any order."""
     extraction = pycolmap.FeatureExtractionOptions()
     extraction.max_image_size, extraction.num_threads = job["max_size"], job["threads"]
@@ -84,7 +85,7 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
     return {"gpu": extraction.use_gpu}
 
 
-def _forget_focal_length(pycolmap: Any, path: str, group: dict[str, Any], factor: float) -> None:
+def _forget_focal_length(pycolmap: ModuleType, path: str, group: dict[str, Any], factor: float) -> None:
     with pycolmap.Database.open(path) as database:
         camera = database.read_camera(database.read_image_with_name(group["names"][0]).camera_id)
         params = list(camera.params)
@@ -98,7 +99,7 @@ def is_fisheye(model: str) -> bool:
     return "FISHEYE" in model or model == "FOV"
 
 
-def on_gpu(pycolmap: Any, job: dict[str, Any]) -> bool:
+def on_gpu(pycolmap: ModuleType, job: dict[str, Any]) -> bool:
     """True if features use a GPU: pycolmap-cuda12 and a device. RuntimeError if requested but missing."""
     wanted = job["gpu"]
     if wanted is False:
@@ -120,7 +121,7 @@ def _cuda_devices() -> int:
     return count.value if driver.cuInit(0) == 0 and driver.cuDeviceGetCount(ctypes.byref(count)) == 0 else 0
 
 
-def _choose_kind(pycolmap: Any, options: Any, kind: str) -> None:
+def _choose_kind(pycolmap: ModuleType, options: Any, kind: str) -> None:
     """Select SIFT or a network. RuntimeError without ONNX, where COLMAP would abort the process."""
     if kind == "sift":
         return
@@ -131,13 +132,13 @@ def _choose_kind(pycolmap: Any, options: Any, kind: str) -> None:
     options.type = matcher.ALIKED_LIGHTGLUE if is_matching else extractor.ALIKED_N16ROT
 
 
-def match(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
+def match(pycolmap: ModuleType, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
     with _guesses_as_priors(pycolmap, job):
         return _match(pycolmap, job)
 
 
 @contextlib.contextmanager
-def _guesses_as_priors(pycolmap: Any, job: dict[str, Any]) -> Iterator[None]:
+def _guesses_as_priors(pycolmap: ModuleType, job: dict[str, Any]) -> Iterator[None]:
     """Mark initial fisheye focal lengths as known: COLMAP 4.2 drops pairs and images of fisheyes without one."""
     with pycolmap.Database.open(job["database"]) as database:
         cameras = database.read_all_cameras()
@@ -152,7 +153,7 @@ def _guesses_as_priors(pycolmap: Any, job: dict[str, Any]) -> Iterator[None]:
             yield
 
 
-def _match(pycolmap: Any, job: dict[str, Any]) -> dict[str, Any]:
+def _match(pycolmap: ModuleType, job: dict[str, Any]) -> dict[str, Any]:
     matching = pycolmap.FeatureMatchingOptions()
     matching.num_threads, matching.use_gpu = job["threads"], on_gpu(pycolmap, job)
     _choose_kind(pycolmap, matching, job["kind"])
@@ -179,7 +180,7 @@ def _match(pycolmap: Any, job: dict[str, Any]) -> dict[str, Any]:
     return {"gpu": matching.use_gpu}
 
 
-def map_images(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
+def map_images(pycolmap: ModuleType, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
     """Map, check the cameras (several cameras, EXIF's focal length), and write the largest model."""
     models = _mapped(pycolmap, job, answers)
     done: dict[str, Any] = {"sizes": [model.num_reg_images() for model in models], "cameras": {}}
@@ -192,14 +193,14 @@ def map_images(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str
     return done
 
 
-def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
+def _mapped(pycolmap: ModuleType, job: dict[str, Any], answers: IO[str]) -> list[Any]:
     with _guesses_as_priors(pycolmap, job):
         models = (_map_globally if job["mapper"] == "global" else _map_incrementally)(pycolmap, job, answers)
     # The model number breaks ties of equal size.
     return [model for _, model in sorted(models.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
 
 
-def _map_globally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
+def _map_globally(pycolmap: ModuleType, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
     options = pycolmap.GlobalPipelineOptions()
     options.num_threads = options.mapper.num_threads = job["threads"]
     options.random_seed = options.mapper.random_seed = job["seed"]
@@ -210,7 +211,7 @@ def _map_globally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
     return pycolmap.global_mapping(job["database"], job["images"], scratch, options=options)
 
 
-def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
+def _map_incrementally(pycolmap: ModuleType, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
     options = pycolmap.IncrementalPipelineOptions()
     options.num_threads = options.mapper.num_threads = job["threads"]
     options.random_seed = options.mapper.random_seed = options.triangulation.random_seed = job["seed"]
@@ -239,7 +240,7 @@ def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> 
     )
 
 
-def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
+def triangulate(pycolmap: ModuleType, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
     """Triangulate matches with fixed poses. Feature positions are undistorted, relative to the principal point."""
     import numpy as np
 
@@ -265,7 +266,7 @@ def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[st
     return {"points": len(points)}
 
 
-def _write_posed(pycolmap: Any, np: Any, model: Any, database: Any, given: dict[str, Any]) -> None:
+def _write_posed(pycolmap: ModuleType, np: ModuleType, model: Any, database: Any, given: dict[str, Any]) -> None:
     for i, pose in enumerate(given["poses"]):
         width, height = (int(side) for side in given["sizes"][i])
         params = [given["focals"][i], given["focals"][i], 0.5, 0.5]

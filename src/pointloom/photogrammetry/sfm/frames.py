@@ -199,7 +199,7 @@ def choose_frames(
     return dataclasses.replace(choice, seconds=clock.seconds["frames"])
 
 
-def check_option(name: str, value: Any, known: tuple[str, ...]) -> str:
+def check_option(name: str, value: object, known: tuple[str, ...]) -> str:
     if not isinstance(value, str) or value not in known:
         raise (ValueError if isinstance(value, str) else TypeError)(
             f"{name}: expected one of {', '.join(known)}, got {shown(value)}"

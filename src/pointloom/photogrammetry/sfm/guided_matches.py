@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 from ...cameras.camera_models import CameraModel
 from ...core.progress import ReportProgress
 from ...io.models.sfm_model import SfmModel
+from ...kernels.array_types import Device
 from ...kernels.features.epipolar_matching import LineFeatures, LineSearches, match_along_lines
 from ..frusta import fractions_in_view
 from .feature_rays import FeatureRays, focal_of, pinhole_of
@@ -54,7 +54,7 @@ def pairs_in_view(cameras: Sequence[CameraModel], poses: NDArray[np.float64]) ->
 
 
 def match_guided(
-    features: FeatureRays, model: SfmModel, pairs: Pairs, *, distance: float, device: Any, progress: ReportProgress
+    features: FeatureRays, model: SfmModel, pairs: Pairs, *, distance: float, device: Device, progress: ReportProgress
 ) -> PairMatches:
     """Mutual nearest features within `distance` [px] of the epipolar lines in both images, with a ratio test."""
     on_device = LineFeatures(features.firsts, features.rays, features.descriptors, device)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+from types import ModuleType
 from typing import Any
 
 
@@ -38,7 +39,7 @@ def main() -> int:
     return 0
 
 
-def write_frames(cv2: Any, video: Any, job: dict[str, Any]) -> None:
+def write_frames(cv2: ModuleType, video: Any, job: dict[str, Any]) -> None:
     numbers = None if job["numbers"] is None else set(job["numbers"])
     last = None if numbers is None else max(numbers, default=-1)
     number, aspect = -1, pixel_aspect(cv2, video)
@@ -58,7 +59,7 @@ def write_frames(cv2: Any, video: Any, job: dict[str, Any]) -> None:
     sys.stdout.buffer.flush()
 
 
-def pixel_aspect(cv2: Any, video: Any) -> float:
+def pixel_aspect(cv2: ModuleType, video: Any) -> float:
     """Pixel width over height, after rotation by the file's tag."""
     width, height = video.get(cv2.CAP_PROP_SAR_NUM), video.get(cv2.CAP_PROP_SAR_DEN)
     if not (width > 0 and height > 0):

@@ -18,7 +18,7 @@ from ...cameras.undistortion import Undistortion
 from ...core.atomic import atomic_folder
 from ...core.checks import check_count, check_list, check_progress
 from ...core.coordinates import choose_origin
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
@@ -65,7 +65,7 @@ def find_images(images: Any, model: SfmModel) -> list[Path | Pixels]:
     return result
 
 
-def _checked_array(name: str, value: Any, size: tuple[int, int]) -> Pixels:
+def _checked_array(name: str, value: object, size: tuple[int, int]) -> Pixels:
     array = np.asarray(value)
     if array.dtype != np.uint8:
         raise TypeError(f"{name}: expected a path or uint8, got {array.dtype}")
@@ -210,7 +210,7 @@ def write_training_folder(
     masks: FilePath | Iterable[Mask] | None = None,
     max_size: int | None = None,
     shift: bool = True,
-    device: Any = None,
+    device: DeviceLike = None,
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> TrainingFolder:

@@ -12,13 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_progress, check_seed
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, quality
 from ...core.timing import Clock
 from ...io.images.image_files import read_color
 from ...io.models.sfm_model import SfmModel
+from ...kernels.array_types import Device
 from .colmap_jobs import MAX_SECONDS, run_job
 from .feature_rays import FeatureRays, focal_of, read_feature_rays
 from .features import MAX_FEATURES, MAX_SIZE, find_features
@@ -73,7 +74,7 @@ def triangulate(
     max_size: int = MAX_SIZE,
     max_features: int = MAX_FEATURES,
     seed: int = 0,
-    device: Any = None,
+    device: DeviceLike = None,
     max_seconds: float | None = MAX_SECONDS,
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
@@ -142,7 +143,7 @@ def triangulate(
 
 
 def match_posed(
-    database: Path, model: SfmModel, *, device: Any, progress: ReportProgress
+    database: Path, model: SfmModel, *, device: Device, progress: ReportProgress
 ) -> tuple[PairMatches, PoseCheck]:
     features = read_feature_rays(database, model.names, model.cameras)
     pairs = pairs_in_view(model.cameras, model.T_camera_world)

@@ -14,7 +14,7 @@ from ...cameras.image_names import ImageNames
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.stages import Chain, StageResult
@@ -85,7 +85,7 @@ def reconstruct_video(
     outputs: VideoOutputs | None = None,
     work: FilePath | None = None,
     resume: bool = False,
-    device: Any = "auto",
+    device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> VideoResult:
@@ -174,7 +174,7 @@ def _run(
     *,
     source: str,
     work: FilePath | None,
-    device: Any,
+    device: DeviceLike,
 ) -> VideoResult:
     stages = (STAGES if settings.cameras is None else KNOWN_STAGES).values()
     frames = run_to("frames", chain, given, stages)

@@ -16,6 +16,7 @@ from ...core.stages import StageResult
 from ...io.images.photo_files import is_photo
 from ...io.models.colmap import read_colmap_model, write_colmap_model
 from ...io.models.sfm_model import SfmModel
+from ...kernels.array_types import Device
 from ..sfm import features
 from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
@@ -144,7 +145,7 @@ def find_features(
 
 
 def match(
-    folder: Path, report: ReportProgress, *, frames: StageResult, features: StageResult, device: Any
+    folder: Path, report: ReportProgress, *, frames: StageResult, features: StageResult, device: Device
 ) -> dict[str, Any]:
     model = read_colmap_model(frames.folder / CAMERAS)
     pair_matches, check = match_posed(features.folder / DATABASE, model, device=device, progress=report)

@@ -12,6 +12,7 @@ from ...cameras.image_names import number_of
 from ...cameras.pose_files import trajectory_of
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...cameras.undistortion import Undistortion
+from ...core.devices import DeviceLike
 from ...core.progress import ReportProgress
 from ...core.stages import StageResult
 from ...io.images.image_files import read_color, write_png
@@ -41,7 +42,7 @@ MIN_RELATIVE_AREA = 0.005  # smaller parts are removed, relative to the largest 
 
 
 def straighten(
-    folder: Path, report: ReportProgress, *, frames: StageResult, model: StageResult, max_size: int, device: Any
+    folder: Path, report: ReportProgress, *, frames: StageResult, model: StageResult, max_size: int, device: DeviceLike
 ) -> dict[str, Any]:
     sparse, images = motion.read_model(model), folder / IMAGES
     images.mkdir()
@@ -66,7 +67,7 @@ def straighten(
 
 
 def estimate(
-    folder: Path, report: ReportProgress, checkpoints: Path, *, undistorted: StageResult, seed: int, device: Any
+    folder: Path, report: ReportProgress, checkpoints: Path, *, undistorted: StageResult, seed: int, device: DeviceLike
 ) -> dict[str, Any]:
     model, images, cameras = open_straightened(undistorted)
     masks = masks_in(undistorted.folder / MASKS, [path.name for path in images])
@@ -76,7 +77,7 @@ def estimate(
 
 
 def fuse_points(
-    folder: Path, report: ReportProgress, *, undistorted: StageResult, depth: StageResult, device: Any
+    folder: Path, report: ReportProgress, *, undistorted: StageResult, depth: StageResult, device: DeviceLike
 ) -> dict[str, Any]:
     _, images, _ = open_straightened(undistorted)
     where = {"device": device, "progress": report}
@@ -96,7 +97,7 @@ def make_mesh(
     undistorted: StageResult,
     fused: StageResult,
     units: VideoUnits,
-    device: Any,
+    device: DeviceLike,
 ) -> dict[str, Any]:
     straight, images, _ = open_straightened(undistorted)
     where = {"device": device, "progress": report}

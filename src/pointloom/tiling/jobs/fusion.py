@@ -301,15 +301,15 @@ def _digest(frames: RGBDDataset) -> str:
     return hash_of({"camera": asdict(frames.intrinsic), "scale": frames.depth_scale, "frames": digest.hexdigest()})
 
 
-def _is_cube_index(value: Any) -> bool:
+def _is_cube_index(value: object) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and abs(value) < 2**31
 
 
-def _is_cube_name(value: Any) -> bool:
+def _is_cube_name(value: object) -> bool:
     return is_text(value) and _CUBE_NAME.fullmatch(value) is not None
 
 
-def _is_frames_by_cube(value: Any) -> bool:
+def _is_frames_by_cube(value: object) -> bool:
     return (
         isinstance(value, dict) and all(map(_is_cube_name, value)) and all(map(list_of(below(2**31)), value.values()))
     )

@@ -394,7 +394,7 @@ def _check_prior_poses(poses: Sequence[Any], count: int) -> list[Any]:
     return checked
 
 
-def _is_pose(value: Any) -> bool:
+def _is_pose(value: object) -> bool:
     return list_of(numbers(4), 4)(value)
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from ...core.checks import check_positive, shown
 from ...pcd.cloud import PointCloud
 from ..exact_sums import ExactSums
+from ..plan_check import TilePlan
 from .step import Part, Step
 
 GROUP = "pointloom.steps"  # of entry points
@@ -58,7 +59,7 @@ class Function(Step):
             remedy = f"Pass the function itself in Python, or register it as an entry point in the group {GROUP!r}"
             raise ValueError(f"steps: call: {shown(call)}: a file cannot name a Python function. {remedy}")
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         self.resolve({})
         assert self.function is not None
         given = part.cloud.copy()

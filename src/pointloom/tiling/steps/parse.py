@@ -40,6 +40,7 @@ from ...pcd.selection import MEAN_ROUNDING
 from ...pcd.terrain import ground_reach, height_above_ground
 from ..exact_sums import ExactSums
 from ..label_join import MAX_INT32, border_data, join_labels
+from ..plan_check import TilePlan
 from ..polygons import in_survey, mask_area, parse_area, to_json
 from .function import ROW, Function
 from .raster import Rasterize
@@ -58,7 +59,7 @@ class Thin(Step):
         self.radius = check_positive("spacing", self.params["spacing"])
         self.params["corner"] = check_finite("corner", check_shape("corner", self.params["corner"], (3,))).tolist()
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         return thinned(part, self.radius, self.params["corner"])
 
 
@@ -93,7 +94,7 @@ class Clusters(Step):
     def join(self, left: Any, folder: Path) -> int:
         return join_labels(left, folder, self.bounds, self.by_size)
 
-    def run(self, part: Part, plan: Any, numbers: Any) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: Any) -> Part:
         total, names = numbers
         kind = np.int32 if total <= MAX_INT32 else np.int64
         names = np.empty(0, kind) if names is None else names
@@ -162,7 +163,7 @@ class Distance(Compared):
         super().check()
         self.radius = check_positive("max_distance", self.params["max_distance"])
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         assert part.other is not None
         cloud = part.cloud.copy()
         distances = np.asarray(part.cloud.compute_point_cloud_distance(part.other))
@@ -194,7 +195,7 @@ class Change(Compared):
         if params["core_spacing"] is not None:
             self.radius = max(self.radius, check_positive("core_spacing", params["core_spacing"]))
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         assert part.other is not None
         params = self.params
         cores = part
@@ -230,7 +231,7 @@ class ClassifyGround(Step):
         self.params["corner"] = _corner_of(self.params["corner"])
         self.radius = ground_reach(self.params["cell_size"], self.params["max_window"])
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         with without_warnings(UnitWarning):  # all lengths of a plan are in the files' unit
             ground = np.asarray(classify_ground(part.cloud, **self.params))
         cloud = part.cloud.copy()
@@ -257,7 +258,7 @@ class HeightAboveGround(Step):
         self.params["corner"] = _corner_of(self.params["corner"])
         self.params["classes"] = [*(check_classes(self.params["classes"]) or GROUND_CLASSES)]
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         cloud = part.cloud.copy()
         try:
             cloud[self.name] = np.asarray(height_above_ground(part.cloud, **self.params))
@@ -277,7 +278,7 @@ class RadiusOutlier(Step):
         check_count("nb_points", self.params["nb_points"])
         self.radius = check_positive("radius", self.params["radius"])
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         mask = mask_crowded(part.cloud.search_tree(), self.radius, self.params["nb_points"] + 1)
         return part.select(download(mask) != 0)
 
@@ -295,7 +296,7 @@ class StatisticalOutlier(Step):
         assert self.neighbors is not None
         return download(average_distances(part.cloud.search_tree(), self.neighbors))
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         assert numbers is not None
         mean, deviation = numbers.mean_and_deviation()
         limit = (mean + self.params["std_ratio"] * deviation) * MEAN_ROUNDING if numbers.count else 0.0
@@ -323,7 +324,7 @@ class VoxelDownSample(Step):
         """Extend the halo to complete voxels."""
         return after + radius + spread
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         corner = np.array(self.params["corner"] or plan.voxel_corner, np.float64)
         trace = part.cloud.voxel_down_sample_and_trace(self.size, min_bound=corner)
         offsets, order = np.asarray(trace.offsets), np.asarray(trace.indices)
@@ -334,7 +335,7 @@ class VoxelDownSample(Step):
         return Part(trace.cloud, None, homes, self.spread_after(part.spread), keys=keys)
 
     def _keys(
-        self, cells: NDArray[np.float64], corner: NDArray[np.float64], plan: Any, part: Part
+        self, cells: NDArray[np.float64], corner: NDArray[np.float64], plan: TilePlan, part: Part
     ) -> NDArray[np.int64] | None:
         """Voxel numbers, x slowest. None if 64 bits are too few."""
         ends = (np.array([plan.data["low"], plan.data["high"]]) - corner) / self.size
@@ -377,7 +378,7 @@ class Crop(Step):
             self.area = in_survey("steps: crop: polygon", self.area, self.params["polygon_crs"], sources)
             self.params |= {"polygon": to_json(self.area), "polygon_crs": None}
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         points, origin = part.cloud.arrays["points"], part.cloud.origin
         if self.params["polygon"] is None:
             keep = download(self.box.mask_points(points, origin)) != 0
@@ -410,7 +411,7 @@ class Features(Step):
                 raise ValueError(f"steps: names: unknown feature {shown(name)}{nearest_name(name, NAMES)}")
         self.params["names"] = [*dict.fromkeys(names)]
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         features = compute_eigen_features(part.cloud, radius=self.params["radius"], max_nn=self.params["max_nn"])
         cloud = part.cloud.copy()
         for name in self.params["names"]:
@@ -432,7 +433,7 @@ class SmoothMls(Step):
         """A plane through neighbors is not farther away than they are."""
         return spread + self.radius
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         cloud = part.cloud.smooth_mls(radius=self.radius, max_nn=self.params["max_nn"])
         return dataclasses.replace(part, cloud=cloud, exact=None, spread=self.spread_after(part.spread))
 
@@ -455,7 +456,7 @@ class EstimateNormals(Step):
         orient = (0.0, 0.0, 1.0) if isinstance(orient, str) else orient
         self.params["orient"] = None if orient is None else check_direction("orient", orient).tolist()
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         cloud = part.cloud.estimate_normals(radius=self.params["radius"], max_nn=self.params["max_nn"])
         if self.params["orient"] is not None:
             cloud = cloud.orient_normals_to_align_with_direction(self.params["orient"])

@@ -8,6 +8,7 @@ from ...core.checks import check_count, check_finite, check_positive, check_shap
 from ...pcd.raster_cells import DEFAULT_RADIUS, check_classes
 from ...pcd.terrain import KINDS
 from ..exact_sums import ExactSums
+from ..plan_check import TilePlan
 from .step import Part, Step
 
 
@@ -44,5 +45,5 @@ class Rasterize(Step):
         self.margin = 0.0 if self.fill is None else self.fill + self.cell
         self.radius = max(around, self.cell / 2) + self.margin
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         return part

@@ -16,6 +16,7 @@ from ...io.optional_imports import import_for
 from ...io.points.geodetic import system_named, system_of
 from ...io.points.las import open_las
 from ..exact_sums import ExactSums
+from ..plan_check import TilePlan
 from .step import Part, Step
 
 MAX_UNIT_DIFFERENCE = 1e-9  # of a unit's length
@@ -75,7 +76,7 @@ class Reproject(Step):
         middle = (np.min([s["low"] for s in filled], axis=0) + np.max([s["high"] for s in filled], axis=0)) / 2
         self.params["offsets"] = np.round(self._moved(middle[None])[0]).tolist()
 
-    def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
         """Apply the step. Points keep their homes in the source's coordinates."""
         exact = part.cloud.points if part.exact is None else part.exact
         return dataclasses.replace(part, exact=self._moved(np.asarray(exact, np.float64)))

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ...core.attribute_hints import nearest_name
 from ...pcd.cloud import PointCloud
+from ..plan_check import TilePlan
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +118,7 @@ class Step:
         """Halo that the step needs so that a halo of `after` is correct."""
         return after + self.hops * (radius + 2 * spread)
 
-    def run(self, part: Part, plan: Any, numbers: Any) -> Part:
+    def run(self, part: Part, plan: TilePlan, numbers: Any) -> Part:
         """Apply the step to a part, with global sums or the tile's join result."""
         raise NotImplementedError
 
