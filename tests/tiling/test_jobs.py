@@ -1,4 +1,4 @@
-"""Jobs of registration and of sequences give the results computed in memory, and recover from errors."""
+"""Jobs of registration and of fusion give the results computed in memory, and recover from errors."""
 
 import contextlib
 import errno
@@ -6,7 +6,6 @@ import json
 import shutil
 import sqlite3
 from collections import Counter
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,7 +17,7 @@ from pointloom.datasets.scenes.room import write_room_sequence
 from pointloom.registration.pose_graphs.multiway import FragmentPair
 from pointloom.tiling.jobs import run_jobs
 from pointloom.tiling.jobs import scans as scans_job
-from pointloom.tiling.jobs.run_jobs import job_status, plan_sequences, retry_job
+from pointloom.tiling.jobs.run_jobs import job_status, retry_job
 from pointloom.tiling.jobs.scans import box_at_pose, groups_of, meeting_boxes, most_similar, nearest_of
 from pointloom.tiling.manifest import NAME, Manifest, canonical, hash_of
 
@@ -257,125 +256,28 @@ def test_the_status_of_a_job_is_json(surveyed, tmp_path):
         loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=0.1)
 
 
-SIZES = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.04, "depth_max": 4.0}
-CONFIG = loom.rgbd.ReconstructionConfig(**SIZES)
-
-
 @pytest.fixture(scope="module")
-def sequences(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("sequences")
-    write_room_sequence(folder / "kitchen", frame_count=6, width=80, height=60)
-    (folder / "upstairs").mkdir()
-    write_room_sequence(folder / "upstairs" / "kitchen", frame_count=4, width=80, height=60, seed=3)
-    return [folder / "kitchen", folder / "upstairs" / "kitchen"]
+def frames(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("frames") / "kitchen"
+    write_room_sequence(folder, frame_count=4, width=80, height=60, seed=3)
+    return folder
 
 
-@pytest.fixture
-def broken(sequences, tmp_path):
-    named = zip(sequences, ("a", "b"), strict=True)
-    copies = [Path(shutil.copytree(folder, tmp_path / name)) for folder, name in named]
-    (copies[1] / "camera-intrinsics.json").write_text("{")
-    return copies
-
-
-def test_a_sequence_gives_the_files_of_a_single_run(sequences, tmp_path):
-    assert plan_sequences(sequences[1:], tmp_path / "job", config=CONFIG).waiting == 1
-    status = loom.tiling.run_job(tmp_path / "job")
-    assert status.is_finished, status
-    alone = loom.rgbd.run_reconstruction_system(loom.open_frames(sequences[1]), CONFIG, tmp_path / "alone")
-    for path in alone.files:
-        output = tmp_path / "job" / "sequences" / "kitchen" / Path(path).relative_to(tmp_path / "alone")
-        assert output.read_bytes() == Path(path).read_bytes()
-    assert alone.files
-
-
-@pytest.mark.slow
-def test_an_unreadable_sequence_fails_alone_and_can_be_replaced(broken, tmp_path, monkeypatch):
-    job, started = tmp_path / "job", []
-    watch_calls(monkeypatch, run_jobs, "run_reconstruction_system", lambda *given: started.append(given[2].name))
-    plan_sequences(broken, job, config=CONFIG)
-    status = loom.tiling.run_job(job)
-    assert (status.done, status.failed, started) == (1, 1, ["a"])
-    assert "camera-intrinsics.json" in status.troubles["b"]
-    shutil.copy(broken[0] / "camera-intrinsics.json", broken[1] / "camera-intrinsics.json")
-    retry_job(job)
-    assert loom.tiling.run_job(job).is_finished and started == ["a", "b"]
-    path = next(broken[0].glob("*.depth.png"))
-    path.write_bytes(path.read_bytes()[:-10])
-    with pytest.raises(FileError, match="a:"):
-        loom.tiling.run_job(job)
-
-
-@pytest.mark.slow
-def test_an_interrupted_sequence_is_resumed(sequences, tmp_path, monkeypatch):
-    job = tmp_path / "job"
-    plan_sequences(sequences[:1], job, config=CONFIG)
-
-    def stop(stage, done, total):
-        if stage == "integrate":
-            raise KeyboardInterrupt
-
-    run_reconstruction_system = run_jobs.run_reconstruction_system
-    monkeypatch.setattr(
-        run_jobs,
-        "run_reconstruction_system",
-        lambda *args, **how: run_reconstruction_system(*args, **how, progress=stop),
-    )
-    output = job / "sequences" / "kitchen"
-    with pytest.raises(KeyboardInterrupt):
-        loom.tiling.run_job(job)
-    assert job_status(job).waiting == 1
-    before = {path: path.stat().st_mtime_ns for path in output.rglob("*.ply")}
-    assert before
-    monkeypatch.setattr(run_jobs, "run_reconstruction_system", run_reconstruction_system)
-    assert loom.tiling.run_job(job).is_finished
-    assert all(path.stat().st_mtime_ns == time for path, time in before.items())
-
-
-def test_invalid_queues_are_rejected(sequences, tmp_path):
-    first, gone = sequences[0], tmp_path / "nowhere"
-    for folders, expected in (([], "one folder"), ([first, first], "kitchen"), ([first, gone], "nowhere")):
-        with pytest.raises((ValueError, FileError), match=expected):
-            plan_sequences(folders, tmp_path / "job")
-    assert not (tmp_path / "job").exists()
-
-
-@pytest.mark.slow
-def test_workers_share_the_queue(sequences, tmp_path):
-    plan_sequences(sequences, tmp_path / "job", config=CONFIG)
-    assert loom.tiling.run_job(tmp_path / "job", workers=2).is_finished
-    assert np.all([(tmp_path / "job" / "sequences" / name).is_dir() for name in ("kitchen", "kitchen_2")])
-
-
-@pytest.mark.parametrize("name", ["../../outside", "/tmp/outside", "..", "a/b", "a\0b"])
-def test_task_names_cannot_be_paths(sequences, tmp_path, name):
-    job = tmp_path / "job"
-    plan_sequences(sequences[1:], job, config=CONFIG)
-    with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
-        base.execute("UPDATE tasks SET name = ?", (name,))
-    status = loom.tiling.run_job(job)
-    assert status.failed == 1 and "expected a plain file name" in str(status)
-    assert not (job / "sequences").exists() and not (tmp_path / "outside").exists()
-
-
-def finished(kind, surveyed, sequences, job):
+def finished(kind, surveyed, frames, job):
     """A finished job, and the function that uses its results."""
     if kind == "registration":
         by_tasks(surveyed[0][:2], job)
         return loom.tiling.finish_registration
-    if kind == "fusion":
-        loom.tiling.plan_fusion(sequences[1], job, voxel_size=0.1)
-    else:
-        plan_sequences(sequences[1:], job, config=CONFIG)
+    loom.tiling.plan_fusion(frames, job, voxel_size=0.1)
     assert loom.tiling.run_job(job).is_finished
-    return loom.tiling.finish_fusion if kind == "fusion" else job_status
+    return loom.tiling.finish_fusion
 
 
 @pytest.mark.parametrize("kind", run_jobs.KINDS)
-def test_each_field_of_an_untrusted_job_is_validated(kind, surveyed, sequences, tmp_path):
+def test_each_field_of_an_untrusted_job_is_validated(kind, surveyed, frames, tmp_path):
     """A plan, an input or a result with another type is an error that names the manifest."""
     job = tmp_path / "job"
-    finish = finished(kind, surveyed, sequences, job)
+    finish = finished(kind, surveyed, frames, job)
     with contextlib.closing(sqlite3.connect(job / NAME, isolation_level=None)) as base:
         (text,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
         plan, rows = json.loads(text), base.execute("SELECT stage, id, told, found FROM tasks").fetchall()
@@ -406,9 +308,9 @@ def test_each_field_of_an_untrusted_job_is_validated(kind, surveyed, sequences, 
 
 
 @pytest.mark.parametrize("kind", run_jobs.KINDS)
-def test_no_job_writes_through_symbolic_links(kind, surveyed, sequences, tmp_path):
+def test_no_job_writes_through_symbolic_links(kind, surveyed, frames, tmp_path):
     job, unrelated = tmp_path / "job", tmp_path / "kept"
-    finished(kind, surveyed, sequences, job)
+    finished(kind, surveyed, frames, job)
     outputs = [path for path in job.rglob("*") if path.is_file() and path.suffix in (".npz", ".ply", ".json", ".log")]
     assert outputs
     for path in (outputs[0], outputs[-1], outputs[0].parent):

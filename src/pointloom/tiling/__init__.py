@@ -1,4 +1,4 @@
-"""Jobs larger than memory: tiles, fusion, sequences and registration. Public names are loaded on first use.
+"""Jobs larger than memory: tiles, fusion and registration. Public names are loaded on first use.
 
 Example:
     >>> import numpy as np, pointloom as loom

@@ -325,20 +325,13 @@ def draw_triangles(
 
 
 def draw_in_tiles(
-    vertices: Points,
-    triangles: Indices,
-    view: View,
-    buffer: DepthBuffer,
-    *,
-    cull: bool,
-    start: int = 0,
-    threads: int = THREADS,
+    vertices: Points, triangles: Indices, view: View, buffer: DepthBuffer, *, cull: bool, start: int = 0
 ) -> None:
-    """`draw_triangles`, large ones by `threads` threads together."""
+    """`draw_triangles`, large ones by THREADS threads together."""
     count = triangles.size // 3
     for first in range(0, count, MAX_SHAPES):
         some = triangles[3 * first : 3 * min(first + MAX_SHAPES, count)]
         large = LargeShapes(some.size // 3, vertices.device)
         drawn = [vertices, some, view, int(cull), start + first, large]
         launch(draw_triangles_kernel, some.size // 3, [*drawn, buffer])
-        launch(draw_large_triangles_kernel, threads, [*drawn, threads // SIDE, buffer])
+        launch(draw_large_triangles_kernel, THREADS, [*drawn, THREADS // SIDE, buffer])

@@ -309,11 +309,11 @@ def mark_peaks_in_lanes_kernel(
         peaks[row] = uint8(is_peak)
 
 
-def order_descending(values: LongIntegers, bit_count: int = SUM_BITS) -> Indices:
+def order_descending(values: LongIntegers) -> Indices:
     """Descending order of non-negative int64 values, ties by index; int32."""
     keys = empty(values.size, int64, values.device)
-    launch(descending_keys_kernel, values.size, [values, (1 << bit_count) - 1, keys])
-    return argsort_keys(keys, bit_count)[1]
+    launch(descending_keys_kernel, values.size, [values, (1 << SUM_BITS) - 1, keys])
+    return argsort_keys(keys, SUM_BITS)[1]
 
 
 MAX_SEEDS = 256  # poses scored
@@ -498,13 +498,13 @@ def seed_poses(graph: CompatibilityGraph, seeds: Integers) -> tuple[Poses, Indic
     return poses, scores
 
 
-def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps: int = ANNEALING_STEPS) -> Doubles:
+def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float) -> Doubles:
     """Fit poses (in place) by graduated non-convexity. Returns inlier sums of 1 - (residual / distance)^2."""
     saved = empty(poses.size, float64, pairs.device)
     sums, limit, fraction = PoseSums(pairs, poses.size), distance * distance, FIRST_FRACTION
-    for step in range(steps + 1):
+    for step in range(ANNEALING_STEPS + 1):
         sums.add_up(sum_truncated_kernel, sum_truncated, [poses, limit, fraction])
-        launch(step_poses_kernel, poses.size, [sums.rows, sums.blocks, int(step == steps), poses, saved])
+        launch(step_poses_kernel, poses.size, [sums.rows, sums.blocks, int(step == ANNEALING_STEPS), poses, saved])
         fraction *= MU_GROWTH
     return saved
 

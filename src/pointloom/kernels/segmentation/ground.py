@@ -242,14 +242,14 @@ class HeightGrid:
         fill_gaps, surface = self.prepare_filling(unwanted)
         fill_gaps()
         opened = self._opened(surface, LOW_RADIUS, DILATION_SIGN)
-        self._flag(surface, opened, LOW_SLOPE * self.cell, DILATION_SIGN, unwanted)
+        flag_steps(surface, opened, LOW_SLOPE * self.cell, DILATION_SIGN, unwanted)
         fill_gaps()
         bare = surface
         # Radius grows by one cell: growth by a third would remove at once what slopes of 60% rise to, including
         # ridges.
         for radius in range(1, math.ceil(max_window / self.cell) + 1):
             opened = self._opened(surface, radius, EROSION_SIGN)
-            self._flag(surface, opened, slope * radius * self.cell, EROSION_SIGN, unwanted)
+            flag_steps(surface, opened, slope * radius * self.cell, EROSION_SIGN, unwanted)
             surface = opened
         fill_gaps()
         self.heights = bare
@@ -295,19 +295,32 @@ class HeightGrid:
 
     def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
         """Open (first EROSION_SIGN) or close (first DILATION_SIGN) heights by an octagon."""
-        diagonal = int(DIAGONAL_FRACTION * radius + 0.5)
-        straight = radius - 2 * diagonal
-        segments = [(1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)]
-        passes = [(first, s) for s in segments] + [(-first, s) for s in reversed(segments)]
-        for side, (dx, dy, half) in passes:
-            for distance in pass_distances(half):
-                out = empty(self.size, float32, self.device)
-                launch(filter_along_kernel, self.size, [heights, self.columns, self.rows, dx, dy, distance, side, out])
-                heights = out
-        return heights
+        segments = segments_of(radius)
+        filtered = filter_along(heights, self.columns, self.rows, segments, first)
+        return filter_along(filtered, self.columns, self.rows, segments[::-1], -first)
 
-    def _flag(self, heights: Scalars, opened: Scalars, limit: float, side: float, flags: Mask) -> None:
-        launch(flag_steps_kernel, self.size, [heights, opened, limit, side, flags])
+
+def segments_of(radius: int) -> list[tuple[int, int, int]]:
+    """Directions and half lengths of the segments whose sum is an octagon."""
+    diagonal = int(DIAGONAL_FRACTION * radius + 0.5)
+    straight = radius - 2 * diagonal
+    return [(1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)]
+
+
+def filter_along(
+    heights: Scalars, columns: int, rows: int, segments: list[tuple[int, int, int]], side: float
+) -> Scalars:
+    """Minimum (side 1) or maximum (side -1) over a sum of segments."""
+    for dx, dy, half in segments:
+        for distance in pass_distances(half):
+            out = empty(heights.size, float32, heights.device)
+            launch(filter_along_kernel, heights.size, [heights, columns, rows, dx, dy, distance, side, out])
+            heights = out
+    return heights
+
+
+def flag_steps(heights: Scalars, opened: Scalars, limit: float, side: float, flags: Mask) -> None:
+    launch(flag_steps_kernel, heights.size, [heights, opened, limit, side, flags])
 
 
 def pass_distances(half: int) -> list[int]:

@@ -29,16 +29,15 @@ from ..lang import (
 )
 from ..memory import empty, full, zeros
 from ..segmentation.ground import (
-    DIAGONAL_FRACTION,
     DILATION_SIGN,
     EROSION_SIGN,
     LOW_RADIUS,
     LOW_SLOPE,
     average_cells_kernel,
     clear_cells_kernel,
-    filter_along_kernel,
-    flag_steps_kernel,
-    pass_distances,
+    filter_along,
+    flag_steps,
+    segments_of,
 )
 from .cells import FixedCells, column_of, row_of_cell
 
@@ -230,12 +229,12 @@ class NearGround:
         cells, unwanted = self.cells, zeros(self.cells.size, uint8, self.device)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
         closed = self._opened(surface, LOW_RADIUS, DILATION_SIGN)
-        self._flag(surface, closed, LOW_SLOPE * cells.cell, DILATION_SIGN, unwanted)
+        flag_steps(surface, closed, LOW_SLOPE * cells.cell, DILATION_SIGN, unwanted)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
         before = surface
         for radius in range(1, self.radius + 1):
             opened = self._opened(surface, radius, EROSION_SIGN)
-            self._flag(before, opened, slope * radius * cells.cell, EROSION_SIGN, unwanted)
+            flag_steps(before, opened, slope * radius * cells.cell, EROSION_SIGN, unwanted)
             before = opened
         heights = self._filled(unwanted, levels_of(self.radius), SPRINGS_PER_LEVEL)
         slopes = empty(cells.size, float32, self.device)
@@ -268,19 +267,8 @@ class NearGround:
 
     def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
         """Opening (EROSION_SIGN first) or closing (DILATION_SIGN first) by octagons, ignoring unknown cells."""
-        diagonal = int(DIAGONAL_FRACTION * radius + 0.5)
-        segments = [(1, 0, radius - 2 * diagonal), (0, 1, radius - 2 * diagonal), (1, 1, diagonal), (1, -1, diagonal)]
         for side in (first, -first):
             known = empty(self.cells.size, float32, self.device)
             launch(pass_over_kernel, self.cells.size, [heights, side * INFINITY, known])
-            heights = known
-            for dx, dy, half in segments:
-                for distance in pass_distances(half):
-                    out = empty(self.cells.size, float32, self.device)
-                    arguments = [heights, self.cells.columns, self.cells.rows, dx, dy, distance, side, out]
-                    launch(filter_along_kernel, self.cells.size, arguments)
-                    heights = out
+            heights = filter_along(known, self.cells.columns, self.cells.rows, segments_of(radius), side)
         return heights
-
-    def _flag(self, heights: Scalars, opened: Scalars, limit: float, side: float, flags: Mask) -> None:
-        launch(flag_steps_kernel, self.cells.size, [heights, opened, limit, side, flags])

@@ -120,15 +120,15 @@ def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) 
     return [require_normals(cloud, name, method) for cloud, name in zip(clouds, names, strict=True)]
 
 
-def require_colors(cloud: PointCloud, name: str, method: str) -> wp.array:
+def require_colors(cloud: PointCloud, name: str) -> wp.array:
     if not cloud.has_colors:
-        raise ValueError(f"{name}: {method} needs colors, and it has none; assign cloud.colors")
+        raise ValueError(f"{name}: colored ICP needs colors, and it has none; assign cloud.colors")
     return cloud.arrays["colors"]
 
 
 def colored_source(cloud: PointCloud, name: str = "source") -> wp.array:
     """Intensities for colored ICP, float32 [n]: the mean of red, green and blue."""
-    return average_colors(require_colors(cloud, name, "colored ICP"))
+    return average_colors(require_colors(cloud, name))
 
 
 def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, name: str = "target") -> ColoredSurface:
@@ -138,7 +138,7 @@ def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, nam
     the projection onto the tangent plane, which Open3D dropped in 2022.
     """
     normals = require_normals(cloud, name, "colored ICP")
-    colors = require_colors(cloud, name, "colored ICP")
+    colors = require_colors(cloud, name)
     radius = GRADIENT_RADIUS * max_correspondence_distance
     gradients = estimate_color_gradients(cloud.search_tree(), normals, colors, radius, GRADIENT_NEIGHBORS)
     return ColoredSurface(normals, *gradients)

@@ -125,12 +125,12 @@ def _derivatives(rotated: Array) -> Array:
     return J
 
 
-def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Array:
+def fit_level(source: Array, target: Array, up: Array) -> Array:
     """RANSAC similarity that keeps `up` [3] vertical, by the median horizontal distance. Target heights may be NaN."""
     upright = upright_rotation(up)
     s = matmul(source, upright.T)
     a, b = s[:, 0] + 1j * s[:, 1], target[:, 0] + 1j * target[:, 1]
-    i, j = _pairs(len(a), seed).T
+    i, j = _pairs(len(a)).T
     with np.errstate(all="ignore"):
         k = (b[j] - b[i]) / (a[j] - a[i])
         shift = b[i] - k * a[i]
@@ -151,9 +151,9 @@ def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Arra
     return T
 
 
-def _pairs(count: int, seed: int) -> NDArray[np.int64]:
+def _pairs(count: int) -> NDArray[np.int64]:
     if math.comb(count, 2) <= MAX_PAIRS:
         return np.array(list(itertools.combinations(range(count), 2)))
-    rng = np.random.Generator(np.random.PCG64(seed))
+    rng = np.random.Generator(np.random.PCG64(0))
     pairs = rng.integers(0, count, (MAX_PAIRS, 2))
     return pairs[pairs[:, 0] != pairs[:, 1]]

@@ -1,1 +1,1 @@
-"""Jobs other than tiles: fusion by cubes, sequences, registration."""
+"""Jobs other than tiles: fusion by cubes, registration."""

@@ -86,7 +86,7 @@ class JobStatus(Assessed):
     """Progress of a job.
 
     Attributes:
-        folder, job: Its folder, and "fusion", "sequences" or "registration".
+        folder, job: Its folder, and "fusion" or "registration".
         stage: Name of the current stage's tasks.
         waiting, running, done, failed, aside: Number of tasks in each state, in the stages so far. Failed tasks raised
             an error, quarantined ones (`aside`) killed their workers.

@@ -3,174 +3,21 @@
 from __future__ import annotations
 
 import json
-import re
-from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict
 from functools import lru_cache, partial
 from pathlib import Path
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
-from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_progress
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of, plain_name, refuse_link
 from ...core.progress import ReportProgress
-from ...io.frames.datasets import open_frames
-from ...rgbd.reconstruction.config import ReconstructionConfig
-from ...rgbd.reconstruction.job import run_reconstruction_system
 from ..manifest import NAME, Manifest, damage_as_file_errors, message_of
-from ..plan_check import Checks, builds, is_count, is_flag, is_text, list_of
 from ..processes import run_tasks
 from ..runners import check_part
-from .fusion import SOURCE_FIELDS, FusionJob
-from .job import (
-    Done,
-    Job,
-    JobStatus,
-    Task,
-    advance,
-    done_in,
-    make_job,
-    open_manifest,
-    over_in,
-    read_inputs,
-    stage_of,
-    stamp_of,
-    status_of,
-)
+from .fusion import FusionJob
+from .job import Job, JobStatus, advance, done_in, open_manifest, over_in, read_inputs, stage_of, status_of
 from .scans import RegistrationJob
 
-SEQUENCES = "sequences"  # folder of the results
-
-
-class SequencesJob(Job):
-    KIND = "sequences"
-    STAGES = ("sequences",)
-    PLAN: ClassVar[Checks] = SOURCE_FIELDS | {
-        "frames": list_of(is_text),
-        "refine": is_flag,
-        "slac": is_flag,
-        "config": builds(ReconstructionConfig.from_names),
-    }
-
-    def task_fields(self, stage: int) -> tuple[Checks, Checks]:
-        result: Checks = {"frames": is_count, "used": is_count, "stamp": is_text}
-        result |= dict.fromkeys(("files", "warnings", "left_out"), list_of(is_text))
-        return {"frames": lambda value: value in self.plan["frames"]}, result
-
-    def check(self, done: Callable[[int], Iterator[Done]]) -> None:
-        for task in done(0):
-            if _stamp(Path(task.inputs["frames"])) != task.result["stamp"]:
-                reason = "has changed since it was reconstructed"
-                raise FileError(task.inputs["frames"], reason, remedy="Plan the sequences again in another folder")
-
-    def do(self, stage: int, name: str, inputs: dict[str, Any]) -> dict[str, Any]:
-        plan, frames = self.plan, Path(inputs["frames"])
-        stamp = _stamp(frames)
-        camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
-        options = {option: plan[option] for option in ("layout", "every", "depth_scale")}
-        missing = "images" if plan["leave_out"] else False
-        source = open_frames(frames, intrinsic=camera, skip_missing=missing, **options)
-        folder = refuse_link(self.folder / SEQUENCES / plain_name(self.folder / NAME, name))
-        folder.parent.mkdir(exist_ok=True)
-        config = ReconstructionConfig.from_names(plan["config"])
-        how = {"resume": True, "refine": plan["refine"], "slac": plan["slac"], "device": self.device}
-        report = run_reconstruction_system(source, config, folder, **how)
-        figures = {"frames": report.frames, "used": report.used, "files": list(report.files)}
-        return figures | {"warnings": list(report.warnings)} | {"left_out": source.left_out, "stamp": stamp}
-
-    def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        """Skipped frames."""
-        return [f"{task.name}: left out: {reason}" for task in done(0) for reason in task.result["left_out"]]
-
-    def warnings(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        return [f"{task.name}: {warning}" for task in done(0) for warning in task.result["warnings"]]
-
-
-def plan_sequences(
-    frames: Sequence[FilePath],
-    folder: FilePath,
-    *,
-    config: ReconstructionConfig | None = None,
-    layout: str = "auto",
-    intrinsic: PinholeCameraIntrinsic | None = None,
-    depth_scale: float | None = None,
-    every: int = 1,
-    leave_out: bool = False,
-    refine: bool = True,
-    slac: bool = False,
-) -> JobStatus:
-    """Plan the reconstruction of many RGB-D sequences, each independent; `run_job` processes the queue.
-
-    A folder with the same plan keeps its finished work. One with another plan is rejected. The result of "kitchen" is
-    in `folder/sequences/kitchen`, as `run_reconstruction_system` writes it. Memory per worker is that of
-    `run_reconstruction_system`.
-
-    Args:
-        frames: Folders of frames, each as `open_frames` accepts it.
-        folder: Folder of the job, created if missing.
-        config: As of `rgbd.run_reconstruction_system`, for all sequences.
-        layout: As of `open_frames`, like the next three.
-        intrinsic, depth_scale: Camera and depth units per meter, if they differ from the folders' files.
-        every: Use every k-th frame.
-        leave_out: Skip incomplete frames and list them in `job_status`. Else they are errors.
-        refine, slac: As of `run_reconstruction_system`.
-
-    Returns:
-        A JobStatus. Tasks are named after the folders, with "_2" for repeated names.
-
-    Raises:
-        FileError: If a sequence is not a folder, or the job's folder contains something else.
-        ValueError: If there are no folders, or one is duplicated.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.datasets.scenes.room import write_room_sequence
-        >>> from pointloom.tiling.jobs.run_jobs import plan_sequences
-        >>> write_room_sequence("walk", frame_count=6, width=80, height=60)
-        >>> sizes = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.05, "depth_max": 4.0}
-        >>> config = loom.rgbd.ReconstructionConfig(**sizes)
-        >>> plan_sequences(["walk"], "job", config=config).waiting
-        1
-        >>> loom.tiling.run_job("job").is_finished
-        True
-    """
-    paths = [path_of(path).absolute() for path in frames]
-    if not paths:
-        raise ValueError("frames: expected at least one folder, got none")
-    twice = [path for path, count in Counter(paths).items() if count > 1]
-    if twice:
-        raise ValueError(f"frames: {twice[0]} is duplicated")
-    for path in paths:
-        if not path.is_dir():
-            raise FileError(path, "is not a folder" if path.exists() else "does not exist")
-    config = ReconstructionConfig() if config is None else config
-    plan: dict[str, Any] = {"frames": list(map(str, paths)), "layout": layout, "every": check_count("every", every)}
-    plan |= {"depth_scale": depth_scale, "leave_out": bool(leave_out), "refine": bool(refine), "slac": bool(slac)}
-    plan |= {"intrinsic": None if intrinsic is None else asdict(intrinsic), "config": config.to_names()}
-    names = _names(paths)
-    tasks = [Task(name, {"frames": str(path)}) for name, path in zip(names, paths, strict=True)]
-    return make_job(SequencesJob, folder, plan, tasks)
-
-
-def _names(paths: Sequence[Path]) -> list[str]:
-    names: list[str] = []
-    for path in paths:
-        stem = re.sub(r"[^\w.-]", "_", path.name) or "sequence"
-        number, name = 1, stem
-        while name in names:
-            number += 1
-            name = f"{stem}_{number}"
-        names.append(name)
-    return names
-
-
-def _stamp(frames: Path) -> str:
-    return stamp_of(sorted(path for path in frames.rglob("*") if path.is_file()))
-
-
-KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob, SequencesJob, RegistrationJob)}
+KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob, RegistrationJob)}
 
 
 class _Task(NamedTuple):

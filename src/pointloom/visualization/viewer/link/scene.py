@@ -146,11 +146,9 @@ class Scene:
         properties = {"ends": ends, "colors": colors, "plain": plain, "width": width}
         return self._add("lines", properties, **placement)
 
-    def add_label(
-        self, text: str, position: Any, *, anchor: str = "center", parent: Node | None = None, visible: bool = True
-    ) -> Node:
+    def add_label(self, text: str, position: Any, *, anchor: str = "center") -> Node:
         """Add a text at a position (3,) of the parent's frame; `anchor` is the corner of the text at that position."""
-        return self._add("label", {"text": text, "anchor": anchor}, parent=parent, t=position, visible=visible)
+        return self._add("label", {"text": text, "anchor": anchor}, t=position)
 
     def show_shared(self, node: Node, visible: bool) -> None:
         """Show or hide a shared node in this page only, until its shared visibility changes."""
