@@ -193,7 +193,7 @@ class Anything:
         return self
 
 
-WINDOWS = ("Visualizer", "VisualizerWithKeyCallback", "VisualizerWithEditing", "VisualizerWithVertexSelection")
+WINDOWS = ("Visualizer", "VisualizerWithKeyCallback", "VisualizerWithEditing")
 DRAWS = ("draw_geometries", "draw", "draw_geometries_with_editing", "draw_geometries_with_vertex_selection",
          "draw_geometries_with_animation_callback", "draw_geometries_with_key_callbacks",
          "draw_geometries_with_custom_animation", "draw_plotly")  # fmt: skip

@@ -397,14 +397,13 @@ def small():
     return G.TetraMesh(V(np.eye(4, 3, -1)), o3d.utility.Vector4iVector([[0, 1, 2, 3]]))
 
 
-def test_meshes_of_tetrahedra_are_joined_moved_and_copied():
+def test_meshes_of_tetrahedra_are_moved_and_copied():
     mesh = small()
-    both = mesh + mesh
-    assert np.asarray(both.tetras).tolist() == [[0, 1, 2, 3], [4, 5, 6, 7]] and both.has_tetras()
-    both.translate([1, 0, 0]).paint_uniform_color([1, 0, 0])
-    np.testing.assert_allclose(both.get_center(), [1.25, 0.25, 0.25])
-    assert both.has_vertex_colors() and not (both + mesh).has_vertex_colors()
-    for again in (copy.deepcopy(both), G.TetraMesh(both), pickle.loads(pickle.dumps(both))):
-        assert str(again) == "TetraMesh with 8 points and 2 tetrahedra."
+    assert np.asarray(mesh.tetras).tolist() == [[0, 1, 2, 3]] and mesh.has_tetras()
+    mesh.translate([1, 0, 0]).paint_uniform_color([1, 0, 0])
+    np.testing.assert_allclose(mesh.get_center(), [1.25, 0.25, 0.25])
+    assert mesh.has_vertex_colors()
+    for again in (copy.deepcopy(mesh), G.TetraMesh(mesh), pickle.loads(pickle.dumps(mesh))):
+        assert str(again) == "TetraMesh with 4 points and 1 tetrahedra."
         assert str(again.clear()) == "TetraMesh with 0 points and 0 tetrahedra."
-    assert len(both.tetras) == 2 and both.get_geometry_type() == G.Geometry.TetraMesh
+    assert len(mesh.tetras) == 1 and mesh.get_geometry_type() == G.Geometry.TetraMesh

@@ -325,9 +325,8 @@ def test_windows_write_images_without_a_display(box, no_display, tmp_path, capsy
     assert all(name in capsys.readouterr().err for name in names[:1])
 
 
-@pytest.mark.parametrize("kind", ["VisualizerWithEditing", "VisualizerWithVertexSelection"])
-def test_nothing_is_picked_without_a_page(box, kind, capsys):
-    vis = getattr(o3d.visualization, kind)()
+def test_nothing_is_picked_without_a_page(box, capsys):
+    vis = o3d.visualization.VisualizerWithEditing()
     vis.create_window()
     vis.add_geometry(box)
     vis.run()
@@ -364,33 +363,6 @@ def test_clicks_pick_points_and_clicks_on_picked_points_remove_them(monkeypatch)
     assert vis.get_picked_points() == [2, 3] and (np.asarray(vis.get_cropped_geometry().points) == points).all()
     vis.create_window()
     assert vis.get_picked_points() == []
-    vis.destroy_window()
-
-
-def test_vertices_are_selected_by_clicks_and_by_the_program(box, monkeypatch):
-    monkeypatch.setenv("POINTLOOM_DRAW", "page")
-    box.scale(0.2, [0, 0, 0])
-    vis, calls = o3d.visualization.VisualizerWithVertexSelection(), []
-    vis.create_window()
-    vis.add_geometry(box)
-    vis.register_selection_changed_callback(lambda: calls.append(len(vis.get_picked_points())))
-    viewer, vertices = vis.viewer, np.asarray(box.vertices)
-    top = int(np.argmax(vertices.sum(axis=1)))
-    with page_of(viewer.server) as line:
-        wait_until(lambda: viewer.sessions)
-        click(line, viewer, vertices[top] - [0.02, 0.02, 0])  # on the upper face, nearest to a corner
-        wait_until(lambda: marks(viewer) == 1)
-        assert calls == [] and vis.poll_events() and calls == [1]  # in the program's own loop
-    vis.add_picked_points(o3d.utility.IntVector([top, (top + 1) % 8]))
-    picked = vis.get_picked_points()
-    assert [point.index for point in picked] == [top, (top + 1) % 8]
-    assert all(point.coord == pytest.approx(vertices[point.index]) for point in picked)
-    vis.remove_picked_points([top])
-    assert len(vis.get_picked_points()) == 1
-    with pytest.raises(IndexError, match="indices:"):
-        vis.add_picked_points([8])
-    vis.clear_picked_points()
-    assert vis.get_picked_points() == [] and "picked points" not in viewer.items
     vis.destroy_window()
 
 

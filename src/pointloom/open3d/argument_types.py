@@ -5,4 +5,4 @@ from __future__ import annotations
 from typing import Any
 
 BoxLike = CameraLike = CloudLike = DeviceArray = DeviceLike = FrameLike = ImageLike = Any
-IndicesLike = MeshLike = ShapeLike = TensorCloud = TensorFrame = TensorImage = TensorLike = Any
+IndicesLike = MeshLike = ShapeLike = TensorCloud = TensorFrame = TensorImage = TensorLike = VectorLike = Any

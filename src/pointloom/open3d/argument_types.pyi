@@ -17,12 +17,14 @@ from .core.device import Device
 from .core.tensor import Tensor
 from .geometry import AxisAlignedBoundingBox, Image, OrientedBoundingBox, PointCloud, RGBDImage, TriangleMesh
 from .t import geometry as tensor_geometry
+from .vectors import Vector
 
 # Values of arrays
 DeviceArray: TypeAlias = wp.array | NDArray[Any]
 IndicesLike: TypeAlias = Iterable[int] | ArrayLike
 ShapeLike: TypeAlias = int | Iterable[int]
 TensorLike: TypeAlias = Tensor | ArrayLike
+VectorLike: TypeAlias = Vector | ArrayLike
 DeviceLike: TypeAlias = Device | str
 
 # Objects of `pointloom.open3d`, or those of pointloom that they contain

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_indices
+from .argument_types import IndicesLike
 
 
-def indices_of(name: str, values: Any, count: int, of: str) -> NDArray[np.int64]:
+def indices_of(name: str, values: IndicesLike, count: int, of: str) -> NDArray[np.int64]:
     """Validate indices of `count` elements, in the given order: a list, set, range, IntVector or array.
 
     `of` names the owner for the message. Raises TypeError if not integers (also for boolean masks, which Open3D reads
@@ -26,7 +26,7 @@ def indices_of(name: str, values: Any, count: int, of: str) -> NDArray[np.int64]
     return rows.astype(np.int64)
 
 
-def flagged(name: str, values: Any, count: int, of: str) -> NDArray[np.bool_]:
+def flagged(name: str, values: IndicesLike, count: int, of: str) -> NDArray[np.bool_]:
     """True for each of `count` elements that the indices contain. Errors as in `indices_of`."""
     flags = np.zeros(count, bool)
     flags[indices_of(name, values, count, of)] = True

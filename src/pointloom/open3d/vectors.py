@@ -48,7 +48,7 @@ class Vector(HintedNames):
         else:
             self._array = np.array(values, self._dtype)
 
-    def _rows(self, values: Any) -> NDArray[Any]:
+    def _rows(self, values: object) -> NDArray[Any]:
         kind = type(self).__name__
         if isinstance(values, Iterable) and not isinstance(values, str | Sequence) and not hasattr(values, "__array__"):
             values = list(values)  # a set, a generator

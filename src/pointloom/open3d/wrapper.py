@@ -41,7 +41,7 @@ class Rows:
     def __get__(self, instance: Any, owner: type) -> Any:
         return self if instance is None else instance.vector(self.name)
 
-    def __set__(self, instance: Wrapper, values: Any) -> None:
+    def __set__(self, instance: Wrapper, values: object) -> None:
         if not isinstance(values, self.kind | np.ndarray):
             module = "utility" if issubclass(self.kind, Vector) else "geometry"
             wanted = f"{module}.{self.kind.__name__}"
@@ -173,7 +173,7 @@ class Forwarded(Generic[P]):
         return make
 
 
-def unwrap(value: Any, kind: type[Wrapper] | None = None, name: str = "") -> Any:
+def unwrap(value: object, kind: type[Wrapper] | None = None, name: str = "") -> Any:
     """Unwrap a `Wrapper`, or a list of them. Pointloom objects and arrays are returned unchanged.
 
     Raises TypeError if it is not of type `kind`; `name` is the argument's name for the message.

@@ -270,21 +270,6 @@ def test_depth_images_become_points_and_points_depth_images(where, with_normals)
     assert np.abs(both.depth.as_tensor().numpy()[..., 0] - depth).max() < 1e-3
 
 
-def test_points_sweep_lines_and_lines_sweep_meshes():
-    cloud, quarter = g.PointCloud(np.array([[1.0, 0, 0], [2, 0, 0]])), [[0, 1, 1], [0, 2, 1]]
-    lines = cloud.extrude_linear([0.0, 0, 2], 0.5)
-    assert lines.point.positions.numpy()[2:].tolist() == [[1, 0, 1], [2, 0, 1]]
-    assert lines.line.indices.numpy().tolist() == [[0, 2], [1, 3]]
-    turned = cloud.extrude_rotation(90, [0.0, 0, 3], resolution=2, translation=1)
-    assert np.abs(turned.point.positions.numpy()[-2:] - quarter).max() < 1e-6
-    assert turned.line.indices.numpy().tolist() == [[0, 2], [2, 4], [1, 3], [3, 5]]
-    line = g.LineSet(np.array([[1.0, 0, 0], [2, 0, 0]]), np.array([[0, 1]]))
-    assert line.extrude_linear([0.0, 0, 2]).triangle.indices.numpy().tolist() == [[0, 1, 2], [2, 1, 3]]
-    assert np.abs(line.extrude_rotation(90, [0.0, 0, 1], 4).vertex.positions.numpy()[-1] - [0, 2, 0]).max() < 1e-6
-    with pytest.raises(ValueError, match="axis"):
-        cloud.extrude_rotation(90, [0.0, 0, 0])
-
-
 def test_lines_move_and_keep_their_colors(where):
     lines = g.LineSet(Tensor(POINTS.astype(np.float32), device=where), Tensor([[0, 1], [1, 2]], device=where))
     lines.paint_uniform_color([1.0, 0, 0])

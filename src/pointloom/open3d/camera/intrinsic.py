@@ -39,7 +39,7 @@ class PinholeCameraIntrinsic(Wrapper):
             self._take(width if isinstance(width, self._kind) else self._kind(*(v for v in given if v is not None)))
 
     @classmethod
-    def from_native(cls, native: Any) -> Self:
+    def from_native(cls, native: camera.PinholeCameraIntrinsic) -> Self:
         return cls(native)
 
     def _take(self, native: camera.PinholeCameraIntrinsic) -> None:

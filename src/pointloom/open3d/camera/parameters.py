@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from typing import Any
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.trajectory import Trajectory
 from ...core.attribute_hints import KnownNames
 from ...core.checks import check_shape
+from ..argument_types import CameraLike
 from .intrinsic import PinholeCameraIntrinsic
 
 
@@ -29,7 +30,7 @@ class PinholeCameraParameters(KnownNames):
         return self._intrinsic
 
     @intrinsic.setter
-    def intrinsic(self, value: Any) -> None:
+    def intrinsic(self, value: CameraLike) -> None:
         self._intrinsic = PinholeCameraIntrinsic(value)
 
     @property
@@ -58,11 +59,11 @@ class PinholeCameraTrajectory(KnownNames):
         return self._parameters
 
     @parameters.setter
-    def parameters(self, values: Any) -> None:
+    def parameters(self, values: Iterable[PinholeCameraParameters]) -> None:
         self._parameters = [PinholeCameraParameters(value) for value in values]
 
     @classmethod
-    def from_native(cls, trajectory: Trajectory, intrinsic: Any) -> PinholeCameraTrajectory:
+    def from_native(cls, trajectory: Trajectory, intrinsic: CameraLike) -> PinholeCameraTrajectory:
         """Cameras from poses (camera to world)."""
         made = cls()
         for pose in trajectory.poses:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...core.attribute_hints import HintedNames
 from .errors import TensorError
@@ -20,7 +20,7 @@ class Device(HintedNames):
     DeviceType: ClassVar[type[DeviceType]] = DeviceType
     CPU, CUDA = DeviceType
 
-    def __init__(self, device_type: Any = "CPU:0", device_id: int | None = None):
+    def __init__(self, device_type: Device | DeviceType | str = "CPU:0", device_id: int | None = None):
         given = getattr(device_type, "name", device_type)  # a Device or a DeviceType
         kind, _, number = str(given).upper().partition(":")
         number = str(device_id) if device_id is not None else number or "0"

@@ -6,6 +6,7 @@ Bool, division of integers, empty arrays, other names.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -50,12 +51,12 @@ _FOLDS = {
 }
 
 
-def _bytes_of(array: Any) -> Any:
+def _bytes_of(array: wp.array) -> Any:
     """The memory of a contiguous array, for Bool as uint8."""
     return view_as(array, wp.uint8, tuple(array.shape)) if array.dtype == wp.bool else array
 
 
-def _wide(array: Any) -> Any:
+def _wide(array: wp.array) -> Any:
     """The elements as a flat array of float64 or int64."""
     flat = _bytes_of(contiguous(array))
     flat = view_as(flat, flat.dtype, (flat.size,))
@@ -63,7 +64,7 @@ def _wide(array: Any) -> Any:
     return flat if flat.dtype == wanted else cast(flat, wanted)
 
 
-def _narrow(array: Any, dtype: Any, shape: Shape) -> Any:
+def _narrow(array: wp.array, dtype: type, shape: Shape) -> Any:
     """A flat array as another type and shape. Values become Bool only from 0 and 1."""
     stored = wp.uint8 if dtype == wp.bool else dtype
     if array.dtype != stored:
@@ -71,16 +72,16 @@ def _narrow(array: Any, dtype: Any, shape: Shape) -> Any:
     return view_as(array, dtype, shape or (1,))
 
 
-def _zero(array: Any) -> Any:
+def _zero(array: wp.array) -> Any:
     return upload(np.zeros(1), array.dtype, array.device)
 
 
-def _nonzero(array: Any) -> Any:
+def _nonzero(array: wp.array) -> Any:
     """1 for each element of a wide array other than 0, else 0."""
     return elementwise.combine(array, (array.size,), _zero(array), (1,), elementwise.NE)[0]
 
 
-def binary(name: str, a: Any, a_shape: Shape, b: Any, b_shape: Shape) -> Result:
+def binary(name: str, a: wp.array, a_shape: Shape, b: wp.array, b_shape: Shape) -> Result:
     if a.dtype not in TYPES or not a.size or not b.size or (name == "div" and a.dtype in (wp.int32, wp.int64)):
         return None
     left, right = _wide(a), _wide(b)
@@ -91,7 +92,7 @@ def binary(name: str, a: Any, a_shape: Shape, b: Any, b_shape: Shape) -> Result:
     return _narrow(out, a.dtype if name in _ARITHMETIC else wp.bool, shape), shape
 
 
-def unary(name: str, array: Any, shape: Shape) -> Result:
+def unary(name: str, array: wp.array, shape: Shape) -> Result:
     is_float = array.dtype in (wp.float32, wp.float64)
     if array.dtype not in TYPES or not array.size or not (is_float or name in ("neg", "abs", "logical_not")):
         return None
@@ -107,7 +108,7 @@ def unary(name: str, array: Any, shape: Shape) -> Result:
     return _narrow(out, array.dtype if name in _UNARY else wp.bool, shape), shape
 
 
-def reduced(name: str, array: Any, shape: Shape, axes: Any, keepdim: bool) -> Result:
+def reduced(name: str, array: wp.array, shape: Shape, axes: Sequence[int], keepdim: bool) -> Result:
     if array.dtype not in TYPES or not array.size or not shape or name not in _FOLDS:
         return None
     chosen = sorted(axis % len(shape) for axis in axes if -len(shape) <= axis < len(shape))
@@ -124,7 +125,7 @@ def reduced(name: str, array: Any, shape: Shape, axes: Any, keepdim: bool) -> Re
     return _narrow(out, array.dtype, result_shape), result_shape
 
 
-def converted(array: Any, dtype: np.dtype[Any]) -> Any:
+def converted(array: wp.array, dtype: np.dtype[Any]) -> Any:
     """A contiguous copy as another type."""
     wanted = wp.dtype_from_numpy(dtype)
     if array.dtype == wanted or not array.size:
@@ -135,7 +136,7 @@ def converted(array: Any, dtype: np.dtype[Any]) -> Any:
     return cast(_bytes_of(contiguous(array)), wanted)
 
 
-def gathered(array: Any, shape: Shape, index: Any, index_shape: Shape) -> Result:
+def gathered(array: wp.array, shape: Shape, index: wp.array, index_shape: Shape) -> Result:
     """The rows of an index or mask along the first axis."""
     if not array.size or not index.size or len(index_shape) != 1 or index.dtype not in (wp.bool, wp.int32, wp.int64):
         return None
@@ -155,7 +156,7 @@ def gathered(array: Any, shape: Shape, index: Any, index_shape: Shape) -> Result
     return view_as(chosen, array.dtype, out_shape), out_shape
 
 
-def overwrite(target: Any, source: Any) -> None:
+def overwrite(target: wp.array, source: wp.array) -> None:
     """Copy an array of the same type and shape into an array or a view of it."""
     if target.is_contiguous:
         copy(target, contiguous(source), count=target.size)

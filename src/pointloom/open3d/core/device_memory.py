@@ -22,7 +22,7 @@ MAX_AXES = 4  # of a Warp array
 class _Address:
     """An array interface of device memory. NumPy computes views of it and must not read it."""
 
-    def __init__(self, array: Any, shape: tuple[int, ...]):
+    def __init__(self, array: wp.array, shape: tuple[int, ...]):
         strides = array.strides if shape else ()
         typestr = wp.dtype_to_numpy(array.dtype)
         self.__array_interface__ = {
@@ -34,7 +34,7 @@ class _Address:
         }
 
 
-def wrapped(array: Any) -> Any:
+def wrapped(array: wp.array) -> Any:
     """A Warp array on the CPU as NumPy, one on a GPU with scalars as elements. Both share the memory."""
     return host_view(array) if array.device.is_cpu else as_scalars(array)
 
@@ -50,11 +50,11 @@ def shared(source: Any) -> Any:
     return np.from_dlpack(source)  # a shape that Warp does not have
 
 
-def numpy_dtype(array: Any) -> np.dtype[Any]:
+def numpy_dtype(array: wp.array) -> np.dtype[Any]:
     return np.dtype(wp.dtype_to_numpy(array.dtype))
 
 
-def as_scalars(array: Any) -> Any:
+def as_scalars(array: wp.array) -> Any:
     """The array with scalars as elements: vectors become a last axis."""
     scalar = getattr(array.dtype, "_wp_scalar_type_", array.dtype)
     if scalar is array.dtype:
@@ -69,12 +69,12 @@ def to_device(values: NDArray[Any], device: str) -> Any:
     return upload(np.atleast_1d(values), wp.dtype_from_numpy(values.dtype), resolve_device(device))
 
 
-def to_host(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+def to_host(array: wp.array, shape: tuple[int, ...]) -> NDArray[Any]:
     """A writable copy."""
     return np.array(download(contiguous(array))).reshape(shape)
 
 
-def view(array: Any, shape: tuple[int, ...], change: Callable[[NDArray[Any]], Any]) -> tuple[Any, tuple[int, ...]]:
+def view(array: wp.array, shape: tuple[int, ...], change: Callable[[NDArray[Any]], Any]) -> tuple[Any, tuple[int, ...]]:
     """A view of a device array and its shape. `change` computes a view of a NumPy array and reads no element."""
     seen = change(np.asarray(_Address(array, shape)))
     if seen.size == 0:
@@ -92,7 +92,7 @@ def view(array: Any, shape: tuple[int, ...], change: Callable[[NDArray[Any]], An
     return made, seen.shape
 
 
-def write(target: Any, shape: tuple[int, ...], values: NDArray[Any]) -> None:
+def write(target: wp.array, shape: tuple[int, ...], values: NDArray[Any]) -> None:
     """Write values that broadcast to the shape of an array or a view of it."""
     source = to_device(np.broadcast_to(values, shape).astype(numpy_dtype(target)), str(target.device))
     if source.size:

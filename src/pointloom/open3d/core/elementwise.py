@@ -6,6 +6,7 @@ Open3D's rules: `div` of integers truncates toward zero, reductions keep the typ
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -84,7 +85,7 @@ def unary(name: str, values: NDArray[Any]) -> NDArray[Any]:
     return result if result.dtype == bool else result.astype(values.dtype, copy=False)
 
 
-def reduced(name: str, values: NDArray[Any], axes: Any, keepdim: bool) -> NDArray[Any]:
+def reduced(name: str, values: NDArray[Any], axes: Sequence[int], keepdim: bool) -> NDArray[Any]:
     """A reduction over some axes. `argmin` and `argmax` take one axis or all."""
     if any(not -values.ndim <= axis < values.ndim for axis in axes):
         raise TensorError(f"dim: expected axes from {-values.ndim} to {values.ndim - 1}, got {list(axes)}")
@@ -100,15 +101,15 @@ def reduced(name: str, values: NDArray[Any], axes: Any, keepdim: bool) -> NDArra
         return np.asarray(REDUCTIONS[name][0](values, axis=tuple(axes), keepdims=keepdim, **options))
 
 
-def _summed(function: Any, values: NDArray[Any], axes: Any, keepdim: bool) -> NDArray[Any]:
+def _summed(function: Callable[..., Any], values: NDArray[Any], axes: Sequence[int], keepdim: bool) -> NDArray[Any]:
     """A sum or mean in float64 over contiguous values, which NumPy adds pairwise: rows of an axis it adds in order."""
-    axes = {axis % values.ndim for axis in axes}
-    kept = [axis for axis in range(values.ndim) if axis not in axes]
+    summed = {axis % values.ndim for axis in axes}
+    kept = [axis for axis in range(values.ndim) if axis not in summed]
     sizes = [values.shape[axis] for axis in kept]
-    moved = values.transpose(*kept, *sorted(axes)).astype(np.float64, order="C")
-    count = math.prod(values.shape[axis] for axis in axes)
+    moved = values.transpose(*kept, *sorted(summed)).astype(np.float64, order="C")
+    count = math.prod(values.shape[axis] for axis in summed)
     with np.errstate(all="ignore"):
         result = np.asarray(function(moved.reshape(*sizes, count), axis=-1)).astype(values.dtype)
     return (
-        result.reshape([1 if axis in axes else size for axis, size in enumerate(values.shape)]) if keepdim else result
+        result.reshape([1 if axis in summed else size for axis, size in enumerate(values.shape)]) if keepdim else result
     )

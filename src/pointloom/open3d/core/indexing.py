@@ -10,7 +10,7 @@ import numpy as np
 from .errors import TensorError
 
 
-def as_numpy_key(key: Any) -> tuple[tuple[Any, ...], bool]:
+def as_numpy_key(key: object) -> tuple[tuple[Any, ...], bool]:
     """The key as a tuple for NumPy, and True if the result is a copy.
 
     Integers and slices give views. Lists, tuples, arrays and tensors are indices or masks along one axis or several,
@@ -20,7 +20,7 @@ def as_numpy_key(key: Any) -> tuple[tuple[Any, ...], bool]:
     return tuple(parts), any(isinstance(part, np.ndarray) for part in parts)
 
 
-def _part(part: Any) -> Any:
+def _part(part: object) -> Any:
     if isinstance(part, slice):
         return slice(*(None if end is None else operator.index(end) for end in (part.start, part.stop, part.step)))
     if isinstance(part, int | np.integer) and not isinstance(part, bool):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -23,7 +23,7 @@ def _matrix(name: str, a: Matrix, *, is_square: bool = False, floats: bool = Tru
     return a
 
 
-def _solution(function: Any, *matrices: Matrix) -> Any:
+def _solution(function: Callable[..., Any], *matrices: Matrix) -> Any:
     try:
         return function(*matrices)
     except np.linalg.LinAlgError as error:

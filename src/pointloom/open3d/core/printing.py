@@ -19,5 +19,5 @@ def values_text(values: NDArray[Any]) -> str:
     return re.sub(r"\]\n+", "],\n", text)
 
 
-def _number(value: Any) -> str:
+def _number(value: object) -> str:
     return str(value).removesuffix(".0")

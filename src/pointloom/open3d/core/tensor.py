@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import HintedNames
 from ...core.errors import values_of_file
 from ...io.points.npz import read_npy
+from ..argument_types import DeviceLike, ShapeLike, TensorLike
 from . import elementwise, linalg
 from .device import Device
 from .dtype import Dtype, float32
@@ -45,7 +46,7 @@ class Tensor(TensorMethods, HintedNames):
     is_number: bool  # a tensor without axes on a GPU, where `array` has one element
 
     @as_tensor_error
-    def __init__(self, np_array: Any, dtype: Dtype | None = None, device: Device | str | None = None):
+    def __init__(self, np_array: TensorLike | None, dtype: Dtype | None = None, device: Device | str | None = None):
         if np_array is None:
             raise TensorError("np_array: expected numbers, got None")
         if device is None and isinstance(np_array, Tensor):
@@ -84,7 +85,7 @@ class Tensor(TensorMethods, HintedNames):
         return Tensor.from_array(array)
 
     @staticmethod
-    def from_dlpack(source: Any) -> Tensor:
+    def from_dlpack(source: object) -> Tensor:
         """A tensor that shares the memory of an array of another library, or of a capsule of it."""
         from .device_memory import shared
 
@@ -92,24 +93,26 @@ class Tensor(TensorMethods, HintedNames):
 
     @staticmethod
     @as_tensor_error
-    def full(shape: Any, fill_value: Any, dtype: Dtype | None = None, device: Any = None) -> Tensor:
+    def full(
+        shape: ShapeLike, fill_value: ArrayLike, dtype: Dtype | None = None, device: DeviceLike | None = None
+    ) -> Tensor:
         values = np.empty(SizeVector(shape), (dtype or float32).numpy)
         values[...] = np.asarray(fill_value).astype(values.dtype)
         return on_device(values, device)
 
     @staticmethod
-    def empty(shape: Any, dtype: Dtype | None = None, device: Any = None) -> Tensor:
+    def empty(shape: ShapeLike, dtype: Dtype | None = None, device: DeviceLike | None = None) -> Tensor:
         """A tensor of zeros."""
         return Tensor.full(shape, 0, dtype, device)
 
     zeros = empty
 
     @staticmethod
-    def ones(shape: Any, dtype: Dtype | None = None, device: Any = None) -> Tensor:
+    def ones(shape: ShapeLike, dtype: Dtype | None = None, device: DeviceLike | None = None) -> Tensor:
         return Tensor.full(shape, 1, dtype, device)
 
     @staticmethod
-    def eye(n: int, dtype: Dtype | None = None, device: Any = None) -> Tensor:
+    def eye(n: int, dtype: Dtype | None = None, device: DeviceLike | None = None) -> Tensor:
         return Tensor(np.eye(n), dtype or float32, device)
 
     @staticmethod
@@ -118,7 +121,7 @@ class Tensor(TensorMethods, HintedNames):
         stop: float | None = None,
         step: float | None = None,
         dtype: Dtype | None = None,
-        device: Any = None,
+        device: DeviceLike | None = None,
     ) -> Tensor:
         """Numbers from `start` (0 if it is the only one) to below `stop`: Int64, or Float64 if one is a float."""
         first, end, step = (0, start, 1) if stop is None else (start, stop, 1 if step is None else step)
@@ -216,10 +219,12 @@ class Tensor(TensorMethods, HintedNames):
         """The values as a NumPy array, which shares the memory of a tensor on the CPU."""
         return self._values.view()
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         return np.array(self._values, dtype) if copy else np.asarray(self._values, dtype)
 
-    def to(self, *targets: Any, copy: bool = False, dtype: Any = None, device: Any = None) -> Tensor:
+    def to(
+        self, *targets: Any, copy: bool = False, dtype: Dtype | None = None, device: DeviceLike | None = None
+    ) -> Tensor:
         """This tensor with another dtype, on another device, or both. The tensor itself if nothing changes."""
         for target in targets:
             if isinstance(target, bool):
@@ -261,7 +266,7 @@ class Tensor(TensorMethods, HintedNames):
     def __bool__(self) -> bool:
         return bool(self.item())
 
-    def __dlpack__(self, stream: Any = None, **options: Any) -> Any:
+    def __dlpack__(self, stream: int | None = None, **options: Any) -> Any:
         return self.array.__dlpack__(**options) if self.is_cpu else self.array.__dlpack__(stream)
 
     def __dlpack_device__(self) -> tuple[int, int]:
@@ -282,7 +287,7 @@ class Tensor(TensorMethods, HintedNames):
     # Views
 
     @as_tensor_error
-    def __getitem__(self, key: Any) -> Tensor:
+    def __getitem__(self, key: object) -> Tensor:
         if isinstance(key, Tensor) and self.ndim and key.device == self.device:
             result = self._on_device("gathered", self.array, self._shape, key.array, tuple(key.shape))
             if result is not None:
@@ -293,7 +298,7 @@ class Tensor(TensorMethods, HintedNames):
         return _view(self, lambda values: values[(*parts, ...)])
 
     @as_tensor_error
-    def __setitem__(self, key: Any, value: Any) -> None:
+    def __setitem__(self, key: object, value: TensorLike) -> None:
         parts, is_copy = as_numpy_key(key)
         if isinstance(value, Tensor) and not is_copy and self.is_cuda:
             _copy_into(self[key], value)
@@ -326,7 +331,7 @@ class Tensor(TensorMethods, HintedNames):
         return _view(self, lambda values: values.T)
 
     @as_tensor_error
-    def reshape(self, dst_shape: Any) -> Tensor:
+    def reshape(self, dst_shape: ShapeLike) -> Tensor:
         """The same elements in another shape, of which one size may be -1. A view of contiguous tensors."""
         shape = SizeVector(dst_shape)
         if any(size < -1 for size in shape):
@@ -351,7 +356,7 @@ class Tensor(TensorMethods, HintedNames):
             raise TensorError(f"other: expected a tensor on {self.device}, got {other.device}; .to(device) copies it")
         return other
 
-    def _operand(self, name: str, other: Any) -> Any:
+    def _operand(self, name: str, other: object) -> Any:
         """The other operand as a tensor of the same dtype and device. NotImplemented for other objects."""
         if isinstance(other, Scalar):
             return self._like(np.asarray(other).astype(self._numpy_dtype))
@@ -380,11 +385,11 @@ class Tensor(TensorMethods, HintedNames):
         return None if result is None else Tensor.from_array(result[0], is_number=not result[1])
 
     @as_tensor_error
-    def clip(self, min: Any, max: Any) -> Tensor:
+    def clip(self, min: ArrayLike, max: ArrayLike) -> Tensor:
         low, high = (np.asarray(end).astype(self._numpy_dtype) for end in (min, max))
         return self._like(np.clip(self._values, low, high))
 
-    def clip_(self, min: Any, max: Any) -> Tensor:
+    def clip_(self, min: ArrayLike, max: ArrayLike) -> Tensor:
         return self._written(self.clip(min, max))
 
     def isclose(self, other: Tensor, rtol: float = 1e-5, atol: float = 1e-8) -> Tensor:
@@ -455,7 +460,7 @@ def _copy_into(tensor: Tensor, source: Tensor) -> None:
         _write(tensor, source.numpy().astype(tensor.dtype.numpy, copy=False))
 
 
-def concatenate(tensors: Any, axis: int | None = 0) -> Tensor:
+def concatenate(tensors: Tensor | Iterable[Tensor], axis: int | None = 0) -> Tensor:
     """Tensors one after another along an axis. A single tensor is split along its first axis. None joins flat ones."""
     parts = [tensors] if isinstance(tensors, Tensor) else list(tensors)
     if not parts:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_number, check_shape
 from ...kernels.linear_algebra import cube_root, det, matmul
 from ...pcd import boxes
+from ..argument_types import BoxLike, VectorLike
 from ..vectors import Vector3dVector
 from ..wrapper import as_array, column, unwrap
 from .geometry import Geometry3D, is_rotation
@@ -86,7 +87,7 @@ class BoundingBox(Geometry3D):
     def get_extent(self) -> Row:
         return self.native.get_extent()
 
-    def get_point_indices_within_bounding_box(self, points: Any) -> list[int]:
+    def get_point_indices_within_bounding_box(self, points: VectorLike) -> list[int]:
         return self.native.get_point_indices_within_bounding_box(as_array(points)).tolist()
 
     def volume(self) -> float:
@@ -113,17 +114,17 @@ class AxisAlignedBoundingBox(BoundingBox):
     min_bound = Value(3)
     max_bound = Value(3)
 
-    def __init__(self, min_bound: Any = (0, 0, 0), max_bound: ArrayLike = (0, 0, 0)):
+    def __init__(self, min_bound: object = (0, 0, 0), max_bound: ArrayLike = (0, 0, 0)):
         given = unwrap(min_bound)
         if not isinstance(given, self._kind):
             given = self._kind(*np.sort([column("min_bound", given), column("max_bound", max_bound)], axis=0))
         self._wrapped, self._shared = given, {}
 
     @classmethod
-    def create_from_points(cls, points: Any) -> Self:
+    def create_from_points(cls, points: VectorLike) -> Self:
         return cls.from_native(cls._kind.create_from_points(as_array(points)))
 
-    def rotate(self, R: ArrayLike, center: Any = None) -> Self:
+    def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
         """Always raises RuntimeError, as in Open3D."""
         raise RuntimeError(
             "rotate: a rotated box is not axis-aligned; box.get_oriented_bounding_box().rotate(R, center)"
@@ -155,14 +156,14 @@ class OrientedBoundingBox(BoundingBox):
     R = Value(3, 3)
     extent = Lengths(3)
 
-    def __init__(self, center: Any = (0, 0, 0), R: Any = None, extent: ArrayLike = (0, 0, 0)):
+    def __init__(self, center: object = (0, 0, 0), R: ArrayLike | None = None, extent: ArrayLike = (0, 0, 0)):
         given = unwrap(center)
         if not isinstance(given, self._kind):
             axes = np.eye(3) if R is None else R
             given = self._kind(column("center", given), axes, np.abs(column("extent", extent)))
         self._wrapped, self._shared = given, {}
 
-    def rotate(self, R: ArrayLike, center: Any = None) -> Self:
+    def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
         """Rotate about a point, by default the center. R may include a reflection and a uniform scale."""
         A = np.asarray(R)
         if A.shape != (3, 3) or is_rotation(A):
@@ -173,18 +174,18 @@ class OrientedBoundingBox(BoundingBox):
         return self._become(self._kind(middle + matmul(A, self.center - middle), axes, abs(factor) * self.extent))
 
     @classmethod
-    def create_from_axis_aligned_bounding_box(cls, aabox: Any) -> Self:
+    def create_from_axis_aligned_bounding_box(cls, aabox: BoxLike) -> Self:
         return cls.from_native(
             cls._kind.create_from_axis_aligned_bounding_box(unwrap(aabox, AxisAlignedBoundingBox, "aabox"))
         )
 
     @classmethod
-    def create_from_points(cls, points: Any, robust: bool = False) -> Self:
+    def create_from_points(cls, points: VectorLike, robust: bool = False) -> Self:
         """Box along the principal axes of points."""
         return cls.from_native(cls._kind.create_from_points(as_array(points), robust))
 
     @classmethod
-    def create_from_points_minimal(cls, points: Any, robust: bool = False) -> Self:
+    def create_from_points_minimal(cls, points: VectorLike, robust: bool = False) -> Self:
         """Smallest box of points."""
         return cls.from_native(cls._kind.create_from_points_minimal(as_array(points), robust))
 

@@ -96,7 +96,7 @@ class Geometry3D(Geometry):
             return self._become(self.native.scale(scale, middle))
         return self._map_arrays(map_about(factor * np.eye(3), middle), directions=False)
 
-    def rotate(self, R: ArrayLike, center: Any = None) -> Self:
+    def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
         """Rotate about a point, by default the center. Other matrices than rotations are applied, too."""
         A, middle = np.asarray(R), self.get_center() if center is None else column("center", center)
         if self._arrays and A.shape == (3, 3) and not is_rotation(A):

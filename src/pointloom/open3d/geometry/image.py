@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 from scipy.ndimage import correlate1d
 
 from ...core.attribute_hints import HintedNames
+from ..argument_types import ImageLike
 from .enums import ImageFilterType
 from .geometry import GeometryType
 
@@ -28,7 +29,7 @@ class Image(HintedNames):
 
     Type = GeometryType
 
-    def __init__(self, image: Any = None):
+    def __init__(self, image: ArrayLike | Image | None = None):
         values: NDArray[Any] = np.zeros((0, 0), np.uint8) if image is None else np.asarray(image)
         if values.dtype not in (np.uint8, np.uint16, np.float32) or values.ndim not in (2, 3):
             raise TypeError(
@@ -119,7 +120,7 @@ class Image(HintedNames):
         return [image.filter(filter_type) for image in image_pyramid]
 
 
-def pixels_of(image: Any, name: str = "image") -> NDArray[Any]:
+def pixels_of(image: ImageLike, name: str = "image") -> NDArray[Any]:
     """The array of an image, or an array. Raises TypeError."""
     if not isinstance(image, Image | np.ndarray):
         raise TypeError(
@@ -129,7 +130,7 @@ def pixels_of(image: Any, name: str = "image") -> NDArray[Any]:
     return np.asarray(image)
 
 
-def depth_of(depth: Any, *, bytes_too: bool = False) -> NDArray[Any]:
+def depth_of(depth: ImageLike, *, bytes_too: bool = False) -> NDArray[Any]:
     """Pixels of a depth image, 16 bits or floats, to be divided by a scale.
 
     Bytes are scaled to 0 to 1 if `bytes_too`, as Open3D does for RGBDImages. Otherwise they are rejected.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import KDTree
@@ -26,21 +24,21 @@ class KDTreeFlann(HintedNames):
 
     _places: NDArray[np.int64]  # indices of the finite points, which the tree contains
 
-    def __init__(self, data: Any = None):
+    def __init__(self, data: object = None):
         self._tree: KDTree | None = None
         if data is not None:
             self._set(data)
 
-    def set_geometry(self, geometry: Any) -> bool:
+    def set_geometry(self, geometry: object) -> bool:
         return self._set(geometry)
 
     def set_matrix_data(self, data: ArrayLike) -> bool:
         return self._set(data)
 
-    def set_feature(self, feature: Any) -> bool:
+    def set_feature(self, feature: object) -> bool:
         return self._set(feature)
 
-    def _set(self, data: Any) -> bool:
+    def _set(self, data: object) -> bool:
         rows = _rows_of(data)
         if not len(rows):
             raise ValueError("data: expected one or more points, got none")
@@ -97,7 +95,7 @@ class KDTreeFlann(HintedNames):
         return self._tree, point
 
 
-def _rows_of(data: Any) -> NDArray[np.float64]:
+def _rows_of(data: object) -> NDArray[np.float64]:
     if isinstance(data, Wrapper):
         for name in ("points", "vertices"):
             if name in dir(type(data)):

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from ...pcd import keypoints
+from ..argument_types import CloudLike
 from ..wrapper import unwrap
 from .point_cloud import PointCloud
 
 
 def compute_iss_keypoints(
-    input: Any,
+    input: CloudLike,
     salient_radius: float = 0.0,
     non_max_radius: float = 0.0,
     gamma_21: float = 0.975,

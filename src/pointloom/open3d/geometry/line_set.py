@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...pcd import boxes, line_set
 from ...pcd.cloud import PointCloud as OurCloud
+from ..argument_types import BoxLike, CloudLike, MeshLike
 from ..indices import indices_of
 from ..vectors import Vector2iVector, Vector3dVector
 from ..wrapper import Rows, column, unwrap
@@ -49,17 +50,17 @@ class LineSet(BoundedByBoxes):
         return line_set.LineSet(np.array(self.points), np.array(self.lines), colors)
 
     @classmethod
-    def create_from_axis_aligned_bounding_box(cls, box: Any) -> Self:
+    def create_from_axis_aligned_bounding_box(cls, box: BoxLike) -> Self:
         return cls.from_native(
             cls._kind.create_from_axis_aligned_bounding_box(unwrap(box, AxisAlignedBoundingBox, "box"))
         )
 
     @classmethod
-    def create_from_oriented_bounding_box(cls, box: Any) -> Self:
+    def create_from_oriented_bounding_box(cls, box: BoxLike) -> Self:
         return cls.from_native(cls._kind.create_from_oriented_bounding_box(unwrap(box, OrientedBoundingBox, "box")))
 
     @classmethod
-    def create_from_triangle_mesh(cls, mesh: Any) -> Self:
+    def create_from_triangle_mesh(cls, mesh: MeshLike) -> Self:
         """Unique edges of a mesh, in the order of their first triangles."""
         surface = unwrap(mesh)
         edges = surface.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
@@ -67,7 +68,9 @@ class LineSet(BoundedByBoxes):
         return cls(Vector3dVector(surface.vertices), Vector2iVector(edges[np.sort(first)]))
 
     @classmethod
-    def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: Any) -> Self:
+    def create_from_point_cloud_correspondences(
+        cls, cloud0: CloudLike, cloud1: CloudLike, correspondences: ArrayLike
+    ) -> Self:
         """A line per correspondence. The points are those of `cloud0`, then `cloud1`."""
         pairs, ends, points = np.asarray(correspondences).reshape(-1, 2), [], []
         for i, name in enumerate(("cloud0", "cloud1")):
@@ -118,7 +121,7 @@ class LineSet(BoundedByBoxes):
         made = OurCloud(self.native.points).get_minimal_oriented_bounding_box(robust)
         return OrientedBoundingBox.from_native(made)
 
-    def _joined(self, other: Any) -> Any:
+    def _joined(self, other: object) -> Any:
         """Both sets as one. Colors are kept if all lines have them."""
         parts = [self.native, unwrap(other, LineSet, "other")]
         made, colors = parts[0] + parts[1], [part.colors for part in parts if len(part.lines)]
@@ -126,10 +129,10 @@ class LineSet(BoundedByBoxes):
             return self._kind(made.points, made.lines, np.concatenate(colors))
         return made
 
-    def __add__(self, other: Any) -> LineSet:
+    def __add__(self, other: object) -> LineSet:
         return LineSet.from_native(self._joined(other))
 
-    def __iadd__(self, other: Any) -> Self:
+    def __iadd__(self, other: object) -> Self:
         return self._become(self._joined(other))
 
     def __repr__(self) -> str:

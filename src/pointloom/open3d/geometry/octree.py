@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_number, check_positive
+from ..argument_types import CloudLike
 from ..wrapper import column, unwrap
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .geometry import Geometry3D
@@ -41,7 +42,7 @@ class Octree(Geometry3D):
     size: float
     root_node: Any
 
-    def __init__(self, max_depth: Any = 0, origin: ArrayLike = (0.0, 0.0, 0.0), size: float = 0.0):
+    def __init__(self, max_depth: object = 0, origin: ArrayLike = (0.0, 0.0, 0.0), size: float = 0.0):
         self._shared = {}
         if isinstance(max_depth, Octree):
             vars(self).update(vars(max_depth.__copy__()))
@@ -63,7 +64,7 @@ class Octree(Geometry3D):
         """The leaves as a `loom.VoxelGrid`, for drawing."""
         return self.to_voxel_grid().native
 
-    def convert_from_point_cloud(self, point_cloud: Any, size_expand: float = 0.01) -> None:
+    def convert_from_point_cloud(self, point_cloud: CloudLike, size_expand: float = 0.01) -> None:
         """Replace the nodes by those of a cloud. The cube around it is enlarged by the fraction `size_expand` (0..1).
 
         A leaf has the color of its last point. Non-finite points are ignored.
@@ -169,7 +170,7 @@ class Octree(Geometry3D):
         colors = np.array([getattr(leaf[0], "color", np.zeros(3)) for leaf in leaves], np.float64)
         return VoxelGrid.from_cells(self.origin, self.size / 2**deepest, cells[order], colors[order])
 
-    def create_from_voxel_grid(self, voxel_grid: Any) -> None:
+    def create_from_voxel_grid(self, voxel_grid: object) -> None:
         """Insert the voxels of a grid as colored leaves, in a cube from the origin of the grid."""
         if not isinstance(voxel_grid, VoxelGrid):
             raise TypeError(f"voxel_grid: expected a VoxelGrid, got {type(voxel_grid).__name__}")

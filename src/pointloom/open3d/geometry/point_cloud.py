@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...pcd import cloud
 from .. import geometry
+from ..argument_types import BoxLike, CameraLike, CloudLike, FrameLike, ImageLike, IndicesLike
 from ..indices import flagged
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Matrix3dVector, Vector3dVector
@@ -37,7 +38,7 @@ class PointCloud(BoundedByBoxes):
     colors = Rows(Vector3dVector)
     covariances = Rows(Matrix3dVector)
 
-    def __init__(self, points: Any = ()):
+    def __init__(self, points: object = ()):
         given = unwrap(points)
         self._wrapped, self._shared = given if isinstance(given, cloud.PointCloud) else cloud.PointCloud(), {}
         if isinstance(points, PointCloud):
@@ -93,17 +94,17 @@ class PointCloud(BoundedByBoxes):
     def __repr__(self) -> str:
         return f"PointCloud with {self._count('points')} points."
 
-    def __add__(self, other: Any) -> PointCloud:
+    def __add__(self, other: object) -> PointCloud:
         return PointCloud.from_native(self.native + unwrap(other, PointCloud, "other"))
 
-    def __iadd__(self, other: Any) -> Self:
+    def __iadd__(self, other: object) -> Self:
         return self._become(self.native + unwrap(other, PointCloud, "other"))
 
     @classmethod
     def create_from_depth_image(
         cls,
-        depth: Any,
-        intrinsic: Any,
+        depth: ImageLike,
+        intrinsic: CameraLike,
         extrinsic: ArrayLike | None = None,
         depth_scale: float = 1000.0,
         depth_trunc: float = 1000.0,
@@ -119,7 +120,11 @@ class PointCloud(BoundedByBoxes):
 
     @classmethod
     def create_from_rgbd_image(
-        cls, image: Any, intrinsic: Any, extrinsic: ArrayLike | None = None, project_valid_depth_only: bool = True
+        cls,
+        image: FrameLike,
+        intrinsic: CameraLike,
+        extrinsic: ArrayLike | None = None,
+        project_valid_depth_only: bool = True,
     ) -> Self:
         """Colored points of an RGBDImage; `extrinsic` is world to camera."""
         made = cloud.PointCloud.create_from_rgbd_image(
@@ -179,13 +184,13 @@ class PointCloud(BoundedByBoxes):
     def farthest_point_down_sample(self, num_samples: int, start_index: int = 0) -> PointCloud:
         return PointCloud.from_native(self.native.farthest_point_down_sample(num_samples, start_index))
 
-    def select_by_index(self, indices: Any, invert: bool = False) -> PointCloud:
+    def select_by_index(self, indices: IndicesLike, invert: bool = False) -> PointCloud:
         """The points with these indices, each once and in the order of the cloud, or the others."""
         cloud = self.native
         flags = flagged("indices", indices, len(cloud), f"cloud of {len(cloud)} points")
         return PointCloud.from_native(cloud.select_by_index(np.flatnonzero(flags != invert)))
 
-    def crop(self, bounding_box: Any, invert: bool = False) -> PointCloud:
+    def crop(self, bounding_box: BoxLike, invert: bool = False) -> PointCloud:
         return PointCloud.from_native(self.native.crop(unwrap(bounding_box), invert))
 
     def remove_statistical_outlier(
@@ -228,7 +233,7 @@ class PointCloud(BoundedByBoxes):
     ) -> PointCloud:
         return PointCloud.from_native(self.native.smooth_taubin(iterations, lambda_, mu, knn, use_fixed_neighborhoods))
 
-    def compute_point_cloud_distance(self, target: Any) -> DoubleVector:
+    def compute_point_cloud_distance(self, target: CloudLike) -> DoubleVector:
         """Distance of each point to the nearest point of another cloud."""
         return DoubleVector(self.native.compute_point_cloud_distance(unwrap(target, PointCloud, "target")))
 

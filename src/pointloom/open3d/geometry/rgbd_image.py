@@ -11,6 +11,7 @@ from ...cameras import images
 from ...core.devices import resolve_device
 from ...kernels.lang import float32, uint8
 from ...kernels.memory import upload
+from ..argument_types import ImageLike
 from ..wrapper import Rows
 from .geometry import Geometry2D
 from .image import Image, below, depth_of, pixels_of
@@ -45,8 +46,8 @@ class RGBDImage(Geometry2D):
     @classmethod
     def create_from_color_and_depth(
         cls,
-        color: Any,
-        depth: Any,
+        color: ImageLike,
+        depth: ImageLike,
         depth_scale: float = 1000.0,
         depth_trunc: float = 3.0,
         convert_rgb_to_intensity: bool = True,
@@ -66,24 +67,26 @@ class RGBDImage(Geometry2D):
         return image
 
     @classmethod
-    def create_from_redwood_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
+    def create_from_redwood_format(
+        cls, color: ImageLike, depth: ImageLike, convert_rgb_to_intensity: bool = True
+    ) -> Self:
         """A frame of the Redwood datasets."""
         return cls.create_from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity)
 
     @classmethod
-    def create_from_tum_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
+    def create_from_tum_format(cls, color: ImageLike, depth: ImageLike, convert_rgb_to_intensity: bool = True) -> Self:
         """A frame of the TUM datasets."""
         return cls.create_from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity)
 
     @classmethod
-    def create_from_sun_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
+    def create_from_sun_format(cls, color: ImageLike, depth: ImageLike, convert_rgb_to_intensity: bool = True) -> Self:
         raw = pixels_of(depth, "depth")
         return cls.from_native(
             images.RGBDImage.create_from_sun_format(pixels_of(color, "color"), raw, convert_rgb_to_intensity)
         )
 
     @classmethod
-    def create_from_nyu_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
+    def create_from_nyu_format(cls, color: ImageLike, depth: ImageLike, convert_rgb_to_intensity: bool = True) -> Self:
         """A raw frame of NYU Depth v2."""
         raw = pixels_of(depth, "depth")
         return cls.from_native(

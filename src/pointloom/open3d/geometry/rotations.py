@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
@@ -11,38 +13,23 @@ from ..wrapper import column
 Matrix = NDArray[np.float64]
 
 
-def _euler(order: str, rotation: ArrayLike) -> Matrix:
-    return Rotation.from_euler(order, column("rotation", rotation)).as_matrix()
+def _from_angles(axes: str) -> Callable[[ArrayLike], Matrix]:
+    """A function of three angles [rad] that multiplies rotations about the axes in this order."""
+
+    def rotation_matrix(rotation: ArrayLike) -> Matrix:
+        return Rotation.from_euler(axes, column("rotation", rotation)).as_matrix()
+
+    rotation_matrix.__name__ = rotation_matrix.__qualname__ = f"get_rotation_matrix_from_{axes.lower()}"
+    rotation_matrix.__doc__ = f"R{axes[0].lower()}(a) R{axes[1].lower()}(b) R{axes[2].lower()}(c), angles in [rad]."
+    return rotation_matrix
 
 
-def get_rotation_matrix_from_xyz(rotation: ArrayLike) -> Matrix:
-    """Rx(a) Ry(b) Rz(c), angles in [rad]."""
-    return _euler("XYZ", rotation)
-
-
-def get_rotation_matrix_from_yzx(rotation: ArrayLike) -> Matrix:
-    """Ry(a) Rz(b) Rx(c), angles in [rad]."""
-    return _euler("YZX", rotation)
-
-
-def get_rotation_matrix_from_zxy(rotation: ArrayLike) -> Matrix:
-    """Rz(a) Rx(b) Ry(c), angles in [rad]."""
-    return _euler("ZXY", rotation)
-
-
-def get_rotation_matrix_from_xzy(rotation: ArrayLike) -> Matrix:
-    """Rx(a) Rz(b) Ry(c), angles in [rad]."""
-    return _euler("XZY", rotation)
-
-
-def get_rotation_matrix_from_zyx(rotation: ArrayLike) -> Matrix:
-    """Rz(a) Ry(b) Rx(c), angles in [rad]."""
-    return _euler("ZYX", rotation)
-
-
-def get_rotation_matrix_from_yxz(rotation: ArrayLike) -> Matrix:
-    """Ry(a) Rx(b) Rz(c), angles in [rad]."""
-    return _euler("YXZ", rotation)
+get_rotation_matrix_from_xyz = _from_angles("XYZ")
+get_rotation_matrix_from_yzx = _from_angles("YZX")
+get_rotation_matrix_from_zxy = _from_angles("ZXY")
+get_rotation_matrix_from_xzy = _from_angles("XZY")
+get_rotation_matrix_from_zyx = _from_angles("ZYX")
+get_rotation_matrix_from_yxz = _from_angles("YXZ")
 
 
 def get_rotation_matrix_from_axis_angle(rotation: ArrayLike) -> Matrix:

@@ -70,7 +70,7 @@ class KDTreeSearchParamHybrid(KDTreeSearchParam):
         return {"radius": self.radius, "max_nn": self.max_nn}
 
 
-def keywords_of(search_param: Any) -> dict[str, Any]:
+def keywords_of(search_param: object) -> dict[str, Any]:
     """`radius` and `max_nn` of a search parameter. Raises TypeError."""
     if not isinstance(search_param, KDTreeSearchParam):
         raise TypeError(

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import Delaunay, QhullError
 
 from ...meshing.mesh import mesh
+from ..argument_types import CloudLike, VectorLike
 from ..vectors import Vector3dVector, Vector4iVector
 from ..wrapper import unwrap
 from .point_cloud import PointCloud
@@ -31,7 +32,7 @@ class TetraMesh(MeshBase):
     _kind = mesh.TriangleMesh
     _arrays: ClassVar = {"vertices": "points", "vertex_normals": "normals"}
 
-    def __init__(self, vertices: Any = (), tetras: Any = ()):
+    def __init__(self, vertices: Any = (), tetras: VectorLike = ()):
         self._wrapped, self._shared, self._tetras = mesh.TriangleMesh(), {}, Vector4iVector(tetras)
         if isinstance(vertices, TetraMesh):
             vars(self).update(vars(vertices.__copy__()))
@@ -59,11 +60,11 @@ class TetraMesh(MeshBase):
         return self._tetras
 
     @tetras.setter
-    def tetras(self, value: Any) -> None:
+    def tetras(self, value: VectorLike) -> None:
         self._tetras.refill(np.asarray(Vector4iVector(value)))
 
     @classmethod
-    def create_from_point_cloud(cls, point_cloud: Any) -> tuple[Self, list[int]]:
+    def create_from_point_cloud(cls, point_cloud: CloudLike) -> tuple[Self, list[int]]:
         """Delaunay tetrahedra of a cloud, and the point index of each vertex.
 
         Duplicate and non-finite points have no vertex. Raises ValueError if all points are on a plane.
@@ -87,23 +88,6 @@ class TetraMesh(MeshBase):
 
     def has_tetras(self) -> bool:
         return self.has_vertices() and len(self.tetras) > 0
-
-    def __iadd__(self, other: Any) -> Self:
-        if not isinstance(other, TetraMesh):
-            raise TypeError(f"other: expected a TetraMesh, got {type(other).__name__}")
-        count, empty = len(self.vertices), self.is_empty()
-        flags = [mesh.has_vertex_normals() for mesh in (self, other)], [m.has_vertex_colors() for m in (self, other)]
-        for name, (mine, theirs) in zip(PARTS, flags, strict=True):
-            rows = [getattr(self, name), getattr(other, name)] if (mine or empty) and theirs else []
-            setattr(self, name, Vector3dVector(np.concatenate(rows) if rows else ()))
-        self.vertices = Vector3dVector(np.concatenate([self.vertices, other.vertices]))
-        self.tetras = np.concatenate([self.tetras, np.array(other.tetras) + count])
-        return self
-
-    def __add__(self, other: Any) -> TetraMesh:
-        made = self.__copy__()
-        made += other
-        return made
 
     def __copy__(self) -> Self:
         made = super().__copy__()

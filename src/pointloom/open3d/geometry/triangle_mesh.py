@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, ClassVar, Self
 
 import numpy as np
@@ -12,6 +12,7 @@ from ...core.checks import check_number
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.mesh import mesh
 from .. import geometry
+from ..argument_types import BoxLike, CloudLike, ImageLike, IndicesLike, VectorLike
 from ..indices import indices_of
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Vector2dVector, Vector2iVector, Vector3dVector, Vector3iVector
@@ -78,7 +79,7 @@ class MeshFactories(MeshBase):
 
     @classmethod
     def create_from_oriented_bounding_box(
-        cls, obox: Any, scale: ArrayLike = (1.0, 1.0, 1.0), create_uv_map: bool = False
+        cls, obox: BoxLike, scale: ArrayLike = (1.0, 1.0, 1.0), create_uv_map: bool = False
     ) -> Self:
         """A mesh of a box, scaled per axis."""
         box = unwrap(obox)
@@ -89,7 +90,7 @@ class MeshFactories(MeshBase):
 
     @classmethod
     def create_from_point_cloud_alpha_shape(
-        cls, pcd: Any, alpha: float, tetra_mesh: Any = None, pt_map: Any = None
+        cls, pcd: CloudLike, alpha: float, tetra_mesh: Any = None, pt_map: Any = None
     ) -> Self:
         """Alpha shape of a cloud, or of given tetrahedra.
 
@@ -103,14 +104,14 @@ class MeshFactories(MeshBase):
         rows, triangles = alpha_faces(vertices, np.array(tetra_mesh.tetras), check_number("alpha", alpha))
         made = cls.from_native(NativeMesh())
         made.vertices, made.triangles = Vector3dVector(vertices[rows]), Vector3iVector(triangles)
-        for name in ("normals", "colors") if pt_map is not None else ():
-            if getattr(pcd, f"has_{name}")():
+        for name in ("normals", "colors"):
+            if pt_map is not None and getattr(pcd, f"has_{name}")():
                 points = indices_of("pt_map", pt_map, len(pcd.points), f"cloud of {len(pcd.points)} points")
                 setattr(made, f"vertex_{name}", Vector3dVector(np.array(getattr(pcd, name))[points[rows]]))
         return made
 
     @classmethod
-    def create_from_point_cloud_ball_pivoting(cls, pcd: Any, radii: Any) -> Self:
+    def create_from_point_cloud_ball_pivoting(cls, pcd: CloudLike, radii: ArrayLike) -> Self:
         return cls.from_native(
             NativeMesh.create_from_point_cloud_ball_pivoting(unwrap(pcd, PointCloud, "pcd"), np.asarray(radii))
         )
@@ -118,7 +119,7 @@ class MeshFactories(MeshBase):
     @classmethod
     def create_from_point_cloud_poisson(
         cls,
-        pcd: Any,
+        pcd: CloudLike,
         depth: int = 8,
         width: float = 0,
         scale: float = 1.1,
@@ -245,7 +246,7 @@ class TriangleNormals(MeshFactories):
         """Another mesh, with computed triangle normals if this one has normals."""
         return self._new(made, faces=None if self._faces is None else made)
 
-    def _joined(self, other: Any) -> tuple[Any, Any]:
+    def _joined(self, other: object) -> tuple[Any, Any]:
         """Both meshes as one. Normals are kept if all triangles have them."""
         parts = [(self.native, self), (unwrap(other, type(self), "other"), other)]
         made = parts[0][0] + parts[1][0]
@@ -256,11 +257,11 @@ class TriangleNormals(MeshFactories):
             return made, made
         return made, np.concatenate([part.face_rows() for _, _, part in nonempty])
 
-    def __add__(self, other: Any) -> Any:
+    def __add__(self, other: object) -> Any:
         made, faces = self._joined(other)
         return self._new(made, faces=faces)
 
-    def __iadd__(self, other: Any) -> Self:
+    def __iadd__(self, other: object) -> Self:
         made, faces = self._joined(other)
         self._become(made)
         return self._set_faces(faces)
@@ -298,7 +299,7 @@ class TriangleNormals(MeshFactories):
         return self._set_faces(np.divide(self._faces, lengths, where=lengths > 0, out=self._faces.copy()))
 
 
-def _area_vectors(mesh: Any) -> NDArray[np.float64]:
+def _area_vectors(mesh: NativeMesh) -> NDArray[np.float64]:
     """Triangle normals with a length of twice the area, shape (t, 3)."""
     corners = (mesh.vertices - mesh.origin)[mesh.triangles]
     return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -319,7 +320,7 @@ class TriangleMesh(TriangleNormals):
     triangle_uvs = Rows(Vector2dVector)
     triangle_material_ids = Rows(IntVector)
 
-    def __init__(self, vertices: Any = (), triangles: Any = ()):
+    def __init__(self, vertices: Any = (), triangles: VectorLike = ()):
         given = unwrap(vertices)
         self._wrapped, self._shared = given if isinstance(given, self._kind) else mesh.TriangleMesh(), {}
         if isinstance(vertices, TriangleMesh):
@@ -381,7 +382,7 @@ class TriangleMesh(TriangleNormals):
             self._faces = made
         return made
 
-    def _rows(self, kind: str, name: str, indices: Any) -> NDArray[np.int64]:
+    def _rows(self, kind: str, name: str, indices: IndicesLike) -> NDArray[np.int64]:
         count = self._count(kind)
         return indices_of(name, indices, count, f"mesh of {count} {kind}")
 
@@ -394,7 +395,7 @@ class TriangleMesh(TriangleNormals):
         return [Image(np.flipud(texture)) for texture in self._wrapped.textures]
 
     @textures.setter
-    def textures(self, values: Any) -> None:
+    def textures(self, values: Iterable[ImageLike]) -> None:
         made = self.native.copy()
         made.textures = [np.flipud(as_array(value)) for value in values]
         self._become(made)
@@ -457,18 +458,18 @@ class TriangleMesh(TriangleNormals):
         self._become(made)
         return self._set_faces(None if self._faces is None else made)
 
-    def remove_triangles_by_index(self, triangle_indices: Any) -> None:
+    def remove_triangles_by_index(self, triangle_indices: IndicesLike) -> None:
         rows = self._rows("triangles", "triangle_indices", triangle_indices)
         self._keep(lambda mesh: mesh.remove_triangles_by_index(rows))
 
-    def remove_triangles_by_mask(self, triangle_mask: Any) -> None:
+    def remove_triangles_by_mask(self, triangle_mask: ArrayLike) -> None:
         self._keep(lambda mesh: mesh.remove_triangles_by_mask(np.asarray(triangle_mask, bool)))
 
-    def remove_vertices_by_index(self, vertex_indices: Any) -> None:
+    def remove_vertices_by_index(self, vertex_indices: IndicesLike) -> None:
         rows = self._rows("vertices", "vertex_indices", vertex_indices)
         self._keep(lambda mesh: mesh.remove_vertices_by_index(rows))
 
-    def remove_vertices_by_mask(self, vertex_mask: Any) -> None:
+    def remove_vertices_by_mask(self, vertex_mask: ArrayLike) -> None:
         self._keep(lambda mesh: mesh.remove_vertices_by_mask(np.asarray(vertex_mask, bool)))
 
     def orient_triangles(self) -> bool:
@@ -477,12 +478,12 @@ class TriangleMesh(TriangleNormals):
         self._become(oriented)
         return is_orientable and self.is_edge_manifold()
 
-    def select_by_index(self, indices: Any, cleanup: bool = True) -> TriangleMesh:
+    def select_by_index(self, indices: IndicesLike, cleanup: bool = True) -> TriangleMesh:
         rows = self._rows("vertices", "indices", indices)
         made, faces = self._selected(lambda mesh: mesh.select_by_index(rows, cleanup))
         return self._new(made, faces=faces)
 
-    def crop(self, bounding_box: Any) -> TriangleMesh:
+    def crop(self, bounding_box: BoxLike) -> TriangleMesh:
         made, faces = self._selected(lambda mesh: mesh.crop(unwrap(bounding_box)))
         return self._new(made, faces=faces)
 
@@ -533,8 +534,8 @@ class TriangleMesh(TriangleNormals):
 
     def deform_as_rigid_as_possible(
         self,
-        constraint_vertex_indices: Any,
-        constraint_vertex_positions: Any,
+        constraint_vertex_indices: ArrayLike,
+        constraint_vertex_positions: ArrayLike,
         max_iter: int,
         energy: DeformAsRigidAsPossibleEnergy = DeformAsRigidAsPossibleEnergy.Spokes,
         smoothed_alpha: float = 0.01,
@@ -554,7 +555,11 @@ class TriangleMesh(TriangleNormals):
         return PointCloud.from_native(surface.sample_points_uniformly(number_of_points, is_own, next_seed()))
 
     def sample_points_poisson_disk(
-        self, number_of_points: int, init_factor: float = 5, pcl: Any = None, use_triangle_normal: bool = False
+        self,
+        number_of_points: int,
+        init_factor: float = 5,
+        pcl: CloudLike | None = None,
+        use_triangle_normal: bool = False,
     ) -> PointCloud:
         """Random points on the surface with a minimum distance, seeded by `o3d.utility.random.seed`."""
         given = None if pcl is None else unwrap(pcl, PointCloud, "pcl")
@@ -598,7 +603,7 @@ class TriangleMesh(TriangleNormals):
     def is_self_intersecting(self) -> bool:
         return self.native.is_self_intersecting()
 
-    def is_intersecting(self, arg0: Any) -> bool:
+    def is_intersecting(self, arg0: object) -> bool:
         return self.native.is_intersecting(unwrap(arg0, TriangleMesh, "other"))
 
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> Vector2iVector:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Self
 
 import numpy as np
@@ -12,6 +13,7 @@ from ...core.checks import check_positive, check_shape
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.mesh import mesh, voxel_grid
 from .. import geometry
+from ..argument_types import CloudLike, MeshLike, VectorLike
 from ..camera import PinholeCameraParameters
 from ..vectors import Vector3dVector
 from ..wrapper import as_array, column, unwrap
@@ -36,7 +38,7 @@ class Voxel(KnownNames):
     grid_index: Cells
     color: Colors
 
-    def __init__(self, grid_index: Any = (0, 0, 0), color: ArrayLike = (0.0, 0.0, 0.0)):
+    def __init__(self, grid_index: object = (0, 0, 0), color: ArrayLike = (0.0, 0.0, 0.0)):
         if isinstance(grid_index, Voxel):
             grid_index, color = grid_index.grid_index, grid_index.color
         self.grid_index, self.color = np.array(grid_index, np.int32), np.array(color, np.float64)
@@ -118,19 +120,19 @@ class VoxelGrid(Geometry3D):
         return cls.from_cells(column("origin", origin), edge, cells, np.tile(column("color", color), (len(cells), 1)))
 
     @classmethod
-    def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> Self:
+    def create_from_triangle_mesh(cls, input: MeshLike, voxel_size: float) -> Self:
         return cls.from_native(unwrap(input, TriangleMesh, "input").voxelize(voxel_size))
 
     @classmethod
     def create_from_triangle_mesh_within_bounds(
-        cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
+        cls, input: MeshLike, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
     ) -> Self:
         corners = column("min_bound", min_bound), column("max_bound", max_bound)
         return cls.from_native(unwrap(input, TriangleMesh, "input").voxelize(voxel_size, *corners))
 
     @classmethod
     def create_from_point_cloud(
-        cls, input: Any, voxel_size: float, pooling_mode: VoxelPoolingMode = VoxelPoolingMode.AVG
+        cls, input: CloudLike, voxel_size: float, pooling_mode: VoxelPoolingMode = VoxelPoolingMode.AVG
     ) -> Self:
         """Voxels of a cloud, from half a voxel below its minimum."""
         lowest = (
@@ -143,7 +145,7 @@ class VoxelGrid(Geometry3D):
     @classmethod
     def create_from_point_cloud_within_bounds(
         cls,
-        input: Any,
+        input: CloudLike,
         voxel_size: float,
         min_bound: ArrayLike,
         max_bound: ArrayLike,
@@ -154,7 +156,7 @@ class VoxelGrid(Geometry3D):
         return cls._pooled(input, voxel_size, column("min_bound", min_bound), pooling_mode)
 
     @classmethod
-    def _pooled(cls, cloud: Any, voxel_size: float, origin: ArrayLike, mode: VoxelPoolingMode) -> Self:
+    def _pooled(cls, cloud: CloudLike, voxel_size: float, origin: ArrayLike, mode: VoxelPoolingMode) -> Self:
         if not isinstance(mode, VoxelPoolingMode):
             raise TypeError(f"pooling_mode: expected a VoxelGrid.VoxelPoolingMode, got {type(mode).__name__}")
         edge, low = check_positive("voxel_size", voxel_size), np.asarray(origin, np.float64)
@@ -231,22 +233,24 @@ class VoxelGrid(Geometry3D):
         """Corners of a voxel."""
         return Vector3dVector(self._located(column("index", index) + CORNERS))
 
-    def check_if_included(self, queries: Any) -> list[bool]:
+    def check_if_included(self, queries: VectorLike) -> list[bool]:
         """For each point, True if it is in an occupied voxel."""
         occupied = set(map(tuple, self.cells_and_colors()[0].tolist()))
         return [tuple(cell) in occupied for cell in self._cells_of(as_array(queries).reshape(-1, 3)).tolist()]
 
-    def carve_depth_map(self, depth_map: Any, camera_params: Any, keep_voxels_outside_image: bool = False) -> Self:
+    def carve_depth_map(
+        self, depth_map: object, camera_params: object, keep_voxels_outside_image: bool = False
+    ) -> Self:
         """Remove voxels of which no corner is at or behind the depth of its pixel. The image is float32 [m]."""
         return self._carve("depth_map", depth_map, camera_params, keep_voxels_outside_image, by_depth=True)
 
     def carve_silhouette(
-        self, silhouette_mask: Any, camera_params: Any, keep_voxels_outside_image: bool = False
+        self, silhouette_mask: object, camera_params: object, keep_voxels_outside_image: bool = False
     ) -> Self:
         """Remove voxels of which no corner projects to a pixel above 0 of a float32 mask."""
         return self._carve("silhouette_mask", silhouette_mask, camera_params, keep_voxels_outside_image)
 
-    def _carve(self, name: str, image: Any, camera: Any, keep_outside: bool, *, by_depth: bool = False) -> Self:
+    def _carve(self, name: str, image: object, camera: object, keep_outside: bool, *, by_depth: bool = False) -> Self:
         if not isinstance(camera, PinholeCameraParameters):
             raise TypeError(f"camera_params: expected PinholeCameraParameters, got {type(camera).__name__}")
         if not isinstance(image, Image):
@@ -284,7 +288,7 @@ class VoxelGrid(Geometry3D):
     def _corners(self) -> NDArray[np.float64]:
         return self._located(self.cells_and_colors()[0][:, None] + CORNERS).reshape(-1, 3)
 
-    def _bound(self, extreme: Any) -> NDArray[np.float64]:
+    def _bound(self, extreme: Callable[..., Any]) -> NDArray[np.float64]:
         cells = self.cells_and_colors()[0]
         if not len(cells):
             return self._origin.copy()
@@ -327,14 +331,14 @@ class VoxelGrid(Geometry3D):
         self._origin, self._voxel_size = (self._origin - middle) * factor + middle, self._voxel_size * factor
         return self
 
-    def rotate(self, R: ArrayLike, center: Any = None) -> Self:
+    def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
         """Rotate about a point, by default the center."""
         A, middle = check_shape("R", R, (3, 3)), self.get_center() if center is None else column("center", center)
         self._origin = matmul(A, self._origin - middle) + middle
         self._rotation = matmul(A, self._rotation)
         return self
 
-    def __iadd__(self, other: Any) -> Self:
+    def __iadd__(self, other: object) -> Self:
         """Voxels of both. Colors of common voxels are averaged."""
         if not isinstance(other, VoxelGrid):
             raise TypeError(f"other: expected a VoxelGrid, got {type(other).__name__}")
@@ -345,7 +349,7 @@ class VoxelGrid(Geometry3D):
         joined, order, starts = _sorted_cells(np.concatenate([cells, more]))
         return self._store(joined, _pool(np.concatenate([colors, others])[order], starts, VoxelPoolingMode.AVG))
 
-    def __add__(self, other: Any) -> VoxelGrid:
+    def __add__(self, other: object) -> VoxelGrid:
         made = self.__copy__()
         made += other
         return made

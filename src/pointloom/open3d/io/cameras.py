@@ -12,6 +12,7 @@ from ...core.atomic import atomic_write
 from ...core.checks import check_rigid
 from ...core.errors import FileError, values_of_file
 from ...core.json_files import check_keys, check_version, read_json_object
+from ..argument_types import CameraLike
 from ..camera.intrinsic import PinholeCameraIntrinsic
 from ..camera.parameters import PinholeCameraParameters, PinholeCameraTrajectory
 from ..wrapper import unwrap
@@ -24,7 +25,7 @@ def read_pinhole_camera_intrinsic(filename: FilePath) -> PinholeCameraIntrinsic:
     return PinholeCameraIntrinsic.from_native(camera.read_pinhole_camera_intrinsic(filename))
 
 
-def write_pinhole_camera_intrinsic(filename: FilePath, intrinsic: Any) -> bool:
+def write_pinhole_camera_intrinsic(filename: FilePath, intrinsic: CameraLike) -> bool:
     camera.write_pinhole_camera_intrinsic(filename, unwrap(intrinsic, PinholeCameraIntrinsic, "intrinsic"))
     return True
 

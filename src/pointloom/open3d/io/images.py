@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
 
 import PIL.Image
 
 from ...core.atomic import atomic_write
 from ...io.images import image_files
+from ..argument_types import ImageLike
 from ..geometry.image import Image, pixels_of
 
 FilePath = str | os.PathLike[str]
@@ -29,7 +29,7 @@ def read_image(filename: FilePath) -> Image:
     return Image(pixels[..., 0] if header.channels == 1 and _is_gray(filename) else pixels)
 
 
-def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
+def write_image(filename: FilePath, image: ImageLike, quality: int = -1) -> bool:
     """Write a PNG (8 or 16 bits), or a JPEG of quality 0 to 100, by default 90."""
     pixels = pixels_of(image)
     if Path(filename).suffix.lower() in (".jpg", ".jpeg"):

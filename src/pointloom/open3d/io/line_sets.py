@@ -34,7 +34,11 @@ def read_line_set(filename: FilePath, format: str = "auto", print_progress: bool
 
 
 def write_line_set(
-    filename: FilePath, line_set: Any, write_ascii: bool = False, compressed: bool = False, print_progress: bool = False
+    filename: FilePath,
+    line_set: object,
+    write_ascii: bool = False,
+    compressed: bool = False,
+    print_progress: bool = False,
 ) -> bool:
     """Write a .ply with 8-bit colors."""
     if not isinstance(line_set, LineSet):

@@ -72,7 +72,9 @@ def _columns_of(path: Path, elements: Elements, element: str, *names: str) -> ND
     return np.column_stack([elements[element][name] for name in names])
 
 
-def _check(path: Path, element: str, names: Sequence[str], columns: Any, is_valid: Any, expected: str) -> None:
+def _check(
+    path: Path, element: str, names: Sequence[str], columns: NDArray[Any], is_valid: NDArray[Any], expected: str
+) -> None:
     """Raise FileError for the first number that is not valid."""
     if not is_valid.all():
         row, column = np.argwhere(~is_valid)[0].tolist()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 import numpy as np
 
@@ -40,7 +39,7 @@ def read_feature(filename: FilePath) -> Feature:
     return made
 
 
-def write_feature(filename: FilePath, feature: Any) -> bool:
+def write_feature(filename: FilePath, feature: object) -> bool:
     if not isinstance(feature, Feature):
         raise TypeError(f"feature: expected a Feature, got {type(feature).__name__}")
     with atomic_write(filename) as file:
@@ -52,5 +51,5 @@ def read_pose_graph(filename: FilePath) -> PoseGraph:
     return PoseGraph.from_native(pose_graph_files.read_pose_graph(filename))
 
 
-def write_pose_graph(filename: FilePath, pose_graph: Any) -> None:
+def write_pose_graph(filename: FilePath, pose_graph: object) -> None:
     pose_graph_files.write_pose_graph(filename, unwrap(pose_graph, PoseGraph, "pose_graph"))

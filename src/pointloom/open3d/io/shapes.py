@@ -17,6 +17,7 @@ from ...io.points.ply_header import read_header
 from ...io.source import open_source
 from ...meshing.mesh import mesh_files
 from ...meshing.mesh.mesh import TriangleMesh as NativeMesh
+from ..argument_types import CloudLike, MeshLike
 from ..geometry.point_cloud import PointCloud
 from ..geometry.triangle_mesh import TriangleMesh
 from ..wrapper import unwrap
@@ -57,7 +58,7 @@ def read_point_cloud(
 
 def write_point_cloud(
     filename: FilePath,
-    pointcloud: Any,
+    pointcloud: CloudLike,
     format: str = "auto",
     write_ascii: bool = False,
     compressed: bool = False,
@@ -95,7 +96,7 @@ def read_triangle_mesh(
 
 def write_triangle_mesh(
     filename: FilePath,
-    mesh: Any,
+    mesh: MeshLike,
     write_ascii: bool = False,
     compressed: bool = False,
     write_vertex_normals: bool = True,

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...core.checks import check_positive, check_rigid
 from ...core.errors import FileError, values_of_file
@@ -44,7 +45,7 @@ def read_voxel_grid(filename: FilePath, format: str = "auto", print_progress: bo
     return made
 
 
-def _rotation(path: Path, rows: Any) -> Any:
+def _rotation(path: Path, rows: NDArray[np.float64]) -> Any:
     if len(rows) != 1:
         raise FileError(path, f"expected one rotation, got {len(rows)}")
     matrix = np.eye(4)
@@ -55,7 +56,7 @@ def _rotation(path: Path, rows: Any) -> Any:
 
 def write_voxel_grid(
     filename: FilePath,
-    voxel_grid: Any,
+    voxel_grid: object,
     write_ascii: bool = False,
     compressed: bool = False,
     print_progress: bool = False,

@@ -1,9 +1,7 @@
 """The names of `open3d.visualization`."""
 
 from . import rendering as rendering
-from .editing import PickedPoint as PickedPoint
 from .editing import VisualizerWithEditing as VisualizerWithEditing
-from .editing import VisualizerWithVertexSelection as VisualizerWithVertexSelection
 from .o3d_visualizer import O3DVisualizer as O3DVisualizer
 from .polygon import SelectionPolygonVolume as SelectionPolygonVolume
 from .polygon import read_selection_polygon_volume as read_selection_polygon_volume
@@ -19,4 +17,3 @@ from .windows import draw_geometries as draw_geometries
 from .windows import draw_geometries_with_animation_callback as draw_geometries_with_animation_callback
 from .windows import draw_geometries_with_editing as draw_geometries_with_editing
 from .windows import draw_geometries_with_key_callbacks as draw_geometries_with_key_callbacks
-from .windows import draw_geometries_with_vertex_selection as draw_geometries_with_vertex_selection

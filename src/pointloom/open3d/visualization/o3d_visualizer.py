@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...core.attribute_hints import KnownNames
 from ...core.checks import check_callback, check_name, check_number, check_positive
@@ -64,8 +65,8 @@ class O3DVisualizer(KnownNames):
     def add_geometry(
         self,
         name: str | Mapping[str, Any],
-        geometry: Any = None,
-        material: Any = None,
+        geometry: object = None,
+        material: object = None,
         group: str = "",
         time: float = 0.0,
         is_visible: bool = True,
@@ -92,7 +93,7 @@ class O3DVisualizer(KnownNames):
             if not one.is_visible:
                 viewer.set_visible(name, False)
 
-    def update_geometry(self, name: str, geometry: Any, update_flags: int = 0) -> None:
+    def update_geometry(self, name: str, geometry: object, update_flags: int = 0) -> None:
         one, shape = self.get_geometry(name), drawn(geometry)
         one.geometry = geometry
         if one.is_visible:
@@ -249,7 +250,7 @@ class O3DVisualizer(KnownNames):
         self._window.get_render_option().show_coordinate_frame = bool(shown)
         self.post_redraw()
 
-    def set_background(self, bg_color: Any, bg_image: Any = None) -> None:
+    def set_background(self, bg_color: ArrayLike, bg_image: object = None) -> None:
         if bg_image is not None:
             raise PointloomError("bg_image: the background of a page is a color, not an image; use bg_color")
         self._window.get_render_option().background_color = np.asarray(bg_color, np.float64)[:3]
@@ -259,7 +260,7 @@ class O3DVisualizer(KnownNames):
         self._window.reset_view_point(True)
         self.post_redraw()
 
-    def setup_camera(self, field_of_view: float, center: Any, eye: Any, up: Any) -> None:
+    def setup_camera(self, field_of_view: float, center: ArrayLike, eye: ArrayLike, up: ArrayLike) -> None:
         """Look from `eye` at `center` with a field of view [degrees]."""
         control = self._window.get_view_control()
         away = np.asarray(eye, np.float64) - np.asarray(center, np.float64)

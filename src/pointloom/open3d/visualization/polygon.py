@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 from ...core.attribute_hints import KnownNames
 from ...pcd import polygon_volume
+from ..argument_types import CloudLike, VectorLike
 from ..geometry import PointCloud, TriangleMesh
 from ..vectors import Vector3dVector
 from ..wrapper import as_array, unwrap
@@ -20,7 +20,7 @@ class SelectionPolygonVolume(KnownNames):
     axis_max: float
     _polygon: Vector3dVector
 
-    def __init__(self, other: Any = None):
+    def __init__(self, other: SelectionPolygonVolume | polygon_volume.SelectionPolygonVolume | None = None):
         self.orthogonal_axis = "" if other is None else other.orthogonal_axis
         self.axis_min = 0.0 if other is None else other.axis_min
         self.axis_max = 0.0 if other is None else other.axis_max
@@ -32,7 +32,7 @@ class SelectionPolygonVolume(KnownNames):
         return self._polygon
 
     @bounding_polygon.setter
-    def bounding_polygon(self, corners: Any) -> None:
+    def bounding_polygon(self, corners: VectorLike) -> None:
         self._polygon = Vector3dVector(corners)
 
     @property
@@ -40,14 +40,14 @@ class SelectionPolygonVolume(KnownNames):
         corners = as_array(self._polygon)
         return polygon_volume.SelectionPolygonVolume(corners, self.orthogonal_axis, self.axis_min, self.axis_max)
 
-    def crop_point_cloud(self, input: Any) -> PointCloud:
+    def crop_point_cloud(self, input: CloudLike) -> PointCloud:
         return PointCloud.from_native(unwrap(input, PointCloud, "input").crop(self.native))
 
-    def crop_triangle_mesh(self, input: Any) -> TriangleMesh:
+    def crop_triangle_mesh(self, input: CloudLike) -> TriangleMesh:
         """Vertices inside and the triangles between them."""
         return TriangleMesh.from_native(unwrap(input, TriangleMesh, "input").crop(self.native))
 
-    def crop_in_polygon(self, input: Any) -> list[int]:
+    def crop_in_polygon(self, input: CloudLike) -> list[int]:
         """Indices of the points inside."""
         return self.native.crop_in_polygon(unwrap(input, PointCloud, "input")).tolist()
 

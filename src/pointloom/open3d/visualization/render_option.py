@@ -82,7 +82,7 @@ class RenderOption(KnownNames):
     mesh_color_option: MeshColorOption = MeshColorOption.Color
     mesh_shade_option: MeshShadeOption = MeshShadeOption.Default
 
-    def __setattr__(self, name: str, value: Any) -> None:
+    def __setattr__(self, name: str, value: object) -> None:
         if name == "background_color":
             value = check_color(name, value).copy()
         elif name in ENUMS and not isinstance(value, ENUMS[name]):
@@ -116,7 +116,7 @@ class RenderOption(KnownNames):
         return tuple(map(str, (getattr(self, one.name) for one in fields(self))))
 
 
-def _checked(name: str, value: Any, default: Any) -> Any:
+def _checked(name: str, value: object, default: object) -> Any:
     """A value of JSON in the type of the field."""
     if name in ENUMS:
         return ENUMS[name](check_count(name, value, minimum=0))

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...meshing.mesh.mesh import TriangleMesh
 from ..geometry import Geometry, Image, RGBDImage
@@ -13,7 +15,7 @@ from ..wrapper import Wrapper, unwrap
 Entry = dict[str, Any]
 
 
-def drawn(geometry: Any) -> Any:
+def drawn(geometry: object) -> Any:
     """The pointloom geometry, of tensor geometries, too. Images become textured surfaces. Raises TypeError."""
     if not isinstance(geometry, Wrapper) and type(geometry).__module__.startswith("open3d."):
         raise TypeError(f"geometry: expected one of pointloom.open3d's, got Open3D's own {type(geometry).__name__}")
@@ -27,7 +29,7 @@ def drawn(geometry: Any) -> Any:
     return unwrap(geometry)
 
 
-def checked(geometry_list: Any) -> list[Any]:
+def checked(geometry_list: Iterable[object]) -> list[Any]:
     """A list of geometries. Raises TypeError for a single geometry."""
     if isinstance(geometry_list, Geometry | Image):
         kind = type(geometry_list).__name__
@@ -50,7 +52,7 @@ def bounds_of(geometries: list[Any]) -> tuple[Any, Any] | None:
     return (np.min(corners, axis=0), np.max(corners, axis=0)) if corners else None
 
 
-def _image_on_a_surface(pixels: Any) -> TriangleMesh:
+def _image_on_a_surface(pixels: NDArray[Any]) -> TriangleMesh:
     """A rectangle of an image's size [px] with the image as texture. Larger types than bytes are scaled to gray."""
     if pixels.dtype != np.uint8:
         values = np.nan_to_num(pixels.astype(np.float64), posinf=0.0)

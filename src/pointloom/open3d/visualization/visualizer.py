@@ -113,7 +113,7 @@ class Visualizer(KnownNames):
     def __repr__(self) -> str:
         return f"{type(self).__name__} with name {escaped(self._name)}"
 
-    def add_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
+    def add_geometry(self, geometry: object, reset_bounding_box: bool = True) -> bool:
         """Show a geometry. The view is reset unless `reset_bounding_box` is False."""
         shape, name = drawn(geometry), self._name_of(geometry)
         if name is not None:
@@ -129,7 +129,7 @@ class Visualizer(KnownNames):
             self._show_options()
         return True
 
-    def update_geometry(self, geometry: Any = None) -> bool:
+    def update_geometry(self, geometry: object = None) -> bool:
         """Show the current state of a geometry, or of all. False for an unknown geometry."""
         if geometry is None:
             return all([self.update_geometry(one) for one in list(self.geometries.values())])
@@ -138,7 +138,7 @@ class Visualizer(KnownNames):
             self.viewer.update(name, drawn(geometry))
         return name is not None
 
-    def remove_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
+    def remove_geometry(self, geometry: object, reset_bounding_box: bool = True) -> bool:
         """Remove a geometry. False if unknown."""
         name = self._name_of(geometry)
         if name is None:
@@ -155,7 +155,7 @@ class Visualizer(KnownNames):
             self.remove_geometry(geometry)
         return True
 
-    def _name_of(self, geometry: Any) -> str | None:
+    def _name_of(self, geometry: object) -> str | None:
         return next((name for name, shown in self.geometries.items() if shown is geometry), None)
 
     def get_render_option(self) -> RenderOption:
@@ -216,7 +216,7 @@ class Visualizer(KnownNames):
         if self.viewer is None:
             self._frames += 1
             return not self._closed and self._frames < FRAMES
-        self.call_keys()
+        self._call_keys()
         self.update_renderer()
         return not self._closed and not self.viewer.wait(0)
 
@@ -250,7 +250,7 @@ class Visualizer(KnownNames):
         """Let `run` call a function of the window repeatedly. If it returns True, everything is updated."""
         self._animation = check_callback("callback_func", callback_func)
 
-    def call_keys(self) -> None:
+    def _call_keys(self) -> None:
         while not self._pressed.empty():
             callback = self._callbacks.get(self._pressed.get())
             if callback is not None and callback(self):

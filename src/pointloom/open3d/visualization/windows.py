@@ -6,7 +6,7 @@ Without a display they write an image and do not wait. With POINTLOOM_DRAW=pictu
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -15,14 +15,14 @@ from ...core.errors import PointloomError
 from ...core.open3d_names import hint, row_of
 from ...visualization.notebook_output import in_notebook
 from ...visualization.viewer.draw import draw as draw_page
-from .editing import VisualizerWithEditing, VisualizerWithVertexSelection
+from .editing import VisualizerWithEditing
 from .o3d_visualizer import O3DVisualizer
 from .shown import checked, drawn
 from .visualizer import Visualizer, VisualizerWithKeyCallback
 
 
 def draw_geometries(
-    geometry_list: Any,
+    geometry_list: Iterable[object],
     window_name: str = "Open3D",
     width: int = 1920,
     height: int = 1080,
@@ -31,9 +31,9 @@ def draw_geometries(
     point_show_normal: bool = False,
     mesh_show_wireframe: bool = False,
     mesh_show_back_face: bool = False,
-    lookat: Any = None,
-    up: Any = None,
-    front: Any = None,
+    lookat: ArrayLike | None = None,
+    up: ArrayLike | None = None,
+    front: ArrayLike | None = None,
     zoom: float | None = None,
 ) -> None:
     """Show geometries like `loom.draw`; `window_name`, `left` and `top` are ignored by the browser."""
@@ -54,7 +54,7 @@ def draw_geometries(
 
 
 def draw_geometries_with_animation_callback(
-    geometry_list: Any,
+    geometry_list: Iterable[object],
     callback_function: Callable[[Visualizer], Any],
     window_name: str = "Open3D",
     width: int = 1920,
@@ -69,7 +69,7 @@ def draw_geometries_with_animation_callback(
 
 
 def draw_geometries_with_key_callbacks(
-    geometry_list: Any,
+    geometry_list: Iterable[object],
     key_to_callback: Mapping[int, Callable[[Visualizer], Any]],
     window_name: str = "Open3D",
     width: int = 1920,
@@ -84,7 +84,7 @@ def draw_geometries_with_key_callbacks(
 
 
 def draw_geometries_with_editing(
-    geometry_list: Any,
+    geometry_list: Iterable[object],
     window_name: str = "Open3D",
     width: int = 1920,
     height: int = 1080,
@@ -95,20 +95,8 @@ def draw_geometries_with_editing(
     _show(VisualizerWithEditing(), geometry_list, window_name, width, height)
 
 
-def draw_geometries_with_vertex_selection(
-    geometry_list: Any,
-    window_name: str = "Open3D",
-    width: int = 1920,
-    height: int = 1080,
-    left: int = 50,
-    top: int = 50,
-) -> None:
-    """Select points in a window. `VisualizerWithVertexSelection` returns them."""
-    _show(VisualizerWithVertexSelection(), geometry_list, window_name, width, height)
-
-
 def draw(
-    geometry: Any = None,
+    geometry: object = None,
     title: str = "Open3D",
     width: int = 1024,
     height: int = 768,
@@ -118,7 +106,7 @@ def draw(
     up: ArrayLike | None = None,
     field_of_view: float = 60.0,
     *,
-    bg_color: Any = (1.0, 1.0, 1.0, 1.0),
+    bg_color: ArrayLike = (1.0, 1.0, 1.0, 1.0),
     show_ui: bool | None = None,
     raw_mode: bool = False,
     point_size: int | None = None,
@@ -160,7 +148,7 @@ def draw(
         window.destroy_window()
 
 
-def _fill(window: O3DVisualizer, geometry: Any, actions: Any) -> None:
+def _fill(window: O3DVisualizer, geometry: object, actions: Any) -> None:
     """Add buttons and geometries to a window."""
     for name, callback in actions:
         window.add_action(name, callback)
@@ -171,7 +159,7 @@ def _fill(window: O3DVisualizer, geometry: Any, actions: Any) -> None:
     window.reset_camera_to_default()
 
 
-def _show(window: Visualizer, geometries: Any, name: str, width: int, height: int) -> None:
+def _show(window: Visualizer, geometries: Iterable[object], name: str, width: int, height: int) -> None:
     window.create_window(name, width, height)
     try:
         for geometry in checked(geometries):

@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from ....core.attribute_hints import HintedNames
 from ....core.checks import check_count, check_positive
 from ....pcd.search import NearestNeighborSearch as PointSearch
+from ...argument_types import TensorLike
 from ..dtype import Dtype, int32, int64
 from ..errors import TensorError
 from ..tensor import Tensor
@@ -23,7 +25,7 @@ class NearestNeighborSearch(HintedNames):
     distance.
     """
 
-    def __init__(self, dataset_points: Any, index_dtype: Dtype = int64):
+    def __init__(self, dataset_points: TensorLike, index_dtype: Dtype = int64):
         points = dataset_points if isinstance(dataset_points, Tensor) else Tensor(dataset_points)
         if points.ndim != 2 or points.dtype.numpy.kind != "f":
             wanted = "Float32 or Float64 of shape (n, d)"
@@ -54,12 +56,12 @@ class NearestNeighborSearch(HintedNames):
         self._indices.add(name)
         return True
 
-    def knn_search(self, query_points: Any, knn: int) -> tuple[Tensor, Tensor]:
+    def knn_search(self, query_points: TensorLike, knn: int) -> tuple[Tensor, Tensor]:
         """Indices and squared distances of the `knn` nearest points, or of all if there are fewer: (m, knn)."""
         queries = self._queries("knn", query_points)
         return self._nearest(queries, min(check_count("knn", knn), len(self._points)), np.inf)[:2]
 
-    def hybrid_search(self, query_points: Any, radius: float, max_knn: int) -> tuple[Tensor, Tensor, Tensor]:
+    def hybrid_search(self, query_points: TensorLike, radius: float, max_knn: int) -> tuple[Tensor, Tensor, Tensor]:
         """Up to `max_knn` points closer than `radius`: indices and squared distances (m, max_knn), and counts (m,).
 
         Missing neighbors have index -1 and distance 0.
@@ -68,13 +70,13 @@ class NearestNeighborSearch(HintedNames):
         return self._nearest(queries, check_count("max_knn", max_knn), check_positive("radius", radius))
 
     def fixed_radius_search(
-        self, query_points: Any, radius: float, sort: bool | None = True
+        self, query_points: TensorLike, radius: float, sort: bool | None = True
     ) -> tuple[Tensor, Tensor, Tensor]:
         """All points closer than `radius`: indices, squared distances, and where those of each query begin (m + 1,)."""
         queries = self._queries("fixed_radius", query_points)
         return self._within(queries, np.full(len(queries), check_positive("radius", radius)))
 
-    def multi_radius_search(self, query_points: Any, radii: Any) -> tuple[Tensor, Tensor, Tensor]:
+    def multi_radius_search(self, query_points: TensorLike, radii: TensorLike) -> tuple[Tensor, Tensor, Tensor]:
         """As `fixed_radius_search`, with a radius for each query."""
         queries = self._queries("multi_radius", query_points)
         given = np.asarray(radii)
@@ -82,7 +84,7 @@ class NearestNeighborSearch(HintedNames):
             raise TensorError(f"radii: expected {len(queries)} positive numbers, got {given.tolist()}")
         return self._within(queries, given)
 
-    def _queries(self, name: str, given: Any) -> Tensor:
+    def _queries(self, name: str, given: TensorLike) -> Tensor:
         queries = given if isinstance(given, Tensor) else Tensor(given)
         if name not in self._indices:
             raise TensorError(f"{name}_search: expected an index, got none; call {name}_index() first")
@@ -113,7 +115,7 @@ class NearestNeighborSearch(HintedNames):
         distances[is_found] = self._sqdists(queries, np.nonzero(is_found)[0], indices[is_found])
         return self._results(indices, distances, is_found.sum(axis=1))
 
-    def _within(self, queries: Tensor, radii: Any) -> tuple[Tensor, Tensor, Tensor]:
+    def _within(self, queries: Tensor, radii: NDArray[Any]) -> tuple[Tensor, Tensor, Tensor]:
         if not len(queries) or not len(self._points):
             return self._results(np.zeros(0), np.zeros(0), np.zeros(len(queries) + 1))
         if isinstance(self._tree, PointSearch):
@@ -133,12 +135,14 @@ class NearestNeighborSearch(HintedNames):
         counts = np.bincount(owners[is_near], minlength=len(queries))
         return self._results(indices[is_near], sqdists[is_near], np.concatenate([[0], np.cumsum(counts)]))
 
-    def _sqdists(self, queries: Tensor, owners: Any, indices: Any) -> Any:
+    def _sqdists(self, queries: Tensor, owners: NDArray[Any], indices: NDArray[Any]) -> Any:
         """Squared distances of some queries from points, in float64."""
         steps = self._points.numpy()[indices].astype(np.float64) - queries.numpy()[owners]
         return (steps**2).sum(axis=1)
 
-    def _results(self, indices: Any, sqdists: Any, counts: Any) -> tuple[Tensor, Tensor, Tensor]:
+    def _results(
+        self, indices: NDArray[Any], sqdists: NDArray[Any], counts: NDArray[Any]
+    ) -> tuple[Tensor, Tensor, Tensor]:
         types = (self._index_dtype, self._points.dtype, self._index_dtype)
         values = (indices, sqdists, counts)
         device = self._points.device

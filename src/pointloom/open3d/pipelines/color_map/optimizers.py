@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....cameras.trajectory import Trajectory
 from ....meshing.color_map import optimizers, options
+from ...argument_types import FrameLike, MeshLike
 from ...camera import PinholeCameraParameters, PinholeCameraTrajectory
 from ...geometry import RGBDImage, TriangleMesh
 from ...settings import Settings
@@ -57,7 +59,10 @@ class NonRigidOptimizerOption(RigidOptimizerOption):
 
 
 def run_rigid_optimizer(
-    mesh: Any, images_rgbd: Any, camera_trajectory: Any, option: Any
+    mesh: MeshLike,
+    images_rgbd: Iterable[FrameLike],
+    camera_trajectory: PinholeCameraTrajectory,
+    option: RigidOptimizerOption,
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     """Color a mesh with optimized poses. Returns the mesh and the cameras."""
     chosen = unwrap(option, RigidOptimizerOption, "option")
@@ -65,7 +70,10 @@ def run_rigid_optimizer(
 
 
 def run_non_rigid_optimizer(
-    mesh: Any, images_rgbd: Any, camera_trajectory: Any, option: Any
+    mesh: MeshLike,
+    images_rgbd: Iterable[FrameLike],
+    camera_trajectory: PinholeCameraTrajectory,
+    option: NonRigidOptimizerOption,
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     """Like `run_rigid_optimizer`, with image deformation."""
     chosen = unwrap(option, NonRigidOptimizerOption, "option")
@@ -73,10 +81,14 @@ def run_non_rigid_optimizer(
 
 
 def _run(
-    run: Callable[..., Any], mesh: Any, images: Any, cameras: Any, option: Any
+    run: Callable[..., Any],
+    mesh: MeshLike,
+    images: Iterable[FrameLike],
+    cameras: PinholeCameraTrajectory,
+    option: options.RigidOptimizerOption,
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     parameters = list(cameras.parameters)
-    poses = Trajectory(np.array([np.linalg.inv(one.extrinsic) for one in parameters]).reshape(-1, 4, 4))
+    poses = Trajectory(np.array([np.linalg.inv(one.extrinsic) for one in parameters], np.float64).reshape(-1, 4, 4))
     unwrapped = [unwrap(image, RGBDImage, f"images_rgbd[{i}]") for i, image in enumerate(images)]
     intrinsics = [unwrap(one.intrinsic) for one in parameters]
     colored, moved = run(unwrap(mesh, TriangleMesh, "mesh"), unwrapped, poses, option, intrinsic=intrinsics)
@@ -87,7 +99,7 @@ def _run(
     return TriangleMesh.from_native(colored), optimized
 
 
-def _parameters(given: PinholeCameraParameters, extrinsic: Any) -> PinholeCameraParameters:
+def _parameters(given: PinholeCameraParameters, extrinsic: ArrayLike) -> PinholeCameraParameters:
     made = PinholeCameraParameters()
     made.intrinsic, made.extrinsic = given.intrinsic, extrinsic
     return made

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ....core.checks import check_count, check_positive
 from ....meshing.volume import tsdf
 from ....pcd import boxes
+from ...argument_types import CameraLike, FrameLike
 from ...camera import PinholeCameraIntrinsic
 from ...geometry import PointCloud, RGBDImage, TriangleMesh
 from ...wrapper import Wrapper, column, unwrap
@@ -46,7 +47,7 @@ class TSDFVolume(Wrapper):
         colored = self._color_type is not TSDFVolumeColorType.NoColor
         self._wrapped = tsdf.TSDFVolume(voxel_size=self._voxel_length, truncation=self._sdf_trunc, color=colored)
 
-    def integrate(self, image: Any, intrinsic: Any, extrinsic: ArrayLike) -> None:
+    def integrate(self, image: FrameLike, intrinsic: CameraLike, extrinsic: ArrayLike) -> None:
         """Integrate an RGBDImage; `extrinsic` is world to camera. Gray32 volumes store intensities in 8 bits."""
         frame, camera = unwrap(image, RGBDImage, "image"), unwrap(intrinsic, PinholeCameraIntrinsic, "intrinsic")
         color = _gray(frame.color) if self._color_type is TSDFVolumeColorType.Gray32 else None

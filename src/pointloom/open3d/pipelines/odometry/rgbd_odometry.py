@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ....rgbd.odometry import options, rgbd_odometry
+from ...argument_types import CameraLike, FrameLike
 from ...camera import PinholeCameraIntrinsic
 from ...geometry import RGBDImage
 from ...settings import Settings
@@ -61,12 +62,12 @@ class RGBDOdometryJacobianFromHybridTerm(RGBDOdometryJacobian):
 
 
 def compute_rgbd_odometry(
-    rgbd_source: Any,
-    rgbd_target: Any,
-    pinhole_camera_intrinsic: Any = None,
+    rgbd_source: FrameLike,
+    rgbd_target: FrameLike,
+    pinhole_camera_intrinsic: CameraLike | None = None,
     odo_init: ArrayLike = IDENTITY,
-    jacobian: Any = None,
-    option: Any = None,
+    jacobian: RGBDOdometryJacobian | None = None,
+    option: OdometryOption | None = None,
 ) -> tuple[bool, NDArray[np.float64], NDArray[np.float64]]:
     """Motion between two images: (success, T_target_source, information).
 

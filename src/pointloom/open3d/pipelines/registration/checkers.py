@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from ....registration.globally import checkers
+from ...argument_types import CloudLike, VectorLike
 from ...geometry import PointCloud
 from ...settings import Settings
 from ...wrapper import as_array, column, unwrap
@@ -15,7 +18,7 @@ class CorrespondenceChecker(Settings):
     _kind = checkers.CorrespondenceChecker
     require_pointcloud_alignment_ = True  # the check uses the pose
 
-    def Check(self, source: Any, target: Any, corres: Any, transformation: Any) -> bool:
+    def Check(self, source: CloudLike, target: CloudLike, corres: VectorLike, transformation: ArrayLike) -> bool:
         """True if correspondences and pose pass."""
         clouds = unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
         return self.native.Check(*clouds, as_array(corres), transformation)

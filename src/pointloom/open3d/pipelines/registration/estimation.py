@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ....registration import rigid, robust_kernels
 from ....registration.icp import estimation
 from ...argument_errors import as_runtime_errors
+from ...argument_types import CloudLike, VectorLike
 from ...geometry import PointCloud
 from ...settings import Settings
 from ...vectors import Vector2iVector
@@ -77,12 +78,12 @@ class TransformationEstimation(Settings):
     _kind = estimation.TransformationEstimation
 
     @as_runtime_errors
-    def compute_transformation(self, source: Any, target: Any, corres: Any) -> NDArray[np.float64]:
+    def compute_transformation(self, source: CloudLike, target: CloudLike, corres: VectorLike) -> NDArray[np.float64]:
         """The step (4, 4) of one iteration from pairs (source, target). The identity without pairs."""
         return fit_step(*_clouds(source, target), as_array(Vector2iVector(corres)), self.native)
 
     @as_runtime_errors
-    def compute_rmse(self, source: Any, target: Any, corres: Any) -> float:
+    def compute_rmse(self, source: CloudLike, target: CloudLike, corres: VectorLike) -> float:
         """Root mean square of the residuals of the pairs that `compute_transformation` minimizes, without a kernel."""
         return residual_rmse(*_clouds(source, target), as_array(Vector2iVector(corres)), self.native)
 
@@ -100,13 +101,13 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
     with_scaling: bool = False
 
     @as_runtime_errors
-    def compute_transformation(self, source: Any, target: Any, corres: Any) -> NDArray[np.float64]:
+    def compute_transformation(self, source: CloudLike, target: CloudLike, corres: VectorLike) -> NDArray[np.float64]:
         """Least-squares transformation (4, 4) of pairs (source, target)."""
         p, q = _pairs(source, target, corres)
         return rigid.fit_pose(p, q, with_scaling=bool(self.with_scaling)) if len(p) else np.eye(4)
 
     @as_runtime_errors
-    def compute_rmse(self, source: Any, target: Any, corres: Any) -> float:
+    def compute_rmse(self, source: CloudLike, target: CloudLike, corres: VectorLike) -> float:
         p, q = _pairs(source, target, corres)
         return float(np.sqrt(((p - q) ** 2).sum(axis=1).mean())) if len(p) else 0.0
 
@@ -160,10 +161,10 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
         return f"TransformationEstimationForGeneralizedICP(epsilon={self.epsilon:g})"
 
 
-def _clouds(source: Any, target: Any) -> tuple[Any, Any]:
+def _clouds(source: CloudLike, target: CloudLike) -> tuple[Any, Any]:
     return unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
 
 
-def _pairs(source: Any, target: Any, corres: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _pairs(source: CloudLike, target: CloudLike, corres: VectorLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     clouds, pairs = _clouds(source, target), as_array(Vector2iVector(corres))
     return clouds[0].points[pairs[:, 0]], clouds[1].points[pairs[:, 1]]

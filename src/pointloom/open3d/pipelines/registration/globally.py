@@ -17,7 +17,7 @@ from ....registration.correspondence_input import match_clouds
 from ....registration.globally import fast_global, ransac
 from ....registration.icp import evaluation, icp, ndt
 from ...argument_errors import ArgumentError, as_runtime_errors
-from ...argument_types import CloudLike
+from ...argument_types import CloudLike, IndicesLike, VectorLike
 from ...geometry import PointCloud
 from ...geometry.search_param import keywords_of
 from ...indices import flagged
@@ -76,16 +76,16 @@ class FastGlobalRegistrationOption(Settings):
 
 @as_runtime_errors
 def registration_ransac_based_on_feature_matching(
-    source: Any,
-    target: Any,
-    source_feature: Any,
-    target_feature: Any,
+    source: CloudLike,
+    target: CloudLike,
+    source_feature: Feature,
+    target_feature: Feature,
     mutual_filter: bool,
     max_correspondence_distance: float,
-    estimation_method: Any = None,
+    estimation_method: TransformationEstimation | None = None,
     ransac_n: int = 3,
     checkers: Sequence[Any] = (),
-    criteria: Any = None,
+    criteria: RANSACConvergenceCriteria | None = None,
 ) -> RegistrationResult:
     if not isinstance(mutual_filter, bool | np.bool_ | int):
         remedy = "the distance follows it since Open3D 0.12"
@@ -104,14 +104,14 @@ def registration_ransac_based_on_feature_matching(
 
 @as_runtime_errors
 def registration_ransac_based_on_correspondence(
-    source: Any,
-    target: Any,
-    corres: Any,
+    source: CloudLike,
+    target: CloudLike,
+    corres: VectorLike,
     max_correspondence_distance: float,
-    estimation_method: Any = None,
+    estimation_method: TransformationEstimation | None = None,
     ransac_n: int = 3,
     checkers: Sequence[Any] = (),
-    criteria: Any = None,
+    criteria: RANSACConvergenceCriteria | None = None,
 ) -> RegistrationResult:
     result = ransac.registration_ransac_based_on_correspondence(
         *clouds_of(source, target),
@@ -125,7 +125,11 @@ def registration_ransac_based_on_correspondence(
 
 @as_runtime_errors
 def registration_fgr_based_on_feature_matching(
-    source: Any, target: Any, source_feature: Any, target_feature: Any, option: Any = None
+    source: CloudLike,
+    target: CloudLike,
+    source_feature: Feature,
+    target_feature: Feature,
+    option: FastGlobalRegistrationOption | None = None,
 ) -> RegistrationResult:
     pair = clouds_of(source, target)
     features = rows_of(source_feature, "source_feature"), rows_of(target_feature, "target_feature")
@@ -136,7 +140,7 @@ def registration_fgr_based_on_feature_matching(
 
 @as_runtime_errors
 def registration_fgr_based_on_correspondence(
-    source: Any, target: Any, corres: Any, option: Any = None
+    source: CloudLike, target: CloudLike, corres: VectorLike, option: FastGlobalRegistrationOption | None = None
 ) -> RegistrationResult:
     result = fast_global.registration_fgr_based_on_correspondence(
         *clouds_of(source, target), as_array(corres), _option(option), seed=next_seed()
@@ -144,16 +148,21 @@ def registration_fgr_based_on_correspondence(
     return RegistrationResult.from_native(result)
 
 
-def _as_confidence(value: Any) -> float:
+def _as_confidence(value: object) -> float:
     return min(max(check_number("confidence", value, allow_infinite=True), 0.0), 1.0)
 
 
-def _option(option: Any) -> Any:
+def _option(option: FastGlobalRegistrationOption | None) -> Any:
     chosen = FastGlobalRegistrationOption(decrease_mu=True) if option is None else option
     return unwrap(chosen, FastGlobalRegistrationOption, "option")
 
 
-def _rules(method: Any, ransac_n: int, checkers: Sequence[Any], criteria: Any) -> tuple[Any, int, Any, Any]:
+def _rules(
+    method: TransformationEstimation | None,
+    ransac_n: int,
+    checkers: Sequence[Any],
+    criteria: RANSACConvergenceCriteria | None,
+) -> tuple[Any, int, Any, Any]:
     if not isinstance(checkers, Sequence):
         given = type(checkers).__name__
         raise TypeError(f"checkers: expected a list of CorrespondenceCheckers, got {given}; criteria follows it")
@@ -257,7 +266,12 @@ class NormalDistributionsTransformOption(Settings):
 
 
 @as_runtime_errors
-def registration_ndt(source: Any, target: Any, option: Any = None, init: ArrayLike = IDENTITY) -> RegistrationResult:
+def registration_ndt(
+    source: CloudLike,
+    target: CloudLike,
+    option: NormalDistributionsTransformOption | None = None,
+    init: ArrayLike = IDENTITY,
+) -> RegistrationResult:
     """Normal distributions transform: neither normals nor a search of nearest points."""
     chosen = NormalDistributionsTransformOption() if option is None else option
     rules = unwrap(chosen, NormalDistributionsTransformOption, "option")
@@ -266,7 +280,7 @@ def registration_ndt(source: Any, target: Any, option: Any = None, init: ArrayLi
 
 @as_runtime_errors
 def evaluate_registration(
-    source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike = IDENTITY
+    source: CloudLike, target: CloudLike, max_correspondence_distance: float, transformation: ArrayLike = IDENTITY
 ) -> RegistrationResult:
     clouds = clouds_of(source, target)
     return RegistrationResult.from_native(
@@ -276,14 +290,14 @@ def evaluate_registration(
 
 @as_runtime_errors
 def get_information_matrix_from_point_clouds(
-    source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike
+    source: CloudLike, target: CloudLike, max_correspondence_distance: float, transformation: ArrayLike
 ) -> NDArray[np.float64]:
     """Information matrix of the correspondences, shape (6, 6)."""
     clouds = clouds_of(source, target)
     return evaluation.get_information_matrix_from_point_clouds(*clouds, max_correspondence_distance, transformation)
 
 
-def clouds_of(source: Any, target: Any) -> tuple[Any, Any]:
+def clouds_of(source: CloudLike, target: CloudLike) -> tuple[Any, Any]:
     """The two pointloom clouds."""
     return unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
 
@@ -293,11 +307,11 @@ class Feature(KnownNames):
 
     _data: NDArray[np.float64]
 
-    def __init__(self, other: Any = None):
+    def __init__(self, other: Feature | None = None):
         self._data = np.zeros((0, 0)) if other is None else other.data.copy()
 
     @classmethod
-    def from_rows(cls, rows: Any) -> Feature:
+    def from_rows(cls, rows: ArrayLike) -> Feature:
         """Features from one row per point, as in pointloom."""
         made = cls()
         made.data = np.asarray(rows).T
@@ -308,7 +322,7 @@ class Feature(KnownNames):
         return self._data
 
     @data.setter
-    def data(self, columns: Any) -> None:
+    def data(self, columns: ArrayLike) -> None:
         values = check_numeric("data", columns)
         if values.ndim != 2:
             raise ValueError(f"data: expected shape [dimension, points], got {list(values.shape)}")
@@ -325,7 +339,7 @@ class Feature(KnownNames):
         """Set the shape and fill with zeros."""
         self._data = np.zeros((check_count("dim", dim, minimum=0), check_count("n", n, minimum=0)))
 
-    def select_by_index(self, indices: Any, invert: bool = False) -> Feature:
+    def select_by_index(self, indices: IndicesLike, invert: bool = False) -> Feature:
         """Features of these points, each once and in ascending order, or of the others."""
         flags = flagged("indices", indices, self.num(), f"Feature of {self.num()} points")
         return Feature.from_rows(self._data.T[flags != invert])
@@ -335,7 +349,7 @@ class Feature(KnownNames):
         return f"Feature class with {size}\nAccess its data via data member."
 
 
-def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
+def rows_of(feature: object, name: str) -> NDArray[np.float32]:
     """One row per point, as in pointloom. Raises TypeError if it is not a `Feature`."""
     if not isinstance(feature, Feature):
         raise TypeError(f"{name}: expected a Feature, got {type(feature).__name__}; Feature().data = array.T makes one")
@@ -343,7 +357,7 @@ def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
 
 
 @as_runtime_errors
-def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> Feature:
+def compute_fpfh_feature(input: CloudLike, search_param: object, indices: IndicesLike | None = None) -> Feature:
     """FPFH with 33 numbers per point. Requires normals. With `indices`, for these points only, each once."""
     rows = np.asarray(features.compute_fpfh_feature(unwrap(input, PointCloud, "input"), **keywords_of(search_param)))
     made = Feature.from_rows(rows)
@@ -352,7 +366,10 @@ def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> 
 
 @as_runtime_errors
 def correspondences_from_features(
-    source_features: Any, target_features: Any, mutual_filter: bool = False, mutual_consistency_ratio: float = 0.1
+    source_features: Feature,
+    target_features: Feature,
+    mutual_filter: bool = False,
+    mutual_consistency_ratio: float = 0.1,
 ) -> Vector2iVector:
     """Match each source point with the target point of the nearest feature."""
     sides = rows_of(source_features, "source_features"), rows_of(target_features, "target_features")
@@ -364,7 +381,7 @@ class RegistrationResult(Wrapper):
 
     _kind = result.RegistrationResult
 
-    def __init__(self, other: Any = None):
+    def __init__(self, other: RegistrationResult | None = None):
         given = unwrap(other, RegistrationResult, "arg0") if other is not None else self._none()
         vars(self).update(vars(self.from_native(given)))
 
@@ -378,7 +395,7 @@ class RegistrationResult(Wrapper):
         return self._wrapped.transformation
 
     @transformation.setter
-    def transformation(self, T: Any) -> None:
+    def transformation(self, T: ArrayLike) -> None:
         self._wrapped.transformation = np.array(T, np.float64)
 
     @property
@@ -404,7 +421,7 @@ class RegistrationResult(Wrapper):
         return Vector2iVector(np.asarray(self._wrapped.correspondence_set))
 
     @correspondence_set.setter
-    def correspondence_set(self, pairs: Any) -> None:
+    def correspondence_set(self, pairs: VectorLike) -> None:
         vars(self._wrapped)["correspondence_set"] = as_array(Vector2iVector(pairs))
 
     def __copy__(self) -> RegistrationResult:

@@ -9,6 +9,7 @@ from typing import Any, ClassVar, SupportsIndex
 
 import numpy as np
 
+from ....core.errors import FilePath
 from ....registration.pose_graphs import pose_graph, pose_graph_files, pose_graph_optimization
 from ...settings import Settings
 from ...wrapper import Wrapper, unwrap
@@ -83,11 +84,11 @@ class PoseGraph(Wrapper):
     _nodes: PoseGraphNodeVector
     _edges: PoseGraphEdgeVector
 
-    def __init__(self, other: Any = None):
+    def __init__(self, other: PoseGraph | pose_graph.PoseGraph | None = None):
         self._take(pose_graph.PoseGraph() if other is None else unwrap(other, PoseGraph, "arg0"))
 
     @classmethod
-    def from_native(cls, native: Any) -> PoseGraph:
+    def from_native(cls, native: pose_graph.PoseGraph) -> PoseGraph:
         return cls(native)
 
     def _take(self, graph: pose_graph.PoseGraph) -> None:
@@ -170,7 +171,9 @@ class GlobalOptimizationMethod(Settings):
 
     _kind = pose_graph_optimization.GlobalOptimizationMethod
 
-    def OptimizePoseGraph(self, pose_graph: PoseGraph, criteria: Any, option: Any) -> None:
+    def OptimizePoseGraph(
+        self, pose_graph: PoseGraph, criteria: GlobalOptimizationConvergenceCriteria, option: GlobalOptimizationOption
+    ) -> None:
         global_optimization(pose_graph, self, criteria, option)
 
 
@@ -184,7 +187,12 @@ class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
     _kind = pose_graph_optimization.GlobalOptimizationLevenbergMarquardt
 
 
-def global_optimization(pose_graph: PoseGraph, method: Any, criteria: Any, option: Any) -> None:
+def global_optimization(
+    pose_graph: PoseGraph,
+    method: GlobalOptimizationMethod,
+    criteria: GlobalOptimizationConvergenceCriteria,
+    option: GlobalOptimizationOption,
+) -> None:
     """Optimize the nodes in place and remove contradicting edges."""
     solved = pose_graph_optimization.global_optimization(
         unwrap(pose_graph, PoseGraph, "pose_graph"),
@@ -197,11 +205,11 @@ def global_optimization(pose_graph: PoseGraph, method: Any, criteria: Any, optio
     pose_graph.edges = map(PoseGraphEdge.from_native, solved.edges)
 
 
-def read_pose_graph(filename: Any) -> PoseGraph:
+def read_pose_graph(filename: FilePath) -> PoseGraph:
     return PoseGraph.from_native(pose_graph_files.read_pose_graph(filename))
 
 
-def write_pose_graph(filename: Any, pose_graph: PoseGraph) -> bool:
+def write_pose_graph(filename: FilePath, pose_graph: PoseGraph) -> bool:
     pose_graph_files.write_pose_graph(filename, unwrap(pose_graph, PoseGraph, "pose_graph"))
     return True
 

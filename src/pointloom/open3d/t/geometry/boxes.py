@@ -6,10 +6,11 @@ import enum
 from typing import Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....pcd import boxes, cloud
 from ... import geometry as legacy
+from ...argument_types import BoxLike, DeviceLike, TensorLike
 from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64
 from ...core.tensor import Tensor
@@ -36,7 +37,7 @@ class BoundingBox(Geometry):
     _rgb: NDArray[np.float64]
     _dtype: Dtype
 
-    def _start(self, first: Any, fields: dict[str, Any]) -> None:
+    def _start(self, first: object, fields: dict[str, Any]) -> None:
         """Set the box from the arguments of a constructor: a device, a box, or a tensor for each field."""
         if isinstance(first, type(self)):
             vars(self).update(vars(first))
@@ -62,13 +63,13 @@ class BoundingBox(Geometry):
         return cls._kind()
 
     @classmethod
-    def from_native(cls, native: Any, dtype: Dtype, device: Any, color: Any = (1, 1, 1)) -> Self:
+    def from_native(cls, native: Any, dtype: Dtype, device: DeviceLike, color: ArrayLike = (1, 1, 1)) -> Self:
         """Wrap a pointloom box."""
         box = cls.__new__(cls)
         vars(box).update(native=native, _dtype=dtype, _rgb=np.array(color, np.float64), _home=device_of(device))
         return box
 
-    def _tensor(self, values: Any) -> Tensor:
+    def _tensor(self, values: ArrayLike) -> Tensor:
         return Tensor(values, self._dtype, self._home)
 
     def _become(self, native: Any) -> Self:
@@ -87,7 +88,7 @@ class BoundingBox(Geometry):
     def color(self) -> Tensor:
         return self._tensor(self._rgb)
 
-    def set_color(self, color: Any) -> None:
+    def set_color(self, color: TensorLike) -> None:
         rgb = matrix_of("color", color, (3,))
         if not ((rgb >= 0) & (rgb <= 1)).all():
             raise ValueError(f"color: expected three numbers in 0..1, got {rgb.tolist()}")
@@ -114,15 +115,15 @@ class BoundingBox(Geometry):
     def volume(self) -> float:
         return float(self.native.volume())
 
-    def get_point_indices_within_bounding_box(self, points: Any) -> Tensor:
+    def get_point_indices_within_bounding_box(self, points: TensorLike) -> Tensor:
         """Ascending indices of the points inside, faces included, int64."""
         return wrap(self.native.get_point_indices_within_bounding_box(tensor_of("points", points).array))
 
-    def translate(self, translation: Any, relative: bool = True) -> Self:
+    def translate(self, translation: TensorLike, relative: bool = True) -> Self:
         """Translate by a vector. With `relative=False`, move the center there."""
         return self._become(self.native.translate(matrix_of("translation", translation, (3,)), relative))
 
-    def scale(self, scale: float, center: Any = None) -> Self:
+    def scale(self, scale: float, center: TensorLike | None = None) -> Self:
         """Scale about a point, by default the center."""
         return self._become(self.native.scale(scale, None if center is None else matrix_of("center", center, (3,))))
 
@@ -133,7 +134,7 @@ class BoundingBox(Geometry):
         return box
 
     @classmethod
-    def from_legacy(cls, box: Any, dtype: Dtype = float32, device: Any = CPU) -> Self:
+    def from_legacy(cls, box: BoxLike, dtype: Dtype = float32, device: DeviceLike = CPU) -> Self:
         native = unwrap(box, getattr(legacy, cls.__name__), "box")
         return cls.from_native(native, dtype, device, native.color)
 
@@ -147,7 +148,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     _kind = boxes.AxisAlignedBoundingBox
 
-    def __init__(self, min_bound: Any = CPU, max_bound: Any = None, *, device: Any = None):
+    def __init__(self, min_bound: object = CPU, max_bound: object = None, *, device: DeviceLike | None = None):
         self._start(min_bound if device is None else device, {"min_bound": min_bound, "max_bound": max_bound})
 
     def _made(self, *values: NDArray[np.float64]) -> Any:
@@ -161,14 +162,14 @@ class AxisAlignedBoundingBox(BoundingBox):
     def max_bound(self) -> Tensor:
         return self.get_max_bound()
 
-    def set_min_bound(self, min_bound: Any) -> None:
+    def set_min_bound(self, min_bound: TensorLike) -> None:
         self._become(self._kind(matrix_of("min_bound", min_bound, (3,)), self.native.max_bound))
 
-    def set_max_bound(self, max_bound: Any) -> None:
+    def set_max_bound(self, max_bound: TensorLike) -> None:
         self._become(self._kind(self.native.min_bound, matrix_of("max_bound", max_bound, (3,))))
 
     @staticmethod
-    def create_from_points(points: Any) -> AxisAlignedBoundingBox:
+    def create_from_points(points: TensorLike) -> AxisAlignedBoundingBox:
         """Box of points (n, 3), in their type. Zero without points."""
         tensor = tensor_of("points", points)
         if not tensor.shape[0]:
@@ -194,12 +195,12 @@ class AxisAlignedBoundingBox(BoundingBox):
         made = self.native.get_oriented_bounding_box()
         return OrientedBoundingBox.from_native(made, self._dtype, self._home, self._rgb)
 
-    def __iadd__(self, other: Any) -> Self:
+    def __iadd__(self, other: object) -> Self:
         if not isinstance(other, AxisAlignedBoundingBox):
             raise TypeError(f"other: expected an AxisAlignedBoundingBox, got {type(other).__name__}")
         return self._become(self.native + other.native)
 
-    def __add__(self, other: Any) -> AxisAlignedBoundingBox:
+    def __add__(self, other: object) -> AxisAlignedBoundingBox:
         """The box of both boxes."""
         made = self.clone()
         made += other
@@ -225,7 +226,9 @@ class OrientedBoundingBox(BoundingBox):
     def _zero(cls) -> Any:
         return cls._kind(np.zeros(3), np.eye(3), np.zeros(3))
 
-    def __init__(self, center: Any = CPU, rotation: Any = None, extent: Any = None, *, device: Any = None):
+    def __init__(
+        self, center: object = CPU, rotation: object = None, extent: object = None, *, device: DeviceLike | None = None
+    ):
         fields = {"center": center, "rotation": rotation, "extent": extent}
         self._start(center if device is None else device, fields)
 
@@ -241,21 +244,21 @@ class OrientedBoundingBox(BoundingBox):
     def extent(self) -> Tensor:
         return self._tensor(self.native.extent)
 
-    def set_center(self, center: Any) -> None:
+    def set_center(self, center: TensorLike) -> None:
         self._become(self._kind(matrix_of("center", center, (3,)), self.native.R, self.native.extent))
 
-    def set_rotation(self, rotation: Any) -> None:
+    def set_rotation(self, rotation: TensorLike) -> None:
         self._become(self._kind(self.native.center, matrix_of("rotation", rotation, (3, 3)), self.native.extent))
 
-    def set_extent(self, extent: Any) -> None:
+    def set_extent(self, extent: TensorLike) -> None:
         self._become(self._kind(self.native.center, self.native.R, matrix_of("extent", extent, (3,))))
 
-    def rotate(self, rotation: Any, center: Any = None) -> Self:
+    def rotate(self, rotation: TensorLike, center: TensorLike | None = None) -> Self:
         """Rotate about a point, by default the center."""
         about = None if center is None else matrix_of("center", center, (3,))
         return self._become(self.native.rotate(matrix_of("rotation", rotation, (3, 3)), about))
 
-    def transform(self, transformation: Any) -> Self:
+    def transform(self, transformation: TensorLike) -> Self:
         """Apply a rigid 4x4 matrix."""
         T = matrix_of("transformation", transformation, (4, 4))
         return self._become(self.native.rotate(T[:3, :3], np.zeros(3)).translate(T[:3, 3]))
@@ -271,7 +274,7 @@ class OrientedBoundingBox(BoundingBox):
 
     @staticmethod
     def create_from_points(
-        points: Any, robust: bool = False, method: MethodOBBCreate = MethodOBBCreate.MINIMAL_APPROX
+        points: TensorLike, robust: bool = False, method: MethodOBBCreate = MethodOBBCreate.MINIMAL_APPROX
     ) -> OrientedBoundingBox:
         """The smallest box of points (n, 3), or that along their principal axes, in their type."""
         tensor = tensor_of("points", points)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ....cameras.camera import PinholeCameraIntrinsic
 from ....cameras.depth_filters import filter_depth_bilateral, pyrdown_depth
 from ....pcd.cloud import PointCloud
+from ...argument_types import TensorLike
 from ...core.dtype import float32
 from ...core.tensor import Tensor
 from ...geometry.image import below
@@ -25,8 +24,8 @@ SIGMA = 10.0  # [m] and [px] of Open3D's filter before normals
 def points_of_images(
     depth: Image,
     color: Image | None,
-    intrinsics: Any,
-    extrinsics: Any,
+    intrinsics: TensorLike,
+    extrinsics: TensorLike,
     depth_scale: float,
     depth_max: float,
     stride: int,
@@ -73,7 +72,13 @@ def _smoothed(depth: Image, color: Image | None, stride: int) -> tuple[Image, Im
 
 
 def project_depth(
-    cloud: PointCloud, width: int, height: int, intrinsics: Any, extrinsics: Any, depth_scale: float, depth_max: float
+    cloud: PointCloud,
+    width: int,
+    height: int,
+    intrinsics: TensorLike,
+    extrinsics: TensorLike,
+    depth_scale: float,
+    depth_max: float,
 ) -> Image:
     """Depth of the nearest point in each pixel times `depth_scale`, float32."""
     camera, T = _camera(width, height, intrinsics, extrinsics)
@@ -81,7 +86,13 @@ def project_depth(
 
 
 def project_rgbd(
-    cloud: PointCloud, width: int, height: int, intrinsics: Any, extrinsics: Any, depth_scale: float, depth_max: float
+    cloud: PointCloud,
+    width: int,
+    height: int,
+    intrinsics: TensorLike,
+    extrinsics: TensorLike,
+    depth_scale: float,
+    depth_max: float,
 ) -> RGBDImage:
     """Color, 0..1 in steps of 1/255, and depth of the nearest point in each pixel, float32."""
     camera, T = _camera(width, height, intrinsics, extrinsics)
@@ -91,7 +102,7 @@ def project_rgbd(
 
 
 def _camera(
-    width: int, height: int, intrinsics: Any, extrinsics: Any
+    width: int, height: int, intrinsics: TensorLike, extrinsics: TensorLike
 ) -> tuple[PinholeCameraIntrinsic, NDArray[np.float64]]:
     camera = PinholeCameraIntrinsic(width, height, matrix_of("intrinsics", intrinsics, (3, 3)))
     return camera, matrix_of("extrinsics", extrinsics, (4, 4))

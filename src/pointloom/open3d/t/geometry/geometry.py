@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any, ClassVar, Self
 
 from ....core.attribute_hints import KnownNames
+from ...argument_types import DeviceLike
 from ...core.device import Device
 from ...core.tensor import Tensor
 from .tensor_map import TensorMap, count_of, mapped
@@ -87,6 +88,6 @@ class Geometry(KnownNames):
         return self
 
 
-def device_of(value: Any) -> Device:
+def device_of(value: DeviceLike) -> Device:
     """The `Device` of an argument: a Device or its name."""
     return value if isinstance(value, Device) else Device(value)

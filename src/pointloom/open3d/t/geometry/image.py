@@ -16,6 +16,7 @@ from ....cameras.depth_filters import filter_depth_bilateral
 from ....pcd.cloud import PointCloud
 from ....visualization.render.colormaps import colormap_table
 from ... import geometry as legacy
+from ...argument_types import DeviceLike, ImageLike, TensorLike
 from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64, int64, uint8, uint16
 from ...core.tensor import Tensor
@@ -58,13 +59,13 @@ class Image(Geometry):
 
     def __init__(
         self,
-        rows: Any = 0,
+        rows: object = 0,
         cols: int = 0,
         channels: int = 1,
         dtype: Dtype = float32,
-        device: Any = CPU,
+        device: DeviceLike = CPU,
         *,
-        tensor: Any = None,
+        tensor: object = None,
     ):
         given = rows if tensor is None else tensor
         if isinstance(given, Image):
@@ -116,7 +117,7 @@ class Image(Geometry):
         return Tensor([self.rows, self.columns], int64)
 
     @staticmethod
-    def from_legacy(image_legacy: Any, device: Any = CPU) -> Image:
+    def from_legacy(image_legacy: ImageLike, device: DeviceLike = CPU) -> Image:
         return Image(Tensor(pixels_of(image_legacy, "image_legacy"), device=device_of(device)))
 
     def to_legacy(self) -> Any:
@@ -180,7 +181,7 @@ class Image(Geometry):
     def dilate(self, kernel_size: int = 3) -> Image:
         return self._filtered(lambda v: ndimage.maximum_filter(v, kernel_size, mode="nearest"))
 
-    def filter(self, kernel: Any) -> Image:
+    def filter(self, kernel: TensorLike) -> Image:
         """Correlate with a kernel (h, w)."""
         weights = array_of("kernel", kernel).astype(np.float64)
         return self._filtered(lambda v: ndimage.correlate(v, weights, mode="nearest"))
@@ -225,7 +226,7 @@ class Image(Geometry):
         is_outside = (metric <= min_value) | (metric >= max_value)
         return self._like(np.where(is_outside, np.float32(clip_fill), metric), float32)
 
-    def create_vertex_map(self, intrinsics: Any, invalid_fill: float = 0.0) -> Image:
+    def create_vertex_map(self, intrinsics: TensorLike, invalid_fill: float = 0.0) -> Image:
         """Points of the pixels in the camera frame, float32 (h, w, 3)."""
         self._check_depth(float32)
         K = matrix_of("intrinsics", intrinsics, (3, 3))

@@ -10,14 +10,13 @@ from ....cameras.camera import PinholeCameraIntrinsic
 from ....core.escaped_text import escaped
 from ....pcd import line_set
 from ... import geometry as legacy
+from ...argument_types import DeviceLike, TensorLike
 from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64, int64
 from ...core.tensor import Tensor
 from ...wrapper import unwrap
-from .. import geometry
 from .geometry import device_of
 from .moved import MovedGeometry
-from .sweeps import sweep_along, sweep_around
 from .tensor_map import TensorMap, array_of, count_of, matrix_of, tensor_of
 
 CPU = Device("CPU:0")
@@ -35,7 +34,7 @@ class LineSet(MovedGeometry):
     point: TensorMap
     line: TensorMap
 
-    def __init__(self, point_positions: Any = CPU, line_indices: Any = None, *, device: Any = None):
+    def __init__(self, point_positions: object = CPU, line_indices: object = None, *, device: DeviceLike | None = None):
         first = point_positions if device is None else device
         if isinstance(first, LineSet):
             vars(self).update(vars(first.__copy__()))
@@ -52,7 +51,7 @@ class LineSet(MovedGeometry):
 
     @staticmethod
     def from_legacy(
-        lineset_legacy: Any, float_dtype: Dtype = float32, int_dtype: Dtype = int64, device: Any = CPU
+        lineset_legacy: object, float_dtype: Dtype = float32, int_dtype: Dtype = int64, device: DeviceLike = CPU
     ) -> LineSet:
         lines = unwrap(lineset_legacy, legacy.LineSet, "lineset_legacy")
         made, where = LineSet(device_of(device)), device_of(device)
@@ -73,7 +72,12 @@ class LineSet(MovedGeometry):
 
     @staticmethod
     def create_camera_visualization(
-        view_width_px: int, view_height_px: int, intrinsic: Any, extrinsic: Any, scale: float = 1.0, color: Any = None
+        view_width_px: int,
+        view_height_px: int,
+        intrinsic: TensorLike,
+        extrinsic: TensorLike,
+        scale: float = 1.0,
+        color: TensorLike | None = None,
     ) -> LineSet:
         """A camera as a pyramid with the axes of the world, in float32. `extrinsic` is world to camera."""
         K = matrix_of("intrinsic", intrinsic, (3, 3))
@@ -84,26 +88,7 @@ class LineSet(MovedGeometry):
             made.line.colors[:8] = Tensor(rgb, float32)
         return made
 
-    def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> Any:
-        """Mesh of the lines swept along a vector. `capping` has no effect."""
-        return self._swept(*sweep_along(self.point.positions, vector, scale))
-
-    def extrude_rotation(
-        self, angle: float, axis: Any, resolution: int = 16, translation: float = 0.0, capping: bool = True
-    ) -> Any:
-        """Mesh of the lines swept around an axis through zero, by an angle in degrees, and along it."""
-        return self._swept(*sweep_around(self.point.positions, angle, axis, resolution, translation))
-
-    def _swept(self, positions: Any, steps: int) -> Any:
-        """Mesh with two triangles per line and step."""
-        a, b = self.line.indices.numpy().T[:, :, None]
-        count = int(self.point.positions.shape[0])
-        start = count * np.arange(steps)
-        sides = [a + start, b + start, a + start + count, a + start + count, b + start, b + start + count]
-        triangles = np.stack(sides, axis=-1).reshape(-1, 3)
-        return geometry.TriangleMesh(positions, Tensor(triangles, int64, positions.device))
-
-    def paint_uniform_color(self, color: Any) -> Self:
+    def paint_uniform_color(self, color: TensorLike) -> Self:
         """Set one color for all lines."""
         rgb = tensor_of("color", color)
         values = matrix_of("color", color, (3,)).clip(0, 1)

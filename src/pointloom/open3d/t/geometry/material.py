@@ -35,7 +35,7 @@ class Material(KnownNames):
     vector_properties: dict[str, Any]
     texture_maps: dict[str, Any]
 
-    def __init__(self, material_name: Any = ""):
+    def __init__(self, material_name: object = ""):
         other = material_name if isinstance(material_name, Material) else None
         self.material_name = str(material_name) if other is None else other.material_name
         self.scalar_properties = {} if other is None else dict(other.scalar_properties)

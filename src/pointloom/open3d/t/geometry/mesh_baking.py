@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from ....meshing.scene.raycasting_scene import RaycastingScene
 from ...core.tensor import Tensor
 from .. import geometry
 from .mesh_tensors import MeshTensors
+from .tensor_map import TensorMap
 
 
 class BakedTextures(MeshTensors):
@@ -65,7 +66,13 @@ class BakedTextures(MeshTensors):
         return near, found["primitive_ids"], np.stack([np.maximum(1 - u - v, 0), u, v], axis=-1)
 
     def _baked(
-        self, part: Any, names: Iterable[str], values_of: Any, near: NDArray[np.bool_], fill: float, update: bool
+        self,
+        part: TensorMap,
+        names: Iterable[str],
+        values_of: Callable[[NDArray[Any]], NDArray[Any]],
+        near: NDArray[np.bool_],
+        fill: float,
+        update: bool,
     ) -> dict[str, Tensor]:
         made = {}
         for name in names:

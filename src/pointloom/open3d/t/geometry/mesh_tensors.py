@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from ....core.escaped_text import escaped
 from ....kernels.arrays.origins import add_origin
 from ....meshing.mesh import mesh
+from ....pcd.cloud import PointCloud as NativeCloud
+from ...argument_types import DeviceLike
 from ...core.device import Device
 from ...core.dtype import Dtype
 from ...core.tensor import Tensor
@@ -38,7 +40,7 @@ class MeshTensors(Geometry):
     triangle: TensorMap
     material: Material
 
-    def __init__(self, vertex_positions: Any = None, triangle_indices: Any = None, *, device: Any = CPU):
+    def __init__(self, vertex_positions: object = None, triangle_indices: object = None, *, device: DeviceLike = CPU):
         given = vertex_positions
         if isinstance(given, MeshTensors):
             vars(self).update(vars(given.__copy__()))
@@ -109,16 +111,16 @@ class MeshTensors(Geometry):
         return made
 
     @classmethod
-    def from_native(cls, native: Any, float_dtype: Dtype, int_dtype: Dtype) -> Self:
+    def from_native(cls, native: NativeMesh, float_dtype: Dtype, int_dtype: Dtype) -> Self:
         """Copy a mesh of pointloom."""
         device, nothing = Device(str(native.device)), np.zeros((0, 3))
         return cls(Tensor(nothing, float_dtype, device), Tensor(nothing, int_dtype, device)).set_native(native)
 
-    def _new(self, native: Any) -> Self:
+    def _new(self, native: NativeMesh) -> Self:
         """The result of an operation on this mesh, with its data types."""
         return self.__copy__().set_native(native)
 
-    def set_native(self, native: Any) -> Self:
+    def set_native(self, native: NativeMesh) -> Self:
         """Replace all tensors by copies of a result's arrays. Names that exist keep their data types."""
         positions = self.vertex["positions"].dtype.numpy if "positions" in self.vertex else np.dtype(np.float32)
         floats = positions if positions.kind == "f" else np.dtype(np.float32)
@@ -129,7 +131,12 @@ class MeshTensors(Geometry):
         return self
 
     def _replaced(
-        self, old: TensorMap, names: dict[str, str], native: Any, attributes: dict[str, Any], floats: Any
+        self,
+        old: TensorMap,
+        names: dict[str, str],
+        native: NativeMesh,
+        attributes: dict[str, Any],
+        floats: np.dtype[Any],
     ) -> TensorMap:
         types = {name: tensor.dtype.numpy for name, tensor in old.items()}
         types["positions"], types["indices"] = floats, types.get("indices", np.dtype(np.int64))
@@ -160,7 +167,7 @@ class MeshTensors(Geometry):
         return "\n".join(lines)
 
 
-def positions_of(native: Any, name: str = "vertices") -> Any:
+def positions_of(native: NativeMesh | NativeCloud, name: str = "vertices") -> Any:
     """Vertices or points as a device array with the origin added."""
     array = native.array(name)
     return add_origin(array, native.origin) if native.origin.any() else array
@@ -172,7 +179,7 @@ def _columns(tensor: Tensor) -> Any:
     return values_of(tensor) if len(shape) < 3 else values_of(tensor).reshape((shape[0], int(np.prod(shape[1:]))))
 
 
-def cloud_of(native: Any, dtype: Dtype) -> Any:
+def cloud_of(native: NativeCloud, dtype: Dtype) -> Any:
     """Copy a cloud of pointloom into a PointCloud of tensors."""
     shape = (len(native), 3)
     cloud = geometry.PointCloud(new_tensor(positions_of(native, "points"), dtype.numpy, shape))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ....kernels.linear_algebra import matmul
 from ....pcd.cloud import PointCloud
 from ....pcd.motion import map_about
+from ...argument_types import TensorLike
 from ...core.tensor import Tensor
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .geometry import Geometry
@@ -46,19 +47,19 @@ class MovedGeometry(Geometry):
         """The smallest box."""
         return OrientedBoundingBox.create_from_points(self.point.positions)
 
-    def transform(self, transformation: Any) -> Self:
+    def transform(self, transformation: TensorLike) -> Self:
         """Apply a 4x4 matrix. Normals stay perpendicular to the surface and keep their lengths."""
         return self._map(matrix_of("transformation", transformation, (4, 4)))
 
-    def rotate(self, R: Any, center: Any) -> Self:
+    def rotate(self, R: TensorLike, center: TensorLike) -> Self:
         return self._map(map_about(matrix_of("R", R, (3, 3)), matrix_of("center", center, (3,))))
 
-    def translate(self, translation: Any, relative: bool = True) -> Self:
+    def translate(self, translation: TensorLike, relative: bool = True) -> Self:
         """Translate by a vector. With `relative=False`, move the center there."""
         step = matrix_of("translation", translation, (3,))
         return self._move(map_about(np.eye(3), np.zeros(3), step if relative else step - self.get_center().numpy()))
 
-    def scale(self, scale: float, center: Any) -> Self:
+    def scale(self, scale: float, center: TensorLike) -> Self:
         """Scale the positions about a point."""
         return self._move(map_about(scale * np.eye(3), matrix_of("center", center, (3,))))
 

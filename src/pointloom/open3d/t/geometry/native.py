@@ -15,6 +15,7 @@ from ....kernels.lang import launch, uint8
 from ....kernels.language.device_lock import lock_for
 from ....kernels.memory import cast, zeros
 from ....pcd.cloud import PointCloud
+from ...argument_types import DeviceArray
 from ...core.dtype import Dtype, float32, float64, uint16
 from ...core.tensor import Tensor
 from .tensor_map import TensorMap, count_of, wrap
@@ -88,7 +89,7 @@ def mask_of(rows: Tensor, count: int) -> Tensor:
     return wrap(view_as(flags, wp.bool, (count,)))
 
 
-def write(tensor: Tensor, values: Any) -> None:
+def write(tensor: Tensor, values: DeviceArray) -> None:
     """Write an array into the memory of a tensor."""
     source = converted(wrap(values), tensor.dtype)
     if tensor.device.name == "cpu":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, Self
 
 import numpy as np
@@ -10,6 +11,7 @@ from ....kernels.icp.color_gradients import estimate_color_gradients
 from ....pcd import cloud
 from ....pcd.metrics import compute_metrics
 from ... import geometry as legacy
+from ...argument_types import DeviceLike, TensorLike
 from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64, int32, int64
 from ...core.tensor import Tensor
@@ -19,12 +21,11 @@ from . import depth_points
 from .boundary import boundary_rows
 from .geometry import device_of
 from .image import Image
-from .line_set import LineSet, listed
-from .metrics import listed_metrics
+from .line_set import listed
+from .metrics import Metric, MetricParameters, listed_metrics
 from .moved import MovedGeometry
 from .native import attribute, columns_of, converted, mask_of, native_of, positions_of, rows_of, select
 from .rgbd_image import RGBDImage
-from .sweeps import sweep_along, sweep_around
 from .tensor_map import TensorMap, count_of, matrix_of, tensor_of, wrap
 
 CPU = Device("CPU:0")
@@ -47,7 +48,7 @@ class PointCloud(MovedGeometry):
 
     point: TensorMap
 
-    def __init__(self, device: Any = CPU, *, positions: Any = None, map_keys_to_tensors: Any = None):
+    def __init__(self, device: Any = CPU, *, positions: object = None, map_keys_to_tensors: object = None):
         given = next((v for v in (positions, map_keys_to_tensors) if v is not None), device)
         if isinstance(given, PointCloud):
             vars(self).update(vars(given.__copy__()))
@@ -66,7 +67,7 @@ class PointCloud(MovedGeometry):
             raise ValueError(f"positions: expected shape [n, 3], got {list(self.point.positions.shape)}")
 
     @staticmethod
-    def from_legacy(pcd_legacy: Any, dtype: Dtype = float32, device: Any = CPU) -> PointCloud:
+    def from_legacy(pcd_legacy: object, dtype: Dtype = float32, device: DeviceLike = CPU) -> PointCloud:
         """Positions, normals and colors of a `geometry.PointCloud`."""
         if not isinstance(pcd_legacy, legacy.PointCloud):
             raise TypeError(f"pcd_legacy: expected a geometry.PointCloud, got {type(pcd_legacy).__name__}")
@@ -89,7 +90,7 @@ class PointCloud(MovedGeometry):
             made.colors = colors / np.float64(np.iinfo(colors.dtype).max if colors.dtype.kind == "u" else 1)
         return made
 
-    def append(self, other: Any) -> PointCloud:
+    def append(self, other: PointCloud) -> PointCloud:
         """A cloud of both. The other one must have all attributes of this one."""
         missing = [name for name in self.point if name not in other.point]
         if missing:
@@ -104,7 +105,7 @@ class PointCloud(MovedGeometry):
                 )
         return PointCloud({name: first.append(second, 0) for name, (first, second) in parts.items()})
 
-    def __add__(self, other: Any) -> PointCloud:
+    def __add__(self, other: PointCloud) -> PointCloud:
         return self.append(other)
 
     def _selected(self, method: str, *args: Any) -> tuple[PointCloud, Tensor]:
@@ -113,10 +114,10 @@ class PointCloud(MovedGeometry):
         vars(made)["point"], rows = select(self.point, method, *args)
         return made, mask_of(rows, count_of(self.point))
 
-    def select_by_mask(self, boolean_mask: Any, invert: bool = False) -> PointCloud:
+    def select_by_mask(self, boolean_mask: TensorLike, invert: bool = False) -> PointCloud:
         return self._selected("select_by_mask", tensor_of("boolean_mask", boolean_mask).array, invert)[0]
 
-    def select_by_index(self, indices: Any, invert: bool = False, remove_duplicates: bool = False) -> PointCloud:
+    def select_by_index(self, indices: TensorLike, invert: bool = False, remove_duplicates: bool = False) -> PointCloud:
         """The points at indices in their order with repeats. Inverted or without repeats: in the order of the cloud."""
         rows = tensor_of("indices", indices)
         if remove_duplicates and not invert:
@@ -168,7 +169,7 @@ class PointCloud(MovedGeometry):
         """The first point at each float32 position, and a mask of them."""
         return self._selected("remove_duplicated_points")
 
-    def paint_uniform_color(self, color: Any) -> Self:
+    def paint_uniform_color(self, color: TensorLike) -> Self:
         """Set one color for all points. Floats are limited to 0..1."""
         rgb = tensor_of("color", color)
         values = matrix_of("color", rgb, (3,))
@@ -190,11 +191,11 @@ class PointCloud(MovedGeometry):
             self._set_normals(native_of(self.point, "normals").normalize_normals()) if "normals" in self.point else self
         )
 
-    def orient_normals_to_align_with_direction(self, orientation_reference: Any = UP) -> None:
+    def orient_normals_to_align_with_direction(self, orientation_reference: TensorLike = UP) -> None:
         direction = matrix_of("orientation_reference", orientation_reference, (3,))
         self._set_normals(native_of(self.point, "normals").orient_normals_to_align_with_direction(direction))
 
-    def orient_normals_towards_camera_location(self, camera_location: Any = ZERO) -> None:
+    def orient_normals_towards_camera_location(self, camera_location: TensorLike = ZERO) -> None:
         camera = matrix_of("camera_location", camera_location, (3,))
         self._set_normals(native_of(self.point, "normals").orient_normals_towards_camera_location(camera))
 
@@ -253,8 +254,8 @@ class PointCloud(MovedGeometry):
     @staticmethod
     def create_from_depth_image(
         depth: Image,
-        intrinsics: Any,
-        extrinsics: Any = EYE,
+        intrinsics: TensorLike,
+        extrinsics: TensorLike = EYE,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
         stride: int = 1,
@@ -267,8 +268,8 @@ class PointCloud(MovedGeometry):
     @staticmethod
     def create_from_rgbd_image(
         rgbd_image: RGBDImage,
-        intrinsics: Any,
-        extrinsics: Any = EYE,
+        intrinsics: TensorLike,
+        extrinsics: TensorLike = EYE,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
         stride: int = 1,
@@ -282,8 +283,8 @@ class PointCloud(MovedGeometry):
         self,
         width: int,
         height: int,
-        intrinsics: Any,
-        extrinsics: Any = EYE,
+        intrinsics: TensorLike,
+        extrinsics: TensorLike = EYE,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
     ) -> Image:
@@ -295,8 +296,8 @@ class PointCloud(MovedGeometry):
         self,
         width: int,
         height: int,
-        intrinsics: Any,
-        extrinsics: Any = EYE,
+        intrinsics: TensorLike,
+        extrinsics: TensorLike = EYE,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
     ) -> RGBDImage:
@@ -304,7 +305,7 @@ class PointCloud(MovedGeometry):
         native = native_of(self.point, "colors")
         return depth_points.project_rgbd(native, width, height, intrinsics, extrinsics, depth_scale, depth_max)
 
-    def hidden_point_removal(self, camera_location: Any, radius: float) -> tuple[Any, Tensor]:
+    def hidden_point_removal(self, camera_location: TensorLike, radius: float) -> tuple[Any, Tensor]:
         """Mesh of the points visible from a camera, and their indices, int64."""
         camera = matrix_of("camera_location", camera_location, (3,))
         surface, rows = native_of(self.point).hidden_point_removal(camera, radius)
@@ -340,25 +341,10 @@ class PointCloud(MovedGeometry):
         rows = boundary_rows(native_of(self.point, "normals"), radius, max_nn, angle_threshold)
         return self._selected("select_by_index", rows)
 
-    def compute_metrics(self, pcd2: PointCloud, metrics: Any, params: Any) -> Tensor:
+    def compute_metrics(self, pcd2: PointCloud, metrics: Iterable[Metric], params: MetricParameters) -> Tensor:
         """The metrics in their order, float32, F-scores once per radius."""
         found: Any = compute_metrics(native_of(self.point), native_of(pcd2.point), [*params.fscore_radius])
         return Tensor(listed_metrics(found, metrics))
-
-    def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> LineSet:
-        """A line per point along a vector. `capping` has no effect."""
-        return self._swept(*sweep_along(self.point.positions, vector, scale))
-
-    def extrude_rotation(
-        self, angle: float, axis: Any, resolution: int = 16, translation: float = 0.0, capping: bool = True
-    ) -> LineSet:
-        """A line per point and step around an axis through zero, by an angle in degrees, and along it."""
-        return self._swept(*sweep_around(self.point.positions, angle, axis, resolution, translation))
-
-    def _swept(self, positions: Tensor, steps: int) -> LineSet:
-        count = count_of(self.point)
-        start = (np.arange(count)[:, None] + count * np.arange(steps)).ravel()
-        return LineSet(positions, Tensor(np.column_stack([start, start + count]), int64, self.device))
 
     def __repr__(self) -> str:
         kind = f" ({self.point.positions.dtype})" if "positions" in self.point else ""

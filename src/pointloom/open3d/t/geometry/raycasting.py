@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from ....meshing.scene import raycasting_scene
+from ...argument_types import DeviceLike, TensorLike
 from ...core import Device, Tensor
 from ...wrapper import Wrapper
 from .mesh_tensors import CPU, NativeMesh
@@ -24,10 +25,16 @@ class RaycastingScene(Wrapper):
 
     INVALID_ID = raycasting_scene.RaycastingScene.INVALID_ID
 
-    def __init__(self, nthreads: int = 0, device: Any = CPU):
+    def __init__(self, nthreads: int = 0, device: DeviceLike = CPU):
         self._wrapped, self._shared = self._kind(Device(device).name), {}
 
-    def add_triangles(self, vertex_positions: Any = None, triangle_indices: Any = None, *, mesh: Any = None) -> int:
+    def add_triangles(
+        self,
+        vertex_positions: TriangleMesh | TensorLike | None = None,
+        triangle_indices: TensorLike | None = None,
+        *,
+        mesh: TriangleMesh | TensorLike | None = None,
+    ) -> int:
         """Add a TriangleMesh, or vertices (n, 3) and triangles (m, 3). Returns the geometry id."""
         added = values_of(vertex_positions if mesh is None else mesh)
         if isinstance(added, TriangleMesh):
@@ -36,29 +43,31 @@ class RaycastingScene(Wrapper):
             added = NativeMesh(added, values_of(triangle_indices), device=self._wrapped.device)
         return self._wrapped.add_triangles(added)
 
-    def cast_rays(self, rays: Any, nthreads: int = 0) -> dict[str, Tensor]:
+    def cast_rays(self, rays: TensorLike, nthreads: int = 0) -> dict[str, Tensor]:
         return _tensors(self._wrapped.cast_rays(values_of(rays)))
 
-    def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf, nthreads: int = 0) -> Tensor:
+    def test_occlusions(
+        self, rays: TensorLike, tnear: float = 0.0, tfar: float = math.inf, nthreads: int = 0
+    ) -> Tensor:
         return wrap(self._wrapped.test_occlusions(values_of(rays), tnear, tfar))
 
-    def count_intersections(self, rays: Any, nthreads: int = 0) -> Tensor:
+    def count_intersections(self, rays: TensorLike, nthreads: int = 0) -> Tensor:
         return wrap(self._wrapped.count_intersections(values_of(rays)))
 
-    def list_intersections(self, rays: Any, nthreads: int = 0) -> dict[str, Tensor]:
+    def list_intersections(self, rays: TensorLike, nthreads: int = 0) -> dict[str, Tensor]:
         return _tensors(self._wrapped.list_intersections(values_of(rays)))
 
-    def compute_closest_points(self, query_points: Any, nthreads: int = 0) -> dict[str, Tensor]:
+    def compute_closest_points(self, query_points: TensorLike, nthreads: int = 0) -> dict[str, Tensor]:
         return _tensors(self._wrapped.compute_closest_points(values_of(query_points)))
 
-    def compute_distance(self, query_points: Any, nthreads: int = 0) -> Tensor:
+    def compute_distance(self, query_points: TensorLike, nthreads: int = 0) -> Tensor:
         return wrap(self._wrapped.compute_distance(values_of(query_points)))
 
-    def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Tensor:
+    def compute_signed_distance(self, query_points: TensorLike, nthreads: int = 0, nsamples: int = 1) -> Tensor:
         """Distances, negative inside."""
         return wrap(self._wrapped.compute_signed_distance(values_of(query_points), nsamples=nsamples))
 
-    def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Tensor:
+    def compute_occupancy(self, query_points: TensorLike, nthreads: int = 0, nsamples: int = 1) -> Tensor:
         """1 inside, 0 outside."""
         return wrap(self._wrapped.compute_occupancy(values_of(query_points), nsamples=nsamples))
 

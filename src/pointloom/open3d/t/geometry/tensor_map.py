@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ....core.escaped_text import escaped
 from ....core.gpu_arrays import take_numbers
+from ...argument_types import DeviceArray
 from ...core.tensor import Tensor
 
 RESERVED = {
@@ -18,7 +19,7 @@ RESERVED = {
 }
 
 
-def tensor_of(name: str, values: Any) -> Tensor:
+def tensor_of(name: str, values: object) -> Tensor:
     """A tensor, or one of a list or of a NumPy array, whose memory it shares. Raises TypeError."""
     if isinstance(values, Tensor):
         return values
@@ -31,12 +32,12 @@ def tensor_of(name: str, values: Any) -> Tensor:
     )
 
 
-def array_of(name: str, values: Any) -> NDArray[Any]:
+def array_of(name: str, values: object) -> NDArray[Any]:
     """The values of a tensor or of what `tensor_of` accepts, as a NumPy array."""
     return tensor_of(name, values).numpy()
 
 
-def matrix_of(name: str, values: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
+def matrix_of(name: str, values: object, shape: tuple[int, ...]) -> NDArray[np.float64]:
     """A small argument as a NumPy array of a shape."""
     array = array_of(name, values)
     if array.shape != shape:
@@ -44,7 +45,7 @@ def matrix_of(name: str, values: Any, shape: tuple[int, ...]) -> NDArray[np.floa
     return array.astype(np.float64)
 
 
-def wrap(values: Any) -> Tensor:
+def wrap(values: DeviceArray) -> Tensor:
     """A tensor around a result of pointloom. Vectors of a Warp array become rows."""
     return Tensor.from_array(values if isinstance(values, np.ndarray) else take_numbers("values", values))
 
@@ -81,7 +82,7 @@ class TensorMap:
             raise MissingKeyError(f"{escaped(key)}: expected one of {[*self._values]}")
         return Tensor.from_array(self._values[key].array)  # another object, the same memory
 
-    def __setitem__(self, key: str, value: Any) -> None:
+    def __setitem__(self, key: str, value: object) -> None:
         if key in RESERVED or key.startswith("__"):
             raise KeyError(f"{escaped(key)}: the name is reserved")
         self._values[key] = tensor_of(key, value)

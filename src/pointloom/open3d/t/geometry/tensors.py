@@ -11,22 +11,23 @@ from numpy.typing import DTypeLike
 from ....core.checks import is_on_gpu
 from ....core.gpu_arrays import take_numbers
 from ....kernels.memory import cast, clone, download
+from ...argument_types import DeviceArray
 from ...core.tensor import Tensor
 
 
-def values_of(value: Any) -> Any:
+def values_of(value: object) -> Any:
     """The array of a tensor on its device. Other values are returned unchanged."""
     return value.array if isinstance(value, Tensor) else value
 
 
-def host_of(value: Any) -> Any:
+def host_of(value: object) -> Any:
     """The NumPy array of a tensor or of an array on a GPU. Other values are returned unchanged."""
     if isinstance(value, Tensor):
         return value.numpy()
     return download(take_numbers("values", value)) if is_on_gpu(value) else value
 
 
-def new_tensor(array: Any, dtype: DTypeLike | None = None, shape: tuple[int, ...] | None = None) -> Tensor:
+def new_tensor(array: DeviceArray, dtype: DTypeLike | None = None, shape: tuple[int, ...] | None = None) -> Tensor:
     """Copy an array of NumPy or Warp into a tensor, with another type or shape if given."""
     if is_on_gpu(array):
         numbers = take_numbers("array", array)

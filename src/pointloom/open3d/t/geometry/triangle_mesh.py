@@ -12,17 +12,18 @@ from ....core.checks import check_number
 from ....kernels.meshes import mesh_measures
 from ....pcd.motion import map_about
 from ... import geometry as legacy
+from ...argument_types import DeviceLike, TensorLike, VectorLike
 from ...core.dtype import Dtype, bool8, float32, int32, int64
 from ...core.tensor import Tensor
 from ...seeds import next_seed
-from ...vectors import Vector2dVector, Vector3dVector, Vector3iVector
+from ...vectors import Vector, Vector2dVector, Vector3dVector, Vector3iVector
 from .. import geometry
 from .geometry import device_of
 from .mesh_baking import BakedTextures
 from .mesh_factories import MeshFactories
 from .mesh_tensors import CPU, NativeMesh, cloud_of
 from .metrics import Metric, MetricParameters, listed_metrics
-from .tensor_map import count_of, wrap
+from .tensor_map import TensorMap, count_of, wrap
 from .tensors import host_of, new_tensor, values_of
 
 OF_FACES = ("normals", "areas")  # computed triangle attributes
@@ -33,14 +34,14 @@ class TriangleMesh(MeshFactories, BakedTextures):
 
     @classmethod
     def from_legacy(
-        cls, mesh_legacy: Any, vertex_dtype: Dtype = float32, triangle_dtype: Dtype = int64, device: Any = CPU
+        cls, mesh_legacy: object, vertex_dtype: Dtype = float32, triangle_dtype: Dtype = int64, device: DeviceLike = CPU
     ) -> Self:
         """Copy a mesh of `o3d.geometry`. Its first texture becomes the texture map "albedo" of the material."""
         if not isinstance(mesh_legacy, legacy.TriangleMesh):
             raise TypeError(f"mesh_legacy: expected an o3d.geometry.TriangleMesh, got {type(mesh_legacy).__name__}")
         made, where = cls(device=device), device_of(device)
 
-        def put(part: Any, name: str, vector: Any, dtype: Dtype, shape: tuple[int, ...] = (-1, 3)) -> None:
+        def put(part: TensorMap, name: str, vector: Vector, dtype: Dtype, shape: tuple[int, ...] = (-1, 3)) -> None:
             if len(vector):
                 part[name] = Tensor(np.asarray(vector).reshape(shape), dtype, where)
 
@@ -72,7 +73,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
             made.textures = [legacy.Image(np.flipud(self.texture))]
         return made
 
-    def transform(self, transformation: Any) -> Self:
+    def transform(self, transformation: TensorLike) -> Self:
         """Apply a 4x4 matrix. Normals stay perpendicular to the surface and keep their lengths."""
         T = np.array(host_of(transformation), np.float64)
         self._cloud().transform(T)
@@ -82,16 +83,16 @@ class TriangleMesh(MeshFactories, BakedTextures):
             geometry.PointCloud({"positions": normals.clone(), "normals": normals}).transform(T)
         return self
 
-    def translate(self, translation: Any, relative: bool = True) -> Self:
+    def translate(self, translation: TensorLike, relative: bool = True) -> Self:
         """Translate by a vector. With `relative=False`, move the center there."""
         self._cloud().translate(translation, relative)
         return self
 
-    def scale(self, scale: float, center: Any) -> Self:
+    def scale(self, scale: float, center: TensorLike) -> Self:
         self._cloud().scale(scale, center)
         return self
 
-    def rotate(self, R: Any, center: Any) -> Self:
+    def rotate(self, R: TensorLike, center: TensorLike) -> Self:
         return self.transform(map_about(*(np.asarray(host_of(value), np.float64) for value in (R, center))))
 
     def get_min_bound(self) -> Tensor:
@@ -202,21 +203,21 @@ class TriangleMesh(MeshFactories, BakedTextures):
             self.set_texture(made.textures[0])
         return geometry.Image(Tensor(made.textures[0]))
 
-    def boolean_union(self, mesh: Any, tolerance: float = 1e-6) -> Self:
+    def boolean_union(self, mesh: TriangleMesh, tolerance: float = 1e-6) -> Self:
         """Union of two closed meshes. `tolerance` has no effect."""
         return self._new(self.native.boolean_union(_mesh("mesh", mesh)))
 
-    def boolean_intersection(self, mesh: Any, tolerance: float = 1e-6) -> Self:
+    def boolean_intersection(self, mesh: TriangleMesh, tolerance: float = 1e-6) -> Self:
         return self._new(self.native.boolean_intersection(_mesh("mesh", mesh)))
 
-    def boolean_difference(self, mesh: Any, tolerance: float = 1e-6) -> Self:
+    def boolean_difference(self, mesh: TriangleMesh, tolerance: float = 1e-6) -> Self:
         return self._new(self.native.boolean_difference(_mesh("mesh", mesh)))
 
-    def clip_plane(self, point: Any, normal: Any) -> Self:
+    def clip_plane(self, point: TensorLike, normal: TensorLike) -> Self:
         """Part on the side of the normal."""
         return self._new(self._without("areas").clip_plane(host_of(point), host_of(normal)))
 
-    def slice_plane(self, point: Any, normal: Any, contour_values: ArrayLike = (0.0,)) -> Any:
+    def slice_plane(self, point: TensorLike, normal: TensorLike, contour_values: ArrayLike = (0.0,)) -> Any:
         """Sections with parallel planes as a LineSet."""
         lines = self.surface.slice_plane(host_of(point), host_of(normal), contour_values)
         ends = Tensor(lines.lines, int64, self.device)
@@ -233,18 +234,18 @@ class TriangleMesh(MeshFactories, BakedTextures):
         native = self._without(*OF_FACES)
         return self._new(native.simplify_quadric_decimation(max(1, round((1 - reduction) * len(native)))))
 
-    def extrude_linear(self, vector: Any, scale: float = 1.0, capping: bool = True) -> Self:
+    def extrude_linear(self, vector: TensorLike, scale: float = 1.0, capping: bool = True) -> Self:
         return self._new(self._without(*OF_FACES).extrude_linear(host_of(vector), scale, capping))
 
     def extrude_rotation(
-        self, angle: float, axis: Any, resolution: int = 16, translation: float = 0.0, capping: bool = True
+        self, angle: float, axis: TensorLike, resolution: int = 16, translation: float = 0.0, capping: bool = True
     ) -> Self:
         """Sweep by a rotation [degrees] about an axis through the origin."""
         return self._new(
             self._without(*OF_FACES).extrude_rotation(angle, host_of(axis), resolution, translation, capping)
         )
 
-    def select_by_index(self, indices: Any, copy_attributes: bool = True) -> Self:
+    def select_by_index(self, indices: TensorLike, copy_attributes: bool = True) -> Self:
         """Vertices by index, in the order of the mesh, and the triangles between them.
 
         Indices out of range are ignored, as in Open3D.
@@ -256,7 +257,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
         rows = np.unique(rows.astype(np.int64))
         return self._new(native.select_by_index(rows[(rows >= 0) & (rows < count_of(self.vertex))], cleanup=False))
 
-    def select_faces_by_mask(self, mask: Any) -> Self:
+    def select_faces_by_mask(self, mask: TensorLike) -> Self:
         """Triangles by a boolean mask (t,), with their vertices."""
         given, count = mask if isinstance(mask, Tensor) else Tensor(mask), count_of(self.triangle)
         if given.dtype != bool8 or tuple(given.shape) != (count,):
@@ -275,7 +276,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
         made = self.textured().sample_points_uniformly(number_of_points, use_triangle_normal, next_seed())
         return cloud_of(made, self._float_dtype)
 
-    def compute_metrics(self, mesh2: Any, metrics: Iterable[Metric], params: MetricParameters) -> Tensor:
+    def compute_metrics(self, mesh2: TriangleMesh, metrics: Iterable[Metric], params: MetricParameters) -> Tensor:
         """Compare two surfaces. The Hausdorff distance is that of the surfaces, not of samples."""
         options = params.fscore_radius, params.n_sampled_points
         measured = self.surface.compute_metrics(_mesh("mesh2", mesh2), *options, seed=next_seed())
@@ -294,7 +295,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
         dtype = self.vertex["positions"].dtype if "positions" in self.vertex else float32
         return dtype if dtype.numpy.kind == "f" else float32
 
-    def _floats(self, values: Any) -> Tensor:
+    def _floats(self, values: VectorLike) -> Tensor:
         return Tensor(np.asarray(values), self._float_dtype, self.device)
 
 
@@ -303,7 +304,7 @@ def _as_normals(normals: Tensor) -> Any:
     return NativeMesh(values_of(normals), vertex_normals=values_of(normals))
 
 
-def _mesh(name: str, value: Any) -> Any:
+def _mesh(name: str, value: object) -> Any:
     if not isinstance(value, TriangleMesh):
         given = type(value).__name__
         raise TypeError(f"{name}: expected an o3d.t.geometry.TriangleMesh, got {given}; from_legacy converts one")

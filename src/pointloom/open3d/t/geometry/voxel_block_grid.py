@@ -23,6 +23,7 @@ from ....kernels.memory import download
 from ....kernels.volumes.tsdf_blocks import BLOCK_SIDE, BLOCK_VOXELS, block_box, touched_blocks
 from ....kernels.volumes.voxel_blocks import COLOR_SCALE
 from ....meshing.volume.tsdf import TSDFVolume
+from ...argument_types import DeviceLike, TensorImage, TensorLike
 from ...core.device import Device
 from ...core.dtype import Dtype, float32, int32
 from ...core.tensor import Tensor
@@ -60,7 +61,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         voxel_size: float = 0.0058,
         block_resolution: int = 16,
         block_count: int = 10000,
-        device: Any = CPU,
+        device: DeviceLike = CPU,
     ):
         channels = [int(np.prod(host_of(shape))) for shape in attr_channels]
         given = dict(zip(attr_names, channels, strict=True))
@@ -96,9 +97,9 @@ class VoxelBlockGrid(Serialized, KnownNames):
 
     def compute_unique_block_coordinates(
         self,
-        depth: Any,
-        intrinsic: Any,
-        extrinsic: Any,
+        depth: TensorImage | TensorLike,
+        intrinsic: TensorLike,
+        extrinsic: TensorLike,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
         trunc_voxel_multiplier: float = MULTIPLIER,
@@ -116,7 +117,9 @@ class VoxelBlockGrid(Serialized, KnownNames):
         keys = touched_blocks(metric, limit, camera, T, truncation, self._voxel_size)
         return self._tensor(block_box(download(keys)).astype(np.int32))
 
-    def integrate(self, block_coords: Any, depth: Any, *args: Any, **kwargs: Any) -> None:
+    def integrate(
+        self, block_coords: TensorLike | None, depth: TensorImage | TensorLike, *args: Any, **kwargs: Any
+    ) -> None:
         """Integrate an image: (block_coords, depth, [color], intrinsic, [color_intrinsic], extrinsic, ...).
 
         The touched blocks are computed again: `block_coords` has no effect. Both intrinsics must be equal.
@@ -137,9 +140,9 @@ class VoxelBlockGrid(Serialized, KnownNames):
 
     def ray_cast(
         self,
-        block_coords: Any,
-        intrinsic: Any,
-        extrinsic: Any,
+        block_coords: TensorLike | None,
+        intrinsic: TensorLike,
+        extrinsic: TensorLike,
         width: int,
         height: int,
         render_attributes: Sequence[str] = ("depth", "color"),
@@ -214,18 +217,18 @@ class VoxelBlockGrid(Serialized, KnownNames):
         )
         return Tensor(blocks.transpose(0, 3, 2, 1, 4), self._dtypes[attribute_name])
 
-    def voxel_indices(self, buf_indices: Any = None) -> Tensor:
+    def voxel_indices(self, buf_indices: TensorLike | None = None) -> Tensor:
         """Index of the block, x, y and z of each voxel of some or all blocks, int64 (4, n)."""
         rows = self._rows(buf_indices)
         local = np.tile(CORNERS, (len(rows), 1))
         return self._tensor(np.vstack([np.repeat(rows, BLOCK_VOXELS), local.T]).astype(np.int64))
 
-    def voxel_coordinates(self, voxel_indices: Any) -> Tensor:
+    def voxel_coordinates(self, voxel_indices: TensorLike) -> Tensor:
         """Coordinates of voxels from `voxel_indices`, in voxels about the grid's origin, int64 (3, n)."""
         indices = np.asarray(host_of(voxel_indices))
         return self._tensor((self._corners()[indices[0]] + indices[1:].T).T.astype(np.int64))
 
-    def voxel_coordinates_and_flattened_indices(self, buf_indices: Any = None) -> tuple[Tensor, Tensor]:
+    def voxel_coordinates_and_flattened_indices(self, buf_indices: TensorLike | None = None) -> tuple[Tensor, Tensor]:
         """Positions [m] of the voxels of some or all blocks, float32 (n, 3), and their rows in attributes, int64 (n,).
 
         A row is one of `attribute(name).reshape((-1, channels))`.
@@ -236,7 +239,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         positions = voxels * volume.voxel_size + volume.origin
         return self._tensor(positions.astype(np.float32)), self._tensor(flat.astype(np.int64))
 
-    def _rows(self, buf_indices: Any) -> NDArray[np.int64]:
+    def _rows(self, buf_indices: TensorLike | None) -> NDArray[np.int64]:
         count = self._any.block_count
         if buf_indices is None:
             return np.arange(count)
@@ -263,7 +266,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         vars(made)["_volume"] = volume
         return made
 
-    def to(self, device: Any, copy: bool = False) -> Self:
+    def to(self, device: DeviceLike, copy: bool = False) -> Self:
         """The grid on a device: itself if it is there already, unless `copy`."""
         target = device_of(device)
         if target == self._device and not copy:
@@ -310,9 +313,9 @@ def _pixels(image: Any) -> Any:
     return array.reshape(array.shape[:2]) if array.ndim == 3 and array.shape[2] == 1 else array
 
 
-def _camera(intrinsic: Any, width: int, height: int) -> PinholeCameraIntrinsic:
+def _camera(intrinsic: TensorLike, width: int, height: int) -> PinholeCameraIntrinsic:
     return PinholeCameraIntrinsic(width, height, np.asarray(host_of(intrinsic), np.float64))
 
 
-def _pose(extrinsic: Any) -> NDArray[np.float64]:
+def _pose(extrinsic: TensorLike) -> NDArray[np.float64]:
     return check_rigid("extrinsic", np.asarray(host_of(extrinsic), np.float64))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from ....core.errors import FileError, FilePath, values_of_file
 from ..geometry.tensor_map import RESERVED, TensorMap
@@ -19,7 +18,7 @@ def check_attribute_names(filename: FilePath, of: str, names: Iterable[str], pri
             raise FileError(filename, reason, where=of, remedy=REMEDY)
 
 
-def set_attribute(filename: FilePath, attributes: TensorMap, name: str, values: Any) -> None:
+def set_attribute(filename: FilePath, attributes: TensorMap, name: str, values: object) -> None:
     """Add an attribute of a file. Raises FileError for reserved names and types that tensors do not have."""
     check_attribute_names(filename, f"attribute {name}", [name], attributes.primary_key)
     with values_of_file(filename, where=f"attribute {name}"):

@@ -61,7 +61,7 @@ class MaterialRecord(KnownNames):
         return f"MaterialRecord({self.shader!r})"
 
 
-def style_of(material: Any, shape: Any) -> dict[str, Any]:
+def style_of(material: object, shape: object) -> dict[str, Any]:
     """Style keys of a geometry for a material or None. `base_color` applies to geometries without colors.
 
     Raises TypeError if it is not a MaterialRecord.
@@ -81,7 +81,7 @@ def style_of(material: Any, shape: Any) -> dict[str, Any]:
     return style
 
 
-def _has_colors(shape: Any) -> bool:
+def _has_colors(shape: object) -> bool:
     if isinstance(shape, PointCloud):
         return bool(shape.has_colors)
     colors = (getattr(shape, name, None) for name in ("colors", "vertex_colors", "textures"))

@@ -15,7 +15,7 @@ from ....geometry.image import GRAY
 from ..tensors import on_host
 
 
-def rgbd_of(name: str, image: Any, depth_scale: float) -> RGBDImage:
+def rgbd_of(name: str, image: object, depth_scale: float) -> RGBDImage:
     """The pointloom image of a t.geometry.RGBDImage, on its device. Raises TypeError."""
     color, depth = (getattr(image, part, None) for part in ("color", "depth"))
     if color is None or depth is None:

@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from .....cameras.images import RGBDImage
 from .....rgbd.odometry import options, rgbd_odometry
 from .....rgbd.odometry.options import OdometryMethod as Method
+from ....argument_types import TensorFrame, TensorImage, TensorLike
 from ....core.tensor import Tensor
 from ....settings import Settings
 from ....wrapper import unwrap
@@ -66,15 +68,15 @@ class OdometryResult(Settings):
 
 
 def rgbd_odometry_multi_scale(
-    source: Any,
-    target: Any,
-    intrinsics: Any,
-    init_source_to_target: Any = IDENTITY,
+    source: TensorFrame,
+    target: TensorFrame,
+    intrinsics: TensorLike,
+    init_source_to_target: TensorLike = IDENTITY,
     depth_scale: float = 1000.0,
     depth_max: float = 3.0,
     criteria_list: Sequence[Any] | None = None,
     method: Method = Hybrid,
-    params: Any = None,
+    params: OdometryLossParams | None = None,
 ) -> OdometryResult:
     """Motion between two images, the coarsest level first. Raises RuntimeError if the pixels do not determine it.
 
@@ -85,14 +87,14 @@ def rgbd_odometry_multi_scale(
 
 
 def align(
-    source: Any,
-    target: Any,
-    intrinsics: Any,
-    start: Any,
+    source: RGBDImage,
+    target: RGBDImage,
+    intrinsics: TensorLike,
+    start: TensorLike,
     depth_max: float,
     criteria_list: Sequence[Any] | None,
     method: Method,
-    params: Any,
+    params: OdometryLossParams | None,
 ) -> OdometryResult:
     """`rgbd_odometry_multi_scale` of pointloom's images."""
     criteria = None if criteria_list is None else [
@@ -114,10 +116,10 @@ def align(
 
 
 def compute_odometry_information_matrix(
-    source_depth: Any,
-    target_depth: Any,
-    intrinsic: Any,
-    source_to_target: Any,
+    source_depth: TensorImage,
+    target_depth: TensorImage,
+    intrinsic: TensorLike,
+    source_to_target: TensorLike,
     dist_threshold: float,
     depth_scale: float = 1000.0,
     depth_max: float = 3.0,

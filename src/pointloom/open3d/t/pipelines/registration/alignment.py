@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -13,6 +13,7 @@ from .....pcd.cloud import PointCloud
 from .....registration import result
 from .....registration.icp import evaluation, multi_scale
 from .....registration.icp import icp as native_icp
+from ....argument_types import TensorCloud, TensorLike
 from ....core.device import Device
 from ....core.dtype import float64, int64
 from ....core.tensor import Tensor
@@ -66,12 +67,12 @@ class RegistrationResult(Settings):
 
 
 def icp(
-    source: Any,
-    target: Any,
+    source: TensorCloud,
+    target: TensorCloud,
     max_correspondence_distance: float,
-    init_source_to_target: Any = IDENTITY,
-    estimation_method: Any = None,
-    criteria: Any = None,
+    init_source_to_target: TensorLike = IDENTITY,
+    estimation_method: TransformationEstimation | None = None,
+    criteria: ICPConvergenceCriteria | None = None,
     voxel_size: float = -1.0,
     callback_after_iteration: Callback | None = None,
 ) -> RegistrationResult:
@@ -83,13 +84,13 @@ def icp(
 
 
 def multi_scale_icp(
-    source: Any,
-    target: Any,
-    voxel_sizes: Any,
+    source: TensorCloud,
+    target: TensorCloud,
+    voxel_sizes: Iterable[float],
     criteria_list: Sequence[Any],
-    max_correspondence_distances: Any,
-    init_source_to_target: Any = IDENTITY,
-    estimation_method: Any = None,
+    max_correspondence_distances: Iterable[float],
+    init_source_to_target: TensorLike = IDENTITY,
+    estimation_method: TransformationEstimation | None = None,
     callback_after_iteration: Callback | None = None,
 ) -> RegistrationResult:
     """ICP from coarse to fine. The last voxel size may be -1 for all points. Grids go through zero.
@@ -115,12 +116,12 @@ def multi_scale_icp(
 
 
 def registration_symmetric_icp(
-    source: Any,
-    target: Any,
+    source: TensorCloud,
+    target: TensorCloud,
     max_correspondence_distance: float,
-    init_source_to_target: Any = IDENTITY,
-    estimation_method: Any = None,
-    criteria: Any = None,
+    init_source_to_target: TensorLike = IDENTITY,
+    estimation_method: TransformationEstimation | None = None,
+    criteria: ICPConvergenceCriteria | None = None,
 ) -> RegistrationResult:
     """Symmetric point-to-plane ICP: both clouds need normals."""
     method = TransformationEstimationSymmetric() if estimation_method is None else estimation_method
@@ -129,14 +130,16 @@ def registration_symmetric_icp(
 
 
 def evaluate_registration(
-    source: Any, target: Any, max_correspondence_distance: float, transformation: Any = IDENTITY
+    source: TensorCloud, target: TensorCloud, max_correspondence_distance: float, transformation: TensorLike = IDENTITY
 ) -> RegistrationResult:
     clouds = clouds_of(source, target)
     found = evaluation.evaluate_registration(*clouds, max_correspondence_distance, on_host(transformation))
     return _result_of(found, source.device)
 
 
-def get_information_matrix(source: Any, target: Any, max_correspondence_distance: float, transformation: Any) -> Tensor:
+def get_information_matrix(
+    source: TensorCloud, target: TensorCloud, max_correspondence_distance: float, transformation: TensorLike
+) -> Tensor:
     """Information matrix of the correspondences, (6, 6), float64 on the CPU. Zero without any."""
     pose = on_host(transformation)
     return as_matrix(
@@ -146,7 +149,7 @@ def get_information_matrix(source: Any, target: Any, max_correspondence_distance
     )
 
 
-def _native_criteria(name: str, criteria: Any) -> Any:
+def _native_criteria(name: str, criteria: object) -> Any:
     return unwrap(criteria, globally.ICPConvergenceCriteria, name)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .....pcd.cloud import PointCloud
+from ....argument_types import TensorLike
 from ....core.tensor import Tensor
 from ...geometry.native import native_of
 from ..tensors import on_host
@@ -21,7 +22,7 @@ def cloud_of(name: str, cloud: Any) -> PointCloud:
     return native_of(cloud.point, *USED)
 
 
-def points_of(name: str, cloud: Any) -> NDArray[np.float64]:
+def points_of(name: str, cloud: object) -> NDArray[np.float64]:
     """The positions (n, 3), float64."""
     return on_host(_positions(name, cloud)).astype(np.float64)
 
@@ -35,11 +36,11 @@ def _positions(name: str, cloud: Any) -> Tensor:
     return cloud.point["positions"]
 
 
-def clouds_of(source: Any, target: Any) -> tuple[PointCloud, PointCloud]:
+def clouds_of(source: object, target: object) -> tuple[PointCloud, PointCloud]:
     return cloud_of("source", source), cloud_of("target", target)
 
 
-def pairs_of(correspondences: Any, count: int) -> NDArray[np.int64]:
+def pairs_of(correspondences: TensorLike, count: int) -> NDArray[np.int64]:
     """Pairs (k, 2) of a target index, or -1, for each of `count` source points."""
     targets = on_host(correspondences)
     if targets.shape not in ((count,), (count, 1)):

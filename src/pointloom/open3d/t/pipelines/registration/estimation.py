@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from .....registration import rigid
 from .....registration.icp import estimation
+from ....argument_types import TensorCloud, TensorLike
 from ....core.tensor import Tensor
 from ....pipelines.registration.pairs import fit_step, residual_rmse
 from ....settings import Settings
@@ -30,13 +31,18 @@ class TransformationEstimation(Settings):
         super().__setattr__(name, RobustKernel(value) if isinstance(value, RobustKernel) else value)
 
     def compute_transformation(
-        self, source: Any, target: Any, correspondences: Any, current_transform: Any = IDENTITY, iteration: int = 0
+        self,
+        source: TensorCloud,
+        target: TensorCloud,
+        correspondences: TensorLike,
+        current_transform: TensorLike = IDENTITY,
+        iteration: int = 0,
     ) -> Tensor:
         """The step (4, 4) of one iteration, float64 on the CPU. Only Doppler ICP uses `current_transform`."""
         clouds = clouds_of(source, target)
         return as_matrix(fit_step(*clouds, pairs_of(correspondences, len(clouds[0])), self.native))
 
-    def compute_rmse(self, source: Any, target: Any, correspondences: Any) -> float:
+    def compute_rmse(self, source: TensorCloud, target: TensorCloud, correspondences: TensorLike) -> float:
         """Root mean square of the residuals of the pairs that `compute_transformation` minimizes, without a kernel."""
         clouds = clouds_of(source, target)
         return residual_rmse(*clouds, pairs_of(correspondences, len(clouds[0])), self.native)
@@ -46,17 +52,22 @@ class TransformationEstimation(Settings):
 class TransformationEstimationPointToPoint(TransformationEstimation):
     _kind = estimation.TransformationEstimationPointToPoint
 
-    def __init__(self, other: Any = None):
+    def __init__(self, other: object = None):
         """`other` is one to copy."""
 
     def compute_transformation(
-        self, source: Any, target: Any, correspondences: Any, current_transform: Any = IDENTITY, iteration: int = 0
+        self,
+        source: TensorCloud,
+        target: TensorCloud,
+        correspondences: TensorLike,
+        current_transform: TensorLike = IDENTITY,
+        iteration: int = 0,
     ) -> Tensor:
         """Least-squares motion (4, 4) of the pairs, float64 on the CPU."""
         p, q = _points_of(source, target, correspondences)
         return as_matrix(rigid.fit_pose(p, q) if len(p) else IDENTITY)
 
-    def compute_rmse(self, source: Any, target: Any, correspondences: Any) -> float:
+    def compute_rmse(self, source: TensorCloud, target: TensorCloud, correspondences: TensorLike) -> float:
         p, q = _points_of(source, target, correspondences)
         return float(np.sqrt(((p - q) ** 2).sum(axis=1).mean())) if len(p) else 0.0
 
@@ -126,14 +137,19 @@ class TransformationEstimationForDopplerICP(_DopplerFields):
         return super().native_keywords() | {"transform_vehicle_to_sensor": on_host(self.transform_vehicle_to_sensor)}
 
     def compute_transformation(
-        self, source: Any, target: Any, correspondences: Any, current_transform: Any = IDENTITY, iteration: int = 0
+        self,
+        source: TensorCloud,
+        target: TensorCloud,
+        correspondences: TensorLike,
+        current_transform: TensorLike = IDENTITY,
+        iteration: int = 0,
     ) -> Tensor:
         """The step (4, 4) of iteration `iteration` of a source that has been moved by `current_transform`."""
         clouds, current = clouds_of(source, target), on_host(current_transform)
         pairs = pairs_of(correspondences, len(clouds[0]))
         return as_matrix(fit_step(*clouds, pairs, self.native, current, iteration))
 
-    def compute_rmse(self, source: Any, target: Any, correspondences: Any) -> float:
+    def compute_rmse(self, source: TensorCloud, target: TensorCloud, correspondences: TensorLike) -> float:
         """Root mean square of the point-to-plane residuals, as in Open3D without the velocities."""
         return TransformationEstimationPointToPlane().compute_rmse(source, target, correspondences)
 
@@ -141,7 +157,7 @@ class TransformationEstimationForDopplerICP(_DopplerFields):
         return f"TransformationEstimationForDopplerICP with lambda_doppler: {self.lambda_doppler:f}"
 
 
-def _points_of(source: Any, target: Any, correspondences: Any) -> tuple[Points, Points]:
+def _points_of(source: TensorCloud, target: TensorCloud, correspondences: TensorLike) -> tuple[Points, Points]:
     """Positions (k, 3) of the pairs, float64."""
     p, q = points_of("source", source), points_of("target", target)
     pairs = pairs_of(correspondences, len(p))

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from .....pcd import features
 from .....registration import matching
+from ....argument_types import TensorCloud, TensorLike
 from ....core.dtype import int64
 from ....core.tensor import Tensor
 from ....indices import flagged
@@ -16,7 +15,7 @@ from .clouds import cloud_of
 
 
 def compute_fpfh_feature(
-    input: Any, max_nn: int | None = 100, radius: float | None = None, indices: Any = None
+    input: TensorCloud, max_nn: int | None = 100, radius: float | None = None, indices: TensorLike | None = None
 ) -> Tensor:
     """FPFH features (n, 33) in the type of the positions. With `indices`, of these points, each once in their order.
 

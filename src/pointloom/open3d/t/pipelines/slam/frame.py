@@ -6,6 +6,7 @@ from typing import Any
 
 from .....core.attribute_hints import KnownNames
 from .....core.checks import check_count
+from ....argument_types import DeviceLike, TensorImage, TensorLike
 from ....core.device import Device
 from ....core.tensor import Tensor
 from ... import geometry
@@ -17,7 +18,7 @@ class Frame(KnownNames):
 
     intrinsics: Tensor
 
-    def __init__(self, height: Any, width: int = 0, intrinsics: Any = None, device: Any = "CPU:0"):
+    def __init__(self, height: Any, width: int = 0, intrinsics: TensorLike | None = None, device: DeviceLike = "CPU:0"):
         if isinstance(height, Frame):
             vars(self).update(vars(height))
             self._maps = dict(self._maps)
@@ -45,7 +46,7 @@ class Frame(KnownNames):
             raise KeyError(f"{name}: expected one of {[*self._maps]}; set_data({name!r}, tensor) sets it")
         return self._maps[name]
 
-    def set_data_from_image(self, name: str, data: Any) -> None:
+    def set_data_from_image(self, name: str, data: TensorImage) -> None:
         self.set_data(name, data.as_tensor())
 
     def get_data_as_image(self, name: str) -> Any:

@@ -11,6 +11,7 @@ from .....core.attribute_hints import KnownNames
 from .....core.serialized import Serialized
 from .....registration.rigid import invert_pose
 from .....rgbd.odometry.options import OdometryMethod as Method
+from ....argument_types import DeviceLike, TensorLike
 from ....core.device import Device
 from ....core.dtype import float32, uint16
 from ....core.tensor import Tensor
@@ -39,8 +40,8 @@ class Model(Serialized, KnownNames):
         voxel_size: Any,
         block_resolution: int = 16,
         block_count: int = 10000,
-        transformation: Any = IDENTITY,
-        device: Any = "CUDA:0",
+        transformation: TensorLike = IDENTITY,
+        device: DeviceLike = "CUDA:0",
     ):
         if isinstance(voxel_size, Model):
             vars(self).update(vars(voxel_size))
@@ -57,13 +58,13 @@ class Model(Serialized, KnownNames):
         return self._pose
 
     @transformation_frame_to_world.setter
-    def transformation_frame_to_world(self, pose: Any) -> None:
+    def transformation_frame_to_world(self, pose: TensorLike) -> None:
         self._pose = as_matrix(pose)
 
     def get_current_frame_pose(self) -> Tensor:
         return self._pose
 
-    def update_frame_pose(self, frame_id: int, T_frame_to_world: Any) -> None:
+    def update_frame_pose(self, frame_id: int, T_frame_to_world: TensorLike) -> None:
         self.frame_id, self.transformation_frame_to_world = int(frame_id), T_frame_to_world
 
     def integrate(
