@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage
 from ...core.checks import check_count, check_positive, check_seed
+from ...core.devices import resolve_device
 from ...kernels.lang import vec3d
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import download, upload
@@ -196,7 +197,7 @@ def _seen_points(frame: RoomFrame) -> PointCloud:
 
 def _true_normals(points: NDArray[np.float64]) -> NDArray[np.float32]:
     """Gradient of the distance to the room's surface, outward, (n, 3)."""
-    solids, slopes = furnished_room().solids("cpu"), []
+    solids, slopes = furnished_room().solids(resolve_device("cpu")), []
     for step in NORMAL_STEP * np.eye(3):
         ahead, behind = (
             download(distance_to_solids(upload(points + side, vec3d, "cpu"), solids)) for side in (step, -step)
