@@ -164,13 +164,12 @@ class MeshPrimitives(MeshMeasures):
     def _of(cls, shape: Shape, device: Any, arrays: str | None, *, with_uvs: bool = False) -> Self:
         target, library = resolve_device(device), library_for(arrays)
         local, origin = split_origin(shape.vertices)
-        return cls.from_device_arrays(
-            upload(local, vec3, target),
-            upload(shape.triangles.astype(np.int32), vec3i, target),
-            triangle_uvs=upload(shape.uvs.astype(np.float32), vec2, target) if with_uvs else None,
-            origin=origin,
-            library=library,
-        )
+        made = {
+            "vertices": upload(local, vec3, target),
+            "triangles": upload(shape.triangles.astype(np.int32), vec3i, target),
+            "triangle_uvs": upload(shape.uvs.astype(np.float32), vec2, target) if with_uvs else None,
+        }
+        return cls.from_device_arrays(made, origin, library)
 
     @classmethod
     def create_sphere(

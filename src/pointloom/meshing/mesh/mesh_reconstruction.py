@@ -175,14 +175,13 @@ class MeshReconstruction(MeshMeasures):
             envelope=None if envelope is None else _check_envelope(envelope, cloud),
             progress=check_progress(None),
         )
-        mesh = cls.from_device_arrays(
-            surface.vertices,
-            surface.triangles,
-            vertex_normals=surface.normals,
-            vertex_colors=_nearest_colors(cloud, surface.vertices),
-            origin=cloud.origin,
-            library=cloud.array_library,
-        )
+        arrays = {
+            "vertices": surface.vertices,
+            "triangles": surface.triangles,
+            "vertex_normals": surface.normals,
+            "vertex_colors": _nearest_colors(cloud, surface.vertices),
+        }
+        mesh = cls.from_device_arrays(arrays, cloud.origin, cloud.array_library)
         mesh.unit = cloud.unit
         return mesh, mesh.arrays.hand_out(surface.densities)
 
@@ -244,14 +243,8 @@ class MeshReconstruction(MeshMeasures):
                 )
                 warn_of_units(message)
         colors = cloud.arrays["colors"] if cloud.has_colors else None
-        mesh = cls.from_device_arrays(
-            points,
-            triangles,
-            vertex_normals=normals,
-            vertex_colors=colors,
-            origin=cloud.origin,
-            library=cloud.array_library,
-        )
+        arrays = {"vertices": points, "triangles": triangles, "vertex_normals": normals, "vertex_colors": colors}
+        mesh = cls.from_device_arrays(arrays, cloud.origin, cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
 
@@ -363,7 +356,7 @@ class MeshReconstruction(MeshMeasures):
         arrays = {name: cloud.arrays[given] for name, given in names.items() if given in cloud.arrays}
         corners, selected = keep_counted(triangles, used, offsets, count, list(arrays.values()))
         rows = dict(zip(arrays, selected, strict=True))
-        mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh = cls.from_device_arrays({"triangles": corners, **rows}, cloud.origin, cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
 
@@ -408,7 +401,8 @@ class MeshReconstruction(MeshMeasures):
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)
-            parts.append(cls.from_device_arrays(vertices, flip_triangles(triangles), origin=origin, library=library))
+            surface = {"vertices": vertices, "triangles": flip_triangles(triangles)}
+            parts.append(cls.from_device_arrays(surface, origin, library))
         return cls.concatenate(parts)
 
 

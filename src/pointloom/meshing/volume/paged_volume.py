@@ -322,10 +322,12 @@ class PagedTSDFVolume(Serialized, HintedNames):
         return upload(np.ascontiguousarray(values), vec3, self.device)
 
     def _mesh_of(self, surface: CubeSurface) -> TriangleMesh:
-        colors = self._rows(surface.colors) if self._volume.has_frame_colors else None
-        triangles = upload(np.ascontiguousarray(surface.triangles), vec3i, self.device)
-        options: dict[str, Any] = {"origin": self.origin, "library": self._volume.array_library}
-        return TriangleMesh.from_device_arrays(self._rows(surface.vertices), triangles, vertex_colors=colors, **options)
+        arrays = {
+            "vertices": self._rows(surface.vertices),
+            "triangles": upload(np.ascontiguousarray(surface.triangles), vec3i, self.device),
+            "vertex_colors": self._rows(surface.colors) if self._volume.has_frame_colors else None,
+        }
+        return TriangleMesh.from_device_arrays(arrays, self.origin, self._volume.array_library)
 
 
 def _check_counts(max_blocks: Any, page_blocks: Any) -> tuple[int, int]:

@@ -368,9 +368,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """
         surface = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
-        return TriangleMesh.from_device_arrays(
-            vertices, surface.triangles(), vertex_colors=shades, origin=self.origin, library=self._library
-        )
+        arrays = {"vertices": vertices, "triangles": surface.triangles(), "vertex_colors": shades}
+        return TriangleMesh.from_device_arrays(arrays, self.origin, self._library)
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
         """Extract surface points on grid edges, with normals and colors.
