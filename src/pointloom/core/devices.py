@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import functools
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .checks import shown
 from .cuda_driver import why_no_gpu
 from .errors import DeviceError
+
+if TYPE_CHECKING:
+    import warp as wp
+
+#: Argument of `resolve_device`.
+DeviceLike: TypeAlias = "str | wp.Device | None"
 
 
 def resolve_device(device: Any = None) -> Any:

@@ -27,7 +27,7 @@ from ...core.checks import (
     is_on_gpu,
 )
 from ...core.coordinates import origin_under
-from ...core.devices import check_same_device, resolve_device
+from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.escaped_text import escaped
 from ...core.exchange import on_host
@@ -127,7 +127,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self.arrays.up
 
     @up.setter
-    def up(self, value: Any) -> None:
+    def up(self, value: object) -> None:
         self.arrays.up = None if value is None else check_up(value)
 
     @classmethod
@@ -177,7 +177,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         """Library of the arrays that operations return: that of the arrays the mesh was made from."""
         return self.arrays.library
 
-    def _assign(self, name: str, values: Any) -> None:
+    def _assign(self, name: str, values: ArrayLike) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points
             raise TypeError(f"{name}: expected an array, got a PointCloud. Pass one of its arrays")
         count = self.arrays["vertices"].size
@@ -193,7 +193,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             raise ValueError(f"{name}: expected shape [{count}, 3], one row per vertex, got {shape}")
         self.arrays[name] = given
 
-    def _assign_uvs(self, values: Any) -> None:
+    def _assign_uvs(self, values: ArrayLike) -> None:
         rows, count = check_rows("triangle_uvs", on_host("triangle_uvs", values), 2, dtype=np.float32), 3 * len(self)
         if len(rows) != count:
             raise ValueError(
@@ -201,7 +201,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             )
         self.arrays["triangle_uvs"] = upload(rows, vec2, self.device)
 
-    def _assign_material_ids(self, values: Any) -> None:
+    def _assign_material_ids(self, values: ArrayLike) -> None:
         ids = check_numeric("triangle_material_ids", on_host("triangle_material_ids", values))
         if ids.size and ids.dtype.kind not in "iu":
             raise TypeError(f"triangle_material_ids: expected whole numbers, got {ids.dtype}")
@@ -233,7 +233,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return read_only(download(self.arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self.arrays.origin)
 
     @vertices.setter
-    def vertices(self, values: Any) -> None:
+    def vertices(self, values: ArrayLike) -> None:
         kind: Any = type(self)
         made = kind(values, device=self.device)
         count = self.arrays["vertices"].size
@@ -254,7 +254,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return read_only(owned(self.arrays["triangles"]).reshape(-1, 3))
 
     @triangles.setter
-    def triangles(self, values: Any) -> None:
+    def triangles(self, values: ArrayLike) -> None:
         kind: Any = type(self)
         made = kind(np.zeros((self.arrays["vertices"].size, 3)), values, device=self.device)
         per_triangle = [name for name in TEXTURE if name in self.arrays]
@@ -271,7 +271,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._read("vertex_normals")
 
     @vertex_normals.setter
-    def vertex_normals(self, values: Any) -> None:
+    def vertex_normals(self, values: ArrayLike) -> None:
         self._assign("vertex_normals", values)
 
     @property
@@ -280,7 +280,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._read("vertex_colors")
 
     @vertex_colors.setter
-    def vertex_colors(self, values: Any) -> None:
+    def vertex_colors(self, values: ArrayLike) -> None:
         self._assign("vertex_colors", values)
 
     @property
@@ -292,7 +292,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._read("triangle_uvs", 2)
 
     @triangle_uvs.setter
-    def triangle_uvs(self, values: Any) -> None:
+    def triangle_uvs(self, values: ArrayLike) -> None:
         if values is not None:
             self._assign_uvs(values)
             return
@@ -307,7 +307,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return None if ids is None else read_only(owned(ids))
 
     @triangle_material_ids.setter
-    def triangle_material_ids(self, values: Any) -> None:
+    def triangle_material_ids(self, values: ArrayLike) -> None:
         self._assign_material_ids(values)
 
     @property
@@ -316,7 +316,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self.arrays.textures
 
     @textures.setter
-    def textures(self, values: Any) -> None:
+    def textures(self, values: ArrayLike) -> None:
         self.arrays.textures = check_textures("textures", values)
 
     @property
@@ -354,7 +354,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self.arrays[name]
 
     @returns_new
-    def to(self, device: Any, *, arrays: str | None = None) -> Self:
+    def to(self, device: DeviceLike, *, arrays: str | None = None) -> Self:
         """Copy the mesh to another device. Returns the mesh itself if it is already there.
 
         Args:
@@ -399,12 +399,12 @@ class MeshArrays(InUnit, KnownNames, Movable):
         changed |= {kind: each(columns, change) for kind, columns in self.arrays.attributes.items()}
         return self.with_arrays(**changed)
 
-    def __add__(self, other: Any) -> Self:
+    def __add__(self, other: object) -> Self:
         if not isinstance(other, MeshArrays):
             return NotImplemented
         return self.concatenate([self, other])
 
-    def __radd__(self, other: Any) -> Self:
+    def __radd__(self, other: object) -> Self:
         if isinstance(other, int) and other == 0:
             return self.copy()
         return NotImplemented
@@ -488,7 +488,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         vars(self).update(vars(mesh))
 
     @returns_new
-    def transform(self, transformation: Any) -> Self:
+    def transform(self, transformation: ArrayLike) -> Self:
         """Apply an affine transformation.
 
         Args:
@@ -559,7 +559,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self.with_arrays(vertex_colors=colors)
 
 
-def check_mesh(name: str, mesh: Any) -> None:
+def check_mesh(name: str, mesh: object) -> None:
     if not isinstance(mesh, MeshArrays):
         raise TypeError(f"{name}: expected a TriangleMesh, got {type(mesh).__name__}")
 
