@@ -84,7 +84,7 @@ class AxisAlignedBoundingBox(BoundingBox):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, AxisAlignedBoundingBox):
             return NotImplemented
-        return np.array_equal(self, other)
+        return np.array_equal(np.array(self), np.array(other))
 
     __hash__ = None  # type: ignore[assignment]  # boxes compare by value
 
@@ -211,7 +211,7 @@ class OrientedBoundingBox(BoundingBox):
         (0.4, (8, 3))
     """
 
-    def __init__(self, center: ArrayLike, R: ArrayLike, extent: Any):
+    def __init__(self, center: ArrayLike, R: ArrayLike, extent: ArrayLike):
         T = np.eye(4)
         T[:3, :3] = check_shape("R", R, (3, 3))
         check_rigid("R", T, tolerance=1e-4)

@@ -156,7 +156,7 @@ def _tree_about(cloud: PointCloud, other: PointCloud) -> Any:
     return PointCloud(cloud.points, origin=other.origin, device=cloud.device).search_tree()
 
 
-def check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
+def check_radii(radii: object, directions: object) -> NDArray[np.float64]:
     """Ascending normal radii, empty if directions are given. ValueError if neither is valid."""
     if directions is not None:
         return np.empty(0)
@@ -168,7 +168,7 @@ def check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
     return np.sort(values)
 
 
-def _check_directions(directions: Any, count: int) -> NDArray[np.float32]:
+def _check_directions(directions: object, count: int) -> NDArray[np.float32]:
     values = check_numeric("directions", on_host("directions", directions))
     if values.ndim == 1:
         return np.tile(check_direction("directions", values), (count, 1)).astype(np.float32)

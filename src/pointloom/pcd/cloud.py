@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 from numpy.typing import ArrayLike
 
 from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import library_for
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
-from ..core.devices import resolve_device
+from ..core.devices import DeviceLike, resolve_device
 from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
 from .bounds import Bounds
@@ -63,7 +62,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         *,
         normals: ArrayLike | None = None,
         colors: ArrayLike | None = None,
-        device: Any = None,
+        device: DeviceLike = None,
         origin: ArrayLike | None = None,
         unit: str | LengthUnit | None = None,
         frozen: bool = False,

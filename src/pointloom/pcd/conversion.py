@@ -16,7 +16,7 @@ from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import check_library, hand_out, library_for, library_of
 from ..core.checks import check_count, check_finite, check_positive, check_rigid, check_shape
 from ..core.coordinates import origin_of_sensor, split_origin
-from ..core.devices import check_same_device, resolve_device
+from ..core.devices import DeviceLike, check_same_device, resolve_device
 from ..core.escaped_text import escaped
 from ..core.exchange import share_numbers, share_vectors
 from ..core.gpu_arrays import device_for
@@ -57,7 +57,7 @@ class Conversion(Selection):
         project_valid_depth_only: bool = True,
         *,
         with_normals: bool = False,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a cloud from a depth image, row by row.
@@ -203,7 +203,7 @@ class Conversion(Selection):
         return cloud
 
     def _project(
-        self, width: int, height: int, intrinsic: Any, extrinsic: ArrayLike | None, depth_max: float
+        self, width: int, height: int, intrinsic: PinholeCameraIntrinsic, extrinsic: ArrayLike | None, depth_max: float
     ) -> tuple[wp.array, int, int]:
         """(nearest point per pixel as of project_points, rows, columns)."""
         columns, rows = check_pixels("width", width), check_pixels("height", height)
@@ -217,10 +217,10 @@ class Conversion(Selection):
     @classmethod
     def from_dlpack(
         cls,
-        points: Any,
+        points: ArrayLike,
         *,
-        normals: Any = None,
-        colors: Any = None,
+        normals: ArrayLike | None = None,
+        colors: ArrayLike | None = None,
         origin: ArrayLike | None = None,
         frozen: bool = False,
         **attributes: Any,

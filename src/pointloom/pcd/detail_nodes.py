@@ -101,7 +101,7 @@ def make_nodes(
     return _table(nodes, order, rows)
 
 
-def _runs_of(keys: NDArray[np.int64], codes: Any, depth: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _runs_of(keys: NDArray[np.int64], codes: NDArray[Any], depth: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Row ranges of cells in Morton order."""
     shift = _KEY_BITS - 3 * depth
     lows = np.asarray(codes, np.int64) << shift

@@ -6,6 +6,7 @@ import importlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from ..core.atomic import atomic_path, check_writable
@@ -77,7 +78,7 @@ def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
     return checked, _rasterio(checked)
 
 
-def _check_blocks(rasterio: Any, part: Path) -> None:
+def _check_blocks(rasterio: ModuleType, part: Path) -> None:
     """Read every block back, since GDAL does not report a full disk on close. RasterioError if one is damaged."""
     with rasterio.open(part) as file:
         levels = len(file.overviews(1))

@@ -102,7 +102,9 @@ def classify_ground(
     return cloud.arrays.hand_out(grid.near(threshold, fraction), dtype=bool)
 
 
-def _near_ground(points: Points, box: tuple[Any, Any], corner: Any, cell: float, window: float) -> NearGround:
+def _near_ground(
+    points: Points, box: tuple[Any, Any], corner: NDArray[np.float64], cell: float, window: float
+) -> NearGround:
     check_window(window, cell)
     radius = math.ceil(window / cell)
     with np.errstate(over="ignore"):

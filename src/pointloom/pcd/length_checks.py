@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..core.units import LengthUnit, called_by_user, symbol_of, warn_of_units
 from ..kernels.arrays.sort import positions
@@ -18,7 +19,7 @@ MIN_MEAN_NEIGHBORS = 1.1  # mean points within a radius, including the point its
 MAX_DISTANCE_RATIO = 1000.0  # ratio of distance to extent of unrelated data
 
 
-def check_order(count_name: str, count: Any, length_name: str, length: Any) -> None:
+def check_order(count_name: str, count: object, length_name: str, length: object) -> None:
     if isinstance(count, float) and isinstance(length, int) and not isinstance(length, bool):
         given = f"{count_name}={length}, {length_name}={count}"
         raise TypeError(f"{count_name}: expected an integer, got {count!r}; swapped? write {given}")
@@ -55,7 +56,13 @@ def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit
 
 
 def warn_of_far(
-    name: str, low: Any, high: Any, cloud_low: Any, cloud_high: Any, count: int, unit: LengthUnit | None
+    name: str,
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+    cloud_low: NDArray[np.float64],
+    cloud_high: NDArray[np.float64],
+    count: int,
+    unit: LengthUnit | None,
 ) -> None:
     """Warn if a box is so far from a large cloud that position or unit differ."""
     gap = float(np.max(np.maximum(np.asarray(low) - cloud_high, np.asarray(cloud_low) - high)))

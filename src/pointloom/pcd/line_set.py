@@ -92,7 +92,7 @@ class LineSet(Movable):
         return cls(box.get_box_points(), BOX_EDGES).paint_uniform_color(box.color)
 
     @classmethod
-    def create_from_triangle_mesh(cls, mesh: Any) -> LineSet:
+    def create_from_triangle_mesh(cls, mesh: object) -> LineSet:
         """The unique edges of a mesh, in vertex order.
 
         Args:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -74,7 +74,7 @@ class Movable(HintedNames):
         return self._finite_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
 
 
-def map_about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:
+def map_about(A: NDArray[np.float64], center: NDArray[np.float64], step: ArrayLike = 0.0) -> NDArray[np.float64]:
     """4x4 map that applies A about a point, then a translation."""
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = A, center - matmul(A, center) + np.asarray(step, np.float64)

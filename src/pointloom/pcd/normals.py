@@ -357,6 +357,6 @@ class Normals(Selection):
         return self.with_arrays(self.arrays | {"points": points} | (others or {}))
 
 
-def _check_passes(iterations: Any) -> int:
+def _check_passes(iterations: object) -> int:
     reason = "more iterations leave little but the mean of all points"
     return check_count("iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)

@@ -15,7 +15,7 @@ from ..core.attribute_hints import KnownNames
 from ..core.callable_bool import CallableBool
 from ..core.checks import check_colors, check_name, check_numeric, check_rows, is_on_gpu
 from ..core.coordinates import split_origin, warn_if_coarse
-from ..core.devices import resolve_device
+from ..core.devices import DeviceLike, resolve_device
 from ..core.dropped_results import returns_new
 from ..core.escaped_text import escaped
 from ..core.exchange import plain_device
@@ -219,7 +219,7 @@ class PointArrays(InUnit, KnownNames):
         return self.arrays.tree.share() if check_name("name", name) == "points" else self.arrays[name]
 
     @returns_new
-    def to(self, device: Any, *, arrays: str | None = None) -> Self:
+    def to(self, device: DeviceLike, *, arrays: str | None = None) -> Self:
         """Copy the cloud to another device. Returns the cloud itself if it is already there.
 
         Args:
@@ -248,7 +248,12 @@ class PointArrays(InUnit, KnownNames):
         return self.arrays["points"].__dlpack_device__()
 
     def __dlpack__(
-        self, *, stream: int | None = None, max_version: Any = None, dl_device: Any = None, copy: bool | None = None
+        self,
+        *,
+        stream: int | None = None,
+        max_version: tuple[int, int] | None = None,
+        dl_device: tuple[int, int] | None = None,
+        copy: bool | None = None,
     ) -> Any:
         """Points for `from_dlpack` of another library: float32 (n, 3) about `origin`, without a copy unless `copy`.
 
@@ -357,7 +362,7 @@ class PointArrays(InUnit, KnownNames):
             kind = wp.dtype_from_numpy(column.dtype.newbyteorder("="))
             self.arrays[name] = upload(column, kind, self.device, copied=is_copied)
 
-    def _taken(self, name: str, values: Any) -> wp.array:
+    def _taken(self, name: str, values: ArrayLike) -> wp.array:
         """Convert a GPU array to an attribute."""
         if name == "normals":
             return take_vectors(name, values, self.device, rows=len(self))
@@ -367,7 +372,7 @@ class PointArrays(InUnit, KnownNames):
 
 
 def place_points(
-    values: Any, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None, frozen: bool = False
+    values: ArrayLike, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None, frozen: bool = False
 ) -> tuple[wp.array, NDArray[np.float64], CachedTree]:
     """(points on their GPU or on `device`, their origin, their search tree). The caller never writes to `frozen`
     points."""
@@ -384,12 +389,12 @@ def place_points(
     return points, start, CachedTree(points, is_shared=is_shared, frozen=frozen)
 
 
-def check_cloud(name: str, cloud: Any) -> None:
+def check_cloud(name: str, cloud: object) -> None:
     if not isinstance(cloud, PointArrays):
         raise TypeError(f"{name}: expected a PointCloud, got {type(cloud).__name__}; {_remedy_of(cloud)}")
 
 
-def _remedy_of(value: Any) -> str:
+def _remedy_of(value: object) -> str:
     """Hint how to create a cloud from a value of another type."""
     if isinstance(value, tuple) and value and isinstance(value[0], PointArrays):
         return "unpack the pair: cloud, rows = ..."

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 import warp as wp
@@ -179,6 +179,6 @@ def mask_volume(volume: SelectionPolygonVolume, points: wp.array, origin: NDArra
     return mask_polygon(points, origin, corners, axes, volume.axis_min, volume.axis_max)
 
 
-def _check_number(path: str | os.PathLike[str], value: Any, key: str) -> None:
+def _check_number(path: str | os.PathLike[str], value: object, key: str) -> None:
     if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > LARGEST_NUMBER:
         raise FileError(path, f"expected a finite number, got {str(value)[:40]!r}", where=f"key {key}")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..core.checks import check_finite, check_numeric, check_shape, shown
 from ..core.units import DEGREE, is_same
-from ..kernels.array_types import Doubles, Points
+from ..kernels.array_types import Device, Doubles, Points
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.lang import NAN, float64, int32, uint8, vec3i
@@ -36,7 +36,7 @@ CELL_BYTES = 32  # per cell
 BORDER_TOLERANCE = 1e-9  # of a cell: tolerance for bounds at cell borders
 
 
-def check_classes(classes: Any) -> tuple[int, ...] | None:
+def check_classes(classes: object) -> tuple[int, ...] | None:
     if classes is None:
         return None
     given = np.atleast_1d(check_numeric("classes", classes))
@@ -51,7 +51,7 @@ def check_classes(classes: Any) -> tuple[int, ...] | None:
     return tuple(sorted({int(value) for value in given}))
 
 
-def check_box(bounds: Any) -> NDArray[np.float64]:
+def check_box(bounds: object) -> NDArray[np.float64]:
     box = check_finite("bounds", check_shape("bounds", bounds, (4,)))
     if not (box[0] < box[2] and box[1] < box[3]):
         raise ValueError(f"bounds: expected (x0, y0, x1, y1) with x0 < x1 and y0 < y1, got {shown(bounds)}")
@@ -76,7 +76,9 @@ def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -
     return FixedCells(corner, side, first, shape)
 
 
-def cells_over(low: Any, high: Any, corner: Any, side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def cells_over(
+    low: NDArray[np.float64], high: NDArray[np.float64], corner: NDArray[np.float64], side: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Half-open cells that contain a range, both ends included: first cell and count along x and y."""
     with np.errstate(over="ignore", invalid="ignore"):  # overflow means too many cells
         first, last = (np.floor((end.astype(np.float64)[:2] - corner) / side) for end in (low, high))
@@ -90,7 +92,7 @@ def cells_within(ends: NDArray[np.float64], side: float) -> tuple[NDArray[np.flo
         return first, np.maximum(np.ceil(ends[1] / side - BORDER_TOLERANCE) - first, 1.0)
 
 
-def _check_room(side: float, shape: NDArray[np.float64], device: Any) -> None:
+def _check_room(side: float, shape: NDArray[np.float64], device: Device) -> None:
     with np.errstate(over="ignore"):
         cells = float(shape.prod())
     message = f"cell: {side:g} gives {shape[0]:,.0f} x {shape[1]:,.0f} cells"

@@ -14,7 +14,7 @@ from ..core.attribute_hints import HintedNames
 from ..core.batch_splitting import in_batches
 from ..core.checks import check_count, check_numeric, check_positive, check_rows, is_on_gpu
 from ..core.coordinates import split_origin
-from ..core.devices import check_same_device
+from ..core.devices import DeviceLike, check_same_device
 from ..core.gpu_arrays import take_numbers, take_points
 from ..kernels.arrays.row_numbers import run_lengths
 from ..kernels.lang import vec3
@@ -73,7 +73,7 @@ class NearestNeighborSearch(HintedNames):
         ([[1, 0]], [2])
     """
 
-    def __init__(self, cloud: PointCloud | ArrayLike, *, device: Any = None):
+    def __init__(self, cloud: PointCloud | ArrayLike, *, device: DeviceLike = None):
         if not isinstance(cloud, PointCloud):
             rows = cloud if is_on_gpu(cloud) else check_rows("cloud", cloud, 3)
             cloud = PointCloud(rows, device=device)
@@ -146,7 +146,7 @@ class NearestNeighborSearch(HintedNames):
             return part(0, batch.points.size)
         return in_batches(batch.points.size, part)
 
-    def _check_neighbors(self, name: str, count: Any) -> int:
+    def _check_neighbors(self, name: str, count: object) -> int:
         max_count = len(self.cloud) + EXTRA_NEIGHBORS
         reason = f"the cloud has {len(self.cloud):,} points, and each neighbor takes 8 B per query"
         return check_count(name, count, maximum=max_count, because=reason)

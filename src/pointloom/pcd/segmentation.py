@@ -12,6 +12,7 @@ from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_count, check_fraction, check_positive, check_seed, shown
 from ..core.observers import report
 from ..core.verbosity import printed_duration
+from ..kernels.array_types import AnyArray
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.extent.masks import mask_finite, usable_rows
@@ -471,13 +472,13 @@ class Segmentation(Selection):
         report("clusters", cloud=self, labels=labels)
         return self.arrays.hand_out(labels)
 
-    def grow_regions(self, normals: Any, count: int, limits: tuple[float, float, int, int]) -> Any:
+    def grow_regions(self, normals: AnyArray, count: int, limits: tuple[float, float, int, int]) -> Any:
         nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
         curvature = measure_curvature(self.search_tree(), math.inf, count)
         return grow_regions(normals, curvature, nearest, *limits)[0]
 
 
-def _check_angle(name: str, degrees: Any) -> float:
+def _check_angle(name: str, degrees: object) -> float:
     """Validate an angle of 0..90 degrees. Returns radians."""
     angle = check_positive(name, degrees, allow_zero=True)
     if angle > 90:
@@ -486,7 +487,7 @@ def _check_angle(name: str, degrees: Any) -> float:
 
 
 def _check_search(
-    distance_threshold: Any, ransac_n: Any, num_iterations: Any, probability: Any, seed: Any
+    distance_threshold: object, ransac_n: object, num_iterations: object, probability: object, seed: object
 ) -> tuple[float, int, int, float, int]:
     chance = check_positive("probability", probability)
     if chance > 1:
@@ -502,7 +503,7 @@ def _check_search(
     )
 
 
-def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> ShapeLimits:
+def limits_of(distance: float, degrees: float, smallest: float, largest: float | None) -> ShapeLimits:
     """Validate the limits of a shape search. A maximum radius of 0 means none."""
     max_distance = check_positive("distance_threshold", distance)
     angle = check_positive("normal_threshold_deg", degrees)
@@ -523,7 +524,7 @@ def search_of(cloud: Segmentation, limits: ShapeLimits) -> tuple[ShapeSearch, Sh
     return search, ShapeLimits(limits.distance, limits.cosine, limits.smallest, largest)
 
 
-def check_samples(num_iterations: Any, probability: Any, seed: Any) -> tuple[int, float, int]:
+def check_samples(num_iterations: object, probability: object, seed: object) -> tuple[int, float, int]:
     max_samples = check_count(
         "num_iterations", num_iterations, maximum=MAX_SAMPLES, because="more iterations find no further shape"
     )

@@ -73,12 +73,12 @@ class Selection(PointArrays):
 
     _internal = ("select_mask", "select_rows")
 
-    def __add__(self, other: Any) -> Self:
+    def __add__(self, other: object) -> Self:
         if not isinstance(other, PointArrays):
             raise TypeError(_NO_SUM.format(type(other).__name__))
         return self.concatenate([self, other])
 
-    def __radd__(self, other: Any) -> Self:
+    def __radd__(self, other: object) -> Self:
         if isinstance(other, int) and other == 0:
             return self.copy()
         raise TypeError(_NO_SUM.format(type(other).__name__))
@@ -155,7 +155,7 @@ class Selection(PointArrays):
     def __getitem__(self, key: str) -> NDArray[Any]: ...
     @overload
     def __getitem__(self, key: slice | Sequence[SupportsIndex] | NDArray[Any] | SupportsDLPack) -> Self: ...
-    def __getitem__(self, key: Any) -> NDArray[Any] | Self:
+    def __getitem__(self, key: object) -> NDArray[Any] | Self:
         """Get an attribute by name as NumPy array, or points by slice, mask of shape (n,) or indices.
 
         Raises:
@@ -571,7 +571,7 @@ class Selection(PointArrays):
             cells = np.floor((high - corner) / size) + 1 - first
         return VoxelGroups(points, corner, size, cells, first.astype(np.int64), names[0]), corner
 
-    def _means(self, groups: Any) -> Self:
+    def _means(self, groups: VoxelGroups) -> Self:
         if not groups.count:
             return self.select_rows(upload(np.zeros(0, np.int32), int32, self.device))
         means: dict[str, wp.array] = {}
@@ -586,7 +586,7 @@ class Selection(PointArrays):
                 means[name] = gather_rows(values, rows)
         return self.with_arrays(means)
 
-    def _average(self, values: wp.array, groups: Any) -> wp.array:
+    def _average(self, values: wp.array, groups: VoxelGroups) -> wp.array:
         shape = values.shape
         columns = cast(values.reshape((shape[0], shape[1] if len(shape) > 1 else 1)), float64)
         means = sum_columns(columns, groups.order, groups.starts, mean=True)

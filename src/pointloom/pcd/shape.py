@@ -25,7 +25,7 @@ UNKNOWNS = {  # in the order of the covariance
 MESH_STEPS_AROUND = 64  # steps around an axis of a mesh
 
 
-def check_kind(kind: Any, kinds: Sequence[str] = KINDS) -> int:
+def check_kind(kind: object, kinds: Sequence[str] = KINDS) -> int:
     """The number of a kind of shape."""
     if not isinstance(kind, str):
         raise TypeError(f"kind: expected one of {', '.join(kinds)}, got {shown(kind)}")

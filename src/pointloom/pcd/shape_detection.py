@@ -14,6 +14,7 @@ from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_count, check_positive, check_progress, shown
 from ..core.progress import ReportProgress
 from ..core.reports import Assessed, failed, quality
+from ..kernels.array_types import Indices, Integers
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.quantiles import median_above_zero
 from ..kernels.lang import float32, int32
@@ -171,7 +172,7 @@ class _Rounds:
         max_samples: int,
         probability: float,
         seed: int,
-        labels: Any,
+        labels: Integers,
     ) -> None:
         self.search, self.limits, self.labels = search, limits, labels
         self._kinds, self._min_points, self._epsilon, self._seed = kinds, min_points, epsilon, seed
@@ -274,7 +275,7 @@ class _Rounds:
             candidate = None if is_open(candidate, float(high[2] - low[2])) else candidate
         return candidate
 
-    def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Any) -> DetectedShape | None:
+    def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> DetectedShape | None:
         """Shape fitted to points, with the largest component of its inliers. None if too small."""
         if rows.size < self._min_points:
             return None
@@ -285,7 +286,7 @@ class _Rounds:
         return DetectedShape(kind, fit, part) if part.size >= self._min_points and not fit.reason else None
 
 
-def _check_kinds(kinds: Any) -> list[int]:
+def _check_kinds(kinds: object) -> list[int]:
     named = [kinds] if isinstance(kinds, str) else kinds
     if not isinstance(named, (list, tuple, set, frozenset)) or not named:
         raise TypeError(f"kinds: expected some of {', '.join(KINDS)}, got {shown(kinds)}")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -136,7 +135,7 @@ def _numbers(start: Shape, search: ShapeSearch, cloud: PointCloud) -> NDArray[np
     return np.concatenate([start.center - cloud.origin - search.center, start.axis, sizes])
 
 
-def _check_weights(weights: Any, count: int) -> NDArray[np.float64] | None:
+def _check_weights(weights: object, count: int) -> NDArray[np.float64] | None:
     if weights is None:
         return None
     given = check_finite("weights", np.asarray(check_numeric("weights", on_host("weights", weights)), np.float64))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -86,7 +85,7 @@ class RasterizationMixin:
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike,
         *,
-        background: Any = (0.0, 0.0, 0.0),
+        background: ArrayLike = (0.0, 0.0, 0.0),
         near: float = MIN_DEPTH,
     ) -> SplatImage:
         """Render color, opacity, depth and normals.

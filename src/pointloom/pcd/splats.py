@@ -19,7 +19,7 @@ from ..core.checks import (
     check_shape,
     check_transformation,
 )
-from ..core.devices import check_same_device
+from ..core.devices import DeviceLike, check_same_device
 from ..core.dropped_results import returns_new
 from ..core.exchange import on_host
 from ..core.gpu_arrays import device_for
@@ -282,7 +282,7 @@ class GaussianSplats(Movable, RasterizationMixin):
         return self._over(self._cloud.copy())
 
     @returns_new
-    def to(self, device: Any, *, arrays: str | None = None) -> Self:
+    def to(self, device: DeviceLike, *, arrays: str | None = None) -> Self:
         """Copy to another device, and choose the library of returned arrays, as `PointCloud.to`.
 
         Raises:

@@ -6,13 +6,12 @@ import dataclasses
 import math
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_positive, check_shape, shown
-from ..core.devices import resolve_device
+from ..core.devices import DeviceLike, resolve_device
 from ..core.dropped_results import returns_new
 from ..core.errors import FilePath
 from ..kernels.lang import float32, vec3
@@ -78,7 +77,7 @@ class Raster:
         return f"Raster({self.kind or 'values'}, {columns} x {rows} cells of {self.cell:g}, {known:,} known{made})"
 
     @returns_new
-    def fill_gaps(self, max_distance: float, *, neighbors: int = MIN_NEIGHBORS, device: Any = None) -> Raster:
+    def fill_gaps(self, max_distance: float, *, neighbors: int = MIN_NEIGHBORS, device: DeviceLike = None) -> Raster:
         """Fill empty cells by inverse distance weighting and set `filled` in them.
 
         Args:
@@ -150,7 +149,7 @@ def rasterize(
     method: str = "idw",
     reach: float | None = None,
     neighbors: int = MIN_NEIGHBORS,
-    classes: Any = None,
+    classes: ArrayLike | None = None,
     corner: ArrayLike = (0.0, 0.0),
     bounds: ArrayLike | None = None,
     crs: str | None = None,
@@ -225,7 +224,7 @@ def height_above_ground(
     neighbors: int = MIN_NEIGHBORS,
     cell: float = 1.0,
     corner: ArrayLike = (0.0, 0.0),
-    classes: Any = GROUND_CLASSES,
+    classes: ArrayLike | None = GROUND_CLASSES,
 ) -> NDArray[np.float32]:
     """Height of each point above nearby ground points, interpolated by inverse distance in plan.
 

@@ -39,9 +39,8 @@ class ModelOutputs:
         """Write a mesh and its image from the side of the cameras. Returns the file names."""
         written = mesh
         if Path(self.mesh).suffix.lower() == ".stl":
-            written = TriangleMesh.from_device_arrays(
-                mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin
-            )
+            arrays = {name: mesh.array(name) for name in ("vertices", "triangles")}
+            written = TriangleMesh.from_device_arrays(arrays, mesh.origin)
         write_triangle_mesh(self.mesh, written, overwrite=overwrite)
         if self.picture is None:
             return [os.fspath(self.mesh)]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.undistortion import Undistortion
@@ -16,12 +18,15 @@ from ...core.masked_arrays import unmasked
 from ...core.progress import ReportProgress
 from ...io.images.image_files import read_color
 from ...io.models.sfm_model import SfmModel
+from ...kernels.array_types import Device
 from ..mesh.posed_images import Names, PosedImages, check_images
 
 NAMES = Names("images", "cameras", "extrinsics")
 
 
-def take_images(images: Any, cameras: Any, poses: Any, device: Any, report: ReportProgress) -> PosedImages:
+def take_images(
+    images: Sequence[Any], cameras: Sequence[Any], poses: ArrayLike | None, device: Device, report: ReportProgress
+) -> PosedImages:
     """Upload images with a pinhole camera and a pose each. Accepts the arguments of `texture_from_images`. Images of
     an SfmModel are undistorted if necessary."""
     if isinstance(cameras, SfmModel):
@@ -43,7 +48,7 @@ def take_images(images: Any, cameras: Any, poses: Any, device: Any, report: Repo
     return check_images(NAMES, taken, cameras, given, device)
 
 
-def _take_model(images: Any, model: SfmModel, device: Any, report: ReportProgress) -> PosedImages:
+def _take_model(images: Sequence[Any], model: SfmModel, device: Device, report: ReportProgress) -> PosedImages:
     if not len(model):
         raise ValueError("cameras: expected a model with images, got an empty one")
     listed = (

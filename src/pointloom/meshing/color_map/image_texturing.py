@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
+from numpy.typing import ArrayLike
 
 from ...core.checks import check_color, check_count, check_positive, check_progress
 from ...core.progress import ReportProgress
@@ -53,7 +54,7 @@ def texture_from_images(
     seam_leveling: bool = True,
     local_leveling: bool = True,
     depth_max: float = np.inf,
-    plain: Any = UNSEEN_COLOR,
+    plain: ArrayLike = UNSEEN_COLOR,
     progress: ReportProgress | None = None,
 ) -> ImageTextureResult:
     """Texture a mesh from posed images, each triangle from its best image, without seams.

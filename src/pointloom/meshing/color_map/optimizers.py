@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
@@ -41,11 +41,11 @@ NAMES = Names("images_rgbd", "intrinsic", "camera_trajectory.poses")
 
 def run_rigid_optimizer(
     mesh: TriangleMesh,
-    images_rgbd: Any,
+    images_rgbd: Sequence[Any],
     camera_trajectory: Trajectory,
     option: RigidOptimizerOption | None = None,
     *,
-    intrinsic: Any,
+    intrinsic: object,
     occlusion: str | None = None,
 ) -> ColorMapResult:
     """Color a mesh from posed images, and refine the poses so that the images agree at each vertex.
@@ -94,11 +94,11 @@ def run_rigid_optimizer(
 
 def run_non_rigid_optimizer(
     mesh: TriangleMesh,
-    images_rgbd: Any,
+    images_rgbd: Sequence[Any],
     camera_trajectory: Trajectory,
     option: NonRigidOptimizerOption | None = None,
     *,
-    intrinsic: Any,
+    intrinsic: object,
     occlusion: str | None = None,
 ) -> ColorMapResult:
     """Color a mesh from posed images with refined poses and a bilinear warp of each image.
@@ -143,7 +143,7 @@ def _check_option(option: Option | None, kind: type[Option]) -> Option:
     return option
 
 
-def _check_input(mesh: Any, images: Any, trajectory: Any, intrinsic: Any) -> PosedImages:
+def _check_input(mesh: object, images: object, trajectory: object, intrinsic: object) -> PosedImages:
     if not isinstance(mesh, TriangleMesh):
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
     if not isinstance(trajectory, Trajectory):

@@ -6,6 +6,7 @@ import dataclasses
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX
@@ -16,6 +17,7 @@ from ...core.progress import ReportProgress
 from ...io.frames.datasets import Frame
 from ...io.frames.frames import depth_unit, source_warnings
 from ...io.frames.rgbd_sources import RGBDSource
+from ...kernels.array_types import Device
 from ...kernels.linear_algebra import inv
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_texture import MAX_TEXELS
@@ -35,7 +37,7 @@ STEP_MARGIN = 2  # ignored pixels beside such a step
 def texture_mesh(
     mesh: TriangleMesh,
     frames: RGBDSource,
-    poses: Any = None,
+    poses: ArrayLike | None = None,
     *,
     method: str = "rigid",
     size: int | None = None,
@@ -88,7 +90,7 @@ def texture_mesh(
     return dataclasses.replace(result, mesh=textured, size=size, texel_fraction=fraction)
 
 
-def _check(mesh: Any, frames: Any, method: Any, size: Any) -> None:
+def _check(mesh: object, frames: object, method: object, size: object) -> None:
     if not isinstance(mesh, TriangleMesh):
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
     if not isinstance(frames, RGBDSource):
@@ -105,7 +107,7 @@ def _check(mesh: Any, frames: Any, method: Any, size: Any) -> None:
 
 
 def _read_frames(
-    frames: RGBDSource, poses: Any, depth_max: float, device: Any, report: ReportProgress
+    frames: RGBDSource, poses: ArrayLike | None, depth_max: float, device: Device, report: ReportProgress
 ) -> tuple[list[RGBDImage], Trajectory]:
     given = None if poses is None else check_list("poses", getattr(poses, "poses", poses), "poses")
     count = len(frames) if hasattr(frames, "__len__") else 0  # pyright: ignore[reportArgumentType]

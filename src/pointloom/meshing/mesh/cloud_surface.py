@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_fraction, check_name, check_positive, check_progress
 from ...core.progress import ReportProgress
@@ -72,7 +72,7 @@ def create_surface(
     *,
     depth: int | None = None,
     density_quantile: float | None = None,
-    radii: Any = None,
+    radii: ArrayLike | None = None,
     alpha: float | str | None = None,
     new_normals: bool = False,
     progress: ReportProgress | None = None,
@@ -144,7 +144,7 @@ def create_surface(
     )
 
 
-def _settings_of(method: Any, given: dict[str, Any]) -> dict[str, Any]:
+def _settings_of(method: str, given: dict[str, Any]) -> dict[str, Any]:
     if check_name("method", method) not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     for name, value in given.items():

@@ -35,7 +35,7 @@ def find_doubled(copies: Copies, names: NDArray[np.int32], loose: NDArray[np.boo
     return doubled[names] & loose
 
 
-def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDArray[np.int32]) -> NDArray[np.bool_]:
+def find_covered(mesh: object, copies: Copies, names: NDArray[np.int32], twins: NDArray[np.int32]) -> NDArray[np.bool_]:
     """Triangles of parts covered by others, bool (t,). One of each pair of sides stays. A part is covered if all its
     triangles have copies in kept parts. Solids and walls of hollows are covered only by copies of the same orientation.
     Open parts are dropped first, then inward ones, then later ones. `names` are the first triangles of parts, `twins`
@@ -98,5 +98,5 @@ def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copi
     return solid
 
 
-def _all_sides(mesh: Any, parts: Parts) -> NDArray[np.float64]:
+def _all_sides(mesh: object, parts: Parts) -> NDArray[np.float64]:
     return _sides_of(mesh, parts.labels, parts.closed, np.flatnonzero(parts.closed))

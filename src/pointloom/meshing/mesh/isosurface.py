@@ -51,4 +51,4 @@ def marching_cubes(
     """
     library = library_for(arrays, field)
     vertices, triangles, mesh_origin = extract_level(field, level, spacing, origin, device)
-    return TriangleMesh.from_device_arrays(vertices, triangles, origin=mesh_origin, library=library)
+    return TriangleMesh.from_device_arrays({"vertices": vertices, "triangles": triangles}, mesh_origin, library)

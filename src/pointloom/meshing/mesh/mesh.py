@@ -6,11 +6,13 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import NUMPY, library_for, library_of
 from ...core.checks import check_rows, check_shape, is_on_gpu, shown
 from ...core.coordinates import split_origin, warn_if_coarse
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.gpu_arrays import take_corners, take_points
 from ...io.table import MeshTable
 from ...kernels.lang import vec3, vec3i
@@ -58,18 +60,18 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
     @explain_argument_errors
     def __init__(
         self,
-        vertices: Any = (),
+        vertices: ArrayLike = (),
         triangles: Any = (),
         *,
-        vertex_normals: Any = None,
-        vertex_colors: Any = None,
-        triangle_uvs: Any = None,
-        triangle_material_ids: Any = None,
+        vertex_normals: ArrayLike | None = None,
+        vertex_colors: ArrayLike | None = None,
+        triangle_uvs: ArrayLike | None = None,
+        triangle_material_ids: ArrayLike | None = None,
         textures: Any = (),
         vertex_attributes: Mapping[str, Any] | None = None,
         triangle_attributes: Mapping[str, Any] | None = None,
-        device: Any = None,
-        origin: Any = None,
+        device: DeviceLike = None,
+        origin: ArrayLike | None = None,
         arrays: str | None = None,
     ):
         _refuse_path(vertices)
@@ -104,7 +106,7 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
             vars(self)["arrays"] = self.to(resolve_device(device)).arrays
 
 
-def _refuse_path(vertices: Any) -> None:
+def _refuse_path(vertices: ArrayLike) -> None:
     if isinstance(vertices, str | os.PathLike):
         remedy = "loom.read_triangle_mesh(path) reads a file"
         raise TypeError(f"vertices: expected real numbers, got {shown(vertices)}; {remedy}")

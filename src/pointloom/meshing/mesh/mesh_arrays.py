@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Self
 
 import numpy as np
@@ -27,7 +27,7 @@ from ...core.checks import (
     is_on_gpu,
 )
 from ...core.coordinates import origin_under
-from ...core.devices import check_same_device, resolve_device
+from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.escaped_text import escaped
 from ...core.exchange import on_host
@@ -51,7 +51,7 @@ from ...pcd.units import InUnit, unit_under
 from .finite_corners import check_finite_corners
 from .mesh_attributes import MeshAttributes, each, listed
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
-from .mesh_store import MeshStore
+from .mesh_store import MeshStore, Textures
 
 MAX_INT32 = 2**31 - 1  # 32-bit indices
 
@@ -127,66 +127,48 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self.arrays.up
 
     @up.setter
-    def up(self, value: Any) -> None:
+    def up(self, value: object) -> None:
         self.arrays.up = None if value is None else check_up(value)
 
     @classmethod
     def from_device_arrays(
-        cls,
-        vertices: wp.array,
-        triangles: wp.array,
-        *,
-        vertex_normals: wp.array | None = None,
-        vertex_colors: wp.array | None = None,
-        triangle_uvs: wp.array | None = None,
-        triangle_material_ids: wp.array | None = None,
-        textures: tuple[NDArray[np.uint8], ...] = (),
-        vertex_attributes: dict[str, wp.array] | None = None,
-        triangle_attributes: dict[str, wp.array] | None = None,
-        origin: Any = None,
-        library: str = NUMPY,
+        cls, arrays: Mapping[str, Any], origin: NDArray[np.float64], library: str = NUMPY, *, textures: Textures = ()
     ) -> Self:
-        """Create a mesh from device arrays without copies. Only types, lengths and devices are checked. `triangles` is
-        vec3i (t,), or int32 (3 t,) or (t, 3), shared. `triangle_uvs` is vec2 (3 t,). Colors are in 0..1; `textures` are
-        uint8 images on the host; `library` is the array library of results."""
-        given = {
-            "vertices": vertices,
-            "triangles": as_triples(triangles),
-            "vertex_normals": vertex_normals,
-            "vertex_colors": vertex_colors,
-            "triangle_uvs": triangle_uvs,
-            "triangle_material_ids": triangle_material_ids,
-        }
-        arrays = {name: values for name, values in given.items() if values is not None}
-        counts = {"vertices": vertices.size, "triangles": arrays["triangles"].size}
-        for name, values in arrays.items():
-            check_same_device(name, vertices.device, values.device)
+        """Create a mesh from device arrays by name without copies. Only types, lengths and devices are checked.
+
+        Args:
+            arrays: Arrays of `array`, None for none. `triangles` is vec3i (t,), or int32 (3 t,) or (t, 3), shared.
+                `vertex_attributes` and `triangle_attributes` are arrays by name.
+            origin: Origin of the vertices [m].
+            library: Library of the arrays that operations return.
+            textures: uint8 images on the host.
+        """
+        store = MeshStore({**arrays, "triangles": as_triples(arrays["triangles"])}, origin, library, textures=textures)
+        device = store["vertices"].device
+        counts = {"vertices": store["vertices"].size, "triangles": store["triangles"].size}
+        for name, values in store.items():
+            check_same_device(name, device, values.device)
             kind, count = kind_and_count(name, counts)
             if values.dtype != kind or values.shape != (count,):
                 raise ValueError(f"{name}: expected {kind.__name__} [{count}], got {values}")
-        attributes = {
-            "vertex_attributes": dict(vertex_attributes or {}),
-            "triangle_attributes": dict(triangle_attributes or {}),
-        }
         for kind, of in ATTRIBUTES.items():
-            check_attributes(attributes[kind], counts[of], vertices.device)
-        start = np.zeros(3) if origin is None else np.array(origin, np.float64)
+            check_attributes(store.attributes[kind], counts[of], device)
         mesh = cls.__new__(cls)
-        vars(mesh)["arrays"] = MeshStore(arrays, start, library, attributes=attributes, textures=tuple(textures))
+        vars(mesh)["arrays"] = store
         return mesh
 
     def with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
         """Copy with some device arrays replaced, or dropped if None. New triangles need their data from
         `MeshStore.triangles_at`, new vertices those from `MeshStore.attributes_at`. Other attributes whose row count
         no longer matches are dropped with a warning."""
-        merged = self.arrays | self.arrays.attributes | arrays
-        remaining: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
+        merged: dict[str, Any] = self.arrays | self.arrays.attributes | arrays
+        remaining = {name: values for name, values in merged.items() if values is not None}
         for kind, of in ATTRIBUTES.items():
             if self.arrays.attributes[kind] and kind not in arrays and remaining[of].size != self.arrays[of].size:
                 warnings.warn(f"{kind} {listed(remaining.pop(kind))}: dropped, because the {of} changed", stacklevel=3)
         new_origin = self.arrays.origin if origin is None else origin
         textures = () if "triangle_uvs" in self.arrays and "triangle_uvs" not in remaining else self.arrays.textures
-        mesh = self.from_device_arrays(**remaining, textures=textures, origin=new_origin, library=self.arrays.library)
+        mesh = self.from_device_arrays(remaining, new_origin, self.arrays.library, textures=textures)
         mesh.unit, mesh.arrays.up = self.unit, self.arrays.up
         return mesh
 
@@ -195,7 +177,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         """Library of the arrays that operations return: that of the arrays the mesh was made from."""
         return self.arrays.library
 
-    def _assign(self, name: str, values: Any) -> None:
+    def _assign(self, name: str, values: ArrayLike) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points
             raise TypeError(f"{name}: expected an array, got a PointCloud. Pass one of its arrays")
         count = self.arrays["vertices"].size
@@ -211,7 +193,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             raise ValueError(f"{name}: expected shape [{count}, 3], one row per vertex, got {shape}")
         self.arrays[name] = given
 
-    def _assign_uvs(self, values: Any) -> None:
+    def _assign_uvs(self, values: ArrayLike) -> None:
         rows, count = check_rows("triangle_uvs", on_host("triangle_uvs", values), 2, dtype=np.float32), 3 * len(self)
         if len(rows) != count:
             raise ValueError(
@@ -219,7 +201,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             )
         self.arrays["triangle_uvs"] = upload(rows, vec2, self.device)
 
-    def _assign_material_ids(self, values: Any) -> None:
+    def _assign_material_ids(self, values: ArrayLike) -> None:
         ids = check_numeric("triangle_material_ids", on_host("triangle_material_ids", values))
         if ids.size and ids.dtype.kind not in "iu":
             raise TypeError(f"triangle_material_ids: expected whole numbers, got {ids.dtype}")
@@ -251,7 +233,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return read_only(download(self.arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self.arrays.origin)
 
     @vertices.setter
-    def vertices(self, values: Any) -> None:
+    def vertices(self, values: ArrayLike) -> None:
         kind: Any = type(self)
         made = kind(values, device=self.device)
         count = self.arrays["vertices"].size
@@ -272,7 +254,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return read_only(owned(self.arrays["triangles"]).reshape(-1, 3))
 
     @triangles.setter
-    def triangles(self, values: Any) -> None:
+    def triangles(self, values: ArrayLike) -> None:
         kind: Any = type(self)
         made = kind(np.zeros((self.arrays["vertices"].size, 3)), values, device=self.device)
         per_triangle = [name for name in TEXTURE if name in self.arrays]
@@ -289,7 +271,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._read("vertex_normals")
 
     @vertex_normals.setter
-    def vertex_normals(self, values: Any) -> None:
+    def vertex_normals(self, values: ArrayLike) -> None:
         self._assign("vertex_normals", values)
 
     @property
@@ -298,7 +280,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._read("vertex_colors")
 
     @vertex_colors.setter
-    def vertex_colors(self, values: Any) -> None:
+    def vertex_colors(self, values: ArrayLike) -> None:
         self._assign("vertex_colors", values)
 
     @property
@@ -310,7 +292,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._read("triangle_uvs", 2)
 
     @triangle_uvs.setter
-    def triangle_uvs(self, values: Any) -> None:
+    def triangle_uvs(self, values: ArrayLike) -> None:
         if values is not None:
             self._assign_uvs(values)
             return
@@ -325,7 +307,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return None if ids is None else read_only(owned(ids))
 
     @triangle_material_ids.setter
-    def triangle_material_ids(self, values: Any) -> None:
+    def triangle_material_ids(self, values: ArrayLike) -> None:
         self._assign_material_ids(values)
 
     @property
@@ -334,7 +316,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self.arrays.textures
 
     @textures.setter
-    def textures(self, values: Any) -> None:
+    def textures(self, values: ArrayLike) -> None:
         self.arrays.textures = check_textures("textures", values)
 
     @property
@@ -372,7 +354,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self.arrays[name]
 
     @returns_new
-    def to(self, device: Any, *, arrays: str | None = None) -> Self:
+    def to(self, device: DeviceLike, *, arrays: str | None = None) -> Self:
         """Copy the mesh to another device. Returns the mesh itself if it is already there.
 
         Args:
@@ -417,12 +399,12 @@ class MeshArrays(InUnit, KnownNames, Movable):
         changed |= {kind: each(columns, change) for kind, columns in self.arrays.attributes.items()}
         return self.with_arrays(**changed)
 
-    def __add__(self, other: Any) -> Self:
+    def __add__(self, other: object) -> Self:
         if not isinstance(other, MeshArrays):
             return NotImplemented
         return self.concatenate([self, other])
 
-    def __radd__(self, other: Any) -> Self:
+    def __radd__(self, other: object) -> Self:
         if isinstance(other, int) and other == 0:
             return self.copy()
         return NotImplemented
@@ -480,8 +462,8 @@ class MeshArrays(InUnit, KnownNames, Movable):
             columns = [mesh.arrays.attributes[kind] for mesh in parts]
             shared = [name for name in columns[0] if all(name in of_part for of_part in columns)]
             arrays[kind] = {name: _joined_columns(name, [of_part[name] for of_part in columns]) for name in shared}
-        library = parts[0].array_library
-        return cls.from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=library)
+        uvs, textures = _joined_textures(parts)
+        return cls.from_device_arrays(arrays | uvs, origin, parts[0].array_library, textures=textures)
 
     def __getstate__(self) -> dict[str, Any]:
         state = {"arrays": pickled(self.arrays), "origin": self.arrays.origin, "device": str(self.device)}
@@ -498,17 +480,15 @@ class MeshArrays(InUnit, KnownNames, Movable):
             MeshTable(vertices, triangles, triangle_material_ids=ids).checked()
             arrays: dict[str, Any] = unpickled(given, device)
             arrays |= {kind: unpickled(state["attributes"][kind], device) for kind in ATTRIBUTES}
-            mesh = self.from_device_arrays(
-                **arrays,
-                textures=check_textures("textures", state["textures"]),
-                origin=check_finite("origin", check_shape("origin", state["origin"], (3,))),
-                library=check_library("library", state["library"]),
-            )
+            textures = check_textures("textures", state["textures"])
+            origin = check_finite("origin", check_shape("origin", state["origin"], (3,)))
+            library = check_library("library", state["library"])
+            mesh = self.from_device_arrays(arrays, origin, library, textures=textures)
             mesh.unit, mesh.up = state.get("unit"), state.get("up")
         vars(self).update(vars(mesh))
 
     @returns_new
-    def transform(self, transformation: Any) -> Self:
+    def transform(self, transformation: ArrayLike) -> Self:
         """Apply an affine transformation.
 
         Args:
@@ -579,7 +559,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self.with_arrays(vertex_colors=colors)
 
 
-def check_mesh(name: str, mesh: Any) -> None:
+def check_mesh(name: str, mesh: object) -> None:
     if not isinstance(mesh, MeshArrays):
         raise TypeError(f"{name}: expected a TriangleMesh, got {type(mesh).__name__}")
 
@@ -607,25 +587,25 @@ def _joined_columns(name: str, columns: list[Any]) -> Any:
     return concatenate_rows(columns)
 
 
-def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
-    """Concatenated texture data, as arguments of `_from_device_arrays`."""
+def _joined_textures(parts: list[MeshArrays]) -> tuple[dict[str, wp.array], Textures]:
+    """Concatenated texture coordinates and material ids, and all textures."""
     triangled = [mesh for mesh in parts if len(mesh)]
     names = ("triangle_uvs", "triangle_material_ids")
     if any("triangle_uvs" in mesh.arrays for mesh in triangled):
-        kinds = {("triangle_uvs" in mesh.arrays, bool(mesh.arrays.textures)) for mesh in triangled}
+        kinds = {("triangle_uvs" in mesh.arrays, bool(mesh.textures)) for mesh in triangled}
         if len(kinds) > 1:
             warnings.warn("textures: dropped, because not all meshes have them", stacklevel=4)
-            return {}
-    joined: dict[str, Any] = {"textures": tuple(image for mesh in triangled for image in mesh.arrays.textures)}
+            return {}, ()
+    joined: dict[str, wp.array] = {}
+    textures = tuple(image for mesh in triangled for image in mesh.textures)
     if triangled and "triangle_uvs" in triangled[0].arrays:
         joined[names[0]] = concatenate_rows([mesh.arrays[names[0]] for mesh in triangled])
-    has_images = bool(joined["textures"])
-    if (has_images and len(triangled) > 1) or (triangled and all(names[1] in mesh.arrays for mesh in triangled)):
+    if (textures and len(triangled) > 1) or (triangled and all(names[1] in mesh.arrays for mesh in triangled)):
         ids, first = [], 0
         for mesh in triangled:
             mesh_ids = mesh.arrays.get(names[1])
             mesh_ids = zeros(len(mesh), int32, mesh.device) if mesh_ids is None else mesh_ids
             ids.append(raise_numbers(mesh_ids, first) if first else mesh_ids)
-            first += len(mesh.arrays.textures)
+            first += len(mesh.textures)
         joined[names[1]] = concatenate_rows(ids)
-    return joined
+    return joined, textures

@@ -12,6 +12,7 @@ from ...core.array_libraries import NUMPY, library_of, owned
 from ...core.checks import check_name, check_numeric, is_on_gpu, shown
 from ...core.escaped_text import escaped
 from ...core.gpu_arrays import take_column
+from ...kernels.array_types import Device
 from ...kernels.arrays.select import gather_rows
 from ...kernels.memory import upload
 from ...pcd.point_arrays import read_only
@@ -23,7 +24,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     """Read-only NumPy attributes of shape (n,) or (n, c) by name, n the mesh's vertices or triangles. Assignment
     accepts numbers of up to 64 bits and booleans, and keeps the type."""
 
-    def __init__(self, arrays: Arrays, count: int, device: Any, of: str, fields: tuple[str, ...]):
+    def __init__(self, arrays: Arrays, count: int, device: Device, of: str, fields: tuple[str, ...]):
         self._arrays, self._count, self._device, self._of, self._fields = arrays, count, device, of, fields
 
     def __getitem__(self, name: str) -> NDArray[Any]:
@@ -59,7 +60,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
         """Device array of an attribute, shared. KeyError if missing."""
         return self._arrays[name]
 
-    def _taken(self, name: str, values: Any) -> wp.array:
+    def _taken(self, name: str, values: ArrayLike) -> wp.array:
         if is_on_gpu(values):
             return take_column(escaped(name), values, self._device, self._count)
         column = check_numeric(escaped(name), values)

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 import numpy as np
 
 from ...core.array_libraries import library_for
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.paths import path_of
 from ...io.meshes.mesh_formats import MESH_READERS, UPRIGHT, read_mesh, write_mesh
@@ -21,7 +20,7 @@ from .mesh import TriangleMesh
 def read_triangle_mesh(
     path: str | os.PathLike[str],
     *,
-    device: Any = None,
+    device: DeviceLike = None,
     up: str = "y",
     outside_files: bool = False,
     arrays: str | None = None,
@@ -63,7 +62,7 @@ def read_triangle_mesh(
 
 
 def mesh_of(
-    table: MeshTable, path: str | os.PathLike[str], *, device: Any = None, arrays: str | None = None
+    table: MeshTable, path: str | os.PathLike[str], *, device: DeviceLike = None, arrays: str | None = None
 ) -> TriangleMesh:
     """Mesh of a table read from a file. FileError if vertices are too far apart for float32."""
     with content_errors(path):

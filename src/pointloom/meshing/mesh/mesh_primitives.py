@@ -20,7 +20,7 @@ from ...core.checks import (
     shown,
 )
 from ...core.coordinates import split_origin
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.dropped_results import returns_new
 from ...kernels.lang import int32, vec2, vec3, vec3i
 from ...kernels.linear_algebra import matmul
@@ -59,7 +59,7 @@ class MeshPrimitives(MeshMeasures):
         create_uv_map: bool = False,
         map_texture_to_each_face: bool = False,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a box with one corner at the origin: 8 vertices, 12 triangles.
@@ -90,7 +90,7 @@ class MeshPrimitives(MeshMeasures):
         height: float = 1.0,
         create_uv_map: bool = False,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a rectangle in the plane z = 0, facing up, with one corner at the origin: 4 vertices, 2 triangles.
@@ -111,7 +111,7 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_tetrahedron(
-        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None
+        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None, arrays: str | None = None
     ) -> Self:
         """Create a tetrahedron about the origin: 4 vertices, 4 triangles.
 
@@ -128,7 +128,7 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_octahedron(
-        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None
+        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None, arrays: str | None = None
     ) -> Self:
         """Create an octahedron about the origin: 6 vertices, 8 triangles.
 
@@ -145,7 +145,7 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_icosahedron(
-        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None, arrays: str | None = None
+        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None, arrays: str | None = None
     ) -> Self:
         """Create an icosahedron about the origin: 12 vertices, 20 triangles.
 
@@ -161,16 +161,15 @@ class MeshPrimitives(MeshMeasures):
         return cls._of(shapes.icosahedron(*positive_lengths(radius=radius)), device, arrays, with_uvs=create_uv_map)
 
     @classmethod
-    def _of(cls, shape: Shape, device: Any, arrays: str | None, *, with_uvs: bool = False) -> Self:
+    def _of(cls, shape: Shape, device: DeviceLike, arrays: str | None, *, with_uvs: bool = False) -> Self:
         target, library = resolve_device(device), library_for(arrays)
         local, origin = split_origin(shape.vertices)
-        return cls.from_device_arrays(
-            upload(local, vec3, target),
-            upload(shape.triangles.astype(np.int32), vec3i, target),
-            triangle_uvs=upload(shape.uvs.astype(np.float32), vec2, target) if with_uvs else None,
-            origin=origin,
-            library=library,
-        )
+        made = {
+            "vertices": upload(local, vec3, target),
+            "triangles": upload(shape.triangles.astype(np.int32), vec3i, target),
+            "triangle_uvs": upload(shape.uvs.astype(np.float32), vec2, target) if with_uvs else None,
+        }
+        return cls.from_device_arrays(made, origin, library)
 
     @classmethod
     def create_sphere(
@@ -179,7 +178,7 @@ class MeshPrimitives(MeshMeasures):
         resolution: int = 20,
         create_uv_map: bool = False,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a UV sphere about the origin.
@@ -210,7 +209,7 @@ class MeshPrimitives(MeshMeasures):
         resolution: int = 20,
         create_uv_map: bool = False,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create an ellipsoid about the origin from `create_sphere`.
@@ -241,7 +240,7 @@ class MeshPrimitives(MeshMeasures):
         split: int = 4,
         create_uv_map: bool = False,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a closed cylinder along z, centered at the origin.
@@ -271,7 +270,7 @@ class MeshPrimitives(MeshMeasures):
         split: int = 1,
         create_uv_map: bool = False,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a closed cone along z, with its base centered at the origin.
@@ -300,7 +299,7 @@ class MeshPrimitives(MeshMeasures):
         radial_resolution: int = 30,
         tubular_resolution: int = 20,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a torus about the z axis.
@@ -332,7 +331,7 @@ class MeshPrimitives(MeshMeasures):
         cylinder_split: int = 4,
         cone_split: int = 1,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create an arrow from the origin along z: a cylinder with a cone.
@@ -363,7 +362,12 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_coordinate_frame(
-        cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0), *, device: Any = None, arrays: str | None = None
+        cls,
+        size: float = 1.0,
+        origin: ArrayLike = (0.0, 0.0, 0.0),
+        *,
+        device: DeviceLike = None,
+        arrays: str | None = None,
     ) -> Self:
         """Create arrows along x (red), y (green) and z (blue) with a gray ball at their base.
 
@@ -402,7 +406,7 @@ class MeshPrimitives(MeshMeasures):
         width: float = 1,
         scale: float = 1,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a Möbius strip about the z axis.
@@ -514,7 +518,12 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def from_polygon(
-        cls, outline: ArrayLike, holes: Sequence[ArrayLike] = (), *, device: Any = None, arrays: str | None = None
+        cls,
+        outline: ArrayLike,
+        holes: Sequence[ArrayLike] = (),
+        *,
+        device: DeviceLike = None,
+        arrays: str | None = None,
     ) -> Self:
         """Triangulate a flat polygon with holes.
 
@@ -569,7 +578,7 @@ class MeshPrimitives(MeshMeasures):
         angle: float = 360.0,
         resolution: int = 64,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Self:
         """Create a surface of revolution about the z axis.
@@ -646,7 +655,9 @@ class MeshPrimitives(MeshMeasures):
         used, triangles = used_vertices(surface[keep])
         return self._with_copies(vertices[used], used % max(rings.shape[1], 1), triangles, sources[keep])
 
-    def _with_copies(self, vertices: Any, of_vertices: Any, triangles: Any, of_triangles: Any) -> Self:
+    def _with_copies(
+        self, vertices: Any, of_vertices: NDArray[np.int64], triangles: Any, of_triangles: NDArray[np.int64]
+    ) -> Self:
         """New vertices and triangles with attributes copied from this mesh, without normals and textures."""
         local, origin = split_origin(vertices)
         bare = self.with_arrays(triangle_uvs=None, vertex_normals=None)

@@ -25,11 +25,11 @@ from ...core.checks import (
     shown,
 )
 from ...core.coordinates import choose_origin
-from ...core.devices import check_same_device, resolve_device
+from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.gpu_arrays import take_numbers
 from ...core.units import common_unit, warn_of_units
 from ...kernels.algebra.transform import transform_points
-from ...kernels.array_types import Indices
+from ...kernels.array_types import AnyArray, Device, Indices
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.duplicates import first_occurrences
 from ...kernels.arrays.prefix_sum import scan_together
@@ -48,6 +48,7 @@ from ...kernels.reconstruction.poisson import mean_length, reconstruct_poisson
 from ...kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, bound_samples, sample_rows
 from ...kernels.search.nearest_point import find_nearest_rows
 from ...kernels.search.neighbor_distances import nearest_distances
+from ...kernels.search.point_tree import PointTree
 from ...kernels.search.tree_search import count_around
 from ...kernels.volumes.marching_cubes import extract_surface
 from ...pcd.cached_tree import LARGEST_EXTENT, SMALLEST_EXTENT
@@ -175,14 +176,13 @@ class MeshReconstruction(MeshMeasures):
             envelope=None if envelope is None else _check_envelope(envelope, cloud),
             progress=check_progress(None),
         )
-        mesh = cls.from_device_arrays(
-            surface.vertices,
-            surface.triangles,
-            vertex_normals=surface.normals,
-            vertex_colors=_nearest_colors(cloud, surface.vertices),
-            origin=cloud.origin,
-            library=cloud.array_library,
-        )
+        arrays = {
+            "vertices": surface.vertices,
+            "triangles": surface.triangles,
+            "vertex_normals": surface.normals,
+            "vertex_colors": _nearest_colors(cloud, surface.vertices),
+        }
+        mesh = cls.from_device_arrays(arrays, cloud.origin, cloud.array_library)
         mesh.unit = cloud.unit
         return mesh, mesh.arrays.hand_out(surface.densities)
 
@@ -190,7 +190,7 @@ class MeshReconstruction(MeshMeasures):
 
     @classmethod
     @explain_argument_errors
-    def create_from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
+    def create_from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: ArrayLike | None = None) -> Self:
         """Reconstruct a mesh by ball pivoting: triangles on which an empty ball can rest.
 
         All empty-ball triangles that agree with the normals are found at once. Of those that compete for an edge, the
@@ -244,14 +244,8 @@ class MeshReconstruction(MeshMeasures):
                 )
                 warn_of_units(message)
         colors = cloud.arrays["colors"] if cloud.has_colors else None
-        mesh = cls.from_device_arrays(
-            points,
-            triangles,
-            vertex_normals=normals,
-            vertex_colors=colors,
-            origin=cloud.origin,
-            library=cloud.array_library,
-        )
+        arrays = {"vertices": points, "triangles": triangles, "vertex_normals": normals, "vertex_colors": colors}
+        mesh = cls.from_device_arrays(arrays, cloud.origin, cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
 
@@ -283,7 +277,7 @@ class MeshReconstruction(MeshMeasures):
 
     @classmethod
     def create_from_point_cloud_alpha_shape(
-        cls, cloud: PointCloud, alpha: Any = "auto", *, return_tetrahedra: bool = False
+        cls, cloud: PointCloud, alpha: float | ArrayLike | None = "auto", *, return_tetrahedra: bool = False
     ) -> Any:
         """Alpha shape: boundary of the Delaunay tetrahedra with circumradius at most alpha.
 
@@ -363,7 +357,7 @@ class MeshReconstruction(MeshMeasures):
         arrays = {name: cloud.arrays[given] for name, given in names.items() if given in cloud.arrays}
         corners, selected = keep_counted(triangles, used, offsets, count, list(arrays.values()))
         rows = dict(zip(arrays, selected, strict=True))
-        mesh = cls.from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
+        mesh = cls.from_device_arrays({"triangles": corners, **rows}, cloud.origin, cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
 
@@ -408,7 +402,8 @@ class MeshReconstruction(MeshMeasures):
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)
-            parts.append(cls.from_device_arrays(vertices, flip_triangles(triangles), origin=origin, library=library))
+            surface = {"vertices": vertices, "triangles": flip_triangles(triangles)}
+            parts.append(cls.from_device_arrays(surface, origin, library))
         return cls.concatenate(parts)
 
 
@@ -449,7 +444,7 @@ def _cube_around(points: wp.array, normals: wp.array, scale: float) -> tuple[Cub
     return Cube(corner, side), rows
 
 
-def _check_envelope(envelope: Any, cloud: PointCloud) -> Envelope:
+def _check_envelope(envelope: object, cloud: PointCloud) -> Envelope:
     if not isinstance(envelope, MeshMeasures):
         raise TypeError(f"envelope: expected a TriangleMesh, got {type(envelope).__name__}")
     check_same_device("envelope", cloud.device, envelope.device)
@@ -494,7 +489,7 @@ def _depth_of_width(side: float, width: float) -> int:
     return max(MIN_DEPTH, math.ceil(math.log2(side / width)))
 
 
-def _check_radii(radii: Any) -> list[float]:
+def _check_radii(radii: object) -> list[float]:
     values = [radii] if isinstance(radii, int | float | np.number) else check_list("radii", radii, "radii [m]")
     if not values:
         raise ValueError(
@@ -503,7 +498,7 @@ def _check_radii(radii: Any) -> list[float]:
     return [check_positive("radii", value) for value in values]
 
 
-def _default_radii(tree: Any) -> list[float]:
+def _default_radii(tree: PointTree) -> list[float]:
     """Radii from 1.5 times the median nearest neighbor distance, doubling."""
     if tree.count < 3:
         return []
@@ -523,7 +518,7 @@ def _check_size(radii: list[float], extent: float) -> None:
             )
 
 
-def _check_work(tree: Any, radius: float, indices: Any) -> None:
+def _check_work(tree: PointTree, radius: float, indices: AnyArray) -> None:
     """Raise ValueError if a radius has too many neighbors to search."""
     if tree.count * indices.size <= MAX_NEIGHBORS:
         return
@@ -568,7 +563,7 @@ def _used_rows(used: wp.array, offsets: wp.array, count: int) -> Indices:
     return rows
 
 
-def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
+def _check_alphas(alpha: object) -> tuple[list[float] | None, bool]:
     """Validate alphas. None for "auto". Also True if several were given."""
     if isinstance(alpha, str) and alpha == "auto":
         return None, False
@@ -581,14 +576,14 @@ def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
     return [check_positive("alpha", value, allow_infinite=True) for value in alphas], is_list
 
 
-def _choose_alpha(tree: Any, points: wp.array) -> float:
+def _choose_alpha(tree: PointTree, points: wp.array) -> float:
     """AUTO times the median nearest neighbor distance; arbitrary with fewer than two points."""
     median = median_above_zero(nearest_distances(tree, points, others=True, missing=0.0))  # sync
     return 1.0 if median is None else AUTO_ALPHA * median
 
 
 def _find_shapes(
-    tree: Any, rows: wp.array, owners: int, alphas: list[float], with_tetrahedra: bool
+    tree: PointTree, rows: wp.array, owners: int, alphas: list[float], with_tetrahedra: bool
 ) -> list[tuple[wp.array, Any]]:
     """Triangles and tetrahedra for each alpha, as rows of the cloud."""
     ascending = sorted(set(alphas))
@@ -601,7 +596,7 @@ def _find_shapes(
 
 
 def extract_level(
-    field: Any, level: float, spacing: Any, origin: Any, device: Any
+    field: NDArray[Any], level: float, spacing: ArrayLike, origin: ArrayLike, device: Device
 ) -> tuple[wp.array, wp.array, NDArray[np.float64]]:
     """(vertices, triangles, origin): see `marching_cubes`."""
     values = _device_field(field, device)
@@ -623,14 +618,14 @@ def extract_level(
     return vertices, triangles, mesh_origin
 
 
-def _check_level(level: Any) -> float:
+def _check_level(level: object) -> float:
     number = check_number("level", level)
     if abs(number) > _FLOAT_MAX:
         raise ValueError(f"level: expected a finite number within float32, got {level!r}")
     return number
 
 
-def _device_field(field: Any, device: Any) -> wp.array:
+def _device_field(field: NDArray[Any], device: DeviceLike) -> wp.array:
     """Contiguous float32 device array (nx, ny, nz), without a copy if possible."""
     if not isinstance(field, wp.array) and not isinstance(field, np.ndarray):
         if hasattr(field, "__cuda_array_interface__"):
@@ -652,7 +647,7 @@ def _device_field(field: Any, device: Any) -> wp.array:
     return cast(contiguous(field), wp.float32)
 
 
-def _upload_field(field: Any, device: Any) -> wp.array:
+def _upload_field(field: NDArray[Any], device: Device) -> wp.array:
     host = check_numeric("field", field)
     _check_grid(host.shape)
     with np.errstate(over="ignore"):  # overflow to infinity is intended: such cells are skipped

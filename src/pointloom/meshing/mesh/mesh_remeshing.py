@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import (
     LARGEST_NUMBER,
@@ -74,7 +74,7 @@ class MeshRemeshing(MeshMeasures):
     _internal = ("drop_degenerate_triangles", "subdivided")
 
     @returns_new
-    def simplify_vertex_clustering(self, voxel_size: float, contraction: Any = "average") -> Self:
+    def simplify_vertex_clustering(self, voxel_size: float, contraction: object = "average") -> Self:
         """Merge the vertices of each voxel, and keep the triangles between three voxels.
 
         Fast, but joins sheets closer than a voxel and may create non-manifold edges. See `simplify_quadric_decimation`.
@@ -326,7 +326,7 @@ class MeshRemeshing(MeshMeasures):
         return self.with_arrays(**arrays)
 
     @returns_new
-    def filter_smooth_simple(self, number_of_iterations: int = 1, filter_scope: Any = "all") -> Self:
+    def filter_smooth_simple(self, number_of_iterations: int = 1, filter_scope: object = "all") -> Self:
         """Move each vertex to the mean of itself and its neighbors.
 
         O(m + t) memory. Float64 sums in fixed order: bitwise reproducible.
@@ -353,7 +353,7 @@ class MeshRemeshing(MeshMeasures):
 
     @returns_new
     def filter_smooth_laplacian(
-        self, number_of_iterations: int = 1, lambda_filter: float = 0.5, filter_scope: Any = "all"
+        self, number_of_iterations: int = 1, lambda_filter: float = 0.5, filter_scope: object = "all"
     ) -> Self:
         """Move each vertex toward the mean of its neighbors, weighted by inverse distance.
 
@@ -382,7 +382,7 @@ class MeshRemeshing(MeshMeasures):
 
     @returns_new
     def filter_smooth_taubin(
-        self, number_of_iterations: int = 1, lambda_filter: float = 0.5, mu: float = -0.53, filter_scope: Any = "all"
+        self, number_of_iterations: int = 1, lambda_filter: float = 0.5, mu: float = -0.53, filter_scope: object = "all"
     ) -> Self:
         """Smooth without shrinking: each iteration is a pass with `lambda_filter` and one with `mu`.
 
@@ -408,7 +408,7 @@ class MeshRemeshing(MeshMeasures):
         return self._filtered([(approach_mean_kernel, f) for f in factors], number_of_iterations, filter_scope)
 
     @returns_new
-    def filter_sharpen(self, number_of_iterations: int = 1, strength: float = 1, filter_scope: Any = "all") -> Self:
+    def filter_sharpen(self, number_of_iterations: int = 1, strength: float = 1, filter_scope: object = "all") -> Self:
         """Move each vertex away from its neighbors, which emphasizes edges and noise.
 
         Args:
@@ -431,7 +431,7 @@ class MeshRemeshing(MeshMeasures):
         factor = check_number("strength", strength)
         return self._filtered([(sharpen_kernel, factor)], number_of_iterations, filter_scope)
 
-    def _filtered(self, passes: list[tuple[Any, float]], iterations: int, scope: Any) -> Self:
+    def _filtered(self, passes: list[tuple[Any, float]], iterations: int, scope: object) -> Self:
         reason = "more iterations shrink the mesh to the mean of its vertices"
         count = check_count("number_of_iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)
         names = [name for name in _names_of(scope) if name in self.arrays]
@@ -454,10 +454,10 @@ class MeshRemeshing(MeshMeasures):
     @returns_new
     def deform_as_rigid_as_possible(
         self,
-        constraint_vertex_indices: Any,
-        constraint_vertex_positions: Any,
+        constraint_vertex_indices: ArrayLike,
+        constraint_vertex_positions: ArrayLike,
         max_iter: int,
-        energy: Any = "spokes",
+        energy: object = "spokes",
         smoothed_alpha: float = 0.01,
     ) -> Self:
         """Move some vertices to given positions and deform the rest as rigidly as possible.
@@ -527,7 +527,7 @@ class MeshRemeshing(MeshMeasures):
         return self.with_arrays(**deformed)
 
 
-def _check_contraction(contraction: Any) -> str:
+def _check_contraction(contraction: object) -> str:
     given = contraction if isinstance(contraction, str) else getattr(contraction, "name", contraction)
     name = check_name("contraction", given).lower()
     if name not in CONTRACTIONS:
@@ -618,7 +618,7 @@ class Course:
             move_without_flips(self.mesh, targets, None if reverted is None else reverted[k : k + 1])
 
 
-def _names_of(scope: Any) -> tuple[str, ...]:
+def _names_of(scope: object) -> tuple[str, ...]:
     name = scope if isinstance(scope, str) else getattr(scope, "name", None)
     if not isinstance(name, str):
         raise TypeError(f"filter_scope: expected one of {', '.join(SCOPES)}, got {shown(scope)}")
@@ -639,7 +639,7 @@ def _once(
     return distinct.astype(np.int32), targets[firsts]
 
 
-def _energy_of(energy: Any) -> str:
+def _energy_of(energy: object) -> str:
     name = energy if isinstance(energy, str) else getattr(energy, "name", None)
     if not isinstance(name, str):
         raise TypeError(f"energy: expected one of {', '.join(ENERGIES)}, got {shown(energy)}")

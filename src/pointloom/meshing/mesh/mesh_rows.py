@@ -8,6 +8,7 @@ import warp as wp
 
 from ...core.devices import check_same_device
 from ...core.escaped_text import escaped
+from ...kernels.array_types import Device
 from ...kernels.lang import int32, vec2, vec3, vec3i
 
 PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
@@ -23,7 +24,7 @@ def kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:
     return PER_TRIANGLE[name], counts["triangles"] * (3 if name in CORNERS else 1)
 
 
-def check_attributes(attributes: dict[str, wp.array], count: int, device: Any) -> None:
+def check_attributes(attributes: dict[str, wp.array], count: int, device: Device) -> None:
     for name, values in attributes.items():
         check_same_device(name, device, values.device)
         if values.ndim not in (1, 2) or values.shape[0] != count:

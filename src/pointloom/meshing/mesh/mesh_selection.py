@@ -259,7 +259,7 @@ class MeshSelection(MeshArrays):
         vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
         return mesh.drop_triangles(crowded_edges.mask_crowding(vertices, triangles, crowded))
 
-    def merge_close(self, name: str, distance: Any) -> Self:
+    def merge_close(self, name: str, distance: float) -> Self:
         """`merge_close_vertices`; `name` is the argument named in errors."""
         radius, vertices = check_positive(name, distance), self.arrays["vertices"]
         low, high, count = bound_points(vertices)

@@ -8,7 +8,7 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.array_types import Indices, Mask, Triangles
+from ...kernels.array_types import Device, Indices, Mask, Triangles
 from ...kernels.arrays.duplicates import find_equal_points
 from ...kernels.arrays.prefix_sum import sum_counts
 from ...kernels.arrays.select import gather_rows, mark_negative, positions_of
@@ -137,7 +137,7 @@ def _find_parts_to_drop(
     return _rows_of(covered, device), _rows_of(crowding & ~covered, device)
 
 
-def _rows_of(mask: NDArray[np.bool_], device: Any) -> Indices:
+def _rows_of(mask: NDArray[np.bool_], device: Device) -> Indices:
     return upload(np.flatnonzero(mask).astype(np.int32), int32, device)
 
 

@@ -16,6 +16,8 @@ from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
 from .mesh_attributes import Arrays, rows_of
 from .mesh_rows import ATTRIBUTES, PER_VERTEX
 
+Textures = tuple[NDArray[np.uint8], ...]
+
 
 class MeshStore(dict[str, wp.array]):
     """Device arrays by name, for reading: those of `mesh.array`. `mesh.arrays` is one.
@@ -31,17 +33,11 @@ class MeshStore(dict[str, wp.array]):
     __slots__ = ("attributes", "library", "origin", "textures", "up")
 
     def __init__(
-        self,
-        arrays: Mapping[str, wp.array],
-        origin: NDArray[np.float64],
-        library: str = NUMPY,
-        *,
-        attributes: Mapping[str, Arrays] | None = None,
-        textures: tuple[NDArray[np.uint8], ...] = (),
+        self, arrays: Mapping[str, Any], origin: NDArray[np.float64], library: str = NUMPY, *, textures: Textures = ()
     ):
-        super().__init__(arrays)
-        self.origin, self.library, self.textures = origin, library, textures
-        self.attributes = {kind: dict((attributes or {}).get(kind) or {}) for kind in ATTRIBUTES}
+        super().__init__({name: rows for name, rows in arrays.items() if rows is not None and name not in ATTRIBUTES})
+        self.origin, self.library, self.textures = np.array(origin, np.float64), library, tuple(textures)
+        self.attributes = {kind: dict(arrays.get(kind) or {}) for kind in ATTRIBUTES}
         self.up: Direction | None = None
 
     @property

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_list, check_positive
@@ -147,7 +148,9 @@ class MeshTexture(MeshArrays):
         """
         return self.with_albedo(images, intrinsic_matrices, extrinsic_matrices, tex_size)[0]
 
-    def with_albedo(self, images: Any, cameras: Any, poses: Any, tex_size: int) -> tuple[Any, float]:
+    def with_albedo(
+        self, images: Sequence[Any], cameras: Any, poses: ArrayLike | None, tex_size: int
+    ) -> tuple[Any, float]:
         """(mesh with its texture, fraction of texels seen in an image)."""
         because = "the texture and its intermediate arrays would not fit into memory. Use fewer texels"
         size = check_count("tex_size", tex_size, minimum=1, maximum=MAX_TEXELS, because=because)
@@ -206,7 +209,7 @@ def _import_xatlas() -> Any:
     return xatlas
 
 
-def _cameras(cameras: Any, images: list[Any]) -> Any:
+def _cameras(cameras: Sequence[Any], images: list[Any]) -> Any:
     if isinstance(cameras, PinholeCameraIntrinsic):
         return cameras
     listed = check_list("intrinsic_matrices", cameras, "cameras")

@@ -14,6 +14,7 @@ from ...cameras.images import RGBDImage, check_intrinsic, upload_color
 from ...core.checks import check_list, check_rigid
 from ...core.devices import check_same_device
 from ...core.masked_arrays import unmasked
+from ...kernels.array_types import Device
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul
@@ -52,7 +53,7 @@ class Names:
     poses: str
 
 
-def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any, device: Any) -> PosedImages:
+def check_images(names: Names, images: Any, intrinsics: object, T_camera_world: Any, device: Device) -> PosedImages:
     """Validate as many images (RGBDImages or uint8 arrays) as cameras and poses, and upload them."""
     listed, poses = check_list(names.images, images, "images"), list(T_camera_world)
     if not listed:
@@ -80,7 +81,7 @@ def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any
     return PosedImages(colors, depths, cameras, T)
 
 
-def _take(image: Any, camera: Any, device: Any) -> tuple[wp.array, wp.array | None]:
+def _take(image: object, camera: PinholeCameraIntrinsic, device: Device) -> tuple[wp.array, wp.array | None]:
     if isinstance(image, RGBDImage):
         check_same_device("device", image.device, device)
         check_intrinsic(camera, image.width, image.height)
@@ -95,5 +96,5 @@ def _take(image: Any, camera: Any, device: Any) -> tuple[wp.array, wp.array | No
     return upload_color(pixels, height, width, device), None
 
 
-def _named(image: Any, pixels: NDArray[Any]) -> str:
+def _named(image: object, pixels: NDArray[Any]) -> str:
     return type(image).__name__ if pixels.dtype == object or not pixels.ndim else f"shape {list(pixels.shape)}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -116,7 +117,10 @@ def smooth_mesh(
     factors = _factors_of(method, {"lambda_filter": lambda_filter, "mu": mu, "strength": strength})
     reason = "more iterations shrink the mesh to the mean of its vertices"
     count = check_count("iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)
-    filters = {name: getattr(mesh, f"filter_smooth_{name}") for name in METHODS[:3]} | {"sharpen": mesh.filter_sharpen}
+    filters: dict[str, Callable[..., TriangleMesh]] = {
+        name: getattr(mesh, f"filter_smooth_{name}") for name in METHODS[:3]
+    }
+    filters["sharpen"] = mesh.filter_sharpen
     smooth = filters[method](count, *factors)
     colors = smooth.vertex_colors
     if colors is not None:
@@ -134,7 +138,7 @@ def smooth_mesh(
     )
 
 
-def _factors_of(method: Any, given: dict[str, Any]) -> list[float]:
+def _factors_of(method: str, given: dict[str, Any]) -> list[float]:
     """Factors of the method in the order of its filter."""
     if check_name("method", method) not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")

@@ -238,7 +238,7 @@ class SurfaceResult(Report, Assessed):
         return reasons
 
 
-def _shown(value: Any) -> str:
+def _shown(value: object) -> str:
     if value is None:
         return "derived from the point spacing"
     return " ".join(f"{part:g}" for part in value) if isinstance(value, list | tuple) else str(value)

@@ -15,7 +15,7 @@ SAME_AREA = 1e-6  # of a polygon's area: tolerance of its triangulation
 LARGEST_STEP = 1e30  # [m] or factor: float32 ends at 3e38
 
 
-def check_length(name: str, value: Any) -> float:
+def check_length(name: str, value: object) -> float:
     """Validate a factor or length within float32."""
     number = check_number(name, value)
     if abs(number) > LARGEST_STEP:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,7 +10,7 @@ from ...core.exchange import on_host
 from ...kernels.memory import download
 
 
-def check_vertices(name: str, values: Any, count: int) -> NDArray[np.int32]:
+def check_vertices(name: str, values: object, count: int) -> NDArray[np.int32]:
     """Vertex indices as int32 (n,), n >= 1, each in 0..count-1."""
     numbers = check_numeric(name, on_host(name, values))
     if numbers.ndim != 1:
@@ -27,7 +25,7 @@ def check_vertices(name: str, values: Any, count: int) -> NDArray[np.int32]:
     return numbers.astype(np.int32)
 
 
-def check_finite_vertices(name: str, numbers: NDArray[np.int32], positions: Any) -> None:
+def check_finite_vertices(name: str, numbers: NDArray[np.int32], positions: object) -> None:
     """Raise ValueError if a vertex (vec3 device array) is not finite."""
     lost = ~np.isfinite(download(positions).reshape(-1, 3)).all(axis=1)
     if lost.any():

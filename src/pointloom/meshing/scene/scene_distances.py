@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import Form, form_of
 from ...core.checks import check_count, check_numeric
 from ...core.coordinates import quiet
+from ...core.devices import DeviceLike
 from ...core.gpu_arrays import take_positions
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.origins import add_origin
@@ -39,7 +40,7 @@ class SceneDistances(SceneGeometries):
     _side_data: dict[int, Pseudonormals | None]  # by mesh, built on demand. None if not applicable
     _dipoles: dict[int, Dipoles]
 
-    def __init__(self, device: Any = None):
+    def __init__(self, device: DeviceLike = None):
         super().__init__(device)
         self._side_data, self._dipoles = {}, {}
 
@@ -61,7 +62,7 @@ class SceneDistances(SceneGeometries):
             return PSEUDONORMALS
         return WINDING_NUMBERS
 
-    def compute_closest_points(self, query_points: Any, nthreads: int = 0) -> dict[str, NDArray[Any]]:
+    def compute_closest_points(self, query_points: ArrayLike, nthreads: int = 0) -> dict[str, NDArray[Any]]:
         """Find the closest surface point of each query.
 
         Float64. Ties go to the lowest geometry, then triangle. Bitwise identical on every device. 80 B per query.
@@ -103,7 +104,7 @@ class SceneDistances(SceneGeometries):
         arrays |= {"primitive_uvs": closest.uvs, "primitive_normals": closest.normals}
         return form.hand_out_all(arrays, dict.fromkeys(("geometry_ids", "primitive_ids"), np.uint32), shape=shape)
 
-    def compute_distance(self, query_points: Any, nthreads: int = 0) -> NDArray[np.float32]:
+    def compute_distance(self, query_points: ArrayLike, nthreads: int = 0) -> NDArray[np.float32]:
         """Distance of each query to the surface.
 
         Args:
@@ -129,7 +130,9 @@ class SceneDistances(SceneGeometries):
         outside = zeros(queries.size, float64, self._device)
         return form.hand_out(sign_distances(queries, self._find_nearest(queries).sqdists, outside), shape=shape)
 
-    def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
+    def compute_signed_distance(
+        self, query_points: ArrayLike, nthreads: int = 0, nsamples: int = 1
+    ) -> NDArray[np.float32]:
         """Signed distance of each query to the surface: negative inside, positive outside.
 
         The sign follows `sign_method` (Open3D counts intersections of a ray). Its data is built at the first call.
@@ -157,7 +160,7 @@ class SceneDistances(SceneGeometries):
         distances, shape, form = self._signed_distances(query_points, nthreads, nsamples)
         return form.hand_out(distances, shape=shape)
 
-    def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
+    def compute_occupancy(self, query_points: ArrayLike, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
         """Test which queries are inside, as `compute_signed_distance`. The surface itself is inside.
 
         Args:
@@ -183,7 +186,7 @@ class SceneDistances(SceneGeometries):
         return form.hand_out(mark_inside(distances), shape=shape)
 
     def _signed_distances(
-        self, query_points: Any, nthreads: Any, nsamples: Any
+        self, query_points: Any, nthreads: Any, nsamples: object
     ) -> tuple[wp.array, tuple[int, ...], Form]:
         """(distances on the device, leading shape, input form)."""
         samples = check_count("nsamples", nsamples)
@@ -198,7 +201,7 @@ class SceneDistances(SceneGeometries):
             numbers = self._winding_numbers(queries, nearest.order)
         return sign_distances(queries, nearest.sqdists, numbers), shape, form
 
-    def _device_queries(self, query_points: Any, nthreads: Any) -> tuple[wp.array, tuple[int, ...], Form]:
+    def _device_queries(self, query_points: ArrayLike, nthreads: int) -> tuple[wp.array, tuple[int, ...], Form]:
         """(queries about the scene's origin as vec3 (n,), leading shape, input form)."""
         check_count("nthreads", nthreads, minimum=0)
         form = form_of(query_points)

@@ -6,12 +6,12 @@ import warnings
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.attribute_hints import KnownNames
 from ...core.checks import check_count, check_rigid, check_rows, is_on_gpu
 from ...core.coordinates import NEAR_ZERO
-from ...core.devices import check_same_device, resolve_device
+from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.gpu_arrays import take_rows
 from ...core.pickled_arrays import device_like, unpickling
 from ...core.serialized import Serialized
@@ -39,7 +39,7 @@ class SceneGeometries(Serialized, KnownNames):
     _instances: SceneTrees | None  # for the current `_meshes`. Poses are current unless `_is_moved`
     _is_moved: bool
 
-    def __init__(self, device: Any = None):
+    def __init__(self, device: DeviceLike = None):
         self._device = resolve_device(device)
         self._meshes, self._trees, self._mesh_of, self._poses = [], [], [], []
         self._instances, self._is_moved = None, False
@@ -87,7 +87,7 @@ class SceneGeometries(Serialized, KnownNames):
         """Device of the scene."""
         return self._device
 
-    def add_triangles(self, mesh: Any, triangles: Any = None, *, pose: Any = None) -> int:
+    def add_triangles(self, mesh: Any, triangles: Any = None, *, pose: object = None) -> int:
         """Add a mesh. Returns the id of the new geometry: 0, 1, ...
 
         Args:
@@ -127,7 +127,7 @@ class SceneGeometries(Serialized, KnownNames):
         self._meshes.append(added)
         return self._add_instance(len(self._meshes) - 1, T)
 
-    def add_instance(self, geometry_id: int, pose: Any) -> int:
+    def add_instance(self, geometry_id: int, pose: ArrayLike | None) -> int:
         """Add another instance of a mesh, which shares its triangles. Returns its geometry id.
 
         Args:
@@ -150,7 +150,7 @@ class SceneGeometries(Serialized, KnownNames):
         """
         return self._add_instance(self._mesh_of[self._known("geometry_id", geometry_id)], check_rigid("pose", pose))
 
-    def set_pose(self, geometry_id: int, pose: Any) -> None:
+    def set_pose(self, geometry_id: int, pose: ArrayLike | None) -> None:
         """Set the pose of a geometry. Mesh trees are not rebuilt.
 
         Args:
@@ -175,7 +175,7 @@ class SceneGeometries(Serialized, KnownNames):
         self._poses[number] = T.copy()
         self._is_moved = True
 
-    def _known(self, name: str, geometry_id: Any) -> int:
+    def _known(self, name: str, geometry_id: int) -> int:
         number = check_count(name, geometry_id, minimum=0)
         if number >= len(self):
             raise ValueError(f"{name}: expected a geometry id below {len(self)}, got {number}")

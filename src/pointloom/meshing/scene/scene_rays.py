@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import Form, form_of
 from ...core.checks import check_number, check_numeric
@@ -32,7 +32,7 @@ class SceneRays(SceneGeometries):
 
     INVALID_ID = INVALID_ID
 
-    def cast_rays(self, rays: Any) -> dict[str, NDArray[Any]]:
+    def cast_rays(self, rays: ArrayLike) -> dict[str, NDArray[Any]]:
         """Find the first triangle that each ray hits.
 
         Ties in float32 t go to the lowest geometry, then triangle. Bitwise identical on every device.
@@ -65,7 +65,7 @@ class SceneRays(SceneGeometries):
         hits, normals = ray_casting.cast_rays(self._scene_trees(), flat)
         return form.hand_out_all(_named(hits) | {"primitive_normals": normals}, IDS, shape=shape)
 
-    def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf) -> NDArray[np.bool_]:
+    def test_occlusions(self, rays: ArrayLike, tnear: float = 0.0, tfar: float = math.inf) -> NDArray[np.bool_]:
         """Test whether rays hit anything. Returns bool (...).
 
         Args:
@@ -96,7 +96,7 @@ class SceneRays(SceneGeometries):
         occluded = ray_casting.test_occlusions(self._scene_trees(), flat, *limits)
         return form.hand_out(occluded, dtype=np.bool_, shape=shape)
 
-    def count_intersections(self, rays: Any) -> NDArray[np.int32]:
+    def count_intersections(self, rays: ArrayLike) -> NDArray[np.int32]:
         """Count the intersections of each ray, int32 (...); those of one geometry at the same float32 t count once.
 
         Args:
@@ -118,7 +118,7 @@ class SceneRays(SceneGeometries):
             return form.hand_out_host(np.zeros(shape, np.int32), self._device)
         return form.hand_out(ray_casting.count_hits(self._scene_trees(), flat), shape=shape)
 
-    def list_intersections(self, rays: Any) -> dict[str, NDArray[Any]]:
+    def list_intersections(self, rays: ArrayLike) -> dict[str, NDArray[Any]]:
         """List all intersections of each ray, merged as in `count_intersections` (lowest triangle kept).
 
         Args:
@@ -182,7 +182,7 @@ class SceneRays(SceneGeometries):
     def _given_out(self, values: dict[str, NDArray[Any]], form: Form) -> dict[str, Any]:
         return {name: form.hand_out_host(array, self._device) for name, array in values.items()}
 
-    def _device_rays(self, rays: Any) -> tuple[wp.array, tuple[int, ...], Form]:
+    def _device_rays(self, rays: ArrayLike) -> tuple[wp.array, tuple[int, ...], Form]:
         """(rays about the scene's origin as float32 (6 n,), leading shape, input form)."""
         form = form_of(rays)
         if not form.on_host:

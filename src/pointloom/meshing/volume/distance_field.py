@@ -13,13 +13,13 @@ from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import NUMPY, check_library, hand_out, library_of, view_as
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_finite, check_numeric, check_positive, check_rows, check_shape, is_on_gpu
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import values_of_file
 from ...core.exchange import on_host
 from ...core.gpu_arrays import device_for, take_numbers
 from ...core.pickled_arrays import device_like, unpickling
 from ...core.serialized import locked_objects
-from ...kernels.array_types import Cells, Mask
+from ...kernels.array_types import Cells, Device, Mask
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import uint8, vec3i
 from ...kernels.memory import clone, download, upload
@@ -136,7 +136,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         origin: ArrayLike = (0.0, 0.0, 0.0),
         max_distance: float | None = None,
         signed: bool = False,
-        device: Any = None,
+        device: DeviceLike = None,
     ) -> DistanceField:
         """Compute the field of a dense box of voxels.
 
@@ -173,7 +173,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
 
     @classmethod
     @explain_argument_errors
-    def from_voxel_grid(cls, grid: VoxelGrid, max_distance: float, *, device: Any = None) -> DistanceField:
+    def from_voxel_grid(cls, grid: VoxelGrid, max_distance: float, *, device: DeviceLike = None) -> DistanceField:
         """Compute the field around the voxels of a VoxelGrid, for example from `TriangleMesh.voxelize`.
 
         Args:
@@ -205,7 +205,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         max_distance: float,
         *,
         origin: ArrayLike = (0.0, 0.0, 0.0),
-        device: Any = None,
+        device: DeviceLike = None,
     ) -> DistanceField:
         """Compute the field around listed voxels.
 
@@ -318,7 +318,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         write_field(path, self._arrays(), overwrite=overwrite)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> DistanceField:
+    def load(cls, path: str | os.PathLike[str], *, device: DeviceLike = None) -> DistanceField:
         """Read a field written by `save` and recompute its distances.
 
         Raises:
@@ -333,7 +333,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         return arrays_of(self._source, np.array(download(self.blocks.occupied)).reshape(-1, 3))
 
     @classmethod
-    def _of_arrays(cls, arrays: dict[str, NDArray[Any]], device: Any, library: str = NUMPY) -> DistanceField:
+    def _of_arrays(cls, arrays: dict[str, NDArray[Any]], device: Device, library: str = NUMPY) -> DistanceField:
         return cls._of(upload(arrays["voxels"], vec3i, device), source_of(arrays), library)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -348,7 +348,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         vars(self).update(vars(made))
 
 
-def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:
+def _take_mask(occupied: ArrayLike, device: DeviceLike) -> tuple[Mask, tuple[int, int, int]]:
     """Upload voxels as uint8 (x * y * z,). Also returns their shape."""
     where = device_for(occupied, device)
     if is_on_gpu(occupied):

@@ -7,7 +7,7 @@ shape int64 [3] (zeros without an array), is_signed, voxels int32 [k, 3] (occupi
 from __future__ import annotations
 
 import os
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,7 +54,7 @@ def read_field(path: str | os.PathLike[str]) -> Arrays:
     return read_archive(path, FORMAT, "distance field", "DistanceField.save", _expected, _find_fault)
 
 
-def check_field_arrays(arrays: Any) -> Arrays:
+def check_field_arrays(arrays: object) -> Arrays:
     return check_arrays(arrays, _expected, _find_fault)
 
 

@@ -62,7 +62,7 @@ class FieldQueries:
     _grid: DistanceGrid
 
     @explain_argument_errors
-    def distances(self, points: Any, *, interpolate: bool = False) -> NDArray[np.float32]:
+    def distances(self, points: ArrayLike, *, interpolate: bool = False) -> NDArray[np.float32]:
         """Distances at points.
 
         Exact between voxel centers. A point's error is up to half a voxel diagonal. 29 B per point.
@@ -82,7 +82,7 @@ class FieldQueries:
         return form.hand_out(queries.find_distances_at(positions, self._grid, interpolate=bool(interpolate)).distances)
 
     @explain_argument_errors
-    def is_known(self, points: Any) -> NDArray[np.bool_]:
+    def is_known(self, points: ArrayLike) -> NDArray[np.bool_]:
         """True where the distance is known, not only at least `max_distance`; bool (n,).
 
         Args:
@@ -93,7 +93,7 @@ class FieldQueries:
         return form.hand_out(known, dtype=np.bool_)
 
     @explain_argument_errors
-    def gradients(self, points: Any) -> NDArray[np.float32]:
+    def gradients(self, points: ArrayLike) -> NDArray[np.float32]:
         """Gradients of the interpolated distances by central differences over one voxel.
 
         Args:
@@ -112,7 +112,7 @@ class FieldQueries:
         return form.hand_out(queries.find_gradients(positions, self._grid))
 
     @explain_argument_errors
-    def nearest_obstacles(self, points: Any) -> NearestObstacles:
+    def nearest_obstacles(self, points: ArrayLike) -> NearestObstacles:
         """Occupied voxels nearest to the voxels of points, ties to the first along x, then y, then z.
 
         Nearest to the voxel's center. Another one may be nearer to the point itself by up to a voxel diagonal.
@@ -132,7 +132,7 @@ class FieldQueries:
         return NearestObstacles(form.hand_out(rows), form.hand_out(positions), form.hand_out(distances))
 
     @explain_argument_errors
-    def collides(self, centers: Any, radii: ArrayLike) -> NDArray[np.bool_]:
+    def collides(self, centers: ArrayLike, radii: ArrayLike) -> NDArray[np.bool_]:
         """Test whether spheres may touch occupied voxels.
 
         Args:
@@ -190,7 +190,7 @@ class FieldQueries:
             form.hand_out_host(~(clearance > 0), self.device), form.hand_out_host(clearance, self.device)
         )
 
-    def _radii(self, name: str, radii: Any) -> NDArray[np.float64]:
+    def _radii(self, name: str, radii: ArrayLike | None) -> NDArray[np.float64]:
         """Validate radii against `max_distance`."""
         if is_on_gpu(radii):
             radii = download(take_numbers(name, radii))
@@ -205,7 +205,7 @@ class FieldQueries:
             )
         return sizes
 
-    def _points_and_form(self, name: str, points: Any) -> tuple[Positions, Form]:
+    def _points_and_form(self, name: str, points: ArrayLike) -> tuple[Positions, Form]:
         """Positions in float64 on the field's device, and the form of the result."""
         if isinstance(points, PointCloud):
             check_same_device(name, points.device, self.device)
@@ -217,7 +217,7 @@ class FieldQueries:
         return upload(rows, vec3d, self.device), form_of(points)
 
 
-def check_poses(name: str, poses: Any) -> NDArray[np.float64]:
+def check_poses(name: str, poses: object) -> NDArray[np.float64]:
     motions = check_numeric(name, poses).astype(np.float64)
     if motions.ndim != 3 or motions.shape[1:] != (4, 4):
         raise ValueError(f"{name}: expected shape [m, 4, 4], got {list(motions.shape)}")

@@ -80,7 +80,7 @@ class FieldViews:
             return np.zeros(3, np.int64), np.array(self.shape, np.int64)
         return voxels_of_blocks(download(self.blocks.keys))  # sync
 
-    def _box(self, bounds: Any, layer: tuple[int, int] | None = None) -> Box:
+    def _box(self, bounds: ArrayLike | None, layer: tuple[int, int] | None = None) -> Box:
         """Voxels in bounds [m]; those of a layer: (axis index, position along it)."""
         if bounds is None:
             low, high = self._voxel_bounds()
@@ -164,7 +164,7 @@ class FieldViews:
         )
 
 
-def check_axis(axis: Any) -> int:
+def check_axis(axis: object) -> int:
     if not isinstance(axis, str) or axis not in AXES:
         raise ValueError(f"axis: expected x, y or z, got {shown(axis)}")
     return AXES.index(axis)

@@ -13,11 +13,12 @@ from ...core.array_libraries import NUMPY, check_library, library_of
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_number, check_positive
 from ...core.coordinates import origin_of_sensor
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.errors import values_of_file
 from ...core.exchange import on_host
 from ...core.pickled_arrays import device_like, unpickling
+from ...kernels.array_types import Device
 from ...kernels.lang import float32, int64, vec3
 from ...kernels.memory import download, upload
 from ...kernels.volumes import occupancy_blocks as odds
@@ -74,7 +75,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         min: float = 0.1192,
         max: float = 0.971,
         *,
-        device: Any = None,
+        device: DeviceLike = None,
     ):
         edge = check_voxel_size(voxel_size)
         given = {"hit": hit, "miss": miss, "min": min, "max": max}
@@ -182,7 +183,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         write_grid(path, self.downloaded(), overwrite=overwrite)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> OccupancyGrid:
+    def load(cls, path: str | os.PathLike[str], *, device: DeviceLike = None) -> OccupancyGrid:
         """Read a grid written by `save`.
 
         Raises:
@@ -204,7 +205,7 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         }
 
     @classmethod
-    def from_downloaded(cls, arrays: dict[str, Any], device: Any, library: str = NUMPY) -> OccupancyGrid:
+    def from_downloaded(cls, arrays: dict[str, Any], device: Device, library: str = NUMPY) -> OccupancyGrid:
         grid = cls(float(arrays["voxel_size"]), *arrays["probabilities"].tolist(), device=device)
         count = int(arrays["scan_count"])
         vars(grid).update(_scans_before=count, _origin=arrays["origin"] if count else None, _library=library)

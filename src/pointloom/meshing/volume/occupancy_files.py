@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any
 
 import numpy as np
 
@@ -43,7 +42,7 @@ def read_grid(path: str | os.PathLike[str]) -> Arrays:
     return read_archive(path, FORMAT, "occupancy grid", "OccupancyGrid.save", _expected, _find_fault)
 
 
-def check_grid_arrays(arrays: Any) -> Arrays:
+def check_grid_arrays(arrays: object) -> Arrays:
     return check_arrays(arrays, _expected, _find_fault)
 
 

@@ -139,7 +139,7 @@ class OccupancyQuestions(Serialized):
         states, distances, voxels = odds.cast_rays(starts, stops, OCCUPIED_LOG_ODDS, self.blocks)
         return RayHits(form.hand_out(states, dtype=np.int8), form.hand_out(distances), form.hand_out(voxels))
 
-    def _host_rays(self, origins: Any, directions: Any, length: float) -> tuple[Points, Points]:
+    def _host_rays(self, origins: ArrayLike, directions: ArrayLike, length: float) -> tuple[Points, Points]:
         vectors = check_finite("directions", check_rows("directions", directions, 3, dtype=np.float64))
         origins = on_host("origins", origins)
         lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
@@ -152,7 +152,7 @@ class OccupancyQuestions(Serialized):
         starts, stops = (upload(a.astype(np.float32), vec3, self.device) for a in (start_points, ends))
         return starts, stops
 
-    def _device_rays(self, origins: Any, directions: Any, length: float) -> tuple[Points, Points]:
+    def _device_rays(self, origins: ArrayLike, directions: ArrayLike, length: float) -> tuple[Points, Points]:
         vectors = take_vectors_in_float64("directions", directions, self.device)
         if is_on_gpu(origins):
             given = take_numbers("origins", origins, self.device)
@@ -236,7 +236,7 @@ class OccupancyQuestions(Serialized):
         count = self.blocks.count
         return voxels_of_blocks(download(self.blocks.keys)[:count])
 
-    def _cloud_of(self, name: str, points: Any) -> PointCloud:
+    def _cloud_of(self, name: str, points: ArrayLike) -> PointCloud:
         if isinstance(points, PointCloud):
             check_same_device(name, self.device, points.device)
             return points
@@ -244,7 +244,7 @@ class OccupancyQuestions(Serialized):
             return PointCloud(take_rows(name, points, 3, self.device))
         return PointCloud(check_rows(name, points, 3), device=self.device)
 
-    def _odds_of(self, points: Any) -> tuple[Scalars, Form]:
+    def _odds_of(self, points: ArrayLike) -> tuple[Scalars, Form]:
         """Log odds at points, and the form of the result."""
         cloud = self._cloud_of("points", points)
         form = Form(points.array_library, False) if isinstance(points, PointCloud) else form_of(points)

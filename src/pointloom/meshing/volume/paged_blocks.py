@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.array_types import AnyArray
 from ...kernels.lang import int64
 from ...kernels.memory import download, upload
 from ...kernels.volumes.scan_rays import ScanRays, passed_blocks
@@ -183,7 +184,7 @@ class PagedBlocks(TSDFVolume):
     def _cubes_here(self) -> Keys:
         return cubes_of(self._keys_here(), self.side)
 
-    def _filter_keys(self, keys: Any) -> Any:
+    def _filter_keys(self, keys: AnyArray) -> Any:
         if keys.size:
             remedy = "increase max_blocks, reduce depth_max, or use larger voxels"
             self.bring(np.array(download(keys)), changing=True, what="the frame", remedy=remedy)  # sync

@@ -16,7 +16,7 @@ from ...cameras.images import RGBDImage
 from ...core.argument_errors import explain_argument_errors
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_count, check_positive, check_rigid
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath, values_of_file
 from ...core.paths import path_of
 from ...core.serialized import Serialized
@@ -78,7 +78,7 @@ class PagedTSDFVolume(Serialized, HintedNames):
         color: bool = True,
         max_blocks: int = 100_000,
         page_blocks: int = 16,
-        device: Any = None,
+        device: DeviceLike = None,
         overwrite: bool = False,
     ):
         folder = path_of(folder, "folder")
@@ -90,7 +90,7 @@ class PagedTSDFVolume(Serialized, HintedNames):
         self._volume.save_pages()
 
     @classmethod
-    def load(cls, folder: FilePath, *, max_blocks: int = 100_000, device: Any = None) -> PagedTSDFVolume:
+    def load(cls, folder: FilePath, *, max_blocks: int = 100_000, device: DeviceLike = None) -> PagedTSDFVolume:
         """Load a volume as last saved. Unsaved leftovers are removed by the next `save`.
 
         Raises:
@@ -318,17 +318,19 @@ class PagedTSDFVolume(Serialized, HintedNames):
         threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
         return iter(CubeReader(self._volume, threshold, as_points=as_points))
 
-    def _rows(self, values: Any) -> Any:
+    def _rows(self, values: ArrayLike | None) -> Any:
         return upload(np.ascontiguousarray(values), vec3, self.device)
 
     def _mesh_of(self, surface: CubeSurface) -> TriangleMesh:
-        colors = self._rows(surface.colors) if self._volume.has_frame_colors else None
-        triangles = upload(np.ascontiguousarray(surface.triangles), vec3i, self.device)
-        options: dict[str, Any] = {"origin": self.origin, "library": self._volume.array_library}
-        return TriangleMesh.from_device_arrays(self._rows(surface.vertices), triangles, vertex_colors=colors, **options)
+        arrays = {
+            "vertices": self._rows(surface.vertices),
+            "triangles": upload(np.ascontiguousarray(surface.triangles), vec3i, self.device),
+            "vertex_colors": self._rows(surface.colors) if self._volume.has_frame_colors else None,
+        }
+        return TriangleMesh.from_device_arrays(arrays, self.origin, self._volume.array_library)
 
 
-def _check_counts(max_blocks: Any, page_blocks: Any) -> tuple[int, int]:
+def _check_counts(max_blocks: object, page_blocks: object) -> tuple[int, int]:
     limit, side = check_count("max_blocks", max_blocks), check_count("page_blocks", page_blocks)
     if limit > MAX_BLOCKS:
         raise ValueError(f"max_blocks: expected at most {MAX_BLOCKS:,}, the limit of 32-bit indices, got {limit:,}")

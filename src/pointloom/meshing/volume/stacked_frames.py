@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import check_intrinsic, upload_color, upload_raw_depth
 from ...core.checks import check_numeric, check_rigid, is_on_gpu
 from ...core.gpu_arrays import take_numbers
+from ...kernels.array_types import Device
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import rows_of
 
@@ -40,8 +41,8 @@ class StackedFrames(NamedTuple):
 
 def stacked_frames(
     depth: Any,
-    intrinsic: Any,
-    extrinsic: Any,
+    intrinsic: object,
+    extrinsic: ArrayLike,
     color: Any,
     depth_scale: float | None,
     depth_max: float,
@@ -80,7 +81,7 @@ def stacked_frames(
     return StackedFrames(tall, raw, pixels, scale, farthest, cameras, inverses)
 
 
-def _stack(name: str, images: Any, device: Any) -> Any:
+def _stack(name: str, images: Sequence[Any], device: Device) -> Any:
     """One array of all images: NumPy, or on the GPU."""
     if is_on_gpu(images):
         return take_numbers(name, images, device)

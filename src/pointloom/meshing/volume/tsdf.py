@@ -20,12 +20,13 @@ from ...core.array_libraries import NUMPY, library_of
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import origin_of_sensor
-from ...core.devices import check_same_device, resolve_device
+from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.errors import values_of_file
 from ...core.observers import report
 from ...core.pickled_arrays import device_like, unpickling
 from ...core.serialized import one_at_a_time
+from ...kernels.array_types import AnyArray, Device, Keys
 from ...kernels.images import depth as depth_images
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import download
@@ -95,7 +96,9 @@ class TSDFVolume(ScanIntegration, HintedNames):
     )  # fmt: skip
 
     @explain_argument_errors
-    def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
+    def __init__(
+        self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: DeviceLike = None
+    ):
         edge = check_voxel_size(voxel_size)
         limit = 4 * edge
         if truncation is not None:
@@ -272,10 +275,10 @@ class TSDFVolume(ScanIntegration, HintedNames):
     @one_at_a_time
     def integrate_device_frame(
         self,
-        depth: Any,
+        depth: AnyArray,
         intrinsic: PinholeCameraIntrinsic,
         T_world_camera: NDArray[Any],
-        pixels: Any = None,
+        pixels: AnyArray | None = None,
         depth_scale: float = 1.0,
         depth_max: float = np.inf,
     ) -> int:
@@ -293,7 +296,12 @@ class TSDFVolume(ScanIntegration, HintedNames):
         return count
 
     def remove_device_frame(
-        self, depth: Any, intrinsic: PinholeCameraIntrinsic, T_world_camera: NDArray[Any], pixels: Any, depth_max: float
+        self,
+        depth: AnyArray,
+        intrinsic: PinholeCameraIntrinsic,
+        T_world_camera: NDArray[Any],
+        pixels: AnyArray | None,
+        depth_max: float,
     ) -> None:
         """Undo `_integrate_device_frame` of the same frame at the same pose, up to rounding. `depth` is in meters."""
         frames, T = self._current_frames, np.array(T_world_camera, np.float64)
@@ -330,7 +338,15 @@ class TSDFVolume(ScanIntegration, HintedNames):
             have = "with" if frames.colored else "without"
             raise ValueError(f"color: the previous frames came {have} color. Pass color for every frame or for none")
 
-    def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
+    def _fold(
+        self,
+        raw: AnyArray,
+        scale: float,
+        farthest: float,
+        camera: PinholeCameraIntrinsic,
+        T: NDArray[np.float64],
+        pixels: AnyArray | None,
+    ) -> Any:
         """Integrate a frame into the blocks. Returns the number of touched blocks, on a GPU still pending."""
         if self._device_frames is not None:
             counts = self._device_frames.integrate(raw, scale, farthest, camera, T, pixels)
@@ -349,7 +365,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         integrate_depth(keys, frame, inv(T), self.blocks)
         return keys.size
 
-    def _filter_keys(self, keys: Any) -> Any:
+    def _filter_keys(self, keys: Keys) -> Any:
         """Touched blocks, int64 keys, that belong to the volume: here all."""
         return keys
 
@@ -368,9 +384,8 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """
         surface = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
-        return TriangleMesh.from_device_arrays(
-            vertices, surface.triangles(), vertex_colors=shades, origin=self.origin, library=self._library
-        )
+        arrays = {"vertices": vertices, "triangles": surface.triangles(), "vertex_colors": shades}
+        return TriangleMesh.from_device_arrays(arrays, self.origin, self._library)
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
         """Extract surface points on grid edges, with normals and colors.
@@ -475,7 +490,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         return arrays
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> TSDFVolume:
+    def load(cls, path: str | os.PathLike[str], *, device: DeviceLike = None) -> TSDFVolume:
         """Read a volume written by `save`.
 
         Raises:
@@ -486,7 +501,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
             return cls.from_downloaded(arrays, where)
 
     @classmethod
-    def from_downloaded(cls, arrays: dict[str, Any], device: Any) -> TSDFVolume:
+    def from_downloaded(cls, arrays: dict[str, Any], device: Device) -> TSDFVolume:
         voxel_size, truncation = arrays["sizes"].tolist()
         has_color, colored = arrays["has_color"].tolist()
         volume = cls(voxel_size=voxel_size, truncation=truncation, color=has_color, device=device)

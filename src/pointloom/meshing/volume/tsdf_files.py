@@ -39,7 +39,7 @@ def read_volume_arrays(path: str | os.PathLike[str]) -> Arrays:
     return read_archive(path, FORMAT, "volume", "TSDFVolume.save", _expected, _find_fault)
 
 
-def check_volume_arrays(arrays: Any) -> Arrays:
+def check_volume_arrays(arrays: object) -> Arrays:
     return check_arrays(arrays, _expected, _find_fault)
 
 

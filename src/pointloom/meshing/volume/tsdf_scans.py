@@ -18,6 +18,7 @@ from ...core.exchange import on_host
 from ...core.gpu_arrays import take_rows
 from ...core.observers import report
 from ...core.serialized import Serialized
+from ...kernels.array_types import Device
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float32, vec3, vec3d
@@ -140,7 +141,7 @@ class ScanIntegration(Serialized):
             )
 
 
-def _scan_of(points: Any, device: Any) -> tuple[Any, str]:
+def _scan_of(points: ArrayLike, device: Device) -> tuple[Any, str]:
     """Cloud or float64 (n, 3), and the library of its arrays."""
     if isinstance(points, PointCloud):
         check_same_device("points", device, points.device)
@@ -155,7 +156,7 @@ def _scan_of(points: Any, device: Any) -> tuple[Any, str]:
     return check_rows("points", points, 3, dtype=np.float64), library
 
 
-def _scanners_of(origin: Any, count: int) -> Positions:
+def _scanners_of(origin: ArrayLike, count: int) -> Positions:
     """Scanner positions, float64 (1, 3) or (n, 3)."""
     if origin is None:
         raise ValueError(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -48,7 +47,7 @@ class RenderedMaps:
     intrinsic: PinholeCameraIntrinsic
 
 
-def check_view(intrinsic: Any, depth_min: float, depth_max: float, weight_threshold: float) -> tuple[float, ...]:
+def check_view(intrinsic: object, depth_min: float, depth_max: float, weight_threshold: float) -> tuple[float, ...]:
     near, far = check_positive("depth_min", depth_min), check_positive("depth_max", depth_max)
     if near >= far:
         raise ValueError(f"depth_min: expected less than depth_max, got {depth_min} and {depth_max}")
@@ -61,9 +60,9 @@ def check_view(intrinsic: Any, depth_min: float, depth_max: float, weight_thresh
 def cast_view(
     seen: SeenBlocks,
     camera: PinholeCameraIntrinsic,
-    T: Any,
+    T: NDArray[np.float64],
     limits: tuple[float, float],
-    origin: Any,
+    origin: NDArray[np.float64],
     colored: bool,
     library: str,
 ) -> RayCast:
@@ -79,7 +78,7 @@ def cast_view(
 
 
 def render_colors(
-    seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float]
+    seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: NDArray[np.float64], limits: tuple[float, float]
 ) -> tuple[wp.array, wp.array]:
     """Depth, float32 (h * w,), and colors, vec3 (h * w,), on the device."""
     images = RayImages(camera.width * camera.height, seen.neighbors.device, normals=False, colors=True)
@@ -88,7 +87,12 @@ def render_colors(
 
 
 def render_maps(
-    seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float], colored: bool, normals: bool
+    seen: SeenBlocks,
+    camera: PinholeCameraIntrinsic,
+    T: NDArray[np.float64],
+    limits: tuple[float, float],
+    colored: bool,
+    normals: bool,
 ) -> RenderedMaps:
     fractions = (RED_WEIGHT, GREEN_WEIGHT, BLUE_WEIGHT) if colored else None
     count = camera.width * camera.height

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...kernels.array_types import AnyArray, Keys
 from ...kernels.lang import int64
 from ...kernels.memory import download, empty, upload
 from ...kernels.volumes.block_rows import SeenBlocks
@@ -43,7 +44,7 @@ class VolumePart(TSDFVolume):
     def _keep(self, blocks: VoxelBlocks) -> None:
         self.blocks, self._device_frames = blocks, None
 
-    def _filter_keys(self, keys: Any) -> Any:
+    def _filter_keys(self, keys: Keys) -> Any:
         downloaded = download(keys)  # sync. Some thousand
         blocks = block_box(downloaded)
         inside = ((blocks >= self._low) & (blocks <= self._high)).all(axis=1)
@@ -74,10 +75,12 @@ class BlockFinder(TSDFVolume):
     def _keep(self, blocks: VoxelBlocks) -> None:
         self.blocks, self._device_frames = blocks, None
 
-    def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
+    def _fold(
+        self, raw: AnyArray, scale: float, farthest: float, camera: Any, T: NDArray[np.float64], pixels: AnyArray | None
+    ) -> Any:
         self.block_indices = np.zeros((0, 3), np.int64)
         return super()._fold(raw, scale, farthest, camera, T, pixels)
 
-    def _filter_keys(self, keys: Any) -> Any:
+    def _filter_keys(self, keys: Keys) -> Any:
         self.block_indices = block_box(download(keys))  # sync
         return empty(0, int64, self.device)

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape
 from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box
@@ -21,7 +19,7 @@ def find_fault_of_voxel_size(size: float) -> str:
     return f"expected a voxel size of {SMALLEST_VOXEL:g} to {1 / SMALLEST_VOXEL:g} m, got {size:g}"
 
 
-def check_voxel_size(value: Any) -> float:
+def check_voxel_size(value: object) -> float:
     size = check_positive("voxel_size", value)
     if fault := find_fault_of_voxel_size(size):
         raise ValueError(f"voxel_size: {fault}")
@@ -37,7 +35,7 @@ def voxels_of_blocks(keys: NDArray[np.int64]) -> Corners:
 
 
 def voxels_in_bounds(
-    bounds: Any, origin: NDArray[np.float64], voxel_size: float, outermost: float, beyond: str
+    bounds: ArrayLike | None, origin: NDArray[np.float64], voxel_size: float, outermost: float, beyond: str
 ) -> Corners:
     """First voxel that overlaps bounds [m], and the one after the last. ValueError (`beyond`) from `outermost` on."""
     ends = check_finite("bounds", check_shape("bounds", bounds, (2, 3)))
@@ -50,7 +48,7 @@ def voxels_in_bounds(
     return low, np.maximum(np.ceil(cells[1] - 1e-9).astype(np.int64), low + 1)
 
 
-def check_positions(name: str, positions: Any, count: int) -> NDArray[np.float64]:
+def check_positions(name: str, positions: object, count: int) -> NDArray[np.float64]:
     """One position, float64 (1, 3), or one per point, (count, 3)."""
     given = check_numeric(name, positions).astype(np.float64)
     if given.shape == (3,):
