@@ -35,7 +35,7 @@ from pointloom.kernels.lang import (
 from pointloom.kernels.memory import empty, zeros
 from pointloom.kernels.splats.blending import MIN_LEFT, opacity_at
 from pointloom.kernels.splats.projection import (
-    BESIDE,
+    CLAMP_MARGIN,
     MAX_OPACITY,
     TILE_PIXELS,
     ProjectedSplats,
@@ -255,8 +255,10 @@ def pull_splats_kernel(
                       exp_in_float(splats.scales[i, 2]))  # fmt: skip
         fx = float(view.camera.fx)
         fy = float(view.camera.fy)
-        left = ray_through(-BESIDE * float(view.camera.width), -BESIDE * float(view.camera.height), view)
-        right = ray_through((1.0 + BESIDE) * float(view.camera.width), (1.0 + BESIDE) * float(view.camera.height), view)
+        left = ray_through(-CLAMP_MARGIN * float(view.camera.width), -CLAMP_MARGIN * float(view.camera.height), view)
+        right = ray_through(
+            (1.0 + CLAMP_MARGIN) * float(view.camera.width), (1.0 + CLAMP_MARGIN) * float(view.camera.height), view
+        )
         x = min(max(q[0] / q[2], left[0]), right[0])
         y = min(max(q[1] / q[2], left[1]), right[1])
         spread = pull_of_conic(projected.conics[i], by_conic)

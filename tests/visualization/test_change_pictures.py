@@ -9,7 +9,7 @@ import pointloom as loom
 from pointloom.pcd.change import M3C2Result
 from pointloom.visualization.change import pictures
 from pointloom.visualization.change.pictures import paint_change
-from pointloom.visualization.render.colormaps import MISSING
+from pointloom.visualization.render.colormaps import MISSING_COLOR
 
 
 def result(distances, limits):
@@ -28,7 +28,7 @@ def test_noise_is_gray_and_changes_use_a_diverging_map(device):
     cloud = row_of(5, device)
     colors = paint_change(cloud, result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])).colors
     assert colors[0, 0] > 0.6 > 0.3 > colors[0, 2] and colors[1, 2] > 0.6 > 0.3 > colors[1, 0]
-    np.testing.assert_allclose(colors[2:4], [MISSING] * 2, atol=1e-6)
+    np.testing.assert_allclose(colors[2:4], [MISSING_COLOR] * 2, atol=1e-6)
     assert colors[4, 0] > colors[4, 2] and colors[4, 0] > 0.8
     assert not cloud.has_colors
 
@@ -81,7 +81,7 @@ def test_a_distance_from_a_mesh_is_painted_too(device):
     result = loom.meshing.compare_cloud_to_mesh(cloud, loom.TriangleMesh(*floor, device=device), registration_error=0.1)
     colors = paint_change(cloud, result).colors
     assert colors[0, 0] > colors[0, 2] and colors[1, 2] > colors[1, 0]
-    np.testing.assert_allclose(colors[2], MISSING, atol=1e-6)
+    np.testing.assert_allclose(colors[2], MISSING_COLOR, atol=1e-6)
 
 
 def test_changes_of_another_cloud_are_refused():

@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-QUALITY, MAX_WIDTH, MAX_BYTES = 85, 960, 200_000  # of an image: JPEG quality, [px], bytes
+JPEG_QUALITY, MAX_WIDTH, MAX_BYTES = 85, 960, 200_000  # of an image: JPEG quality, [px], bytes
 MAX_PAGE_BYTES = 4 * 2**20  # of a page, an animation or a video in a notebook
-SMALLER = 0.8  # factor of the image size per attempt
+SIZE_REDUCTION = 0.8  # factor of the image size per attempt
 READY = "pointloom"  # message of a live page to the surrounding page
 
 _FRAME = "position:absolute;top:0;left:0;width:100%;height:100%;border:0"
@@ -61,10 +61,10 @@ def still_jpeg(picture: NDArray[np.uint8]) -> bytes:
                 (max_width, max(1, round(image.height * max_width / image.width))), Image.Resampling.LANCZOS
             )
         file = io.BytesIO()
-        image.save(file, "JPEG", quality=QUALITY, optimize=True)
+        image.save(file, "JPEG", quality=JPEG_QUALITY, optimize=True)
         if file.tell() <= MAX_BYTES or image.width < 2:
             return file.getvalue()
-        max_width = max(1, int(image.width * SMALLER))
+        max_width = max(1, int(image.width * SIZE_REDUCTION))
 
 
 def live_output(text: str, url: str, ssh_line: str, picture: NDArray[np.uint8], height: int) -> dict[str, Any]:

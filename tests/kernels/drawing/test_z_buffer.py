@@ -165,7 +165,7 @@ def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
     points, behind = vectors(device, vertices), None
     for _ in range(3):  # layer behind layer
         words = []
-        in_tiles = ((tri.draw_in_tiles, {"threads": 3 * tri.SIDE}), (tri.draw_in_tiles, {}))
+        in_tiles = ((tri.draw_in_tiles, {"threads": 3 * tri.TILE_SIDE}), (tri.draw_in_tiles, {}))
         for draw_them, options in ((tri.draw_triangles, {}), *in_tiles):
             buffer = DepthBuffer(WIDTH, HEIGHT, device, behind=behind)
             draw_them(points, triangles, VIEW, buffer, cull=cull, start=7, **options)

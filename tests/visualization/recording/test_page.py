@@ -150,7 +150,7 @@ def test_without_frames_or_points_there_is_still_a_page(write):
 
 @pytest.mark.parametrize("count", [1, 100, 101, 307])
 def test_arrays_of_any_length_come_back(rng, write, count, monkeypatch):
-    monkeypatch.setattr(page_module, "BLOCK", 100)
+    monkeypatch.setattr(page_module, "ROWS_PER_BLOCK", 100)
     shape = points(rng, count, colors=rng.integers(0, 256, (count, 3)).astype(np.uint8))
     page = write(one_frame(shape))
     for name in ("positions", "colors"):

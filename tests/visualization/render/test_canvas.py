@@ -5,7 +5,7 @@ import unicodedata
 import numpy as np
 import pytest
 
-from pointloom.visualization.render.canvas import FARTHEST, Canvas, clip_segments
+from pointloom.visualization.render.canvas import MAX_COORDINATE, Canvas, clip_segments
 from pointloom.visualization.render.lettering import UNKNOWN, Lettering, lettering
 
 BLACK, RED = (0.0, 0.0, 0.0), (1.0, 0.0, 0.0)
@@ -111,7 +111,7 @@ def test_a_part_begins_and_ends_where_points_of_the_segment_do(rng, extent):
 
 def test_inner_segments_are_unchanged_and_non_finite_ones_removed():
     inside = [0.1, 0.7, 1.9, 2.9]
-    parts, rows = clip_segments(np.array([[np.nan, 1, 1, 1], inside, [0, 1, 2 * FARTHEST, 1]]), LOW, HIGH)
+    parts, rows = clip_segments(np.array([[np.nan, 1, 1, 1], inside, [0, 1, 2 * MAX_COORDINATE, 1]]), LOW, HIGH)
     assert parts.tolist() == [inside] and rows.tolist() == [1]
 
 

@@ -9,7 +9,7 @@ import pytest
 import pointloom as loom
 from pointloom.visualization.render import coloring
 from pointloom.visualization.render.coloring import color_cloud, label_color
-from pointloom.visualization.render.colormaps import COLORMAPS, MISSING, NOISE, PALETTE, colormap_table
+from pointloom.visualization.render.colormaps import COLORMAPS, LABEL_COLORS, MISSING_COLOR, NOISE_COLOR, colormap_table
 from pointloom.visualization.render.plots import PLOT_SIZE, check_plot, error_histogram, trajectory_plot
 
 UTM = np.array([399_000.25, 5_823_000.5, 34.0])
@@ -58,7 +58,7 @@ def test_limits_of_values_leave_out_the_farthest_fiftieth_at_either_end(cloud):
 
 
 def test_limits_of_many_values_come_from_a_sample(cloud, monkeypatch):
-    monkeypatch.setattr(coloring, "SAMPLE", 100)
+    monkeypatch.setattr(coloring, "MAX_PERCENTILE_POINTS", 100)
     values = cloud.attributes["ring"][::5]
     assert color_cloud(cloud, "ring").limits == tuple(np.quantile(values, [0.02, 0.98]))
 
@@ -67,8 +67,8 @@ def test_values_that_are_not_finite_are_gray_and_do_not_set_limits(device):
     values = np.array([0.0, np.nan, 2.0, np.inf, 1.0])
     coloring = color_cloud(loom.PointCloud(np.zeros((5, 3)), device=device, v=values), "v", limits=None)
     assert coloring.has_missing and coloring.limits == pytest.approx((0.04, 1.96))
-    np.testing.assert_allclose(coloring.colors.numpy()[[1, 3]], [MISSING] * 2, atol=1e-6)
-    assert coloring.entries() == [("none", MISSING)]
+    np.testing.assert_allclose(coloring.colors.numpy()[[1, 3]], [MISSING_COLOR] * 2, atol=1e-6)
+    assert coloring.entries() == [("none", MISSING_COLOR)]
 
 
 def test_nothing_but_nan_is_gray(device):
@@ -76,7 +76,7 @@ def test_nothing_but_nan_is_gray(device):
     for by in ("height", np.full(3, np.nan)):
         coloring = color_cloud(loom.PointCloud(points, device=device), by)
         assert coloring.limits == (0.0, 1.0) and coloring.has_missing
-        np.testing.assert_allclose(coloring.colors.numpy(), [MISSING] * 3, atol=1e-6)
+        np.testing.assert_allclose(coloring.colors.numpy(), [MISSING_COLOR] * 3, atol=1e-6)
 
 
 def test_a_constant_takes_the_color_in_the_middle(device):
@@ -89,7 +89,7 @@ def test_a_constant_takes_the_color_in_the_middle(device):
 def test_labels_take_the_palette_and_noise_is_dark_gray(cloud):
     coloring = color_cloud(cloud, "label")
     assert list(coloring.names.items())[:2] == [(-1, "noise"), (0, "label 0")] and len(coloring.names) == 5
-    expected = np.vstack([NOISE, PALETTE[:4] / 255])[cloud.attributes["label"] + 1]
+    expected = np.vstack([NOISE_COLOR, LABEL_COLORS[:4] / 255])[cloud.attributes["label"] + 1]
     np.testing.assert_allclose(coloring.colors.numpy(), expected, atol=1e-6)
     assert [color for _, color in coloring.entries()] == [label_color(label) for label in range(-1, 4)]
 

@@ -13,7 +13,7 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.core.up_axis import check_up
 from pointloom.kernels.memory import download
-from pointloom.visualization.render.geometries import PALETTE, bounds_of, named_geometries, outer_faces, parts_of
+from pointloom.visualization.render.geometries import CLOUD_COLORS, bounds_of, named_geometries, outer_faces, parts_of
 from pointloom.visualization.render.parts import Lines, Points, Triangles
 from pointloom.visualization.render.picture_files import write_image
 from pointloom.visualization.render.styles import Style
@@ -129,7 +129,7 @@ def test_names_are_as_given_or_made_unique_by_numbers():
 def test_several_clouds_without_colors_get_different_ones():
     cloud, colored = loom.PointCloud(CUBE), loom.PointCloud(CUBE, colors=CUBE)
     shown = named_geometries([cloud, colored, {"geometry": cloud, "color": (1, 0, 0)}, cloud])
-    assert [style.color for _, _, style in shown] == [PALETTE[0], None, (1.0, 0.0, 0.0), PALETTE[1]]
+    assert [style.color for _, _, style in shown] == [CLOUD_COLORS[0], None, (1.0, 0.0, 0.0), CLOUD_COLORS[1]]
     assert named_geometries(cloud)[0][2].color is None
 
 

@@ -13,7 +13,7 @@ from pointloom.visualization.render.view import View, fit_view
 from pointloom.visualization.viewer.items import make_item
 from pointloom.visualization.viewer.link import Gui, PageClient
 from pointloom.visualization.viewer.link import Scene as PageScene
-from pointloom.visualization.viewer.link.camera import FIRST
+from pointloom.visualization.viewer.link.camera import FIRST_STATE
 from pointloom.visualization.viewer.link.delivery import Channel, Delivery
 from pointloom.visualization.viewer.link.wire import read
 from pointloom.visualization.viewer.scene import Scene
@@ -192,7 +192,7 @@ def toolbox_of(viewer: Any) -> Toolbox:
 def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:
     delivery = Delivery()
     shared, private = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
-    state = type(FIRST)(**{**vars(FIRST), "size": size})
+    state = type(FIRST_STATE)(**{**vars(FIRST_STATE), "size": size})
     client = PageClient(private, 0, state, (PageScene(shared), Gui(shared)))
     return Page(delivery.join(private, lambda: None), delivery, client.take, client)
 

@@ -155,7 +155,7 @@ def test_a_view_takes_all_points_that_it_shows(hilly):
 def test_the_tree_of_a_file_is_that_of_its_cloud(tmp_path, suffix, rng, monkeypatch):
     if suffix == ".laz":
         pytest.importorskip("laspy")
-    monkeypatch.setattr("pointloom.visualization.viewer.detail_tree._PART", 7_001)
+    monkeypatch.setattr("pointloom.visualization.viewer.detail_tree._POINTS_PER_PART", 7_001)
     path = tmp_path / f"cloud{suffix}"
     cloud = loom.PointCloud(np.round(hills(rng, 25_000, UTM), 3))
     if suffix != ".xyz":

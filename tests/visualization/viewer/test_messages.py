@@ -11,11 +11,11 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointloom.visualization.viewer.link import hub
-from pointloom.visualization.viewer.link.camera import FIRST
+from pointloom.visualization.viewer.link.camera import FIRST_STATE
 from pointloom.visualization.viewer.link.client import MAX_WAITING, PageClient, Worker
 from pointloom.visualization.viewer.link.delivery import Channel, Delivery
 from pointloom.visualization.viewer.link.gui import Gui
-from pointloom.visualization.viewer.link.packing import SLICE, pack
+from pointloom.visualization.viewer.link.packing import MAX_FRAME_BYTES, pack
 from pointloom.visualization.viewer.link.scene import Scene
 
 from .events import announce, wait_until
@@ -378,12 +378,12 @@ def gui(delivery) -> Gui:
 POINTS = np.arange(15, dtype=np.float32).reshape(5, 3)
 
 
-@pytest.mark.parametrize("rows", [0, 1, 5, SLICE // 12 * 3 + 1])
+@pytest.mark.parametrize("rows", [0, 1, 5, MAX_FRAME_BYTES // 12 * 3 + 1])
 def test_arrays_are_at_their_declared_offsets_without_copies(rows):
     positions, colors = np.full((rows, 3), 0.5, np.float32), np.full((rows, 3), 7, np.uint8)
     operations = [{"op": "node", "id": 1, "positions": positions, "label": "ä\ud800"}, {"op": "x", "colors": colors}]
     pieces = list(pack(operations))
-    assert max(map(len, pieces)) <= SLICE
+    assert max(map(len, pieces)) <= MAX_FRAME_BYTES
     assert rows < 5 or any(np.shares_memory(np.frombuffer(part, np.uint8), positions) for part in pieces if len(part))
     node, other = unpack(b"".join(pieces))
     for sent, values in ((node["positions"], positions), (other["colors"], colors)):
@@ -485,7 +485,7 @@ def test_rows_of_a_tree_wait_as_what_they_are_last(delivery, gui):
 
 def test_unread_notices_do_not_accumulate(delivery, scene, gui):
     page = Page(delivery)
-    client = PageClient(page.channel, 0, FIRST, (scene, gui))
+    client = PageClient(page.channel, 0, FIRST_STATE, (scene, gui))
     for number in range(1000):
         client.notify("n", str(number))
         client.request_signal()

@@ -6,7 +6,7 @@ import pytest
 
 from pointloom.visualization.viewer import deferred_update, sessions
 from pointloom.visualization.viewer.deferred_update import DeferredUpdate
-from pointloom.visualization.viewer.sessions import SIGNS, Pace
+from pointloom.visualization.viewer.sessions import FRAMES_PER_STEP, Pace
 
 from .events import wait_until
 
@@ -18,12 +18,12 @@ def test_a_step_waits_for_a_number_of_acknowledgements_and_not_for_a_page_that_l
     def request_sign():
         requests.append(len(requests))
         pace.answer()
-        if leaves and len(requests) == SIGNS:
+        if leaves and len(requests) == FRAMES_PER_STEP:
             pace.close()
 
     pace = Pace(request_sign)
-    assert pace.wait() != leaves and len(requests) == SIGNS
-    assert not leaves or (not pace.wait() and len(requests) == SIGNS)  # it gets no more requests
+    assert pace.wait() != leaves and len(requests) == FRAMES_PER_STEP
+    assert not leaves or (not pace.wait() and len(requests) == FRAMES_PER_STEP)  # it gets no more requests
 
 
 def test_an_unresponsive_page_gets_the_next_step_after_one_request(monkeypatch):
@@ -35,7 +35,7 @@ def test_an_unresponsive_page_gets_the_next_step_after_one_request(monkeypatch):
 @pytest.fixture
 def made(monkeypatch):
     """A job that counts its runs, and its lock."""
-    monkeypatch.setattr(deferred_update, "IDLE", 0.05)
+    monkeypatch.setattr(deferred_update, "IDLE_TIMEOUT", 0.05)
     lock, done = threading.RLock(), []
     job = DeferredUpdate(lambda: done.append(threading.current_thread().name), lambda: lock.acquire(), lock.release)
     yield job, lock, done

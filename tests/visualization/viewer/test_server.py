@@ -475,7 +475,7 @@ class Waiting:
         clock = types.SimpleNamespace(monotonic=lambda: time.monotonic() + self.clock_offset)
         for module in (client_presence, scene_display, hub):
             monkeypatch.setattr(module, "time", clock)
-        monkeypatch.setattr(client_presence, "LOOK", 0.001)
+        monkeypatch.setattr(client_presence, "CHECK_INTERVAL", 0.001)
         is_over = Presence._is_over
 
         def look(*args):

@@ -12,7 +12,7 @@ from pointloom.core.errors import PointloomError
 from pointloom.visualization.viewer import live_timeline, point_transfer, scene, sessions
 from pointloom.visualization.viewer.detail_tree import DetailTree
 from pointloom.visualization.viewer.live_recording import Drawn, moments_of
-from pointloom.visualization.viewer.live_timeline import ENTRY
+from pointloom.visualization.viewer.live_timeline import ENTRY_BYTES
 from pointloom.visualization.viewer.point_transfer import in_steps
 from pointloom.visualization.viewer.scene_edits import requested_by_page
 from pointloom.visualization.viewer.tools.clip_planes import Clip
@@ -31,9 +31,9 @@ def small_steps(monkeypatch):
     """Steps of a few hundred points, for pages that send no acknowledgement."""
     for name, value in {"FIRST": 100, "STEP": 300, "AT_ONCE": 200}.items():
         monkeypatch.setattr(point_transfer, name, value)
-    monkeypatch.setattr(scene, "FIRST", 100)
+    monkeypatch.setattr(scene, "POINTS_IN_FIRST_STEP", 100)
     monkeypatch.setattr(sessions, "SIGNAL_TIMEOUT", 0.01)
-    monkeypatch.setattr(sessions, "PAUSE", 0.0)
+    monkeypatch.setattr(sessions, "STEP_PAUSE", 0.0)
 
 
 def stream_of(shown, name="cloud"):
@@ -416,12 +416,12 @@ def test_unchanged_geometries_are_stored_once_and_a_pose_is_small(viewer):
     for frame in range(1, 1001):
         viewer.set_time(frame)
         viewer.set_pose("big", POSE)
-    assert viewer.edits.timeline.bytes - start == 1000 * ENTRY
+    assert viewer.edits.timeline.bytes - start == 1000 * ENTRY_BYTES
     assert len(viewer.edits.timeline._tracks["other"]) == 1
 
 
 def test_the_oldest_moments_are_removed_beyond_the_byte_limit_with_one_warning(viewer, caplog):
-    viewer.history_bytes = 20 * 12_000 + 30 * ENTRY
+    viewer.history_bytes = 20 * 12_000 + 30 * ENTRY_BYTES
     with caplog.at_level(logging.WARNING, "pointloom.viewer"):
         for frame in range(200):
             viewer.set_time(frame)
@@ -435,12 +435,14 @@ def test_the_oldest_moments_are_removed_beyond_the_byte_limit_with_one_warning(v
         assert shown(viewer)["a"][0] == time
     viewer.show_time(0)
     assert shown(viewer)["a"][0] == timeline.times[0]
-    n_bytes = sum(size for _, size in timeline._arrays.values()) + ENTRY * sum(map(len, timeline._tracks.values()))
+    n_bytes = sum(size for _, size in timeline._arrays.values()) + ENTRY_BYTES * sum(
+        map(len, timeline._tracks.values())
+    )
     assert timeline.bytes == n_bytes
 
 
 def test_what_never_changed_outlives_the_moment_it_came_in(viewer):
-    viewer.history_bytes = 30 * ENTRY + 10_000
+    viewer.history_bytes = 30 * ENTRY_BYTES + 10_000
     viewer.set_time(0)
     viewer.add("still", cloud_of(5))
     viewer.add("gone", cloud_of(6))

@@ -233,7 +233,7 @@ def test_returning_to_a_view_shows_hidden_nodes_again(client, stream):
 
 
 def test_hidden_points_are_bounded(client, tree, monkeypatch):
-    monkeypatch.setattr(streaming, "_HIDDEN", 1)
+    monkeypatch.setattr(streaming, "_HIDDEN_BUDGETS", 1)
     stream = CloudStream(client, tree, origin=UTM, budget=40_000)
     for sideways in np.linspace(-45, 45, 9):
         stream.look(moved(FAR, 115.0, sideways))

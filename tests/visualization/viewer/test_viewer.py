@@ -390,16 +390,19 @@ def test_the_camera_rests_a_while_after_it_moved(shown, page, rng, monkeypatch):
     monkeypatch.setattr(sessions.threading, "Timer", lambda *timer: timers.append(timer) or Mock())
     monkeypatch.setattr(session, "refresh_tools", lambda: views.append(session.camera_view()))
     for k in range(10):
-        now = 0.1 * k * sessions.REST
+        now = 0.1 * k * sessions.IDLE_TIME
         page.move([float(k), 0.0, 3.0])
         page.run_callbacks()
-    now = sessions.REST
-    for seconds in (sessions.REST, 0.9 * sessions.REST):  # the time since the first move, and the remaining time
+    now = sessions.IDLE_TIME
+    for seconds in (
+        sessions.IDLE_TIME,
+        0.9 * sessions.IDLE_TIME,
+    ):  # the time since the first move, and the remaining time
         assert views == []
         waited, look = timers.pop(0)
         assert waited == pytest.approx(seconds)
         look()
-        now += 0.95 * sessions.REST  # past the end
+        now += 0.95 * sessions.IDLE_TIME  # past the end
     (view,) = views
     assert view.T_world_camera[0, 3] - shown.scene.frame.origin[0] == pytest.approx(9)
 

@@ -16,7 +16,7 @@ from ...io.points.formats import WRITTEN
 from ...pcd.cloud import PointCloud
 from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
-from ...visualization.render.colormaps import PALETTE
+from ...visualization.render.colormaps import LABEL_COLORS
 from .job import Job, Settings
 from .rows import COLORED, LABELLED, RowsReport, label_rows, read_rows, take_rows
 
@@ -24,7 +24,7 @@ LABEL = "label"
 _LISTED_CLUSTERS = 10  # reported sizes of the largest clusters
 
 # matplotlib's "tab20", used for label files so far.
-TAB20_PALETTE = PALETTE[:20]
+TAB20_PALETTE = LABEL_COLORS[:20]
 
 
 @dataclass(frozen=True)

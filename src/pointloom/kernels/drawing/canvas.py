@@ -10,7 +10,7 @@ from ..array_types import Bytes
 from ..lang import array, atomic_max, ceil, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec4
 from ..memory import upload, zeros
 
-FULL = 255  # coverage of a cell entirely inside
+FULL_COVERAGE = 255  # coverage of a cell entirely inside
 
 
 @struct
@@ -147,7 +147,10 @@ def cover_box_kernel(left: int, top: int, columns: int, outer: vec4, inner: vec4
 
 @func
 def blend_byte(old: uint8, added: int, fraction: int) -> uint8:
-    return uint8((int(old) * (FULL * FULL - fraction) + added * fraction + FULL * FULL // 2) // (FULL * FULL))
+    return uint8(
+        (int(old) * (FULL_COVERAGE * FULL_COVERAGE - fraction) + added * fraction + FULL_COVERAGE * FULL_COVERAGE // 2)
+        // (FULL_COVERAGE * FULL_COVERAGE)
+    )
 
 
 @func

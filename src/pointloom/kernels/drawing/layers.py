@@ -10,7 +10,7 @@ from ..lang import array, atomic_max, int32, int64, kernel, launch, tid, uint8
 from ..memory import clone, download, empty, full, zeros
 from .z_buffer import DepthBuffer
 
-LAYERS = 16  # further layers are skipped: at 20 % opacity they would add 3 % of the light
+MAX_LAYERS = 16  # further layers are skipped: at 20 % opacity they would add 3 % of the light
 
 
 @kernel

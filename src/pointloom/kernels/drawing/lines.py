@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING
 from ..array_types import Integers, Points
 from ..arrays.packed_keys import offer_cell
 from ..lang import array, floor, func, int32, isfinite, kernel, launch, sqrt, struct, tid, vec2, vec3
-from .z_buffer import NEAR, DepthBuffer, View, project, to_camera
+from .z_buffer import MIN_DEPTH, DepthBuffer, View, project, to_camera
 
 if TYPE_CHECKING:
     from ..algebra.camera import Camera
 
-LIFT = 2.0e-4  # fraction of the depth by which lines are drawn nearer; and ...
+LINE_DEPTH_OFFSET = 2.0e-4  # fraction of the depth by which lines are drawn nearer; and ...
 LIFT_SLOPE = 3.0  # ... tangent of the surface slope up to which half of a line's width stays visible
 
 
@@ -23,13 +23,13 @@ class Pen:
 
     def __init__(self, radius: float, camera: "Camera") -> None:
         self.radius = radius
-        self.closer = 1.0 - min(LIFT + LIFT_SLOPE * radius / float(camera.fx), 0.05)
+        self.closer = 1.0 - min(LINE_DEPTH_OFFSET + LIFT_SLOPE * radius / float(camera.fx), 0.05)
 
 
 @func
 def depth_inside(k: int, q: vec3, margin: float, view: View) -> float:
     """Distance of a camera-frame point to the inner side of frustum plane k."""
-    inside = q[2] - NEAR
+    inside = q[2] - MIN_DEPTH
     x = float(view.camera.fx) * q[0] + float(view.camera.cx) * q[2]
     y = float(view.camera.fy) * q[1] + float(view.camera.cy) * q[2]
     if k == 1:

@@ -18,7 +18,7 @@ from ..extent.polygons import crossings_below
 from ..lang import Kernel, array, float64, func, int64, isfinite, kernel, launch, struct, tid, uint8, vec2d, vec3, vec3d
 from ..memory import download, empty, full
 
-STEEPNESS = 10.0  # maximum slope relative to the screen (84 degrees) of a continuous surface
+MAX_SURFACE_SLOPE = 10.0  # maximum slope relative to the screen (84 degrees) of a continuous surface
 
 
 @func
@@ -94,7 +94,7 @@ def find_meant_kernel(
     p = see_point(points[i], T_camera_points, camera)
     sqdist = sqdist_to_click(i, p, click)
     if sqdist >= 0.0:
-        behind = max(p[2] - foremost, 0.0) * camera.fx / (foremost * float64(STEEPNESS))
+        behind = max(p[2] - foremost, 0.0) * camera.fx / (foremost * float64(MAX_SURFACE_SLOPE))
         offer_cell(0, float(sqdist + behind * behind), i, word)
 
 

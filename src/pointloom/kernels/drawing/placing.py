@@ -10,7 +10,7 @@ from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import INFINITY, array, dot, int32, isfinite, kernel, launch, length, mat33d, tid, vec3, vec3d
 from ..memory import download, empty, full
 
-DIRECTIONS = 5  # of `find_extremes`
+NUM_DIRECTIONS = 5  # of `find_extremes`
 
 
 @kernel
@@ -37,7 +37,7 @@ def find_extremes_kernel(
             max3 = max(max3, dot(p, d3))
             max4 = max(max4, dot(p, d4))
     is_any = 1 if max0 > -float(INFINITY) else 0
-    first = row_of(i, runs) * DIRECTIONS
+    first = row_of(i, runs) * NUM_DIRECTIONS
     raise_int(extremes, first, ordered_bits(max0) if is_any == 1 else NOTHING)
     raise_int(extremes, first + 1, ordered_bits(max1) if is_any == 1 else NOTHING)
     raise_int(extremes, first + 2, ordered_bits(max2) if is_any == 1 else NOTHING)
@@ -81,9 +81,9 @@ def shift_indices_kernel(indices: array(dtype=int32), step: int, start: int, out
 def find_extremes(points: Points, directions: Vectors) -> np.ndarray:
     """Largest products of the finite points (at least one) with directions vec3 (5): float64 (5) on the host."""
     runs = Runs(points.size, points.device, RUN)
-    extremes = full(runs.rows * DIRECTIONS, NOTHING, int32, points.device)
+    extremes = full(runs.rows * NUM_DIRECTIONS, NOTHING, int32, points.device)
     launch(find_extremes_kernel, runs.threads, [points, directions, runs, extremes])
-    bits = download(extremes).reshape(runs.rows, DIRECTIONS).max(axis=0)  # sync
+    bits = download(extremes).reshape(runs.rows, NUM_DIRECTIONS).max(axis=0)  # sync
     return (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32).astype(np.float64)
 
 

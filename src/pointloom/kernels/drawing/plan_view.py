@@ -29,8 +29,8 @@ from ..rays.scene_trees import SceneTrees
 from .shading import clamp_color
 from .surfaces import Surface, mix_corners
 
-CHANNELS = 4
-OPAQUE = 255
+NUM_CHANNELS = 4
+OPAQUE_ALPHA = 255
 
 
 @struct
@@ -111,8 +111,8 @@ def color_cells_kernel(
         w = visible.weights[i]
         color = clamp_color(mix_corners(triangle, 1.0 - w[0] - w[1], w[0], w[1], surface))
         for k in range(3):
-            colors[CHANNELS * i + k] = uint8(int(floor(255.0 * color[k] + 0.5)))
-        colors[CHANNELS * i + 3] = uint8(OPAQUE)
+            colors[NUM_CHANNELS * i + k] = uint8(int(floor(255.0 * color[k] + 0.5)))
+        colors[NUM_CHANNELS * i + 3] = uint8(OPAQUE_ALPHA)
 
 
 def look_down(cells: PlanCells, first_row: int, rows: int, trees: SceneTrees) -> VisibleTriangles:
@@ -132,7 +132,7 @@ def heights_of(visible: VisibleTriangles, vertices: Points, triangles: Array1[ve
 def colors_of(visible: VisibleTriangles, surfaces: list[tuple[int, Surface]], materials: Indices | Integers) -> Bytes:
     """Visible colors, uint8 (4 n) RGBA. `surfaces`: (material number or negative for all, appearance) pairs."""
     device, count = visible.triangles.device, visible.triangles.size
-    colors = zeros(CHANNELS * count, uint8, device)
+    colors = zeros(NUM_CHANNELS * count, uint8, device)
     for number, surface in surfaces:
         launch(color_cells_kernel, count, [visible, surface, materials, number, colors])
     return colors

@@ -29,11 +29,11 @@ from .z_buffer import DepthBuffer, View, is_before, project, to_camera
 
 MAX_RADIUS = 512.0  # [cells] limits the time of a disc right in front of the camera
 FEW_POINTS = 0.03125  # points per cell up to which each draws its own disc
-SAMPLE = 1 << 18  # points sampled to find the size that closes gaps
-SQUARE = 32  # [cells] side of the counting squares
-LAYER = 1.04  # of the nearest depth in a square: farther points belong to another surface
-POINTS = 8  # points of a thread
-LANES = 32  # cells of a thread, which a CPU compares at once
+MAX_SAMPLE_POINTS = 1 << 18  # points sampled to find the size that closes gaps
+SQUARE_SIDE = 32  # [cells] of the counting squares
+MAX_DEPTH_RATIO = 1.04  # of the nearest depth in a square: farther points belong to another surface
+POINTS_PER_THREAD = 8
+CELLS_PER_THREAD = 32  # which a CPU compares at once
 MAX_GATHERED = 4.0  # [cells] radius up to which cells look for the points around them
 eight_cells, eight_keys = vector(8, int32), vector(8, int64)
 words_of_thread = vector(32, int64)
@@ -101,7 +101,7 @@ def mark_middles_kernel(points: array(dtype=vec3), threads: int, view: View, sta
     i = tid()
     cells = eight_cells(-1)
     keys = eight_keys(int64(NO_KEY))
-    for k in range(POINTS):
+    for k in range(POINTS_PER_THREAD):
         j = i + k * threads
         if j < points.shape[0]:
             q = to_camera(points[j], view)
@@ -111,9 +111,9 @@ def mark_middles_kernel(points: array(dtype=vec3), threads: int, view: View, sta
             if column >= 0 and row >= 0 and column < middles.width and row < middles.height and is_before(q) == 1:
                 cells[k] = row * middles.width + column
                 keys[k] = pack_key(p[2], start + j)
-    for k in range(POINTS):
+    for k in range(POINTS_PER_THREAD):
         cells[k] = cells[k] if keys[k] < middles.words[max(cells[k], 0)] else -1
-    for k in range(POINTS):
+    for k in range(POINTS_PER_THREAD):
         if cells[k] >= 0:
             atomic_min(middles.words, cells[k], keys[k])  # minimum: order-independent
 
@@ -147,8 +147,8 @@ def gather_middles_kernel(middles: DepthBuffer, radius: float, buffer: DepthBuff
     """As `spread_middles_kernel` for discs of one radius: each cell takes the foremost point around it. A thread takes
     LANES cells of a row. Clamped rows and columns are nearer ones of the disc."""
     i = tid()
-    groups = (buffer.width + LANES - 1) // LANES
-    first = (i % groups) * LANES
+    groups = (buffer.width + CELLS_PER_THREAD - 1) // CELLS_PER_THREAD
+    first = (i % groups) * CELLS_PER_THREAD
     row = i // groups
     last = buffer.width - 1
     nearest = words_of_thread(int64(NO_KEY))
@@ -156,18 +156,18 @@ def gather_middles_kernel(middles: DepthBuffer, radius: float, buffer: DepthBuff
         up = max(row - rise, 0) * buffer.width
         down = min(row + rise, buffer.height - 1) * buffer.width
         half = int(sqrt(radius * radius - float(rise * rise)))
-        inside = first >= half and first + LANES - 1 + half <= last
+        inside = first >= half and first + CELLS_PER_THREAD - 1 + half <= last
         for shift in range(half + 1):
             if inside:
-                for lane in range(LANES):
+                for lane in range(CELLS_PER_THREAD):
                     left = first + lane - shift
                     nearest[lane] = min(nearest[lane], least_around(up, down, left, left + 2 * shift, middles.words))
             else:
-                for lane in range(LANES):
+                for lane in range(CELLS_PER_THREAD):
                     left = min(max(first + lane - shift, 0), last)
                     right = min(first + lane + shift, last)
                     nearest[lane] = min(nearest[lane], least_around(up, down, left, right, middles.words))
-    for lane in range(min(LANES, last + 1 - first)):
+    for lane in range(min(CELLS_PER_THREAD, last + 1 - first)):
         cell = row * buffer.width + first + lane
         buffer.words[cell] = min(buffer.words[cell], nearest[lane])
 
@@ -181,7 +181,9 @@ def square_of(q: vec3, view: View) -> int:
         column = int(floor(p[0] + 0.5))
         row = int(floor(p[1] + 0.5))
         if column >= 0 and row >= 0 and column < view.camera.width and row < view.camera.height:
-            square = (row // SQUARE) * ((view.camera.width + SQUARE - 1) // SQUARE) + column // SQUARE
+            square = (row // SQUARE_SIDE) * (
+                (view.camera.width + SQUARE_SIDE - 1) // SQUARE_SIDE
+            ) + column // SQUARE_SIDE
     return square
 
 
@@ -204,13 +206,13 @@ def count_in_squares_kernel(
     q = to_camera(points[i * stride], view)
     square = square_of(q, view)
     if square >= 0:
-        if q[2] <= LAYER * bits_float(nearest[square]):
+        if q[2] <= MAX_DEPTH_RATIO * bits_float(nearest[square]):
             atomic_add(counts, square, 1)  # integer sum: order-independent
 
 
 def mark_middles(points: Points, view: View, start: int, middles: DepthBuffer) -> None:
     """Mark the center cells of points; `start` is the first index."""
-    threads = -(-points.size // POINTS)
+    threads = -(-points.size // POINTS_PER_THREAD)
     launch(mark_middles_kernel, threads, [points, threads, view, start, middles])
 
 
@@ -233,16 +235,16 @@ def draw_points(points: Points, view: View, buffer: DepthBuffer, *, splat: Splat
 
 def gather_middles(middles: DepthBuffer, radius: float, buffer: DepthBuffer) -> None:
     """Draw discs of one `radius` around their center cells without atomics, which suits the vectors of a CPU."""
-    threads = buffer.height * -(-buffer.width // LANES)
+    threads = buffer.height * -(-buffer.width // CELLS_PER_THREAD)
     launch(gather_middles_kernel, threads, [middles, float(radius), buffer])
 
 
 def count_in_squares(points: Points, view: View) -> tuple[np.ndarray, np.ndarray]:
     """Counts of foremost points (estimated) and least depths of occupied squares: float64 on the host. Two syncs."""
-    squares = -(-view.camera.width // SQUARE) * -(-view.camera.height // SQUARE)
+    squares = -(-view.camera.width // SQUARE_SIDE) * -(-view.camera.height // SQUARE_SIDE)
     counts = zeros(squares, int32, points.device)
     nearest = full(squares, FAR_BITS, int32, points.device)
-    stride = max(1, points.size // SAMPLE)
+    stride = max(1, points.size // MAX_SAMPLE_POINTS)
     launch(find_nearest_kernel, points.size // stride, [points, stride, view, nearest])
     launch(count_in_squares_kernel, points.size // stride, [points, stride, view, nearest, counts])
     occupancy = download(counts)  # sync

@@ -1,6 +1,7 @@
 """Shading: from z-buffer to image.
 
-A pixel averages `SAMPLES` x `SAMPLES` cells. Each scene part adds its colors to a light array. The rest is background.
+A pixel averages `CELLS_PER_PIXEL` x `CELLS_PER_PIXEL` cells. Each scene part adds its colors to a light array. The rest
+is background.
 A headlight, a lamp above left (Lambert), and ambient light. Points without normals use eye-dome lighting (Boucheny,
 thesis, Grenoble 2009, chapter 4). Triangle edges by image distance (Baerentzen et al., "Single-pass wireframe
 rendering", SIGGRAPH 2006). Only + - * / and sqrt: bitwise identical everywhere.
@@ -28,15 +29,15 @@ from ..lang import (
 from ..memory import empty, zeros
 from .z_buffer import DepthBuffer, View, ray_through
 
-SAMPLES = 2  # cells per pixel and axis
-AMBIENT = 0.34
-HEADLIGHT = 0.36
-KEYLIGHT = 0.38
+CELLS_PER_PIXEL = 2  # along each axis
+AMBIENT_LIGHT = 0.34
+HEAD_LIGHT = 0.36
+KEY_LIGHT = 0.38
 KEY_X, KEY_Y, KEY_Z = 0.45, 0.65, 0.612  # lamp above left, in the camera frame: x right, y down
-RELIEF = 45.0  # strength of eye-dome lighting, per logarithm of depth
+RELIEF_STRENGTH = 45.0  # of eye-dome lighting, per logarithm of depth
 RELIEF_LIMIT = 0.025  # ... maximum contribution of a neighbor, so that outlines stay gray
 RELIEF_RADIUS = 3  # [cells]
-PIXELS = 4  # pixels of a thread that shades points
+PIXELS_PER_THREAD = 4  # of a thread that shades points
 octet, sixteen, sixteen_points = vector(8, float32), vector(16, float32), vector(16, int32)
 
 
@@ -66,8 +67,8 @@ class PixelRuns:
     step: int
 
     def __init__(self, count: int, device: Device) -> None:
-        self.count, self.threads = count, -(-count // PIXELS)
-        self.stride, self.step = (1, self.threads) if device.is_cuda else (PIXELS, 1)
+        self.count, self.threads = count, -(-count // PIXELS_PER_THREAD)
+        self.stride, self.step = (1, self.threads) if device.is_cuda else (PIXELS_PER_THREAD, 1)
 
 
 @struct
@@ -105,7 +106,7 @@ def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
             unit = -unit
         cosine = max(dot(unit, ray) / distance, 0.0)
         side = max(dot(unit, vec3(KEY_X, KEY_Y, KEY_Z)), 0.0)
-    return AMBIENT + HEADLIGHT * cosine + KEYLIGHT * side
+    return AMBIENT_LIGHT + HEAD_LIGHT * cosine + KEY_LIGHT * side
 
 
 @func
@@ -128,7 +129,7 @@ def eye_dome(cell: int, stop: int, buffer: DepthBuffer) -> float:
         rises[k] = min(max(rise, 0.0), RELIEF_LIMIT) if counts else 0.0
     for k in range(8):
         hidden += rises[k]
-    x = RELIEF * hidden * 0.125
+    x = RELIEF_STRENGTH * hidden * 0.125
     return 1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (0.16666667 + x * 0.041666667))))  # exp(-x) to 1 % for x below 1.13
 
 
@@ -148,15 +149,15 @@ def color_byte(value: float) -> uint8:
 
 @func
 def pixel_of(i: int, region: Region, buffer: DepthBuffer) -> int:
-    return (region.top + i // region.wide) * (buffer.width // SAMPLES) + region.left + i % region.wide
+    return (region.top + i // region.wide) * (buffer.width // CELLS_PER_PIXEL) + region.left + i % region.wide
 
 
 @loop
 def cells_of(pixel: int, buffer: DepthBuffer) -> int:
-    columns = buffer.width // SAMPLES
-    first = (pixel // columns) * SAMPLES * buffer.width + (pixel % columns) * SAMPLES
-    for k in range(SAMPLES * SAMPLES):
-        cell = first + (k // SAMPLES) * buffer.width + k % SAMPLES
+    columns = buffer.width // CELLS_PER_PIXEL
+    first = (pixel // columns) * CELLS_PER_PIXEL * buffer.width + (pixel % columns) * CELLS_PER_PIXEL
+    for k in range(CELLS_PER_PIXEL * CELLS_PER_PIXEL):
+        cell = first + (k // CELLS_PER_PIXEL) * buffer.width + k % CELLS_PER_PIXEL
         yield cell
 
 
@@ -197,27 +198,27 @@ def shade_points_kernel(
     green = sixteen(plain[1])
     blue = sixteen(plain[2])
     last = -1
-    for n in range(PIXELS):
+    for n in range(PIXELS_PER_THREAD):
         j = i * pixels.stride + n * pixels.step
         if j < pixels.count:
-            k = n * SAMPLES * SAMPLES
+            k = n * CELLS_PER_PIXEL * CELLS_PER_PIXEL
             for cell in cells_of(pixel_of(j, region, buffer), buffer):
                 points[k] = element_at(cell, region, buffer)
                 last = max(last, points[k])
                 k += 1
     if colors.shape[0] > 0 and last >= 0:
-        for k in range(PIXELS * SAMPLES * SAMPLES):
+        for k in range(PIXELS_PER_THREAD * CELLS_PER_PIXEL * CELLS_PER_PIXEL):
             color = colors[max(points[k], 0)]
             red[k] = color[0]
             green[k] = color[1]
             blue[k] = color[2]
-    for n in range(PIXELS):
+    for n in range(PIXELS_PER_THREAD):
         pixel = pixel_of(min(i * pixels.stride + n * pixels.step, pixels.count - 1), region, buffer)
         total = vec3(0.0, 0.0, 0.0)
         brightness = 0.0
         known = -1
         foremost = -1
-        k = n * SAMPLES * SAMPLES
+        k = n * CELLS_PER_PIXEL * CELLS_PER_PIXEL
         for cell in cells_of(pixel, buffer):
             if points[k] >= 0:
                 if foremost < 0 or buffer.words[cell] < buffer.words[max(foremost, 0)]:
@@ -272,7 +273,7 @@ def finish_picture_kernel(
             if left.shape[0] > 0:
                 fraction = left[cell]
             total = total + background * fraction
-    mean = total / float(SAMPLES * SAMPLES)
+    mean = total / float(CELLS_PER_PIXEL * CELLS_PER_PIXEL)
     for k in range(3):
         picture[3 * i + k] = color_byte(mean[k])
 
@@ -305,7 +306,7 @@ def read_depth_kernel(
 
 def start_light(buffer: DepthBuffer) -> Vectors:
     """Light array of all parts: vec3 (pixels)."""
-    return zeros((buffer.width // SAMPLES) * (buffer.height // SAMPLES), vec3, buffer.words.device)
+    return zeros((buffer.width // CELLS_PER_PIXEL) * (buffer.height // CELLS_PER_PIXEL), vec3, buffer.words.device)
 
 
 def shade_points(
@@ -347,6 +348,6 @@ def finish_picture(buffer: DepthBuffer, light: Vectors, left: Scalars, backgroun
 
 def read_depth(buffer: DepthBuffer, unit: float, *, lines: tuple[int, int] = (0, 0), closer: float = 1.0) -> Scalars:
     """Depth per pixel, float32 (pixels), times a unit [m]. Lines in an index range get their true depth."""
-    depths = empty((buffer.width // SAMPLES) * (buffer.height // SAMPLES), float32, buffer.words.device)
+    depths = empty((buffer.width // CELLS_PER_PIXEL) * (buffer.height // CELLS_PER_PIXEL), float32, buffer.words.device)
     launch(read_depth_kernel, depths.size, [buffer, float(unit), *lines, float(closer), depths])
     return depths

@@ -2,11 +2,21 @@
 
 from ..array_types import Array1, Bytes, Indices, Points, Vectors
 from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
-from .shading import SAMPLES, Region, Veil, cells_of, clamp_color, element_at, light_face, pixel_of, seen_fraction
+from .shading import (
+    CELLS_PER_PIXEL,
+    Region,
+    Veil,
+    cells_of,
+    clamp_color,
+    element_at,
+    light_face,
+    pixel_of,
+    seen_fraction,
+)
 from .z_buffer import DepthBuffer, View, ray_through, to_camera
 
 EDGE_WIDTH = 0.5  # [px] half width of an edge inside a triangle
-MIDDLE = 0.5 * (SAMPLES - 1)  # of a pixel, from the center of its first cell [cells]
+PIXEL_MIDDLE = 0.5 * (CELLS_PER_PIXEL - 1)  # of a pixel, from the center of its first cell [cells]
 EDGE_SHADE = 0.12  # brightness factor of edges
 
 
@@ -134,7 +144,7 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
     color = mix_corners(triangle, wa, wb, wc, surface)
     if surface.edges == 1:
         distance = min(distance_to_edge(edge_b, ray, view), distance_to_edge(edge_c, ray, view))
-        distance = min(distance, distance_to_edge(facing - edge_b - edge_c, ray, view)) / float(SAMPLES)
+        distance = min(distance, distance_to_edge(facing - edge_b - edge_c, ray, view)) / float(CELLS_PER_PIXEL)
         cover = min(max(EDGE_WIDTH + 0.5 - distance, 0.0), 1.0)
         color = color * (1.0 - cover * (1.0 - EDGE_SHADE))
     if surface.lit == 1:
@@ -157,8 +167,8 @@ def shade_surface_kernel(
     known = -1
     sample_count = 0
     alike = 0
-    column = float((pixel % (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
-    row = float((pixel // (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
+    column = float((pixel % (buffer.width // CELLS_PER_PIXEL)) * CELLS_PER_PIXEL) + PIXEL_MIDDLE
+    row = float((pixel // (buffer.width // CELLS_PER_PIXEL)) * CELLS_PER_PIXEL) + PIXEL_MIDDLE
     for cell in cells_of(pixel, buffer):
         triangle = element_at(cell, region, buffer)
         if triangle >= 0:
@@ -168,7 +178,7 @@ def shade_surface_kernel(
             if triangle == known:
                 alike += 1
     total = vec3(0.0, 0.0, 0.0)
-    if alike == SAMPLES * SAMPLES and surface.texture_width == 0:
+    if alike == CELLS_PER_PIXEL * CELLS_PER_PIXEL and surface.texture_width == 0:
         fraction = 0.0
         for cell in cells_of(pixel, buffer):
             fraction = fraction + seen_fraction(cell, veil)

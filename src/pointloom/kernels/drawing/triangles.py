@@ -30,15 +30,15 @@ from ..lang import (
 )
 from ..memory import empty, zeros
 from ..search.point_tree import find_run
-from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, offer_behind, project, ray_through, to_camera
+from .z_buffer import FAR_OUT, MIN_DEPTH, DepthBuffer, View, is_before, offer_behind, project, ray_through, to_camera
 
-SMALL = 256  # cells of a box drawn by one thread
-SIDE = 32  # [cells] side of a tile, threads of a group
-THREADS = 1 << 17
+MAX_SMALL_CELLS = 256  # cells of a box drawn by one thread
+TILE_SIDE = 32  # [cells], threads of a group
+NUM_THREADS = 1 << 17
 MAX_SHAPES = 1 << 20  # maximum list length
 TILE_BITS = 43  # of a total: tile count, below the shape count
 ONE_SHAPE = 1 << TILE_BITS
-TILES = ONE_SHAPE - 1
+TILE_MASK = ONE_SHAPE - 1
 
 
 @struct
@@ -60,18 +60,18 @@ def is_large(box: vec4i, large: LargeShapes) -> int:
     """1 if a box (first and last column, first and last row) needs many threads."""
     columns = int64(max(box[1] - box[0] + 1, 0))
     rows = int64(max(box[3] - box[2] + 1, 0))
-    return 1 if large.shapes.shape[0] > 0 and columns * rows > SMALL else 0
+    return 1 if large.shapes.shape[0] > 0 and columns * rows > MAX_SMALL_CELLS else 0
 
 
 @func
 def list_shape(i: int, box: vec4i, large: LargeShapes):
-    columns = (box[1] - box[0]) // SIDE + 1
-    rows = (box[3] - box[2]) // SIDE + 1
+    columns = (box[1] - box[0]) // TILE_SIDE + 1
+    rows = (box[3] - box[2]) // TILE_SIDE + 1
     # the list order depends on threads, the image does not
     before = atomic_add(large.total, 0, int64(ONE_SHAPE) + int64(columns) * int64(rows))
     entry = int(before >> int64(TILE_BITS))
     large.shapes[entry] = i
-    large.firsts[entry] = before & int64(TILES)
+    large.firsts[entry] = before & int64(TILE_MASK)
 
 
 @loop
@@ -79,7 +79,7 @@ def tiles_of_group(group: int, groups: int, large: LargeShapes) -> tuple[int, in
     """Shapes and tile numbers that a group of threads draws."""
     total = large.total[0]
     tile = int64(group)
-    while tile < (total & int64(TILES)):
+    while tile < (total & int64(TILE_MASK)):
         entry = find_run(large.firsts, 0, int(total >> int64(TILE_BITS)), tile)
         shape = large.shapes[entry]
         number = int(tile - large.firsts[entry])
@@ -89,29 +89,29 @@ def tiles_of_group(group: int, groups: int, large: LargeShapes) -> tuple[int, in
 
 @func
 def column_of_tile(box: vec4i, tile: int, thread: int) -> vec4i:
-    columns = (box[1] - box[0]) // SIDE + 1
-    column = box[0] + (tile % columns) * SIDE + thread
-    row = box[2] + (tile // columns) * SIDE
-    return vec4i(column, min(column, box[1]), row, min(row + SIDE - 1, box[3]))
+    columns = (box[1] - box[0]) // TILE_SIDE + 1
+    column = box[0] + (tile % columns) * TILE_SIDE + thread
+    row = box[2] + (tile // columns) * TILE_SIDE
+    return vec4i(column, min(column, box[1]), row, min(row + TILE_SIDE - 1, box[3]))
 
 
-GRID = 256.0  # subcell steps for rounding corners
-STEPS = 256  # the same as an integer
-GUARD = 32768.0  # [cells] limit for 1/256 cell precision: products of edge functions stay below 2^47
-OVERLAP = 1.0 / 128.0  # [cells] extension of camera-frame edges, since adjacent projected corners are rounded
+SUBCELL_STEPS = 256.0  # of a cell, for rounding corners
+INTEGER_SUBCELL_STEPS = 256  # the same as an integer
+MAX_CELL_COORDINATE = 32768.0  # [cells] limit for 1/256 cell precision: products of edge functions stay below 2^47
+EDGE_OVERLAP = 1.0 / 128.0  # [cells] extension of camera-frame edges, since adjacent projected corners are rounded
 
 
 @func
 def is_on_grid(p: vec3) -> int:
     inside = 0
-    if p[2] > NEAR and abs(p[0]) < GUARD and abs(p[1]) < GUARD:
+    if p[2] > MIN_DEPTH and abs(p[0]) < MAX_CELL_COORDINATE and abs(p[1]) < MAX_CELL_COORDINATE:
         inside = 1
     return inside
 
 
 @func
 def on_grid(x: float) -> int64:
-    return int64(int(floor(x * GRID + 0.5)))
+    return int64(int(floor(x * SUBCELL_STEPS + 0.5)))
 
 
 @func
@@ -133,7 +133,7 @@ def box_on_grid(a: vec3, b: vec3, c: vec3, cull: int, buffer: DepthBuffer) -> ve
     by = on_grid(b[1])
     cx = on_grid(c[0])
     cy = on_grid(c[1])
-    step = int64(STEPS)
+    step = int64(INTEGER_SUBCELL_STEPS)
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     first = max(int((min(min(ax, bx), cx) + step - 1) // step), 0)
     last = min(int(max(max(ax, bx), cx) // step), buffer.width - 1)
@@ -154,7 +154,7 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, buffer: Dept
     by = on_grid(b[1])
     cx = on_grid(c[0])
     cy = on_grid(c[1])
-    step = int64(STEPS)
+    step = int64(INTEGER_SUBCELL_STEPS)
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     sign = int64(1)
     if area < 0:
@@ -186,13 +186,13 @@ def widen_box(box: vec4, p: vec3, q: vec3, view: View) -> vec4:
     """Widen a box by the visible part of an edge's first end and the intersection with the near plane."""
     low = vec3(box[0], box[1], 0.0)
     high = vec3(box[2], box[3], 0.0)
-    if p[2] > NEAR:
+    if p[2] > MIN_DEPTH:
         s = project(p, view)
         low = vec3(min(low[0], s[0]), min(low[1], s[1]), 0.0)
         high = vec3(max(high[0], s[0]), max(high[1], s[1]), 0.0)
-    if (p[2] > NEAR) != (q[2] > NEAR):
-        fraction = (NEAR - p[2]) / (q[2] - p[2])
-        s = project(vec3(p[0] + (q[0] - p[0]) * fraction, p[1] + (q[1] - p[1]) * fraction, NEAR), view)
+    if (p[2] > MIN_DEPTH) != (q[2] > MIN_DEPTH):
+        fraction = (MIN_DEPTH - p[2]) / (q[2] - p[2])
+        s = project(vec3(p[0] + (q[0] - p[0]) * fraction, p[1] + (q[1] - p[1]) * fraction, MIN_DEPTH), view)
         low = vec3(min(low[0], s[0]), min(low[1], s[1]), 0.0)
         high = vec3(max(high[0], s[0]), max(high[1], s[1]), 0.0)
     return vec4(low[0], low[1], high[0], high[1])
@@ -201,7 +201,7 @@ def widen_box(box: vec4, p: vec3, q: vec3, view: View) -> vec4:
 @func
 def overlap_slack(edge: vec3, view: View) -> float:
     """Change of an edge function over the overlap."""
-    return (abs(edge[0]) / float(view.camera.fx) + abs(edge[1]) / float(view.camera.fy)) * OVERLAP
+    return (abs(edge[0]) / float(view.camera.fx) + abs(edge[1]) / float(view.camera.fy)) * EDGE_OVERLAP
 
 
 @func
@@ -247,7 +247,7 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, view: Vi
             w = dot(ec, ray)
             if u >= slack_a and v >= slack_b and w >= slack_c and u + v + w > 0.0:
                 depth = volume / (u + v + w)
-                if depth > NEAR and isfinite(depth):
+                if depth > MIN_DEPTH and isfinite(depth):
                     offer_behind(row * buffer.width + column, depth, index, buffer)
 
 
@@ -298,7 +298,7 @@ def draw_large_triangles_kernel(
     buffer: DepthBuffer,
 ):
     i = tid()
-    for shape, tile in tiles_of_group(i // SIDE, groups, large):
+    for shape, tile in tiles_of_group(i // TILE_SIDE, groups, large):
         a = to_camera(vertices[triangles[3 * shape]], view)
         b = to_camera(vertices[triangles[3 * shape + 1]], view)
         c = to_camera(vertices[triangles[3 * shape + 2]], view)
@@ -306,10 +306,10 @@ def draw_large_triangles_kernel(
         pb = project(b, view)
         pc = project(c, view)
         if is_on_grid(pa) + is_on_grid(pb) + is_on_grid(pc) == 3:
-            box = column_of_tile(box_on_grid(pa, pb, pc, cull, buffer), tile, i % SIDE)
+            box = column_of_tile(box_on_grid(pa, pb, pc, cull, buffer), tile, i % TILE_SIDE)
             draw_on_grid(pa, pb, pc, start + shape, box, buffer)
         else:
-            wide = column_of_tile(box_unprojected(a, b, c, cull, view, buffer), tile, i % SIDE)
+            wide = column_of_tile(box_unprojected(a, b, c, cull, view, buffer), tile, i % TILE_SIDE)
             draw_unprojected(a, b, c, start + shape, wide, view, buffer)
 
 
@@ -327,11 +327,11 @@ def draw_triangles(
 def draw_in_tiles(
     vertices: Points, triangles: Indices, view: View, buffer: DepthBuffer, *, cull: bool, start: int = 0
 ) -> None:
-    """`draw_triangles`, large ones by THREADS threads together."""
+    """`draw_triangles`, large ones by NUM_THREADS threads together."""
     count = triangles.size // 3
     for first in range(0, count, MAX_SHAPES):
         some = triangles[3 * first : 3 * min(first + MAX_SHAPES, count)]
         large = LargeShapes(some.size // 3, vertices.device)
         drawn = [vertices, some, view, int(cull), start + first, large]
         launch(draw_triangles_kernel, some.size // 3, [*drawn, buffer])
-        launch(draw_large_triangles_kernel, THREADS, [*drawn, THREADS // SIDE, buffer])
+        launch(draw_large_triangles_kernel, NUM_THREADS, [*drawn, NUM_THREADS // TILE_SIDE, buffer])

@@ -13,7 +13,7 @@ from ..arrays.packed_keys import NO_KEY, pack_key
 from ..lang import array, atomic_min, func, int64, isfinite, mat33, struct, vec3
 from ..memory import empty, full
 
-NEAR = 1.0e-6  # of the unit: smaller depths count as behind the camera
+MIN_DEPTH = 1.0e-6  # of the unit: smaller depths count as behind the camera
 FAR_OUT = 1.0e9  # [cells] clamp for projections, which fits into int32
 
 
@@ -74,7 +74,7 @@ def to_camera(p: vec3, view: View) -> vec3:
 @func
 def project(q: vec3, view: View) -> vec3:
     """Column, row and depth of a camera-frame point; far outside if it is hardly before the camera."""
-    z = max(q[2], NEAR)
+    z = max(q[2], MIN_DEPTH)
     u = float(view.camera.fx) * q[0] / z + float(view.camera.cx)
     v = float(view.camera.fy) * q[1] / z + float(view.camera.cy)
     return vec3(min(max(u, -FAR_OUT), FAR_OUT), min(max(v, -FAR_OUT), FAR_OUT), q[2])
@@ -83,7 +83,7 @@ def project(q: vec3, view: View) -> vec3:
 @func
 def is_before(q: vec3) -> int:
     before = 0
-    if isfinite(q) and q[2] > NEAR:
+    if isfinite(q) and q[2] > MIN_DEPTH:
         before = 1
     return before
 

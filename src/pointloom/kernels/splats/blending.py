@@ -3,11 +3,11 @@
 from ..algebra.exponential import exp_in_float
 from ..array_types import Array2, Scalars, Vectors
 from ..arrays.packed_keys import NO_KEY, key_number
-from ..drawing.shading import SAMPLES, color_byte
+from ..drawing.shading import CELLS_PER_PIXEL, color_byte
 from ..drawing.z_buffer import DepthBuffer, View, ray_through
 from ..lang import INFINITY, array, dot, float32, func, int64, kernel, launch, length, struct, tid, uint8, vec3, vec4
 from ..memory import empty, zeros
-from .projection import FAINTEST, MAX_OPACITY, TILE_PIXELS, ProjectedSplats
+from .projection import MAX_OPACITY, MIN_OPACITY, TILE_PIXELS, ProjectedSplats
 from .tile_lists import TileLists, pixel_of_thread
 
 MIN_LEFT = 1.0e-4  # transmittance at which blending stops
@@ -40,7 +40,7 @@ def opacity_at(splat: int, column: float, row: float, projected: ProjectedSplats
     opacity = 0.0
     if power > -projected.limits[splat]:
         opacity = min(projected.opacities[splat] * exp_in_float(min(power, 0.0)), MAX_OPACITY)
-    return opacity if opacity >= FAINTEST else 0.0
+    return opacity if opacity >= MIN_OPACITY else 0.0
 
 
 @func
@@ -74,11 +74,11 @@ def blend_splats_kernel(
     if pixel >= 0:
         column = pixel % lists.width
         row = pixel // lists.width
-        corner = row * SAMPLES * buffer.width + column * SAMPLES
+        corner = row * CELLS_PER_PIXEL * buffer.width + column * CELLS_PER_PIXEL
         lefts = vec4(0.0)
         solid = vec4(0.0)
-        for k in range(SAMPLES * SAMPLES):
-            cell = corner + (k // SAMPLES) * buffer.width + k % SAMPLES
+        for k in range(CELLS_PER_PIXEL * CELLS_PER_PIXEL):
+            cell = corner + (k // CELLS_PER_PIXEL) * buffer.width + k % CELLS_PER_PIXEL
             lefts[k] = left[cell]
             solid[k] = INFINITY
             if buffer.words[cell] != int64(NO_KEY):
@@ -94,15 +94,15 @@ def blend_splats_kernel(
                 depth = projected.middles[splat][2]
                 seen = 0.0
                 max_left = 0.0
-                for k in range(SAMPLES * SAMPLES):
+                for k in range(CELLS_PER_PIXEL * CELLS_PER_PIXEL):
                     fraction = lefts[k] * opacity if depth < solid[k] else 0.0
                     seen = seen + fraction
                     lefts[k] = lefts[k] - fraction
                     max_left = max(max_left, lefts[k] if depth < solid[k] else 0.0)
                 total = total + projected.colors[splat] * seen
             index += 1
-        for k in range(SAMPLES * SAMPLES):
-            left[corner + (k // SAMPLES) * buffer.width + k % SAMPLES] = lefts[k]
+        for k in range(CELLS_PER_PIXEL * CELLS_PER_PIXEL):
+            left[corner + (k // CELLS_PER_PIXEL) * buffer.width + k % CELLS_PER_PIXEL] = lefts[k]
         light[pixel] = light[pixel] + total
 
 

@@ -33,13 +33,13 @@ from ..lang import (
 )
 from ..memory import empty, upload
 
-TILE = 16  # [px] tile side
-TILE_PIXELS = TILE * TILE
-BLUR = 0.3  # [px^2] added to the image variance
-FAINTEST = 1.0 / 255.0  # opacity below which a splat is skipped in a pixel
+TILE_SIDE = 16  # [px] tile side
+TILE_PIXELS = TILE_SIDE * TILE_SIDE
+VARIANCE_BLUR = 0.3  # [px^2] added to the image variance
+MIN_OPACITY = 1.0 / 255.0  # opacity below which a splat is skipped in a pixel
 MAX_OPACITY = 0.99  # per splat and pixel: the background stays visible
-BESIDE = 0.15  # of the image size: beyond, the tangent map is clamped
-FLATTEST = 1.0e-4  # of the longest axis: minimum of the shortest axis
+CLAMP_MARGIN = 0.15  # of the image size: beyond, the tangent map is clamped
+MIN_AXIS_RATIO = 1.0e-4  # of the longest axis: minimum of the shortest axis
 MAX_DEVIATIONS = 3.0  # standard deviations along the ray, beyond which a splat is not hit
 
 
@@ -166,7 +166,9 @@ def color_towards(i: int, direction: vec3, splats: SplatColumns) -> vec3:
 @func
 def scaled_inverse(axes: mat33, scales: vec3) -> mat33:
     """Inverse covariance times the squared shortest axis: entries of at most 1."""
-    shortest = max(min(min(scales[0], scales[1]), scales[2]), FLATTEST * max(max(scales[0], scales[1]), scales[2]))
+    shortest = max(
+        min(min(scales[0], scales[1]), scales[2]), MIN_AXIS_RATIO * max(max(scales[0], scales[1]), scales[2])
+    )
     total = mat33(0.0)
     for k in range(3):
         ratio = shortest / max(scales[k], shortest)
@@ -202,8 +204,10 @@ def ellipse_of(q: vec3, axes: mat33, scales: vec3, view: View) -> vec4:
     """Image covariance a b c of a splat [px^2] and the determinant."""
     fx = float(view.camera.fx)
     fy = float(view.camera.fy)
-    left = ray_through(-BESIDE * float(view.camera.width), -BESIDE * float(view.camera.height), view)
-    right = ray_through((1.0 + BESIDE) * float(view.camera.width), (1.0 + BESIDE) * float(view.camera.height), view)
+    left = ray_through(-CLAMP_MARGIN * float(view.camera.width), -CLAMP_MARGIN * float(view.camera.height), view)
+    right = ray_through(
+        (1.0 + CLAMP_MARGIN) * float(view.camera.width), (1.0 + CLAMP_MARGIN) * float(view.camera.height), view
+    )
     x = min(max(q[0] / q[2], left[0]), right[0])
     y = min(max(q[1] / q[2], left[1]), right[1])
     across = vec3(0.0)
@@ -211,21 +215,21 @@ def ellipse_of(q: vec3, axes: mat33, scales: vec3, view: View) -> vec4:
     for k in range(3):
         across[k] = (axes[0, k] - x * axes[2, k]) * scales[k] * (fx / q[2])
         down[k] = (axes[1, k] - y * axes[2, k]) * scales[k] * (fy / q[2])
-    a = dot(across, across) + BLUR
-    c = dot(down, down) + BLUR
+    a = dot(across, across) + VARIANCE_BLUR
+    c = dot(down, down) + VARIANCE_BLUR
     area = cross(across, down)  # its square equals a c - b b without cancellation
-    return vec4(a, dot(across, down), c, dot(area, area) + BLUR * (a + c - BLUR))
+    return vec4(a, dot(across, down), c, dot(area, area) + VARIANCE_BLUR * (a + c - VARIANCE_BLUR))
 
 
 @func
 def tiles_of(middle: vec3, right: float, below: float, view: View) -> vec4i:
     """Tile box of a rectangle: first and last column, first and last row."""
-    columns = (view.camera.width + TILE - 1) // TILE
-    rows = (view.camera.height + TILE - 1) // TILE
-    first_column = int(max(floor((middle[0] - right) / float(TILE)), 0.0))
-    last_column = int(max(min(floor((middle[0] + right) / float(TILE)), float(columns - 1)), -1.0))
-    first_row = int(max(floor((middle[1] - below) / float(TILE)), 0.0))
-    last_row = int(max(min(floor((middle[1] + below) / float(TILE)), float(rows - 1)), -1.0))
+    columns = (view.camera.width + TILE_SIDE - 1) // TILE_SIDE
+    rows = (view.camera.height + TILE_SIDE - 1) // TILE_SIDE
+    first_column = int(max(floor((middle[0] - right) / float(TILE_SIDE)), 0.0))
+    last_column = int(max(min(floor((middle[0] + right) / float(TILE_SIDE)), float(columns - 1)), -1.0))
+    first_row = int(max(floor((middle[1] - below) / float(TILE_SIDE)), 0.0))
+    last_row = int(max(min(floor((middle[1] + below) / float(TILE_SIDE)), float(rows - 1)), -1.0))
     return vec4i(first_column, last_column, first_row, last_row)
 
 
@@ -249,7 +253,7 @@ def project_splats_kernel(
         scale = splats.scales[i, k]
         if not (isfinite(scale) or scale < 0.0):
             is_number = 0
-    if isfinite(q) and q[2] > near and opacity >= FAINTEST and is_number == 1:
+    if isfinite(q) and q[2] > near and opacity >= MIN_OPACITY and is_number == 1:
         unit = length(vec3(view.rotation[0, 0], view.rotation[0, 1], view.rotation[0, 2]))
         axes = axes_before_camera(axes_of(i, splats), view.rotation, unit)
         scales = vec3(0.0)
@@ -258,7 +262,7 @@ def project_splats_kernel(
         shape = ellipse_of(q, axes, scales, view)
         if isfinite(shape[0]) and isfinite(shape[2]) and isfinite(shape[3]):
             middle = project(q, view)
-            limit = log(opacity / FAINTEST) * 1.001 + 1.0e-4
+            limit = log(opacity / MIN_OPACITY) * 1.001 + 1.0e-4
             radius = sqrt(2.0 * limit)
             box = tiles_of(middle, radius * sqrt(shape[0]) + 0.01, radius * sqrt(shape[2]) + 0.01, view)
             projected.middles[i] = middle

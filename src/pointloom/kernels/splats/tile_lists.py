@@ -6,7 +6,7 @@ from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.sort import SortKeys, put_key
 from ..lang import array, float_bits, func, int32, int64, kernel, launch, struct, tid, vec4i
 from ..memory import empty
-from .projection import TILE, TILE_PIXELS, ProjectedSplats
+from .projection import TILE_PIXELS, TILE_SIDE, ProjectedSplats
 
 BITS_OF_DEPTH = 32
 
@@ -24,8 +24,8 @@ class TileLists:
     def __init__(self, projected: ProjectedSplats, counts: Integers, width: int, height: int) -> None:
         """From splats and their tile counts (two syncs)."""
         device = projected.device
-        self.width, self.height, self.columns = width, height, -(-width // TILE)
-        self.tile_count = self.columns * -(-height // TILE)
+        self.width, self.height, self.columns = width, height, -(-width // TILE_SIDE)
+        self.tile_count = self.columns * -(-height // TILE_SIDE)
         by_depth = SortKeys(projected.count, device)
         launch(key_depths_kernel, projected.count, [projected, counts, by_depth])
         _, order = by_depth.sort(BITS_OF_DEPTH)
@@ -49,8 +49,8 @@ class TileLists:
 def pixel_of_thread(i: int, lists: TileLists) -> int:
     """Pixel of a thread, or -1 outside the image."""
     tile = i // TILE_PIXELS
-    column = (tile % lists.columns) * TILE + i % TILE
-    row = (tile // lists.columns) * TILE + (i // TILE) % TILE
+    column = (tile % lists.columns) * TILE_SIDE + i % TILE_SIDE
+    row = (tile // lists.columns) * TILE_SIDE + (i // TILE_SIDE) % TILE_SIDE
     return row * lists.width + column if column < lists.width and row < lists.height else -1
 
 

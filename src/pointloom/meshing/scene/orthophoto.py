@@ -15,7 +15,7 @@ from ...core.checks import check_finite, check_positive, check_shape
 from ...core.errors import FilePath
 from ...core.units import DEGREE, METRE, is_same
 from ...kernels.drawing import plan_view
-from ...kernels.drawing.plan_view import CHANNELS, PlanCells
+from ...kernels.drawing.plan_view import NUM_CHANNELS, PlanCells
 from ...kernels.drawing.surfaces import Surface
 from ...kernels.lang import int32, uint8, vec2, vec3
 from ...kernels.memory import download, empty, upload
@@ -136,7 +136,7 @@ def orthophoto(
         raise ValueError("mesh: expected triangles with finite corners, got none. Pass bounds to create an empty map")
     heights = np.empty(grid.shape, np.float32)
     surfaces = _surfaces_of(mesh, vertices)
-    colors = np.empty((*grid.shape, CHANNELS), np.uint8) if surfaces else None
+    colors = np.empty((*grid.shape, NUM_CHANNELS), np.uint8) if surfaces else None
     for rows, part_heights, part_colors in _strips(grid, tree, origin, mesh, surfaces):
         heights[rows] = part_heights
         if colors is not None:
@@ -223,5 +223,5 @@ def _strips(
         heights = plan_view.heights_of(seen, tree.vertices, tree.triangles, float(origin[2]))
         colors = np.empty(0, np.uint8)
         if surfaces:
-            colors = download(plan_view.colors_of(seen, surfaces, materials)).reshape(count, columns, CHANNELS)
+            colors = download(plan_view.colors_of(seen, surfaces, materials)).reshape(count, columns, NUM_CHANNELS)
         yield strip, download(heights).reshape(count, columns), colors

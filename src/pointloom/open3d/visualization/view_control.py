@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_direction, check_number, check_shape
-from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, MAX_ZOOM, MIN_ZOOM, ZOOM
+from ...visualization.render.open3d_parameters import DEFAULT_ZOOM, FIELD_OF_VIEW, MAX_ZOOM, MIN_ZOOM
 from ...visualization.render.view import View
 from ..camera import PinholeCameraIntrinsic, PinholeCameraParameters
 from ..wrapper import unwrap
@@ -40,7 +40,7 @@ class ViewControl(HintedNames):
 
     def show_box(self, bounds: tuple[Any, Any]) -> None:
         """Show a box along -z, Open3D's initial view."""
-        self.bounds, self.angle, self._zoom = bounds, FIELD_OF_VIEW, ZOOM
+        self.bounds, self.angle, self._zoom = bounds, FIELD_OF_VIEW, DEFAULT_ZOOM
         self._lookat = (np.asarray(bounds[0]) + np.asarray(bounds[1])) / 2
         self._front, self._up, self._given = np.array([0.0, 0.0, 1.0]), np.array([0.0, 1.0, 0.0]), None
         self.is_moved = True  # since the window was last updated

@@ -18,15 +18,20 @@ from ...pcd.change import M3C2Result
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..render.coloring import Coloring, color_cloud
-from ..render.colormaps import MISSING
+from ..render.colormaps import MISSING_COLOR
 from ..render.picture import Picture
 from ..render.picture_files import write_image
 from ..render.render import render
 
 COLORMAP = "coolwarm"  # blue below, red above, neutral at zero
-LARGEST = 1e100  # maximum distance for colors
-SHOWN = 0.98  # quantile of the changes at the last color: outliers must not compress the colors
-ABOVE = {"front": [0.0, 0.0, 1.0], "up": [0.0, 1.0, 0.0], "zoom": 0.58, "field_of_view": 20.0}  # as on a map, y up
+MAX_COLORED_DISTANCE = 1e100  # maximum distance for colors
+LAST_COLOR_QUANTILE = 0.98  # quantile of the changes at the last color: outliers must not compress the colors
+VIEW_FROM_ABOVE = {
+    "front": [0.0, 0.0, 1.0],
+    "up": [0.0, 1.0, 0.0],
+    "zoom": 0.58,
+    "field_of_view": 20.0,
+}  # as on a map, y up
 UNCHANGED, UNKNOWN = "not significant", "no distance"
 
 
@@ -96,7 +101,7 @@ def draw_change(
     painted, bar, entries = _painted(cloud, change, limit)
     picture = render(
         painted,
-        dict(ABOVE) if camera is None else camera,
+        dict(VIEW_FROM_ABOVE) if camera is None else camera,
         size,
         point_size=point_size,
         shading="none",
@@ -117,11 +122,11 @@ def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring,
         raise ValueError(f"change: expected {len(cloud)} distances, one per point, got {list(distances.shape)}")
     known = np.isfinite(distances)
     shown = np.where(changed & known, distances, np.nan)
-    max_change = _limit_of(shown) if limit is None else check_positive("limit", limit, maximum=LARGEST)
+    max_change = _limit_of(shown) if limit is None else check_positive("limit", limit, maximum=MAX_COLORED_DISTANCE)
     coloring = color_cloud(cloud, shown, colormap=COLORMAP, limits=(-max_change, max_change))
     gray = [UNCHANGED] * bool((known & ~changed).any()) + [UNKNOWN] * (not known.all())
     painted = cloud.with_arrays(cloud.arrays | {"colors": coloring.colors}, grid=cloud.grid)
-    return painted, dataclasses.replace(coloring, has_missing=False), [(", ".join(gray), MISSING)] if gray else []
+    return painted, dataclasses.replace(coloring, has_missing=False), [(", ".join(gray), MISSING_COLOR)] if gray else []
 
 
 def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
@@ -134,7 +139,7 @@ def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
 def _limit_of(shown: NDArray[np.float64]) -> float:
     """98th percentile of the changes, rounded up to 2 digits. 1 if there are none."""
     sizes = np.abs(shown[np.isfinite(shown)])
-    largest = float(np.quantile(sizes, SHOWN)) if len(sizes) else 0.0
+    largest = float(np.quantile(sizes, LAST_COLOR_QUANTILE)) if len(sizes) else 0.0
     if largest <= 0:
         return 1.0
     step = 10.0 ** (np.floor(np.log10(largest)) - 1)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .recorder import Recorder
 
 MEDIA = {".gif": "image/gif", ".mp4": "video/mp4"}
-BESIDE = 120  # [px] of a page's height around the image
+PAGE_MARGIN = 120  # [px] of a page's height around the image
 
 
 def recorder_output(recorder: Recorder, view: View) -> dict[str, Any]:
@@ -37,4 +37,4 @@ def recorder_output(recorder: Recorder, view: View) -> dict[str, Any]:
     notes, kind = [f"{shown}, {format_bytes(size)}"], MEDIA.get(path.suffix.lower())
     if kind is not None:
         return media_output(text, kind, data, notes, picture)
-    return page_output(text, data.decode("utf-8"), notes, picture, height * 2 // 3 + BESIDE)
+    return page_output(text, data.decode("utf-8"), notes, picture, height * 2 // 3 + PAGE_MARGIN)

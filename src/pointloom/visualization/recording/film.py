@@ -29,11 +29,11 @@ Picture = NDArray[np.uint8]
 
 LOOKED_AT = 1_000  # positions of each shape for fitting the view
 # Points beyond FAR times the distance within which most are located may be outside the view: far hits of a scanner.
-FAR, GAP_QUANTILE, MIN_POINTS = 2.5, 0.8, 50
-STRIP = 0.22  # of the height, for plots
-PANELS = 4  # plots side by side. More values are omitted
+MAX_DISTANCE_RATIO, GAP_QUANTILE, MIN_POINTS = 2.5, 0.8, 50
+PLOT_HEIGHT_FRACTION = 0.22  # of the height, for plots
+MAX_PLOTS = 4  # plots side by side. More values are omitted
 MIN_STRIP, MIN_PANEL = 40, 80  # [px] minimum readable size
-PAST, FULL_CURVE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
+PAST_COLOR, FULL_CURVE, PLOT_BACKGROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
 
 
 def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) -> View:
@@ -133,7 +133,7 @@ class _Plots:
         self._panel, self._height = width / max(len(names), 1), height
         if not names:
             return
-        self._ground = Canvas.blank(width, height, GROUND, device)
+        self._ground = Canvas.blank(width, height, PLOT_BACKGROUND, device)
         self._size = letter_size(self._ground)
         self._limits = [_limits(values) for values in self._values]
         for k, values in enumerate(self._values):
@@ -147,12 +147,12 @@ class _Plots:
         for k, (name, values) in enumerate(zip(self._names, self._values, strict=True)):
             points = self._plot_points(k, values)
             for run in _runs(points[: number + 1]):
-                canvas.polyline(run, color=PAST, width=2.0)
+                canvas.polyline(run, color=PAST_COLOR, width=2.0)
             known = np.flatnonzero(np.isfinite(values[: number + 1]))
             left, top, right, _ = self._box(k)
             text = name
             if len(known):
-                canvas.dots(points[known[-1]][None], radius=3.5, color=PAST)
+                canvas.dots(points[known[-1]][None], radius=3.5, color=PAST_COLOR)
                 text = f"{name}  {values[known[-1]]:.4g}"
             canvas.text(cut_text(text, self._size, right - left), left, top - 0.7 * self._size, size=self._size)
         return canvas.to_numpy()
@@ -172,15 +172,15 @@ class _Plots:
 
 def _plotted(timeline: Timeline, width: int, height: int) -> list[str]:
     """Names of plotted values in the order of their first appearance."""
-    if round(STRIP * height / 2) * 2 < MIN_STRIP:
+    if round(PLOT_HEIGHT_FRACTION * height / 2) * 2 < MIN_STRIP:
         return []
     names = dict.fromkeys(name for frame in timeline.frames for name in frame.values)
-    return list(names)[: min(PANELS, width // MIN_PANEL)]
+    return list(names)[: min(MAX_PLOTS, width // MIN_PANEL)]
 
 
 def _picture_height(timeline: Timeline, width: int, height: int) -> int:
     """Number of rows above the plots; even if `height` is even."""
-    return height - round(STRIP * height / 2) * 2 if _plotted(timeline, width, height) else height
+    return height - round(PLOT_HEIGHT_FRACTION * height / 2) * 2 if _plotted(timeline, width, height) else height
 
 
 def _limits(values: NDArray[np.float64]) -> tuple[float, float]:
@@ -203,7 +203,7 @@ def _core(shape: Shape) -> NDArray[np.float64]:
     if shape.kind != "points" or len(points) < MIN_POINTS:
         return points
     gaps = np.linalg.norm(points - np.median(points, axis=0), axis=1)
-    return points[gaps <= FAR * np.quantile(gaps, GAP_QUANTILE)]
+    return points[gaps <= MAX_DISTANCE_RATIO * np.quantile(gaps, GAP_QUANTILE)]
 
 
 def _sized(view: View, width: int, height: int) -> View:

@@ -26,12 +26,12 @@ from ..page.sources import hash_of, player_script, player_style, read_source
 from ..render.view import Triple, View, fit_view
 from .timeline import Placement, Shape, Timeline
 
-BLOCK = 65_536  # rows per block of byte planes: some MB, so that a large array is never stored twice
-PIECE = 3 * 2**20  # bytes per script element: divisible by 3, so that base64 needs no padding
-SNORM = 32767  # int16 normals: 0.002 degrees
-SAMPLE = 20_000  # positions of a shape that the camera is fitted to ...
-DIRECTIONS = 64  # ... namely the outermost along this many directions
-SIDES = {"points": 0, "lines": 2, "triangles": 3}  # indices per row
+ROWS_PER_BLOCK = 65_536  # of byte planes: some MB, so that a large array is never stored twice
+BYTES_PER_SCRIPT = 3 * 2**20  # divisible by 3, so that base64 needs no padding
+NORMAL_SCALE = 32767  # int16 normals: 0.002 degrees
+MAX_CAMERA_POINTS = 20_000  # positions of a shape that the camera is fitted to ...
+NUM_DIRECTIONS = 64  # ... namely the outermost along this many directions
+INDICES_PER_ROW = {"points": 0, "lines": 2, "triangles": 3}
 
 
 def write_page(
@@ -105,15 +105,15 @@ def _base64_pieces(values: NDArray[Any]) -> Iterator[bytes]:
     """Byte planes of blocks of rows, which deflate better for floats and indices."""
     packer = zlib.compressobj(6, zlib.DEFLATED, -15)
     packed = bytearray()
-    for start in range(0, len(values), BLOCK):
-        block = np.ascontiguousarray(values[start : start + BLOCK])
+    for start in range(0, len(values), ROWS_PER_BLOCK):
+        block = np.ascontiguousarray(values[start : start + ROWS_PER_BLOCK])
         packed += packer.compress(np.ascontiguousarray(block.view(np.uint8).reshape(len(block), -1).T).data)
-        while len(packed) >= PIECE:
-            yield base64.b64encode(packed[:PIECE])
-            del packed[:PIECE]
+        while len(packed) >= BYTES_PER_SCRIPT:
+            yield base64.b64encode(packed[:BYTES_PER_SCRIPT])
+            del packed[:BYTES_PER_SCRIPT]
     packed += packer.flush()
-    for start in range(0, len(packed), PIECE):
-        yield base64.b64encode(packed[start : start + PIECE])
+    for start in range(0, len(packed), BYTES_PER_SCRIPT):
+        yield base64.b64encode(packed[start : start + BYTES_PER_SCRIPT])
 
 
 def _describe(
@@ -151,7 +151,7 @@ def _describe(
             {"name": name, "values": [_finite_or_none(frame.values.get(name)) for frame in timeline.frames]}
             for name in series
         ],
-        "block": BLOCK,
+        "block": ROWS_PER_BLOCK,
         "arrays": [
             {"kind": f"{values.dtype.kind}{values.dtype.itemsize}", "rows": len(values), "width": values.shape[1]}
             for values in arrays
@@ -206,7 +206,7 @@ def _pack_normals(normals: NDArray[np.float32]) -> NDArray[np.int16]:
     values = np.asarray(normals, np.float64)  # squares of float32 may underflow or overflow in float32
     with np.errstate(invalid="ignore", divide="ignore"):
         units = values / np.linalg.norm(values, axis=1, keepdims=True)
-    return np.rint(np.nan_to_num(units, nan=0.0, posinf=0.0, neginf=0.0) * SNORM).astype("<i2")
+    return np.rint(np.nan_to_num(units, nan=0.0, posinf=0.0, neginf=0.0) * NORMAL_SCALE).astype("<i2")
 
 
 def _describe_camera(
@@ -245,9 +245,9 @@ def _outermost(shape: Shape) -> NDArray[np.float64]:
         positions = positions[drawn]
     if len(positions) == 0:
         return np.empty((0, 3))
-    sample = positions[:: -(-len(positions) // SAMPLE)]
-    step = np.arange(DIRECTIONS) + 0.5  # Vogel spiral on the sphere: even and reproducible
-    z, angle = 1 - 2 * step / DIRECTIONS, step * math.pi * (3 - math.sqrt(5))
+    sample = positions[:: -(-len(positions) // MAX_CAMERA_POINTS)]
+    step = np.arange(NUM_DIRECTIONS) + 0.5  # Vogel spiral on the sphere: even and reproducible
+    z, angle = 1 - 2 * step / NUM_DIRECTIONS, step * math.pi * (3 - math.sqrt(5))
     ring = np.sqrt(1 - z * z)
     extents = sample.astype(np.float64) @ np.stack([ring * np.cos(angle), ring * np.sin(angle), z])
     axes = positions[np.concatenate([positions.argmin(axis=0), positions.argmax(axis=0)])]
@@ -274,8 +274,8 @@ def _check_timeline(timeline: Any) -> None:
 
 
 def _check_shape(name: str, shape: Shape) -> None:
-    if shape.kind not in SIDES:
-        raise ValueError(f"{name}.kind: expected one of {', '.join(SIDES)}, got {shape.kind!r}")
+    if shape.kind not in INDICES_PER_ROW:
+        raise ValueError(f"{name}.kind: expected one of {', '.join(INDICES_PER_ROW)}, got {shape.kind!r}")
     positions = check_rows(f"{name}.positions", shape.positions, 3)
     if not np.isfinite(positions).all():
         raise ValueError(f"{name}.positions: expected finite numbers; remove non-finite points")
@@ -283,10 +283,10 @@ def _check_shape(name: str, shape: Shape) -> None:
     if len(shape.plain) != 3 or not all(0 <= value <= 255 for value in shape.plain):
         raise ValueError(f"{name}.plain: expected three whole numbers from 0 to 255, got {shape.plain}")
     count = len(positions)
-    if SIDES[shape.kind]:
+    if INDICES_PER_ROW[shape.kind]:
         if shape.indices is None:
-            raise ValueError(f"{name}.indices: expected shape [m, {SIDES[shape.kind]}], got None")
-        indices = check_rows(f"{name}.indices", shape.indices, SIDES[shape.kind])
+            raise ValueError(f"{name}.indices: expected shape [m, {INDICES_PER_ROW[shape.kind]}], got None")
+        indices = check_rows(f"{name}.indices", shape.indices, INDICES_PER_ROW[shape.kind])
         if indices.size and (indices.min() < 0 or indices.max() >= count):
             raise ValueError(f"{name}.indices: expected 0 to {count - 1}, got {indices.min()} to {indices.max()}")
         count = len(indices) if shape.kind == "lines" else count

@@ -30,13 +30,14 @@ from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
 from .timeline import Frame, Placement, Timeline
 from .writers import check_recording, write_recording
 
-MAX_POINTS, MAX_FRAMES, FASTEST = 200_000, 600, 100.0
+MAX_POINTS, MAX_FRAMES, MAX_FPS = 200_000, 600, 100.0
 MAX_BYTES = 2**29  # of shapes; beyond it every second frame is dropped
 NOTHING = (
     "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called. Those that do "
     "are listed in docs/recordings.md; add(name, geometry) and step() make frames of anything"
 )
-WORTH = 0.9  # of the bytes stay after dropping frames: then the memory is not due to the number of frames
+# of the bytes stay after dropping frames: then the memory is not due to the number of frames
+MAX_REMAINING_FRACTION = 0.9
 
 
 def record(
@@ -138,7 +139,7 @@ class Recorder(Serialized):
         self.path = path_of(path)
         self.max_points = check_count("max_points", max_points)
         self._max_frames = check_count("max_frames", max_frames, minimum=2)
-        self._fps = check_positive("fps", fps, maximum=FASTEST)
+        self._fps = check_positive("fps", fps, maximum=MAX_FPS)
         self._title, self._view, self._overwrite = check_name("title", title), check_look(view), bool(overwrite)
         self._size, self._background = check_picture_size(size), background
         self._report_progress = check_progress(progress)
@@ -250,7 +251,7 @@ class Recorder(Serialized):
         while self._store.size > self._max_bytes and len(self._frames) > 2:
             before = self._store.size
             self._thin()
-            if self._store.size > WORTH * before:
+            if self._store.size > MAX_REMAINING_FRACTION * before:
                 self._max_bytes = 2 * self._store.size
 
     @property

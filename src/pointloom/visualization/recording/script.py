@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 Look = tuple[Triple, Triple]  # view direction and up
 Data = dict[str, Any]
 
-GRAY = (0.6, 0.6, 0.6)
+PLAIN_COLOR = (0.6, 0.6, 0.6)
 LOOKED_AT = 20_000  # points for choosing the view
 
 

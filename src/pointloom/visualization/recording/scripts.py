@@ -15,9 +15,9 @@ from ...pcd.cloud import PointCloud
 from ...pcd.line_set import LineSet
 from ..render.coloring import label_color
 from ..render.frustum import CameraFrustum
-from ..render.pair_picture import BLUE, ORANGE
+from ..render.pair_picture import SOURCE_COLOR, TARGET_COLOR
 from ..render.parts import Matrix
-from .script import GRAY, Data, Look, Script, Stage, look_at
+from .script import PLAIN_COLOR, Data, Look, Script, Stage, look_at
 from .shapes import spread_rows
 
 if TYPE_CHECKING:
@@ -96,8 +96,8 @@ class Registration(Script):
     def _take(self, source: PointCloud, target: PointCloud) -> None:
         self._pair = source, target
         self.look = self.look or look_at(target)
-        self.stage.show("target", target, color=BLUE)
-        self.stage.show("source", source, color=ORANGE)
+        self.stage.show("target", target, color=TARGET_COLOR)
+        self.stage.show("source", source, color=SOURCE_COLOR)
 
     def _at(self, pose: Matrix, label: str, values: Data) -> None:
         self._pose = np.array(pose)
@@ -105,7 +105,7 @@ class Registration(Script):
         self.stage.step(label, values)
 
 
-RED = (0.86, 0.1, 0.1)
+UNASSIGNED_COLOR = (0.86, 0.1, 0.1)
 MAX_CLUSTER_FRAMES = 100  # maximum number of frames in which clusters appear
 
 
@@ -125,7 +125,7 @@ class Clusters(Script):
         painted: list[tuple[Any, Data]] = []
         for first in range(0, count, per_frame):
             part = chosen.select_by_mask((cluster_labels >= first) & (cluster_labels < first + per_frame))
-            groups.append((part, {"color": GRAY}))
+            groups.append((part, {"color": PLAIN_COLOR}))
             kinds, each = np.unique(
                 cluster_labels[(cluster_labels >= first) & (cluster_labels < first + per_frame)], return_inverse=True
             )
@@ -164,9 +164,9 @@ class Planes(Script):
         for k, indices in enumerate(self._inliers):
             taken[indices] = k
         taken, chosen = taken[rows], cloud.select_by_index(rows)
-        drawn: list[tuple[Any, Data]] = [(chosen.select_by_mask(taken < 0), {"color": GRAY})]
+        drawn: list[tuple[Any, Data]] = [(chosen.select_by_mask(taken < 0), {"color": PLAIN_COLOR})]
         for k in range(len(self._inliers)):
-            color = RED if number is None else label_color(k)
+            color = UNASSIGNED_COLOR if number is None else label_color(k)
             drawn.append((chosen.select_by_mask(taken == k), {"color": color}))
         self.stage.show_all("cloud", drawn, len(cloud))
         a, b, c, d = model
@@ -195,12 +195,15 @@ def _painted(cloud: PointCloud, colors: NDArray[np.float64]) -> PointCloud:
     return painted
 
 
-PATH = (0.1, 0.35, 0.75)
-SURFACE_EVERY, SURFACES = 5, 20  # frames between two surfaces. After SURFACES of them the interval doubles
+PATH_COLOR = (0.1, 0.35, 0.75)
+SURFACE_EVERY, MAX_EVEN_SURFACES = (
+    5,
+    20,
+)  # frames between two surfaces. After MAX_EVEN_SURFACES of them the interval doubles
 SURFACE_FRACTION, SCAN_FRACTION = 8, 4  # divisors of max_points for each intermediate surface and each scan
 MAX_CORNERS = 2_000  # of a path
-ASTRAY = 0.3  # of the number of cameras: a shorter sum of their directions is meaningless
-TILT = (0.35, 0.55)  # of a view over the shoulder: to the right, down
+MIN_DIRECTION_SUM = 0.3  # of the number of cameras: a shorter sum of their directions is meaningless
+VIEW_TILT = (0.35, 0.55)  # of a view over the shoulder: to the right, down
 
 
 class Travel(Script):
@@ -220,7 +223,7 @@ class Travel(Script):
         corners = np.array([*(self.path[k] for k in spread_rows(len(self.path) - 1, MAX_CORNERS)), self.path[-1]])
         count = np.arange(len(corners) - 1, dtype=np.int32)
         lines = np.column_stack([count, count + 1])
-        self.stage.show("path", LineSet(corners, lines), color=PATH, line_width=2.0)
+        self.stage.show("path", LineSet(corners, lines), color=PATH_COLOR, line_width=2.0)
 
 
 class Fusion(Travel):
@@ -252,7 +255,7 @@ class Fusion(Travel):
         if self._count % self._every == 1:
             self._draw_surface(fraction=SURFACE_FRACTION)
             self._surfaces += 1
-            self._every *= 2 if self._surfaces % SURFACES == 0 else 1
+            self._every *= 2 if self._surfaces % MAX_EVEN_SURFACES == 0 else 1
         if not is_tracked:
             self.stage.step(f"frame {self._count}", {"blocks": volume.block_count})
 
@@ -341,8 +344,8 @@ class Drive(Travel):
         self._scans = step.index + 1
         if step.index % self._every == 0:
             self._draw_map()
-            self._every *= 2 if step.index >= SURFACES * self._every else 1
-        self.stage.show("scan", scan, fraction=SCAN_FRACTION, color=ORANGE, pose=step.pose)
+            self._every *= 2 if step.index >= MAX_EVEN_SURFACES * self._every else 1
+        self.stage.show("scan", scan, fraction=SCAN_FRACTION, color=SOURCE_COLOR, pose=step.pose)
         self.go(step.pose)
         self.look = self.look or look_at(scan)
         values = {"fitness": step.fitness, "inlier rmse [m]": step.inlier_rmse} if step.iterations else {}
@@ -358,14 +361,17 @@ class Drive(Travel):
     def _draw_map(self, fraction: int = SCAN_FRACTION) -> None:
         cloud = self._odometry.map
         if len(cloud):
-            self.stage.show("map", cloud, fraction=fraction, color=GRAY)
+            self.stage.show("map", cloud, fraction=fraction, color=PLAIN_COLOR)
 
 
 def look_over(axes: Matrix, last: Matrix) -> Look:
     """View over the shoulder of cameras, from the sum of their axes. From the last one if they look all around."""
     (_, down, forward), count = axes.T, np.linalg.norm(axes, axis=0).max()
-    if np.linalg.norm(forward) < ASTRAY * count or np.linalg.norm(np.cross(forward, down)) < ASTRAY * count**2:
+    if (
+        np.linalg.norm(forward) < MIN_DIRECTION_SUM * count
+        or np.linalg.norm(np.cross(forward, down)) < MIN_DIRECTION_SUM * count**2
+    ):
         _, down, forward = last.T
     down, forward = down / np.linalg.norm(down), forward / np.linalg.norm(forward)
-    x, y, z = (forward + TILT[0] * np.cross(down, forward) + TILT[1] * down).tolist()
+    x, y, z = (forward + VIEW_TILT[0] * np.cross(down, forward) + VIEW_TILT[1] * down).tolist()
     return (x, y, z), tuple((-down).tolist())

@@ -22,10 +22,10 @@ from ..render.parts import Lines, Matrix, Part, Points, Triangles
 from ..render.styles import Style
 from .timeline import Frame, Placement, Shape
 
-GOLDEN = 0.6180339887498949
-SIZES = ((5_000, 5.0), (30_000, 3.0))  # (maximum number of points, diameter [px])
-COARSER = 1.25  # factor of the voxel size between two attempts
-TRIES = 24
+GOLDEN_RATIO = 0.6180339887498949
+POINT_SIZES = ((5_000, 5.0), (30_000, 3.0))  # (maximum number of points, diameter [px])
+VOXEL_SIZE_FACTOR = 1.25  # factor of the voxel size between two attempts
+MAX_ATTEMPTS = 24
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -69,11 +69,11 @@ def spread_rows(count: int, max_count: int) -> NDArray[np.int32]:
     if count <= max_count:
         return np.arange(count, dtype=np.int32)
     runs = np.arange(max_count)
-    return np.floor((runs + (runs * GOLDEN) % 1) * (count / max_count)).astype(np.int32)
+    return np.floor((runs + (runs * GOLDEN_RATIO) % 1) * (count / max_count)).astype(np.int32)
 
 
 def usual_size(count: int) -> float:
-    return next((diameter for max_count, diameter in SIZES if count <= max_count), 2.0)
+    return next((diameter for max_count, diameter in POINT_SIZES if count <= max_count), 2.0)
 
 
 def _shape(part: Part, shift: NDArray[np.float64], max_points: int) -> Shape:
@@ -146,8 +146,8 @@ def _simplified(
     edge = float(lengths.mean()) if len(lengths) else 1.0
     mesh = TriangleMesh(positions, triangles, vertex_colors=np.clip(colors, 0, 1) if len(colors) else None)
     size, thin = edge * (len(positions) / max_vertices) ** 0.5, mesh
-    for step in range(TRIES):
-        thin = mesh.simplify_vertex_clustering(size * COARSER**step)
+    for step in range(MAX_ATTEMPTS):
+        thin = mesh.simplify_vertex_clustering(size * VOXEL_SIZE_FACTOR**step)
         if len(thin.vertices) <= max_vertices:
             break
     vertex_colors = thin.vertex_colors

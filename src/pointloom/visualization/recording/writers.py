@@ -82,27 +82,27 @@ def _palette_of(film: Film, background: Any) -> Any:
 
 Picture = NDArray[np.uint8]
 
-TICKS = 100  # per second, GIF's time unit
-COLORS = 256
-_FIXED = 2  # entries: background and black
-_SAMPLED = 160  # [px] longer side of the images that define the palette
-_HEADER, _TABLE = 13, 3 * COLORS  # bytes before the color table, and of the table
+TICKS_PER_SECOND = 100  # GIF's time unit
+GIF_COLORS = 256
+_FIXED_ENTRIES = 2  # background and black
+_PALETTE_IMAGE_SIZE = 160  # [px] longer side of the images that define the palette
+_HEADER_BYTES, _TABLE_BYTES = 13, 3 * GIF_COLORS  # bytes before the color table, and of the table
 
 
 def make_palette(images: Sequence[Picture], background: tuple[int, int, int]) -> NDArray[np.uint8]:
     """Palette for all frames from a sample of them: background first, black second, shape (256, 3)."""
     from PIL import Image
 
-    step = max(1, max(images[0].shape[:2]) // _SAMPLED)
+    step = max(1, max(images[0].shape[:2]) // _PALETTE_IMAGE_SIZE)
     pixels = np.concatenate([picture[::step, ::step].reshape(-1, 3) for picture in images])
     pixels = pixels[(pixels != np.array(background, np.uint8)).any(axis=1)]
-    palette = np.zeros((COLORS, 3), np.uint8)
+    palette = np.zeros((GIF_COLORS, 3), np.uint8)
     palette[0] = background
     if len(pixels):
         image = Image.fromarray(pixels[None])
-        colors = np.array(image.quantize(COLORS - _FIXED, Image.Quantize.MEDIANCUT).getpalette(), np.uint8)
-        colors = colors.reshape(-1, 3)[: COLORS - _FIXED]
-        palette[_FIXED : _FIXED + len(colors)] = colors
+        colors = np.array(image.quantize(GIF_COLORS - _FIXED_ENTRIES, Image.Quantize.MEDIANCUT).getpalette(), np.uint8)
+        colors = colors.reshape(-1, 3)[: GIF_COLORS - _FIXED_ENTRIES]
+        palette[_FIXED_ENTRIES : _FIXED_ENTRIES + len(colors)] = colors
     return palette
 
 
@@ -124,7 +124,7 @@ def write_gif(file: IO[bytes], images: Iterable[Picture], palette: NDArray[np.ui
             file.write(b"GIF89a" + struct.pack("<HHBBB", width, height, 0xF7, 0, 0) + palette.tobytes())
             file.write(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")
         left, top, right, bottom = changed_box(marks, before)
-        delay = round(count * TICKS / fps) - round((count - 1) * TICKS / fps)
+        delay = round(count * TICKS_PER_SECOND / fps) - round((count - 1) * TICKS_PER_SECOND / fps)
         file.write(b"\x21\xf9\x04" + struct.pack("<BHB", 1 << 2, delay, 0) + b"\x00")
         file.write(b"\x2c" + struct.pack("<HHHHB", left, top, right - left, bottom - top, 0))
         file.write(_packed(marks[top:bottom, left:right], palette))
@@ -165,7 +165,7 @@ def _packed(marks: NDArray[np.uint8], palette: NDArray[np.uint8]) -> bytes:
     buffer = io.BytesIO()
     image.save(buffer, "GIF", optimize=False, interlace=0)
     data = buffer.getvalue()
-    offset = _HEADER + _TABLE
+    offset = _HEADER_BYTES + _TABLE_BYTES
     while data[offset] == 0x21:  # extensions: a label, then blocks preceded by their length
         offset += 2
         while data[offset]:

@@ -32,11 +32,11 @@ from .picture import Picture
 
 Color = Sequence[float]
 
-BLACK = (0.1, 0.1, 0.1)
-WHITE = (1.0, 1.0, 1.0)
-HALO = 2  # [px] outline of letters
+DARK_COLOR = (0.1, 0.1, 0.1)
+LIGHT_COLOR = (1.0, 1.0, 1.0)
+HALO_WIDTH = 2  # [px] outline of letters
 
-_ACROSS = {"left": 0.0, "center": 0.5, "right": 1.0}
+_ANCHOR_FRACTIONS = {"left": 0.0, "center": 0.5, "right": 1.0}
 _DOWN = ("upper", "middle", "lower")
 
 
@@ -59,7 +59,7 @@ class Canvas:
         self.sheet, self.device = Sheet(picture, self.width, self.height), picture.device
 
     @classmethod
-    def blank(cls, width: int, height: int, background: Color = WHITE, device: Any = None) -> Self:
+    def blank(cls, width: int, height: int, background: Color = LIGHT_COLOR, device: Any = None) -> Self:
         width, height = check_count("width", width), check_count("height", height)
         pixels = np.tile(np.array(_color_bytes("background", background), np.uint8), width * height)
         return cls(upload(pixels, uint8, resolve_device(device)), width, height)
@@ -86,7 +86,7 @@ class Canvas:
         y: float,
         *,
         size: float = 14,
-        color: Color = BLACK,
+        color: Color = DARK_COLOR,
         anchor: str = "left",
         halo: Color | None = None,
     ) -> None:
@@ -103,7 +103,7 @@ class Canvas:
         entries: Sequence[tuple[str, float, float]],
         *,
         size: float = 14,
-        color: Color = BLACK,
+        color: Color = DARK_COLOR,
         anchor: str = "left",
         halo: Color | None = None,
     ) -> None:
@@ -123,8 +123,8 @@ class Canvas:
         left, upper, right, lower = *low.min(axis=0).tolist(), *high.max(axis=0).tolist()
         if seam is not None:
             strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device))
-            box = clip_box(self.sheet, left - HALO, upper - HALO, right + HALO, lower + HALO)
-            strokes.blend_halo(self.sheet, box, HALO, seam)
+            box = clip_box(self.sheet, left - HALO_WIDTH, upper - HALO_WIDTH, right + HALO_WIDTH, lower + HALO_WIDTH)
+            strokes.blend_halo(self.sheet, box, HALO_WIDTH, seam)
         else:
             strokes.cover_glyphs(self.sheet, glyphs, letters.atlas(self.device))
         strokes.blend(self.sheet, clip_box(self.sheet, left, upper, right, lower), paint)
@@ -136,18 +136,22 @@ class Canvas:
         x1: float,
         y1: float,
         *,
-        color: Color = BLACK,
+        color: Color = DARK_COLOR,
         width: float = 1.0,
         opacity: float = 1.0,
     ) -> None:
         self.segments([[x0, y0, x1, y1]], color=color, width=width, opacity=opacity)
 
-    def polyline(self, points: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
+    def polyline(
+        self, points: ArrayLike, *, color: Color = DARK_COLOR, width: float = 1.0, opacity: float = 1.0
+    ) -> None:
         """Draw a polyline through points (n, 2). A non-finite point is a gap."""
         path = check_rows("points", points, 2, dtype=np.float64)
         self.segments(np.hstack([path[:-1], path[1:]]), color=color, width=width, opacity=opacity)
 
-    def segments(self, segments: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
+    def segments(
+        self, segments: ArrayLike, *, color: Color = DARK_COLOR, width: float = 1.0, opacity: float = 1.0
+    ) -> None:
         """Draw segments (x, y, x, y), shape (n, 4), with round ends."""
         ends = check_rows("segments", segments, 4, dtype=np.float64)
         width = check_positive("width", width)
@@ -161,7 +165,7 @@ class Canvas:
             strokes.cover_segments(self.sheet, ends.astype(np.float32), width)
             strokes.blend(self.sheet, box, paint)
 
-    def dots(self, points: ArrayLike, *, radius: float = 3.0, color: Color = BLACK, opacity: float = 1.0) -> None:
+    def dots(self, points: ArrayLike, *, radius: float = 3.0, color: Color = DARK_COLOR, opacity: float = 1.0) -> None:
         """Draw filled circles at points (n, 2)."""
         centers = check_rows("points", points, 2, dtype=np.float64)
         diameter = 2 * check_positive("radius", radius)
@@ -235,9 +239,9 @@ def _check_image(image: Any) -> NDArray[np.uint8]:
 def _split_anchor(anchor: str) -> tuple[str, float]:
     down, _, across = anchor.rpartition(" ")
     down = down or "middle"
-    if across not in _ACROSS or down not in _DOWN:
+    if across not in _ANCHOR_FRACTIONS or down not in _DOWN:
         raise ValueError(f"anchor: expected left, center or right, alone or after upper or lower, got {anchor!r}")
-    return down, _ACROSS[across]
+    return down, _ANCHOR_FRACTIONS[across]
 
 
 def _anchored_glyphs(
@@ -256,7 +260,7 @@ def _anchored_glyphs(
     return glyphs
 
 
-FARTHEST = 1e12  # [px] beyond it clipping would lose its digits
+MAX_COORDINATE = 1e12  # [px] beyond it clipping would lose its digits
 
 Ends = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -271,7 +275,7 @@ def clip_segments(segments: Ends, low: Pair, high: Pair) -> tuple[Ends, NDArray[
         >>> clip_segments(np.array([[-1.0, 0.5, 3.0, 0.5], [5.0, 5.0, 6.0, 6.0]]), (0, 0), (1, 1))[0].tolist()
         [[0.0, 0.5, 1.0, 0.5]]
     """
-    rows = np.flatnonzero((np.abs(segments) < FARTHEST).all(axis=1))
+    rows = np.flatnonzero((np.abs(segments) < MAX_COORDINATE).all(axis=1))
     ends = segments[rows]
     start, way = ends[:, :2], ends[:, 2:] - ends[:, :2]
     enter, leave, is_inside = np.zeros(len(ends)), np.ones(len(ends)), np.ones(len(ends), bool)

@@ -19,13 +19,13 @@ from ...kernels.drawing.value_colors import Ramp, sample_evenly
 from ...kernels.lang import float32, float64, int32, int64
 from ...kernels.memory import cast, contiguous, download
 from ...pcd.cloud import PointCloud
-from .colormaps import MISSING, NOISE, PALETTE, check_colormap, colormap_table
+from .colormaps import LABEL_COLORS, MISSING_COLOR, NOISE_COLOR, check_colormap, colormap_table
 
 Color = tuple[float, float, float]
 
-SAMPLE = 1_000_000  # evenly spaced points for percentiles
-QUANTILES = (0.02, 0.98)  # default limits: outliers must not compress the colors
-_AXES = {"x": 0, "y": 1, "z": 2, "height": 2}
+MAX_PERCENTILE_POINTS = 1_000_000  # evenly spaced points for percentiles
+LIMIT_QUANTILES = (0.02, 0.98)  # default limits: outliers must not compress the colors
+_AXIS_COLUMNS = {"x": 0, "y": 1, "z": 2, "height": 2}
 _LABELS = ("label", "labels", "cluster", "cluster_id", "class", "classification", "segment", "instance", "semantic")
 
 # ASPRS LAS 1.4 R15, table 17
@@ -61,12 +61,12 @@ class Coloring:
     def entries(self) -> list[tuple[str, Color]]:
         """Names and colors for a legend: labels and missing values."""
         entries = [(name, label_color(label)) for label, name in self.names.items()]
-        return entries + [("none", MISSING)] * self.has_missing
+        return entries + [("none", MISSING_COLOR)] * self.has_missing
 
 
 def label_color(label: int) -> Color:
     """Color of a label: a palette of 24, repeated; dark gray below 0."""
-    red, green, blue = NOISE if label < 0 else (PALETTE[label % len(PALETTE)] / 255).tolist()
+    red, green, blue = NOISE_COLOR if label < 0 else (LABEL_COLORS[label % len(LABEL_COLORS)] / 255).tolist()
     return red, green, blue
 
 
@@ -116,9 +116,9 @@ def color_cloud(
                 "color_by: there are no normals; call cloud = cloud.estimate_normals(), "
                 "or compute_vertex_normals() of a mesh"
             )
-        colors, flag = value_colors.color_normals(contiguous(cloud.arrays["normals"]), MISSING)
+        colors, flag = value_colors.color_normals(contiguous(cloud.arrays["normals"]), MISSING_COLOR)
         return Coloring(colors, "rgb", title="normal", has_missing=_is_raised(flag))
-    if by in _AXES:
+    if by in _AXIS_COLUMNS:
         return _color_axis(cloud, by, chosen, ends)
     if by == "label":
         for name in _LABELS:
@@ -131,14 +131,14 @@ def color_cloud(
 
 def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
     """Color by a coordinate. On the device it is relative to the cloud's origin."""
-    axis = _AXES[by]
+    axis = _AXIS_COLUMNS[by]
     points, start = contiguous(cloud.arrays["points"]), float(cloud.origin[axis])
     if limits is None:
         low, high, count = bound_points(points)
         limits = (float(low[axis]) + start, float(high[axis]) + start) if count else (0.0, 1.0)
     local = (limits[0] - start, limits[1] - start)
     name = colormap or "viridis"
-    ramp = Ramp(colormap_table(name), local, MISSING, points.device)
+    ramp = Ramp(colormap_table(name), local, MISSING_COLOR, points.device)
     colors = value_colors.color_coordinates(points, axis, ramp)
     is_angle = cloud.unit is not None and cloud.unit.meters is None  # which is no unit of heights
     title = by if is_angle and axis == 2 else f"{by} [{symbol_of(cloud.unit)}]"
@@ -153,14 +153,14 @@ def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple
     kind = np.dtype(wp.dtype_to_numpy(values.dtype))
     if kind.kind in "biu" and (name in _LABELS or not name) and colormap is None and limits is None:
         labels = cast(values, int32 if kind.itemsize < 4 or kind == np.int32 else int64)
-        colors, seen = value_colors.color_labels(labels, PALETTE / 255, NOISE)
+        colors, seen = value_colors.color_labels(labels, LABEL_COLORS / 255, NOISE_COLOR)
         return Coloring(colors, "labels", names=name_labels(seen, name), title=name or "label")
     if values.dtype not in (float32, float64):
         values = cast(values, float32 if kind.itemsize <= 2 else float64)
     if limits is None:
-        limits = _find_limits(sample_evenly(values, SAMPLE))
+        limits = _find_limits(sample_evenly(values, MAX_PERCENTILE_POINTS))
     table = colormap or "viridis"
-    ramp = Ramp(colormap_table(table), limits, MISSING, values.device)
+    ramp = Ramp(colormap_table(table), limits, MISSING_COLOR, values.device)
     colors = value_colors.color_values(values, ramp)
     return Coloring(colors, "values", limits, table, title=name, has_missing=_is_raised(ramp.flag))
 
@@ -170,7 +170,7 @@ def _find_limits(values: NDArray[Any]) -> tuple[float, float]:
     finite = values[np.isfinite(values)].astype(np.float64)
     if not len(finite):
         return 0.0, 1.0
-    low, high = (4 * np.quantile(finite / 4, QUANTILES)).tolist()  # the range itself may overflow float64
+    low, high = (4 * np.quantile(finite / 4, LIMIT_QUANTILES)).tolist()  # the range itself may overflow float64
     return (low, high) if low < high else (float(finite.min()), float(finite.max()))
 
 

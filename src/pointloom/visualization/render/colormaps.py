@@ -1,4 +1,4 @@
-"""Colors for numbers and labels: `colormap_table`, `PALETTE`.
+"""Colors for numbers and labels: `colormap_table`, `LABEL_COLORS`.
 
 The maps are matplotlib's, in 8 bits: viridis, plasma, inferno and magma by Smith and van der Walt (CC0), cividis by
 Nuñez, Anderton and Renslow ("Optimizing colormaps with consideration for color vision deficiency", PLOS ONE 2018; BSD),
@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from ...core.checks import shown
 
-ENTRIES = 256
-MISSING = (0.6, 0.6, 0.6)  # for non-finite values
-NOISE = (0.2, 0.2, 0.2)  # for labels below 0
+COLORMAP_SIZE = 256
+MISSING_COLOR = (0.6, 0.6, 0.6)  # for non-finite values
+NOISE_COLOR = (0.2, 0.2, 0.2)  # for labels below 0
 
 # matplotlib's "tab20", dark colors first, so that consecutive labels differ in hue; plus four more.
-PALETTE = np.array([
+LABEL_COLORS = np.array([
     [31, 119, 180], [255, 127, 14], [44, 160, 44], [214, 39, 40], [148, 103, 189],
     [140, 86, 75], [227, 119, 194], [127, 127, 127], [188, 189, 34], [23, 190, 207],
     [174, 199, 232], [255, 187, 120], [152, 223, 138], [255, 152, 150], [197, 176, 213],
@@ -139,7 +139,7 @@ _COOLWARM = (
     "dddddde5d8d1ecd3c5f1ccb9f5c4adf7bba0f7b194f7a687f49a7bf18d6fec7f63e57058de604dd55042cb3e38c0282f"
     "b40426"
 )
-_JET = (  # position and value: red, green, blue
+_JET_KNOTS = (  # position and value: red, green, blue
     ((0.0, 0.35, 0.66, 0.89, 1.0), (0.0, 0.0, 1.0, 1.0, 0.5)),
     ((0.0, 0.125, 0.375, 0.64, 0.91, 1.0), (0.0, 0.0, 1.0, 1.0, 0.0, 0.0)),
     ((0.0, 0.11, 0.34, 0.65, 1.0), (0.5, 1.0, 1.0, 0.0, 0.0)),
@@ -166,12 +166,12 @@ def colormap_table(name: str) -> NDArray[np.float32]:
         >>> colormap_table("gray")[[0, -1]].tolist()
         [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]]
     """
-    fractions = np.arange(ENTRIES) / (ENTRIES - 1)
+    fractions = np.arange(COLORMAP_SIZE) / (COLORMAP_SIZE - 1)
     match check_colormap(name):
         case "gray":
             columns = [fractions] * 3
         case "jet":
-            columns = [np.interp(fractions, *pieces) for pieces in _JET]
+            columns = [np.interp(fractions, *pieces) for pieces in _JET_KNOTS]
         case _:
             points = _from_hex(_TABLES[name])
             columns = [np.interp(fractions, np.arange(len(points)) / (len(points) - 1), c) for c in points.T]

@@ -12,7 +12,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_color, check_positive, check_rigid
 from .parts import Triple
 
-UPRIGHT = 0.35  # height of the mark above the image over half the image height
+UP_MARK_HEIGHT = 0.35  # height of the mark above the image over half the image height
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -60,7 +60,7 @@ class CameraFrustum:
         c = self.intrinsic
         left, right = (-0.5 - c.cx) / c.fx, (c.width - 0.5 - c.cx) / c.fx
         top, bottom = (-0.5 - c.cy) / c.fy, (c.height - 0.5 - c.cy) / c.fy
-        tip = top - UPRIGHT * (bottom - top) / 2
+        tip = top - UP_MARK_HEIGHT * (bottom - top) / 2
         rays = [[left, top, 1], [right, top, 1], [right, bottom, 1], [left, bottom, 1], [(left + right) / 2, tip, 1]]
         T: Any = self.T_world_camera
         return self.scale * np.array(rays) @ T[:3, :3].T + T[:3, 3]

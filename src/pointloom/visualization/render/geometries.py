@@ -44,7 +44,7 @@ ACCEPTED = (
 )
 
 # Colors of several clouds without colors. The first two as in Open3D's registration tutorials.
-PALETTE: tuple[Triple, ...] = (
+CLOUD_COLORS: tuple[Triple, ...] = (
     (1.0, 0.706, 0.0),
     (0.0, 0.651, 0.929),
     (0.75, 0.24, 0.35),
@@ -118,7 +118,7 @@ def _with_distinct_colors(named: list[Named]) -> list[Named]:
     ]
     if len(plain) < 2:
         return named
-    colors = {name: PALETTE[i % len(PALETTE)] for i, name in enumerate(plain)}
+    colors = {name: CLOUD_COLORS[i % len(CLOUD_COLORS)] for i, name in enumerate(plain)}
     return [(n, g, dataclasses.replace(s, color=colors[n]) if n in colors else s) for n, g, s in named]
 
 
@@ -343,7 +343,7 @@ def _entry_of(geometry: Any) -> Entry:
 
 
 # Faces of a cube: axis, side and corners, counterclockwise seen from outside.
-_FACES = (
+_CUBE_FACES = (
     ((-1, 0, 0), ((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0))),
     ((1, 0, 0), ((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1))),
     ((0, -1, 0), ((0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1))),
@@ -420,7 +420,7 @@ def outer_faces(grid: VoxelGrid) -> NDArray[np.int64]:
     sizes = np.asarray(grid.counts, np.int64) + 2
     occupied = _keys(cells, sizes)  # ascending, as the coordinates are
     faces = []
-    for side, corners in _FACES:
+    for side, corners in _CUBE_FACES:
         neighbor_keys = _keys(cells + side, sizes)
         index = np.searchsorted(occupied, neighbor_keys).clip(max=max(len(cells) - 1, 0))
         open_cells = cells[occupied[index] != neighbor_keys] if len(cells) else cells

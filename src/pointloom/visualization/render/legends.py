@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 
 from ...core.checks import check_list
-from .canvas import BLACK, WHITE, Canvas, Color
+from .canvas import DARK_COLOR, LIGHT_COLOR, Canvas, Color
 from .coloring import Coloring
-from .colormaps import MISSING, colormap_table
+from .colormaps import MISSING_COLOR, colormap_table
 from .lettering import lettering
 from .ticks import Ticks, choose_ticks, count_ticks, with_ends
 
-GRAY = (0.45, 0.45, 0.45)
-_PANEL = 0.85  # opacity of the background of legends
+FRAME_COLOR = (0.45, 0.45, 0.45)
+_PANEL_OPACITY = 0.85  # opacity of the background of legends
 _CORNERS = ("upper left", "upper right", "lower left", "lower right")
-_PITCH = 1.5  # line height over font size
+_LINE_PITCH = 1.5  # line height over font size
 END_ROOM = 1.3  # minimum distance of ticks to the ends over font size
-_DOT = 2.5  # [px] radius
-_WIDEST = 0.45  # of the image width: longer names are shortened
+_DOT_RADIUS = 2.5  # [px]
+_MAX_WIDTH_FRACTION = 0.45  # of the image width: longer names are shortened
 
 
 def letter_size(canvas: Canvas) -> int:
@@ -64,10 +64,10 @@ class _Panel:
 def _lay_legend(names: Sequence[str], width: int, height: int) -> tuple[_Panel, list[str]]:
     """Panel and lines of a legend. The last line counts omitted entries."""
     size = _letters_for(width, height)
-    pitch, pad = round(_PITCH * size), round(0.6 * size)
+    pitch, pad = round(_LINE_PITCH * size), round(0.6 * size)
     room = max(1, (height - 4 * pad) // pitch)
     shown = names if len(names) <= room else names[: room - 1]
-    lines = [cut_text(str(name), size, _WIDEST * width) for name in shown]
+    lines = [cut_text(str(name), size, _MAX_WIDTH_FRACTION * width) for name in shown]
     if len(shown) < len(names):
         lines.append(f"and {len(names) - len(shown)} more")
     widest = max([lettering().width(line, size) for line in lines], default=0)
@@ -86,14 +86,16 @@ def draw_legend(canvas: Canvas, entries: Sequence[tuple[str, Color]], corner: st
     if not lines:
         return
     panel, names = _lay_legend([name for name, _ in lines], canvas.width, canvas.height)
-    size, pad, pitch = panel.size, panel.pad, round(_PITCH * panel.size)
+    size, pad, pitch = panel.size, panel.pad, round(_LINE_PITCH * panel.size)
     left = pad if "left" in corner else canvas.width - panel.width - pad
     top = pad if "upper" in corner else canvas.height - panel.height - pad
-    canvas.rectangle(left, top, panel.width, panel.height, fill=WHITE, outline=(0.75, 0.75, 0.75), opacity=_PANEL)
+    canvas.rectangle(
+        left, top, panel.width, panel.height, fill=LIGHT_COLOR, outline=(0.75, 0.75, 0.75), opacity=_PANEL_OPACITY
+    )
     rows = [top + pad + size // 2 + k * pitch for k in range(len(names))]
     shown = len(names) if len(names) == len(lines) else len(names) - 1
     for (_, color), row in zip(lines[:shown], rows, strict=False):
-        canvas.rectangle(left + pad, row - size // 2, size, size, fill=color, outline=GRAY)
+        canvas.rectangle(left + pad, row - size // 2, size, size, fill=color, outline=FRAME_COLOR)
     canvas.texts([(name, left + 2 * pad + size, row) for name, row in zip(names, rows, strict=True)], size=size)
 
 
@@ -115,7 +117,7 @@ def _lay_bar(coloring: Coloring, title: str, width: int, height: int) -> _Bar | 
     size = _letters_for(width, height)
     pad, tall, bar = round(0.6 * size), round(0.5 * height), round(1.2 * size)
     ticks = with_ends(choose_ticks(*coloring.limits, count_ticks(tall, size)), END_ROOM * size / max(tall, 1))
-    heading = cut_text(ticks.title(title or coloring.title), size, _WIDEST * width)
+    heading = cut_text(ticks.title(title or coloring.title), size, _MAX_WIDTH_FRACTION * width)
     widths = lettering().width
     across = bar + size // 2 + max([widths(text, size) for text in ticks.texts], default=0)
     none = coloring.has_missing
@@ -141,12 +143,14 @@ def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
         return
     size, pad, bar, tall = panel.size, panel.pad, panel.bar, panel.tall
     left, top = canvas.width - panel.width - pad, (canvas.height - panel.height) // 2
-    canvas.rectangle(left, top, panel.width, panel.height, fill=WHITE, outline=(0.75, 0.75, 0.75), opacity=_PANEL)
+    canvas.rectangle(
+        left, top, panel.width, panel.height, fill=LIGHT_COLOR, outline=(0.75, 0.75, 0.75), opacity=_PANEL_OPACITY
+    )
     canvas.text(panel.heading, left + pad, top + pad, size=size, anchor="upper left")
     paint_bar(canvas, left + pad, top + pad + panel.above, bar, tall, coloring.colormap, panel.ticks, size)
     if coloring.has_missing:
         row = top + panel.height - pad - size // 2
-        canvas.rectangle(left + pad, row - size // 2, bar, size, fill=MISSING, outline=GRAY)
+        canvas.rectangle(left + pad, row - size // 2, bar, size, fill=MISSING_COLOR, outline=FRAME_COLOR)
         canvas.text("none", left + pad + bar + size // 2, row, size=size)
 
 
@@ -156,10 +160,10 @@ def paint_bar(canvas: Canvas, x: int, y: int, width: int, height: int, colormap:
     positions = rows * 255 // max(height - 1, 1)
     colors = np.floor(colormap_table(colormap)[positions] * 255 + 0.5).astype(np.uint8)
     canvas.image(np.repeat(colors[:, None], width, axis=1), x, y)
-    canvas.rectangle(x, y, width, height, outline=GRAY)
+    canvas.rectangle(x, y, width, height, outline=FRAME_COLOR)
     positions = [y + (height - 1) * (1 - (v - ticks.low) / (ticks.high - ticks.low)) for v in ticks.values]
     for position in positions:
-        canvas.line(x + width, round(position), x + width + size // 4, round(position), color=GRAY)
+        canvas.line(x + width, round(position), x + width + size // 4, round(position), color=FRAME_COLOR)
     texts = [(text, x + width + size // 2, round(p)) for text, p in zip(ticks.texts, positions, strict=True)]
     canvas.texts(texts, size=size)
 
@@ -169,15 +173,15 @@ def draw_labels(
     labels: Sequence[tuple[str, float, float]],
     *,
     size: float | None = None,
-    color: Color = BLACK,
-    halo: Color = WHITE,
+    color: Color = DARK_COLOR,
+    halo: Color = LIGHT_COLOR,
 ) -> int:
     """Write texts (text, x, y) [px] with a dot and an outline. Those outside the image are omitted.
 
     Returns the number of texts omitted because they would overlap an earlier one.
     """
     chosen = letter_size(canvas) if size is None else size
-    gap, high = round(_DOT) + 4, round(chosen * 1.1)
+    gap, high = round(_DOT_RADIUS) + 4, round(chosen * 1.1)
     taken, texts, dots, hidden = np.empty((0, 4)), [], [], 0
     for text, x, y in check_list("labels", labels, "texts with positions"):
         if not (0 <= x < canvas.width and 0 <= y < canvas.height):
@@ -186,7 +190,7 @@ def draw_labels(
         wide = canvas.text_width(text, chosen)
         left = x + gap if x + gap + wide < canvas.width else max(x - gap - wide, 0)
         row = min(max(y, high / 2), canvas.height - 1 - high / 2)
-        box = np.array([min(left, x - _DOT), row - high / 2, max(left + wide, x + _DOT), row + high / 2])
+        box = np.array([min(left, x - _DOT_RADIUS), row - high / 2, max(left + wide, x + _DOT_RADIUS), row + high / 2])
         if ((taken[:, :2] < box[2:]) & (taken[:, 2:] > box[:2])).all(axis=1).any():
             hidden += 1
             continue
@@ -194,7 +198,7 @@ def draw_labels(
         texts.append((text, left, row))
         dots.append((x, y))
     if dots:
-        canvas.dots(dots, radius=_DOT + 1, color=halo)
-        canvas.dots(dots, radius=_DOT, color=color)
+        canvas.dots(dots, radius=_DOT_RADIUS + 1, color=halo)
+        canvas.dots(dots, radius=_DOT_RADIUS, color=color)
     canvas.texts(texts, size=chosen, color=color, halo=halo)
     return hidden

@@ -18,17 +18,17 @@ from ...core.checks import check_count, check_direction, check_finite, check_num
 
 Bounds = tuple[Any, Any]
 
-FIELD_OF_VIEW, ZOOM = 60.0, 0.7  # defaults of Open3D's viewer, which looks along -z with y up
+FIELD_OF_VIEW, DEFAULT_ZOOM = 60.0, 0.7  # defaults of Open3D's viewer, which looks along -z with y up
 MIN_ZOOM, MAX_ZOOM = 0.02, 2.0  # limits of the wheel in Open3D
 MIN_ANGLE, LARGEST_ZOOM = 1e-6, 1e30  # minimum field of view [degrees] and maximum zoom: beyond them numbers overflow
 
-ALONG = 1e-9  # sine of the angle below which `up` is parallel to the view direction
+MIN_UP_SINE = 1e-9  # sine of the angle below which `up` is parallel to the view direction
 
 
 def view_from_open3d(
     bounds: Bounds,
     *,
-    zoom: float = ZOOM,
+    zoom: float = DEFAULT_ZOOM,
     front: Sequence[float] = (0.0, 0.0, 1.0),
     lookat: Sequence[float] | None = None,
     up: Sequence[float] = (0.0, 1.0, 0.0),
@@ -40,7 +40,7 @@ def view_from_open3d(
     middle = (low + high) / 2 if lookat is None else check_finite("lookat", check_shape("lookat", lookat, (3,)))
     backward = check_direction("front", front)
     right = cross_product(check_direction("up", up), backward)
-    if not np.linalg.norm(right) > ALONG:
+    if not np.linalg.norm(right) > MIN_UP_SINE:
         raise ValueError(f"up: expected a direction that is not along front, got {up!r} and {front!r}")
     right = right / np.linalg.norm(right)
     zoom = check_positive("zoom", zoom, maximum=LARGEST_ZOOM)

@@ -16,13 +16,13 @@ from ...core.units import LengthUnit, symbol_of
 from ...kernels.arrays.select import gather_rows
 from ...kernels.arrays.subsets import step_rows
 from ...kernels.memory import download
-from .canvas import BLACK, WHITE, Canvas, Color
+from .canvas import DARK_COLOR, LIGHT_COLOR, Canvas, Color
 from .coloring import Coloring
 from .legends import color_bar_size, draw_color_bar, draw_labels, draw_legend, legend_size, letter_size
 from .parts import Lines, Part, Triple
 from .view import Insets, View
 
-SAMPLE = 10_000  # approximate number of colors for the mean in a legend
+MAX_COLOR_SAMPLES = 10_000  # approximate number of colors for the mean in a legend
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -52,7 +52,9 @@ class Overlays:
 
     def write(self, canvas: Canvas, view: View, middle: NDArray[np.float64]) -> None:
         """Draw them. The scale bar is for the depth of `middle`, the scene's center [m]."""
-        ink: dict[str, Any] = {"color": WHITE, "halo": BLACK} if self.is_dark else {"color": BLACK, "halo": WHITE}
+        ink: dict[str, Any] = (
+            {"color": LIGHT_COLOR, "halo": DARK_COLOR} if self.is_dark else {"color": DARK_COLOR, "halo": LIGHT_COLOR}
+        )
         draw_labels(canvas, _project(self.labels, view), **ink)
         draw_legend(canvas, self.entries)
         if self.coloring is not None:
@@ -98,7 +100,7 @@ def color_of(parts: Sequence[Part]) -> Triple:
     if not part.colors.size:
         return part.plain
     count, device = part.colors.size, part.colors.device
-    some = gather_rows(part.colors, step_rows(count, max(1, count // SAMPLE), device))
+    some = gather_rows(part.colors, step_rows(count, max(1, count // MAX_COLOR_SAMPLES), device))
     red, green, blue = np.clip(np.nanmean(download(some), axis=0), 0, 1)  # sync
     return float(red), float(green), float(blue)
 
@@ -127,7 +129,7 @@ def _united(bands: Sequence[Insets]) -> Insets:
 
 
 MAX_FRACTION = 0.25  # maximum of the image width
-_END = 0.35  # half height of the bar's ends over the font size
+_BAR_END_HEIGHT = 0.35  # half height of the bar's ends over the font size
 
 
 def round_length(max_length: float) -> float:
@@ -151,8 +153,8 @@ def draw_scale_bar(
     middle: NDArray[np.float64],
     unit: LengthUnit | None,
     *,
-    color: Color = BLACK,
-    halo: Color = WHITE,
+    color: Color = DARK_COLOR,
+    halo: Color = LIGHT_COLOR,
 ) -> None:
     """Draw a horizontal bar of a round length, correct at the depth of the scene's center `middle` [m].
 
@@ -164,7 +166,7 @@ def draw_scale_bar(
     per_unit = view.intrinsic.fx / depth  # [px]
     length = round_length(MAX_FRACTION * canvas.width / per_unit)
     size = letter_size(canvas)
-    pad, wide, end = round(1.2 * size), length * per_unit, max(3, round(_END * size))
+    pad, wide, end = round(1.2 * size), length * per_unit, max(3, round(_BAR_END_HEIGHT * size))
     left, row = pad, canvas.height - pad - end
     thick = max(2, size // 7)
     strokes = np.array([[0, 0, wide, 0], [0, -end, 0, end], [wide, -end, wide, end]], float)

@@ -15,17 +15,17 @@ from .view import Triple, fit_view
 
 Matrix = NDArray[np.float64]
 
-ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)  # as in Open3D's tutorials: source, target
+SOURCE_COLOR, TARGET_COLOR = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)  # as in Open3D's tutorials: source, target
 
-_PANEL, _GAP = 960, 8  # [px]
-_DISC = 3.0  # [px]
-_LEAN = 0.35  # tilt of the view against its axis
-_FLAT = 0.35  # a cloud thinner than this times its width (standard deviations) is seen from above
-_BEFORE = 0.5  # [standard deviations of z] minimum distance of a camera from the points
+_PANEL_WIDTH, _PANEL_GAP = 960, 8  # [px]
+_DISC_DIAMETER = 3.0  # [px]
+_VIEW_TILT = 0.35  # tilt of the view against its axis
+_MAX_FLATNESS = 0.35  # a cloud thinner than this times its width (standard deviations) is seen from above
+_MIN_CAMERA_DISTANCE = 0.5  # [standard deviations of z] minimum distance of a camera from the points
 
 # Fraction of the points that may be outside the image: far hits of a scanner.
 _LEFT_OUT = 0.02
-_SAMPLE = 100_000  # points for choosing the view
+_MAX_VIEW_POINTS = 100_000  # points for choosing the view
 
 
 def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, overwrite: bool = True) -> None:
@@ -35,10 +35,10 @@ def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, o
     panels = []
     for moved in (source, source.transform(T)):
         core = np.vstack([_core(still), _core(_some(moved))])
-        view = fit_view(core, direction=direction, up=up, width=_PANEL, height=_PANEL)
-        pair = [{"geometry": _bare(target), "color": BLUE}, {"geometry": _bare(moved), "color": ORANGE}]
-        panels.append(render(pair, view, point_size=_DISC))
-    gap = np.full((_PANEL, _GAP, 3), 255, np.uint8)
+        view = fit_view(core, direction=direction, up=up, width=_PANEL_WIDTH, height=_PANEL_WIDTH)
+        pair = [{"geometry": _bare(target), "color": TARGET_COLOR}, {"geometry": _bare(moved), "color": SOURCE_COLOR}]
+        panels.append(render(pair, view, point_size=_DISC_DIAMETER))
+    gap = np.full((_PANEL_WIDTH, _PANEL_GAP, 3), 255, np.uint8)
     write_image(path, np.hstack([panels[0], gap, panels[1]]), overwrite=overwrite)
 
 
@@ -48,7 +48,7 @@ def _bare(cloud: PointCloud) -> PointCloud:
 
 
 def _some(cloud: PointCloud) -> Matrix:
-    points = cloud.uniform_down_sample(max(1, len(cloud) // _SAMPLE)).points
+    points = cloud.uniform_down_sample(max(1, len(cloud) // _MAX_VIEW_POINTS)).points
     return points[np.isfinite(points).all(axis=1)]
 
 
@@ -66,11 +66,11 @@ def usual_look(points: Matrix) -> tuple[Triple, Triple]:
     spreads = (points - np.median(points, axis=0)).std(axis=0)
     x, y, z = np.eye(3)
     nearest = np.quantile(points[:, 2], _LEFT_OUT)
-    if nearest > _BEFORE * spreads[2] and not split_origin(points)[1].any():
-        return _triple(z + _LEAN * (0.5 * x + y)), _triple(-y)
+    if nearest > _MIN_CAMERA_DISTANCE * spreads[2] and not split_origin(points)[1].any():
+        return _triple(z + _VIEW_TILT * (0.5 * x + y)), _triple(-y)
     axis = int(np.argmin(spreads))
     flat, up = np.eye(3)[axis], y if axis == 2 else z
-    lean = 2 * _LEAN if spreads[axis] < _FLAT * np.sort(spreads)[1] else -_LEAN
+    lean = 2 * _VIEW_TILT if spreads[axis] < _MAX_FLATNESS * np.sort(spreads)[1] else -_VIEW_TILT
     return _triple(-flat + lean * up), _triple(up)
 
 

@@ -11,7 +11,7 @@ from PIL import Image
 
 from ..notebook_output import still_jpeg
 
-CHANNELS = 3, 4
+CHANNEL_COUNTS = 3, 4
 MAX_PNG_BYTES = 2**21  # in a notebook. Larger images are shown as a JPEG of at most 200 kB
 
 
@@ -39,7 +39,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return array[()] if return_scalar else np.asarray(array)
 
     def _is_image(self) -> bool:
-        return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
+        return self.ndim == 3 and self.shape[2] in CHANNEL_COUNTS and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
         """PNG for notebooks. None for large images and for parts that are no image."""

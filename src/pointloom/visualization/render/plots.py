@@ -32,18 +32,18 @@ ERROR = "error [m]"
 MAX_COORDINATE = 1e12  # [m] positions farther out are not drawn
 MAX_VERTICES = 50_000  # of a trajectory that are drawn. The errors along the way are drawn in full
 
-TAIL = 0.998  # quantile of the errors at which the axis of a histogram ends if the largest is far beyond
-FAR = 1.5  # ... this many times the quantile
+TAIL_QUANTILE = 0.998  # quantile of the errors at which the axis of a histogram ends if the largest is far beyond
+MAX_TAIL_RATIO = 1.5  # ... this many times the quantile
 MAX_BINS = 60
 
 STATION, UNPLACED, WRONG, TARGET, CONTROL, SIGHT = "0.1", "0.6", "#d61a1a", "#1f78b5", "#1a8c33", "#d9e3ed"
-CONFIDENCE = 0.95  # of the ellipses of errors
-ELLIPSE = 0.06  # length of the longest semi-axis over the extent of the plan
-MARGIN = 0.1  # over the extent of the plan
+ELLIPSE_CONFIDENCE = 0.95  # of the ellipses of errors
+ELLIPSE_SIZE = 0.06  # length of the longest semi-axis over the extent of the plan
+PLAN_MARGIN = 0.1  # over the extent of the plan
 MAX_NAMED = 60  # up to this number of targets, their names are written
-MM = 1000.0
+MM_PER_METER = 1000.0
 
-OCCUPIED, UNKNOWN = (26, 26, 26), (153, 153, 153)  # of 255
+OCCUPIED_COLOR, UNKNOWN_COLOR = (26, 26, 26), (153, 153, 153)  # of 255
 
 
 def check_plot(path: Any, *, overwrite: bool) -> None:
@@ -110,8 +110,8 @@ def error_histogram(
     """Plot a histogram of distances; `limit` is the distance at the last color. The title counts non-finite values."""
     finite = distances[np.isfinite(distances)].astype(np.float64)
     largest = float(finite.max(initial=0.0)) or 1.0
-    tail = float(np.quantile(finite, TAIL)) if len(finite) else 0.0
-    high = tail if 0 < FAR * tail < largest else largest
+    tail = float(np.quantile(finite, TAIL_QUANTILE)) if len(finite) else 0.0
+    high = tail if 0 < MAX_TAIL_RATIO * tail < largest else largest
     bins = min(MAX_BINS, max(1, round(2 * len(finite) ** 0.5)))
     figure = new_figure(*size)
     axes = figure.subplots()
@@ -142,13 +142,13 @@ def station_plan(result: StationsResult) -> Picture:
     _draw_links(figure, axes, result)
     title = f"stations\nsigma0 {result.sigma0:.2f}"
     if enlarged := _draw_ellipses(axes, result, extent):
-        title += f", ellipses of {CONFIDENCE:.0%}, {enlarged:,.0f} times as large"
+        title += f", ellipses of {ELLIPSE_CONFIDENCE:.0%}, {enlarged:,.0f} times as large"
     control = {g.observation.name for g in result.groups if isinstance(g.observation, ControlPoint)}
     for name, position in result.targets.items():
         color = CONTROL if name in control else TARGET
         axes.plot(*position[:2], "^", color=color, markersize=9 if name in control else 6, fillstyle="none")
         _write_name(axes, name if len(result.targets) <= MAX_NAMED else "", position, color, -3)
-    low, high = positions.min(axis=0) - MARGIN * extent, positions.max(axis=0) + MARGIN * extent
+    low, high = positions.min(axis=0) - PLAN_MARGIN * extent, positions.max(axis=0) + PLAN_MARGIN * extent
     for name, position, is_registered in zip(result.names, where, result.placed, strict=True):
         if not ((low <= position) & (position <= high)).all():
             continue  # not placed, and far from the others
@@ -162,7 +162,7 @@ def station_plan(result: StationsResult) -> Picture:
     if any(used):
         axes.legend(loc="upper right")
     axes.set_title(title)
-    axes.margins(MARGIN)
+    axes.margins(PLAN_MARGIN)
     _set_plan(axes, "x", "y")
     return to_picture(figure)
 
@@ -217,12 +217,12 @@ def draw_slice(
     axes = figure.subplots()
     color_of = _color_scale(name, -high * is_signed, high)
     colors, occupied = color_of.to_rgba(values, bytes=True)[..., :3], known & (values == 0) & (not is_signed)
-    colors[occupied], colors[~known] = OCCUPIED, UNKNOWN
+    colors[occupied], colors[~known] = OCCUPIED_COLOR, UNKNOWN_COLOR
     (x0, y0), (x1, y1) = layer.extent.tolist()
     axes.imshow(colors, origin="lower", extent=(x0, x1, y0, y1), interpolation="nearest", zorder=2)
     figure.colorbar(color_of, ax=axes, label="distance [m]")
     unknown = "unknown" if layer.max_distance is None else f"at least {layer.max_distance:g} m"
-    patches = [("occupied", OCCUPIED, occupied.any()), (unknown, UNKNOWN, not known.all())]
+    patches = [("occupied", OCCUPIED_COLOR, occupied.any()), (unknown, UNKNOWN_COLOR, not known.all())]
     make_patch = _matplotlib("patches").Patch
     if handles := [make_patch(color=np.array(color) / 255, label=text) for text, color, is_used in patches if is_used]:
         figure.legend(handles=handles, loc="outside lower center", ncols=2)
@@ -273,7 +273,7 @@ def _draw_links(figure: Any, axes: Any, result: StationsResult) -> None:
         make_lines(ends_of([g for g in result.groups if g.kind != "pair"]), colors=SIGHT), autolim=False
     )
     if pairs:
-        residuals = np.array([np.linalg.norm(g.residual[-3:]) * MM for g in pairs])
+        residuals = np.array([np.linalg.norm(g.residual[-3:]) * MM_PER_METER for g in pairs])
         color_of = _color_scale("viridis", 0.0, float(residuals.max()) or 1.0)
         lines = make_lines(ends_of(pairs), colors=color_of.to_rgba(residuals), linewidths=3)
         axes.add_collection(lines, autolim=False)
@@ -287,11 +287,11 @@ def _draw_ellipses(axes: Any, result: StationsResult, extent: float) -> float:
     first = result.covariances.shape[1] - 3
     registered = np.flatnonzero(result.placed)
     values, vectors = np.linalg.eigh(result.covariances[registered][:, first : first + 2, first : first + 2])
-    lengths = 2 * np.sqrt(-2 * np.log(1 - CONFIDENCE) * np.maximum(values, 0))  # of both axes, ascending
+    lengths = 2 * np.sqrt(-2 * np.log(1 - ELLIPSE_CONFIDENCE) * np.maximum(values, 0))  # of both axes, ascending
     longest = float(lengths.max(initial=0.0)) / 2
     if not longest > 0:
         return 0.0
-    largest = max(ELLIPSE * extent / longest, 1.0)
+    largest = max(ELLIPSE_SIZE * extent / longest, 1.0)
     power = 10.0 ** np.floor(np.log10(largest))
     scale = float(max(n * power for n in (1, 2, 5) if n * power <= largest))
     for i, (short, long), (x, y) in zip(registered, scale * lengths, vectors[:, :, 1], strict=True):

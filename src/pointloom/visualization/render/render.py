@@ -33,7 +33,7 @@ from .styles import Style
 from .up_axis import direction_under, up_of
 from .view import Frame, Insets, View
 
-BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+BLACK_COLOR, WHITE_COLOR = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 PLAIN_BEFORE_DARK: Triple = (0.85, 0.85, 0.85)  # of lines without a color
 NORMAL_COLOR: Triple = (0.1, 0.1, 0.1)
 NORMAL_FRACTION = 0.02  # length of normals over the longest side of the scene
@@ -168,7 +168,7 @@ def _groups_of(
 
 def _written(drawing: Drawing, background: Triple | None, overlays: Overlays) -> Picture:
     camera = drawing.view.intrinsic
-    grounds = [drawing.before(color) for color in ((BLACK, WHITE) if background is None else (background,))]
+    grounds = [drawing.before(color) for color in ((BLACK_COLOR, WHITE_COLOR) if background is None else (background,))]
     for ground in grounds:
         if overlays:
             overlays.write(Canvas(ground, camera.width, camera.height), drawing.view, drawing.scene.middle)
@@ -266,22 +266,22 @@ def _normals_of(parts: Sequence[Part], color: Triple) -> list[Part]:
 
 
 TRANSPARENT = "transparent"
-NAMED: dict[str, Triple] = {
+NAMED_COLORS: dict[str, Triple] = {
     "white": (1.0, 1.0, 1.0),
     "black": (0.0, 0.0, 0.0),
     "gray": (0.5, 0.5, 0.5),
     "grey": (0.5, 0.5, 0.5),
 }
-DARK = 0.25  # luminance of a background below which lines without a color are light
+MAX_DARK_LUMINANCE = 0.25  # luminance of a background below which lines without a color are light
 
 
 def check_background(background: Any) -> Triple | None:
     """Background color, None if transparent. Raises TypeError or ValueError."""
     if isinstance(background, str):
-        if background != TRANSPARENT and background not in NAMED:
-            names = ", ".join((*NAMED, TRANSPARENT))
+        if background != TRANSPARENT and background not in NAMED_COLORS:
+            names = ", ".join((*NAMED_COLORS, TRANSPARENT))
             raise ValueError(f"background: expected one of {names}, or red, green and blue, got {shown(background)}")
-        return NAMED.get(background)
+        return NAMED_COLORS.get(background)
     red, green, blue = check_color("background", background).tolist()
     return red, green, blue
 
@@ -291,4 +291,4 @@ def is_dark(background: Triple | None) -> bool:
     if background is None:
         return False
     red, green, blue = background
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue < DARK
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue < MAX_DARK_LUMINANCE

@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 
 from ...kernels.algebra.camera import Camera
 from ...kernels.arrays.bounds import bound_points
-from ...kernels.drawing.layers import LAYERS, before_all, has_more, start_layer, take_words
+from ...kernels.drawing.layers import MAX_LAYERS, before_all, has_more, start_layer, take_words
 from ...kernels.drawing.lines import Pen, draw_lines
 from ...kernels.drawing.placing import find_extremes, shift_indices, transform_points
-from ...kernels.drawing.points import SQUARE, Splat, count_in_squares, draw_points
+from ...kernels.drawing.points import SQUARE_SIDE, Splat, count_in_squares, draw_points
 from ...kernels.drawing.shading import (
-    SAMPLES,
+    CELLS_PER_PIXEL,
     Region,
     Veil,
     finish_picture,
@@ -34,7 +34,7 @@ from ...kernels.drawing.shading import (
 )
 from ...kernels.drawing.surfaces import Surface, shade_surface
 from ...kernels.drawing.triangles import draw_triangles
-from ...kernels.drawing.z_buffer import NEAR, DepthBuffer
+from ...kernels.drawing.z_buffer import MIN_DEPTH, DepthBuffer
 from ...kernels.drawing.z_buffer import View as PartView
 from ...kernels.lang import float32, int32, uint8, vec2, vec3
 from ...kernels.memory import check_room, empty, full, upload
@@ -48,11 +48,14 @@ MAX_ELEMENTS = 2**31 - 1
 CELL_BYTES, PIXEL_BYTES = 16, 15  # z-buffer and buffer of point centers. Color and image
 LAYER_BYTES = 28  # per cell of transparent parts: two layers, a temporary one, and the remaining transmittance
 MIN_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
-CLOSING = 2.2  # diameter over the mean point distance: leaves 2 % of gaps between random points
-SPARSE = 0.8  # fraction of image squares in which neighbors must be at most as far apart as the diameter assumes
+GAP_CLOSING_RATIO = 2.2  # diameter over the mean point distance: leaves 2 % of gaps between random points
+# fraction of image squares in which neighbors must be at most as far apart as the diameter assumes
+MIN_CLOSED_FRACTION = 0.8
 MIN_SIZE, MAX_SIZE = 1.5, 16.0  # [px] of automatic point sizes
-_ENDS = np.array([[0, 0, 1, 1, 0, 0, 1, 1], [0, 0, 0, 0, 1, 1, 1, 1], [0, 1, 0, 1, 0, 1, 0, 1]])  # of a box's corners
-_AXES = np.arange(3)[:, None]
+_BOX_CORNERS = np.array(
+    [[0, 0, 1, 1, 0, 0, 1, 1], [0, 0, 0, 0, 1, 1, 1, 1], [0, 1, 0, 1, 0, 1, 0, 1]]
+)  # of a box's corners
+_AXIS_COLUMN = np.arange(3)[:, None]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -67,7 +70,7 @@ class BoundedPart:
         """Corners of the bounds in the world [m], shape (8, 3), or none."""
         if self.box is None:
             return np.empty((0, 3))
-        corners = self.box[_ENDS, _AXES].T + self.part.origin
+        corners = self.box[_BOX_CORNERS, _AXIS_COLUMN].T + self.part.origin
         pose = self.part.pose
         return corners if pose is None else corners @ pose[:3, :3].T + pose[:3, 3]
 
@@ -114,7 +117,7 @@ class Drawing:
 
     def __init__(self, scene: Scene, view: View):
         camera = view.intrinsic
-        cells = camera.width * SAMPLES, camera.height * SAMPLES
+        cells = camera.width * CELLS_PER_PIXEL, camera.height * CELLS_PER_PIXEL
         need = cells[0] * cells[1] * CELL_BYTES + camera.width * camera.height * PIXEL_BYTES
         veils = [bounded for bounded in scene.parts if _is_veil(bounded)]
         splats = [bounded for bounded in scene.parts if bounded.box is not None and isinstance(bounded.part, Gaussians)]
@@ -164,7 +167,7 @@ class Drawing:
     def _draw_splats(self, part: Gaussians) -> None:
         """Composite Gaussian splats in front of opaque parts."""
         view = self._view_of(part, self.view.intrinsic)
-        near = max(NEAREST_SPLAT / self.unit, NEAR)
+        near = max(NEAREST_SPLAT / self.unit, MIN_DEPTH)
         lists, projected = list_splats(part.columns, view, near=near, fraction=part.opacity)
         blend_splats(lists, projected, self.buffer, self.left, self.light)
 
@@ -181,7 +184,7 @@ class Drawing:
                 count = bounded.part.indices.size // 3
                 surfaces.append((bounded.part, Region(self._number(count), self.stop, self._rectangle(bounded, 1.0))))
         behind = before_all(self.buffer)
-        for _ in range(LAYERS):
+        for _ in range(MAX_LAYERS):
             layer = start_layer(self.buffer, behind)
             for _, _, own in clouds:
                 take_words(own, layer)
@@ -212,20 +215,26 @@ class Drawing:
         if part.metric and part.size is not None:
             splat = Splat(0.0, part.size / 2 / self.unit * self.camera.fx)
         elif part.size is not None:
-            splat = Splat(part.size * SAMPLES / 2)
+            splat = Splat(part.size * CELLS_PER_PIXEL / 2)
         else:
             splat = self._closing_splat(bounded, view)  # sync
         start = self._number(part.positions.size)
         draw_points(part.positions, view, buffer, splat=splat, start=start)
-        return Region(start, self.stop, self._rectangle(bounded, splat.radius / SAMPLES, splat.scaled_radius / SAMPLES))
+        return Region(
+            start,
+            self.stop,
+            self._rectangle(bounded, splat.radius / CELLS_PER_PIXEL, splat.scaled_radius / CELLS_PER_PIXEL),
+        )
 
     def _closing_splat(self, bounded: BoundedPart, view: PartView) -> Splat:
         """Splats of one world size that touch most neighbors, limited to a few pixels."""
         counts, depths = count_in_squares(bounded.part.positions, view)  # sync
-        min_radius, max_radius = MIN_SIZE * SAMPLES / 2, MAX_SIZE * SAMPLES / 2
+        min_radius, max_radius = MIN_SIZE * CELLS_PER_PIXEL / 2, MAX_SIZE * CELLS_PER_PIXEL / 2
         if not len(counts):
             return Splat(min_radius)
-        world_radius = CLOSING / 2 * float(np.quantile(depths * SQUARE / np.sqrt(counts), SPARSE))
+        world_radius = (
+            GAP_CLOSING_RATIO / 2 * float(np.quantile(depths * SQUARE_SIDE / np.sqrt(counts), MIN_CLOSED_FRACTION))
+        )
         return Splat(min_radius, world_radius, max_radius)
 
     def _draw_surface(self, bounded: BoundedPart, part: Triangles, buffer: DepthBuffer) -> Region:
@@ -248,7 +257,7 @@ class Drawing:
         view, drawn = self._view_in_cells(merged), 0
         for width in dict.fromkeys(part.width for part in lines):
             count = sum(part.indices.size // 2 for part in lines if part.width == width)
-            pen = Pen(max(width * SAMPLES / 2, MIN_RADIUS), self.camera)
+            pen = Pen(max(width * CELLS_PER_PIXEL / 2, MIN_RADIUS), self.camera)
             run = merged.indices[2 * drawn : 2 * (drawn + count)]
             draw_lines(merged.positions, run, view, self.buffer, pen=pen, start=self._number(count))
             drawn += count
@@ -338,8 +347,14 @@ def _motion_of(part: Part) -> tuple[Matrix, NDArray[np.float64]]:
 
 
 def _in_cells(camera: Any) -> Camera:
-    c = [(value + 0.5) * SAMPLES - 0.5 for value in (camera.cx, camera.cy)]
-    return Camera(camera.width * SAMPLES, camera.height * SAMPLES, camera.fx * SAMPLES, camera.fy * SAMPLES, *c)
+    c = [(value + 0.5) * CELLS_PER_PIXEL - 0.5 for value in (camera.cx, camera.cy)]
+    return Camera(
+        camera.width * CELLS_PER_PIXEL,
+        camera.height * CELLS_PER_PIXEL,
+        camera.fx * CELLS_PER_PIXEL,
+        camera.fy * CELLS_PER_PIXEL,
+        *c,
+    )
 
 
 def _power_of_two(length: float) -> float:

@@ -16,19 +16,19 @@ from .picture_files import write_image
 from .render import render
 from .view import View, fit_view
 
-BACKDROP = (0.88, 0.89, 0.91)  # sunlit walls are as white as paper
+BACKGROUND_COLOR = (0.88, 0.89, 0.91)  # sunlit walls are as white as paper
 
 # Normals within these angles [degrees] of the current up direction refine it: cameras are tilted,
 # floors and tables are not.
-_NARROWING = (35.0, 25.0, 15.0, 10.0, 10.0)
+_CONE_ANGLES = (35.0, 25.0, 15.0, 10.0, 10.0)
 
-_FEW = 0.01  # fraction of the triangles required to define level surfaces
+_MIN_LEVEL_FRACTION = 0.01  # fraction of the triangles required to define level surfaces
 
 
 def draw_scene(path: Any, mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, overwrite: bool = True) -> None:
     """Render a scene to a .png file from the side of its cameras, given by T_world_camera (n, 4, 4) [m]."""
     view = view_scene(mesh, T_world_camera)
-    image = render(as_photographed(mesh), view, background=BACKDROP, mesh_show_back_face=False)
+    image = render(as_photographed(mesh), view, background=BACKGROUND_COLOR, mesh_show_back_face=False)
     write_image(path, image, overwrite=overwrite)
 
 
@@ -56,9 +56,9 @@ def level_up(normals: NDArray[np.floating], up: NDArray[np.float64]) -> NDArray[
     Returns the initial `up` if few surfaces face that way.
     """
     level = up
-    for angle in _NARROWING:
+    for angle in _CONE_ANGLES:
         near = normals[normals @ level > math.cos(math.radians(angle))]
-        if len(near) <= _FEW * len(normals):
+        if len(near) <= _MIN_LEVEL_FRACTION * len(normals):
             return up
         level = near.mean(axis=0, dtype=np.float64)
         level = level / np.linalg.norm(level)

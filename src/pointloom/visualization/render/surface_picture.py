@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from ...meshing.mesh.mesh import TriangleMesh
 from .render import render
 
-BACKDROP = (0.88, 0.89, 0.91)  # contrast to white surfaces
+BACKGROUND_COLOR = (0.88, 0.89, 0.91)  # contrast to white surfaces
 
 
 def draw_surface(mesh: TriangleMesh) -> NDArray[np.uint8]:
     """Render a mesh. Back faces are hidden if the faces look inwards, as for a room."""
-    return render(mesh, background=BACKDROP, mesh_show_back_face=not looks_inwards(mesh))
+    return render(mesh, background=BACKGROUND_COLOR, mesh_show_back_face=not looks_inwards(mesh))
 
 
 def looks_inwards(mesh: TriangleMesh) -> bool:

@@ -6,8 +6,11 @@ import dataclasses
 import math
 
 MAX_DIGITS = 7  # of a label. Longer ones use an offset
-LARGE, SMALL = 1e7, 1e-4  # ticks from LARGE on, and up to SMALL, share a power of 10
-TINY = 1e-12  # relative: smaller ranges count as empty
+MIN_LARGE_VALUE, MAX_SMALL_VALUE = (
+    1e7,
+    1e-4,
+)  # ticks from MIN_LARGE_VALUE on, and up to MAX_SMALL_VALUE, share a power of 10
+MIN_RELATIVE_RANGE = 1e-12  # relative: smaller ranges count as empty
 
 
 @dataclasses.dataclass(frozen=True)
@@ -53,7 +56,7 @@ def choose_ticks(low: float, high: float, max_count: int) -> Ticks:
         offset = math.floor(low / unit) * unit
         largest = max(abs(low - offset), abs(high - offset))
     exponent = 0
-    if largest >= LARGE or largest <= SMALL:
+    if largest >= MIN_LARGE_VALUE or largest <= MAX_SMALL_VALUE:
         exponent = 3 * (_power(largest) // 3)
     digits = max(0, exponent - power)
     texts = [_text((value - offset) / 10.0**exponent, digits) for value in values]
@@ -92,7 +95,7 @@ def widen(low: float, high: float) -> tuple[float, float]:
     if not (math.isfinite(low) and math.isfinite(high) and math.isfinite(high - low)):
         return 0.0, 1.0
     largest = max(abs(low), abs(high))
-    if high - low > TINY * largest and high - low > 1e-290:
+    if high - low > MIN_RELATIVE_RANGE * largest and high - low > 1e-290:
         return low, high
     pad = 0.05 * largest if largest > 1e-280 else 0.5
     return low - pad, high + pad

@@ -12,7 +12,7 @@ from ...core.up_axis import AXES, UP, transform_up_vector
 from ...meshing.mesh.mesh_arrays import MeshArrays
 from .parts import Triple
 
-DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right
+VIEW_DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right
 
 
 def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
@@ -38,8 +38,8 @@ def direction_under(up: Triple) -> Triple:
     toward = np.array(up) / np.linalg.norm(up)
     cosine = float(toward[2])
     if cosine < -1 + 1e-9:  # upside down: half a rotation about x
-        return DIRECTION[0], -DIRECTION[1], -DIRECTION[2]
-    axis, way = np.cross(UP, toward), np.array(DIRECTION)
+        return VIEW_DIRECTION[0], -VIEW_DIRECTION[1], -VIEW_DIRECTION[2]
+    axis, way = np.cross(UP, toward), np.array(VIEW_DIRECTION)
     rotated = way + np.cross(axis, way) + np.cross(axis, np.cross(axis, way)) / (1 + cosine)  # Rodrigues
     x, y, z = rotated.tolist()
     return x, y, z

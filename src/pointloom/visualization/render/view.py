@@ -19,7 +19,7 @@ Triple = tuple[float, float, float]
 Insets = tuple[int, int, int, int]  # [px] left, top, right, bottom
 
 FIELD_OF_VIEW = 40.0  # [degrees] of the wider side: little perspective distortion
-MARGIN = 1.06  # leaves 6 % of the image free
+FIT_MARGIN = 1.06  # leaves 6 % of the image free
 MIN_ROOM = 0.4  # fraction of width and height that insets always leave
 
 
@@ -151,7 +151,7 @@ class Frame:
         pairs = _shortened(left, right, width), _shortened(top, bottom, height)
         # of the angles from the optical axis to both ends of the free range of each axis
         sides = zip(pairs, (width, height), strict=True)
-        self.tans = [[(length / 2 - band) / focal / MARGIN for band in bands] for bands, length in sides]
+        self.tans = [[(length / 2 - band) / focal / FIT_MARGIN for band in bands] for bands, length in sides]
 
     def directions(self) -> NDArray[np.float64]:
         """Directions, shape (5, 3), along which the extent of the scene must be known."""

@@ -15,7 +15,7 @@ from .server import ViewerServer
 
 MAX_WAITING = 64  # waiting calls
 SIGNAL_TIMEOUT = 3.0  # [s] after which a page without a signal counts as ready
-POLL = 0.25  # [s] between checks for open pages
+POLL_INTERVAL = 0.25  # [s] between checks for open pages
 PATIENT_JOIN = 5.0  # [s] that `close` waits for a running callback
 log = logging.getLogger("pointloom.viewer")
 
@@ -162,7 +162,7 @@ class Calls:
         if not self._beats:
             return None
         if self._requested is not None or not self._pages.are_open():
-            return POLL
+            return POLL_INTERVAL
         return max(min(beat.due for beat in self._beats) - time.monotonic(), 1e-3)
 
     def _call_beat(self, beat: Beat) -> None:

@@ -24,14 +24,14 @@ Vector = NDArray[np.float64]
 
 # Depth range and zoom limits in diagonals of the scene. A 24-bit depth buffer then resolves 1e-4 diagonals
 # at a distance of one diagonal.
-NEAR, FAR = 1e-3, 100.0
-CLOSEST, FARTHEST = 1e-4, 50.0
+NEAR_DIAGONALS, FAR_DIAGONALS = 1e-3, 100.0
+MIN_ZOOM_DIAGONALS, MAX_ZOOM_DIAGONALS = 1e-4, 50.0
 
 # Limits of a page's reported image for rendering.
-NARROWEST, WIDEST = 1e-6, math.pi - 1e-3  # [rad]
+MIN_FIELD_OF_VIEW, MAX_FIELD_OF_VIEW = 1e-6, math.pi - 1e-3  # [rad]
 MIN_PIXELS, MAX_PIXELS = 32, 1 << 25  # per side. In total, as of 8192 x 4096
 
-AWAY = 500.0  # distance of a nearly orthographic camera in extents: no point moves by a pixel
+ORTHOGRAPHIC_DISTANCE = 500.0  # distance of a nearly orthographic camera in extents: no point moves by a pixel
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -74,13 +74,13 @@ def view_of(camera: CameraState | PageCamera, frame: Frame, bounds: Bounds, size
     """The view of a page's camera in world coordinates. A parallel projection becomes a distant perspective view."""
     width, height = picture_size(size)
     position = np.asarray(camera.position, np.float64)
-    tangent = math.tan(min(max(camera.fov, NARROWEST), WIDEST) / 2)
+    tangent = math.tan(min(max(camera.fov, MIN_FIELD_OF_VIEW), MAX_FIELD_OF_VIEW) / 2)
     if camera.orthographic:
         forward = np.asarray(camera.rotation, np.float64)[:, 2]
         depth = float((camera.pivot - position) @ forward)
         extent = diagonal(bounds) / frame.unit
         depth = depth if depth > 1e-9 * extent else extent
-        back = AWAY * max(depth, extent)
+        back = ORTHOGRAPHIC_DISTANCE * max(depth, extent)
         position, tangent = position - back * forward, tangent * depth / (depth + back)
     focal = height / 2 / tangent
     T = np.eye(4)
@@ -101,10 +101,15 @@ def camera_limits(camera: Camera | PageCamera, frame: Frame, bounds: Bounds) -> 
     size = diagonal(bounds) / frame.unit
     middle = frame.to_page((bounds[0] + bounds[1]) / 2)
     distance = float((middle - camera.position) @ np.asarray(camera.rotation)[:, 2])
-    if distance <= FARTHEST * size:
-        return {"near": NEAR * size, "far": FAR * size, "closest": CLOSEST * size, "farthest": FARTHEST * size}
+    if distance <= MAX_ZOOM_DIAGONALS * size:
+        return {
+            "near": NEAR_DIAGONALS * size,
+            "far": FAR_DIAGONALS * size,
+            "closest": MIN_ZOOM_DIAGONALS * size,
+            "farthest": MAX_ZOOM_DIAGONALS * size,
+        }
     far = distance + 2 * size
-    return {"near": distance - 2 * size, "far": far, "closest": CLOSEST * size, "farthest": 4 * far}
+    return {"near": distance - 2 * size, "far": far, "closest": MIN_ZOOM_DIAGONALS * size, "farthest": 4 * far}
 
 
 def diagonal(bounds: Bounds) -> float:

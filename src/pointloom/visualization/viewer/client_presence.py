@@ -10,7 +10,7 @@ from ...core.checks import check_positive
 from ...core.standard_streams import write_to_stderr
 from .scene_display import SceneDisplay
 
-LOOK = 0.2  # [s] between checks
+CHECK_INTERVAL = 0.2  # [s] between checks
 KEEP_ALIVE = 60.0  # [s] after the last page has closed: pages may reload over a slow connection
 
 
@@ -24,7 +24,7 @@ class Presence:
         keep_alive = check_positive("keep_alive", keep_alive, allow_zero=True, allow_infinite=True)
         end = math.inf if seconds is None else time.monotonic() + check_positive("seconds", seconds, allow_zero=True)
         display = self._display
-        while not display.scene.wait_until_closed(min(LOOK, max(end - time.monotonic(), 0.0))):
+        while not display.scene.wait_until_closed(min(CHECK_INTERVAL, max(end - time.monotonic(), 0.0))):
             gone = display.last_closed
             seen = None if gone is None else max(gone, display.server.last_request)
             left = self._is_over(bool(display.sessions), seen, keep_alive)

@@ -10,8 +10,8 @@ from ...core.checks import check_callback, check_list, check_name, check_number,
 from .callback_queue import Calls
 from .keys import check_hotkey
 
-FOLDER, ORDER = "Program", 0.7  # below the point count and the active tool, above all other folders
-STEPS = 100  # default number of slider steps
+DEFAULT_FOLDER, FOLDER_ORDER = "Program", 0.7  # below the point count and the active tool, above all other folders
+SLIDER_STEPS = 100  # default number of slider steps
 MAX_TEXT = 16_384  # characters
 
 Check = Callable[[Any], Any]
@@ -97,7 +97,7 @@ class Controls:
         first, last = numbers["low"], numbers["high"]
         if not first < last:
             raise ValueError(f"low: expected less than high, {last:g}, got {first:g}")
-        step = check_positive("step", numbers.get("step", 1 if is_integer else (last - first) / STEPS))
+        step = check_positive("step", numbers.get("step", 1 if is_integer else (last - first) / SLIDER_STEPS))
         if step > last - first:
             raise ValueError(f"step: expected at most high - low, {last - first:g}, got {step:g}")
 
@@ -151,7 +151,7 @@ class Controls:
         control = Control(_check_label("label", label), _check_label("folder", folder), value, check, self)
         with self._lock:
             if folder not in self._folders:
-                self._folders[folder] = self._gui.add_folder(folder, order=ORDER), []
+                self._folders[folder] = self._gui.add_folder(folder, order=FOLDER_ORDER), []
             folder_handle, within = self._folders[folder]
             with folder_handle:
                 control._handles.append(make(label))

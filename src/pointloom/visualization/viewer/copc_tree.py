@@ -25,8 +25,8 @@ from .nodes_in_view import NodesInView, inward
 log = logging.getLogger("pointloom.viewer")
 
 FIRST_POINTS = 250_000  # of the levels read at once, unless the coarsest has more
-_DEEPEST = 20  # maximum level whose cell numbers fit into 63 bits
-_PROBES = 4  # samples along each side of a cell that estimate its visible fraction
+_MAX_LEVEL = 20  # maximum level whose cell numbers fit into 63 bits
+_PROBES_PER_SIDE = 4  # samples along each side of a cell that estimate its visible fraction
 
 
 class CopcTree(NodesInView):
@@ -155,7 +155,7 @@ class CopcTree(NodesInView):
     def fractions_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
         """Fraction of each node's cube inside a view, 0 to 1, from sample positions; float64 (k,)."""
         rows = self._check_nodes(nodes)
-        steps = (np.arange(_PROBES) + 0.5) / _PROBES * 2 - 1
+        steps = (np.arange(_PROBES_PER_SIDE) + 0.5) / _PROBES_PER_SIDE * 2 - 1
         grid = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
         positions = self.middles[rows, None] + grid * self.halves[rows, None, None]
         heights = (positions - view.T_world_camera[:3, 3]) @ inward(view).T
@@ -220,9 +220,9 @@ def _joined(tables: list[PointTable]) -> PointTable:
 def _names(levels: NDArray[np.int64], cells: NDArray[np.int64]) -> NDArray[np.int64]:
     """A number for each cell; that of its parent is an eighth of it. 0 for cells that are too deep."""
     names = np.ones(len(levels), np.int64)
-    for bit in range(int(min(levels.max(initial=0), _DEEPEST)) - 1, -1, -1):
+    for bit in range(int(min(levels.max(initial=0), _MAX_LEVEL)) - 1, -1, -1):
         deeper = levels > bit
         bits = (cells >> bit) & 1
         octant = bits[:, 0] << 2 | bits[:, 1] << 1 | bits[:, 2]
         names = np.where(deeper, names << 3 | octant, names)
-    return np.where(levels > _DEEPEST, 0, names)
+    return np.where(levels > _MAX_LEVEL, 0, names)

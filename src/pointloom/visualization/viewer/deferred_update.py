@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 log = logging.getLogger("pointloom.viewer")
 
-FRAME = 1 / 30  # [s] minimum time between two runs
-IDLE = 0.5  # [s] without a request after which the thread ends
+MIN_INTERVAL = 1 / 30  # [s] minimum time between two runs
+IDLE_TIMEOUT = 0.5  # [s] without a request after which the thread ends
 
 
 class DeferredUpdate:
@@ -44,7 +44,7 @@ class DeferredUpdate:
 
     def _run(self) -> None:
         while True:
-            was_requested = self._requested.wait(IDLE)
+            was_requested = self._requested.wait(IDLE_TIMEOUT)
             if self._ended.is_set() or not self._take_lock():
                 return
             try:
@@ -58,5 +58,5 @@ class DeferredUpdate:
                 log.warning("an update after a change of the scene failed", exc_info=True)
             finally:
                 self._release_lock()
-            if self._ended.wait(FRAME):
+            if self._ended.wait(MIN_INTERVAL):
                 return

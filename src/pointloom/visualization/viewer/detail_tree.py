@@ -31,10 +31,10 @@ from .nodes_in_view import NodesInView, inward
 
 Points = NDArray[np.float32]
 
-_PART = 1 << 19  # points read at a time: about 50 MB while they are decoded
-_READING = 50  # [%] of the progress
+_POINTS_PER_PART = 1 << 19  # points read at a time: about 50 MB while they are decoded
+_READING_PERCENT = 50  # of the progress
 
-_PROBES = 64  # points per node that estimate its visible fraction
+_PROBES_PER_NODE = 64  # points per node that estimate its visible fraction
 
 _SMALLEST_SIDE = 1e-30  # [m] of the cube: halving a smaller one would underflow float32
 
@@ -155,15 +155,15 @@ class DetailTree(NodesInView):
             missing = [name for name in attributes if name not in cloud.attributes]
             if missing:
                 raise no_attribute(path, missing[0], list(cloud.attributes))
-            report_progress("reading", _READING, 100)
+            report_progress("reading", _READING_PERCENT, 100)
             tree = cls.from_cloud(cloud)
             tree.attributes = {name: cloud[name] for name in attributes}
         else:
             columns, origin, done = GrowingColumns(file.count, is_proven=file.is_proven), file.origin(), 0
-            for part in file.parts(_PART):
+            for part in file.parts(_POINTS_PER_PART):
                 columns.append(columns_of(path, part, origin, attributes))
                 done += len(part.points)
-                report_progress("reading", round(_READING * done / max(file.count, 1)), 100)
+                report_progress("reading", round(_READING_PERCENT * done / max(file.count, 1)), 100)
             arrays = columns.finish()
             colors = arrays.pop("colors", None)
             positions = upload(arrays.pop("positions"), vec3, where, copied=False)
@@ -224,7 +224,7 @@ class DetailTree(NodesInView):
         check_view(view)
         rows = self._check_nodes(nodes)
         normals, eye = inward(view), view.T_world_camera[:3, 3] - self.origin
-        steps = np.arange(_PROBES) / _PROBES
+        steps = np.arange(_PROBES_PER_NODE) / _PROBES_PER_NODE
         samples = self._firsts[rows, None] + (self.counts[rows, None] * steps).astype(np.int64)
         heights = (self._positions[self._order[samples]] - eye) @ normals.T
         return (heights >= 0).all(axis=2).mean(axis=1)

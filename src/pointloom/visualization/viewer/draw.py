@@ -303,7 +303,7 @@ def _this_run() -> _Run | None:
 
 VARIABLE = "POINTLOOM_INLINE"
 FIRST_POINTS = 200_000  # of the first attempt: about 16 B each, packed
-SMALLER, TRIES = 0.9, 4  # safety factor of the next fraction, and maximum number of attempts
+SIZE_REDUCTION, MAX_ATTEMPTS = 0.9, 4  # safety factor of the next fraction, and maximum number of attempts
 
 # Signs that the browser is not on the kernel's machine, or does not show frames of its ports.
 HOSTED_NOTEBOOKS = (
@@ -393,11 +393,11 @@ def _bounded_page(named: list[Named], view: Any, max_points: int) -> tuple[str |
     point_limit = min(max_points, FIRST_POINTS)
     with tempfile.TemporaryDirectory(prefix="pointloom-page-") as folder:
         path = Path(folder) / "page.html"
-        for _ in range(TRIES):
+        for _ in range(MAX_ATTEMPTS):
             counts = write_geometries(path, named, point_limit, view=view)
             size = path.stat().st_size
             if size <= MAX_BYTES:
                 return path.read_text(encoding="utf-8"), counts
             drawn = sum(count for count, _ in counts.values())
-            point_limit = max(1, int(min(drawn, point_limit) * SMALLER * MAX_BYTES / size))
+            point_limit = max(1, int(min(drawn, point_limit) * SIZE_REDUCTION * MAX_BYTES / size))
     return None, {}

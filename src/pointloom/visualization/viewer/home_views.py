@@ -10,7 +10,7 @@ import numpy as np
 from .camera import diagonal
 from .items import Bounds
 
-OUTGROWN = 0.1  # of the diagonal of the fitted bounds: larger growth causes a refit
+MAX_GROWTH = 0.1  # of the diagonal of the fitted bounds: larger growth causes a refit
 MAX_HOMES = 8  # a page reports its position with a delay
 
 
@@ -34,7 +34,7 @@ class AutoFit:
         fitted = self._fitted
         if not was_added_to or bounds is None or fitted is None:
             return False
-        (low, high), slack = bounds, OUTGROWN * diagonal(fitted)
+        (low, high), slack = bounds, MAX_GROWTH * diagonal(fitted)
         has_grown = bool((low < fitted[0] - slack).any() or (high > fitted[1] + slack).any())
         if has_grown:
             self._fitted = bounds

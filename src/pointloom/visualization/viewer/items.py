@@ -20,11 +20,11 @@ from .extents import Bounds
 Matrix = NDArray[np.float64]
 
 # Extents [m] suitable for a browser's camera. Otherwise the page uses another unit.
-SMALLEST, LARGEST = 0.05, 1e5
+MIN_EXTENT, MAX_EXTENT = 0.05, 1e5
 
-SMALL = 2_000_000  # NumPy finds the bounds of fewer points as fast
+MAX_NUMPY_POINTS = 2_000_000  # NumPy finds the bounds of fewer points as fast
 
-SAMPLE = 2000  # points that estimate the distance of a cloud from a camera
+MAX_SAMPLE_POINTS = 2000  # points that estimate the distance of a cloud from a camera
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -43,7 +43,7 @@ class Frame:
         low, high = bounds
         extent = float(np.linalg.norm(high - low))
         unit = 1.0
-        if extent > 0 and not SMALLEST <= extent <= LARGEST:
+        if extent > 0 and not MIN_EXTENT <= extent <= MAX_EXTENT:
             unit = 10.0 ** np.floor(np.log10(extent))
         return cls((low + high) / 2, unit)
 
@@ -197,7 +197,7 @@ class Item:
         part = self.points
         assert part is not None
         if self._sample is None:
-            step = max(1, part.positions.size // SAMPLE)
+            step = max(1, part.positions.size // MAX_SAMPLE_POINTS)
             some = download(part.positions).reshape(-1, 3)[::step].astype(np.float64)
             self._sample = some[finite_rows(some)] + part.origin
         pose = self.pose_of(part)
@@ -215,7 +215,7 @@ def make_item(name: str, number: int, geometry: Any, style: Style, tree: Any = N
 
 def _bounds(parts: list[Part]) -> Bounds | None:
     one = parts[0] if len(parts) == 1 and parts[0].pose is None else None
-    if one is not None and one.positions.device.is_cpu and 0 < one.positions.size <= SMALL:
+    if one is not None and one.positions.device.is_cpu and 0 < one.positions.size <= MAX_NUMPY_POINTS:
         # a kernel's first launch compiles it, which takes longer than all else before the first image
         rows = download(one.positions).reshape(-1, 3)
         box = box_of_finite(rows)

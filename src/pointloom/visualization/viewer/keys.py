@@ -10,7 +10,7 @@ HOTKEYS = (
     "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home", "end", "pageup", "pagedown",
     "arrowup", "arrowdown", "arrowleft", "arrowright",
 )  # fmt: skip
-STEP = 1.25  # factor of the point size per key press
+POINT_SIZE_FACTOR = 1.25  # factor of the point size per key press
 
 
 @dataclasses.dataclass(frozen=True)

@@ -11,7 +11,7 @@ import numpy as np
 from ...core.checks import check_count, check_name, check_positive
 from ...core.paths import path_of
 from ..recording.film import find_view
-from ..recording.recorder import FASTEST, MAX_FRAMES, MAX_POINTS, check_picture_size
+from ..recording.recorder import MAX_FPS, MAX_FRAMES, MAX_POINTS, check_picture_size
 from ..recording.shapes import ShapeStore, Sketch, pose_about, sketch, spread_rows
 from ..recording.timeline import Frame, Placement, Timeline
 from ..recording.writers import check_recording, write_recording
@@ -41,7 +41,7 @@ def write_history(
     More than `max_frames` steps are sampled evenly, including the newest.
     """
     scene = edits.scene
-    fps, size = check_positive("fps", fps, maximum=FASTEST), check_picture_size(size)
+    fps, size = check_positive("fps", fps, maximum=MAX_FPS), check_picture_size(size)
     point_limit, max_frames = check_count("max_points", max_points), check_count("max_frames", max_frames, minimum=2)
     ground = scene.background.tolist() if background is None else background
     output = path_of(path)

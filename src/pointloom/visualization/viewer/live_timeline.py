@@ -20,9 +20,9 @@ from .items import Item, Matrix, make_item
 from .scene_display import SceneDisplay
 
 HISTORY_BYTES = 2**30
-ENTRY = 400  # bytes of a change without arrays: a pose and Python objects
-SMALL = 256  # bytes of arrays included in ENTRY
-SPARSE = 4  # integer times with a larger mean interval use another step
+ENTRY_BYTES = 400  # bytes of a change without arrays: a pose and Python objects
+MAX_INCLUDED_BYTES = 256  # bytes of arrays included in ENTRY_BYTES
+MAX_UNIT_STEP_INTERVAL = 4  # integer times with a larger mean interval use another step
 REMAINING_FRACTION = 0.9  # of the memory limit after dropping, so that not every change drops a step
 FULL = "The history is full: its oldest time steps are dropped when new ones are added."
 log = logging.getLogger("pointloom.viewer")
@@ -172,7 +172,7 @@ class LiveTimeline:
     def step(self) -> float:
         """Step of the page's timeline: 1, or at most the mean interval between steps."""
         mean = (self.times[-1] - self.times[0]) / max(len(self.times) - 1, 1)
-        if self.is_integer and mean < SPARSE:
+        if self.is_integer and mean < MAX_UNIT_STEP_INTERVAL:
             return 1
         power = 10.0 ** math.floor(math.log10(mean)) if mean > 0 else 1.0
         return next(power * digit for digit in (5, 2, 1) if power * digit <= mean * (1 + 1e-9))
@@ -237,7 +237,7 @@ class LiveTimeline:
 
     def _update_usage(self, state: State, change: int) -> None:
         """Update the memory usage for an added or removed state."""
-        self.bytes += change * ENTRY
+        self.bytes += change * ENTRY_BYTES
         for address, size in _arrays_of(state.item):
             count = self._arrays.get(address, (0, size))[0]
             if count + change > 0:
@@ -299,6 +299,6 @@ def _arrays_of(item: Item) -> Iterator[tuple[int, int]]:
             address, size = array.ptr, array.capacity
         else:
             continue
-        if address and size > SMALL and address not in seen:
+        if address and size > MAX_INCLUDED_BYTES and address not in seen:
             seen.add(address)
             yield address, size

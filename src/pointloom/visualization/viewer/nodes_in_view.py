@@ -13,7 +13,7 @@ from ..render.view import View, check_view
 
 # Minimum distance of a node over its half width, so that nodes around the camera are ordered, too:
 # 200 pixels per spacing are enough to come first.
-_NEAREST = 0.1
+_MIN_DISTANCE_RATIO = 0.1
 
 
 class NodesInView:
@@ -85,7 +85,7 @@ class NodesInView:
         if lengths.shape not in ((), (len(self),)):
             raise ValueError(f"lengths: expected shape [{len(self)}], one per node, got {list(lengths.shape)}")
         beyond = np.maximum(np.abs(self._level_middles - T[:3, 3]) - halves[:, None], 0.0)
-        distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _NEAREST * halves)
+        distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _MIN_DISTANCE_RATIO * halves)
         return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
 
     def _are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:

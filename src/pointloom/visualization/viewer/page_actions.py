@@ -14,7 +14,7 @@ from ...io.images.image_files import encode_png
 from ..render.open3d_views import read_view, write_view
 from .coloring_choice import choices_of
 from .items import Item
-from .keys import KEYS, STEP
+from .keys import KEYS, POINT_SIZE_FACTOR
 from .panel import OWN, Panel
 from .scene_display import SceneDisplay
 from .scene_edits import SceneEdits, requested_by_page
@@ -109,11 +109,11 @@ class PageActions:
 
     @show_errors_in_page
     def shrink_points(self, client: int) -> None:
-        self._scale_points(1 / STEP)
+        self._scale_points(1 / POINT_SIZE_FACTOR)
 
     @show_errors_in_page
     def grow_points(self, client: int) -> None:
-        self._scale_points(STEP)
+        self._scale_points(POINT_SIZE_FACTOR)
 
     @show_errors_in_page
     def set_point_size(self, client: int, size: float) -> None:

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from .link import PageServer, Shown
 
 OWN = "own colors"
-TICKS = 5  # of a color bar, besides its ends
-APART = 0.08  # of the bar's length: nearer ticks would overlap the number at an end
+NUM_TICKS = 5  # of a color bar, besides its ends
+MIN_TICK_SEPARATION = 0.08  # of the bar's length: nearer ticks would overlap the number at an end
 MAX_SLIDER_SIZE = 20.0  # [px] largest point size of the slider
 
 
@@ -38,22 +38,22 @@ class Panel:
         self._legend: Shown | None = None
         self._legend_content: Any = None  # content of the legend
         self._colored: dict[str, Item] = {}  # items with a coloring
-        with gui.add_folder("Color", order=sections.COLOR):
+        with gui.add_folder("Color", order=sections.COLOR_ORDER):
             self.color_property = gui.add_dropdown("by", (OWN,))
             self.colormap = gui.add_dropdown("map", COLORMAPS, visible=False)
             self.low = gui.add_number("low", 0.0, visible=False)
             self.high = gui.add_number("high", 1.0, visible=False)
             self.fit_range = gui.add_button("Fit range", visible=False)
-        with gui.add_folder("Scene", order=sections.SCENE):
+        with gui.add_folder("Scene", order=sections.SCENE_ORDER):
             self.tree = gui.add_tree()
-        with gui.add_folder("Points and surfaces", order=sections.POINTS):
+        with gui.add_folder("Points and surfaces", order=sections.POINTS_ORDER):
             self.point_size = gui.add_slider(
                 "point size", 0.5, MAX_SLIDER_SIZE, 0.1, min(MAX_SLIDER_SIZE, scene.point_size)
             )
             self.normals = gui.add_checkbox("normals (N)", False)
             self.wireframe = gui.add_checkbox("wireframe (W)", False)
             self.background = gui.add_rgb("background", np.rint(scene.background * 255))
-        with gui.add_folder("View", order=sections.VIEW):
+        with gui.add_folder("View", order=sections.VIEW_ORDER):
             self.buttons = {key.action: gui.add_button(f"{key.label} ({key.shown})") for key in KEYS if key.is_button}
             self.load_view = gui.add_upload_button("Load view", accept=".json,application/json")
 
@@ -149,7 +149,7 @@ def legend_of(coloring: Coloring, items: Any) -> tuple[str, Any]:
 def bar_ticks(coloring: Coloring) -> tuple[str, tuple[tuple[float, str], ...]]:
     """Title with unit of a color bar, and ticks (round numbers and both ends) as fractions of its length."""
     assert coloring.limits is not None
-    ticks = with_ends(choose_ticks(*coloring.limits, TICKS), APART)
+    ticks = with_ends(choose_ticks(*coloring.limits, NUM_TICKS), MIN_TICK_SEPARATION)
     span = ticks.high - ticks.low
     fractions = tuple((value - ticks.low) / span for value in ticks.values)
     return ticks.title(coloring.title), tuple(zip(fractions, ticks.texts, strict=True))

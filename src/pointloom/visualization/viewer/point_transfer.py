@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 Keep = Callable[[NDArray[np.float64]], NDArray[np.bool_]]
 
 # A page draws this number well within a second even in software.
-FIRST = 125_000
-STEP = 250_000
+POINTS_IN_FIRST_STEP = 125_000
+POINTS_PER_STEP = 250_000
 AT_ONCE = 200_000  # steps would not be faster up to this number of points
 
 
@@ -165,11 +165,11 @@ def in_steps(count: int) -> list[NDArray[np.int64]]:
     """Rows of a cloud in parts that each cover all of it, a small one first. One part for few rows."""
     if count <= AT_ONCE:
         return [np.arange(count)]
-    first = spread_rows(count, FIRST).astype(np.int64)
+    first = spread_rows(count, POINTS_IN_FIRST_STEP).astype(np.int64)
     is_left = np.ones(count, bool)
     is_left[first] = False
     left = np.flatnonzero(is_left)
-    steps = -(-len(left) // STEP)
+    steps = -(-len(left) // POINTS_PER_STEP)
     return [first, *(left[k::steps] for k in range(steps))]
 
 

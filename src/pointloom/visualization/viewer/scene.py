@@ -19,13 +19,13 @@ from .camera import diagonal, read_parameters
 from .coloring_choice import ColoringChoice
 from .extents import Bounds, Extents
 from .items import Frame, Item
-from .point_transfer import FIRST
+from .point_transfer import POINTS_IN_FIRST_STEP
 
 POINT_SIZE = 3.0  # [px] default size of points
 SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
-OUTLINE, MIN_OUTLINE = 100_000, 50  # points of clouds for the view of everything. Minimum number per cloud
+MAX_OUTLINE_POINTS, MIN_OUTLINE = 100_000, 50  # points of clouds for the view of everything. Minimum number per cloud
 NORMAL_LENGTH = 0.01  # over the scene's diagonal
-_NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
+_EMPTY_BOUNDS: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
 
 
 class Scene:
@@ -127,7 +127,7 @@ class Scene:
     def bounds(self) -> Bounds:
         """Lowest and highest corner [m]. A 2 m box if the scene is empty."""
         bounds = self._extents.union()
-        return _NOTHING if bounds is None else bounds
+        return _EMPTY_BOUNDS if bounds is None else bounds
 
     @property
     def is_empty(self) -> bool:
@@ -194,7 +194,7 @@ class Scene:
         if item.cloud is None or self.point_count <= self.max_points:
             return self.max_points
         budget = max(1, self.max_points * item.point_count // self.point_count)
-        return min(budget, FIRST) if item.tree is None and item.name in self.previews else budget
+        return min(budget, POINTS_IN_FIRST_STEP) if item.tree is None and item.name in self.previews else budget
 
     @property
     def normal_length(self) -> float | None:
@@ -217,9 +217,9 @@ class Scene:
     def _outline(self) -> NDArray[np.float64]:
         """Points that define the complete scene: samples of clouds, corners of all other geometries."""
         if self.is_empty:
-            return np.stack(_NOTHING)
+            return np.stack(_EMPTY_BOUNDS)
         clouds = [item for item in self.shown.values() if item.cloud is not None and item.bounds is not None]
-        each = OUTLINE // max(len(clouds), 1)
+        each = MAX_OUTLINE_POINTS // max(len(clouds), 1)
         if each < MIN_OUTLINE:  # so few that their boxes suffice
             return self._extents.corners()
         samples = [item.sample()[:: -(-len(item.sample()) // each)] for item in clouds]

@@ -24,7 +24,7 @@ from .point_transfer import even_fraction
 from .scene import POINT_SIZE, Scene
 from .tools.clip_planes import Clip, clip_mesh
 
-SIZE = (1280, 960)  # [px] of the fitted initial view
+VIEW_SIZE = (1280, 960)  # [px] of the fitted initial view
 MAX_DRAWN = 20_000_000  # points of an image if they must be copied
 
 
@@ -88,7 +88,7 @@ def write_geometries(
     timeline = Timeline(origin, store.shapes, [Frame(shown)], title=title)
     up = up or up_of((geometry, style.pose) for _, geometry, style in named)
     if view is None and up != UP:
-        view = view_frames(timeline, (direction_under(up), up), *SIZE)
+        view = view_frames(timeline, (direction_under(up), up), *VIEW_SIZE)
     write_page(path, timeline, view=view, background=tuple(background), overwrite=overwrite)
     return {name: (drawn.drawn, drawn.total) for name, drawn in sketches.items()}
 

@@ -15,7 +15,7 @@ from ..render.view import View
 from .camera import Camera, camera_limits, camera_of, view_of
 from .home_views import Homes
 from .items import Item
-from .panel_sections import COUNTS
+from .panel_sections import COUNTS_ORDER
 from .point_transfer import WholeCloud
 from .scene import POINT_SIZE, Scene
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .tools.clip_planes import Clip
     from .tools.picking import Pick
 
-REST = 0.25  # [s] without motion until the camera is at rest
+IDLE_TIME = 0.25  # [s] without motion until the camera is at rest
 log = logging.getLogger("pointloom.viewer")
 
 
@@ -81,7 +81,7 @@ class Session:
         """Show the scene. Requires the scene's lock."""
         with self.client.atomic():
             self.go_home()
-            self._line = self.client.gui.add_words("", order=COUNTS, visible=False)
+            self._line = self.client.gui.add_words("", order=COUNTS_ORDER, visible=False)
             for item in self.scene.shown.values():
                 self.show(item)
             self.tools = make_tools(self)
@@ -317,7 +317,7 @@ class Session:
             return
         self._state, self._moved = camera.state, time.monotonic()
         if self._timer is None and not self.closed:
-            self._wait(REST)
+            self._wait(IDLE_TIME)
 
     def _refit(self) -> None:
         """Fit the view again if the page's aspect ratio changed and the camera was not moved."""
@@ -330,7 +330,7 @@ class Session:
     def _restart_timer(self, seconds: float) -> None:
         if self._timer is not None:
             self._timer.cancel()
-        self._moved = time.monotonic() - REST
+        self._moved = time.monotonic() - IDLE_TIME
         self._wait(seconds)
 
     def _wait(self, seconds: float) -> None:
@@ -339,7 +339,7 @@ class Session:
         self._timer.start()
 
     def _check_if_idle(self) -> None:
-        left = REST - (time.monotonic() - self._moved)
+        left = IDLE_TIME - (time.monotonic() - self._moved)
         if self.closed:
             return
         if left > 0:
@@ -389,8 +389,8 @@ def _counted(count: int, name: str) -> str:
 
 
 SIGNAL_TIMEOUT = 3.0  # [s] after which the next step is sent without a signal
-SIGNS = 3  # frames between two steps: a page prepares one or two frames ahead
-PAUSE = 0.1  # [s] more
+FRAMES_PER_STEP = 3  # frames between two steps: a page prepares one or two frames ahead
+STEP_PAUSE = 0.1  # [s] more
 
 
 class Pace:
@@ -409,14 +409,14 @@ class Pace:
     def wait(self) -> bool:
         """Wait until the page has drawn what it was sent. False if it has gone."""
         end = time.monotonic() + SIGNAL_TIMEOUT
-        for _ in range(SIGNS):
+        for _ in range(FRAMES_PER_STEP):
             self._answered.clear()
             if self._ended.is_set():
                 return False
             self._request()
             if not self._answered.wait(max(end - time.monotonic(), 0.0)):
                 break
-        return not self._ended.wait(PAUSE)
+        return not self._ended.wait(STEP_PAUSE)
 
     def close(self) -> None:
         self._ended.set()

@@ -60,25 +60,25 @@ class Sent:
     visible: bool = True
 
 
-PLAIN = (89, 128, 158)  # of clouds without colors
+PLAIN_COLOR = (89, 128, 158)  # of clouds without colors
 
 # Per batch: two megabytes.
 _BATCH_POINTS, _BATCH_NODES = 200_000, 24
 _FIRST_POINTS = 100_000  # of the first batch of an empty view
 
-_HIDDEN = 2  # budgets of hidden points in the browser
+_HIDDEN_BUDGETS = 2  # budgets of hidden points in the browser
 
 # Half a step of float16 at the far end of a node: 11 bits of half its side. Below 2^-14, steps are constant.
 _HALF_STEP, _MIN_HALF_STEP = 2.0**-12, 2.0**-25
 _FLOAT16_MAX = 60_000.0
 _MAX_ERROR = 0.25  # [px] maximum error of positions
 
-_FILLING = 1.5  # discs of this many spacings leave few gaps
-_RESIZED = 1.25  # smaller changes of size are ignored
+_DISC_SPACINGS = 1.5  # discs of this many spacings leave few gaps
+_MIN_SIZE_CHANGE = 1.25  # smaller changes of size are ignored
 
 _NOTHING, _MORE, _OVERTAKEN = "nothing", "more", "overtaken"  # remaining work after a batch
 
-_PASSES = 6  # over a view with hidden parts, until the budget is used
+_MAX_PASSES = 6  # over a view with hidden parts, until the budget is used
 
 
 class CloudStream:
@@ -194,7 +194,7 @@ class CloudStream:
             return False
         view = View(request.view.intrinsic, np.linalg.inv(self._pose) @ request.view.T_world_camera)
         self._forget_masks(request)
-        for _ in range(_PASSES if request.keep is not None else 1):
+        for _ in range(_MAX_PASSES if request.keep is not None else 1):
             previous = self._visible_counts.copy()
             nodes = self._choose(view)
             left = self._show(nodes, view, request, version, in_steps)
@@ -303,7 +303,7 @@ class CloudStream:
         indices = self._tree.indices_of(i)
         indices = indices if mask is None else indices[mask]
         colors = self._tree.colors_of(indices) if request.colors_of is None else request.colors_of(indices)
-        return np.broadcast_to(np.array(PLAIN, np.uint8), (len(indices), 3)) if colors is None else colors
+        return np.broadcast_to(np.array(PLAIN_COLOR, np.uint8), (len(indices), 3)) if colors is None else colors
 
     def _put(self, i: int, content: Callable[[float], Sent] | None, size: float) -> None:
         before = self._sent.pop(i, None)
@@ -328,7 +328,7 @@ class CloudStream:
 
     def _drop_hidden(self) -> None:
         hidden = [(i, sent) for i, sent in self._sent.items() if not sent.visible]
-        room = _HIDDEN * self._budget
+        room = _HIDDEN_BUDGETS * self._budget
         for i, sent in reversed(hidden):
             room -= sent.count
             if room < 0:
@@ -342,7 +342,7 @@ class CloudStream:
             self._size = request.size or self._size
             return dict.fromkeys(nodes, self._size)
         self._size = self._fitting_size(nodes, view)
-        wide = np.where(self._tree._are_refined(nodes), 0.0, _FILLING * self._tree.spacings[nodes])
+        wide = np.where(self._tree._are_refined(nodes), 0.0, _DISC_SPACINGS * self._tree.spacings[nodes])
         return dict(zip(nodes, np.maximum(wide, self._size).tolist(), strict=True))
 
     def _fitting_size(self, nodes: list[int], view: View) -> float:
@@ -353,8 +353,8 @@ class CloudStream:
         )  # breaks ties if no point is in view
         ranks = np.argsort(-spacings, kind="stable")
         half = np.searchsorted(np.cumsum(counts[ranks]), counts.sum() / 2)
-        size = _FILLING * float(spacings[ranks[min(half, len(nodes) - 1)]])
-        return self._size if self._size / _RESIZED < size < self._size * _RESIZED else size
+        size = _DISC_SPACINGS * float(spacings[ranks[min(half, len(nodes) - 1)]])
+        return self._size if self._size / _MIN_SIZE_CHANGE < size < self._size * _MIN_SIZE_CHANGE else size
 
     def _resize(self, sizes: dict[int, float], is_metric: bool) -> None:
         for i, size in sizes.items():

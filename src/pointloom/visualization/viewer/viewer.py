@@ -22,7 +22,7 @@ from ..render.open3d_views import OPEN3D_KEYS
 from ..render.parts import Triple
 from ..render.view import View
 from .client_presence import KEEP_ALIVE, Presence
-from .controls import FOLDER, Control
+from .controls import DEFAULT_FOLDER, Control
 from .copc_tree import CopcTree
 from .extents import Bounds
 from .hooks import Hooks, check_function
@@ -31,7 +31,7 @@ from .keys import check_hotkey
 from .live_timeline import HISTORY_BYTES
 from .page_actions import PageActions
 from .panel import Panel
-from .panel_sections import TOOLS
+from .panel_sections import TOOLS_ORDER
 from .scene import POINT_SIZE, Scene, check_color, check_size
 from .scene_display import SceneDisplay
 from .scene_edits import SceneEdits
@@ -391,7 +391,7 @@ class Viewer:
         callback: Callable[[int], Any],
         *,
         hotkey: str | None = None,
-        folder: str = FOLDER,
+        folder: str = DEFAULT_FOLDER,
         hint: str = "",
     ) -> Control:
         """Add a button to the panel of all pages and to the command palette (Ctrl+K).
@@ -426,7 +426,7 @@ class Viewer:
         callback: Callable[[Any], Any] | None = None,
         *,
         step: float | None = None,
-        folder: str = FOLDER,
+        folder: str = DEFAULT_FOLDER,
     ) -> Control:
         """Add a slider to the panel of all pages. It is integer if all given numbers are integers.
 
@@ -451,7 +451,12 @@ class Viewer:
         return self.hooks.controls.add_slider(label, low, high, value, callback, step, folder)
 
     def add_checkbox(
-        self, label: str, value: bool = False, callback: Callable[[bool], Any] | None = None, *, folder: str = FOLDER
+        self,
+        label: str,
+        value: bool = False,
+        callback: Callable[[bool], Any] | None = None,
+        *,
+        folder: str = DEFAULT_FOLDER,
     ) -> Control:
         """Add a checkbox to the panel of all pages. Arguments and errors as in `add_slider`.
 
@@ -470,7 +475,7 @@ class Viewer:
         callback: Callable[[str], Any] | None = None,
         value: str | None = None,
         *,
-        folder: str = FOLDER,
+        folder: str = DEFAULT_FOLDER,
     ) -> Control:
         """Add a dropdown list to the panel of all pages. If `value` is None, the first option is selected.
 
@@ -486,7 +491,7 @@ class Viewer:
         return self.hooks.controls.add_dropdown(label, options, callback, value, folder)
 
     def add_text(
-        self, label: str, value: str = "", callback: Callable[[str], Any] | None = None, *, folder: str = FOLDER
+        self, label: str, value: str = "", callback: Callable[[str], Any] | None = None, *, folder: str = DEFAULT_FOLDER
     ) -> Control:
         """Add a text field (at most 16,384 characters) to the panel of all pages.
 
@@ -657,7 +662,7 @@ class Viewer:
 
     def _connect(self, client: PageClient) -> None:
         def make_tools(session: Session) -> Toolbox:
-            return Toolbox(session, self.edits, client.gui.add_folder("Tools", order=TOOLS))
+            return Toolbox(session, self.edits, client.gui.add_folder("Tools", order=TOOLS_ORDER))
 
         self.display.connect(client, make_tools)
 

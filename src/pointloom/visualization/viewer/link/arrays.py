@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ....core.checks import check_finite, check_number, check_shape
 
-SNORM = 32767
+NORMAL_SCALE = 32767
 
 
 def immutable_rows(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
@@ -32,7 +32,7 @@ def packed_normals(values: Any) -> NDArray[np.int16]:
     """Unit normals (n, 3) as int16; int16 is returned as is."""
     given = np.asarray(values)
     if given.dtype != np.int16:
-        given = np.rint(np.nan_to_num(np.clip(given, -1, 1)) * SNORM).astype(np.int16)
+        given = np.rint(np.nan_to_num(np.clip(given, -1, 1)) * NORMAL_SCALE).astype(np.int16)
         given.flags.writeable = False
     return immutable_rows(given, [np.int16], 3)
 

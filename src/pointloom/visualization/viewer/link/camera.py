@@ -14,10 +14,10 @@ from ....core.checks import check_angle, check_finite, check_number, check_posit
 from .arrays import triple
 from .delivery import Channel
 
-FARTHEST = 1e12
+MAX_COORDINATE = 1e12
 MAX_PIXELS = 16384
 MIN_ANGLE = 1e-4  # [rad] minimum distance of the field of view from 0 and pi: its tangent is a divisor
-ORTHONORMAL = 1e-3  # limit of |R R^T - 1| for a reported rotation
+MAX_ROTATION_ERROR = 1e-3  # limit of |R R^T - 1| for a reported rotation
 _NUMBERS = ("near", "far", "closest", "farthest")
 
 
@@ -36,7 +36,7 @@ class CameraState:
     orthographic: bool = False
 
 
-FIRST = CameraState(np.zeros(3), np.eye(3), math.radians(60), (800, 600), np.array([0.0, 0.0, 1.0]))
+FIRST_STATE = CameraState(np.zeros(3), np.eye(3), math.radians(60), (800, 600), np.array([0.0, 0.0, 1.0]))
 
 
 def nearest_rotation(matrix: Any) -> NDArray[np.float64] | None:
@@ -44,7 +44,7 @@ def nearest_rotation(matrix: Any) -> NDArray[np.float64] | None:
     values = np.asarray(matrix, np.float64)
     if not (np.isfinite(values).all() and np.abs(values).max() < 2):
         return None
-    if np.abs(values @ values.T - np.eye(3)).max() >= ORTHONORMAL or np.linalg.det(values) < 0:
+    if np.abs(values @ values.T - np.eye(3)).max() >= MAX_ROTATION_ERROR or np.linalg.det(values) < 0:
         return None
     left, _, right = np.linalg.svd(values)
     return left @ right
@@ -53,7 +53,7 @@ def nearest_rotation(matrix: Any) -> NDArray[np.float64] | None:
 class PageCamera:
     """The camera of a page: the last one it reported or was set to, as an immutable `state`."""
 
-    def __init__(self, channel: Channel, state: CameraState = FIRST):
+    def __init__(self, channel: Channel, state: CameraState = FIRST_STATE):
         self._channel, self.state = channel, state
         self._on_update: list[Callable[[PageCamera], Any]] = []
 

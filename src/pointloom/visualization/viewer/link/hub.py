@@ -35,8 +35,8 @@ from .page import ServedPage, refused_page
 from .waiting_connections import WaitingConnections, WatchedConnection
 from .wire import MAX_BYTES, read
 
-VERSION = 1
-PROTOCOL = f"pointloom.{VERSION}"
+PROTOCOL_VERSION = 1
+PROTOCOL = f"pointloom.{PROTOCOL_VERSION}"
 OTHER_VERSION = 4001  # close code for a cached page of another version
 MAX_CLIENTS = 32
 MAX_OWN_BYTES = 1 << 30  # backlog limit of one page
@@ -267,7 +267,7 @@ class Hub:
             message = None
         if message is None or message["say"] != "hello":
             await connection.close(1007, "expected hello as the first message")
-        elif message["version"] != VERSION:
+        elif message["version"] != PROTOCOL_VERSION:
             await connection.close(OTHER_VERSION, "this page belongs to another version: reload it")
         else:
             return message

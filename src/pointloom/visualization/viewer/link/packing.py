@@ -15,15 +15,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-ALIGN = 8
-SLICE = 1 << 20  # bytes per frame: maximum in the server's buffers for a page that does not read
+ALIGNMENT_BYTES = 8
+MAX_FRAME_BYTES = 1 << 20  # maximum in the server's buffers for a page that does not read
 
 log = logging.getLogger("pointloom.viewer")
 Op = dict[str, Any]
 
 
 def pack(ops: list[Op]) -> Iterator[memoryview]:
-    """Yield the bytes of a message with these operations, at most `SLICE` each. 1D arrays become rows of one number."""
+    """Yield the bytes of a message with these operations, at most `MAX_FRAME_BYTES` each.
+
+    1D arrays become rows of one number.
+    """
     arrays: list[NDArray[Any]] = []
     texts = [text for op in ops if (text := _write(op, arrays))]
     described = [[kind_of(values), len(values), _width(values)] for values in arrays]
@@ -41,7 +44,7 @@ def pack(ops: list[Op]) -> Iterator[memoryview]:
     for values in arrays:
         if values.nbytes:
             yield from _slices(values.reshape(-1).view(np.uint8).data)
-        if gap := -values.nbytes % ALIGN:
+        if gap := -values.nbytes % ALIGNMENT_BYTES:
             yield memoryview(bytes(gap))
 
 
@@ -83,9 +86,9 @@ def _width(values: NDArray[Any]) -> int:
 
 
 def _up(offset: int) -> int:
-    return -(-offset // ALIGN) * ALIGN
+    return -(-offset // ALIGNMENT_BYTES) * ALIGNMENT_BYTES
 
 
 def _slices(data: memoryview) -> Iterator[memoryview]:
-    for start in range(0, len(data), SLICE):
-        yield data[start : start + SLICE]
+    for start in range(0, len(data), MAX_FRAME_BYTES):
+        yield data[start : start + MAX_FRAME_BYTES]

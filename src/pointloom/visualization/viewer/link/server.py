@@ -19,7 +19,7 @@ from ....core.checks import check_color, check_fraction
 from ...page.sources import live_page
 from ..guard import RequestGuard
 from .arrays import triple
-from .camera import FIRST, CameraState, camera_fields, moved
+from .camera import FIRST_STATE, CameraState, camera_fields, moved
 from .client import PageClient
 from .delivery import Channel, Delivery
 from .gui import Gui
@@ -91,7 +91,7 @@ class PageServer:
         self.scene, self.gui = Scene(self._channel), Gui(self._channel)
         self._clients: dict[int, PageClient] = {}
         self._numbers = itertools.count()
-        self._first: CameraState = FIRST
+        self._first: CameraState = FIRST_STATE
         self.is_child = False
         self._on_connect: list[Callable[[PageClient], Any]] = []
         self._on_disconnect: list[Callable[[PageClient], Any]] = []

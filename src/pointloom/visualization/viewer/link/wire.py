@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from .camera import FARTHEST, MAX_PIXELS, MIN_ANGLE, CameraState, nearest_rotation
+from .camera import MAX_COORDINATE, MAX_PIXELS, MIN_ANGLE, CameraState, nearest_rotation
 
 MAX_BYTES = 1 << 20  # of a message with a file
 MAX_SMALL_BYTES = 64 << 10  # of other messages
@@ -89,7 +89,7 @@ def _is_switch(value: Any) -> bool:
 
 
 def _is_position(value: Any) -> bool:
-    return _numbers(value, 3, FARTHEST)
+    return _numbers(value, 3, MAX_COORDINATE)
 
 
 def _is_matrix(value: Any) -> bool:

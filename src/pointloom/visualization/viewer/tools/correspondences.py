@@ -27,7 +27,8 @@ from ....registration.icp.icp import registration_icp
 from ....registration.rigid import fit_pose
 
 MIN_PAIRS = 3
-THIN = 0.02  # minimum spread of the pairs across their line, over that along it, to define the rotation about it
+# minimum spread of the pairs across their line, over that along it, to define the rotation about it
+MIN_SPREAD_RATIO = 0.02
 MAX_POINTS = 200_000  # per cloud. Larger ones are sampled for an interactive response
 DISTANCE_FACTOR = 3.0  # correspondence distance over the RMS of the pairs or the point spacing
 
@@ -60,7 +61,7 @@ def fit_pairs(source: Any, target: Any) -> PairFit:
         raise ValueError(f"pairs: expected at least three, got {len(moving)}; pick {MIN_PAIRS - len(moving)} more")
     for name, points in (("source", moving), ("target", fixed)):
         spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-        if not spread[1] > THIN * spread[0]:
+        if not spread[1] > MIN_SPREAD_RATIO * spread[0]:
             what = "are identical" if not spread[0] > 0 else "are collinear"
             raise ValueError(f"pairs: the points of the {name} {what}; pick another pair away from them")
     T = fit_pose(moving, fixed)

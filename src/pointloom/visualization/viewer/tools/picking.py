@@ -20,7 +20,7 @@ from ....pcd.cloud import PointCloud
 from ....pcd.point_arrays import check_cloud
 from ...render.view import View, check_view
 
-RADIUS = 6.0  # [px] tolerance of a click
+CLICK_RADIUS = 6.0  # [px] tolerance of a click
 Matrix = NDArray[np.float64]
 PointQuery = tuple[Any, Matrix, Any, tuple[float, float], float]  # input of the passes over a cloud's points
 Rows = list[tuple[str, str]]  # labels and values of a point
@@ -60,7 +60,14 @@ class Pick:
 
 
 def pick_point(
-    cloud: PointCloud, view: View, x: float, y: float, *, radius: float = RADIUS, pose: Any = None, hidden: Any = None
+    cloud: PointCloud,
+    view: View,
+    x: float,
+    y: float,
+    *,
+    radius: float = CLICK_RADIUS,
+    pose: Any = None,
+    hidden: Any = None,
 ) -> int | None:
     """Index of the point of a cloud at a click: the nearest one on the screen among those in front, or None.
 
@@ -85,7 +92,7 @@ def pick_point(
     return None if hit is None else hit.index
 
 
-def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: float = RADIUS) -> Pick | None:
+def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: float = CLICK_RADIUS) -> Pick | None:
     """Pick among several clouds and meshes. Surfaces hide objects behind them."""
     check_view(view)
     click = check_number("x", x), check_number("y", y)
@@ -106,7 +113,7 @@ def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: f
     foremost = min([depth for *_, depth in clouds] + [depth for depth, _ in surfaces])
     best: tuple[float, Pick] | None = None
     for depth, met in surfaces:
-        behind = (depth - foremost) * view.intrinsic.fx / (foremost * picking.STEEPNESS)
+        behind = (depth - foremost) * view.intrinsic.fx / (foremost * picking.MAX_SURFACE_SLOPE)
         if best is None or behind * behind < best[0]:
             best = behind * behind, met
     for target, T, _ in clouds:

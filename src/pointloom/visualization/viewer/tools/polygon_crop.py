@@ -26,9 +26,10 @@ from ...render.view import View, check_view
 from .picking import T_camera_points, ray_through
 
 AXES = "XYZ"
-FAR = 500.0  # distance of the camera in depths of the scene: perspective then moves no point by a pixel
-STRAIGHT = math.cos(math.radians(0.5))  # limit of `looks_along_axis`
-MARGIN = 1.1  # margin around the points
+# distance of the camera in depths of the scene: perspective then moves no point by a pixel
+CAMERA_DISTANCE_RATIO = 500.0
+MIN_AXIS_COSINE = math.cos(math.radians(0.5))  # limit of `looks_along_axis`
+VIEW_MARGIN = 1.1  # margin around the points
 
 Matrix = NDArray[np.float64]
 
@@ -53,7 +54,7 @@ def nearest_axis(view: View) -> tuple[str, int]:
 
 def looks_along_axis(view: View) -> bool:
     """True if a view is along a coordinate axis to within 0.5 degrees."""
-    return float(np.abs(view.T_world_camera[:3, 2]).max()) >= STRAIGHT
+    return float(np.abs(view.T_world_camera[:3, 2]).max()) >= MIN_AXIS_COSINE
 
 
 def view_along(view: View, low: Any, high: Any, axis: str | None = None) -> View:
@@ -74,8 +75,8 @@ def view_along(view: View, low: Any, high: Any, axis: str | None = None) -> View
     extent = np.abs(corners[1] - corners[0])
     scale = max(extent @ np.abs(right) / width, extent @ np.abs(up_axis) / height)
     depth = float(extent @ np.abs(forward))
-    pixel = MARGIN * (float(scale) or depth / height or 1.0 / height)  # [m]. A line along the axis has no width
-    distance = FAR * max(depth, pixel * height)
+    pixel = VIEW_MARGIN * (float(scale) or depth / height or 1.0 / height)  # [m]. A line along the axis has no width
+    distance = CAMERA_DISTANCE_RATIO * max(depth, pixel * height)
     focal = distance / pixel
     T[:3, 3] = corners.mean(axis=0) - distance * forward
     intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)

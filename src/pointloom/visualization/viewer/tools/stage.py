@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 Matrix = NDArray[np.float64]
 Color = tuple[int, int, int]
 
-MARK: Color = (230, 60, 20)
+MARK_COLOR: Color = (230, 60, 20)
 MARK_SIZE = 8.0  # [px]
 LINE_WIDTH = 2.5  # [px]
 MAX_CLICKS = 1000  # per tool
@@ -166,7 +166,7 @@ class Stage:
             for node in nodes:
                 node.remove()
 
-    def mark(self, view: View, position: NDArray[np.float64], text: str = "", color: Color = MARK) -> None:
+    def mark(self, view: View, position: NDArray[np.float64], text: str = "", color: Color = MARK_COLOR) -> None:
         """Draw a dot and a text at a world position, shifted toward the camera so that no points cover it."""
         toward = view.T_world_camera[:3, 3] - position
         depth = max(float(-toward @ view.T_world_camera[:3, 2]), 0.0)
@@ -182,7 +182,7 @@ class Stage:
         at = self.scene.frame.to_page(position)
         self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-center"))
 
-    def lines(self, points: NDArray[np.float64], color: Color = MARK, *, closed: bool = False) -> None:
+    def lines(self, points: NDArray[np.float64], color: Color = MARK_COLOR, *, closed: bool = False) -> None:
         ends = np.vstack([points, points[:1]]) if closed else points
         if len(ends) < 2:
             return

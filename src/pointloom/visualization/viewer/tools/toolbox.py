@@ -18,7 +18,7 @@ from ....kernels.memory import download, upload
 from ....meshing.mesh.mesh import TriangleMesh
 from ...render.parts import Triangles
 from ...render.view import View
-from ..panel_sections import TOOL
+from ..panel_sections import TOOL_ORDER
 from ..scene_edits import SceneEdits, requested_by_page
 from ..surfaces import surface_arrays
 from .clip_planes import Clip, clip_mesh
@@ -134,7 +134,7 @@ class Toolbox:
         with folder:
             self._buttons = {kind: gui.add_button(f"{kind.label} ({kind.key})") for kind in TOOLS}
         # at the top of the panel, visible without scrolling while a tool is active
-        self._top = gui.add_folder("Tool", order=TOOL, visible=False)
+        self._top = gui.add_folder("Tool", order=TOOL_ORDER, visible=False)
         with self._top:
             self.stage.status = gui.add_words("")
             self.stage.rows = gui.add_table((), visible=False)
@@ -283,9 +283,9 @@ class Toolbox:
             self._top.visible = True  # also for a tool that could not start
 
 
-STEPS = 200  # of a slider
+SLIDER_STEPS = 200  # of a slider
 NO_PLANE = "none"
-NORMALS = {"along x": (1.0, 0.0, 0.0), "along y": (0.0, 1.0, 0.0), "along z": (0.0, 0.0, 1.0)}
+PLANE_NORMALS = {"along x": (1.0, 0.0, 0.0), "along y": (0.0, 1.0, 0.0), "along z": (0.0, 0.0, 1.0)}
 AS_SEEN = "along the view"
 
 
@@ -306,11 +306,11 @@ class ClipControls:
             self._ranges = []
             for axis in range(3):
                 ends = float(low[axis]), float(high[axis])
-                slider = gui.add_range("xyz"[axis], *ends, (ends[1] - ends[0]) / STEPS, ends)
+                slider = gui.add_range("xyz"[axis], *ends, (ends[1] - ends[0]) / SLIDER_STEPS, ends)
                 slider.on_update(lambda _: self._schedule_update())
                 self._ranges.append(slider)
-            self._plane = gui.add_dropdown("plane", (NO_PLANE, *NORMALS, AS_SEEN))
-            self._offset = gui.add_slider("position", 0.0, 1.0, 1 / STEPS, 0.5)
+            self._plane = gui.add_dropdown("plane", (NO_PLANE, *PLANE_NORMALS, AS_SEEN))
+            self._offset = gui.add_slider("position", 0.0, 1.0, 1 / SLIDER_STEPS, 0.5)
             self._flip = gui.add_checkbox("other side", False)
             gui.add_button("Whole scene").on_click(lambda _: run(self.reset))
         self._normal = (0.0, 0.0, 1.0)
@@ -325,7 +325,7 @@ class ClipControls:
             ends = float(low[axis]), float(high[axis])
             slider.min, slider.max = min(slider.min, ends[0]), max(slider.max, ends[1])
             slider.value = ends
-            slider.min, slider.max, slider.step = *ends, (ends[1] - ends[0]) / STEPS
+            slider.min, slider.max, slider.step = *ends, (ends[1] - ends[0]) / SLIDER_STEPS
         self._plane.value = NO_PLANE
         self.apply()
 
@@ -399,7 +399,7 @@ class ClipControls:
         if self._plane.value == AS_SEEN:
             self._normal = tuple(float(c) for c in self._stage.view().T_world_camera[:3, 2])
         elif self._plane.value != NO_PLANE:
-            self._normal = NORMALS[self._plane.value]
+            self._normal = PLANE_NORMALS[self._plane.value]
         self.apply()
 
     def _cut_surfaces(self, items: dict[str, Any], clip: Clip) -> None:
