@@ -23,7 +23,7 @@ from ....wrapper import unwrap
 from ..tensors import as_matrix, on_host, tensor_of
 from .clouds import clouds_of
 from .estimation import (
-    IDENTITY,
+    IDENTITY_POSE,
     TransformationEstimation,
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
@@ -49,7 +49,7 @@ class RegistrationResult(Settings):
     clouds if the last voxel size is positive.
     """
 
-    transformation: Any = field(default_factory=lambda: as_matrix(IDENTITY))
+    transformation: Any = field(default_factory=lambda: as_matrix(IDENTITY_POSE))
     correspondence_set: Any = field(default_factory=lambda: tensor_of([], int64))
     inlier_rmse: float = 0.0
     fitness: float = 0.0
@@ -70,7 +70,7 @@ def icp(
     source: TensorCloud,
     target: TensorCloud,
     max_correspondence_distance: float,
-    init_source_to_target: TensorLike = IDENTITY,
+    init_source_to_target: TensorLike = IDENTITY_POSE,
     estimation_method: TransformationEstimation | None = None,
     criteria: ICPConvergenceCriteria | None = None,
     voxel_size: float = -1.0,
@@ -89,7 +89,7 @@ def multi_scale_icp(
     voxel_sizes: Iterable[float],
     criteria_list: Sequence[Any],
     max_correspondence_distances: Iterable[float],
-    init_source_to_target: TensorLike = IDENTITY,
+    init_source_to_target: TensorLike = IDENTITY_POSE,
     estimation_method: TransformationEstimation | None = None,
     callback_after_iteration: Callback | None = None,
 ) -> RegistrationResult:
@@ -119,7 +119,7 @@ def registration_symmetric_icp(
     source: TensorCloud,
     target: TensorCloud,
     max_correspondence_distance: float,
-    init_source_to_target: TensorLike = IDENTITY,
+    init_source_to_target: TensorLike = IDENTITY_POSE,
     estimation_method: TransformationEstimation | None = None,
     criteria: ICPConvergenceCriteria | None = None,
 ) -> RegistrationResult:
@@ -130,7 +130,10 @@ def registration_symmetric_icp(
 
 
 def evaluate_registration(
-    source: TensorCloud, target: TensorCloud, max_correspondence_distance: float, transformation: TensorLike = IDENTITY
+    source: TensorCloud,
+    target: TensorCloud,
+    max_correspondence_distance: float,
+    transformation: TensorLike = IDENTITY_POSE,
 ) -> RegistrationResult:
     clouds = clouds_of(source, target)
     found = evaluation.evaluate_registration(*clouds, max_correspondence_distance, on_host(transformation))
