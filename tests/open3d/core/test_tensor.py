@@ -200,7 +200,7 @@ def test_stubs_list_the_names_of_their_modules(name):
         inherited = {"__module__", "__doc__", "__dict__", "__weakref__", "__hash__", "__firstlineno__"}
         assert stub == vars(module.TensorMethods).keys() - inherited - {"__static_attributes__"}
     else:
-        stub = {each.target.id for each in listed if isinstance(each, ast.AnnAssign)}
+        stub = {ast.unparse(each.target) for each in listed if isinstance(each, ast.AnnAssign)}
         assert stub == {each for each in vars(module) if each[0].isupper()} - {"Any"}
 
 

@@ -14,7 +14,7 @@ from ..lang import array, cos, exp, float64, floor, func, int64, isfinite, kerne
 from ..memory import clone, empty
 
 MAX_AXES = 4
-ELEMENTS_PER_THREAD = 64  # elements that one thread of a reduction combines
+ELEMENTS_PER_THREAD = 64  # of a reduction
 
 OPERATION_ADD, OPERATION_SUB, OPERATION_MUL, OPERATION_DIV, OPERATION_MAXIMUM, OPERATION_MINIMUM = range(6)
 OPERATION_GT, OPERATION_LT, OPERATION_GE, OPERATION_LE, OPERATION_EQ, OPERATION_NE = range(6, 12)

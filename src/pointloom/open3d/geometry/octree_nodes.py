@@ -13,7 +13,7 @@ from ..wrapper import column
 
 CHILD_COUNT = 8
 CHILD_OFFSETS = np.array([[k & 1, k >> 1 & 1, k >> 2] for k in range(CHILD_COUNT)])  # in halves of an edge
-COLOR_TOLERANCE = 1e-12  # relative difference of colors that are equal, as in Open3D
+COLOR_TOLERANCE = 1e-12  # relative, as in Open3D
 
 
 def made(kind: type[Any], **fields: Any) -> Any:

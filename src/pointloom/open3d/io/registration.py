@@ -11,7 +11,7 @@ from ...registration.pose_graphs import pose_graph_files
 from ..pipelines.registration import Feature, PoseGraph
 from ..wrapper import unwrap
 
-HEADER_BYTES = 8  # bytes: two int32, dimension and points
+HEADER_BYTES = 8  # two int32: dimension and number of points
 
 
 def read_feature(filename: FilePath) -> Feature:

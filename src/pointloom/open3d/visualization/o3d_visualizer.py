@@ -19,7 +19,7 @@ from .shown import drawn
 from .visualizer import FilePath, Visualizer
 
 ANIMATE = "Animate"
-ANIMATION_RATE = 30.0  # [Hz] of animations
+ANIMATION_RATE = 30.0  # [Hz]
 Function = Callable[..., Any]
 
 

@@ -19,7 +19,7 @@ from ..wrapper import unwrap
 RADIANS_PER_PIXEL = 0.003  # [rad] per pixel, as in Open3D
 ZOOM_STEP = 0.02  # per wheel click
 ANGLE_STEP, MIN_ANGLE, MAX_ANGLE = 5.0, 5.0, 90.0  # [degrees]
-EMPTY_SCENE_BOUNDS = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
+EMPTY_SCENE_BOUNDS = (np.full(3, -1.0), np.full(3, 1.0))
 log = logging.getLogger("pointloom.viewer")
 
 

@@ -28,7 +28,7 @@ from .view_control import EMPTY_SCENE_BOUNDS, ViewControl
 
 Callback = Callable[["Visualizer"], Any]
 
-UNATTENDED_FRAMES = 60  # one second of a screen: lifetime of an unattended window
+UNATTENDED_FRAMES = 60  # one second of a screen
 CALLBACK_INTERVAL = 1 / 30  # [s] between two animation callbacks
 FRAME = "coordinate frame"
 KEY_NAMES = {

@@ -23,7 +23,7 @@ from ....registration.robust_kernels import L2Loss
 
 Pairs = NDArray[np.int32]
 Matrix = NDArray[np.float64]
-MIN_RELATIVE_EIGENVALUE = 1e-10  # eigenvalue, relative to the largest, below which float32 does not determine a motion
+MIN_RELATIVE_EIGENVALUE = 1e-10  # float32 does not determine a motion with a smaller one
 
 
 def fit_step(

@@ -29,7 +29,7 @@ from .rgbd_image import RGBDImage
 from .tensor_map import TensorMap, count_of, listed, matrix_of, tensor_of, wrap
 
 UP_DIRECTION, ZERO_POINT = (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
-UNLIMITED_RADIUS = 1e18  # [m] a radius without effect
+UNLIMITED_RADIUS = 1e18  # [m]
 
 
 class PointCloud(MovedGeometry):

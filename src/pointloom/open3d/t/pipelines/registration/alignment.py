@@ -105,14 +105,15 @@ def multi_scale_icp(
     levels = _pyramid(clouds_of(source, target), sizes)
     pose, steps = on_host(init_source_to_target), 0
     found: Any = None
+    point_count = 0
     for scale, (clouds, distance, limits) in enumerate(zip(levels, distances, rules, strict=True)):
         watch = None if callback_after_iteration is None else partial(_call, callback_after_iteration, scale, steps)
         found = native_icp.registration_icp(*clouds, distance, pose, native, limits, callback_after_iteration=watch)
-        pose, steps = found.transformation, steps + found.iterations
+        pose, steps, point_count = found.transformation, steps + found.iterations, len(clouds[0])
         if not found.fitness:
             break
     found.iterations = steps
-    return _result_of(found, source.device)
+    return _result_of(found, point_count, source.device)
 
 
 def registration_symmetric_icp(
@@ -137,7 +138,7 @@ def evaluate_registration(
 ) -> RegistrationResult:
     clouds = clouds_of(source, target)
     found = evaluation.evaluate_registration(*clouds, max_correspondence_distance, on_host(transformation))
-    return _result_of(found, source.device)
+    return _result_of(found, len(clouds[0]), source.device)
 
 
 def get_information_matrix(
@@ -178,9 +179,8 @@ def _call(callback: Callback, scale: int, steps: int, state: dict[str, Any]) -> 
     )
 
 
-def _result_of(found: result.RegistrationResult, device: Device) -> RegistrationResult:
-    assert found._clouds is not None
-    pairs, targets = on_host(found.correspondence_set), np.full((len(found._clouds[0]), 1), -1, np.int64)
+def _result_of(found: result.RegistrationResult, point_count: int, device: Device) -> RegistrationResult:
+    pairs, targets = on_host(found.correspondence_set), np.full((point_count, 1), -1, np.int64)
     targets[pairs[:, 0], 0] = pairs[:, 1]
     return RegistrationResult(
         as_matrix(found.transformation),

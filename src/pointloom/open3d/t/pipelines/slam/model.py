@@ -27,7 +27,7 @@ from ..odometry.rgbd_odometry import (
 from ..tensors import as_matrix, on_host
 from .frame import Frame
 
-LEVEL_ITERATIONS = (6, 3, 1)  # of the levels, the coarsest first
+LEVEL_ITERATIONS = (6, 3, 1)  # the coarsest level first
 SEEN_OFTEN = 3.0  # weight above which voxels are rendered
 
 
