@@ -27,6 +27,7 @@ from .vectors import Vector
 
 P = ParamSpec("P")
 W = TypeVar("W", bound="Wrapper")
+IDENTITY_POSE = np.eye(4)  # default of poses, which no function changes
 
 
 class Rows:
@@ -155,6 +156,16 @@ class Wrapper(KnownNames):
     def __setstate__(self, state: dict[str, Any]) -> None:
         self._wrapped = state["ours"]
         self._shared = {name: _SharedVector(vector, np.array(vector)) for name, vector in state["out"].items()}
+
+
+class PlainWrapper(Wrapper):
+    """A wrapper without vectors, whose state is that of its attributes."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        return dict(vars(self))
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
 
 
 class Forwarded(Generic[P]):

@@ -26,7 +26,7 @@ def test_functions_of_two_arrays_broadcast_as_numpy(device, left, right, rng):
             if dtype == np.int64 and name == "DIV":
                 continue
             on_device = [upload(values.ravel(), element, device) for values in (a, b)]
-            out, shape = kernels.combine(on_device[0], left, on_device[1], right, getattr(kernels, name))
+            out, shape = kernels.combine(on_device[0], left, on_device[1], right, getattr(kernels, f"OPERATION_{name}"))
             with np.errstate(all="ignore"):
                 expected = function(a, b)
             assert shape == expected.shape
@@ -36,4 +36,4 @@ def test_functions_of_two_arrays_broadcast_as_numpy(device, left, right, rng):
 def test_shapes_that_do_not_broadcast_are_rejected(device):
     a = upload(np.ones(6), float64, device)
     with pytest.raises(ValueError, match=r"\(2,3\).*|mismatch"):
-        kernels.combine(a, (2, 3), a, (3, 2), kernels.ADD)
+        kernels.combine(a, (2, 3), a, (3, 2), kernels.OPERATION_ADD)

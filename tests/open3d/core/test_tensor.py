@@ -1,12 +1,16 @@
 """Tensors and searches: values as NumPy's on every device, and Open3D's rules."""
 
+import ast
 import copy
+import importlib
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pointloom as loom
+import pointloom.open3d
 import pointloom.open3d.core as o3c
 
 TYPES = ("float32", "float64", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64", "bool")
@@ -63,8 +67,6 @@ def results_of_rules(o3d):
 
 
 def test_types_indices_and_views_follow_open3ds_rules(oracle):
-    import pointloom.open3d
-
     expected, results = oracle("open3d/tensor_rules", results_of_rules), results_of_rules(pointloom.open3d)
     for rule in (*RULES, *CHANGES):
         if isinstance(expected[rule], list) and isinstance(results[rule], list):
@@ -185,6 +187,21 @@ def test_tensors_are_printed_as_by_open3d():
     assert repr(o3c.Tensor.zeros((0, 3))).startswith("0-element Tensor\nTensor[shape={0, 3}, stride={3, 1}, Float32")
     texts = str(o3c.Device("cuda", 1)), repr(o3c.uint8), str(o3c.SizeVector([2, 3]))
     assert texts == ("CUDA:1", "UInt8", "SizeVector[2, 3]")
+
+
+@pytest.mark.parametrize("name", ["core/methods", "argument_types"])
+def test_stubs_list_the_names_of_their_modules(name):
+    folder = Path(pointloom.open3d.__file__).parent
+    module = importlib.import_module(f"pointloom.open3d.{name.replace('/', '.')}")
+    listed = ast.parse((folder / f"{name}.pyi").read_text()).body
+    if name == "core/methods":
+        methods = next(each for each in listed if isinstance(each, ast.ClassDef))
+        stub = {each.name for each in methods.body if isinstance(each, ast.FunctionDef)}
+        inherited = {"__module__", "__doc__", "__dict__", "__weakref__", "__hash__", "__firstlineno__"}
+        assert stub == vars(module.TensorMethods).keys() - inherited - {"__static_attributes__"}
+    else:
+        stub = {ast.unparse(each.target) for each in listed if isinstance(each, ast.AnnAssign)}
+        assert stub == {each for each in vars(module) if each[0].isupper()} - {"Any"}
 
 
 def test_functions_of_one_name_exist_as_method_and_function():

@@ -14,12 +14,13 @@ from ..lang import array, cos, exp, float64, floor, func, int64, isfinite, kerne
 from ..memory import clone, empty
 
 MAX_AXES = 4
-RUN = 64  # elements that one thread of a reduction combines
+ELEMENTS_PER_THREAD = 64  # of a reduction
 
-ADD, SUB, MUL, DIV, MAXIMUM, MINIMUM = range(6)
-GT, LT, GE, LE, EQ, NE = range(6, 12)
-SQRT, SIN, COS, EXP, ABS, NEG, FLOOR, CEIL, ROUND, TRUNC = range(10)
-ISNAN, ISINF, ISFINITE = range(10, 13)
+OPERATION_ADD, OPERATION_SUB, OPERATION_MUL, OPERATION_DIV, OPERATION_MAXIMUM, OPERATION_MINIMUM = range(6)
+OPERATION_GT, OPERATION_LT, OPERATION_GE, OPERATION_LE, OPERATION_EQ, OPERATION_NE = range(6, 12)
+FUNCTION_SQRT, FUNCTION_SIN, FUNCTION_COS, FUNCTION_EXP, FUNCTION_ABS, FUNCTION_NEG = range(6)
+FUNCTION_FLOOR, FUNCTION_CEIL, FUNCTION_ROUND, FUNCTION_TRUNC = range(6, 10)
+FUNCTION_ISNAN, FUNCTION_ISINF, FUNCTION_ISFINITE = range(10, 13)
 
 
 @func
@@ -41,27 +42,27 @@ def truth(is_true: int) -> float64:
 @func
 def combine_floats(x: float64, y: float64, operation: int) -> float64:
     result = x + y
-    if operation == SUB:
+    if operation == OPERATION_SUB:
         result = x - y
-    elif operation == MUL:
+    elif operation == OPERATION_MUL:
         result = x * y
-    elif operation == DIV:
+    elif operation == OPERATION_DIV:
         result = x / y
-    elif operation == MAXIMUM:
+    elif operation == OPERATION_MAXIMUM:
         result = larger(x, y)
-    elif operation == MINIMUM:
+    elif operation == OPERATION_MINIMUM:
         result = -larger(-x, -y)
-    elif operation == GT:
+    elif operation == OPERATION_GT:
         result = truth(1 if x > y else 0)
-    elif operation == LT:
+    elif operation == OPERATION_LT:
         result = truth(1 if x < y else 0)
-    elif operation == GE:
+    elif operation == OPERATION_GE:
         result = truth(1 if x >= y else 0)
-    elif operation == LE:
+    elif operation == OPERATION_LE:
         result = truth(1 if x <= y else 0)
-    elif operation == EQ:
+    elif operation == OPERATION_EQ:
         result = truth(1 if x == y else 0)
-    elif operation == NE:
+    elif operation == OPERATION_NE:
         result = truth(0 if x == y else 1)
     return result
 
@@ -70,25 +71,25 @@ def combine_floats(x: float64, y: float64, operation: int) -> float64:
 def combine_integers(x: int64, y: int64, operation: int) -> int64:
     """As `combine_floats`, without a quotient."""
     result = x + y
-    if operation == SUB:
+    if operation == OPERATION_SUB:
         result = x - y
-    elif operation == MUL:
+    elif operation == OPERATION_MUL:
         result = x * y
-    elif operation == MAXIMUM:
+    elif operation == OPERATION_MAXIMUM:
         result = max(x, y)
-    elif operation == MINIMUM:
+    elif operation == OPERATION_MINIMUM:
         result = min(x, y)
-    elif operation == GT:
+    elif operation == OPERATION_GT:
         result = int64(1 if x > y else 0)
-    elif operation == LT:
+    elif operation == OPERATION_LT:
         result = int64(1 if x < y else 0)
-    elif operation == GE:
+    elif operation == OPERATION_GE:
         result = int64(1 if x >= y else 0)
-    elif operation == LE:
+    elif operation == OPERATION_LE:
         result = int64(1 if x <= y else 0)
-    elif operation == EQ:
+    elif operation == OPERATION_EQ:
         result = int64(1 if x == y else 0)
-    elif operation == NE:
+    elif operation == OPERATION_NE:
         result = int64(0 if x == y else 1)
     return result
 
@@ -144,29 +145,29 @@ def map_floats_kernel(values: array(dtype=float64), function: int, out: array(dt
     i = tid()
     x = values[i]
     result = sqrt(x)
-    if function == SIN:
+    if function == FUNCTION_SIN:
         result = sin(x)
-    elif function == COS:
+    elif function == FUNCTION_COS:
         result = cos(x)
-    elif function == EXP:
+    elif function == FUNCTION_EXP:
         result = exp(x)
-    elif function == ABS:
+    elif function == FUNCTION_ABS:
         result = abs(x)
-    elif function == NEG:
+    elif function == FUNCTION_NEG:
         result = -x
-    elif function == FLOOR:
+    elif function == FUNCTION_FLOOR:
         result = floor(x)
-    elif function == CEIL:
+    elif function == FUNCTION_CEIL:
         result = -floor(-x)
-    elif function == ROUND:
+    elif function == FUNCTION_ROUND:
         result = round_to_even(x)
-    elif function == TRUNC:
+    elif function == FUNCTION_TRUNC:
         result = floor(x) if x >= 0.0 else -floor(-x)
-    elif function == ISNAN:
+    elif function == FUNCTION_ISNAN:
         result = truth(is_nan(x))
-    elif function == ISINF:
+    elif function == FUNCTION_ISINF:
         result = truth(1 if not isfinite(x) and is_nan(x) == 0 else 0)
-    elif function == ISFINITE:
+    elif function == FUNCTION_ISFINITE:
         result = truth(1 if isfinite(x) else 0)
     out[i] = result
 
@@ -225,13 +226,13 @@ def map_floats(values: Doubles, function: int) -> Doubles:
 
 
 def fold_rows(values: Numbers, count: int, operation: int) -> Numbers:
-    """ADD, MUL, MAXIMUM or MINIMUM over each row of `count` numbers, at least one, of a flat float64 or int64 array."""
+    """A sum, product, maximum or minimum of each row of `count` numbers, at least one, of a flat array."""
     if count == 1:
         return clone(values)
     rows = values.size // count
     chosen = fold_floats_kernel if values.dtype == float64 else fold_integers_kernel
     while count > 1:
-        parts = (count + RUN - 1) // RUN
+        parts = (count + ELEMENTS_PER_THREAD - 1) // ELEMENTS_PER_THREAD
         out: Any = empty(rows * parts, values.dtype, values.device)
         launch(chosen, out.size, [values, count, parts, operation, out])
         values, count = out, parts

@@ -9,10 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras import camera
 from ...core.checks import check_shape
-from ..wrapper import Wrapper
+from ..wrapper import PlainWrapper
 
 
-class PinholeCameraIntrinsic(Wrapper):
+class PinholeCameraIntrinsic(PlainWrapper):
     """Camera from (width, height, fx, fy, cx, cy), (width, height, K), or PinholeCameraIntrinsicParameters.
 
     Without arguments the size is -1 x -1 (invalid).
@@ -48,12 +48,6 @@ class PinholeCameraIntrinsic(Wrapper):
     @property
     def native(self) -> camera.PinholeCameraIntrinsic:
         return self._kind(*self._size, self._matrix)
-
-    def __getstate__(self) -> dict[str, Any]:
-        return dict(vars(self))
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        vars(self).update(state)
 
     def __copy__(self) -> Self:
         return type(self)(self)

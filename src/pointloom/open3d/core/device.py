@@ -10,8 +10,7 @@ from .errors import TensorError
 
 
 class DeviceType(enum.Enum):
-    CPU = 0
-    CUDA = 1
+    CPU, CUDA = range(2)
 
 
 class Device(HintedNames):

@@ -25,29 +25,30 @@ Shape = tuple[int, ...]
 Result = tuple[Any, Shape] | None
 
 TYPES = (wp.float32, wp.float64, wp.int32, wp.int64, wp.bool)
-_ARITHMETIC = {
-    "add": elementwise.ADD,
-    "sub": elementwise.SUB,
-    "mul": elementwise.MUL,
-    "div": elementwise.DIV,
-    "maximum": elementwise.MAXIMUM,
-    "minimum": elementwise.MINIMUM,
+
+
+def _numbers(kind: str, *names: str) -> dict[str, int]:
+    """The numbers of operations or functions of the kernels by name."""
+    return {name: getattr(elementwise, f"{kind}_{name.upper()}") for name in names}
+
+
+_ARITHMETIC = _numbers("OPERATION", "add", "sub", "mul", "div", "maximum", "minimum")
+_COMPARISONS = _numbers("OPERATION", "gt", "lt", "ge", "le", "eq", "ne")
+_LOGICAL = {
+    "logical_and": elementwise.OPERATION_MUL,
+    "logical_or": elementwise.OPERATION_MAXIMUM,
+    "logical_xor": elementwise.OPERATION_NE,
 }
-_COMPARISONS = {name: getattr(elementwise, name.upper()) for name in ("gt", "lt", "ge", "le", "eq", "ne")}
-_LOGICAL = {"logical_and": elementwise.MUL, "logical_or": elementwise.MAXIMUM, "logical_xor": elementwise.NE}
-_UNARY = {
-    name: getattr(elementwise, name.upper())
-    for name in ("sqrt", "sin", "cos", "exp", "abs", "neg", "floor", "ceil", "round", "trunc")
-}
-_TESTS = {name: getattr(elementwise, name.upper()) for name in ("isnan", "isinf", "isfinite")}
+_UNARY = _numbers("FUNCTION", "sqrt", "sin", "cos", "exp", "abs", "neg", "floor", "ceil", "round", "trunc")
+_TESTS = _numbers("FUNCTION", "isnan", "isinf", "isfinite")
 _FOLDS = {
-    "sum": elementwise.ADD,
-    "mean": elementwise.ADD,
-    "prod": elementwise.MUL,
-    "min": elementwise.MINIMUM,
-    "max": elementwise.MAXIMUM,
-    "all": elementwise.MINIMUM,
-    "any": elementwise.MAXIMUM,
+    "sum": elementwise.OPERATION_ADD,
+    "mean": elementwise.OPERATION_ADD,
+    "prod": elementwise.OPERATION_MUL,
+    "min": elementwise.OPERATION_MINIMUM,
+    "max": elementwise.OPERATION_MAXIMUM,
+    "all": elementwise.OPERATION_MINIMUM,
+    "any": elementwise.OPERATION_MAXIMUM,
 }
 
 
@@ -78,7 +79,7 @@ def _zero(array: wp.array) -> Any:
 
 def _nonzero(array: wp.array) -> Any:
     """1 for each element of a wide array other than 0, else 0."""
-    return elementwise.combine(array, (array.size,), _zero(array), (1,), elementwise.NE)[0]
+    return elementwise.combine(array, (array.size,), _zero(array), (1,), elementwise.OPERATION_NE)[0]
 
 
 def binary(name: str, a: wp.array, a_shape: Shape, b: wp.array, b_shape: Shape) -> Result:
@@ -98,13 +99,13 @@ def unary(name: str, array: wp.array, shape: Shape) -> Result:
         return None
     values = _wide(array)
     if name == "logical_not":
-        out, _ = elementwise.combine(values, (values.size,), _zero(values), (1,), elementwise.EQ)
+        out, _ = elementwise.combine(values, (values.size,), _zero(values), (1,), elementwise.OPERATION_EQ)
     elif is_float:
         out = elementwise.map_floats(values, (_UNARY | _TESTS)[name])
     else:
-        out, _ = elementwise.combine(_zero(values), (1,), values, (values.size,), elementwise.SUB)
+        out, _ = elementwise.combine(_zero(values), (1,), values, (values.size,), elementwise.OPERATION_SUB)
         if name == "abs":
-            out, _ = elementwise.combine(values, (values.size,), out, (values.size,), elementwise.MAXIMUM)
+            out, _ = elementwise.combine(values, (values.size,), out, (values.size,), elementwise.OPERATION_MAXIMUM)
     return _narrow(out, array.dtype if name in _UNARY else wp.bool, shape), shape
 
 
@@ -120,7 +121,7 @@ def reduced(name: str, array: wp.array, shape: Shape, axes: Sequence[int], keepd
     out = elementwise.fold_rows(values, count, _FOLDS[name])
     if name == "mean":
         counts: Any = upload(np.array([count]), out.dtype, out.device)
-        out, _ = elementwise.combine(out, (out.size,), counts, (1,), elementwise.DIV)
+        out, _ = elementwise.combine(out, (out.size,), counts, (1,), elementwise.OPERATION_DIV)
     result_shape = tuple(1 if axis in chosen else n for axis, n in enumerate(shape) if keepdim or axis not in chosen)
     return _narrow(out, array.dtype, result_shape), result_shape
 

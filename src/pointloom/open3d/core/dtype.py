@@ -13,12 +13,7 @@ from .errors import TensorError
 
 
 class DtypeCode(enum.Enum):
-    Undefined = 0
-    Bool = 1
-    Int = 2
-    UInt = 3
-    Float = 4
-    Object = 5
+    Undefined, Bool, Int, UInt, Float, Object = range(6)
 
 
 _CODES = {"b": DtypeCode.Bool, "i": DtypeCode.Int, "u": DtypeCode.UInt, "f": DtypeCode.Float}

@@ -29,22 +29,10 @@ def divide(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
     return floored + ((floored < 0) & (floored * b != a)).astype(a.dtype)
 
 
-ARITHMETIC = {
-    "add": np.add,
-    "sub": np.subtract,
-    "mul": np.multiply,
-    "div": divide,
-    "maximum": np.maximum,
-    "minimum": np.minimum,
-}
-COMPARISONS = {
-    "gt": np.greater,
-    "lt": np.less,
-    "ge": np.greater_equal,
-    "le": np.less_equal,
-    "eq": np.equal,
-    "ne": np.not_equal,
-}
+ARITHMETIC = {"add": np.add, "sub": np.subtract, "mul": np.multiply, "div": divide}
+ARITHMETIC |= {"maximum": np.maximum, "minimum": np.minimum}
+COMPARISONS = {"gt": np.greater, "lt": np.less, "ge": np.greater_equal, "le": np.less_equal}
+COMPARISONS |= {"eq": np.equal, "ne": np.not_equal}
 OPERATORS = {  # of Python, besides comparisons
     **{name: name for name in ("add", "sub", "mul")},
     **dict.fromkeys(("truediv", "floordiv"), "div"),

@@ -74,6 +74,9 @@ class Dataset(KnownNames):
             raise FileError(path, reason, remedy=". ".join(remedies))
         return str(path)
 
+    def _paths(self, pattern: str, numbers: Iterable[int]) -> list[str]:
+        return [self._path(pattern.format(number)) for number in numbers]
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}({str(self._folder)!r})"
 
@@ -109,7 +112,7 @@ def file(name: str) -> Any:
 
 def files(pattern: str, numbers: Iterable[int]) -> Any:
     """An attribute with the paths of numbered files."""
-    return property(lambda self: [self._path(pattern.format(number)) for number in numbers])
+    return property(lambda self: self._paths(pattern, numbers))
 
 
 def files_in(folder: str, suffix: str) -> Any:

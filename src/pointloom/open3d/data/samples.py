@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from .dataset import SampleDataset, file, files, files_in, path_map
 
 
@@ -174,49 +176,36 @@ class LoungeRGBDImages(SampleDataset):
     reconstruction_path = file("lounge.ply")
 
 
-class RedwoodIndoorLivingRoom1(SampleDataset):
+class RedwoodRoom(SampleDataset):
+    """Frames of a synthetic room, and its points and camera poses."""
+
     _similar = "room_frames(100)"
+    _scene: ClassVar[str]
+    _numbers: ClassVar[range]
+    point_cloud_path = property(lambda self: self._path(f"{self._scene.rstrip('12')}.ply"))
+    color_paths = property(lambda self: self._paths("color/{:05d}.jpg", self._numbers))
+    depth_paths = property(lambda self: self._paths("depth/{:05d}.png", self._numbers))
+    noisy_depth_paths = property(lambda self: self._paths("depth_noisy/{:05d}.png", self._numbers))
+    oni_path = property(lambda self: self._path(f"{self._scene}.oni"))
+    trajectory_path = property(lambda self: self._path(f"{self._scene}-traj.txt"))
+    noise_model_path = file("dist-model.txt")
+
+
+class RedwoodIndoorLivingRoom1(RedwoodRoom):
+    _scene, _numbers = "livingroom1", range(2870)
     _public = "living-room"
-    point_cloud_path = file("livingroom.ply")
-    color_paths = files("color/{:05d}.jpg", range(2870))
-    depth_paths = files("depth/{:05d}.png", range(2870))
-    noisy_depth_paths = files("depth_noisy/{:05d}.png", range(2870))
-    oni_path = file("livingroom1.oni")
-    trajectory_path = file("livingroom1-traj.txt")
-    noise_model_path = file("dist-model.txt")
 
 
-class RedwoodIndoorLivingRoom2(SampleDataset):
-    _similar = "room_frames(100)"
-    point_cloud_path = file("livingroom.ply")
-    color_paths = files("color/{:05d}.jpg", range(2350))
-    depth_paths = files("depth/{:05d}.png", range(2350))
-    noisy_depth_paths = files("depth_noisy/{:05d}.png", range(2350))
-    oni_path = file("livingroom2.oni")
-    trajectory_path = file("livingroom2-traj.txt")
-    noise_model_path = file("dist-model.txt")
+class RedwoodIndoorLivingRoom2(RedwoodRoom):
+    _scene, _numbers = "livingroom2", range(2350)
 
 
-class RedwoodIndoorOffice1(SampleDataset):
-    _similar = "room_frames(100)"
-    point_cloud_path = file("office.ply")
-    color_paths = files("color/{:05d}.jpg", range(2690))
-    depth_paths = files("depth/{:05d}.png", range(2690))
-    noisy_depth_paths = files("depth_noisy/{:05d}.png", range(2690))
-    oni_path = file("office1.oni")
-    trajectory_path = file("office1-traj.txt")
-    noise_model_path = file("dist-model.txt")
+class RedwoodIndoorOffice1(RedwoodRoom):
+    _scene, _numbers = "office1", range(2690)
 
 
-class RedwoodIndoorOffice2(SampleDataset):
-    _similar = "room_frames(100)"
-    point_cloud_path = file("office.ply")
-    color_paths = files("color/{:05d}.jpg", range(2538))
-    depth_paths = files("depth/{:05d}.png", range(2538))
-    noisy_depth_paths = files("depth_noisy/{:05d}.png", range(2538))
-    oni_path = file("office2.oni")
-    trajectory_path = file("office2-traj.txt")
-    noise_model_path = file("dist-model.txt")
+class RedwoodIndoorOffice2(RedwoodRoom):
+    _scene, _numbers = "office2", range(2538)
 
 
 class CrateModel(SampleDataset):
@@ -254,79 +243,66 @@ class SwordModel(SampleDataset):
     )
 
 
+_HELMET_PARTS = {
+    "glass_plastic": "GlassPlasticMat",
+    "leather_parts": "LeatherPartsMat",
+    "lenses": "LensesMat",
+    "metal_parts": "MetalPartsMat",
+    "rubber_wood": "RubberWoodMat",
+}
+_HELMET_MAPS = {"base": "BaseColor", "normal": "Normal", "occlusion_rough_metal": "OcclusionRoughMetal"}
+
+
 class FlightHelmetModel(SampleDataset):
     _similar = "object_mesh()"
     path = file("FlightHelmet.gltf")
     path_map = path_map(
         flight_helmet="FlightHelmet.gltf",
         flight_helmet_bin="FlightHelmet.bin",
-        mat_glass_plastic_base="FlightHelmet_Materials_GlassPlasticMat_BaseColor.png",
-        mat_glass_plastic_normal="FlightHelmet_Materials_GlassPlasticMat_Normal.png",
-        mat_glass_plastic_occlusion_rough_metal="FlightHelmet_Materials_GlassPlasticMat_OcclusionRoughMetal.png",
-        mat_leather_parts_base="FlightHelmet_Materials_LeatherPartsMat_BaseColor.png",
-        mat_leather_parts_normal="FlightHelmet_Materials_LeatherPartsMat_Normal.png",
-        mat_leather_parts_occlusion_rough_metal="FlightHelmet_Materials_LeatherPartsMat_OcclusionRoughMetal.png",
-        mat_lenses_base="FlightHelmet_Materials_LensesMat_BaseColor.png",
-        mat_lenses_normal="FlightHelmet_Materials_LensesMat_Normal.png",
-        mat_lenses_occlusion_rough_metal="FlightHelmet_Materials_LensesMat_OcclusionRoughMetal.png",
-        mat_metal_parts_base="FlightHelmet_Materials_MetalPartsMat_BaseColor.png",
-        mat_metal_parts_normal="FlightHelmet_Materials_MetalPartsMat_Normal.png",
-        mat_metal_parts_occlusion_rough_metal="FlightHelmet_Materials_MetalPartsMat_OcclusionRoughMetal.png",
-        mat_rubber_wood_base="FlightHelmet_Materials_RubberWoodMat_BaseColor.png",
-        mat_rubber_wood_normal="FlightHelmet_Materials_RubberWoodMat_Normal.png",
-        mat_rubber_wood_occlusion_rough_metal="FlightHelmet_Materials_RubberWoodMat_OcclusionRoughMetal.png",
+        **{
+            f"mat_{part}_{kind}": f"FlightHelmet_Materials_{material}_{name}.png"
+            for part, material in _HELMET_PARTS.items()
+            for kind, name in _HELMET_MAPS.items()
+        },
     )
 
 
-class MetalTexture(SampleDataset):
-    albedo_texture_path = file("Metal008_Color.jpg")
-    normal_texture_path = file("Metal008_NormalDX.jpg")
-    roughness_texture_path = file("Metal008_Roughness.jpg")
+class Texture(SampleDataset):
+    """Images of a surface by kind."""
+
+    _images: ClassVar[dict[str, str]]
+    albedo_texture_path = property(lambda self: self._path(self._images["albedo"]))
+    normal_texture_path = property(lambda self: self._path(self._images["normal"]))
+    roughness_texture_path = property(lambda self: self._path(self._images["roughness"]))
+    path_map = property(lambda self: {key: self._path(name) for key, name in self._images.items()})
+
+
+def _images(prefix: str, **names: str) -> dict[str, str]:
+    """Images with a common prefix by kind."""
+    kinds = {"albedo": "Color", "normal": "NormalDX", "roughness": "Roughness"}
+    return {kind: f"{prefix}_{name}.jpg" for kind, name in (kinds | names).items()}
+
+
+class MetalTexture(Texture):
+    _images = _images("Metal008", metallic="Metalness")
     metallic_texture_path = file("Metal008_Metalness.jpg")
-    path_map = path_map(
-        albedo="Metal008_Color.jpg",
-        normal="Metal008_NormalDX.jpg",
-        roughness="Metal008_Roughness.jpg",
-        metallic="Metal008_Metalness.jpg",
-    )
 
 
-class PaintedPlasterTexture(SampleDataset):
-    albedo_texture_path = file("PaintedPlaster017_Color.jpg")
-    normal_texture_path = file("PaintedPlaster017_NormalDX.jpg")
-    roughness_texture_path = file("noiseTexture.png")
-    path_map = path_map(
-        albedo="PaintedPlaster017_Color.jpg", normal="PaintedPlaster017_NormalDX.jpg", roughness="noiseTexture.png"
-    )
+class PaintedPlasterTexture(Texture):
+    _images: ClassVar = _images("PaintedPlaster017") | {"roughness": "noiseTexture.png"}
 
 
-class TerrazzoTexture(SampleDataset):
-    albedo_texture_path = file("Terrazzo018_Color.jpg")
-    normal_texture_path = file("Terrazzo018_NormalDX.jpg")
-    roughness_texture_path = file("Terrazzo018_Roughness.jpg")
-    path_map = path_map(
-        albedo="Terrazzo018_Color.jpg", normal="Terrazzo018_NormalDX.jpg", roughness="Terrazzo018_Roughness.jpg"
-    )
+class TerrazzoTexture(Texture):
+    _images = _images("Terrazzo018")
 
 
-class TilesTexture(SampleDataset):
-    albedo_texture_path = file("Tiles074_Color.jpg")
-    normal_texture_path = file("Tiles074_NormalDX.jpg")
-    roughness_texture_path = file("Tiles074_Roughness.jpg")
-    path_map = path_map(albedo="Tiles074_Color.jpg", normal="Tiles074_NormalDX.jpg", roughness="Tiles074_Roughness.jpg")
+class TilesTexture(Texture):
+    _images = _images("Tiles074")
 
 
-class WoodFloorTexture(SampleDataset):
-    albedo_texture_path = file("WoodFloor050_Color.jpg")
-    normal_texture_path = file("WoodFloor050_NormalDX.jpg")
-    roughness_texture_path = file("WoodFloor050_Roughness.jpg")
-    path_map = path_map(
-        albedo="WoodFloor050_Color.jpg", normal="WoodFloor050_NormalDX.jpg", roughness="WoodFloor050_Roughness.jpg"
-    )
+class WoodFloorTexture(Texture):
+    _images = _images("WoodFloor050")
 
 
-class WoodTexture(SampleDataset):
-    albedo_texture_path = file("Wood049_Color.jpg")
-    normal_texture_path = file("Wood049_NormalDX.jpg")
-    roughness_texture_path = file("Wood049_Roughness.jpg")
-    path_map = path_map(albedo="Wood049_Color.jpg", normal="Wood049_NormalDX.jpg", roughness="Wood049_Roughness.jpg")
+class WoodTexture(Texture):
+    _images = _images("Wood049")

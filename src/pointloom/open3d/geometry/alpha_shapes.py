@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import det
 
-FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))  # opposite each corner, outward if det(b - a, c - a, d - a) > 0
+# Opposite each corner, outward if det(b - a, c - a, d - a) > 0
+TETRAHEDRON_FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
 
 
 def alpha_faces(
@@ -29,7 +30,7 @@ def alpha_faces(
     radii = np.sqrt((offsets**2).sum(axis=1))
     kept = (volumes != 0) & (radii <= 2 * np.abs(volumes) * alpha)
     oriented = np.where(volumes[kept, None] > 0, tetras[kept], tetras[kept][:, [1, 0, 2, 3]])
-    faces = oriented[:, FACES].reshape(-1, 3)
+    faces = oriented[:, TETRAHEDRON_FACES].reshape(-1, 3)
     _, places, counts = np.unique(np.sort(faces, axis=1), axis=0, return_inverse=True, return_counts=True)
     used, triangles = np.unique(faces[counts[places.reshape(-1)] == 1], return_inverse=True)
     return used, triangles.reshape(-1, 3)

@@ -18,14 +18,7 @@ from . import rotations
 class GeometryType(enum.IntEnum):
     """Return values of `get_geometry_type`."""
 
-    Unspecified = 0
-    PointCloud = 1
-    VoxelGrid = 2
-    LineSet = 4
-    TriangleMesh = 6
-    Image = 8
-    RGBDImage = 9
-    TetraMesh = 10
+    Unspecified, PointCloud, VoxelGrid, LineSet, TriangleMesh, Image, RGBDImage, TetraMesh = 0, 1, 2, 4, 6, 8, 9, 10
 
 
 class Geometry(Wrapper):

@@ -14,14 +14,14 @@ from .enums import ImageFilterType
 from .geometry import GeometryType
 
 # Separable kernels of Open3D's filters.
-WEIGHTS = {
+FILTER_WEIGHTS = {
     ImageFilterType.Gaussian3: ([0.25, 0.5, 0.25],) * 2,
     ImageFilterType.Gaussian5: ([0.0625, 0.25, 0.375, 0.25, 0.0625],) * 2,
     ImageFilterType.Gaussian7: ([0.03125, 0.109375, 0.21875, 0.28125, 0.21875, 0.109375, 0.03125],) * 2,
     ImageFilterType.Sobel3dx: ([-1.0, 0.0, 1.0], [1.0, 2.0, 1.0]),
     ImageFilterType.Sobel3dy: ([1.0, 2.0, 1.0], [-1.0, 0.0, 1.0]),
 }
-GRAY = np.array([0.2990, 0.5870, 0.1140], np.float32)
+GRAY_WEIGHTS = np.array([0.2990, 0.5870, 0.1140], np.float32)
 
 
 class Image(HintedNames):
@@ -55,7 +55,7 @@ class Image(HintedNames):
     def gray_floats(self) -> NDArray[np.float32]:
         """Gray floats as in Open3D: bytes over 255, larger types unscaled."""
         values = self._values.astype(np.float32) / np.float32(255 if self._values.dtype == np.uint8 else 1)
-        return values if values.ndim == 2 else values[..., :3] @ GRAY
+        return values if values.ndim == 2 else values[..., :3] @ GRAY_WEIGHTS
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         """The memory itself, unless a copy or another type is requested."""
@@ -101,7 +101,7 @@ class Image(HintedNames):
         return Image(self._values[:, ::-1])
 
     def filter(self, filter_type: ImageFilterType) -> Image:
-        columns, rows = WEIGHTS[filter_type]
+        columns, rows = FILTER_WEIGHTS[filter_type]
         values = correlate1d(self.gray_floats(), columns, axis=1, mode="nearest")
         return Image(correlate1d(values, rows, axis=0, mode="nearest"))
 

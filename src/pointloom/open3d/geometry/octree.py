@@ -14,11 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_number, check_positive
 from ..argument_types import CloudLike
-from ..wrapper import column, unwrap
+from ..wrapper import PlainWrapper, column, unwrap
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .geometry import Geometry3D
 from .octree_nodes import (
-    CHILDREN,
+    CHILD_COUNT,
     OctreeColorLeafNode,
     OctreeInternalNode,
     OctreeInternalPointNode,
@@ -32,7 +32,7 @@ from .voxel_grid import VoxelGrid
 Rows = NDArray[np.intp]
 
 
-class Octree(Geometry3D):
+class Octree(PlainWrapper, Geometry3D):
     """A cube `size` wide from `origin`, halved `max_depth` times. It contains points with origin <= p < origin + size.
 
     `root_node` is None before the first point.
@@ -88,7 +88,7 @@ class Octree(Geometry3D):
             return made(OctreePointColorLeafNode, _color=colors[rows[-1]], indices=rows.tolist())
 
         def internal_of(rows: Rows) -> Any:
-            return made(OctreeInternalPointNode, children=[None] * CHILDREN, indices=sorted(rows.tolist()))
+            return made(OctreeInternalPointNode, children=[None] * CHILD_COUNT, indices=sorted(rows.tolist()))
 
         self._fill(points, leaf_of, internal_of)
 
@@ -181,7 +181,7 @@ class Octree(Geometry3D):
         self._fill(
             centers,
             lambda rows: made(OctreeColorLeafNode, _color=colors[rows[-1]]),
-            lambda rows: made(OctreeInternalNode, children=[None] * CHILDREN),
+            lambda rows: made(OctreeInternalNode, children=[None] * CHILD_COUNT),
         )
 
     def clear(self) -> Self:
@@ -220,12 +220,6 @@ class Octree(Geometry3D):
         other.root_node = copy.deepcopy(self.root_node)
         return other
 
-    def __getstate__(self) -> dict[str, Any]:
-        return dict(vars(self))
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        vars(self).update(state)
-
     def __repr__(self) -> str:
         corner = ", ".join(f"{value:g}" for value in self.origin)
         return f"Octree with origin: [{corner}], size: {self.size:g}, max_depth: {self.max_depth}"
@@ -257,7 +251,7 @@ def _grow(
     if len(rows) == 1:
         node.children[children[0, depth]] = _grow(rows, children, depth + 1, leaf_of, internal_of)
         return node
-    ends = np.searchsorted(children[:, depth], np.arange(CHILDREN + 1)).tolist()
+    ends = np.searchsorted(children[:, depth], np.arange(CHILD_COUNT + 1)).tolist()
     for index, (begin, end) in enumerate(itertools.pairwise(ends)):
         if end > begin:
             node.children[index] = _grow(rows[begin:end], children[begin:end], depth + 1, leaf_of, internal_of)

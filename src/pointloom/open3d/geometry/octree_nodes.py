@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.attribute_hints import KnownNames
 from ..wrapper import column
 
-CHILDREN = 8
-STEPS = np.array([[index & 1, index >> 1 & 1, index >> 2] for index in range(CHILDREN)])  # in halves of an edge
-NEAR = 1e-12  # relative difference of colors that are equal, as in Open3D
+CHILD_COUNT = 8
+CHILD_OFFSETS = np.array([[k & 1, k >> 1 & 1, k >> 2] for k in range(CHILD_COUNT)])  # in halves of an edge
+COLOR_TOLERANCE = 1e-12  # relative, as in Open3D
 
 
 def made(kind: type[Any], **fields: Any) -> Any:
@@ -37,16 +37,15 @@ class OctreeNodeInfo(KnownNames):
     def children(self) -> list[OctreeNodeInfo]:
         """Positions of the 8 children."""
         half, depth = self.size / 2, self.depth + 1
-        corners = self.origin + STEPS * half
+        corners = self.origin + CHILD_OFFSETS * half
         return [
             made(OctreeNodeInfo, origin=corners[index], size=half, depth=depth, child_index=index)
-            for index in range(CHILDREN)
+            for index in range(CHILD_COUNT)
         ]
 
     def __repr__(self) -> str:
-        corner = ", ".join(f"{value:g}" for value in self.origin)
         return (
-            f"OctreeNodeInfo with origin [{corner}], size {self.size:g}, depth {self.depth}, "
+            f"OctreeNodeInfo with origin [{_listed(self.origin)}], size {self.size:g}, depth {self.depth}, "
             f"child_index {self.child_index}"
         )
 
@@ -69,7 +68,7 @@ class OctreeInternalNode(OctreeNode):
     children: list[Any]
 
     def _clear(self) -> None:
-        self.children = [None] * CHILDREN
+        self.children = [None] * CHILD_COUNT
 
     def __repr__(self) -> str:
         return f"OctreeInternalNode with {_count(self)} non-empty child nodes"
@@ -81,7 +80,7 @@ class OctreeInternalPointNode(OctreeInternalNode):
     indices: list[int]
 
     def _clear(self) -> None:
-        self.children, self.indices = [None] * CHILDREN, []
+        self.children, self.indices = [None] * CHILD_COUNT, []
 
     def __repr__(self) -> str:
         return f"OctreeInternalPointNode with {_count(self)} non-empty child nodes and {len(self.indices)} points"
@@ -112,34 +111,40 @@ class OctreeColorLeafNode(OctreeLeafNode):
         self._color = column("color", value).astype(np.float64)
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and np.allclose(self._color, other.color, rtol=NEAR, atol=NEAR)
+        return type(other) is type(self) and _same_color(self.color, other.color)
 
     __hash__ = OctreeLeafNode.__hash__
 
     def __repr__(self) -> str:
-        return f"OctreeColorLeafNode with color [{', '.join(f'{value:g}' for value in self._color)}]"
+        return f"OctreeColorLeafNode with color [{_listed(self.color)}]"
 
 
 class OctreePointColorLeafNode(OctreeLeafNode):
     """A leaf with a `color` and the `indices` of its points."""
 
     indices: list[int]
+    color = OctreeColorLeafNode.color
 
     def _clear(self) -> None:
         self._color, self.indices = np.zeros(3), []
 
-    color = OctreeColorLeafNode.color
-
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self) or self.indices != other.indices:
             return False
-        return np.allclose(self._color, other.color, rtol=NEAR, atol=NEAR)
+        return _same_color(self.color, other.color)
 
     __hash__ = OctreeLeafNode.__hash__
 
     def __repr__(self) -> str:
-        color = ", ".join(f"{value:g}" for value in self._color)
-        return f"OctreePointColorLeafNode with color [{color}] containing {len(self.indices)} points."
+        return f"OctreePointColorLeafNode with color [{_listed(self.color)}] containing {len(self.indices)} points."
+
+
+def _same_color(color: NDArray[np.float64], other: NDArray[np.float64]) -> bool:
+    return np.allclose(color, other, rtol=COLOR_TOLERANCE, atol=COLOR_TOLERANCE)
+
+
+def _listed(values: NDArray[np.float64]) -> str:
+    return ", ".join(f"{value:g}" for value in values)
 
 
 def _count(node: OctreeInternalNode) -> int:

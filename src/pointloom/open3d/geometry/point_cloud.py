@@ -19,7 +19,7 @@ from .image import below, depth_of
 from .search_param import KDTreeSearchParam, KDTreeSearchParamHybrid, KDTreeSearchParamKNN, keywords_of
 
 KNN = KDTreeSearchParamKNN()
-NEAR = KDTreeSearchParamHybrid(0.05, 30)
+SMOOTHING_NEIGHBORS = KDTreeSearchParamHybrid(0.05, 30)
 VECTORS = ("normals", "colors", "covariances")
 
 
@@ -207,11 +207,11 @@ class PointCloud(BoundedByBoxes):
         inliers, rows = self.native.remove_radius_outlier(nb_points, radius, print_progress)
         return PointCloud.from_native(inliers), rows.tolist()
 
-    def smooth_mls(self, search_param: KDTreeSearchParam = NEAR) -> PointCloud:
+    def smooth_mls(self, search_param: KDTreeSearchParam = SMOOTHING_NEIGHBORS) -> PointCloud:
         return PointCloud.from_native(self.native.smooth_mls(**keywords_of(search_param)))
 
     def smooth_bilateral(
-        self, search_param: KDTreeSearchParam = NEAR, sigma_s: float = 0.05, sigma_r: float = 0.05
+        self, search_param: KDTreeSearchParam = SMOOTHING_NEIGHBORS, sigma_s: float = 0.05, sigma_r: float = 0.05
     ) -> PointCloud:
         """Smooth along normals, which are estimated from 30 neighbors if missing."""
         search, cloud = keywords_of(search_param), self.native

@@ -11,9 +11,7 @@ from ...core.attribute_hints import HintedNames
 class SearchType(enum.IntEnum):
     """Return values of `get_search_type`."""
 
-    KNNSearch = 0
-    RadiusSearch = 1
-    HybridSearch = 2
+    KNNSearch, RadiusSearch, HybridSearch = range(3)
 
 
 class KDTreeSearchParam(HintedNames):

@@ -16,14 +16,7 @@ from .point_cloud import PointCloud
 from .triangle_mesh import MeshBase
 
 PARTS = ("vertex_normals", "vertex_colors")
-CORNERS = 4
-# Corners of triangles as edges (inside, outside) of a tetrahedron with its inside corners first, by their number
-CROSSED = (
-    (1, [(0, 1), (0, 2), (0, 3)]),
-    (2, [(0, 2), (0, 3), (1, 3)]),
-    (2, [(0, 2), (1, 3), (1, 2)]),
-    (3, [(0, 3), (1, 3), (2, 3)]),
-)
+TETRA_CORNERS = 4
 
 
 class TetraMesh(MeshBase):
@@ -72,15 +65,15 @@ class TetraMesh(MeshBase):
         cloud = unwrap(point_cloud, PointCloud, "point_cloud")
         points = np.array(point_cloud.points if isinstance(point_cloud, PointCloud) else cloud.points)
         finite = np.flatnonzero(np.isfinite(points).all(axis=1))
-        if len(finite) < CORNERS:
-            raise ValueError(f"point_cloud: expected at least {CORNERS} finite points, got {len(finite)}")
+        if len(finite) < TETRA_CORNERS:
+            raise ValueError(f"point_cloud: expected at least {TETRA_CORNERS} finite points, got {len(finite)}")
         try:
             corners = Delaunay(points[finite] - points[finite[0]]).simplices
         except QhullError as error:
             raise ValueError("point_cloud: expected points that are not on one plane") from error
         used, tetras = np.unique(corners, return_inverse=True)
         rows = finite[used]
-        return cls(points[rows], tetras.reshape(-1, CORNERS)), rows.tolist()
+        return cls(points[rows], tetras.reshape(-1, TETRA_CORNERS)), rows.tolist()
 
     def clear(self) -> Self:
         self.tetras = ()

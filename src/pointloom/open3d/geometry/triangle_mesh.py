@@ -507,20 +507,18 @@ class TriangleMesh(TriangleNormals):
     def filter_sharpen(
         self, number_of_iterations: int = 1, strength: float = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self.native.filter_sharpen(number_of_iterations, strength, filter_scope.name.lower())
-        return self._new(made)
+        return self._new(self.native.filter_sharpen(number_of_iterations, strength, filter_scope.name.lower()))
 
     def filter_smooth_simple(
         self, number_of_iterations: int = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self.native.filter_smooth_simple(number_of_iterations, filter_scope.name.lower())
-        return self._new(made)
+        return self._new(self.native.filter_smooth_simple(number_of_iterations, filter_scope.name.lower()))
 
     def filter_smooth_laplacian(
         self, number_of_iterations: int = 1, lambda_filter: float = 0.5, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self.native.filter_smooth_laplacian(number_of_iterations, lambda_filter, filter_scope.name.lower())
-        return self._new(made)
+        scope = filter_scope.name.lower()
+        return self._new(self.native.filter_smooth_laplacian(number_of_iterations, lambda_filter, scope))
 
     def filter_smooth_taubin(
         self,
@@ -529,8 +527,8 @@ class TriangleMesh(TriangleNormals):
         mu: float = -0.53,
         filter_scope: FilterScope = FilterScope.All,
     ) -> TriangleMesh:
-        made = self.native.filter_smooth_taubin(number_of_iterations, lambda_filter, mu, filter_scope.name.lower())
-        return self._new(made)
+        scope = filter_scope.name.lower()
+        return self._new(self.native.filter_smooth_taubin(number_of_iterations, lambda_filter, mu, scope))
 
     def deform_as_rigid_as_possible(
         self,

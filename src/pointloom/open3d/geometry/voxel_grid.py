@@ -16,7 +16,7 @@ from .. import geometry
 from ..argument_types import CloudLike, MeshLike, VectorLike
 from ..camera import PinholeCameraParameters
 from ..vectors import Vector3dVector
-from ..wrapper import as_array, column, unwrap
+from ..wrapper import PlainWrapper, as_array, column, unwrap
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .enums import VoxelPoolingMode
 from .geometry import Geometry3D
@@ -25,9 +25,11 @@ from .point_cloud import PointCloud
 from .triangle_mesh import TriangleMesh
 
 # In Open3D's order, with the x axis slower than the z axis within a face
-CORNERS = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 0], [1, 0, 1], [0, 1, 0], [0, 1, 1], [1, 1, 0], [1, 1, 1]])
-CUBE = np.array([[0, 1, 2], [1, 3, 2], [4, 6, 5], [5, 6, 7], [0, 4, 1], [1, 4, 5]])
-CUBE = np.concatenate([CUBE, [[2, 3, 6], [3, 7, 6], [0, 2, 4], [2, 6, 4], [1, 5, 3], [3, 5, 7]]])  # triangles
+VOXEL_CORNERS = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 0], [1, 0, 1], [0, 1, 0], [0, 1, 1], [1, 1, 0], [1, 1, 1]])
+CUBE_TRIANGLES = np.array(  # of the corners
+    [[0, 1, 2], [1, 3, 2], [4, 6, 5], [5, 6, 7], [0, 4, 1], [1, 4, 5],
+     [2, 3, 6], [3, 7, 6], [0, 2, 4], [2, 6, 4], [1, 5, 3], [3, 5, 7]]
+)  # fmt: skip
 LARGEST_INDEX = 2.0**31
 
 Cells = NDArray[np.int32]
@@ -48,7 +50,7 @@ class Voxel(KnownNames):
         return f"Voxel with grid_index: ({index}), color: ({color})"
 
 
-class VoxelGrid(Geometry3D):
+class VoxelGrid(PlainWrapper, Geometry3D):
     """Occupied voxels with colors, sorted by index. Voxel (0, 0, 0) begins at `origin`, its axes are `rotation`."""
 
     VoxelPoolingMode = VoxelPoolingMode
@@ -98,8 +100,8 @@ class VoxelGrid(Geometry3D):
         """A `loom.VoxelGrid`. A mesh of the voxels if the grid is rotated."""
         cells, colors = self.cells_and_colors()
         if not np.array_equal(self._rotation, np.eye(3)):
-            corners = self._located(cells[:, None] + CORNERS).reshape(-1, 3)
-            triangles = (8 * np.arange(len(cells))[:, None, None] + CUBE).reshape(-1, 3)
+            corners = self._located(cells[:, None] + VOXEL_CORNERS).reshape(-1, 3)
+            triangles = (8 * np.arange(len(cells))[:, None, None] + CUBE_TRIANGLES).reshape(-1, 3)
             return mesh.TriangleMesh(corners, triangles, vertex_colors=np.repeat(np.clip(colors, 0, 1), 8, axis=0))
         low = cells.min(axis=0, initial=0)
         x, y, z = (cells.max(axis=0) - low + 1).tolist() if len(cells) else (0, 0, 0)
@@ -231,7 +233,7 @@ class VoxelGrid(Geometry3D):
 
     def get_voxel_bounding_points(self, index: ArrayLike) -> Vector3dVector:
         """Corners of a voxel."""
-        return Vector3dVector(self._located(column("index", index) + CORNERS))
+        return Vector3dVector(self._located(column("index", index) + VOXEL_CORNERS))
 
     def check_if_included(self, queries: VectorLike) -> list[bool]:
         """For each point, True if it is in an occupied voxel."""
@@ -265,7 +267,7 @@ class VoxelGrid(Geometry3D):
             )
         cells, colors = self.cells_and_colors()
         kept = np.zeros(len(cells), bool)
-        for corner in CORNERS:
+        for corner in VOXEL_CORNERS:
             local = matmul(self._located(cells + corner), camera.extrinsic[:3, :3].T) + camera.extrinsic[:3, 3]
             values, inside = _values_at(pixels, matmul(local, intrinsic.intrinsic_matrix.T))
             kept |= inside & (values > 0) & (local[:, 2] >= values if by_depth else True) | (~inside & keep_outside)
@@ -286,13 +288,13 @@ class VoxelGrid(Geometry3D):
         return self
 
     def _corners(self) -> NDArray[np.float64]:
-        return self._located(self.cells_and_colors()[0][:, None] + CORNERS).reshape(-1, 3)
+        return self._located(self.cells_and_colors()[0][:, None] + VOXEL_CORNERS).reshape(-1, 3)
 
     def _bound(self, extreme: Callable[..., Any]) -> NDArray[np.float64]:
         cells = self.cells_and_colors()[0]
         if not len(cells):
             return self._origin.copy()
-        return extreme([extreme(self._located(cells + corner), axis=0) for corner in CORNERS], axis=0)
+        return extreme([extreme(self._located(cells + corner), axis=0) for corner in VOXEL_CORNERS], axis=0)
 
     def get_min_bound(self) -> NDArray[np.float64]:
         return self._bound(np.min)
@@ -358,12 +360,6 @@ class VoxelGrid(Geometry3D):
         made = type(self).__new__(type(self))
         vars(made).update(vars(self) | {"_edits": dict(self._edits), "_origin": self._origin.copy()})
         return made
-
-    def __getstate__(self) -> dict[str, Any]:
-        return dict(vars(self))
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        vars(self).update(state)
 
     def __repr__(self) -> str:
         return f"VoxelGrid with {len(self.cells_and_colors()[0])} voxels."

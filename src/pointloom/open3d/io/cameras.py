@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 import json
-import os
 from pathlib import Path
 from typing import Any
 
 from ...cameras import camera, trajectory
 from ...core.atomic import atomic_write
 from ...core.checks import check_rigid
-from ...core.errors import FileError, values_of_file
+from ...core.errors import FileError, FilePath, values_of_file
 from ...core.json_files import check_keys, check_version, read_json_object
 from ..argument_types import CameraLike
 from ..camera.intrinsic import PinholeCameraIntrinsic
 from ..camera.parameters import PinholeCameraParameters, PinholeCameraTrajectory
 from ..wrapper import unwrap
 
-FilePath = str | os.PathLike[str]
-VERSION = {"version_major": 1, "version_minor": 0}
+FILE_VERSION = {"version_major": 1, "version_minor": 0}
 
 
 def read_pinhole_camera_intrinsic(filename: FilePath) -> PinholeCameraIntrinsic:
@@ -32,7 +30,7 @@ def write_pinhole_camera_intrinsic(filename: FilePath, intrinsic: CameraLike) ->
 
 def read_pinhole_camera_parameters(filename: FilePath) -> PinholeCameraParameters:
     content = read_json_object(filename)
-    check_keys(filename, content, required={"intrinsic", "extrinsic"}, optional={"class_name", *VERSION})
+    check_keys(filename, content, required={"intrinsic", "extrinsic"}, optional={"class_name", *FILE_VERSION})
     check_version(filename, content, "PinholeCameraParameters")
     made = PinholeCameraParameters()
     made.intrinsic = camera.read_pinhole_camera_intrinsic(filename)
@@ -60,7 +58,9 @@ def write_pinhole_camera_trajectory(filename: FilePath, trajectory: PinholeCamer
     """Write cameras as .json, or poses only as .log or .txt (TUM)."""
     if Path(filename).suffix.lower() == ".json":
         parameters = [_parameters_to_json(one) for one in trajectory.parameters]
-        return _write_json(filename, {"class_name": "PinholeCameraTrajectory", "parameters": parameters, **VERSION})
+        return _write_json(
+            filename, {"class_name": "PinholeCameraTrajectory", "parameters": parameters, **FILE_VERSION}
+        )
     return _write_poses(filename, trajectory)
 
 
@@ -84,7 +84,7 @@ def _parameters_to_json(parameters: PinholeCameraParameters) -> dict[str, Any]:
         "class_name": "PinholeCameraParameters",
         "extrinsic": parameters.extrinsic.T.ravel().tolist(),
         "intrinsic": camera.intrinsic_to_json(unwrap(parameters.intrinsic)),
-        **VERSION,
+        **FILE_VERSION,
     }
 
 

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import PIL.Image
 
 from ...core.atomic import atomic_write
+from ...core.errors import FilePath
 from ...io.images import image_files
 from ..argument_types import ImageLike
 from ..geometry.image import Image, pixels_of
 
-FilePath = str | os.PathLike[str]
-ALPHA = {2: (0, 3), 4: (0, 1, 2, 3)}  # channels of RGBA by number of channels
+RGBA_CHANNELS = {2: (0, 3), 4: (0, 1, 2, 3)}  # channels of RGBA by number of channels
 
 
 def read_image(filename: FilePath) -> Image:
@@ -21,10 +20,10 @@ def read_image(filename: FilePath) -> Image:
     header = image_files.read_image_header(filename)
     if header.channels == 1 and header.bits == 16:
         return Image(image_files.read_depth(filename))
-    if header.kind == "png" and header.channels in ALPHA and header.bits == 8:  # JPEG has four channels of ink
+    if header.kind == "png" and header.channels in RGBA_CHANNELS and header.bits == 8:  # JPEG has four channels of ink
         pixels = image_files.decode_texture(filename, Path(filename).read_bytes())
         has_alpha = pixels.shape[2] == 4  # false for CMYK
-        return Image(pixels[..., ALPHA[header.channels]] if has_alpha else pixels)
+        return Image(pixels[..., RGBA_CHANNELS[header.channels]] if has_alpha else pixels)
     pixels = image_files.read_color(filename)
     return Image(pixels[..., 0] if header.channels == 1 and _is_gray(filename) else pixels)
 

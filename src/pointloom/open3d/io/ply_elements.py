@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import IO, Any
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.checks import LARGEST_NUMBER
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...io.ascii_rows import write_rows
@@ -20,7 +19,6 @@ from ...io.points.ply_header import TYPE_NAMES, read_header
 from ...io.points.ply_rows import read_rows
 from ...io.source import open_source
 
-FilePath = str | os.PathLike[str]
 Elements = dict[str, dict[str, Any]]
 CHANNELS = ("red", "green", "blue")
 

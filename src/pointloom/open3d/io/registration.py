@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import os
-
 import numpy as np
 
 from ...core.atomic import atomic_write
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import input_path
 from ...registration.pose_graphs import pose_graph_files
 from ..pipelines.registration import Feature, PoseGraph
 from ..wrapper import unwrap
 
-FilePath = str | os.PathLike[str]
-HEAD = 8  # bytes: two int32, dimension and points
+HEADER_BYTES = 8  # two int32: dimension and number of points
 
 
 def read_feature(filename: FilePath) -> Feature:
@@ -23,12 +20,12 @@ def read_feature(filename: FilePath) -> Feature:
         data = input_path(filename).read_bytes()
     except OSError as error:
         raise FileError(filename, f"cannot be read: {error.strerror or error}") from error
-    if len(data) < HEAD:
-        raise FileError(filename, f"expected dimension and point count in {HEAD} bytes, got {len(data)} bytes")
-    dimension, count = np.frombuffer(data[:HEAD], "<i4").tolist()
-    if min(dimension, count) < 0 or len(data) != HEAD + 8 * dimension * count:
+    if len(data) < HEADER_BYTES:
+        raise FileError(filename, f"expected dimension and point count in {HEADER_BYTES} bytes, got {len(data)} bytes")
+    dimension, count = np.frombuffer(data[:HEADER_BYTES], "<i4").tolist()
+    if min(dimension, count) < 0 or len(data) != HEADER_BYTES + 8 * dimension * count:
         raise FileError(filename, f"expected {dimension} numbers for each of {count} points, got {len(data)} bytes")
-    rows = np.frombuffer(data[HEAD:], "<f8").reshape(count, dimension)
+    rows = np.frombuffer(data[HEADER_BYTES:], "<f8").reshape(count, dimension)
     if not (is_finite := np.isfinite(rows)).all():
         row, column = np.argwhere(~is_finite)[0].tolist()
         raise FileError(

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import warnings
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from ...core.errors import FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...io.points import point_cloud
@@ -21,8 +21,6 @@ from ..argument_types import CloudLike, MeshLike
 from ..geometry.point_cloud import PointCloud
 from ..geometry.triangle_mesh import TriangleMesh
 from ..wrapper import unwrap
-
-FilePath = str | os.PathLike[str]
 
 # Columns of Open3D's text formats, for files with another suffix.
 COLUMNS = {"xyz": ("x", "y", "z"), "xyzn": ("x", "y", "z", "nx", "ny", "nz"), "xyzrgb": ("x", "y", "z", "r", "g", "b")}

@@ -23,7 +23,7 @@ from .ply_elements import (
 )
 
 LIMITS = np.iinfo(np.int32)  # of voxel indices
-AXES = [f"r{row}{column}" for row in range(3) for column in range(3)]
+ROTATION_COLUMNS = [f"r{row}{column}" for row in range(3) for column in range(3)]
 
 
 def read_voxel_grid(filename: FilePath, format: str = "auto", print_progress: bool = False) -> VoxelGrid:
@@ -41,7 +41,7 @@ def read_voxel_grid(filename: FilePath, format: str = "auto", print_progress: bo
         raise FileError(path, f"expected each voxel once, got {int((counts > 1).sum())} of them more than once")
     made = VoxelGrid.from_cells(origin[0], edge, cells, colors_of(path, elements, "vertex"))
     if "rotation" in elements:
-        made.rotation = _rotation(path, numbers_of(path, elements, "rotation", *AXES))
+        made.rotation = _rotation(path, numbers_of(path, elements, "rotation", *ROTATION_COLUMNS))
     return made
 
 
@@ -67,7 +67,7 @@ def write_voxel_grid(
     cells, colors = voxel_grid.cells_and_colors()
     elements = {
         "origin": dict(zip("xyz", voxel_grid.origin.reshape(3, 1), strict=True)),
-        "rotation": dict(zip(AXES, voxel_grid.rotation.reshape(9, 1), strict=True)),
+        "rotation": dict(zip(ROTATION_COLUMNS, voxel_grid.rotation.reshape(9, 1), strict=True)),
         "voxel_size": {"val": np.array([voxel_grid.voxel_size])},
         "vertex": dict(zip("xyz", cells.astype(np.float64).T, strict=True)) | color_columns(colors),
     }

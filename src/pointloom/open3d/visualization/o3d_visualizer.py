@@ -19,15 +19,14 @@ from .shown import drawn
 from .visualizer import FilePath, Visualizer
 
 ANIMATE = "Animate"
-RATE = 30.0  # [Hz] of animations
+ANIMATION_RATE = 30.0  # [Hz]
 Function = Callable[..., Any]
 
 
 class TickResult(enum.Enum):
     """Return value of an animation tick callback. Ignored."""
 
-    NO_CHANGE = 0
-    REDRAW = 1
+    NO_CHANGE, REDRAW = range(2)
 
 
 @dataclasses.dataclass
@@ -166,7 +165,7 @@ class O3DVisualizer(KnownNames):
         if stop is not None:
             stop()
         if animates and self._window.viewer is not None:
-            self._stop = self._window.viewer.on_frame(self._tick, RATE)
+            self._stop = self._window.viewer.on_frame(self._tick, ANIMATION_RATE)
         if self._animate is not None:
             self._animate.value = bool(animates)
 

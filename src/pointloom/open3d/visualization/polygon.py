@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import os
-
 from ...core.attribute_hints import KnownNames
+from ...core.errors import FilePath
 from ...pcd import polygon_volume
 from ..argument_types import CloudLike, VectorLike
 from ..geometry import PointCloud, TriangleMesh
@@ -56,6 +55,6 @@ class SelectionPolygonVolume(KnownNames):
         return f"SelectionPolygonVolume, access its members:\n{members}"
 
 
-def read_selection_polygon_volume(filename: str | os.PathLike[str]) -> SelectionPolygonVolume:
+def read_selection_polygon_volume(filename: FilePath) -> SelectionPolygonVolume:
     """Read `cropped.json`."""
     return SelectionPolygonVolume(polygon_volume.SelectionPolygonVolume.from_json(filename))

@@ -19,7 +19,7 @@ from ..wrapper import unwrap
 RADIANS_PER_PIXEL = 0.003  # [rad] per pixel, as in Open3D
 ZOOM_STEP = 0.02  # per wheel click
 ANGLE_STEP, MIN_ANGLE, MAX_ANGLE = 5.0, 5.0, 90.0  # [degrees]
-NOWHERE = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
+EMPTY_SCENE_BOUNDS = (np.full(3, -1.0), np.full(3, 1.0))
 log = logging.getLogger("pointloom.viewer")
 
 
@@ -36,7 +36,7 @@ class ViewControl(HintedNames):
 
     def __init__(self):
         self.size, self.page_view = (1920, 1080), _no_view
-        self.show_box(NOWHERE)
+        self.show_box(EMPTY_SCENE_BOUNDS)
 
     def show_box(self, bounds: tuple[Any, Any]) -> None:
         """Show a box along -z, Open3D's initial view."""

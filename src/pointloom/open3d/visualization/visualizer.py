@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import queue
 import tempfile
 from collections.abc import Callable
@@ -13,6 +12,7 @@ import numpy as np
 
 from ...core.attribute_hints import KnownNames
 from ...core.checks import check_callback, check_count, check_positive
+from ...core.errors import FilePath
 from ...core.escaped_text import escaped
 from ...core.units import without_warnings
 from ...meshing.mesh.mesh import TriangleMesh
@@ -24,15 +24,14 @@ from ..geometry import Image, PointCloud
 from ..io import write_image, write_point_cloud
 from .render_option import COLOR_BY, MeshShadeOption, RenderOption
 from .shown import bounds_of, drawn
-from .view_control import NOWHERE, ViewControl
+from .view_control import EMPTY_SCENE_BOUNDS, ViewControl
 
-FilePath = str | os.PathLike[str]
 Callback = Callable[["Visualizer"], Any]
 
-FRAMES = 60  # one second of a screen: lifetime of an unattended window
+UNATTENDED_FRAMES = 60  # one second of a screen
 CALLBACK_INTERVAL = 1 / 30  # [s] between two animation callbacks
 FRAME = "coordinate frame"
-KEYS = {
+KEY_NAMES = {
     32: "space", 256: "escape", 257: "enter", 258: "tab", 259: "backspace", 260: "insert", 261: "delete",
     262: "arrowright", 263: "arrowleft", 264: "arrowdown", 265: "arrowup", 266: "pageup", 267: "pagedown",
     268: "home", 269: "end", **{code: chr(code) for code in (*range(48, 58), *range(65, 91))},
@@ -169,7 +168,7 @@ class Visualizer(KnownNames):
         """Show everything, or the bounds of the last reset."""
         bounds = self._control.bounds
         if reset_bounding_box:
-            bounds = bounds_of(list(self.geometries.values())) or NOWHERE
+            bounds = bounds_of(list(self.geometries.values())) or EMPTY_SCENE_BOUNDS
         self._control.show_box(bounds)
 
     def get_view_status(self) -> str:
@@ -215,7 +214,7 @@ class Visualizer(KnownNames):
         """Run key callbacks. False once the window is closed."""
         if self.viewer is None:
             self._frames += 1
-            return not self._closed and self._frames < FRAMES
+            return not self._closed and self._frames < UNATTENDED_FRAMES
         self._call_keys()
         self.update_renderer()
         return not self._closed and not self.viewer.wait(0)
@@ -328,12 +327,12 @@ class VisualizerWithKeyCallback(Visualizer):
         `key` is GLFW's number: ord("K"), 32 for space, 256 for escape, 262 to 265 for arrows, ... Raises ValueError for
         keys that pages do not report.
         """
-        if key not in KEYS:
+        if key not in KEY_NAMES:
             raise ValueError(
-                f"key: expected a letter, a digit or one of {', '.join(list(KEYS.values())[:15])}, got {key!r}"
+                f"key: expected a letter, a digit or one of {', '.join(list(KEY_NAMES.values())[:15])}, got {key!r}"
             )
-        self._callbacks[KEYS[key]] = check_callback("callback_func", callback_func)
-        self._listen(KEYS[key])
+        self._callbacks[KEY_NAMES[key]] = check_callback("callback_func", callback_func)
+        self._listen(KEY_NAMES[key])
 
     def register_key_action_callback(self, key: int, callback_func: Callable[[Any, int, int], Any]) -> None:
         """Like `register_key_callback`, called with (window, 1, 0): pages report key presses only."""

@@ -143,8 +143,5 @@ class NearestNeighborSearch(HintedNames):
     def _results(
         self, indices: NDArray[Any], sqdists: NDArray[Any], counts: NDArray[Any]
     ) -> tuple[Tensor, Tensor, Tensor]:
-        types = (self._index_dtype, self._points.dtype, self._index_dtype)
-        values = (indices, sqdists, counts)
-        device = self._points.device
-        first, second, third = (Tensor(part, dtype, device) for part, dtype in zip(values, types, strict=True))
-        return first, second, third
+        kind, device = self._index_dtype, self._points.device
+        return Tensor(indices, kind, device), Tensor(sqdists, self._points.dtype, device), Tensor(counts, kind, device)

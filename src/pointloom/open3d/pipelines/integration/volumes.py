@@ -15,18 +15,16 @@ from ....pcd import boxes
 from ...argument_types import CameraLike, FrameLike
 from ...camera import PinholeCameraIntrinsic
 from ...geometry import PointCloud, RGBDImage, TriangleMesh
-from ...wrapper import Wrapper, column, unwrap
+from ...wrapper import PlainWrapper, column, unwrap
 
-SEEN = 0.0  # a voxel seen by one frame is enough
+WEIGHT_THRESHOLD = 0.0  # a voxel seen by one frame is enough
 
 
 class TSDFVolumeColorType(enum.Enum):
-    NoColor = 0
-    RGB8 = 1
-    Gray32 = 2
+    NoColor, RGB8, Gray32 = range(3)
 
 
-class TSDFVolume(Wrapper):
+class TSDFVolume(PlainWrapper):
     """Base class of both TSDF volumes."""
 
     _kind = tsdf.TSDFVolume
@@ -54,23 +52,17 @@ class TSDFVolume(Wrapper):
         self._wrapped.integrate(frame, camera, extrinsic, color)
 
     def extract_triangle_mesh(self) -> TriangleMesh:
-        return TriangleMesh.from_native(self._wrapped.extract_triangle_mesh(SEEN))
+        return TriangleMesh.from_native(self._wrapped.extract_triangle_mesh(WEIGHT_THRESHOLD))
 
     def extract_point_cloud(self) -> PointCloud:
         """The surface as points with normals."""
-        return PointCloud.from_native(self._wrapped.extract_point_cloud(SEEN))
+        return PointCloud.from_native(self._wrapped.extract_point_cloud(WEIGHT_THRESHOLD))
 
     def __copy__(self) -> Any:
         made = type(self).__new__(type(self))
         for name, value in vars(self).items():
             object.__setattr__(made, name, copy.copy(value))
         return made
-
-    def __getstate__(self) -> dict[str, Any]:
-        return dict(vars(self))
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        vars(self).update(state)
 
     def __repr__(self) -> str:
         return (
@@ -129,10 +121,10 @@ class UniformTSDFVolume(TSDFVolume):
     resolution = property(lambda self: self._resolution, doc="Number of voxels per edge.")
 
     def extract_triangle_mesh(self) -> TriangleMesh:
-        return TriangleMesh.from_native(self._wrapped.extract_triangle_mesh(SEEN).crop(self._cube()))
+        return TriangleMesh.from_native(self._wrapped.extract_triangle_mesh(WEIGHT_THRESHOLD).crop(self._cube()))
 
     def extract_point_cloud(self) -> PointCloud:
-        return PointCloud.from_native(self._wrapped.extract_point_cloud(SEEN).crop(self._cube()))
+        return PointCloud.from_native(self._wrapped.extract_point_cloud(WEIGHT_THRESHOLD).crop(self._cube()))
 
     def _cube(self) -> boxes.AxisAlignedBoundingBox:
         return boxes.AxisAlignedBoundingBox(self._corner, self._corner + np.full(3, self._length))

@@ -14,9 +14,7 @@ from ...camera import PinholeCameraIntrinsic
 from ...geometry import RGBDImage
 from ...settings import Settings
 from ...vectors import IntVector
-from ...wrapper import unwrap
-
-IDENTITY = np.eye(4)
+from ...wrapper import IDENTITY_POSE, unwrap
 
 
 @dataclass(eq=False, repr=False)
@@ -65,7 +63,7 @@ def compute_rgbd_odometry(
     rgbd_source: FrameLike,
     rgbd_target: FrameLike,
     pinhole_camera_intrinsic: CameraLike | None = None,
-    odo_init: ArrayLike = IDENTITY,
+    odo_init: ArrayLike = IDENTITY_POSE,
     jacobian: RGBDOdometryJacobian | None = None,
     option: OdometryOption | None = None,
 ) -> tuple[bool, NDArray[np.float64], NDArray[np.float64]]:

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike
 
 from ....registration.globally import checkers
 from ...argument_types import CloudLike, VectorLike
-from ...geometry import PointCloud
 from ...settings import Settings
-from ...wrapper import as_array, column, unwrap
+from ...wrapper import as_array, column
+from .estimation import clouds_of
 
 
 class CorrespondenceChecker(Settings):
@@ -20,8 +20,11 @@ class CorrespondenceChecker(Settings):
 
     def Check(self, source: CloudLike, target: CloudLike, corres: VectorLike, transformation: ArrayLike) -> bool:
         """True if correspondences and pose pass."""
-        clouds = unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
-        return self.native.Check(*clouds, as_array(corres), transformation)
+        return self.native.Check(*clouds_of(source, target), as_array(corres), transformation)
+
+    def __repr__(self) -> str:
+        name, value = next(iter(self.native_keywords().items()))
+        return f"{type(self).__name__} with {name.replace('normal_angle', 'normal')}={value:f}"
 
 
 @dataclass(eq=False, repr=False)
@@ -32,9 +35,6 @@ class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
     require_pointcloud_alignment_ = False
     similarity_threshold: Any = 0.9
 
-    def __repr__(self) -> str:
-        return f"CorrespondenceCheckerBasedOnEdgeLength with similarity_threshold={self.similarity_threshold:f}"
-
 
 @dataclass(eq=False, repr=False)
 class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
@@ -43,9 +43,6 @@ class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
     _kind = checkers.CorrespondenceCheckerBasedOnDistance
     distance_threshold: Any
 
-    def __repr__(self) -> str:
-        return f"CorrespondenceCheckerBasedOnDistance with distance_threshold={self.distance_threshold:f}"
-
 
 @dataclass(eq=False, repr=False)
 class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
@@ -53,9 +50,6 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
 
     _kind = checkers.CorrespondenceCheckerBasedOnNormal
     normal_angle_threshold: Any
-
-    def __repr__(self) -> str:
-        return f"CorrespondenceCheckerBasedOnNormal with normal_threshold={self.normal_angle_threshold:f}"
 
 
 @dataclass(eq=False, repr=False)

@@ -80,12 +80,12 @@ class TransformationEstimation(Settings):
     @as_runtime_errors
     def compute_transformation(self, source: CloudLike, target: CloudLike, corres: VectorLike) -> NDArray[np.float64]:
         """The step (4, 4) of one iteration from pairs (source, target). The identity without pairs."""
-        return fit_step(*_clouds(source, target), as_array(Vector2iVector(corres)), self.native)
+        return fit_step(*clouds_of(source, target), as_array(Vector2iVector(corres)), self.native)
 
     @as_runtime_errors
     def compute_rmse(self, source: CloudLike, target: CloudLike, corres: VectorLike) -> float:
         """Root mean square of the residuals of the pairs that `compute_transformation` minimizes, without a kernel."""
-        return residual_rmse(*_clouds(source, target), as_array(Vector2iVector(corres)), self.native)
+        return residual_rmse(*clouds_of(source, target), as_array(Vector2iVector(corres)), self.native)
 
     def _take_kernel(self, default: float) -> None:
         """Reassign a kernel that was given in place of the first number."""
@@ -161,10 +161,11 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
         return f"TransformationEstimationForGeneralizedICP(epsilon={self.epsilon:g})"
 
 
-def _clouds(source: CloudLike, target: CloudLike) -> tuple[Any, Any]:
+def clouds_of(source: CloudLike, target: CloudLike) -> tuple[Any, Any]:
+    """The two pointloom clouds."""
     return unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
 
 
 def _pairs(source: CloudLike, target: CloudLike, corres: VectorLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    clouds, pairs = _clouds(source, target), as_array(Vector2iVector(corres))
+    clouds, pairs = clouds_of(source, target), as_array(Vector2iVector(corres))
     return clouds[0].points[pairs[:, 0]], clouds[1].points[pairs[:, 1]]

@@ -24,13 +24,14 @@ from ...indices import flagged
 from ...seeds import next_seed
 from ...settings import Settings
 from ...vectors import Vector2iVector
-from ...wrapper import Wrapper, as_array, unwrap
+from ...wrapper import IDENTITY_POSE, Wrapper, as_array, unwrap
 from .estimation import (
     TransformationEstimation,
     TransformationEstimationForColoredICP,
     TransformationEstimationForGeneralizedICP,
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
+    clouds_of,
 )
 
 MIN_MUTUAL_FRACTION = 0.1  # of the source points; with fewer mutual pairs, all pairs are used
@@ -153,8 +154,8 @@ def _as_confidence(value: object) -> float:
 
 
 def _option(option: FastGlobalRegistrationOption | None) -> Any:
-    chosen = FastGlobalRegistrationOption(decrease_mu=True) if option is None else option
-    return unwrap(chosen, FastGlobalRegistrationOption, "option")
+    default = FastGlobalRegistrationOption(decrease_mu=True)
+    return unwrap(default if option is None else option, FastGlobalRegistrationOption, "option")
 
 
 def _rules(
@@ -169,9 +170,6 @@ def _rules(
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = RANSACConvergenceCriteria() if criteria is None else criteria
     return unwrap(method), ransac_n, unwrap(list(checkers)), unwrap(criteria, RANSACConvergenceCriteria, "criteria")
-
-
-IDENTITY = np.eye(4)
 
 
 @dataclass(eq=False, repr=False)
@@ -202,7 +200,7 @@ def _icp(
         source: CloudLike,
         target: CloudLike,
         max_correspondence_distance: float,
-        init: ArrayLike = IDENTITY,
+        init: ArrayLike = IDENTITY_POSE,
         estimation_method: TransformationEstimation | None = None,
         criteria: ICPConvergenceCriteria | None = None,
     ) -> RegistrationResult:
@@ -270,7 +268,7 @@ def registration_ndt(
     source: CloudLike,
     target: CloudLike,
     option: NormalDistributionsTransformOption | None = None,
-    init: ArrayLike = IDENTITY,
+    init: ArrayLike = IDENTITY_POSE,
 ) -> RegistrationResult:
     """Normal distributions transform: neither normals nor a search of nearest points."""
     chosen = NormalDistributionsTransformOption() if option is None else option
@@ -280,7 +278,7 @@ def registration_ndt(
 
 @as_runtime_errors
 def evaluate_registration(
-    source: CloudLike, target: CloudLike, max_correspondence_distance: float, transformation: ArrayLike = IDENTITY
+    source: CloudLike, target: CloudLike, max_correspondence_distance: float, transformation: ArrayLike = IDENTITY_POSE
 ) -> RegistrationResult:
     clouds = clouds_of(source, target)
     return RegistrationResult.from_native(
@@ -295,11 +293,6 @@ def get_information_matrix_from_point_clouds(
     """Information matrix of the correspondences, shape (6, 6)."""
     clouds = clouds_of(source, target)
     return evaluation.get_information_matrix_from_point_clouds(*clouds, max_correspondence_distance, transformation)
-
-
-def clouds_of(source: CloudLike, target: CloudLike) -> tuple[Any, Any]:
-    """The two pointloom clouds."""
-    return unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
 
 
 class Feature(KnownNames):
@@ -376,8 +369,24 @@ def correspondences_from_features(
     return Vector2iVector(matching.correspondences_from_features(*sides, mutual_filter, mutual_consistency_ratio))
 
 
+class _Number:
+    """A number of a result, assignable."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __get__(self, result: Wrapper | None, owner: type) -> Any:
+        return self if result is None else getattr(result.native, self.name)
+
+    def __set__(self, result: Wrapper, value: float) -> None:
+        setattr(result.native, self.name, float(value))
+
+
 class RegistrationResult(Wrapper):
-    """Result of a registration. Fields are assignable, as in Open3D."""
+    """Result of a registration. Fields are assignable, as in Open3D.
+
+    `fitness`: fraction of source points with a correspondence. `inlier_rmse`: RMSE of the correspondences.
+    """
 
     _kind = result.RegistrationResult
 
@@ -398,23 +407,8 @@ class RegistrationResult(Wrapper):
     def transformation(self, T: ArrayLike) -> None:
         self._wrapped.transformation = np.array(T, np.float64)
 
-    @property
-    def fitness(self) -> float:
-        """Fraction of source points with a correspondence."""
-        return self._wrapped.fitness
-
-    @fitness.setter
-    def fitness(self, fraction: float) -> None:
-        self._wrapped.fitness = float(fraction)
-
-    @property
-    def inlier_rmse(self) -> float:
-        """RMSE of the correspondences."""
-        return self._wrapped.inlier_rmse
-
-    @inlier_rmse.setter
-    def inlier_rmse(self, rmse: float) -> None:
-        self._wrapped.inlier_rmse = float(rmse)
+    fitness = _Number()
+    inlier_rmse = _Number()
 
     @property
     def correspondence_set(self) -> Vector2iVector:

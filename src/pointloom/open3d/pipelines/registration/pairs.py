@@ -23,7 +23,7 @@ from ....registration.robust_kernels import L2Loss
 
 Pairs = NDArray[np.int32]
 Matrix = NDArray[np.float64]
-UNRESOLVED = 1e-10  # eigenvalue, relative to the largest, below which float32 does not determine a motion
+MIN_RELATIVE_EIGENVALUE = 1e-10  # float32 does not determine a motion with a smaller one
 
 
 def fit_step(
@@ -50,7 +50,7 @@ def fit_step(
     fill(loop.progress.iterations, iteration)
     method.prepare(loop)
     loop.sum_rows(method.rows, problem._arguments, problem._plain_arguments)
-    loop.step(StepRules(method.method, method.scales, (iteration + 1, 0.0, 0.0, 0.0), UNRESOLVED))
+    loop.step(StepRules(method.method, method.scales, (iteration + 1, 0.0, 0.0, 0.0), MIN_RELATIVE_EIGENVALUE))
     return matmul(problem.results()[0].transformation, invert_pose(pose))
 
 

@@ -9,8 +9,7 @@ from typing import Any, ClassVar, SupportsIndex
 
 import numpy as np
 
-from ....core.errors import FilePath
-from ....registration.pose_graphs import pose_graph, pose_graph_files, pose_graph_optimization
+from ....registration.pose_graphs import pose_graph, pose_graph_optimization
 from ...settings import Settings
 from ...wrapper import Wrapper, unwrap
 
@@ -203,15 +202,6 @@ def global_optimization(
     for node, moved in zip(pose_graph.nodes, solved.nodes, strict=True):
         node.pose = moved.pose
     pose_graph.edges = map(PoseGraphEdge.from_native, solved.edges)
-
-
-def read_pose_graph(filename: FilePath) -> PoseGraph:
-    return PoseGraph.from_native(pose_graph_files.read_pose_graph(filename))
-
-
-def write_pose_graph(filename: FilePath, pose_graph: PoseGraph) -> bool:
-    pose_graph_files.write_pose_graph(filename, unwrap(pose_graph, PoseGraph, "pose_graph"))
-    return True
 
 
 def _listed(settings: Settings) -> str:

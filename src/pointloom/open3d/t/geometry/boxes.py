@@ -15,18 +15,14 @@ from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64
 from ...core.tensor import Tensor
 from ...wrapper import unwrap
-from .geometry import Geometry, device_of
+from .geometry import CPU, Geometry, device_of
 from .tensor_map import matrix_of, tensor_of, wrap
-
-CPU = Device("CPU:0")
 
 
 class MethodOBBCreate(enum.Enum):
     """How an oriented box is fitted. Both minimal methods give the smallest box."""
 
-    PCA = 0
-    MINIMAL_APPROX = 1
-    MINIMAL_JYLANKI = 2
+    PCA, MINIMAL_APPROX, MINIMAL_JYLANKI = range(3)
 
 
 class BoundingBox(Geometry):

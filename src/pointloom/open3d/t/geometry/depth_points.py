@@ -18,7 +18,7 @@ from .rgbd_image import RGBDImage
 from .tensor_map import TensorMap, matrix_of, wrap
 
 FINITE = "remove_non_finite_points"
-SIGMA = 10.0  # [m] and [px] of Open3D's filter before normals
+FILTER_SIGMA = 10.0  # [m] and [px] of Open3D's filter before normals
 
 
 def points_of_images(
@@ -65,7 +65,7 @@ def _smoothed(depth: Image, color: Image | None, stride: int) -> tuple[Image, Im
         raise ValueError(f"stride: expected a power of 2 with normals, got {stride}")
     metric = depth.as_tensor().reshape((depth.rows, depth.columns)).array
     if stride == 1:
-        return Image(wrap(filter_depth_bilateral(metric, 5, SIGMA, SIGMA))), color
+        return Image(wrap(filter_depth_bilateral(metric, 5, FILTER_SIGMA, FILTER_SIGMA))), color
     for _ in range(stride.bit_length() - 1):
         metric, color = pyrdown_depth(metric), None if color is None else color.pyrdown()
     return Image(wrap(metric)), color

@@ -11,6 +11,8 @@ from ...core.device import Device
 from ...core.tensor import Tensor
 from .tensor_map import TensorMap, count_of, mapped
 
+CPU = Device("CPU:0")
+
 
 class Geometry(KnownNames):
     """A geometry of tensors on one device.
@@ -48,7 +50,7 @@ class Geometry(KnownNames):
         return made
 
     def cpu(self) -> Self:
-        return self.to(Device("CPU:0"))
+        return self.to(CPU)
 
     def cuda(self, device_id: int = 0) -> Self:
         return self.to(Device("CUDA", device_id))

@@ -17,26 +17,20 @@ from ....pcd.cloud import PointCloud
 from ....visualization.render.colormaps import colormap_table
 from ... import geometry as legacy
 from ...argument_types import DeviceLike, ImageLike, TensorLike
-from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64, int64, uint8, uint16
 from ...core.tensor import Tensor
-from ...geometry.image import GRAY, pixels_of
-from .geometry import Geometry, device_of
+from ...geometry.image import GRAY_WEIGHTS, pixels_of
+from .geometry import CPU, Geometry, device_of
 from .tensor_map import array_of, matrix_of, tensor_of, wrap
 
-CPU = Device("CPU:0")
-SMOOTHING = {3: [1, 2, 1], 5: [1, 4, 6, 4, 1]}  # columns and rows of Sobel's filters by size
-SLOPE = {3: [-1, 0, 1], 5: [-1, -2, 0, 2, 1]}
+SOBEL_SMOOTHING = {3: [1, 2, 1], 5: [1, 4, 6, 4, 1]}  # columns and rows of Sobel's filters by size
+SOBEL_SLOPE = {3: [-1, 0, 1], 5: [-1, -2, 0, 2, 1]}
 
 
 class InterpType(enum.Enum):
     """Interpolation of `Image.resize`."""
 
-    Nearest = 0
-    Linear = 1
-    Cubic = 2
-    Lanczos = 3
-    Super = 4
+    Nearest, Linear, Cubic, Lanczos, Super = range(5)
 
 
 PILLOW = {
@@ -160,7 +154,7 @@ class Image(Geometry):
     def rgb_to_gray(self) -> Image:
         if self.channels != 3:
             raise ValueError(f"image: expected 3 channels, got {self.channels}")
-        return self._like((self._data.numpy() @ GRAY.astype(np.float64))[..., None])
+        return self._like((self._data.numpy() @ GRAY_WEIGHTS.astype(np.float64))[..., None])
 
     def resize(self, sampling_rate: float = 0.5, interp_type: InterpType = InterpType.Nearest) -> Image:
         """Scale the size. Cubic, Lanczos and Super are Pillow's, which average when they shrink."""
@@ -191,9 +185,9 @@ class Image(Geometry):
 
     def filter_sobel(self, kernel_size: int = 3) -> tuple[Image, Image]:
         """Slopes along x and y, int16 of bytes. `kernel_size` is 3 or 5."""
-        if kernel_size not in SLOPE:
+        if kernel_size not in SOBEL_SLOPE:
             raise ValueError(f"kernel_size: expected 3 or 5, got {kernel_size}")
-        slope, smoothing = SLOPE[kernel_size], SMOOTHING[kernel_size]
+        slope, smoothing = SOBEL_SLOPE[kernel_size], SOBEL_SMOOTHING[kernel_size]
 
         def along(axis: int) -> Callable[[NDArray[np.float64]], NDArray[Any]]:
             return lambda v: ndimage.correlate1d(

@@ -7,7 +7,6 @@ from typing import Any, Self
 import numpy as np
 
 from ....cameras.camera import PinholeCameraIntrinsic
-from ....core.escaped_text import escaped
 from ....pcd import line_set
 from ... import geometry as legacy
 from ...argument_types import DeviceLike, TensorLike
@@ -15,11 +14,9 @@ from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64, int64
 from ...core.tensor import Tensor
 from ...wrapper import unwrap
-from .geometry import device_of
+from .geometry import CPU, device_of
 from .moved import MovedGeometry
-from .tensor_map import TensorMap, array_of, count_of, matrix_of, tensor_of
-
-CPU = Device("CPU:0")
+from .tensor_map import TensorMap, array_of, count_of, listed, matrix_of, tensor_of
 
 
 class LineSet(MovedGeometry):
@@ -105,13 +102,3 @@ class LineSet(MovedGeometry):
         tensors: TensorMap = getattr(self, part)
         kind = str(tensors[tensors.primary_key].dtype) if tensors else ""
         return f"[{count_of(tensors)} {name} ({kind})] Attributes:{listed(tensors)}"
-
-
-def listed(tensors: TensorMap) -> str:
-    """The tensors besides the primary one as text: ` colors (dtype = Float32, shape = {8, 3}).`"""
-    rows = [
-        f" {escaped(name)} (dtype = {tensor.dtype}, shape = {{{', '.join(map(str, tensor.shape))}}})"
-        for name, tensor in tensors.items()
-        if name != tensors.primary_key
-    ]
-    return f"{','.join(rows) or ' None'}."

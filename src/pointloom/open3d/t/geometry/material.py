@@ -7,7 +7,7 @@ from typing import Any
 from ....core.attribute_hints import KnownNames
 from ....core.escaped_text import escaped
 
-SCALARS = {
+SCALAR_DEFAULTS = {
     "line_width": 1.0,
     "point_size": 3.0,
     "metallic": 0.0,
@@ -20,7 +20,7 @@ SCALARS = {
     "transmission": 1.0,
     "absorption_distance": 1.0,
 }
-VECTORS = {
+VECTOR_DEFAULTS = {
     "base_color": (1.0, 1.0, 1.0, 1.0),
     "emissive_color": (0.0, 0.0, 0.0, 1.0),
     "absorption_color": (1.0, 1.0, 1.0, 1.0),
@@ -48,7 +48,11 @@ class Material(KnownNames):
 
     def set_default_properties(self) -> None:
         self.material_name = "defaultUnlit"
-        self.scalar_properties, self.vector_properties, self.texture_maps = dict(SCALARS), dict(VECTORS), {}
+        self.scalar_properties, self.vector_properties, self.texture_maps = (
+            dict(SCALAR_DEFAULTS),
+            dict(VECTOR_DEFAULTS),
+            {},
+        )
 
     def __copy__(self) -> Material:
         return Material(self)

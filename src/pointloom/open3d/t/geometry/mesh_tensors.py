@@ -8,7 +8,6 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ....core.escaped_text import escaped
 from ....kernels.arrays.origins import add_origin
 from ....meshing.mesh import mesh
 from ....pcd.cloud import PointCloud as NativeCloud
@@ -17,13 +16,12 @@ from ...core.device import Device
 from ...core.dtype import Dtype
 from ...core.tensor import Tensor
 from .. import geometry
-from .geometry import Geometry, device_of
+from .geometry import CPU, Geometry, device_of
 from .material import Material
-from .tensor_map import TensorMap, count_of
+from .tensor_map import TensorMap, count_of, listed
 from .tensors import host_of, new_tensor, values_of
 
 NativeMesh = mesh.TriangleMesh
-CPU = "CPU:0"
 VERTEX = {"positions": "vertices", "normals": "vertex_normals", "colors": "vertex_colors"}
 TRIANGLE = {"indices": "triangles", "texture_uvs": "triangle_uvs"}
 
@@ -158,12 +156,7 @@ class MeshTensors(Geometry):
         ]
         lines = [f"TriangleMesh on {self.device} [{' and '.join(counts)}]."]
         for part, of in ((self.vertex, "Vertex"), (self.triangle, "Triangle")):
-            others = [
-                f"{escaped(name)} (dtype = {tensor.dtype}, shape = {{{', '.join(map(str, tensor.shape))}}})"
-                for name, tensor in sorted(part.items())
-                if name != part.primary_key
-            ]
-            lines.append(f"{of} Attributes: {', '.join(others) or 'None'}.")
+            lines.append(f"{of} Attributes:{listed(part, ordered=True)}")
         return "\n".join(lines)
 
 

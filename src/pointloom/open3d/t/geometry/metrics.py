@@ -13,9 +13,7 @@ from ....meshing.mesh.mesh_metrics import SurfaceMetrics
 
 
 class Metric(enum.Enum):
-    ChamferDistance = 0
-    HausdorffDistance = 1
-    FScore = 2
+    ChamferDistance, HausdorffDistance, FScore = range(3)
 
 
 ChamferDistance, HausdorffDistance, FScore = Metric

@@ -16,22 +16,20 @@ from ...core.device import Device
 from ...core.dtype import Dtype, float32, float64, int32, int64
 from ...core.tensor import Tensor
 from ...seeds import next_seed
+from ...wrapper import IDENTITY_POSE
 from .. import geometry
 from . import depth_points
 from .boundary import boundary_rows
-from .geometry import device_of
+from .geometry import CPU, device_of
 from .image import Image
-from .line_set import listed
 from .metrics import Metric, MetricParameters, listed_metrics
 from .moved import MovedGeometry
 from .native import attribute, columns_of, converted, mask_of, native_of, positions_of, rows_of, select
 from .rgbd_image import RGBDImage
-from .tensor_map import TensorMap, count_of, matrix_of, tensor_of, wrap
+from .tensor_map import TensorMap, count_of, listed, matrix_of, tensor_of, wrap
 
-CPU = Device("CPU:0")
-EYE = np.eye(4)
-UP, ZERO = (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
-LONG = 1e18  # [m] a radius without effect
+UP_DIRECTION, ZERO_POINT = (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
+UNLIMITED_RADIUS = 1e18  # [m]
 
 
 class PointCloud(MovedGeometry):
@@ -136,7 +134,7 @@ class PointCloud(MovedGeometry):
         columns = {f"_{name}": columns_of(tensor, float64).array for name, tensor in self.point.items()}
         native = cloud.PointCloud(self.point.positions.array, **columns)
         made = PointCloud(self.device)
-        vars(made)["point"] = rows_of(native.voxel_down_sample_and_trace(voxel_size, ZERO).cloud, self.point)
+        vars(made)["point"] = rows_of(native.voxel_down_sample_and_trace(voxel_size, ZERO_POINT).cloud, self.point)
         return made
 
     def uniform_down_sample(self, every_k_points: int) -> PointCloud:
@@ -191,11 +189,11 @@ class PointCloud(MovedGeometry):
             self._set_normals(native_of(self.point, "normals").normalize_normals()) if "normals" in self.point else self
         )
 
-    def orient_normals_to_align_with_direction(self, orientation_reference: TensorLike = UP) -> None:
+    def orient_normals_to_align_with_direction(self, orientation_reference: TensorLike = UP_DIRECTION) -> None:
         direction = matrix_of("orientation_reference", orientation_reference, (3,))
         self._set_normals(native_of(self.point, "normals").orient_normals_to_align_with_direction(direction))
 
-    def orient_normals_towards_camera_location(self, camera_location: TensorLike = ZERO) -> None:
+    def orient_normals_towards_camera_location(self, camera_location: TensorLike = ZERO_POINT) -> None:
         camera = matrix_of("camera_location", camera_location, (3,))
         self._set_normals(native_of(self.point, "normals").orient_normals_towards_camera_location(camera))
 
@@ -211,7 +209,7 @@ class PointCloud(MovedGeometry):
             return
         native = native_of(self.point, "normals", "colors")
         normals, colors = (native.arrays.required(name, f"assign point.{name}") for name in ("normals", "colors"))
-        distance, count = LONG if radius is None else radius, len(native) if max_nn is None else max_nn
+        distance, count = UNLIMITED_RADIUS if radius is None else radius, len(native) if max_nn is None else max_nn
         _, gradients = estimate_color_gradients(native.search_tree(), normals, colors, distance, count)
         dtype = self.point.colors.dtype
         made = converted(wrap(native.arrays.hand_out(gradients)), dtype if dtype in (float32, float64) else float32)
@@ -255,7 +253,7 @@ class PointCloud(MovedGeometry):
     def create_from_depth_image(
         depth: Image,
         intrinsics: TensorLike,
-        extrinsics: TensorLike = EYE,
+        extrinsics: TensorLike = IDENTITY_POSE,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
         stride: int = 1,
@@ -269,7 +267,7 @@ class PointCloud(MovedGeometry):
     def create_from_rgbd_image(
         rgbd_image: RGBDImage,
         intrinsics: TensorLike,
-        extrinsics: TensorLike = EYE,
+        extrinsics: TensorLike = IDENTITY_POSE,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
         stride: int = 1,
@@ -284,7 +282,7 @@ class PointCloud(MovedGeometry):
         width: int,
         height: int,
         intrinsics: TensorLike,
-        extrinsics: TensorLike = EYE,
+        extrinsics: TensorLike = IDENTITY_POSE,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
     ) -> Image:
@@ -297,7 +295,7 @@ class PointCloud(MovedGeometry):
         width: int,
         height: int,
         intrinsics: TensorLike,
-        extrinsics: TensorLike = EYE,
+        extrinsics: TensorLike = IDENTITY_POSE,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
     ) -> RGBDImage:

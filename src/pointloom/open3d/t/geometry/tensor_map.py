@@ -171,3 +171,13 @@ def count_of(tensors: TensorMap) -> int:
 def mapped(tensors: TensorMap, function: Callable[[Tensor], Tensor]) -> TensorMap:
     """A map of the results of a function, such as a selection of rows."""
     return TensorMap(tensors.primary_key, {name: function(tensor) for name, tensor in tensors.items()})
+
+
+def listed(tensors: TensorMap, *, ordered: bool = False) -> str:
+    """The tensors besides the primary one as text: ` colors (dtype = Float32, shape = {8, 3}).`"""
+    rows = [
+        f" {escaped(name)} (dtype = {tensor.dtype}, shape = {{{', '.join(map(str, tensor.shape))}}})"
+        for name, tensor in (sorted(tensors.items()) if ordered else tensors.items())
+        if name != tensors.primary_key
+    ]
+    return f"{','.join(rows) or ' None'}."

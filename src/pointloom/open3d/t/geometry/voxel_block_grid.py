@@ -35,13 +35,11 @@ from .tensors import host_of, values_of
 from .triangle_mesh import TriangleMesh
 from .voxel_corners import voxels_around
 
-CHANNELS = {"tsdf": 1, "weight": 1, "color": 3}
-MULTIPLIER = 8.0  # of the voxel size: default truncation
+ATTRIBUTE_CHANNELS = {"tsdf": 1, "weight": 1, "color": 3}
+TRUNCATION_MULTIPLIER = 8.0  # of the voxel size: default truncation
 AROUND = {"index": np.int64, "mask": np.bool_, "interp_ratio": np.float32}
 RENDERED = ("depth", "vertex", "normal", "color", *AROUND)
-CORNERS = np.stack(np.meshgrid(*[np.arange(BLOCK_SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)[
-    :, ::-1
-]  # x fastest
+BLOCK_VOXEL_OFFSETS = np.indices([BLOCK_SIDE] * 3).reshape(3, -1).T[:, ::-1]  # x fastest
 
 
 class VoxelBlockGrid(Serialized, KnownNames):
@@ -65,7 +63,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
     ):
         channels = [int(np.prod(host_of(shape))) for shape in attr_channels]
         given = dict(zip(attr_names, channels, strict=True))
-        if not {"tsdf", "weight"} <= given.keys() or not given.items() <= CHANNELS.items():
+        if not {"tsdf", "weight"} <= given.keys() or not given.items() <= ATTRIBUTE_CHANNELS.items():
             raise ValueError(
                 f"attr_names, attr_channels: expected tsdf (1), weight (1) and maybe color (3), got {given}"
             )
@@ -93,7 +91,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
 
     @property
     def _any(self) -> TSDFVolume:
-        return self._with_truncation(MULTIPLIER) if self._volume is None else self._volume
+        return self._with_truncation(TRUNCATION_MULTIPLIER) if self._volume is None else self._volume
 
     def compute_unique_block_coordinates(
         self,
@@ -102,7 +100,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         extrinsic: TensorLike,
         depth_scale: float = 1000.0,
         depth_max: float = 3.0,
-        trunc_voxel_multiplier: float = MULTIPLIER,
+        trunc_voxel_multiplier: float = TRUNCATION_MULTIPLIER,
     ) -> Tensor:
         """Blocks within the truncation of a depth image, int32 (n, 3), in units of 8 voxels about the grid's origin."""
         truncation = check_positive("trunc_voxel_multiplier", trunc_voxel_multiplier) * self._voxel_size
@@ -150,7 +148,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         depth_min: float = 0.1,
         depth_max: float = 3.0,
         weight_threshold: float = 3.0,
-        trunc_voxel_multiplier: float = MULTIPLIER,
+        trunc_voxel_multiplier: float = TRUNCATION_MULTIPLIER,
         range_map_down_factor: int = 8,
     ) -> TensorMap:
         """Render depth (h, w, 1) in units of 1 / depth_scale, vertices, normals, and colors of the nearest voxels.
@@ -208,7 +206,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
             raise ValueError(f"attribute_name: expected one of {', '.join(self._dtypes)}, got {attribute_name!r}")
         if self._device.name != "cpu":
             raise ValueError(f"attribute: expected a grid on the CPU, got {self._device}; call grid.cpu().attribute")
-        arrays, channels = self._any.downloaded(), CHANNELS[attribute_name]
+        arrays, channels = self._any.downloaded(), ATTRIBUTE_CHANNELS[attribute_name]
         values = arrays.get({"tsdf": "distances", "weight": "weights", "color": "colors"}[attribute_name])
         if values is None:  # frames without color
             values = np.zeros((len(arrays["distances"]), channels))
@@ -220,7 +218,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
     def voxel_indices(self, buf_indices: TensorLike | None = None) -> Tensor:
         """Index of the block, x, y and z of each voxel of some or all blocks, int64 (4, n)."""
         rows = self._rows(buf_indices)
-        local = np.tile(CORNERS, (len(rows), 1))
+        local = np.tile(BLOCK_VOXEL_OFFSETS, (len(rows), 1))
         return self._tensor(np.vstack([np.repeat(rows, BLOCK_VOXELS), local.T]).astype(np.int64))
 
     def voxel_coordinates(self, voxel_indices: TensorLike) -> Tensor:
@@ -234,7 +232,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
         A row is one of `attribute(name).reshape((-1, channels))`.
         """
         rows, volume = self._rows(buf_indices), self._any
-        voxels = (self._corners()[rows][:, None] + CORNERS).reshape(-1, 3)
+        voxels = (self._corners()[rows][:, None] + BLOCK_VOXEL_OFFSETS).reshape(-1, 3)
         flat = (BLOCK_VOXELS * rows[:, None] + np.arange(BLOCK_VOXELS)).reshape(-1)
         positions = voxels * volume.voxel_size + volume.origin
         return self._tensor(positions.astype(np.float32)), self._tensor(flat.astype(np.int64))
@@ -260,9 +258,11 @@ class VoxelBlockGrid(Serialized, KnownNames):
 
     @classmethod
     def _around(cls, volume: TSDFVolume) -> Self:
-        names = [*CHANNELS] if volume.has_color else ["tsdf", "weight"]
+        names = [*ATTRIBUTE_CHANNELS] if volume.has_color else ["tsdf", "weight"]
         device = Device(str(volume.device))
-        made = cls(names, [float32] * len(names), [CHANNELS[n] for n in names], volume.voxel_size, device=device)
+        made = cls(
+            names, [float32] * len(names), [ATTRIBUTE_CHANNELS[n] for n in names], volume.voxel_size, device=device
+        )
         vars(made)["_volume"] = volume
         return made
 
@@ -287,7 +287,7 @@ class VoxelBlockGrid(Serialized, KnownNames):
 
 def _frame(args: tuple[Any, ...], kwargs: dict[str, Any]) -> dict[str, Any]:
     """Arguments of `integrate` by name. Matrices are recognized by their shape."""
-    given: dict[str, Any] = {"depth_scale": 1000.0, "depth_max": 3.0, "trunc_voxel_multiplier": MULTIPLIER}
+    given: dict[str, Any] = {"depth_scale": 1000.0, "depth_max": 3.0, "trunc_voxel_multiplier": TRUNCATION_MULTIPLIER}
     numbers, intrinsics = [*given], ["depth_intrinsic", "color_intrinsic"]
     named = {"depth_intrinsic" if name == "intrinsic" else name: value for name, value in kwargs.items()}
     if unknown := named.keys() - {*numbers, *intrinsics, "color", "extrinsic"}:

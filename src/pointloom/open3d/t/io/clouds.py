@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ....core.errors import FileError
+from ....core.errors import FileError, FilePath
 from ....core.escaped_text import escaped
 from ....io.columns import warn_left_out
 from ....io.meshes.tables import write_cloud_table
@@ -21,8 +20,6 @@ from ...core.tensor import Tensor
 from ...io.shapes import COLUMNS, TEXT_COLUMNS
 from ..geometry.point_cloud import PointCloud
 from .attributes import set_attribute
-
-FilePath = str | os.PathLike[str]
 
 
 def read_point_cloud(

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import os
-
+from ....core.errors import FilePath
 from ...io import images
 from ..geometry.image import Image
-
-FilePath = str | os.PathLike[str]
 
 
 def read_image(filename: FilePath) -> Image:

@@ -11,7 +11,7 @@ from .....core.devices import resolve_device
 from .....kernels.lang import float32
 from .....kernels.memory import upload
 from ....core.tensor import Tensor
-from ....geometry.image import GRAY
+from ....geometry.image import GRAY_WEIGHTS
 from ..tensors import on_host
 
 
@@ -33,7 +33,7 @@ def frame_of(color: Tensor, depth: Tensor, depth_scale: float) -> RGBDImage:
         return RGBDImage(made, pixels, depth_scale=depth_scale, depth_trunc=np.inf)
     metric, _, height, width = upload_depth(pixels, depth_scale, np.inf, resolve_device(depth.device.name))
     values = on_host(color).astype(np.float32)
-    values = values @ GRAY if values.shape[2:] == (3,) else values
+    values = values @ GRAY_WEIGHTS if values.shape[2:] == (3,) else values
     shades = upload(values.reshape(-1), float32, metric.device)
     return RGBDImage.from_device_arrays(shades, metric, height, width)
 

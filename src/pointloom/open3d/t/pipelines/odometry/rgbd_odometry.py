@@ -14,11 +14,10 @@ from .....rgbd.odometry.options import OdometryMethod as Method
 from ....argument_types import TensorFrame, TensorImage, TensorLike
 from ....core.tensor import Tensor
 from ....settings import Settings
-from ....wrapper import unwrap
+from ....wrapper import IDENTITY_POSE, unwrap
 from ..tensors import as_matrix, on_host
 from .images import plane_of, rgbd_of
 
-IDENTITY = np.eye(4)
 PointToPlane, Intensity, Hybrid = Method
 
 
@@ -55,7 +54,7 @@ class OdometryLossParams(Settings):
 class OdometryResult(Settings):
     """T_target_source (4, 4), float64 on the CPU. As in Open3D, `inlier_rmse` is the mean Huber loss of the pairs."""
 
-    transformation: Any = field(default_factory=lambda: as_matrix(IDENTITY))
+    transformation: Any = field(default_factory=lambda: as_matrix(IDENTITY_POSE))
     inlier_rmse: float = 0.0
     fitness: float = 0.0
 
@@ -71,7 +70,7 @@ def rgbd_odometry_multi_scale(
     source: TensorFrame,
     target: TensorFrame,
     intrinsics: TensorLike,
-    init_source_to_target: TensorLike = IDENTITY,
+    init_source_to_target: TensorLike = IDENTITY_POSE,
     depth_scale: float = 1000.0,
     depth_max: float = 3.0,
     criteria_list: Sequence[Any] | None = None,

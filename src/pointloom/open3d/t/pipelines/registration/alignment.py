@@ -23,7 +23,7 @@ from ....wrapper import unwrap
 from ..tensors import as_matrix, on_host, tensor_of
 from .clouds import clouds_of
 from .estimation import (
-    IDENTITY,
+    IDENTITY_POSE,
     TransformationEstimation,
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
@@ -49,7 +49,7 @@ class RegistrationResult(Settings):
     clouds if the last voxel size is positive.
     """
 
-    transformation: Any = field(default_factory=lambda: as_matrix(IDENTITY))
+    transformation: Any = field(default_factory=lambda: as_matrix(IDENTITY_POSE))
     correspondence_set: Any = field(default_factory=lambda: tensor_of([], int64))
     inlier_rmse: float = 0.0
     fitness: float = 0.0
@@ -70,7 +70,7 @@ def icp(
     source: TensorCloud,
     target: TensorCloud,
     max_correspondence_distance: float,
-    init_source_to_target: TensorLike = IDENTITY,
+    init_source_to_target: TensorLike = IDENTITY_POSE,
     estimation_method: TransformationEstimation | None = None,
     criteria: ICPConvergenceCriteria | None = None,
     voxel_size: float = -1.0,
@@ -89,7 +89,7 @@ def multi_scale_icp(
     voxel_sizes: Iterable[float],
     criteria_list: Sequence[Any],
     max_correspondence_distances: Iterable[float],
-    init_source_to_target: TensorLike = IDENTITY,
+    init_source_to_target: TensorLike = IDENTITY_POSE,
     estimation_method: TransformationEstimation | None = None,
     callback_after_iteration: Callback | None = None,
 ) -> RegistrationResult:
@@ -105,21 +105,22 @@ def multi_scale_icp(
     levels = _pyramid(clouds_of(source, target), sizes)
     pose, steps = on_host(init_source_to_target), 0
     found: Any = None
+    point_count = 0
     for scale, (clouds, distance, limits) in enumerate(zip(levels, distances, rules, strict=True)):
         watch = None if callback_after_iteration is None else partial(_call, callback_after_iteration, scale, steps)
         found = native_icp.registration_icp(*clouds, distance, pose, native, limits, callback_after_iteration=watch)
-        pose, steps = found.transformation, steps + found.iterations
+        pose, steps, point_count = found.transformation, steps + found.iterations, len(clouds[0])
         if not found.fitness:
             break
     found.iterations = steps
-    return _result_of(found, source.device)
+    return _result_of(found, point_count, source.device)
 
 
 def registration_symmetric_icp(
     source: TensorCloud,
     target: TensorCloud,
     max_correspondence_distance: float,
-    init_source_to_target: TensorLike = IDENTITY,
+    init_source_to_target: TensorLike = IDENTITY_POSE,
     estimation_method: TransformationEstimation | None = None,
     criteria: ICPConvergenceCriteria | None = None,
 ) -> RegistrationResult:
@@ -130,11 +131,14 @@ def registration_symmetric_icp(
 
 
 def evaluate_registration(
-    source: TensorCloud, target: TensorCloud, max_correspondence_distance: float, transformation: TensorLike = IDENTITY
+    source: TensorCloud,
+    target: TensorCloud,
+    max_correspondence_distance: float,
+    transformation: TensorLike = IDENTITY_POSE,
 ) -> RegistrationResult:
     clouds = clouds_of(source, target)
     found = evaluation.evaluate_registration(*clouds, max_correspondence_distance, on_host(transformation))
-    return _result_of(found, source.device)
+    return _result_of(found, len(clouds[0]), source.device)
 
 
 def get_information_matrix(
@@ -175,9 +179,8 @@ def _call(callback: Callback, scale: int, steps: int, state: dict[str, Any]) -> 
     )
 
 
-def _result_of(found: result.RegistrationResult, device: Device) -> RegistrationResult:
-    assert found._clouds is not None
-    pairs, targets = on_host(found.correspondence_set), np.full((len(found._clouds[0]), 1), -1, np.int64)
+def _result_of(found: result.RegistrationResult, point_count: int, device: Device) -> RegistrationResult:
+    pairs, targets = on_host(found.correspondence_set), np.full((point_count, 1), -1, np.int64)
     targets[pairs[:, 0], 0] = pairs[:, 1]
     return RegistrationResult(
         as_matrix(found.transformation),

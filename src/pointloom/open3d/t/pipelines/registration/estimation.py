@@ -14,11 +14,11 @@ from ....argument_types import TensorCloud, TensorLike
 from ....core.tensor import Tensor
 from ....pipelines.registration.pairs import fit_step, residual_rmse
 from ....settings import Settings
+from ....wrapper import IDENTITY_POSE
 from ..tensors import as_matrix, on_host
 from .clouds import clouds_of, pairs_of, points_of
 from .robust_kernel import RobustKernel
 
-IDENTITY = np.eye(4)
 Points = NDArray[np.float64]
 
 
@@ -35,7 +35,7 @@ class TransformationEstimation(Settings):
         source: TensorCloud,
         target: TensorCloud,
         correspondences: TensorLike,
-        current_transform: TensorLike = IDENTITY,
+        current_transform: TensorLike = IDENTITY_POSE,
         iteration: int = 0,
     ) -> Tensor:
         """The step (4, 4) of one iteration, float64 on the CPU. Only Doppler ICP uses `current_transform`."""
@@ -60,12 +60,12 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
         source: TensorCloud,
         target: TensorCloud,
         correspondences: TensorLike,
-        current_transform: TensorLike = IDENTITY,
+        current_transform: TensorLike = IDENTITY_POSE,
         iteration: int = 0,
     ) -> Tensor:
         """Least-squares motion (4, 4) of the pairs, float64 on the CPU."""
         p, q = _points_of(source, target, correspondences)
-        return as_matrix(rigid.fit_pose(p, q) if len(p) else IDENTITY)
+        return as_matrix(rigid.fit_pose(p, q) if len(p) else IDENTITY_POSE)
 
     def compute_rmse(self, source: TensorCloud, target: TensorCloud, correspondences: TensorLike) -> float:
         p, q = _points_of(source, target, correspondences)
@@ -114,7 +114,7 @@ class _DopplerFields(TransformationEstimation):
     doppler_robust_loss_min_iteration: int = 2
     geometric_kernel: Any = field(default_factory=RobustKernel)
     doppler_kernel: Any = field(default_factory=RobustKernel)
-    transform_vehicle_to_sensor: Any = field(default_factory=lambda: as_matrix(IDENTITY))
+    transform_vehicle_to_sensor: Any = field(default_factory=lambda: as_matrix(IDENTITY_POSE))
 
 
 class TransformationEstimationForDopplerICP(_DopplerFields):
@@ -141,7 +141,7 @@ class TransformationEstimationForDopplerICP(_DopplerFields):
         source: TensorCloud,
         target: TensorCloud,
         correspondences: TensorLike,
-        current_transform: TensorLike = IDENTITY,
+        current_transform: TensorLike = IDENTITY_POSE,
         iteration: int = 0,
     ) -> Tensor:
         """The step (4, 4) of iteration `iteration` of a source that has been moved by `current_transform`."""

@@ -13,13 +13,7 @@ from ....settings import Settings
 class RobustKernelMethod(enum.Enum):
     """Names of the robust kernels."""
 
-    L2Loss = 0
-    L1Loss = 1
-    HuberLoss = 2
-    CauchyLoss = 3
-    GMLoss = 4
-    TukeyLoss = 5
-    GeneralizedLoss = 6
+    L2Loss, L1Loss, HuberLoss, CauchyLoss, GMLoss, TukeyLoss, GeneralizedLoss = range(7)
 
 
 L2Loss, L1Loss, HuberLoss, CauchyLoss, GMLoss, TukeyLoss, GeneralizedLoss = RobustKernelMethod

@@ -17,11 +17,17 @@ from ....core.dtype import float32, uint16
 from ....core.tensor import Tensor
 from ... import geometry
 from ..odometry.images import frame_of
-from ..odometry.rgbd_odometry import IDENTITY, OdometryConvergenceCriteria, OdometryLossParams, OdometryResult, align
+from ..odometry.rgbd_odometry import (
+    IDENTITY_POSE,
+    OdometryConvergenceCriteria,
+    OdometryLossParams,
+    OdometryResult,
+    align,
+)
 from ..tensors import as_matrix, on_host
 from .frame import Frame
 
-STEPS = (6, 3, 1)  # of the levels, the coarsest first
+LEVEL_ITERATIONS = (6, 3, 1)  # the coarsest level first
 SEEN_OFTEN = 3.0  # weight above which voxels are rendered
 
 
@@ -40,7 +46,7 @@ class Model(Serialized, KnownNames):
         voxel_size: Any,
         block_resolution: int = 16,
         block_count: int = 10000,
-        transformation: TensorLike = IDENTITY,
+        transformation: TensorLike = IDENTITY_POSE,
         device: DeviceLike = "CUDA:0",
     ):
         if isinstance(voxel_size, Model):
@@ -121,18 +127,15 @@ class Model(Serialized, KnownNames):
             frame_of(frame.get_data("color"), frame.get_data("depth"), depth_scale)
             for frame in (input_frame, model_frame)
         )
-        levels = [OdometryConvergenceCriteria(steps) for steps in STEPS] if criteria is None else criteria
+        levels = [OdometryConvergenceCriteria(steps) for steps in LEVEL_ITERATIONS] if criteria is None else criteria
         limits = OdometryLossParams(depth_diff)
-        return align(source, target, model_frame.intrinsics, IDENTITY, depth_max, levels, method, limits)
+        return align(source, target, model_frame.intrinsics, IDENTITY_POSE, depth_max, levels, method, limits)
 
     def extract_pointcloud(self, weight_threshold: float = 3.0, estimated_number: int = -1) -> Any:
         return self.voxel_grid.extract_point_cloud(weight_threshold, estimated_number)
 
     def extract_trianglemesh(self, weight_threshold: float = 3.0, estimated_number: int = -1) -> Any:
         return self.voxel_grid.extract_triangle_mesh(weight_threshold, estimated_number)
-
-    def get_hashmap(self) -> Any:
-        return self.voxel_grid.hashmap()
 
     def _extrinsic(self) -> Tensor:
         return as_matrix(invert_pose(on_host(self._pose)))
