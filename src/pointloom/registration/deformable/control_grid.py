@@ -13,7 +13,7 @@ from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.array_libraries import NUMPY, hand_out_host
 from ...core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rows
-from ...core.devices import check_same_device, resolve_device
+from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.exchange import on_host
 from ...core.serialized import Serialized
 from ...kernels.lang import launch, vec3, vec3d
@@ -60,7 +60,7 @@ class ControlGrid(Serialized):
         (8, [[0.505, 0.505, 0.505]])
     """
 
-    def __init__(self, grid_size: float = GRID_SIZE, *, device: Any = None):
+    def __init__(self, grid_size: float = GRID_SIZE, *, device: DeviceLike = None):
         size = check_positive("grid_size", grid_size, maximum=LARGEST_NUMBER)
         self._origin: NDArray[np.float64] = np.zeros(3)
         where = resolve_device(device)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, values_of_file
 from ...core.paths import input_path
 from ...io.optional_imports import foreign_errors
@@ -40,7 +40,7 @@ def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overw
         np.savez_compressed(file, **members)
 
 
-def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> ControlGrid:
+def read_control_grid(path: str | os.PathLike[str], *, device: DeviceLike = None) -> ControlGrid:
     members = _read_members(path)
     if members.get("format", np.empty(0)).tobytes() != FORMAT:
         raise FileError(path, "is not a control grid")

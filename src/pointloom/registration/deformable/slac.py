@@ -152,7 +152,9 @@ def run_rigid_optimizer_for_fragments(
 class _Alignment:
     """State between steps. Poses are about the scene center and the grid origin."""
 
-    def __init__(self, fragments: Any, graph: PoseGraph, params: Any, progress: Any, *, bends: bool):
+    def __init__(
+        self, fragments: object, graph: PoseGraph, params: SLACOptimizerParams | None, progress: object, *, bends: bool
+    ):
         self.params = SLACOptimizerParams() if params is None else params
         if not isinstance(self.params, SLACOptimizerParams):
             raise TypeError(f"params: expected a SLACOptimizerParams, got {type(params).__name__}")

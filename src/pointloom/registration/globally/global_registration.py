@@ -335,8 +335,8 @@ def registration_robust_based_on_correspondence(
 def registration_robust_based_on_feature_matching(
     source: PointCloud,
     target: PointCloud,
-    source_feature: Any,
-    target_feature: Any,
+    source_feature: object,
+    target_feature: object,
     noise_bound: float,
     mutual_filter: bool = True,
     *,
@@ -399,7 +399,7 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: fl
     return result
 
 
-def _distinct(corres: Any, source: PointCloud, target: PointCloud) -> wp.array:
+def _distinct(corres: object, source: PointCloud, target: PointCloud) -> wp.array:
     """Remove duplicate correspondences, which would count more than others."""
     if is_on_gpu(corres):
         return distinct_pairs(pairs_on_device(corres, source, target))
@@ -421,7 +421,7 @@ def rate_support(support: NDArray[np.float64]) -> float:
     return float(1 / (1 + ratio**-SUPPORT_STEEPNESS))
 
 
-def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) -> Consensus:
+def find_poses(source: wp.array, target: wp.array, pairs: wp.array, bound: float, seed: int) -> Consensus:
     """The poses with most agreeing correspondences (int32 [m, 2] on the device) within `bound` [m]."""
     middles, spreads = zip(*(_middle_of(*box) for box in bound_each([source, target])), strict=True)  # sync
     coordinates = PairCoordinates(source, target, pairs, *middles)

@@ -284,7 +284,7 @@ def _state_of(result: RegistrationResult) -> str:
     return "; ".join(result._warnings) or "converged"  # the rating follows as a warning of the pair
 
 
-def _check_method(method: Any) -> TransformationEstimation:
+def _check_method(method: object) -> TransformationEstimation:
     if not isinstance(method, str) or method not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {shown(method)}")
     return METHODS[method]()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import warp as wp
@@ -63,8 +63,8 @@ class RANSACConvergenceCriteria:
 def registration_ransac_based_on_feature_matching(
     source: PointCloud,
     target: PointCloud,
-    source_feature: Any,
-    target_feature: Any,
+    source_feature: object,
+    target_feature: object,
     mutual_filter: bool,
     max_correspondence_distance: float,
     estimation_method: TransformationEstimationPointToPoint | None = None,

@@ -77,7 +77,7 @@ class Keyframes:
                 break
         return matches
 
-    def _encode(self, frame: OdometryFrame, codes: Any = None, row: int = 0) -> Any:
+    def _encode(self, frame: OdometryFrame, codes: wp.array | None = None, row: int = 0) -> Any:
         levels = frame.levels
         last = levels.count - 1
         width, height = (int(side) for side in levels.sizes[last])
