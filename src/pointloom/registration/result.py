@@ -76,10 +76,10 @@ class RegistrationResult(Assessed):
         self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
         self.free, self.prior_directions = free, self.degenerate_directions[:prior_count]
         self.alternatives = alternatives
-        self._motion = motion  # parameters since the initial pose, to continue from here
+        self.motion = motion  # parameters since the initial pose, to continue from here
         self._correspondences = correspondences
         # The points are shared with the given clouds, which copy them when they are changed in place.
-        self._clouds, self._has_scale, self._uses_surfaces_only = clouds, has_scale, uses_surfaces_only
+        self._clouds, self.has_scale, self._uses_surfaces_only = clouds, has_scale, uses_surfaces_only
         self._assessment: RegistrationAssessment | None = None
         self._assessed_pose = transformation.copy()  # assessed if the attribute is changed
 
@@ -114,7 +114,7 @@ class RegistrationResult(Assessed):
 
         Priors and fixed motions are not used. None with a scale, without a pose, and in pickles made before the access.
         """
-        return None if self._clouds is None or self._has_scale else self.assessment.covariance
+        return None if self._clouds is None or self.has_scale else self.assessment.covariance
 
     @property
     def score(self) -> float | None:

@@ -28,7 +28,7 @@ FORMAT = b"pointloom control grid 1"
 
 def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overwrite: bool = True) -> None:
     with grid._lock:
-        lattice = grid._lattice
+        lattice = grid.lattice
         members: dict[str, Any] = {
             "format": np.frombuffer(FORMAT, np.uint8),
             "sizes": np.array([grid.grid_size]),
@@ -54,11 +54,11 @@ def read_control_grid(path: str | os.PathLike[str], *, device: DeviceLike = None
         grid = ControlGrid(float(sizes[0]), device=where)
         grid._origin = origin
         if len(cells):
-            grid._lattice = ControlLattice(grid.grid_size, upload(cells, int64, grid.device))
+            grid.lattice = ControlLattice(grid.grid_size, upload(cells, int64, grid.device))
     if shifts.shape != (len(grid), 3):
         raise FileError(path, f"has shifts of shape {list(shifts.shape)} for {len(grid)} anchors")
     if len(grid):
-        write(grid._lattice.shifts, shifts)
+        write(grid.lattice.shifts, shifts)
     return grid
 
 

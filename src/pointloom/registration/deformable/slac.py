@@ -176,7 +176,7 @@ class _Alignment:
         parts = [cloud._points_about(origin) for cloud in clouds]
         normals = [cloud._device_array("normals") for cloud in clouds]
         counts = [len(cloud) for cloud in clouds]
-        lattice = self.grid._lattice
+        lattice = self.grid.lattice
         self.fragments = Fragments(concatenate_rows(parts), concatenate_rows(normals), counts, lattice)
         self.origin, self.poses = origin, self.graph.poses.copy()
         self.poses[:, :3, :3] = nearest_rotations(self.poses[:, :3, :3])

@@ -231,7 +231,7 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, settings:
     unsure = f"the confidence {criteria.confidence:g} was not reached within {best.drawn:,} iterations"
     result.warnings = () if best.confident else (unsure,)
     if with_scaling:
-        result._has_scale = True
+        result.has_scale = True
         result.check_scale()
     result.score = partial(score_registration, source.copy(), target.copy(), distance, T)
     report("registration", source=source, target=target, result=result)

@@ -50,9 +50,9 @@ def evaluate_registration(
         T.copy(),
         fitness,
         rmse,
-        lambda: evaluation._pairs_of(0),
+        lambda: evaluation.pairs_of(0),
         warnings=() if fitness else ("no correspondences",),
-        clouds=evaluation._clouds_of(0),
+        clouds=evaluation.clouds_of(0),
     )
 
 

@@ -72,7 +72,7 @@ class MatchedClouds(Generic[Loop]):
         self._target_origins = np.array([cloud.origin for cloud in self._targets])
         return to_local(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
 
-    def _clouds_of(self, job: int) -> tuple[PointCloud, PointCloud, float]:
+    def clouds_of(self, job: int) -> tuple[PointCloud, PointCloud, float]:
         """The clouds of a job as they are now, and the match distance [m]."""
         return self._sources[self.source_of[job]].copy(), self._targets[self.target_of[job]].copy(), self.distance
 
@@ -88,7 +88,7 @@ class MatchedClouds(Generic[Loop]):
     def _world(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
         return to_world(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
 
-    def _pairs_of(self, job: int) -> Pairs:
+    def pairs_of(self, job: int) -> Pairs:
         """(source, target) rows of a job's pairs, by source. Target rows are voxels in a voxelized target."""
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
