@@ -323,11 +323,8 @@ class _NonRigidRegistration:
         if 2 * stage < stages:
             return self.max_distance
         medians = quantiles_of(self.distances, [0.5])  # sync
-        return (
-            min(self.max_distance, max(TRIM_MEDIANS * medians[0], 0.25 * self.spacing))
-            if medians
-            else self.max_distance
-        )
+        limit = max(TRIM_MEDIANS * medians[0], 0.25 * self.spacing) if medians else np.inf
+        return min(self.max_distance, limit)
 
     def _measure(self, moved: object) -> tuple[Array, float, float]:
         residuals = empty(self.count, float64, self.tree.device)

@@ -224,9 +224,8 @@ def _choose(
     poses = np.array([result.transformation, *poses, *(one.transformation for one in more)])
     order = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     totals = compare_under(source.surface, target.surface, poses[order], distance)
-    alike = [
-        k for k, total in zip(order, totals, strict=True) if total.fraction >= EQUAL_EVIDENCE_RATIO * evidence.fraction
-    ]
+    min_fraction = EQUAL_EVIDENCE_RATIO * evidence.fraction
+    alike = [k for k, total in zip(order, totals, strict=True) if total.fraction >= min_fraction]
     if refine:  # an alternative is another minimum, not a pose on the way to the same one
         converged = refined(poses[alike], distance, FINAL_STEPS, free, MIN_EIGENVALUE_RATIO)
         poses = np.array([result.transformation, *(one.transformation for one in converged)])
