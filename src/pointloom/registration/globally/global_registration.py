@@ -28,7 +28,7 @@ from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds, check_pairs, match_clouds, pairs_on_device
 from ..evidence import Evidence, Witness, compare_under, complete, rate_surfaces
 from ..icp.evaluation import evaluate_registration
-from ..result import RegistrationResult
+from ..result import Motions, Outcome, Registered, RegistrationResult
 from ..rigid import make_pose, to_world
 from ..surfaces import surface_of
 from .level_poses import MAX_TILT, check_level, level_poses
@@ -169,13 +169,11 @@ def register_described(
         result.fitness,
         result.inlier_rmse,
         lambda: evaluate_registration(*pair, NOISE_VOXELS * size, T).correspondence_set,
-        iterations=result.iterations,
-        degenerate_directions=result.degenerate_directions,
-        free=result.free,
-        score=score / equals,
-        converged=score / equals > 0.5,
-        clouds=(*pair, NOISE_VOXELS * size),
+        outcome=Outcome(result.iterations, score / equals > 0.5),
+        motions=Motions(result.degenerate_directions, result.free),
+        clouds=Registered(*pair, NOISE_VOXELS * size),
     )
+    chosen.score = score / equals
     if score <= 0.5:
         chosen.warnings = (evidence.problem,)
     elif equals > 1:
