@@ -28,7 +28,7 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
     common_unit("source, target", (source.unit, target.unit))
 
 
-def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
+def check_pairs(corres: object, source: PointCloud, target: PointCloud) -> Pairs:
     """Correspondences as int32 [m, 2]. Negative indices are rejected."""
     pairs = check_rows("corres", corres, 2)
     if pairs.dtype.kind not in "iu" and pairs.size:
@@ -42,7 +42,7 @@ def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
     return np.ascontiguousarray(pairs, dtype=np.int32)
 
 
-def pairs_on_device(corres: Any, source: PointCloud, target: PointCloud) -> wp.array:
+def pairs_on_device(corres: object, source: PointCloud, target: PointCloud) -> wp.array:
     if is_on_gpu(corres):
         return take_pairs(corres, source.device, (len(source), len(target)))
     return upload(check_pairs(corres, source, target), int32, source.device)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..core.array_libraries import hand_out, library_of
 from ..core.checks import check_numeric, check_positive, is_on_gpu
-from ..core.devices import check_same_device, resolve_device
+from ..core.devices import DeviceLike, check_same_device, resolve_device
 from ..core.gpu_arrays import take_numbers
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import float32
@@ -20,13 +20,13 @@ Pairs = NDArray[np.int32]
 
 
 def correspondences_from_features(
-    source_features: Any,
-    target_features: Any,
+    source_features: object,
+    target_features: object,
     mutual_filter: bool = False,
     mutual_consistency_ratio: float = 0.1,
     *,
     ratio: float | None = None,
-    device: Any = None,
+    device: DeviceLike = None,
 ) -> Pairs:
     """Pair each source point with the target point of the nearest feature.
 
@@ -71,18 +71,18 @@ def correspondences_from_features(
     return hand_out(pairs, library_of(source_features), on_host=not is_on_gpu(source_features))
 
 
-def features_on_device(source_features: Any, target_features: Any, device: Any = None) -> list[wp.array]:
+def features_on_device(source_features: object, target_features: object, device: DeviceLike = None) -> list[wp.array]:
     sides = [_check_features("source_features", source_features), _check_features("target_features", target_features)]
     _check_lengths(*(tuple(side.shape) for side in sides))
     common = _common_device(sides, device)
     return [move(side, common) if isinstance(side, wp.array) else _upload(side, common) for side in sides]
 
 
-def _upload(features: np.ndarray, device: Any) -> wp.array:
+def _upload(features: np.ndarray, device: wp.Device) -> wp.array:
     return upload(features, float32, device, copied=False)
 
 
-def _check_features(name: str, features: Any) -> Any:
+def _check_features(name: str, features: object) -> Any:
     if is_on_gpu(features):
         given = take_numbers(name, features)
         values: Any = given if given.dtype == float32 else cast(given, float32)
@@ -107,7 +107,7 @@ def _check_lengths(source: tuple[int, ...], target: tuple[int, ...]) -> None:
     )
 
 
-def _common_device(sides: list[Any], device: Any) -> Any:
+def _common_device(sides: list[Any], device: object) -> Any:
     devices = [side.device for side in sides if isinstance(side, wp.array)]
     if len(devices) == 2:
         check_same_device("source_features, target_features", *devices)

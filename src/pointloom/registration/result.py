@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from functools import cached_property
 from importlib import import_module
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import warp as wp
@@ -34,6 +34,35 @@ MAX_COPY_RMSE = 1e-4
 _lock = threading.RLock()  # an assessment is computed once, also if several threads read it
 
 
+class Outcome(NamedTuple):
+    """How a registration ended."""
+
+    iterations: int = 0
+    converged: bool = False
+    warnings: tuple[str, ...] = ()
+
+
+class Motions(NamedTuple):
+    """Motions of a registration: undetermined ones [k, 6], free ones, the number of the former that a prior
+    determines, and the parameters since the initial pose, to continue from there.
+    """
+
+    degenerate: NDArray[np.float64] = np.empty((0, 6))
+    free: tuple[str, ...] | None = None
+    prior_count: int = 0
+    parameters: NDArray[np.float64] | None = None
+
+
+class Registered(NamedTuple):
+    """Registered clouds. They share points with the given ones, which copy them when they are changed in place."""
+
+    source: PointCloud
+    target: PointCloud
+    max_distance: float
+    has_scale: bool = False
+    uses_surfaces_only: bool = True
+
+
 class RegistrationResult(Assessed):
     """A transformation from source to target, and its quality.
 
@@ -58,28 +87,17 @@ class RegistrationResult(Assessed):
         inlier_rmse: float,
         correspondences: Pairs | Callable[[], Pairs],
         *,
-        iterations: int = 0,
-        converged: bool = False,
-        warnings: tuple[str, ...] = (),
-        degenerate_directions: NDArray[np.float64] | None = None,
-        score: float | Callable[[], float] | None = None,
-        free: tuple[str, ...] | None = None,
-        prior_count: int = 0,
-        motion: NDArray[np.float64] | None = None,
-        alternatives: tuple[NDArray[np.float64], ...] = (),
-        clouds: tuple[PointCloud, PointCloud, float] | None = None,
-        has_scale: bool = False,
-        uses_surfaces_only: bool = True,
+        outcome: Outcome | None = None,
+        motions: Motions | None = None,
+        clouds: Registered | None = None,
     ):
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
-        self.iterations, self.converged, self._warnings, self._score = iterations, converged, warnings, score
-        self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
-        self.free, self.prior_directions = free, self.degenerate_directions[:prior_count]
-        self.alternatives = alternatives
-        self._motion = motion  # parameters since the initial pose, to continue from here
-        self._correspondences = correspondences
-        # The points are shared with the given clouds, which copy them when they are changed in place.
-        self._clouds, self._has_scale, self._uses_surfaces_only = clouds, has_scale, uses_surfaces_only
+        self.iterations, self.converged, self._warnings = outcome or Outcome()
+        self._score: float | Callable[[], float] | None = None
+        self.degenerate_directions, self.free, prior_count, self.motion = motions or Motions()
+        self.prior_directions = self.degenerate_directions[:prior_count]
+        self.alternatives: tuple[NDArray[np.float64], ...] = ()
+        self._correspondences, self._clouds = correspondences, clouds
         self._assessment: RegistrationAssessment | None = None
         self._assessed_pose = transformation.copy()  # assessed if the attribute is changed
 
@@ -104,7 +122,7 @@ class RegistrationResult(Assessed):
                     found = "got one that was unpickled or found no pose. Call assess_registration with the clouds"
                     raise ValueError(f"assessment: expected a result with its clouds, {found}")
                 assess = import_module(str(__package__)).assess_registration  # by its public name, as it runs ICP
-                source, target, distance = self._clouds
+                source, target, distance, *_ = self._clouds
                 made = self._assessment = assess(source, target, self._assessed_pose, distance)
             return made
 
@@ -114,7 +132,7 @@ class RegistrationResult(Assessed):
 
         Priors and fixed motions are not used. None with a scale, without a pose, and in pickles made before the access.
         """
-        return None if self._clouds is None or self._has_scale else self.assessment.covariance
+        return None if self._clouds is None or self._clouds.has_scale else self.assessment.covariance
 
     @property
     def score(self) -> float | None:
@@ -168,9 +186,9 @@ class RegistrationResult(Assessed):
         """Evidence of the surfaces against the pose. "" if there is none, or without clouds."""
         if self._clouds is None:
             return ""
-        source, target, distance = self._clouds
+        source, target, distance, _, uses_surfaces_only = self._clouds
         coincide = self.fitness > 0.5 and self.inlier_rmse < MAX_COPY_RMSE * distance
-        may_be_open = coincide or self.free is not None or not self._uses_surfaces_only
+        may_be_open = coincide or self.free is not None or not uses_surfaces_only
         return find_problem(source, target, self._assessed_pose, may_be_open=may_be_open)
 
     def to_dict(self) -> dict[str, Any]:
@@ -180,10 +198,11 @@ class RegistrationResult(Assessed):
         return {name: plain(getattr(self, name)) for name in names} | quality(self)
 
     def check_scale(self) -> None:
-        """Set `converged` to False if so few target points match that any smaller scale fits as well.
+        """Check a pose with a scale. `converged` is False if any smaller scale fits as well by matching few points.
 
         A source that shrinks to the target's point spacing has fitness 1 and an rmse near 0.
         """
+        self._clouds = None if self._clouds is None else self._clouds._replace(has_scale=True)
         pairs = self.correspondence_set
         on_device = isinstance(pairs, wp.array) or is_on_gpu(pairs)
         rows = download(share_numbers("pairs", pairs)) if on_device else np.asarray(pairs)

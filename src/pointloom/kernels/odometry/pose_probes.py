@@ -9,7 +9,7 @@ import numpy as np
 from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
-from ..lang import array, float32, float64, func, kernel, launch, mat44d, tid, uint8, vec3, vec3d
+from ..lang import array, float32, float64, func, kernel, launch, mat44d, struct, tid, uint8, vec3, vec3d
 from ..memory import download, empty, upload
 from ..poses.cost_differences import compare_costs, run_length
 from .map_icp import plane_around
@@ -31,42 +31,57 @@ def plane_square(x: vec3d, limit: float, radius: float, voxel_map: VoxelMap) -> 
     return square
 
 
+@struct
+class ScanProbes:
+    """Every `step`-th point of a scan at several poses, in runs. Map points within sqrt(`limit`) [m], with
+    neighborhoods of `radius` [m]. `squares`: squared distances per pose and point, or -1.
+    """
+
+    points: array(dtype=vec3)
+    poses: array(dtype=mat44d)
+    voxel_map: VoxelMap
+    squares: array(dtype=float32, ndim=2)
+    step: int
+    run: int
+    limit: float
+    radius: float
+
+    def __init__(self, points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float) -> None:
+        self.points, self.voxel_map, self.radius, self.device = points, voxel_map, radius, points.device
+        self.step = max(1, points.size // max(max_points, 1))
+        self.count = -(-points.size // self.step)
+        self.squares = empty((len(poses), self.count), float32, self.device)
+        self.run = 1 if self.device.is_cuda else run_length(self.squares)  # a point takes long, and there are few
+        self.threads = len(poses) * -(-self.count // self.run)
+        self.poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, self.device)
+        self.limit = np.float32(2 * radius) ** 2
+
+    def cost_changes(self) -> np.ndarray:
+        return compare_costs(self.squares, self.voxel_map.voxel_size)
+
+
 @kernel
-def find_squares_kernel(
-    points: array(dtype=vec3),
-    step: int,
-    poses: array(dtype=mat44d),
-    run: int,
-    limit: float,
-    radius: float,
-    voxel_map: VoxelMap,
-    squares: array(dtype=float32, ndim=2),
-):
+def find_squares_kernel(probes: ScanProbes):
     """Squared plane distances of one run of points at one pose."""
     i = tid()
-    count = squares.shape[1]
-    runs = (count + run - 1) // run
+    count = probes.squares.shape[1]
+    runs = (count + probes.run - 1) // probes.run
     k = i // runs
-    first = (i % runs) * run
-    pose = poses[k]
+    first = (i % runs) * probes.run
+    pose = probes.poses[k]
     t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
-    for j in range(first, first + min(run, count - first)):
-        squares[k, j] = plane_square(rotate(pose, widen(points[j * step])) + t, limit, radius, voxel_map)
+    for j in range(first, first + min(probes.run, count - first)):
+        x = rotate(pose, widen(probes.points[j * probes.step])) + t
+        probes.squares[k, j] = plane_square(x, probes.limit, probes.radius, probes.voxel_map)
 
 
 def compare_poses(points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float) -> np.ndarray:
     """Cost changes of a scan from its pose (the first) to others, (k, 4) as of `compare_costs`. One sync.
     `max_points`: approximate points used; `radius` [m] of plane neighborhoods, planes are searched twice as far.
     """
-    device = points.device
-    step = max(1, points.size // max(max_points, 1))
-    squares = empty((len(poses), -(-points.size // step)), float32, device)
-    run = 1 if points.device.is_cuda else run_length(squares)  # a point takes long, and there are few
-    device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
-    limit = np.float32(2 * radius) ** 2
-    runs = -(-squares.shape[1] // run)
-    launch(find_squares_kernel, len(poses) * runs, [points, step, device_poses, run, limit, radius, voxel_map, squares])
-    return compare_costs(squares, voxel_map.voxel_size)
+    probes = ScanProbes(points, max_points, voxel_map, poses, radius)
+    launch(find_squares_kernel, probes.threads, [probes])
+    return probes.cost_changes()
 
 
 @kernel

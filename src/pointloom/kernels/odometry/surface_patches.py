@@ -11,11 +11,12 @@ from ..algebra.eigen import eigenvalues, orthogonal_direction, smallest_eigenvec
 from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
-from ..lang import array, cross, dot, float32, float64, func, kernel, launch, mat44d, tid, vec3, vec3d, vec3i, vector
-from ..memory import download, empty, upload
-from ..poses.cost_differences import RISE_COLUMNS, compare_costs, run_length
+from ..lang import array, cross, dot, float64, func, kernel, launch, tid, vec3d, vec3i, vector
+from ..memory import download, empty
+from ..poses.cost_differences import RISE_COLUMNS
 from .local_cells import cell_holding, offset_in_cell
 from .map_icp import MAX_FLAT_RATIO
+from .pose_probes import ScanProbes
 from .voxel_map import VoxelMap
 from .voxel_map_search import covariance_of, find_nearest_in_map, mean_of, moments_in_map, side_in_order, voxels_around
 
@@ -80,37 +81,27 @@ def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> p
 
 
 @kernel
-def find_patches_kernel(
-    points: array(dtype=vec3),
-    step: int,
-    poses: array(dtype=mat44d),
-    run: int,
-    limit: float,
-    radius: float,
-    voxel_map: VoxelMap,
-    squares: array(dtype=float32, ndim=2),
-    rows: array(dtype=float64, ndim=2),
-):
+def find_patches_kernel(probes: ScanProbes, rows: array(dtype=float64, ndim=2)):
     """Standardized squared distances of one run of points from the patches at one pose. Rows of the first pose: the
     Jacobian, and the distance along the normal.
     """
     i = tid()
-    count = squares.shape[1]
-    runs = (count + run - 1) // run
+    count = probes.squares.shape[1]
+    runs = (count + probes.run - 1) // probes.run
     k = i // runs
-    first = (i % runs) * run
-    pose = poses[k]
+    first = (i % runs) * probes.run
+    pose = probes.poses[k]
     t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
-    for j in range(first, first + min(run, count - first)):
-        y = rotate(pose, widen(points[j * step]))
+    for j in range(first, first + min(probes.run, count - first)):
+        y = rotate(pose, widen(probes.points[j * probes.step]))
         x = y + t
-        nearest_point = find_nearest_in_map(x, limit, voxel_map)
+        nearest_point = find_nearest_in_map(x, probes.limit, probes.voxel_map)
         square = -1.0
         residual = float64(0.0)
         normal = vec3d(0.0, 0.0, 0.0)
         if nearest_point[4] >= 0.0:
             r = vec3d(nearest_point[0], nearest_point[1], nearest_point[2])
-            at = patch_at(x - r, y, radius, voxel_map)
+            at = patch_at(x - r, y, probes.radius, probes.voxel_map)
             if at[6] > 0.0:
                 normal = vec3d(at[0], at[1], at[2])
                 d = r - vec3d(at[3], at[4], at[5])
@@ -118,7 +109,7 @@ def find_patches_kernel(
                 beside = dot(d, d) - along * along
                 square = float(along * along / (1.0 + (1.0 + beside / at[7]) / at[6]))
                 residual = along
-        squares[k, j] = square
+        probes.squares[k, j] = square
         if k == 0:
             turning = cross(y, normal)
             for axis in range(3):
@@ -134,15 +125,9 @@ def compare_surfaces(
     on patches at the first pose: derivatives of the distance [m] by the rotation [rad] about the sensor and by the
     translation, and the distance.
     """
-    device = points.device
-    step = max(1, points.size // max(max_points, 1))
-    count = -(-points.size // step)
-    squares, rows = empty((len(poses), count), float32, device), empty((count, ROW_SIZE), float64, device)
-    run = 1 if device.is_cuda else run_length(squares)  # a point takes long, and there are few
-    device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
-    limit = np.float32(2 * radius) ** 2
-    threads = len(poses) * -(-count // run)
-    launch(find_patches_kernel, threads, [points, step, device_poses, run, limit, radius, voxel_map, squares, rows])
+    probes = ScanProbes(points, max_points, voxel_map, poses, radius)
+    rows = empty((probes.count, ROW_SIZE), float64, probes.device)
+    launch(find_patches_kernel, probes.threads, [probes, rows])
     at_first = download(rows)  # sync
-    rises = compare_costs(squares, voxel_map.voxel_size) if len(poses) > 1 else np.zeros((1, RISE_COLUMNS))
+    rises = probes.cost_changes() if len(poses) > 1 else np.zeros((1, RISE_COLUMNS))
     return rises, at_first[at_first[:, 3:6].any(axis=1)]

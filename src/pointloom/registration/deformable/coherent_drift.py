@@ -246,7 +246,7 @@ class _DriftRegistration:
         self.variance, self.taken = max(self.variance, MIN_VARIANCE), self.taken + 1
         return abs(before - self.variance) / before
 
-    def _sums(self, positions: Any) -> tuple[Array, Array]:
+    def _sums(self, positions: object) -> tuple[Array, Array]:
         targets = reduce(sum_targets, self.number, [self.drift.targets, self.drift.fractions])
         sources = reduce(sum_pulls, self.size, [positions, self.drift.sums])
         first, second = read_together([targets, sources])  # sync

@@ -13,7 +13,7 @@ from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.array_libraries import NUMPY, hand_out_host
 from ...core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rows
-from ...core.devices import check_same_device, resolve_device
+from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.exchange import on_host
 from ...core.serialized import Serialized
 from ...kernels.lang import launch, vec3, vec3d
@@ -60,15 +60,15 @@ class ControlGrid(Serialized):
         (8, [[0.505, 0.505, 0.505]])
     """
 
-    def __init__(self, grid_size: float = GRID_SIZE, *, device: Any = None):
+    def __init__(self, grid_size: float = GRID_SIZE, *, device: DeviceLike = None):
         size = check_positive("grid_size", grid_size, maximum=LARGEST_NUMBER)
         self._origin: NDArray[np.float64] = np.zeros(3)
         where = resolve_device(device)
-        self._lattice: ControlLattice = make_lattice(size, empty(0, vec3, where))
+        self.lattice: ControlLattice = make_lattice(size, empty(0, vec3, where))
         self._library = NUMPY
 
     def __len__(self) -> int:
-        return self._lattice.anchor_count
+        return self.lattice.anchor_count
 
     def __repr__(self) -> str:
         return f"ControlGrid({len(self):,} anchors, {self.grid_size:g} m apart, {self.device})"
@@ -76,12 +76,12 @@ class ControlGrid(Serialized):
     @property
     def grid_size(self) -> float:
         """Cell edge [m]."""
-        return self._lattice.cell_size
+        return self.lattice.cell_size
 
     @property
     def device(self) -> Any:
         """The device of the anchors."""
-        return self._lattice.shifts.device
+        return self.lattice.shifts.device
 
     @property
     def array_library(self) -> str:
@@ -108,7 +108,7 @@ class ControlGrid(Serialized):
                 f"cloud: expected points within {(MAX_CELL - 2) * self.grid_size:g} m of the grid's origin "
                 f"{self._origin.tolist()}, got one {max_offset:g} m away. Take a larger grid_size or remove outliers"
             )
-        self._lattice, self._library = make_lattice(self.grid_size, points, self._lattice), cloud.array_library
+        self.lattice, self._library = make_lattice(self.grid_size, points, self.lattice), cloud.array_library
 
     def get_init_positions(self) -> NDArray[np.float64]:
         """Initial anchor positions, float64 [anchors, 3] [m]."""
@@ -116,7 +116,7 @@ class ControlGrid(Serialized):
 
     def get_curr_positions(self) -> NDArray[np.float64]:
         """Current anchor positions, float64 [anchors, 3] [m]."""
-        return hand_out_host(self._positions(download(self._lattice.shifts)), self._library, self.device)
+        return hand_out_host(self._positions(download(self.lattice.shifts)), self._library, self.device)
 
     def set_positions(self, positions: ArrayLike) -> None:
         """Move the anchors.
@@ -128,7 +128,7 @@ class ControlGrid(Serialized):
             TypeError, ValueError: Not numbers, not finite, or a wrong shape.
         """
         given = check_rows("positions", on_host("positions", positions), 3, rows=len(self), dtype=np.float64)
-        write(self._lattice.shifts, check_finite("positions", given) - self._positions(np.zeros((len(self), 3))))
+        write(self.lattice.shifts, check_finite("positions", given) - self._positions(np.zeros((len(self), 3))))
 
     def deform(self, cloud: PointCloud) -> PointCloud:
         """Deform a cloud in the frame of the fragments, with its normals. Covariances are dropped.
@@ -139,11 +139,11 @@ class ControlGrid(Serialized):
             TypeError, DeviceError: Not a cloud, or one on another device.
         """
         points = self._points_of("cloud", cloud)
-        moved = bend_points(points, self._lattice)
+        moved = bend_points(points, self.lattice)
         arrays = {name: values for name, values in cloud.arrays.items() if name != "covariances"}
         arrays["points"] = moved
         if "normals" in arrays:
-            arrays["normals"] = bend_normals(points, arrays["normals"], self._lattice)
+            arrays["normals"] = bend_normals(points, arrays["normals"], self.lattice)
         bent = PointCloud.from_device_arrays(arrays, self._origin if len(self) else cloud.origin, cloud.array_library)
         bent.grid = cloud.grid
         return bent
@@ -205,7 +205,7 @@ class ControlGrid(Serialized):
         return cloud.arrays.about(self._origin)
 
     def _positions(self, shifts: NDArray[np.float64]) -> NDArray[np.float64]:
-        lattice = self._lattice
+        lattice = self.lattice
         anchors = empty(len(self), vec3d, self.device)
         given = upload(shifts, vec3d, self.device)
         launch(anchor_positions_kernel, len(self), [lattice.anchor_keys, lattice.cell_size, given, anchors])

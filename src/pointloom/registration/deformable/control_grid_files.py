@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, values_of_file
 from ...core.paths import input_path
 from ...io.optional_imports import foreign_errors
@@ -28,7 +28,7 @@ FORMAT = b"pointloom control grid 1"
 
 def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overwrite: bool = True) -> None:
     with grid._lock:
-        lattice = grid._lattice
+        lattice = grid.lattice
         members: dict[str, Any] = {
             "format": np.frombuffer(FORMAT, np.uint8),
             "sizes": np.array([grid.grid_size]),
@@ -40,7 +40,7 @@ def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overw
         np.savez_compressed(file, **members)
 
 
-def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> ControlGrid:
+def read_control_grid(path: str | os.PathLike[str], *, device: DeviceLike = None) -> ControlGrid:
     members = _read_members(path)
     if members.get("format", np.empty(0)).tobytes() != FORMAT:
         raise FileError(path, "is not a control grid")
@@ -54,11 +54,11 @@ def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> Co
         grid = ControlGrid(float(sizes[0]), device=where)
         grid._origin = origin
         if len(cells):
-            grid._lattice = ControlLattice(grid.grid_size, upload(cells, int64, grid.device))
+            grid.lattice = ControlLattice(grid.grid_size, upload(cells, int64, grid.device))
     if shifts.shape != (len(grid), 3):
         raise FileError(path, f"has shifts of shape {list(shifts.shape)} for {len(grid)} anchors")
     if len(grid):
-        write(grid._lattice.shifts, shifts)
+        write(grid.lattice.shifts, shifts)
     return grid
 
 

@@ -162,7 +162,9 @@ def register_nonrigid(
     return _retry_rotated(source, result, bend, is_given=init is not None)
 
 
-def _retry_rotated(source: PointCloud, result: NonRigidResult, bend: Any, *, is_given: bool) -> NonRigidResult:
+def _retry_rotated(
+    source: PointCloud, result: NonRigidResult, bend: Callable[..., NonRigidResult], *, is_given: bool
+) -> NonRigidResult:
     """The result with least strain among this one and three half turns about the principal axes."""
     points = source.remove_non_finite_points().points
     center, best, begin = points.mean(axis=0), result, None
@@ -193,7 +195,7 @@ def _check_spacing(value: float | None, diagonal: float) -> float:
     return spacing
 
 
-def _check_landmarks(landmarks: Any, low: Array, high: Array, spacing: float) -> tuple[Array, Array]:
+def _check_landmarks(landmarks: object, low: Array, high: Array, spacing: float) -> tuple[Array, Array]:
     if landmarks is None:
         return np.zeros((0, 3)), np.zeros((0, 3))
     if not isinstance(landmarks, tuple | list) or len(landmarks) != 2:
@@ -234,8 +236,8 @@ class _NonRigidRegistration:
         target: PointCloud,
         spacing: float,
         max_distance: float,
-        init: Any,
-        pins: Any,
+        init: ArrayLike | None,
+        pins: tuple[NDArray[np.float64], NDArray[np.float64]],
         weight: float,
     ):
         self.sided = bool(source.has_normals and target.has_normals)
@@ -321,13 +323,10 @@ class _NonRigidRegistration:
         if 2 * stage < stages:
             return self.max_distance
         medians = quantiles_of(self.distances, [0.5])  # sync
-        return (
-            min(self.max_distance, max(TRIM_MEDIANS * medians[0], 0.25 * self.spacing))
-            if medians
-            else self.max_distance
-        )
+        limit = max(TRIM_MEDIANS * medians[0], 0.25 * self.spacing) if medians else np.inf
+        return min(self.max_distance, limit)
 
-    def _measure(self, moved: Any) -> tuple[Array, float, float]:
+    def _measure(self, moved: object) -> tuple[Array, float, float]:
         residuals = empty(self.count, float64, self.tree.device)
         launch(measure_residuals_kernel, self.count, [moved, self.partners, self.surface, residuals])
         values = np.array(download(residuals))  # sync
@@ -366,7 +365,7 @@ class _NonRigidRegistration:
         )
 
 
-def _fraction_within(nearest: Any, distance: float, count: int) -> float:
+def _fraction_within(nearest: object, distance: float, count: int) -> float:
     keys = np.asarray(download(nearest), np.int64)
     squares = (keys >> 32).astype(np.int32).view(np.float32)
     return float(((keys >= 0) & (squares <= distance * distance)).sum()) / max(count, 1)

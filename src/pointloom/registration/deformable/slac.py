@@ -152,7 +152,9 @@ def run_rigid_optimizer_for_fragments(
 class _Alignment:
     """State between steps. Poses are about the scene center and the grid origin."""
 
-    def __init__(self, fragments: Any, graph: PoseGraph, params: Any, progress: Any, *, bends: bool):
+    def __init__(
+        self, fragments: object, graph: PoseGraph, params: SLACOptimizerParams | None, progress: object, *, bends: bool
+    ):
         self.params = SLACOptimizerParams() if params is None else params
         if not isinstance(self.params, SLACOptimizerParams):
             raise TypeError(f"params: expected a SLACOptimizerParams, got {type(params).__name__}")
@@ -174,7 +176,7 @@ class _Alignment:
         parts = [cloud.arrays.about(origin) for cloud in clouds]
         normals = [cloud.arrays["normals"] for cloud in clouds]
         counts = [len(cloud) for cloud in clouds]
-        lattice = self.grid._lattice
+        lattice = self.grid.lattice
         self.fragments = Fragments(concatenate_rows(parts), concatenate_rows(normals), counts, lattice)
         self.origin, self.poses = origin, self.graph.poses.copy()
         self.poses[:, :3, :3] = nearest_rotations(self.poses[:, :3, :3])

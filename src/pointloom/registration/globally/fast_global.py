@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -146,7 +145,7 @@ def registration_fgr_based_on_correspondence(
     return _register(source, target, pairs_on_device(corres, source, target), _check_option(option), check_seed(seed))
 
 
-def _check_option(option: Any) -> FastGlobalRegistrationOption:
+def _check_option(option: object) -> FastGlobalRegistrationOption:
     option = FastGlobalRegistrationOption() if option is None else option
     if not isinstance(option, FastGlobalRegistrationOption):
         raise TypeError(f"option: expected FastGlobalRegistrationOption, got {type(option).__name__}")

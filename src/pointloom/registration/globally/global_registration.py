@@ -28,7 +28,7 @@ from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds, check_pairs, pairs_on_device
 from ..evidence import Evidence, Witness, compare_under, complete, rate_surfaces
 from ..icp.evaluation import evaluate_registration
-from ..result import RegistrationResult
+from ..result import Motions, Outcome, Registered, RegistrationResult
 from ..rigid import make_pose, to_world
 from ..surfaces import surface_of
 from .level_poses import MAX_TILT, check_level, level_poses
@@ -169,13 +169,11 @@ def register_described(
         result.fitness,
         result.inlier_rmse,
         lambda: evaluate_registration(*pair, NOISE_VOXELS * size, T).correspondence_set,
-        iterations=result.iterations,
-        degenerate_directions=result.degenerate_directions,
-        free=result.free,
-        score=score / equals,
-        converged=score / equals > 0.5,
-        clouds=(*pair, NOISE_VOXELS * size),
+        outcome=Outcome(result.iterations, score / equals > 0.5),
+        motions=Motions(result.degenerate_directions, result.free),
+        clouds=Registered(*pair, NOISE_VOXELS * size),
     )
+    chosen.score = score / equals
     if score <= 0.5:
         chosen.warnings = (evidence.problem,)
     elif equals > 1:
@@ -224,9 +222,8 @@ def _choose(
     poses = np.array([result.transformation, *poses, *(one.transformation for one in more)])
     order = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     totals = compare_under(source.surface, target.surface, poses[order], distance)
-    alike = [
-        k for k, total in zip(order, totals, strict=True) if total.fraction >= EQUAL_EVIDENCE_RATIO * evidence.fraction
-    ]
+    min_fraction = EQUAL_EVIDENCE_RATIO * evidence.fraction
+    alike = [k for k, total in zip(order, totals, strict=True) if total.fraction >= min_fraction]
     if refine:  # an alternative is another minimum, not a pose on the way to the same one
         converged = refined(poses[alike], distance, FINAL_STEPS, free, MIN_EIGENVALUE_RATIO)
         poses = np.array([result.transformation, *(one.transformation for one in converged)])
@@ -346,7 +343,7 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: fl
     return result
 
 
-def _distinct(corres: Any, source: PointCloud, target: PointCloud) -> wp.array:
+def _distinct(corres: object, source: PointCloud, target: PointCloud) -> wp.array:
     """Remove duplicate correspondences, which would count more than others."""
     if is_on_gpu(corres):
         return distinct_pairs(pairs_on_device(corres, source, target))
@@ -368,7 +365,7 @@ def rate_support(support: NDArray[np.float64]) -> float:
     return float(1 / (1 + ratio**-SUPPORT_STEEPNESS))
 
 
-def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) -> Consensus:
+def find_poses(source: wp.array, target: wp.array, pairs: wp.array, bound: float, seed: int) -> Consensus:
     """The poses with most agreeing correspondences (int32 [m, 2] on the device) within `bound` [m]."""
     middles, spreads = zip(*(_middle_of(*box) for box in bound_each([source, target])), strict=True)  # sync
     coordinates = PairCoordinates(source, target, pairs, *middles)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +15,7 @@ LEVEL = ("x", "y", "z", "yaw")
 MAX_TILT = np.radians(15.0)  # tilt of poses from features: normals of downsampled clouds are off by a few degrees
 
 
-def check_level(free: Any) -> tuple[str, ...] | None:
+def check_level(free: object) -> tuple[str, ...] | None:
     if free is None:
         return None
     names = check_free(free)

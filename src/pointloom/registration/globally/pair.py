@@ -33,7 +33,7 @@ from ..icp.icp import ICPConvergenceCriteria, check_poses
 from ..icp.iterative import check_constrainable
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
 from ..pose_check import describe_open
-from ..result import MIN_FITNESS, RegistrationResult
+from ..result import MIN_FITNESS, Registered, RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
 from .global_registration import register_globally
@@ -259,7 +259,9 @@ def register_pair(
     options: dict[str, Any] = {"estimate_normals": True, "constraint": constraint}
     result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)
     report_progress("rate", 0, 0)
-    rated = result._clouds = source.copy(), target.copy(), RATED_WITHIN * size
+    rated = source.copy(), target.copy(), RATED_WITHIN * size
+    assert result._clouds is not None
+    result._clouds = Registered(*rated, *result._clouds[3:])
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
     return PairRegistration(
         result,
@@ -284,7 +286,7 @@ def _state_of(result: RegistrationResult) -> str:
     return "; ".join(result._warnings) or "converged"  # the rating follows as a warning of the pair
 
 
-def _check_method(method: Any) -> TransformationEstimation:
+def _check_method(method: object) -> TransformationEstimation:
     if not isinstance(method, str) or method not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {shown(method)}")
     return METHODS[method]()

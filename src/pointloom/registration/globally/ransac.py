@@ -22,7 +22,7 @@ from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds, pairs_on_device, world_middles
 from ..icp.estimation import TransformationEstimationPointToPoint
 from ..icp.evaluation import evaluate_registration
-from ..result import RegistrationResult
+from ..result import Outcome, RegistrationResult
 from ..rigid import to_world
 from .checkers import CorrespondenceChecker, checks_of
 from .rating import score_registration
@@ -177,7 +177,6 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, settings:
     unsure = f"the confidence {criteria.confidence:g} was not reached within {best.drawn:,} iterations"
     result.warnings = () if best.confident else (unsure,)
     if with_scaling:
-        result._has_scale = True
         result.check_scale()
     result.score = partial(score_registration, source.copy(), target.copy(), distance, T)
     report("registration", source=source, target=target, result=result)
@@ -186,4 +185,6 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, settings:
 
 def no_pose(warning: str, source: PointCloud, *, iterations: int = 0) -> RegistrationResult:
     none = source.arrays.hand_out(empty((0, 2), int32, source.device))
-    return RegistrationResult(np.eye(4), 0.0, 0.0, none, iterations=iterations, warnings=(warning,), score=0.0)
+    result = RegistrationResult(np.eye(4), 0.0, 0.0, none, outcome=Outcome(iterations, warnings=(warning,)))
+    result.score = 0.0
+    return result

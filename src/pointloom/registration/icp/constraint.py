@@ -79,7 +79,7 @@ class Prior:
         object.__setattr__(self, "information", information)
 
 
-def check_information(name: str, matrix: Any) -> Matrix:
+def check_information(name: str, matrix: object) -> Matrix:
     M = check_finite(name, check_shape(name, matrix, (6, 6)))
     largest = float(np.abs(M).max())
     if np.abs(M - M.T).max() > MAX_ASYMMETRY * largest:
@@ -90,7 +90,7 @@ def check_information(name: str, matrix: Any) -> Matrix:
     return (M + M.T) / 2
 
 
-def _weights_of(name: str, sigma: Any) -> NDArray[np.float64]:
+def _weights_of(name: str, sigma: object) -> NDArray[np.float64]:
     """1 / sigma^2 of three axes, or zeros if unknown."""
     if sigma is None:
         return np.zeros(3)
@@ -197,7 +197,7 @@ def constraints_of(constraint: Constraint | None, count: int = 1) -> JobConstrai
     return jobs if len(jobs.free) < len(MOTIONS) or jobs.priors else None
 
 
-def check_free(free: Any) -> tuple[str, ...]:
+def check_free(free: object) -> tuple[str, ...]:
     names = check_list("free", free, f"motions among {', '.join(MOTIONS)}")
     if not names:
         raise ValueError(
@@ -214,7 +214,7 @@ def check_free(free: Any) -> tuple[str, ...]:
     return tuple(name for name in MOTIONS if name in names)
 
 
-def _check_frame(frame: Any) -> Matrix:
+def _check_frame(frame: object) -> Matrix:
     F = check_finite("frame", check_shape("frame", frame, (3, 3)))
     error = float(np.abs(matmul(F.T, F) - np.eye(3)).max())
     if error > MAX_FRAME_DEVIATION:
@@ -224,14 +224,14 @@ def _check_frame(frame: Any) -> Matrix:
     return F if error == 0 else nearest_rotation(F)
 
 
-def _check_pivots(pivot: Any) -> Matrix:
+def _check_pivots(pivot: object) -> Matrix:
     values = check_finite("pivot", check_numeric("pivot", pivot).astype(np.float64))
     if values.shape != (3,) and (values.ndim != 2 or values.shape[1] != 3 or not len(values)):
         raise ValueError(f"pivot: expected shape [3] or [jobs, 3], got {list(values.shape)}")
     return values.reshape(-1, 3)
 
 
-def _check_priors(prior: Any) -> tuple[Prior, ...]:
+def _check_priors(prior: object) -> tuple[Prior, ...]:
     priors = [prior] if isinstance(prior, Prior) else check_list("prior", prior, "Prior, one per job")
     for one in priors:
         if not isinstance(one, Prior):

@@ -13,7 +13,7 @@ from ...kernels.icp.jobs import Jobs
 from ...kernels.icp.loop import Matching
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
-from ..result import RegistrationResult
+from ..result import Outcome, RegistrationResult
 from .estimation import TransformationEstimationPointToPoint
 from .matched_clouds import MatchedClouds, grow_forest, order_points
 
@@ -50,9 +50,9 @@ def evaluate_registration(
         T.copy(),
         fitness,
         rmse,
-        lambda: evaluation._pairs_of(0),
-        warnings=() if fitness else ("no correspondences",),
-        clouds=evaluation._clouds_of(0),
+        lambda: evaluation.pairs_of(0),
+        outcome=Outcome(warnings=() if fitness else ("no correspondences",)),
+        clouds=evaluation.clouds_of(0),
     )
 
 

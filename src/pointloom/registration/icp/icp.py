@@ -232,7 +232,7 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
     return T
 
 
-def check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, ICPConvergenceCriteria]:
+def check_rules(method: object, criteria: object) -> tuple[TransformationEstimation, ICPConvergenceCriteria]:
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = ICPConvergenceCriteria() if criteria is None else criteria
     if not isinstance(method, TransformationEstimation):
@@ -285,7 +285,7 @@ OTHER_UNIT = 20.0  # size ratio: not two scans of one scene
 
 
 def warn_of_low_fitness(
-    result: Any, source: PointCloud, target: PointCloud, pose: NDArray[np.float64], max_distance: float
+    result: RegistrationResult, source: PointCloud, target: PointCloud, pose: NDArray[np.float64], max_distance: float
 ) -> None:
     """Warn if two clouds have hardly any correspondence: most often different units, or a large distance."""
     hint, ratio, apart = _describe_positions(source, target, pose, max_distance)

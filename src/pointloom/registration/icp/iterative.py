@@ -23,7 +23,7 @@ from ...kernels.lang import int32
 from ...kernels.memory import upload
 from ...kernels.search.many_clouds import ManyClouds
 from ...pcd.cloud import PointCloud
-from ..result import RegistrationResult
+from ..result import Motions, Outcome, RegistrationResult
 from .constraint import JobConstraints, make_freedom
 from .estimation import Columns, TransformationEstimation
 from .matched_clouds import MatchedClouds, grow_forest, names_of, order_points
@@ -190,15 +190,10 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
                 pose.copy(),
                 fitness,
                 rmse,
-                lambda job=job: self._pairs_of(job),
-                iterations=iterations,
-                converged=outcome == JOB_CONVERGED,
-                warnings=_warnings_of(outcome, iterations),
-                degenerate_directions=states["free"][job].reshape(6, 6)[:free_count].copy(),
-                clouds=self._clouds_of(job),
-                has_scale=self.estimation.scales,
-                uses_surfaces_only=not (self.estimation.needs_colors or self.estimation.in_sensor_frame),
-                **constraint_results[job],
+                lambda job=job: self.pairs_of(job),
+                outcome=Outcome(iterations, outcome == JOB_CONVERGED, _warnings_of(outcome, iterations)),
+                motions=Motions(states["free"][job].reshape(6, 6)[:free_count].copy(), *constraint_results[job]),
+                clouds=self.clouds_of(job),
             )
             for job, (pose, fitness, rmse, iterations, outcome, free_count) in enumerate(rows)
         ]
@@ -206,14 +201,14 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
             result.check_scale()
         return results
 
-    def _constraint_results(self) -> list[dict[str, Any]]:
-        """Constraint results of each job: free motions, prior directions, and parameters."""
+    def _constraint_results(self) -> Sequence[tuple[Any, ...]]:
+        """Constraint results of each job: free motions, the number of prior directions, and parameters."""
         if self.constraint is None or self.freedom is None:
-            return [{}] * self.loop.jobs.count
+            return [()] * self.loop.jobs.count
         values = self.freedom.storage.download("states", "prior_counts")  # sync
         pairs = zip(values["states"], values["prior_counts"], strict=True)
         free = self.constraint.free
-        return [{"free": free, "prior_count": int(count), "motion": state.copy()} for state, count in pairs]
+        return [(free, int(count), state.copy()) for state, count in pairs]
 
 
 def _make_gaussians(targets: Side, voxel_size: float) -> VoxelGaussians:

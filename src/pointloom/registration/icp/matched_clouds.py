@@ -19,7 +19,7 @@ from ...kernels.search.many_clouds import ManyClouds
 from ...kernels.search.point_forest import PointForest
 from ...pcd.cached_tree import check_extent
 from ...pcd.cloud import PointCloud
-from ..result import Pairs
+from ..result import Pairs, Registered
 from ..rigid import skew, symmetric_matrices, to_local, to_world
 from .estimation import Columns, TransformationEstimation
 from .preparation import Side, drop_unusable_points, in_sensor_frame, normals_of
@@ -72,9 +72,11 @@ class MatchedClouds(Generic[Loop]):
         self._target_origins = np.array([cloud.origin for cloud in self._targets])
         return to_local(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
 
-    def _clouds_of(self, job: int) -> tuple[PointCloud, PointCloud, float]:
+    def clouds_of(self, job: int) -> Registered:
         """The clouds of a job as they are now, and the match distance [m]."""
-        return self._sources[self.source_of[job]].copy(), self._targets[self.target_of[job]].copy(), self.distance
+        source, target = self._sources[self.source_of[job]].copy(), self._targets[self.target_of[job]].copy()
+        is_plain = not (self.estimation.needs_colors or self.estimation.in_sensor_frame)
+        return Registered(source, target, self.distance, self.estimation.scales, is_plain)
 
     def information(self) -> NDArray[np.float64]:
         """Information matrices of the pairs in world coordinates, [jobs, 6, 6]."""
@@ -88,7 +90,7 @@ class MatchedClouds(Generic[Loop]):
     def _world(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
         return to_world(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
 
-    def _pairs_of(self, job: int) -> Pairs:
+    def pairs_of(self, job: int) -> Pairs:
         """(source, target) rows of a job's pairs, by source. Target rows are voxels in a voxelized target."""
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])

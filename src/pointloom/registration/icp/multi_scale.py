@@ -108,7 +108,7 @@ def multi_scale_icp(
             options = ICPOptions(overlap, constraint=jobs, weights=None if weights is None else WEIGHTS)
             result = _register(run, left, right, distance, near, options)
         if jobs is not None:
-            jobs = jobs.begun(anchor, result._motion)
+            jobs = jobs.begun(anchor, result.motion)
         pose, steps = result.transformation, steps + result.iterations
         result.iterations = steps
     assert result is not None

@@ -23,7 +23,7 @@ from ...kernels.linear_algebra import norm
 from ...kernels.memory import download, empty
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
-from ..result import Pairs, RegistrationResult
+from ..result import Motions, Outcome, Pairs, Registered, RegistrationResult
 from ..rigid import to_local, to_world
 from .estimation import TransformationEstimationPointToPoint
 from .icp import LOW_FITNESS, MAX_STEPS, check_poses, warn_of_low_fitness
@@ -151,7 +151,7 @@ def _run(
     distributions = _distributions_of(target, rules) if count else None
     if distributions is None or not distributions.finite_count:
         nothing = source.arrays.hand_out(empty((0, 2), int32, source.device))
-        return RegistrationResult(pose, 0.0, 0.0, nothing, warnings=("no correspondences",))
+        return RegistrationResult(pose, 0.0, 0.0, nothing, outcome=Outcome(warnings=("no correspondences",)))
     smallest = SMALLEST_SIZE * float(norm(mean))
     loop = DistributionLoop(
         points,
@@ -165,16 +165,15 @@ def _run(
     loop.run()
     states = loop.states.download()  # sync
     outcome, iterations = int(states["outcomes"][0]), int(states["iterations"][0])
+    failure = NDT_FAILURES.get(outcome)
     return RegistrationResult(
         to_world(states["poses"][0], source.origin, target.origin),
         float(states["fitness"][0]),
         float(states["rmse"][0]),
         lambda: _pairs_of(source, loop),
-        iterations=iterations,
-        converged=outcome == JOB_CONVERGED,
-        warnings=(NDT_FAILURES[outcome].format(iterations),) if outcome in NDT_FAILURES else (),
-        degenerate_directions=states["free"][0].reshape(6, 6)[: states["free_counts"][0]].copy(),
-        clouds=(source.copy(), target.copy(), rules.voxel_size),
+        outcome=Outcome(iterations, outcome == JOB_CONVERGED, (failure.format(iterations),) if failure else ()),
+        motions=Motions(states["free"][0].reshape(6, 6)[: states["free_counts"][0]].copy()),
+        clouds=Registered(source.copy(), target.copy(), rules.voxel_size),
     )
 
 

@@ -11,14 +11,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from operator import attrgetter
-from typing import Any, NamedTuple, NoReturn
+from typing import NamedTuple, NoReturn
 
 import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid
-from ...core.devices import check_same_device, resolve_device
+from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.observers import report
 from ...core.serialized import Serialized
 from ...core.units import METRE, common_unit
@@ -42,6 +42,7 @@ from .lidar_steps import (
     OdometrySummary,
     appears_stationary,
     summarize_steps,
+    unaligned_step,
 )
 from .path_errors import MapError, MatchError, prediction_error
 from .scan_matching import (
@@ -136,7 +137,7 @@ class LidarOdometry(Serialized):
         interval: float | None = None,
         initial_threshold: float = 2.0,
         min_motion: float = 0.1,
-        device: Any = None,
+        device: DeviceLike = None,
     ):
         self.max_range = check_positive("max_range", max_range)
         self.min_range = check_positive("min_range", min_range, allow_zero=True)
@@ -277,7 +278,7 @@ class LidarOdometry(Serialized):
         self.device, self._known, self._next = step.known.map.device, step.known, None
         self._prune()
 
-    def _empty_map(self, device: Any) -> VoxelMap:
+    def _empty_map(self, device: wp.Device) -> VoxelMap:
         return VoxelMap(self.voxel_size, self.max_points_per_voxel, device)
 
     def _last_pose(self) -> Matrix:
@@ -302,9 +303,9 @@ class LidarOdometry(Serialized):
         ends = np.array([step.pose for step in (*self._steps[:1], *self._steps[-1:])])
         index, sigma = len(self._steps), threshold.value(ends)
         if scan.dense.size == 0:
-            return OdometryStep.unaligned(index, predicted, sigma, NO_POINTS)
+            return unaligned_step(index, predicted, sigma, NO_POINTS)
         if voxel_map.count == 0:
-            return OdometryStep.unaligned(index, predicted, sigma, FIRST_SCAN)
+            return unaligned_step(index, predicted, sigma, FIRST_SCAN)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
         search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
         match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further, search_range)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_callback, check_numeric, check_shape
+from ...core.devices import DeviceLike
 from ...core.time_checks import check_seconds
 from ...io.points.scan_files import Scans, read_scans
 from .lidar_odometry import LidarOdometry
@@ -17,7 +18,7 @@ from .lidar_steps import OdometryStep
 
 
 def iterate_odometry(
-    scans: Scans, *, device: Any = None, columns: Sequence[str] | None = None, **options: Any
+    scans: Scans, *, device: DeviceLike = None, columns: Sequence[str] | None = None, **options: Any
 ) -> Iterator[OdometryStep]:
     """Register scans one by one, and yield each step.
 
@@ -50,7 +51,7 @@ def run_odometry(
     *,
     timestamps: ArrayLike | None = None,
     progress: Callable[[OdometryStep], None] | None = None,
-    device: Any = None,
+    device: DeviceLike = None,
     columns: Sequence[str] | None = None,
     **options: Any,
 ) -> Trajectory:

@@ -100,14 +100,6 @@ class OdometryStep(AssessedRecord):
     covariance: PoseCovariance = field(default_factory=lambda: PoseCovariance(np.zeros((6, 6)), np.zeros(3)))
     match_error: MatchError = field(default_factory=MatchError)
 
-    @classmethod
-    def unaligned(cls, index: int, pose: Matrix, threshold: float, status: str) -> OdometryStep:
-        """A scan with nothing to align: `status` is NO_POINTS or FIRST_SCAN."""
-        return cls(
-            index=index, pose=pose, threshold=threshold, inliers=0, fitness=0.0, inlier_rmse=0.0, iterations=0,
-            converged=status == FIRST_SCAN, is_predicted=status == NO_POINTS, status=status,
-        )  # fmt: skip
-
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks. Empty if the pose is reliable."""
@@ -139,6 +131,14 @@ class OdometryStep(AssessedRecord):
     def is_unsettled(self) -> bool:
         """True if the alignment reached the maximum number of iterations."""
         return self.status == "max_iteration"
+
+
+def unaligned_step(index: int, pose: Matrix, threshold: float, status: str) -> OdometryStep:
+    """The step of a scan with nothing to align: `status` is NO_POINTS or FIRST_SCAN."""
+    return OdometryStep(
+        index=index, pose=pose, threshold=threshold, inliers=0, fitness=0.0, inlier_rmse=0.0, iterations=0,
+        converged=status == FIRST_SCAN, is_predicted=status == NO_POINTS, status=status,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -173,7 +173,7 @@ class FragmentsResult(Report, Assessed):
             found[i] = covariance
         return found
 
-    def _check_clouds(self, clouds: Any) -> list[PointCloud]:
+    def _check_clouds(self, clouds: object) -> list[PointCloud]:
         checked = _check_clouds(clouds)
         if len(checked) != len(self.placed):
             raise ValueError(f"clouds: expected {len(self.placed)}, as many as were registered, got {len(checked)}")
@@ -275,7 +275,7 @@ def register_multiway(
     return result
 
 
-def _check_clouds(clouds: Any) -> list[PointCloud]:
+def _check_clouds(clouds: object) -> list[PointCloud]:
     """A list of point clouds on one device."""
     checked = check_list("clouds", clouds, "point clouds")
     for i, cloud in enumerate(checked):
@@ -303,7 +303,7 @@ def fragments_result(
     return FragmentsResult(poses, is_placed, reference, fragments.groups, fragments.graph, pairs, size, motions)
 
 
-def pairs_to_try(count: int, neighbors: Any, pairs: Any) -> list[tuple[int, int]]:
+def pairs_to_try(count: int, neighbors: object, pairs: object) -> list[tuple[int, int]]:
     if pairs is None:
         nearby = count if count <= ALL_PAIRS else FOLLOWING_CLOUDS
         span = nearby if neighbors is None else check_count("neighbors", neighbors)

@@ -103,11 +103,11 @@ def write_pose_graph(path: str | os.PathLike[str], pose_graph: PoseGraph, *, ove
         file.write(text.encode("ascii"))
 
 
-def _columns(matrix: Any) -> list[float]:
+def _columns(matrix: object) -> list[float]:
     return np.asarray(matrix, np.float64).T.ravel().tolist()
 
 
-def _check_frame(path: str | os.PathLike[str], content: Any, name: str, keys: frozenset[str], location: str) -> None:
+def _check_frame(path: str | os.PathLike[str], content: object, name: str, keys: frozenset[str], location: str) -> None:
     where = f"{location}." if location else ""
     if not isinstance(content, dict):
         raise FileError(path, f"expected an object, got a {type(content).__name__}", where=f"key {location}")
@@ -117,7 +117,7 @@ def _check_frame(path: str | os.PathLike[str], content: Any, name: str, keys: fr
             raise FileError(path, f"expected {expected!r}, got {str(content[key])[:40]!r}", where=f"key {where}{key}")
 
 
-def _read_edge(path: str | os.PathLike[str], content: Any, location: str) -> PoseGraphEdge:
+def _read_edge(path: str | os.PathLike[str], content: dict[str, Any], location: str) -> PoseGraphEdge:
     _check_frame(path, content, "PoseGraphEdge", _EDGE_KEYS, location)
     for key, kinds, expected in (
         ("source_node_id", int, "an integer"),

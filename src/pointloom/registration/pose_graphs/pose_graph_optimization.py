@@ -228,7 +228,7 @@ def global_optimization(
     return _with_report(PoseGraph([PoseGraphNode(T) for T in world_poses], edges), graph, passes, reference, remaining)
 
 
-def _check_motions(free: Any, option: GlobalOptimizationOption) -> NDArray[np.bool_] | None:
+def _check_motions(free: object, option: GlobalOptimizationOption) -> NDArray[np.bool_] | None:
     """Mask of the free motions in the order of MOTIONS; None: all."""
     if free is None:
         return None

@@ -93,7 +93,9 @@ class _Rows:
         self.groups: list[Group] = []
         self.count = 0
 
-    def add(self, kind: str, observation: Any, residual: Array, root: Array, blocks: list[tuple[int, Array]]) -> None:
+    def add(
+        self, kind: str, observation: object, residual: Array, root: Array, blocks: list[tuple[int, Array]]
+    ) -> None:
         k = len(root)
         for first, J in blocks:
             rows, columns = np.indices((k, J.shape[1]))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -80,14 +79,14 @@ class ControlPoint:
         object.__setattr__(self, "sigma", np.broadcast_to(values, (3,)).copy())
 
 
-def check_sigma(name: str, sigma: Any) -> float:
+def check_sigma(name: str, sigma: object) -> float:
     value = check_positive(name, sigma)
     if not MIN_SIGMA <= value <= MAX_SIGMA:
         raise ValueError(f"{name}: expected a standard deviation from {MIN_SIGMA:g} to {MAX_SIGMA:g}, got {value:g}")
     return value
 
 
-def _check_point(point: Any) -> None:
+def _check_point(point: TargetObservation | ControlPoint) -> None:
     if not isinstance(point.name, str) or not point.name:
         raise TypeError(f"name: expected the target's name, got {shown(point.name)}")
     position = check_finite("position", check_numeric("position", point.position)).astype(np.float64)

@@ -244,7 +244,15 @@ def adjust_stations(
 class _Survey:
     """The stations and their adjustment frames: level if up is known, centered near the points."""
 
-    def __init__(self, stations: Any, names: Any, poses: Any, positions: Any, level: Any, level_sigma: Any):
+    def __init__(
+        self,
+        stations: Sequence[PointCloud],
+        names: Sequence[str] | None,
+        poses: ArrayLike | None,
+        positions: ArrayLike | None,
+        level: ArrayLike | None,
+        level_sigma: float | None,
+    ):
         self.clouds = check_list("stations", stations, "point clouds")
         if not self.clouds:
             raise ValueError("stations: expected at least one, got none")
@@ -298,7 +306,7 @@ class _Survey:
         return make_pose(tilt, matmul(-tilt, middle))
 
 
-def _check_names(names: Any, count: int) -> tuple[str, ...]:
+def _check_names(names: object, count: int) -> tuple[str, ...]:
     if names is None:
         return tuple(str(i) for i in range(count))
     checked = check_list("names", names, "text")
@@ -310,14 +318,14 @@ def _check_names(names: Any, count: int) -> tuple[str, ...]:
     return tuple(checked)
 
 
-def _check_poses(poses: Any, count: int) -> Array:
+def _check_poses(poses: object, count: int) -> Array:
     values = check_finite("poses", check_shape("poses", poses, (count, 4, 4)))
     checked = np.array([check_rigid(f"poses[{i}]", T) for i, T in enumerate(values)])
     checked[:, :3, :3] = [nearest_rotation(R) for R in checked[:, :3, :3]]
     return checked
 
 
-def _check_positions(positions: Any, count: int) -> Array:
+def _check_positions(positions: object, count: int) -> Array:
     values = check_shape("positions", positions, (count, 3)).astype(np.float64)
     if np.isinf(values).any():
         raise ValueError("positions: expected numbers, or NaN where one is not known, got infinite ones")
@@ -527,7 +535,7 @@ def prepare(cloud: PointCloud, size: float) -> Scan:
 class PairFinder:
     """Finds pairs of scans; `size`: voxel edge [m], `level`: rotations about z only, `min_overlap`: minimum overlap."""
 
-    def __init__(self, scans: Sequence[Scan], size: float, level: bool, min_overlap: float, seed: Any):
+    def __init__(self, scans: Sequence[Scan], size: float, level: bool, min_overlap: float, seed: int):
         self.scans, self.size, self.min_overlap, self.seed = scans, size, min_overlap, seed
         self.free = LEVEL if level else None
         self.descriptions: dict[int, Description] = {}

@@ -9,10 +9,9 @@ import itertools
 import math
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -122,7 +121,7 @@ def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, di
     return wanted / measured
 
 
-def _position_of(model: SfmModel, name: str, value: Any) -> NDArray[np.float64]:
+def _position_of(model: SfmModel, name: str, value: object) -> NDArray[np.float64]:
     if isinstance(value, str):
         if value not in model.names:
             raise KeyError(f"{name}: no image {shown(value)}{nearest_name(value, model.names)}")
@@ -189,7 +188,7 @@ def fit_to_positions(
     return SimilarityFit(T, scale, names, residuals, inliers, rmse, uncertainty, possible)
 
 
-def _check_model(model: Any) -> None:
+def _check_model(model: object) -> None:
     if not isinstance(model, SfmModel):
         raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
 
@@ -320,7 +319,9 @@ def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[s
     return _positions_of(path, trajectory, names)
 
 
-def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
+def _named_positions(
+    path: Path, lines: Iterable[tuple[int, Sequence[str]]], names: tuple[str, ...]
+) -> dict[str, NDArray[np.float64]]:
     positions: dict[str, NDArray[np.float64]] = {}
     images = ImageNames(names)
     for number, columns in lines:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...cameras.depth_range import DEPTH_MAX
 from ...core.checks import check_count, check_positive, check_progress, check_rigid
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
@@ -50,7 +50,7 @@ def fuse(
     depth_max: float = DEPTH_MAX,
     weight_threshold: float | None = None,
     refine: bool = False,
-    device: Any = None,
+    device: DeviceLike = None,
     read_ahead: int = READ_AHEAD,
     progress: ReportProgress | None = None,
     clock: Clock | None = None,

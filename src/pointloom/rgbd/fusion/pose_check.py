@@ -31,7 +31,7 @@ class PoseCheck:
         self._samples: list[tuple[NDArray[Any], Pose]] = []
         self._every, self._count = 1, 0
 
-    def add(self, depth: Any, T_world_camera: Pose) -> None:
+    def add(self, depth: object, T_world_camera: Pose) -> None:
         if self._count % self._every == 0:
             if len(self._samples) == MAX_FRAMES:
                 self._samples = self._samples[::2]

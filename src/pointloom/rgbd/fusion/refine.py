@@ -81,7 +81,7 @@ class PoseRefiner:
         self._shifts: list[float] = []
         self._rotations: list[float] = []
 
-    def integrate(self, frame: Any, T_world_camera: Pose) -> Pose:
+    def integrate(self, frame: object, T_world_camera: Pose) -> Pose:
         number, self._count = self._count, self._count + 1
         prepared = self._model.prepare(frame)
         pose = T_world_camera

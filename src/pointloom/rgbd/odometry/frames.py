@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 import warp as wp
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_depth
+from ...core.devices import DeviceLike
 from ...core.gpu_arrays import device_for
 from ...kernels.memory import download
 from ...kernels.rgbd.level_copies import level_rows
@@ -61,7 +62,7 @@ class OdometryFrame:
         *,
         depth_scale: float | None = None,
         depth_max: float = DEPTH_MAX,
-        device: Any = None,
+        device: DeviceLike = None,
     ):
         if isinstance(depth, RGBDImage):
             if color is not None:
@@ -101,8 +102,8 @@ class OdometryFrame:
 
     def _make(
         self,
-        depth: Any,
-        brightness: Any,
+        depth: wp.array,
+        brightness: wp.array | None,
         intrinsic: PinholeCameraIntrinsic,
         max_pixels: int = MAX_PIXELS,
         normals: wp.array | None = None,

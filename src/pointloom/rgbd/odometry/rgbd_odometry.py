@@ -196,7 +196,7 @@ def compute_odometry_information_matrix(
     return measure_information(first, second, camera, pose, max_distance, farthest)
 
 
-def _reported(result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: Any) -> OdometryResult:
+def _reported(result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: object) -> OdometryResult:
     report("rgbd_odometry", source=source, target=target, intrinsic=camera, result=result)
     return result
 
@@ -214,12 +214,12 @@ def _check_images(source: RGBDImage, target: RGBDImage) -> None:
         )
 
 
-def _check_pair(name: str, source: RGBDImage, target: RGBDImage, intrinsic: Any) -> PinholeCameraIntrinsic:
+def _check_pair(name: str, source: RGBDImage, target: RGBDImage, intrinsic: object) -> PinholeCameraIntrinsic:
     _check_images(source, target)
     return _check_camera(name, intrinsic, source.width, source.height)
 
 
-def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCameraIntrinsic:
+def _check_camera(name: str, camera: object, width: int, height: int) -> PinholeCameraIntrinsic:
     if not isinstance(camera, PinholeCameraIntrinsic):
         matrix = check_finite(name, check_shape(name, camera, (3, 3)))
         try:
@@ -238,7 +238,7 @@ def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCam
     return camera
 
 
-def _upload(name: str, depth: ArrayLike, depth_scale: float | None, device: Any) -> tuple[Any, int, int]:
+def _upload(name: str, depth: ArrayLike, depth_scale: float | None, device: object) -> tuple[Any, int, int]:
     try:
         metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device)
     except (ValueError, TypeError) as error:

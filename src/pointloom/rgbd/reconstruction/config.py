@@ -222,7 +222,7 @@ _MAY_BE_NONE = frozenset(("depth_scale", "tsdf_voxel_size", "fragment_voxel_size
 _MAY_BE_ZERO = frozenset(("depth_min", "regularizer_weight", "fitness_threshold"))
 
 
-def _checked(name: str, value: Any, default: Any) -> Any:
+def _checked(name: str, value: object, default: object) -> Any:
     if name == "surface_weight_threshold":
         return None if value is None else check_positive(name, value, allow_zero=True)
     if name in _MAY_BE_NONE:

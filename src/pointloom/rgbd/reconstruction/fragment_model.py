@@ -10,11 +10,14 @@ import numpy as np
 
 from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.trajectory import Trajectory, read_trajectory
+from ...core.devices import DeviceLike
 from ...core.errors import FilePath
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, quality
 from ...core.timing import Clock
+from ...io.frames.frames import FrameSource
+from ...io.frames.rgbd_sources import RGBDSource
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from .config import ReconstructionConfig
@@ -106,7 +109,12 @@ def settings_for(
 
 
 def model_by_fragments(
-    frames: Any, options: FragmentOptions, *, device: Any, progress: ReportProgress, clock: Clock
+    frames: FrameSource | RGBDSource,
+    options: FragmentOptions,
+    *,
+    device: DeviceLike,
+    progress: ReportProgress,
+    clock: Clock,
 ) -> tuple[TriangleMesh, FragmentsAccount]:
     settings, work = settings_for(options.config, None, None), Path(options.folder)
     switches = {"slac": options.slac, "resume": options.resume}

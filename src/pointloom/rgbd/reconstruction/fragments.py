@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
@@ -77,7 +77,7 @@ class Fragment:
     def __len__(self) -> int:
         return len(self.indices)
 
-    def read_cloud(self, device: Any = None) -> PointCloud:
+    def read_cloud(self, device: DeviceLike = None) -> PointCloud:
         return read_point_cloud(self.cloud_path, device=device)
 
     def T_earlier(self, earlier: Fragment) -> Matrix:
@@ -100,7 +100,7 @@ def make_fragments(
     folder: FilePath,
     *,
     resume: bool = False,
-    device: Any = None,
+    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> FragmentSet:
     """Split frames into fragments, and write a pose graph and a point cloud for each.
@@ -167,7 +167,7 @@ def _settings_of(frames: Frames) -> dict[str, Any]:
     return sizes | {"voxel": config.fragment_voxel, "depth_scale": frames.depth_scale, "camera": lens}
 
 
-def _finish(draft: Draft, frames: Frames, job: JobFiles, device: Any, lost: Sequence[LostFrame]) -> Fragment:
+def _finish(draft: Draft, frames: Frames, job: JobFiles, device: DeviceLike, lost: Sequence[LostFrame]) -> Fragment:
     """Close the loops of a draft, fuse its frames, and write its files, the record last."""
     graph, tried = _close_loops(draft, frames)
     solved = _optimize(graph, frames.config)
@@ -366,7 +366,12 @@ class DraftBuilder:
     """Iterates through frames and yields drafts of fragments; `lost` grows meanwhile."""
 
     def __init__(
-        self, frames: Frames, settings: dict[str, Any], device: Any, start: Start, report_progress: ReportProgress
+        self,
+        frames: Frames,
+        settings: dict[str, Any],
+        device: DeviceLike,
+        start: Start,
+        report_progress: ReportProgress,
     ):
         self.frames, self.settings, self.device, self.start = frames, settings, device, start
         self.report_progress = report_progress
@@ -525,7 +530,7 @@ class Keyframe:
     step: int
 
     @classmethod
-    def make(cls, index: int, frame: Any, depth: NDArray[np.float32], intrinsic: PinholeCameraIntrinsic) -> Keyframe:
+    def make(cls, index: int, frame: object, depth: NDArray[np.float32], intrinsic: PinholeCameraIntrinsic) -> Keyframe:
         step = max(1, min(depth.shape) // 60)
         depths = depth[::step, ::step].copy()
         rows, columns = np.nonzero(depths)

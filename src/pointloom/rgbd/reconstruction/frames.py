@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_SCALE
@@ -119,7 +119,7 @@ class Frames:
             return ""
         return digest_of_bytes(f"{name} {state.st_size} {state.st_mtime_ns}\n".encode() for name, state in states)
 
-    def _fault(self, depth: NDArray[Any], color: Any) -> str:
+    def _fault(self, depth: NDArray[Any], color: ArrayLike) -> str:
         size = (self.intrinsic.height, self.intrinsic.width)
         if depth.shape != size:
             return f"its depth has shape {list(depth.shape)}, expected {list(size)} of the camera"

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_positive, check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.timing import Clock, check_clock
@@ -87,7 +87,7 @@ def reconstruct(
     voxel_size: float | None = None,
     depth_max: float | None = None,
     fragments: FragmentOptions | None = None,
-    device: Any = None,
+    device: DeviceLike = None,
     read_ahead: int = READ_AHEAD,
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
@@ -150,7 +150,7 @@ def reconstruct(
     return ReconstructionResult(mesh, account, error, focal)
 
 
-def _true_poses(frames: Any, trajectory: Trajectory) -> list[NDArray[np.float64] | None]:
+def _true_poses(frames: object, trajectory: Trajectory) -> list[NDArray[np.float64] | None]:
     """The true pose of each trajectory frame, or None, without decoding images of a folder."""
     assert trajectory.ids is not None
     numbers = trajectory.ids[:, 0].tolist()

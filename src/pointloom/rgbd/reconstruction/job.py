@@ -7,6 +7,7 @@ from typing import Any
 
 from ...core import observers
 from ...core.checks import check_progress
+from ...core.devices import DeviceLike
 from ...core.errors import FilePath
 from ...core.paths import refuse_link
 from ...core.progress import ReportProgress
@@ -29,14 +30,14 @@ RECORDING = "frames"
 
 
 def run_reconstruction_system(
-    source: FrameSource,
+    source: FrameSource | RGBDSource,
     config: ReconstructionConfig | None = None,
     folder: FilePath = "reconstruction",
     *,
     resume: bool = False,
     refine: bool = True,
     slac: bool = False,
-    device: Any = None,
+    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> SystemReport:
     """Reconstruct a mesh and the camera trajectory from RGB-D frames without poses.

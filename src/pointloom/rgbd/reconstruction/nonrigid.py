@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...core.checks import check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.paths import job_file
 from ...core.progress import ReportProgress
@@ -59,7 +59,7 @@ def refine_with_slac(
     folder: FilePath,
     *,
     resume: bool = False,
-    device: Any = None,
+    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> BentPlacement:
     """Align the fragments in a job's folder together with the distortion of their camera.
@@ -104,7 +104,7 @@ def refine_with_slac(
     return result
 
 
-def placement_with_slac(job: JobFiles, fragments: list[Fragment], device: Any) -> BentPlacement:
+def placement_with_slac(job: JobFiles, fragments: list[Fragment], device: DeviceLike) -> BentPlacement:
     """The current result of `refine_with_slac`. FileError if missing or outdated."""
     result = _read(job, latest_placement(job, fragments), device)
     if result is None:
@@ -121,7 +121,7 @@ def _placement(before: Placement, graph: PoseGraph, made_from: str) -> Placement
     return replace(before, poses=poses, pose_graph=graph, made_from=made_from, before=before.made_from)
 
 
-def _figures(method: str, grid: ControlGrid, report: Any) -> dict[str, Any]:
+def _figures(method: str, grid: ControlGrid, report: object) -> dict[str, Any]:
     shifts = grid.get_curr_positions() - grid.get_init_positions()
     bent = float(np.sqrt((shifts**2).sum(axis=1).mean())) if len(grid) else 0.0
     values = {"method": method, "anchors": len(grid), "bent_m": bent}
@@ -144,7 +144,7 @@ def _write(job: JobFiles, bent: BentPlacement) -> None:
     write_record(job.record(STAGE), STAGE, placement.made_from, job.root, paths, result)
 
 
-def _read(job: JobFiles, before: Placement, device: Any, made_from: str | None = None) -> BentPlacement | None:
+def _read(job: JobFiles, before: Placement, device: DeviceLike, made_from: str | None = None) -> BentPlacement | None:
     result = read_record(job.record(STAGE), STAGE, job.root, made_from)
     if result is None or result["before"] != before.made_from:
         return None

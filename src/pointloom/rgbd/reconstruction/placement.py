@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
@@ -62,7 +61,7 @@ def register_fragments(
     folder: FilePath,
     *,
     resume: bool = False,
-    device: Any = None,
+    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> Placement:
     """Register the fragments in a job's folder.
@@ -113,7 +112,7 @@ def register_fragments(
     return placement
 
 
-def read_clouds(fragments: list[Fragment], config: ReconstructionConfig, device: Any) -> list[PointCloud]:
+def read_clouds(fragments: list[Fragment], config: ReconstructionConfig, device: DeviceLike) -> list[PointCloud]:
     size = config.voxel_size / VOXEL_DIVISOR
     return [fragment.read_cloud(device).voxel_down_sample(size) for fragment in fragments]
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...core.checks import check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath
 from ...core.paths import job_file
 from ...core.progress import ReportProgress
@@ -69,7 +69,7 @@ def integrate_scene(
     *,
     slac: bool = False,
     resume: bool = False,
-    device: Any = None,
+    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> Scene:
     """Fuse all frames of the placed fragments, and write the mesh and the trajectory.

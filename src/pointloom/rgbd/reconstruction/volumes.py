@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +12,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.checks import check_positive, check_rigid
+from ...core.devices import DeviceLike
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.surface_weights import min_weights
 from ...meshing.volume.tsdf import TSDFVolume
@@ -76,7 +76,7 @@ def cloud_of(volume: TSDFVolume) -> PointCloud:
     return PointCloud()
 
 
-def make_volume(voxel_size: float, truncation: float | None, colored: bool, device: Any) -> TSDFVolume:
+def make_volume(voxel_size: float, truncation: float | None, colored: bool, device: DeviceLike) -> TSDFVolume:
     return TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=colored, device=device)
 
 

@@ -15,6 +15,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_progress, check_rigid, check_seed
+from ...core.devices import DeviceLike
 from ...core.observers import report, unwatched
 from ...core.progress import ReportProgress
 from ...core.serialized import Serialized
@@ -109,7 +110,7 @@ class DenseSLAM(Serialized):
         leave_out_moving: bool = True,
         submap_frames: int | None = None,
         seed: int = 0,
-        device: Any = None,
+        device: DeviceLike = None,
     ):
         sizes: dict[str, Any] = {
             "voxel_size": voxel_size, "truncation": truncation, "depth_max": depth_max, "device": device
@@ -214,7 +215,7 @@ class DenseSLAM(Serialized):
         found = [result.pose_covariance for result in self.results if result.map == largest]
         return tuple(covariance for covariance in found if covariance is not None)
 
-    def track(self, frame: Any) -> TrackingResult:
+    def track(self, frame: object) -> TrackingResult:
         """Estimate the pose of a frame without changing the model. The next frame is expected to follow this one.
 
         Args:
@@ -232,7 +233,7 @@ class DenseSLAM(Serialized):
         report("track", slam=self, result=result)
         return result
 
-    def integrate(self, frame: Any) -> bool:
+    def integrate(self, frame: object) -> bool:
         """Fuse the last tracked frame if its pose is accepted. Returns True if it was fused.
 
         Raises:
@@ -266,7 +267,7 @@ class DenseSLAM(Serialized):
                 self._joining.look(prepared, result.pose, is_new)
         return True
 
-    def step(self, frame: Any) -> TrackingResult:
+    def step(self, frame: object) -> TrackingResult:
         """Track a frame, and fuse it if it is tracked.
 
         Raises:
@@ -453,7 +454,13 @@ class DenseSLAM(Serialized):
         return self._begin(frame, known)
 
 
-def record_frame(recorder: SubmapRecorder, frame: SensorFrame, depth: Any, pixels: Any, result: TrackingResult) -> None:
+def record_frame(
+    recorder: SubmapRecorder,
+    frame: SensorFrame,
+    depth: NDArray[Any],
+    pixels: NDArray[Any] | None,
+    result: TrackingResult,
+) -> None:
     height, width = frame.intrinsic.height, frame.intrinsic.width
     color = None if pixels is None else pixels.reshape((height, width, 3))
     image = depth.reshape((height, width))

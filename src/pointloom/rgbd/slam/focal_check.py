@@ -12,12 +12,13 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, check_rigid
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.reports import Assessed, quality
 from ...io.frames.frames import FrameSource, can_read, check_frames, depth_unit
@@ -84,7 +85,7 @@ def check_focal(
     *,
     uncertain: Iterable[int] = (),
     depth_max: float = DEPTH_MAX,
-    device: Any = None,
+    device: DeviceLike = None,
 ) -> FocalCheck | None:
     """Check whether frames that are rotated against each other fit better with another focal length.
 
@@ -186,7 +187,7 @@ def _residuals(
     read: Callable[[int], Any],
     source: FrameSource | RGBDSource,
     pair: tuple[int, int],
-    start: Any,
+    start: ArrayLike | None,
     options: dict[str, Any],
 ) -> list[float] | None:
     try:

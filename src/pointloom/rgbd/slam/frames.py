@@ -62,14 +62,14 @@ class SensorFrame:
             self._pyramid = self.pyramid_of(self.depth)
         return self._pyramid
 
-    def keep_still(self, depth: Any, pyramid: OdometryFrame) -> None:
+    def keep_still(self, depth: wp.array, pyramid: OdometryFrame) -> None:
         self.still, self._pyramid = depth, pyramid
 
-    def leave_only(self, depth: Any) -> None:
+    def leave_only(self, depth: wp.array) -> None:
         """Replace the depth, float32 [pixels], 0 where excluded."""
         self.depth, self.still, self._pyramid = depth, None, None
 
-    def pyramid_of(self, depth: Any) -> OdometryFrame:
+    def pyramid_of(self, depth: wp.array) -> OdometryFrame:
         return OdometryFrame._from_device_maps(depth, self.pixels, self.intrinsic, MAX_PIXELS)
 
     def seconds_since(self, earlier: float | None) -> float:

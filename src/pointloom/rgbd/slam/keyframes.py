@@ -29,18 +29,18 @@ class Keyframes:
         self.device, self.seed = device, seed
         self.poses: list[Pose] = []
         self.numbers: list[int] = []
-        self._codes: Any = zeros(64 * FERN_COUNT, uint8, device)
+        self.codes: Any = zeros(64 * FERN_COUNT, uint8, device)
 
     def __len__(self) -> int:
         return len(self.poses)
 
     def add(self, frame: OdometryFrame, pose: Pose, number: int) -> int:
         index = len(self.poses)
-        if (index + 1) * FERN_COUNT > self._codes.size:
-            larger: Any = zeros(2 * self._codes.size, uint8, self.device)
-            copy(larger, self._codes, count=self._codes.size)
-            self._codes = larger
-        self._encode(frame, self._codes, index)
+        if (index + 1) * FERN_COUNT > self.codes.size:
+            larger: Any = zeros(2 * self.codes.size, uint8, self.device)
+            copy(larger, self.codes, count=self.codes.size)
+            self.codes = larger
+        self._encode(frame, self.codes, index)
         self.poses.append(pose.copy())
         self.numbers.append(number)
         return index
@@ -49,11 +49,11 @@ class Keyframes:
         """Add the views of others (with the same tests), whose poses T transforms."""
         count = len(self)
         needed = (count + len(others)) * FERN_COUNT
-        if needed > self._codes.size:
-            larger: Any = zeros(max(needed, 2 * self._codes.size), uint8, self.device)
-            copy(larger, self._codes, count=count * FERN_COUNT)
-            self._codes = larger
-        copy(self._codes, others._codes, count=len(others) * FERN_COUNT, offset=count * FERN_COUNT)
+        if needed > self.codes.size:
+            larger: Any = zeros(max(needed, 2 * self.codes.size), uint8, self.device)
+            copy(larger, self.codes, count=count * FERN_COUNT)
+            self.codes = larger
+        copy(self.codes, others.codes, count=len(others) * FERN_COUNT, offset=count * FERN_COUNT)
         self.poses += [matmul(T, pose) for pose in others.poses]
         self.numbers += others.numbers
 
@@ -64,7 +64,7 @@ class Keyframes:
         """The most similar keyframes (index, fraction of differing tests), without near duplicates. A sync."""
         if not self.poses:
             return []
-        counts = download(compare_codes(self._encode(frame), self._codes, len(self.poses)))  # sync
+        counts = download(compare_codes(self._encode(frame), self.codes, len(self.poses)))  # sync
         common, different = counts[:, 0], counts[:, 1]
         min_common = max(MIN_COMMON * common.max(initial=0), 1)
         fractions = np.where(common >= min_common, different / np.maximum(common, 1), 1.0)
@@ -77,7 +77,7 @@ class Keyframes:
                 break
         return matches
 
-    def _encode(self, frame: OdometryFrame, codes: Any = None, row: int = 0) -> Any:
+    def _encode(self, frame: OdometryFrame, codes: wp.array | None = None, row: int = 0) -> Any:
         levels = frame.levels
         last = levels.count - 1
         width, height = (int(side) for side in levels.sizes[last])

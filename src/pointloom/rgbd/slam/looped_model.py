@@ -6,6 +6,7 @@ import dataclasses
 from typing import Any
 
 from ...cameras.trajectory import Trajectory
+from ...core.devices import DeviceLike
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, quality
 from ...core.timing import Clock
@@ -15,6 +16,7 @@ from ...kernels.linear_algebra import norm
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
+from .dense_slam import DenseSLAM
 from .submaps import SUBMAP_FRAMES as SUBMAP_FRAMES
 from .tracked_path import TrackedPath
 from .tracking import make_slam, track_with
@@ -82,7 +84,7 @@ def model_by_slam(
     *,
     voxel_size: float,
     depth_max: float,
-    device: Any,
+    device: DeviceLike,
     read_ahead: int,
     progress: ReportProgress,
     clock: Clock,
@@ -99,7 +101,7 @@ def model_by_slam(
     return mesh, account
 
 
-def _close_loops(slam: Any, path: TrackedPath, progress: ReportProgress) -> tuple[TSDFVolume, SlamAccount]:
+def _close_loops(slam: DenseSLAM, path: TrackedPath, progress: ReportProgress) -> tuple[TSDFVolume, SlamAccount]:
     volume = slam.volume  # without loop closures the tracked volume is kept
     if not volume.frame_count:
         return volume, SlamAccount(path)

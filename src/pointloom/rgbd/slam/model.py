@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...core.checks import check_positive, check_rigid
+from ...core.devices import DeviceLike
 from ...core.observers import report
 from ...core.serialized import Serialized
 from ...kernels.linear_algebra import inv, matmul
@@ -81,7 +82,7 @@ class SlamModel(Serialized):
         depth_scale: float = DEPTH_SCALE,
         depth_max: float = DEPTH_MAX,
         leave_out_moving: bool = True,
-        device: Any = None,
+        device: DeviceLike = None,
     ):
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
@@ -114,7 +115,7 @@ class SlamModel(Serialized):
         """Replace the volume, and that of the surface if it is another one."""
         self.volume, self._without, self.movers = volume, surface, Movers()
 
-    def _withdraw(self, depth: Any, pixels: Any, pose: Pose) -> None:
+    def _withdraw(self, depth: object, pixels: object, pose: Pose) -> None:
         """Remove what `fuse` returned for a frame from the surface. Tracking continues with the complete volume."""
         if self._without is None:
             self._without = self.volume.copy()
@@ -126,7 +127,7 @@ class SlamModel(Serialized):
         self._replace_volume(TSDFVolume(**sizes, device=self.device))
         self.current_frame_pose = pose
 
-    def prepare(self, frame: Any) -> SensorFrame:
+    def prepare(self, frame: object) -> SensorFrame:
         """Upload a frame for repeated use. A prepared frame is returned unchanged.
 
         Raises:
@@ -136,7 +137,7 @@ class SlamModel(Serialized):
             return frame
         return SensorFrame(frame, self.intrinsic, self.depth_scale, self.depth_max, self.device)
 
-    def track_frame(self, frame: Any, T_world_camera: ArrayLike | None = None) -> OdometryResult:
+    def track_frame(self, frame: object, T_world_camera: ArrayLike | None = None) -> OdometryResult:
         """Estimate the pose of a frame by alignment with the model rendered at a nearby pose.
 
         Args:
@@ -153,7 +154,7 @@ class SlamModel(Serialized):
         result = align_frames(self.prepare(frame).pyramid, self.seen_from(given))
         return _moved(result, given)
 
-    def integrate(self, frame: Any, T_world_camera: ArrayLike) -> None:
+    def integrate(self, frame: object, T_world_camera: ArrayLike) -> None:
         """Fuse a frame, which becomes the current one.
 
         Pixels in space that was seen free within the last second are excluded as moving. A frame without color in a

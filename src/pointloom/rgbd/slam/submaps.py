@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +13,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.images import integer_scale
 from ...core.checks import check_count, check_fraction, check_list, check_numeric, check_positive, check_rigid
+from ...core.devices import DeviceLike
 from ...core.serialized import Serialized
 from ...kernels.linear_algebra import inv, matmul, norm
 from ...meshing.volume.surface_weights import min_weight
@@ -174,7 +174,7 @@ class SubmapRecorder(Serialized):
         max_length: float | None = None,
         shared: float = SHARED_FRACTION,
         color: bool = True,
-        device: Any = None,
+        device: DeviceLike = None,
     ):
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
@@ -231,7 +231,9 @@ class SubmapRecorder(Serialized):
         if len(self._open) == 2 and self._fullness(self._open[0]) >= 1:
             self.submaps.append(self._open.pop(0).done())
 
-    def _record(self, recording: _Recording, number: int, depth: ArrayLike, pose: Matrix, color: Any) -> None:
+    def _record(
+        self, recording: _Recording, number: int, depth: ArrayLike, pose: Matrix, color: ArrayLike | None
+    ) -> None:
         extrinsic = matmul(invert_pose(pose), recording.T_world_submap)
         scale = integer_scale(depth, self._scale)
         recording.volume.integrate(depth, self._intrinsic, extrinsic, color, scale, self._depth_max)
@@ -240,7 +242,7 @@ class SubmapRecorder(Serialized):
         recording.numbers.append(number)
         recording.poses.append(pose)
 
-    def _withdraw(self, number: int, depth: Any, pose: Matrix, pixels: Any) -> None:
+    def _withdraw(self, number: int, depth: object, pose: Matrix, pixels: object) -> None:
         """Remove a frame from the volumes that contain it. Its pose remains, to connect the submaps.
 
         `depth` [m] and `pixels` are those of `add`, on the device. The submaps have the poses that they had then.

@@ -126,7 +126,7 @@ class TrackedPath(Assessed):
         return f"{count}: {frame_lists} are in {kind} and are left out of the path"
 
     @returns_new
-    def with_poses(self, poses: Sequence[NDArray[np.float64]]) -> TrackedPath:
+    def with_poses(self, poses: Sequence[NDArray[np.float64]] | NDArray[np.float64]) -> TrackedPath:
         """The same path with other poses."""
         original = self.trajectory
         corrected = np.array(poses, np.float64).reshape(-1, 4, 4)

@@ -139,7 +139,7 @@ class Tracker:
 
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """The best attempt for a frame, and whether it was relocalized."""
-        attempt, is_anew = self._beaten(frame)
+        attempt, is_anew = self._compare_with_rivals(frame)
         if is_anew and attempt.status == "tracked" and self.motion.missed > MIN_FRAMES > self.model.frame_count:
             warning = f"the model has only {self.model.frame_count} frames, too few for relocalization"
             attempt = dataclasses.replace(attempt, status="lost", warnings=(warning,))
@@ -148,7 +148,7 @@ class Tracker:
         covariance, error = self.drift.of(frame.pyramid, attempt.pose, noises_of(attempt.result))
         return dataclasses.replace(attempt, covariance=covariance, error_covariance=error), is_anew
 
-    def _beaten(self, frame: SensorFrame) -> tuple[Attempt, bool]:
+    def _compare_with_rivals(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """As `locate`, after the comparison with rivals, without the covariance."""
         attempt, is_anew = self._find(frame)
         if attempt.status == "lost":
@@ -157,7 +157,7 @@ class Tracker:
         if not is_anew and not self._rivals:
             return attempt, False
         starts = self._rival_starts(frame, attempt.pose) if is_anew else [matmul(T, attempt.pose) for T in self._rivals]
-        best = self._beat_rivals(frame, attempt, starts, is_anew)
+        best = self._choose_among(frame, attempt, starts, is_anew)
         return best, is_anew or best.pose is not attempt.pose
 
     def _find(self, frame: SensorFrame) -> tuple[Attempt, bool]:
@@ -222,7 +222,7 @@ class Tracker:
             return starts
         return [start for start in starts if _way(start, led) <= max_distance]
 
-    def _beat_rivals(self, frame: SensorFrame, attempt: Attempt, starts: list[Pose], is_anew: bool) -> Attempt:
+    def _choose_among(self, frame: SensorFrame, attempt: Attempt, starts: list[Pose], is_anew: bool) -> Attempt:
         """Select the best of a found pose and its rivals; uncertain if another one with overlap is as good."""
         tried = [attempt]
         for start in starts:
@@ -372,13 +372,13 @@ class Drift:
 
     def __init__(self, keyframes: Keyframes):
         self.keyframes = keyframes
-        self._views: list[tuple[NDArray[np.float32], NDArray[np.float64]]] = []  # depth [h, w] and lens of each
-        self._joints: list[Matrix] = [np.zeros((0, 0))] * 2
+        self.views: list[tuple[NDArray[np.float32], NDArray[np.float64]]] = []  # depth [h, w] and lens of each
+        self.joints: list[Matrix] = [np.zeros((0, 0))] * 2
         self._latest = np.zeros((6, 0)), [np.zeros((6, 6))] * 2  # row of the latest frame, and its own covariances
 
     def of(self, frame: OdometryFrame, pose: Pose, noises: Noises) -> list[Matrix]:
         """Covariances [rad, m] of a pose about its camera, in world axes, [6, 6], from those of the alignment."""
-        count = len(self._views)
+        count = len(self.views)
         if not count:  # the first frame is the world
             return [np.zeros((6, 6))] * 2
         parts = self._parts(frame, pose)
@@ -394,30 +394,30 @@ class Drift:
         to_world, about = adjoint_of(pose), _about(pose[:3, 3])
         worlds = [[matmul(to_world, noise, to_world.T) for noise in pair] for pair in noises]
         self._latest = row, [kept for _, kept in worlds]
-        totals = [matmul(row, joint, row.T) + own for joint, (own, _) in zip(self._joints, worlds, strict=True)]
+        totals = [matmul(row, joint, row.T) + own for joint, (own, _) in zip(self.joints, worlds, strict=True)]
         return [matmul(about, total, about.T) for total in totals]
 
     def keep(self, frame: OdometryFrame) -> None:
         row, noises = self._latest
-        for k, (joint, noise) in enumerate(zip(self._joints, noises, strict=True)):
+        for k, (joint, noise) in enumerate(zip(self.joints, noises, strict=True)):
             cross = matmul(row, joint)
             corner = matmul(cross, row.T) + noise
-            self._joints[k] = np.block([[joint, cross.T], [cross, corner]])
+            self.joints[k] = np.block([[joint, cross.T], [cross, corner]])
         depth, lens, _ = coarsest_level(frame)
-        self._views.append((depth.astype(np.float32), lens))
+        self.views.append((depth.astype(np.float32), lens))
 
     def take_over(self, other: Drift, T_here_other: Pose, deviation: float) -> None:
         """Append another map's keyframes; `deviation`: standard deviation of T_here_other [m], its rotation at 1 m."""
-        count, more = len(self._views), len(other._views)
+        count, more = len(self.views), len(other.views)
         to_here = adjoint_of(T_here_other)
         blocks = np.kron(np.eye(more), to_here)
         way = join_covariance(T_here_other, deviation)
-        for k, (joint, others) in enumerate(zip(self._joints, other._joints, strict=True)):
+        for k, (joint, others) in enumerate(zip(self.joints, other.joints, strict=True)):
             both = np.zeros((6 * (count + more),) * 2)
             both[: 6 * count, : 6 * count] = joint
             both[6 * count :, 6 * count :] = matmul(blocks, others, blocks.T) + np.kron(np.ones((more, more)), way)
-            self._joints[k] = both
-        self._views = [*self._views, *other._views]
+            self.joints[k] = both
+        self.views = [*self.views, *other.views]
         row, noises = self._latest
         self._latest = np.concatenate([row, np.zeros((6, 6 * more))], 1), noises
 
@@ -432,12 +432,12 @@ class Drift:
         points = matmul(at, pose[:3, :3].T) + pose[:3, 3]
         normals = matmul(plane[:, :3], pose[:3, :3].T)
         rows = np.concatenate([np.cross(points, normals), normals], 1) / (1.0 + z * z)[:, None]
-        seen = np.stack([self._sees(k, points) for k in range(len(self._views))]).astype(np.float64)
+        seen = np.stack([self._sees(k, points) for k in range(len(self.views))]).astype(np.float64)
         seen /= np.maximum(seen.sum(0), 1.0)
         return matmul(seen, (rows[:, :, None] * rows[:, None]).reshape(len(rows), 36)).reshape(-1, 6, 6)
 
     def _sees(self, index: int, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        depth, lens = self._views[index]
+        depth, lens = self.views[index]
         pose = self.keyframes.poses[index]
         local = matmul(points - pose[:3, 3], pose[:3, :3])
         z = np.maximum(local[:, 2], 1e-6)

@@ -12,7 +12,7 @@ from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.pose_files import trajectory_of
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_positive, check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.number_ranges import some_frames
 from ...core.progress import ReportProgress
@@ -44,7 +44,7 @@ def track(
     *,
     voxel_size: float = VOXEL_SIZE,
     depth_max: float = DEPTH_MAX,
-    device: Any = None,
+    device: DeviceLike = None,
     read_ahead: int = READ_AHEAD,
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
@@ -93,12 +93,12 @@ def track(
 
 
 def track_with(
-    slam: Any,
+    slam: DenseSLAM,
     frames: FrameSource | RGBDSource,
     *,
     voxel_size: float,
     depth_max: float,
-    device: Any,
+    device: DeviceLike,
     read_ahead: int = READ_AHEAD,
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
@@ -133,7 +133,7 @@ def make_slam(
     *,
     voxel_size: float,
     depth_max: float,
-    device: Any,
+    device: DeviceLike,
     submap_frames: int | None = None,
 ) -> DenseSLAM:
     options: dict[str, Any] = {"depth_scale": frames.depth_scale, "depth_max": depth_max, "device": device}
