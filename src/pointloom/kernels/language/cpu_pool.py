@@ -113,7 +113,7 @@ class Pool:
 
 
 current: Pool | None = None
-_is_chosen = False  # True if the next launch uses the same pool, or none
+is_chosen = False  # True if the next launch uses the same pool, or none
 _wanted: int | None = None  # set by set_thread_count
 _is_over = False  # the program is ending
 
@@ -162,17 +162,17 @@ def set_thread_count(count: int | None) -> None:
 
 def pool() -> Pool | None:
     """The pool, created on first use. None if launches run on the calling thread. Take the lock."""
-    global current, _is_chosen
-    if not _is_chosen:
+    global current, is_chosen
+    if not is_chosen:
         code, count = pool_code(), thread_count()
         current = Pool(code, count) if code is not None and count > 1 and not _is_over else None
-        _is_chosen = True
+        is_chosen = True
     return current
 
 
 def _end() -> None:
-    global current, _is_chosen
-    ending, current, _is_chosen = current, None, False
+    global current, is_chosen
+    ending, current, is_chosen = current, None, False
     if ending is not None:
         ending.end()
 
@@ -186,8 +186,8 @@ def _end_with_program() -> None:
 
 
 def _after_fork() -> None:
-    global current, _is_chosen
-    current, _is_chosen = None, False  # its threads do not exist in the forked process
+    global current, is_chosen
+    current, is_chosen = None, False  # its threads do not exist in the forked process
 
 
 if hasattr(os, "register_at_fork"):
