@@ -52,6 +52,11 @@ def header() -> str:
 
 
 @cache
+def pool_header() -> str:
+    return Path(__file__).with_name("cpu_pool.h").read_text(encoding="utf-8")
+
+
+@cache
 def options() -> dict[str, Any]:
     """Module options for CPU kernels. Raises AttributeError if this Warp lacks them."""
     return {
