@@ -121,6 +121,7 @@ lint: $(FULL) ## Check style, format, spelling, sizes, prose, changes/ and docs/
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
 	@$(BIN)/python scripts/check_sizes.py
+	@$(BIN)/python scripts/call_paths.py
 	@$(BIN)/python scripts/check_prose.py
 	@$(BIN)/typos
 	@draft=$$($(BIN)/towncrier build --draft --version next 2>&1) || { echo "$$draft"; exit 1; }

@@ -21,8 +21,7 @@ from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
 from ..kernels.memory import cast, clone, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
-from .depth_checks import warn_of_scale
-from .depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX
+from .depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX, warn_of_scale
 
 MAX_RAW = 65535  # maximum integer depth
 FLOATS = (wp.float16, float32, float64)
@@ -275,6 +274,8 @@ def integer_scale(depth: Any, depth_scale: float) -> float | None:
 
 
 def _as_array(name: str, values: Any) -> NDArray[Any]:
+    if type(values) is np.ndarray:
+        return values
     if isinstance(values, str | os.PathLike):
         raise TypeError(f"{name}: expected an array, got a path; loom.read_{name}(path) reads it")
     plain = unmasked(name, values, missing=0 if name == "depth" else None)

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .launches import bind
-from .memory import KeptArrays, host_view
+from .memory import host_view
 from .small_matrices import Eigenproblems, Systems, decompose_kernel, solve_systems_kernel
 
 Array = NDArray[np.float64]
@@ -32,25 +32,21 @@ def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
     right = b if b.ndim > 1 else b[:, None]
     if left.shape[-1] != right.shape[-2]:
         raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
+    count = left.shape[-1]
     with np.errstate(all="ignore"):  # as in BLAS and LAPACK
-        product = _product(left, right)
+        if left.ndim == right.ndim == 2 and 0 < count < 8 and left.size <= 64:  # NumPy adds below 8 one by one
+            product = np.add.reduce(left[:, :, None] * right, axis=1)
+        elif 0 < count <= 8:
+            product = left[..., :, :1] * right[..., :1, :]
+            for j in range(1, count):
+                product += left[..., :, j : j + 1] * right[..., j : j + 1, :]
+        else:
+            product = np.einsum("...ij,...jk->...ik", np.ascontiguousarray(left), np.ascontiguousarray(right))
     if b.ndim == 1:
         product = product[..., 0]
     if a.ndim == 1:
         product = product[..., 0] if b.ndim == 1 else product[..., 0, :]
     return matmul(product, *others) if others else product
-
-
-def _product(left: NDArray[Any], right: NDArray[Any]) -> NDArray[Any]:
-    count = left.shape[-1]
-    if left.ndim == right.ndim == 2 and 0 < count < 8 and left.size <= 64:  # NumPy adds below 8 one by one
-        return np.add.reduce(left[:, :, None] * right, axis=1)
-    if not 0 < count <= 8:
-        return np.einsum("...ij,...jk->...ik", np.ascontiguousarray(left), np.ascontiguousarray(right))
-    product = left[..., :, :1] * right[..., :1, :]
-    for j in range(1, count):
-        product += left[..., :, j : j + 1] * right[..., j : j + 1, :]
-    return product
 
 
 @np.errstate(all="ignore")  # as in BLAS and LAPACK
@@ -110,7 +106,10 @@ class _Decompositions:
         self.values, self.failed = host_view(p.values), host_view(p.failed)
 
 
-_systems, _decompositions = KeptArrays(_Systems), KeptArrays(_Decompositions)
+# Idle ones by shape: their allocation would take longer than a small kernel. A second thread, or a signal handler that
+# calls in between, gets others.
+_systems: dict[tuple[int, ...], list[_Systems]] = {}
+_decompositions: dict[tuple[int, ...], list[_Decompositions]] = {}
 
 
 def solve(A: Any, b: Any) -> Array:
@@ -122,13 +121,16 @@ def solve(A: Any, b: Any) -> Array:
     if A.ndim > 2 or b.ndim > 2:
         shape = np.broadcast_shapes(A.shape[:-2], b.shape[:-2])
     sizes = (math.prod(shape), n, n + b.shape[-1])
-    arrays = _systems.take(*sizes)
+    try:
+        arrays = _systems[sizes].pop()
+    except (KeyError, IndexError):
+        arrays = _Systems(*sizes)
     systems = arrays.systems.reshape(*shape, n, n + b.shape[-1])
     systems[..., :n], systems[..., n:] = A, b
     arrays.run()
     is_singular, solution = arrays.failed[0], systems[..., n:].copy()
     if systems.size <= MAX_KEPT:
-        _systems.keep(arrays, *sizes)
+        _systems.setdefault(sizes, []).append(arrays)
     if is_singular:
         raise np.linalg.LinAlgError("Singular matrix")
     return solution
@@ -154,7 +156,10 @@ def eigh(A: Any) -> tuple[Array, Array]:
     if not A.size:
         return np.zeros(A.shape[:-1]), np.zeros(A.shape)
     sizes = (A.size // A.shape[-1] ** 2, A.shape[-1])
-    arrays = _decompositions.take(*sizes)
+    try:
+        arrays = _decompositions[sizes].pop()
+    except (KeyError, IndexError):
+        arrays = _Decompositions(*sizes)
     arrays.matrices.reshape(A.shape)[:] = A
     with contextlib.suppress(np.linalg.LinAlgError):  # of entries that are not finite
         arrays.lapack.reshape(A.shape)[:] = np.linalg.eigh(A)[1]
@@ -162,7 +167,7 @@ def eigh(A: Any) -> tuple[Array, Array]:
     failed, values = arrays.failed[0], arrays.values.reshape(A.shape[:-1]).copy()
     vectors = arrays.rows.reshape(A.shape).swapaxes(-2, -1).copy("K")
     if A.size <= MAX_KEPT:
-        _decompositions.keep(arrays, *sizes)
+        _decompositions.setdefault(sizes, []).append(arrays)
     if failed:
         problem = "of a matrix with entries that are not finite" if failed < 0 else "did not converge"
         raise np.linalg.LinAlgError(f"Eigenvalues {problem}")

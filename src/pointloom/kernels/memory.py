@@ -7,9 +7,9 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import re
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, Generic, TypeVar, overload
+from typing import Any, overload
 
 import numpy as np
 import warp as wp
@@ -22,7 +22,6 @@ from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import lock_for, own, why_no_cuda_here
 from .language.pinned_results import release_pinned
 
-Kept = TypeVar("Kept")
 POOL_FRACTION = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
 _pools: set[str] = set()  # GPUs whose pool keeps memory, by name
 
@@ -337,23 +336,3 @@ class Readback:
         with lock_for(self.values.device):
             wp.synchronize_event(self._event)
             return self._host_view.copy()
-
-
-class KeptArrays(Generic[Kept]):
-    """Arrays kept for the next call by a key, such as a shape: their allocation would take longer than a small kernel.
-    Keys must be few. A second thread, or a signal handler that calls in between, gets other arrays."""
-
-    def __init__(self, make: Callable[..., Kept]) -> None:
-        self._make = make
-        self._idle: dict[tuple[Hashable, ...], list[Kept]] = {}
-
-    def take(self, *key: Hashable) -> Kept:
-        """Arrays for one call, made by `make(*key)` if none are idle. Uninitialized."""
-        try:
-            return self._idle[key].pop()
-        except (KeyError, IndexError):
-            return self._make(*key)
-
-    def keep(self, arrays: Kept, *key: Hashable) -> None:
-        """Keep the arrays for the next call."""
-        self._idle.setdefault(key, []).append(arrays)

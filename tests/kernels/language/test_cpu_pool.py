@@ -20,7 +20,6 @@ from pointloom.kernels import lang, memory
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
 from pointloom.kernels.language import cpu_code, cpu_pool
 from pointloom.kernels.language.device_lock import lock
-from pointloom.kernels.language.pool_code import FIELDS, LINE, WORKER
 
 from ...sigint import sigint_enabled
 
@@ -400,12 +399,12 @@ def test_a_pool_uses_the_semaphores_of_its_system(kernels, system, monkeypatch):
     with lock:
         pool = cpu_pool.pool()
     monkeypatch.undo()
-    stored = [pool._words[FIELDS[name]] for name in ("wait", "post", "give_way")]
+    stored = [getattr(pool.memory, name) for name in ("wait", "post", "give_way")]
     assert stored == [ctypes.cast(function, ctypes.c_void_p).value for function in (wait, post, switch)]
     assert libraries == ["kernel32" if system == "win32" else None]
     assert create.calls == [(None, 0, 2**30, None) if system == "win32" else (0,)] * 2
     for _ in range(20):
         lang.launch(kernels.count_kernel, 1000, [visits, total])
-        while not all(pool._words[WORKER + LINE * worker] for worker in range(2)):  # they sleep
+        while not all(worker.sleeps for worker in pool.workers):  # they sleep
             os.sched_yield()
     assert (visits.numpy() == 21).all() and total.numpy()[0] == 21_000

@@ -41,7 +41,7 @@ def made_from() -> dict[str, str]:
         "format": "1",
         "Warp": wp.__version__,
         "flags": cpu_code.FLAGS,
-        "header": hashlib.sha256(cpu_code.header().encode()).hexdigest(),
+        "header": hashlib.sha256((cpu_code.header() + cpu_code.pool_header()).encode()).hexdigest(),
         "sources of kernels": digest_of_sources(),
     }
 

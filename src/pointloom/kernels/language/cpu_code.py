@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -52,6 +52,11 @@ def header() -> str:
 
 
 @cache
+def pool_header() -> str:
+    return Path(__file__).with_name("cpu_pool.h").read_text(encoding="utf-8")
+
+
+@cache
 def options() -> dict[str, Any]:
     """Module options for CPU kernels. Raises AttributeError if this Warp lacks them."""
     return {
@@ -61,19 +66,14 @@ def options() -> dict[str, Any]:
     }
 
 
+@lru_cache(4096)
 def full_bounds(count: int) -> Any:
-    """Bounds of a complete launch for Warp's machine code."""
+    """Bounds of a complete launch for Warp's machine code. Not to be changed."""
     return wp._src.types.launch_bounds_t((count,))
-
-
-@cache
-def single_bounds() -> Any:
-    """Bounds of one thread. Not to be changed."""
-    return full_bounds(1)
 
 
 def part(first: int, count: int) -> Any:
     """Bounds of the part of a launch from thread `first` on."""
-    bounds = full_bounds(count)
+    bounds = wp._src.types.launch_bounds_t((count,))
     bounds.shape[0] = PART | first
     return bounds

@@ -1,6 +1,6 @@
 """Thread pool for CPU launches: each thread processes chunks until none is left.
 
-The distributing code is a Warp kernel (pool_code.py). Python threads only enter it, and no chunk waits for the GIL. A
+The distributing code is a Warp kernel (cpu_pool.h). Python threads only enter it, and no chunk waits for the GIL. A
 worker polls for some microseconds, then sleeps on a semaphore. A launch wakes two workers, which wake the next ones. A
 pool runs one launch at a time: take the lock. Tested on Linux. On macOS and Windows (untested), a pool has one thread
 unless POINTLOOM_CPU_THREADS or `set_thread_count` sets more.
@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from . import cpu_code
-from .pool_code import CLOSED, FIELDS, LINE, STATE, WORKER, PoolCode, pool_code
+from .pool_code import CLOSED, LINE_BYTES, PoolCode, PoolMemory, WorkerMemory, pool_code
 
 VARIABLE = "POINTLOOM_CPU_THREADS"
 MAX_THREADS = 1024  # each is started, and more threads than cores only wait
@@ -64,22 +64,22 @@ class Pool:
     def __init__(self, code: PoolCode, thread_count: int) -> None:
         self._code, self.thread_count = code, thread_count
         workers = thread_count - 1
-        size = WORKER + LINE * workers
-        self._room = (ctypes.c_uint64 * (size + LINE))()
-        self._address = (ctypes.addressof(self._room) + 63) & ~63
-        words = self._words = (ctypes.c_uint64 * size).from_address(self._address)
+        size = ctypes.sizeof(PoolMemory) + workers * ctypes.sizeof(WorkerMemory)
+        self._room = ctypes.create_string_buffer(size + LINE_BYTES)
+        self._address = -(-ctypes.addressof(self._room) // LINE_BYTES) * LINE_BYTES
+        self.memory = PoolMemory.from_address(self._address)
+        self.workers = (WorkerMemory * workers).from_address(self._address + ctypes.sizeof(PoolMemory))
         functions, make_semaphore = _functions_of_system()
-        words[STATE] = CLOSED
-        words[FIELDS["workers"]], words[FIELDS["spins"]] = workers, SPINS
+        self.memory.state, self.memory.workers, self.memory.spins = CLOSED, workers, SPINS
         for name, function in zip(("wait", "post", "give_way"), functions, strict=True):
-            words[FIELDS[name]] = ctypes.cast(function, ctypes.c_void_p).value or 0
+            setattr(self.memory, name, ctypes.cast(function, ctypes.c_void_p).value or 0)
         self._post = functions[1]
         self._one = cpu_code.full_bounds(1)
         self._threads: list[threading.Thread] = []
         stack = threading.stack_size(STACK)
         try:
             for worker in range(workers):
-                words[WORKER + LINE * worker + 1] = make_semaphore()
+                self.workers[worker].semaphore = make_semaphore()
                 thread = threading.Thread(
                     target=self._work, args=(worker,), daemon=True, name=f"pointloom-cpu-{worker + 1}"
                 )
@@ -92,7 +92,7 @@ class Pool:
                 RuntimeWarning,
                 stacklevel=2,
             )
-            words[FIELDS["workers"]], self.thread_count = len(self._threads), len(self._threads) + 1
+            self.memory.workers, self.thread_count = len(self._threads), len(self._threads) + 1
         finally:
             threading.stack_size(stack)
         self.share = partial(code.share, ctypes.byref(self._one))
@@ -104,16 +104,15 @@ class Pool:
 
     def end(self) -> None:
         """End the threads. No launch may be running."""
-        words = self._words
-        words[FIELDS["over"]] = 1
-        for worker in range(len(self._threads)):
-            self._post(ctypes.c_void_p(words[WORKER + LINE * worker + 1]), 1, None)
+        self.memory.over = 1
+        for worker in self.workers[: len(self._threads)]:
+            self._post(ctypes.c_void_p(worker.semaphore), 1, None)
         for thread in self._threads:
             thread.join()
 
 
 current: Pool | None = None
-_is_chosen = False  # True if the next launch uses the same pool, or none
+is_chosen = False  # True if the next launch uses the same pool, or none
 _wanted: int | None = None  # set by set_thread_count
 _is_over = False  # the program is ending
 
@@ -162,17 +161,17 @@ def set_thread_count(count: int | None) -> None:
 
 def pool() -> Pool | None:
     """The pool, created on first use. None if launches run on the calling thread. Take the lock."""
-    global current, _is_chosen
-    if not _is_chosen:
+    global current, is_chosen
+    if not is_chosen:
         code, count = pool_code(), thread_count()
         current = Pool(code, count) if code is not None and count > 1 and not _is_over else None
-        _is_chosen = True
+        is_chosen = True
     return current
 
 
 def _end() -> None:
-    global current, _is_chosen
-    ending, current, _is_chosen = current, None, False
+    global current, is_chosen
+    ending, current, is_chosen = current, None, False
     if ending is not None:
         ending.end()
 
@@ -186,8 +185,8 @@ def _end_with_program() -> None:
 
 
 def _after_fork() -> None:
-    global current, _is_chosen
-    current, _is_chosen = None, False  # its threads do not exist in the forked process
+    global current, is_chosen
+    current, is_chosen = None, False  # its threads do not exist in the forked process
 
 
 if hasattr(os, "register_at_fork"):

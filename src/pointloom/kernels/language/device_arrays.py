@@ -90,29 +90,6 @@ class Kind:
         array.packed_ = self.pack(array.ptr or 0, *array.shape, *array.strides, self.axes)
         array.kind_ = self
 
-    def new(self, shape: Shape, strides: Shape, size: int, place: tuple[int, Any] | None = None) -> Any:
-        """An uninitialized array, or a zeroed one at a `place` (address, block). Take the lock. Raises RuntimeError if
-        device memory is exhausted."""
-        state, address = self.like.copy(), None
-        if place is not None:
-            (address, state["block_"]), state["deleter"] = place, None
-        elif size:
-            device, core = self.device, warp_parts.context.runtime.core
-            if device.is_cuda:
-                address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
-            else:
-                address = core.wp_alloc_host(size, None)
-                if address and size >= MAPPED:
-                    request_huge_pages(address, size)
-            if not address:
-                raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
-        state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
-        state["shape"], state["strides"] = shape, strides
-        state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
-        array = _bare(_array)
-        array.__dict__ = state
-        return array
-
     def at(self, parent: Any, address: int | None, shape: Shape, strides: Shape, size: int) -> Any:
         """A view of the memory of another array, which it keeps alive."""
         state = parent.__dict__.copy()
@@ -142,23 +119,44 @@ def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
     return kind
 
 
-def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
-    """An uninitialized array. None if Warp has to create it. Raises RuntimeError if device memory is exhausted."""
+def new(shape: int | Shape, dtype: Any, device: Any, *, in_block: bool = True) -> Any:
+    """An uninitialized array; a small one of a GPU is a zeroed part of a block unless `in_block` is False. None if Warp
+    has to create it. Raises RuntimeError if device memory is exhausted."""
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
-    if not 0 < len(shape) <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
+    axes = len(shape)
+    if not 0 < axes <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
         return None
-    kind = _kinds.get((dtype, len(shape), device.alias)) or kind_of(dtype, len(shape), device)
+    kind = _kinds.get((dtype, axes, device.alias)) or kind_of(dtype, axes, device)
     size, strides = kind.element_bytes, ()
     for extent in reversed(shape):
         if not 0 <= extent < MAX_EXTENT > size:
             return None
         strides, size = (size, *strides), size * extent
+    core, address = warp_parts.context.runtime.core, None
     if device.is_cpu:
-        return kind.new(shape, strides, size)
-    with lock:
-        if waiting:
-            device_lock.release_pending()
-        return kind.new(shape, strides, size, _place_for(device, note_use(device), size))
+        state = kind.like.copy()
+        if size:
+            address = core.wp_alloc_host(size, None)
+        if address and size >= MAPPED:
+            request_huge_pages(address, size)
+    else:
+        with lock:
+            if waiting:
+                device_lock.release_pending()
+            state, stream = kind.like.copy(), note_use(device)
+            place = _place_for(device, stream, size) if in_block else None
+            if place is not None:
+                (address, state["block_"]), state["deleter"] = place, None
+            elif size:
+                address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
+    if size and not address:
+        raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
+    state["ptr"], state["capacity"], state["size"] = address, size, size // kind.element_bytes
+    state["shape"], state["strides"] = shape, strides
+    state["packed_"] = kind.pack(address or 0, *shape, *strides, axes)
+    array = _bare(_array)
+    array.__dict__ = state
+    return array
 
 
 class Block:
@@ -166,7 +164,7 @@ class Block:
     of a block. It is zero, no part is used twice, and it is released with the last of them."""
 
     def __init__(self, device: Any, size: int) -> None:
-        self.array = kind_of(wp.uint8, 1, device).new((size,), (1,), size)
+        self.array = new(size, wp.uint8, device, in_block=False)
         self.first, self.end = self.array.ptr, self.array.ptr + size
         warp_parts.core().wp_memset_device(device.context, self.first, 0, size, warp_parts.CURRENT_STREAM)
 

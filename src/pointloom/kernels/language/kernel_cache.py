@@ -112,7 +112,8 @@ def _path(module: str) -> Path | None:
 @cache
 def _folder() -> Path | None:
     try:
-        parts = [digest_of_sources(), cpu_code.header(), wp.get_cpu_kernel_cache_key(cpu_compiler_flags=cpu_code.FLAGS)]
+        headers = cpu_code.header(), cpu_code.pool_header()
+        parts = [digest_of_sources(), *headers, wp.get_cpu_kernel_cache_key(cpu_compiler_flags=cpu_code.FLAGS)]
     except (AttributeError, OSError):
         return None
     digest = hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]

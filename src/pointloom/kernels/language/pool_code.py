@@ -1,7 +1,7 @@
 """Machine code that distributes the parts of a CPU launch, and a test of the header it needs.
 
-Both are Warp kernels in one module, with C++ bodies (`_fraction`, `_serve`; see cpu_pool.py). If they do not compile or
-give wrong results, kernels use Warp's own code on one core.
+Both are Warp kernels in one module, with their bodies in cpu_pool.h. If they do not compile or give wrong results,
+kernels use Warp's own code on one core.
 """
 
 from __future__ import annotations
@@ -22,107 +22,42 @@ from .device_lock import lock
 from .module_loading import load_module
 from .warp_parts import TESTED
 
-# Layout of the pool in 64-bit words, eight per cache line: 0 workers inside a launch, or CLOSED; 1 next chunk;
-# 2 launch; 3 pool; from 4 on, one line per worker: whether it sleeps, its semaphore.
-LINE = 8
-STATE, NEXT, LAUNCH, POOL, WORKER = (LINE * k for k in range(5))
-CLOSED = 1 << 32
-FIELDS = {
-    **{name: LAUNCH + k for k, name in enumerate(("forward", "arguments", "chunks", "chunk", "total", "first"))},
-    **{name: POOL + k for k, name in enumerate(("over", "wait", "post", "give_way", "workers", "spins"))},
-}
-_NATIVE = "".join(f"#define {name}_ p[{slot}]\n" for name, slot in FIELDS.items()) + (
-    """
-    typedef unsigned long long word;
-    typedef signed (*waiter)(void*, word, void*);  // int is Warp's name for a cast here
-    typedef void (*yielder)();
-    word* p = (word*)pool;
-    auto pause = []() {
-#if defined(__x86_64__)
-        __builtin_ia32_pause();
-#elif defined(__aarch64__)
-        __builtin_arm_yield();
-#endif
-    };
-    auto is_open = [p]() {
-        return !(__atomic_load_n(&p[0], __ATOMIC_SEQ_CST) >> 32)
-            && __atomic_load_n(&p[8], __ATOMIC_RELAXED) < __atomic_load_n(&chunks_, __ATOMIC_RELAXED);
-    };
-    auto wake = [p](word w) {
-        word wanted = chunks_ - 1 < workers_ ? chunks_ - 1 : workers_;
-        word* its = p + 32 + 8 * w;
-        if (w < wanted && __atomic_exchange_n(&its[0], (word)0, __ATOMIC_SEQ_CST))
-            ((waiter)post_)((void*)its[1], 1, nullptr);
-    };
-    auto work = [p]() {
-        void (*forward)(void*, void*) = (void (*)(void*, void*))forward_;
-        void* arguments = (void*)arguments_;
-        const word chunks = chunks_, chunk = chunk_, total = total_, first = first_;
-        wp::launch_bounds_t<1> bounds = {{0}, 0, 1};
-        for (;;) {
-            const word c = __atomic_fetch_add(&p[8], (word)1, __ATOMIC_RELAXED);
-            if (c >= chunks) break;
-            const word begin = c * chunk;
-            bounds.shape[0] = (unsigned)(0x80000000u | (first + begin));
-            bounds.size = total - begin < chunk ? total - begin : chunk;
-            forward(&bounds, arguments);
-        }
-    };
-    """
-)
-_FRACTION = """
-    forward_ = forward; arguments_ = arguments; total_ = total; chunk_ = chunk; first_ = first;
-    __atomic_store_n(&chunks_, (total + chunk - 1) / chunk, __ATOMIC_RELAXED);
-    __atomic_store_n(&p[8], (word)0, __ATOMIC_RELAXED);
-    __atomic_store_n(&p[0], (word)0, __ATOMIC_SEQ_CST);  // open, nobody inside
-    wake(0);
-    wake(1);
-    work();
-    __atomic_fetch_or(&p[0], 1ull << 32, __ATOMIC_SEQ_CST);
-    for (word tries = 0; __atomic_load_n(&p[0], __ATOMIC_ACQUIRE) & 0xffffffffull; ++tries)
-        if (tries < spins_) pause(); else ((yielder)give_way_)();  // a worker without a core may want this one
-"""
-_SERVE = """
-    word* own = p + 32 + 8 * worker;
-    for (;;) {
-        for (word tries = 0;;) {  // until it is inside a launch
-            if (__atomic_load_n(&over_, __ATOMIC_ACQUIRE)) return;
-            if (is_open()) {
-                word state = __atomic_load_n(&p[0], __ATOMIC_RELAXED);
-                if (!(state >> 32) && __atomic_compare_exchange_n(
-                    &p[0], &state, state + 1, false, __ATOMIC_ACQ_REL, __ATOMIC_RELAXED)) break;
-                continue;
-            }
-            if (tries++ < spins_) { pause(); continue; }
-            __atomic_store_n(&own[0], (word)1, __ATOMIC_SEQ_CST);
-            // A launch that opened before this saw no sleeper; who clears the mark is who ends the sleep.
-            if ((is_open() || __atomic_load_n(&over_, __ATOMIC_SEQ_CST))
-                && __atomic_exchange_n(&own[0], (word)0, __ATOMIC_SEQ_CST)) continue;
-            while (((waiter)wait_)((void*)own[1], ~0ull, nullptr)) {}  // a signal interrupts it
-            tries = 0;
-        }
-        wake(2 * worker + 2);
-        wake(2 * worker + 3);
-        work();
-        __atomic_fetch_sub(&p[0], (word)1, __ATOMIC_ACQ_REL);
-    }
-"""
+CLOSED = 1 << 32  # as in cpu_pool.h
+WORD, LINE_BYTES = ctypes.c_uint64, 64  # a cache line
 
 
-@wp.func_native(_NATIVE + _FRACTION)
-def _fraction(
+class PoolMemory(ctypes.Structure):
+    """`Pool` of cpu_pool.h. `spare` fills the cache lines."""
+
+    _fields_ = (
+        *(("state", WORD), ("spare0", WORD * 7), ("next", WORD), ("spare1", WORD * 7)),
+        *((name, WORD) for name in ("forward", "arguments", "chunks", "chunk", "total", "first")),
+        ("spare2", WORD * 2),
+        *((name, WORD) for name in ("over", "wait", "post", "give_way", "workers", "spins")),
+        ("spare3", WORD * 2),
+    )
+
+
+class WorkerMemory(ctypes.Structure):
+    """`Worker` of cpu_pool.h."""
+
+    _fields_ = (("sleeps", WORD), ("semaphore", WORD), ("spare", WORD * 6))
+
+
+@wp.func_native("pointloom::share(*(pointloom::Pool*)pool, forward, arguments, total, chunk, first);")
+def _share(
     pool: wp.uint64, forward: wp.uint64, arguments: wp.uint64, total: wp.uint64, chunk: wp.uint64, first: wp.uint64
 ): ...
 
 
-@wp.func_native(_NATIVE + _SERVE)
+@wp.func_native("pointloom::serve(*(pointloom::Pool*)pool, worker);")
 def _serve(pool: wp.uint64, worker: wp.uint64): ...
 
 
 def _share_kernel(
     pool: wp.uint64, forward: wp.uint64, arguments: wp.uint64, total: wp.uint64, chunk: wp.uint64, first: wp.uint64
 ) -> None:
-    _fraction(pool, forward, arguments, total, chunk, first)
+    _share(pool, forward, arguments, total, chunk, first)
 
 
 def _serve_kernel(pool: wp.uint64, worker: wp.uint64) -> None:
@@ -171,7 +106,9 @@ class PoolCode:
     def _compile(self, given: Any, out: Any) -> Any:
         """Compile the code. Returns the arguments of the trial."""
         module = wp.get_module("pointloom.cpu_pool")
-        module.options.update({"enable_backward": False, "fuse_fp": False, **cpu_code.options()})
+        headers = wp.ModuleBuildOptions(extra_cpu_preamble=cpu_code.header() + cpu_code.pool_header())
+        options = {**cpu_code.options(), "extra_build_options": headers}
+        module.options.update({"enable_backward": False, "fuse_fp": False, **options})
         self.kernels = [wp.kernel(function, enable_backward=False, module=module) for function in _FUNCTIONS]
         load_module(module, wp.get_device("cpu"))
         self._commands: Any = [  # keep the machine code alive

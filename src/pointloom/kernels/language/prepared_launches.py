@@ -140,7 +140,6 @@ class WarpLaunch:
         self.plan, self._forward, self._keep_alive = plan, forward, keep_alive  # keeps the machine code alive
         self._address = ctypes.cast(forward, ctypes.c_void_p).value or 0
         self._seconds = MIN_POOL_SECONDS  # of a thread, in the last launch
-        self._bounds: tuple[int, Any] | None = None  # (threads, bounds) of the last launch on the calling thread
 
     @property
     def symbol(self) -> str:
@@ -181,20 +180,17 @@ class WarpLaunch:
         if self._layout is None:
             return self.bound(values, 1)
         packed = values, ctypes.create_string_buffer(self.packed(values))
-        forward, bounds, arguments = self._forward, ctypes.byref(cpu_code.single_bounds()), ctypes.byref(packed[1])
+        forward, bounds, arguments = self._forward, ctypes.byref(cpu_code.full_bounds(1)), ctypes.byref(packed[1])
         return lambda _keep_alive=packed: forward(bounds, arguments)
 
     def run(self, arguments: Any, thread_count: int, last_count: int, _keep_alive: Any = None) -> None:
         """Launch with packed arguments. Take the lock. By the time per thread of the last launch, one that should take
         less than MIN_POOL_SECONDS runs on the calling thread."""
         count = thread_count + last_count
-        pool = None if count <= 1 else cpu_pool.current or cpu_pool.pool()
+        pool = cpu_pool.current if cpu_pool.is_chosen or count <= 1 else cpu_pool.pool()
         start = perf_counter()
-        if pool is None or self._seconds * count < MIN_POOL_SECONDS:
-            last = self._bounds
-            if last is None or last[0] != count:
-                last = self._bounds = count, ctypes.byref(cpu_code.full_bounds(count))
-            self._forward(last[1], ctypes.byref(arguments))
+        if pool is None or count <= 1 or self._seconds * count < MIN_POOL_SECONDS:
+            self._forward(ctypes.byref(cpu_code.full_bounds(count)), ctypes.byref(arguments))
         else:
             address, divisor = ctypes.addressof(arguments), pool.chunks
             if thread_count:  # chunks: see Pool

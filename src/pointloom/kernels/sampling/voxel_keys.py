@@ -70,10 +70,9 @@ class VoxelGroups:
             need = " x ".join(f"{c:,.0f}" if c < 1e15 else f"{c:.3g}" for c in cells)
             raise ValueError(f"{name}: {size} makes a grid of {need} cells, more than 2^62; take larger voxels")
         if points.device.is_cpu and 0 < points.size <= MAX_FEW:
-            few = few_keys.take().into(points.size, points.device)
+            few = few_keys(points.size, points.device)
             launch(group_few_points_kernel, 1, [points, corner, size, first, bits, few])
             self.order, self.starts, self.count = few.taken()
-            few_keys.keep(few)
             return
         keys = SortKeys(points.size, points.device)
         skipped = 1 << sum(bits)

@@ -5,6 +5,7 @@ together. Queries start at their bucket on the curve and go up (bucket_walk.py).
 point. Box distances use the same unfused operations as point distances and monotonic rounding, so results are exact.
 """
 
+import functools
 from collections.abc import Sequence
 from typing import Any
 
@@ -100,7 +101,7 @@ class PointTree:
     def _is_built_of_few(self, points: Points, curve: HilbertCurve | None) -> bool:
         """Build the tree of few points in one launch. False if a point is not finite."""
         count, device, levels = points.size, self.device, levels_for(points.size)
-        sizes = _level_counts(-(-count // BUCKET))
+        sizes, _ = level_sizes(-(-count // BUCKET))
         self.count, self.root = count, len(sizes) - 1
         self.levels, self.order = empty(len(sizes) + 1, int32, device), empty(count, int32, device)
         self.points, self.codes = empty(-(-count // LEAF) * LEAF, vec3, device), empty(sizes[0], int64, device)
@@ -131,17 +132,15 @@ def widest_square(tree: PointTree, max_sqdist: float) -> float:
     return float(np.float32(min(max_sqdist, float((diagonal**2).sum()) * ROUNDED_UP)))
 
 
-def level_sizes(count: int) -> tuple[list[int], np.ndarray]:
-    """Node counts and int32 offsets of each level over `count` lowest nodes."""
-    sizes = _level_counts(count)
-    return sizes, np.concatenate([[0], np.cumsum(sizes)]).astype(np.int32)
-
-
-def _level_counts(count: int) -> list[int]:
+@functools.lru_cache(1024)
+def level_sizes(count: int) -> tuple[tuple[int, ...], np.ndarray]:
+    """Node counts and int32 offsets (read-only) of each level over `count` lowest nodes."""
     sizes = [max(1, count)]
     while sizes[-1] > 1:
         sizes.append(-(-sizes[-1] // FAN))
-    return sizes
+    firsts = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int32)
+    firsts.flags.writeable = False
+    return tuple(sizes), firsts
 
 
 def bound_levels(levels: Integers, sizes: Sequence[int], boxes: Scalars, known: int) -> None:
