@@ -14,7 +14,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.units import LengthUnit
-from pointloom.io.points.formats import write_table
+from pointloom.io.points.formats import WriteOptions, write_table
 from pointloom.io.points.las import open_las, read_las
 from pointloom.io.points.las_crs import GeographicWarning, crs_name, is_geographic
 from pointloom.io.points.las_units import units_of
@@ -395,14 +395,18 @@ def test_degrees_of_formats_without_steps_keep_their_precision(name, tmp_path, r
     if name == "a.csv":
         np.savetxt(tmp_path / name, points, "%.7f", ",")
     else:
-        write_table(tmp_path / name, PointTable(points), ascii=False, overwrite=False)
+        write_table(tmp_path / name, PointTable(points), WriteOptions(ascii=False, overwrite=False))
     cloud = loom.read_point_cloud(tmp_path / name, **({"columns": ["x", "y", "z"]} if name == "a.csv" else {}))
     np.testing.assert_allclose(cloud.points[:, :2], points[:, :2], rtol=0, atol=STEP / 100)
     assert len(np.unique(cloud.points[:, 0])) == len(np.unique(points[:, 0]))
 
 
 def test_metric_origins_are_zero_near_zero_and_else_rounded_to_integers(tmp_path, rng, shipped_file):
-    write_table(tmp_path / "room.ply", PointTable(rng.random((500, 3)) * 4 - [1, 2, 0]), ascii=False, overwrite=False)
+    write_table(
+        tmp_path / "room.ply",
+        PointTable(rng.random((500, 3)) * 4 - [1, 2, 0]),
+        WriteOptions(ascii=False, overwrite=False),
+    )
     assert not loom.read_point_cloud(tmp_path / "room.ply").origin.any()
     cloud = loom.read_point_cloud(shipped_file("lidar-pdal/autzen/autzen-utm.las"))
     assert (cloud.origin == np.round(cloud.origin)).all()

@@ -14,7 +14,7 @@ from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_traj
 from pointloom.io.color_space import linear_to_srgb
 from pointloom.io.images.image_files import read_color, read_depth, write_png
 from pointloom.io.meshes.mesh_formats import write_mesh
-from pointloom.io.points.formats import READERS, write_table
+from pointloom.io.points.formats import READERS, WriteOptions, write_table
 from pointloom.io.points.pcd import read_pcd, write_pcd
 from pointloom.io.points.ply import read_ply, read_ply_mesh
 from pointloom.io.points.text import read_text
@@ -106,7 +106,7 @@ def test_open3d_reads_written_clouds(o3d, tmp_path, name):
     if path.suffix == ".pcd":
         write_pcd(path, table, encoding=path.stem)
     else:
-        write_table(path, table, ascii=path.stem == "ascii", overwrite=True)
+        write_table(path, table, WriteOptions(ascii=path.stem == "ascii", overwrite=True))
     if path.suffix in (".ply", ".pcd"):
         point = o3d.t.io.read_point_cloud(str(path)).point
         colors = np.float32(point.colors.numpy()) / np.float32(255)

@@ -21,7 +21,7 @@ from pointloom.io import source
 from pointloom.io.attribute_names import NameRules, is_word, new_names
 from pointloom.io.meshes.mesh_formats import MESH_READERS
 from pointloom.io.meshes.tables import write_cloud_table
-from pointloom.io.points.formats import READERS, write_table
+from pointloom.io.points.formats import READERS, WriteOptions, write_table
 from pointloom.io.points.in_parts import open_in_parts
 from pointloom.io.points.las import read_las
 from pointloom.io.points.npz import read_npz, write_npz
@@ -422,7 +422,7 @@ def test_non_finite_file_issues_no_warning(name, kind, dtype, tmp_path):
         table = PointTable(rows if name == "points" else plain, normals, colors, attributes)
         for ascii in {False, extension in (".ply", ".pcd")}:
             path = tmp_path / f"{ascii}{extension}"
-            attempt(write_table, path, table, ascii=ascii, overwrite=True)
+            attempt(write_table, path, table, WriteOptions(ascii=ascii, overwrite=True))
             if path.exists():
                 attempt(loom.read_point_cloud, path)
     stored = {"points": plain, name: rows if name != "intensity" else rows[:, 1]}

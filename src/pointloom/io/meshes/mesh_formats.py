@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,34 +24,53 @@ from .obj import read_obj, storable_in_obj, write_obj
 from .off import read_off, storable_in_off, write_off
 from .stl import read_stl, storable_in_stl, write_stl
 
-_READERS: dict[str, Callable[..., MeshTable]] = {
-    ".ply": with_header_unit(PLY)(read_ply_mesh), ".obj": read_obj, ".stl": read_stl, ".off": read_off,
-    ".glb": is_metric(read_glb), ".gltf": is_metric(read_glb),
-}  # fmt: skip
 
-#: The readers by extension. They raise only FileError for invalid content.
-MESH_READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
+def _all_parts(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+    return mesh, []
 
-#: Functions that return the storable part of a mesh and the names of the rest, by extension.
-STORABLE_PARTS: dict[str, Callable[[MeshTable], tuple[MeshTable, list[str]]]] = {
-    ".obj": storable_in_obj, ".stl": storable_in_stl, ".off": storable_in_off, ".glb": storable_in_gltf,
-    ".gltf": storable_in_gltf,
-}  # fmt: skip
 
-_WRITERS: dict[str, Callable[..., None]] = {
-    ".obj": write_obj, ".stl": write_stl, ".off": write_off, ".glb": write_glb, ".gltf": write_gltf,
-}  # fmt: skip
+@dataclass(frozen=True)
+class MeshFormat:
+    """A format of meshes.
 
-#: Formats that reference other files, and formats with a defined up axis.
-NAMING, UPRIGHT = (".ply", ".obj", ".glb", ".gltf"), (".glb", ".gltf")
+    Attributes:
+        read: Raises only `FileError` for invalid content.
+        storable: Removes what the format cannot store. Returns a mesh and the names of the removed parts.
+        names_files: True if files of this format name textures or other files.
+        is_upright: True if the format defines the up axis, y.
+    """
+
+    read: Callable[..., MeshTable]
+    write: Callable[..., None]
+    storable: Callable[[MeshTable], tuple[MeshTable, list[str]]] = _all_parts
+    names_files: bool = False
+    is_upright: bool = False
+
+
+_read_gltf = netted(is_metric(read_glb))
+
+MESH_FORMATS = {
+    ".ply": MeshFormat(netted(with_header_unit(PLY)(read_ply_mesh)), write_ply_mesh, names_files=True),
+    ".obj": MeshFormat(netted(read_obj), write_obj, storable_in_obj, names_files=True),
+    ".stl": MeshFormat(netted(read_stl), write_stl, storable_in_stl),
+    ".off": MeshFormat(netted(read_off), write_off, storable_in_off),
+    ".glb": MeshFormat(_read_gltf, write_glb, storable_in_gltf, names_files=True, is_upright=True),
+    ".gltf": MeshFormat(_read_gltf, write_gltf, storable_in_gltf, names_files=True, is_upright=True),
+}
+
+#: The readers by extension.
+MESH_READERS = {extension: format.read for extension, format in MESH_FORMATS.items()}
+
+#: Formats with a defined up axis.
+UPRIGHT = tuple(extension for extension, format in MESH_FORMATS.items() if format.is_upright)
 UPS = ("y", "z")
 
 
 def read_mesh(path: str | os.PathLike[str], *, up: str = "y", outside_files: bool = False) -> MeshTable:
     """Read a mesh by extension (one of MESH_READERS); `up` is the up axis of the result for .glb and .gltf."""
-    suffix = Path(path).suffix.lower()
+    format = MESH_FORMATS[Path(path).suffix.lower()]
     check_up(path, up)
-    mesh = MESH_READERS[suffix](path, **({"outside_files": True} if outside_files and suffix in NAMING else {}))
+    mesh = format.read(path, **({"outside_files": True} if outside_files and format.names_files else {}))
     return rotated_to_z_up(mesh) if up == "z" else mesh
 
 
@@ -60,16 +79,15 @@ def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, ov
     `ascii` is for .ply; `up` is the up axis of the mesh, converted to y in .glb and .gltf."""
     suffix = Path(path).suffix.lower()
     check_up(path, up)
-    mesh = rotated_to_z_up(mesh, back=True) if up == "z" else mesh
+    mesh, format = rotated_to_z_up(mesh, back=True) if up == "z" else mesh, MESH_FORMATS[suffix]
     if suffix == ".ply":
         mesh = _with_fitting_names(path, mesh)
-        write_ply_mesh(path, mesh, ascii=ascii, overwrite=overwrite, comments=unit_comment(mesh))
+        format.write(path, mesh, ascii=ascii, overwrite=overwrite, comments=unit_comment(mesh))
+    elif format.is_upright:
+        format.write(path, in_metres(path, mesh, "glTF"), overwrite=overwrite)
     else:
-        if suffix in UPRIGHT:
-            mesh = in_metres(path, mesh, "glTF")
-        else:
-            warn_of_lost_unit(path, mesh)
-        _WRITERS[suffix](path, mesh, overwrite=overwrite)
+        warn_of_lost_unit(path, mesh)
+        format.write(path, mesh, overwrite=overwrite)
 
 
 def _with_fitting_names(path: str | os.PathLike[str], mesh: MeshTable) -> MeshTable:

@@ -4,29 +4,23 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from ...core.errors import FileError
-from ..columns import narrow_integers, warn_of_loss
+from ..columns import warn_of_loss
 from ..points.e57 import read_frames
-from ..points.e57_writer import unstorable_in_e57
-from ..points.formats import READERS, read_points, with_fitting_names, write_table
+from ..points.formats import FORMATS, READERS, WriteOptions, read_points, write_table
 from ..points.las import open_las
 from ..points.las_records import system_of
-from ..points.las_writer import unstorable_in_las
 from ..points.ply_faces import STRIPS
 from ..points.ply_header import read_header
 from ..points.ptx import read_ptx_frames
 from ..source import open_source
 from ..table import MeshTable, PointTable
-from .mesh_formats import MESH_READERS, STORABLE_PARTS, write_mesh
+from .mesh_formats import MESH_FORMATS, MESH_READERS, write_mesh
 
 MESHES = tuple(MESH_READERS)
 LAS = (".las", ".laz")
-
-# What the text formats store beside positions. The others store everything.
-_TEXT_COLUMNS = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
 
 
 def is_mesh_file(path: str | os.PathLike[str]) -> bool:
@@ -60,17 +54,11 @@ def write_cloud_table(
     """Write a cloud without what the format cannot store. Returns the dropped names.
     From LAS to LAS, `source` provides scale, offset, coordinate system and, unless `system_only`, other records and
     identification. From E57 or PTX to E57 it provides scan names and poses, unless `system_only`."""
-    suffix, left_out = Path(path).suffix.lower(), []
-    lost = ["viewpoint"] if table.viewpoint is not None and suffix != ".pcd" else []
-    if suffix in _TEXT_COLUMNS:
-        table, left_out = _storable_in_text(table, _TEXT_COLUMNS[suffix])
-    elif suffix == ".e57":
-        table, left_out = _without(table, unstorable_in_e57(table))
-    elif suffix in LAS:
-        table = with_fitting_names(path, table)
-        table, left_out = _without(table, [*unstorable_in_las(path, table)])
-    elif suffix == ".ply":
-        table, left_out = _storable_in_ply(table)
+    suffix = Path(path).suffix.lower()
+    format, left_out = FORMATS[suffix], []
+    lost = ["viewpoint"] if table.viewpoint is not None and not format.stores_viewpoint else []
+    if format.storable is not None:
+        table, left_out = format.storable(path, table)
     kind, frames, like = "" if source is None else Path(source).suffix.lower(), [], None
     if source is not None and suffix in LAS and kind in LAS:
         like = open_las(source).header
@@ -79,7 +67,7 @@ def write_cloud_table(
         frames, beside = read_frames(source) if kind == ".e57" else (read_ptx_frames(source), [])
         if beside:
             warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 files are written with points only")
-    write_table(path, table, ascii=as_text, overwrite=overwrite, like=like, frames=frames)
+    write_table(path, table, WriteOptions(ascii=as_text, overwrite=overwrite, like=like, frames=frames))
     return left_out + lost
 
 
@@ -87,41 +75,10 @@ def write_mesh_table(
     path: str | os.PathLike[str], mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True
 ) -> list[str]:
     """Write a mesh without what the format cannot store. Returns the dropped names."""
-    storable, left_out = mesh, []
-    suffix = Path(path).suffix.lower()
-    if suffix in STORABLE_PARTS:
-        storable, left_out = STORABLE_PARTS[suffix](mesh)
-    elif suffix != ".ply":
-        storable = replace(mesh, attributes={}, triangle_attributes={})
-        left_out = [*mesh.attributes, *mesh.triangle_attributes]
+    storable, left_out = MESH_FORMATS[Path(path).suffix.lower()].storable(mesh)
     write_mesh(path, storable, ascii=as_text, overwrite=overwrite)
     return left_out
 
 
 def points_of(mesh: MeshTable) -> PointTable:
     return PointTable(mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes, unit=mesh.unit)
-
-
-def _without(table: PointTable, left_out: list[str]) -> tuple[PointTable, list[str]]:
-    attributes = {name: values for name, values in table.attributes.items() if name not in left_out}
-    return replace(table, attributes=attributes), left_out
-
-
-def _storable_in_ply(table: PointTable) -> tuple[PointTable, list[str]]:
-    """The table with 64-bit integers in types that PLY supports, and the names of those without one."""
-    narrowed = {name: narrow_integers(values) for name, values in table.attributes.items()}
-    left_out = [name for name, values in narrowed.items() if values is None]
-    attributes = {name: values for name, values in narrowed.items() if values is not None}
-    return replace(table, attributes=attributes), left_out
-
-
-def _storable_in_text(table: PointTable, columns: tuple[str, ...]) -> tuple[PointTable, list[str]]:
-    """The table without unsupported attributes, and their names."""
-    attributes = {name: values for name, values in table.attributes.items() if name in columns and values.ndim == 1}
-    left_out = [name for name in table.attributes if name not in attributes]
-    normals, colors = table.normals, table.colors
-    if colors is not None and "colors" not in columns:
-        colors, left_out = None, ["colors", *left_out]
-    if normals is not None and "normals" not in columns:
-        normals, left_out = None, ["normals", *left_out]
-    return PointTable(table.points, normals, colors, attributes, unit=table.unit), left_out

@@ -1,23 +1,26 @@
-"""Readers and writers of clouds by extension, as NumPy tables."""
+"""Formats of clouds by extension: reader, writer and limits of each, as NumPy tables."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 from numpy.typing import ArrayLike
 
 from ...core.devices import DeviceLike
+from ...core.errors import FilePath
 from ...core.escaped_text import escaped
-from ..attribute_names import rename
+from ..attribute_names import NameRules, rename
+from ..columns import narrow_integers
 from ..source import netted
 from ..table import PointTable
 from . import las_writer, npz, pcd, ply
 from .copc_writer import write_copc
 from .e57 import ScanFrame, read_e57
-from .e57_writer import write_e57
+from .e57_writer import unstorable_in_e57, write_e57
 from .header_units import PCD, PLY, unit_comment, warn_of_lost_unit, with_header_unit
 from .kitti_bin import read_kitti_bin
 from .las import read_las
@@ -26,91 +29,179 @@ from .ptx import read_ptx
 from .text import read_text, write_text
 from .text_table import SUFFIXES, check_columns, read_text_table
 
-_READERS: dict[str, Callable[..., PointTable]] = {
-    ".ply": with_header_unit(PLY)(ply.read_ply), ".pcd": with_header_unit(PCD)(pcd.read_pcd), ".npz": npz.read_npz,
-    ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
-    ".csv": read_text_table, ".txt": read_text_table, ".asc": read_text_table, ".bin": read_kitti_bin,
-    ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ptx": read_ptx,
-}  # fmt: skip
-
-#: The readers by extension. They raise only FileError for invalid content.
-READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
-
 COPC = ".copc.laz"
 
-_NAMED_COLUMNS: dict[str, Callable[..., PointTable]] = {
-    **dict.fromkeys(SUFFIXES, netted(read_text_table)), ".bin": READERS[".bin"],
-}  # fmt: skip
+Storable = tuple[PointTable, list[str]]  # a table, and the names of what was removed from it
+
+
+@dataclass(frozen=True)
+class WriteOptions:
+    """How a cloud is written. `ascii` is for .ply and .pcd; `scale`, `offset` and `like` for LAS, see `write_las`;
+    `frames` for .e57, see `write_e57`. The octree of .copc.laz is computed on the device."""
+
+    ascii: bool = False
+    overwrite: bool = True
+    scale: ArrayLike | None = None
+    offset: ArrayLike | None = None
+    like: LasHeader | None = None
+    frames: Sequence[ScanFrame] = ()
+    device: DeviceLike = None
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format of clouds.
+
+    Attributes:
+        read: Raises only `FileError` for invalid content.
+        write: None if clouds are not written in this format.
+        name_rules: The allowed attribute names of a table. None: all, or those of `storable`.
+        storable: Removes what the format cannot store. None: it stores everything.
+        read_columns: Reads a file whose columns are named. None if they cannot be.
+        stores_viewpoint: True if the format has a field for the viewpoint.
+    """
+
+    name: str
+    read: Callable[..., PointTable]
+    write: Callable[[FilePath, PointTable, WriteOptions], None] | None = None
+    name_rules: Callable[[FilePath, PointTable], NameRules] | None = None
+    storable: Callable[[FilePath, PointTable], Storable] | None = None
+    read_columns: Callable[..., PointTable] | None = field(default=None, kw_only=True)
+    stores_viewpoint: bool = field(default=False, kw_only=True)
+
+
+def _write_ply(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    ply.write_ply(path, table, ascii=options.ascii, overwrite=options.overwrite, comments=unit_comment(table))
+
+
+def _ply_names(_path: FilePath, table: PointTable) -> NameRules:
+    return ply.name_rules(table.normals, table.colors)
+
+
+def _storable_in_ply(_path: FilePath, table: PointTable) -> Storable:
+    """The table with 64-bit integers in types that PLY supports."""
+    narrowed = {name: narrow_integers(values) for name, values in table.attributes.items()}
+    attributes = {name: values for name, values in narrowed.items() if values is not None}
+    return replace(table, attributes=attributes), [name for name, values in narrowed.items() if values is None]
+
+
+def _write_pcd(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    pcd.write_pcd(path, table, encoding="ascii" if options.ascii else "binary", overwrite=options.overwrite)
+
+
+def _write_npz(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    npz.write_npz(path, table, overwrite=options.overwrite)
+
+
+def _write_text(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    warn_of_lost_unit(path, table)
+    write_text(path, table, overwrite=options.overwrite)
+
+
+def _storable_in_text(columns: tuple[str, ...], _path: FilePath, table: PointTable) -> Storable:
+    attributes = {name: values for name, values in table.attributes.items() if name in columns and values.ndim == 1}
+    colors, normals = (getattr(table, name) if name in columns else None for name in ("colors", "normals"))
+    removed = [name for name in ("normals", "colors") if name not in columns and getattr(table, name) is not None]
+    removed += [name for name in table.attributes if name not in attributes]
+    return PointTable(table.points, normals, colors, attributes, unit=table.unit), removed
+
+
+def _write_las(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    given = {"scale": options.scale, "offset": options.offset, "like": options.like, "overwrite": options.overwrite}
+    if Path(path).name.lower().endswith(COPC):
+        write_copc(path, table, **given, device=options.device)
+    else:
+        las_writer.write_las(path, table, **given)
+
+
+def _storable_in_las(path: FilePath, table: PointTable) -> Storable:
+    table = with_fitting_names(path, table, stacklevel=4)
+    return _without(table, [*las_writer.unstorable_in_las(path, table)])
+
+
+def _write_e57(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    write_e57(path, table, overwrite=options.overwrite, frames=options.frames)
+
+
+def _storable_in_e57(_path: FilePath, table: PointTable) -> Storable:
+    return _without(table, unstorable_in_e57(table))
+
+
+def _without(table: PointTable, names: list[str]) -> Storable:
+    attributes = {name: values for name, values in table.attributes.items() if name not in names}
+    return replace(table, attributes=attributes), names
+
+
+def _text(name: str, columns: tuple[str, ...] = ()) -> Format:
+    return Format(name, netted(read_text), _write_text, storable=partial(_storable_in_text, columns))
+
+
+_LAS = Format("LAS", netted(read_las), _write_las, las_writer.name_rules, _storable_in_las)
+
+_TABLE = Format("text", netted(read_text_table), read_columns=netted(read_text_table))
+_read_bin = netted(read_kitti_bin)
+
+FORMATS = {
+    ".ply": Format("PLY", netted(with_header_unit(PLY)(ply.read_ply)), _write_ply, _ply_names, _storable_in_ply),
+    ".pcd": Format(
+        "PCD", netted(with_header_unit(PCD)(pcd.read_pcd)), _write_pcd, pcd.name_rules, stores_viewpoint=True
+    ),
+    ".npz": Format("NPZ", netted(npz.read_npz), _write_npz, npz.name_rules),
+    ".xyz": replace(_text("XYZ"), read_columns=_TABLE.read),
+    ".xyzn": _text("XYZN", ("normals",)),
+    ".xyzrgb": _text("XYZRGB", ("colors",)),
+    ".pts": _text("PTS", ("colors", "intensity")),
+    ".csv": _TABLE,
+    ".txt": _TABLE,
+    ".asc": _TABLE,
+    ".bin": Format("KITTI", _read_bin, read_columns=_read_bin),
+    ".las": _LAS,
+    ".laz": _LAS,
+    ".e57": Format("E57", netted(read_e57), _write_e57, storable=_storable_in_e57),
+    ".ptx": Format("PTX", netted(read_ptx)),
+}
+
+#: The readers by extension. They raise only FileError for invalid content.
+READERS = {extension: format.read for extension, format in FORMATS.items()}
+
+#: The extensions that clouds are written to.
+WRITTEN = tuple(extension for extension, format in FORMATS.items() if format.write is not None)
+
+_NAMED_COLUMNS = (*SUFFIXES, ".bin")
 
 
 def columns_of(paths: Sequence[str | os.PathLike[str]], columns: Sequence[str] | None) -> list[Sequence[str] | None]:
     """The column names for each file: `columns` if its format supports them, else None. Raises if none does."""
     takes = [Path(path).suffix.lower() in _NAMED_COLUMNS for path in paths]
     if columns is not None and not any(takes):
-        suffixes = escaped(", ".join(dict.fromkeys(Path(path).suffix for path in paths)))
-        raise ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {suffixes}")
+        raise _columns_error(", ".join(dict.fromkeys(Path(path).suffix for path in paths)))
     return [columns if is_taken else None for is_taken in takes]
 
 
 def read_points(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
-    extension = Path(path).suffix.lower()
+    format = FORMATS[Path(path).suffix.lower()]
     if columns is None:
-        return READERS[extension](path)
-    if extension not in _NAMED_COLUMNS:
-        raise ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {escaped(Path(path).suffix)}")
-    return _NAMED_COLUMNS[extension](path, check_columns(columns))
+        return format.read(path)
+    if format.read_columns is None:
+        raise _columns_error(Path(path).suffix)
+    return format.read_columns(path, check_columns(columns))
 
 
-#: The extensions that clouds are written to.
-WRITTEN = tuple(extension for extension in READERS if extension not in (".csv", ".txt", ".asc", ".bin", ".ptx"))
+def _columns_error(suffixes: str) -> ValueError:
+    return ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {escaped(suffixes)}")
 
 
-def write_table(
-    path: str | os.PathLike[str],
-    table: PointTable,
-    *,
-    ascii: bool,
-    overwrite: bool,
-    scale: ArrayLike | None = None,
-    offset: ArrayLike | None = None,
-    like: LasHeader | None = None,
-    frames: Sequence[ScanFrame] = (),
-    device: DeviceLike = None,
-) -> None:
-    """Write a table by extension (one of WRITTEN), renaming attributes with a warning if needed (attribute_names.py).
-    `ascii` is for .ply and .pcd; `scale`, `offset`, `like` for LAS, see `write_las`; `frames` for .e57, see
-    `write_e57`. The octree of .copc.laz is computed on the device."""
-    given = Path(path)
-    extension = given.suffix.lower()
+def write_table(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    """Write a table by extension (one of WRITTEN), renaming attributes with a warning (attribute_names.py)."""
     table = with_fitting_names(path, table, stacklevel=4)
-    if given.name.lower().endswith(COPC):
-        write_copc(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite, device=device)
-    elif extension == ".ply":
-        ply.write_ply(path, table, ascii=ascii, overwrite=overwrite, comments=unit_comment(table))
-    elif extension == ".pcd":
-        pcd.write_pcd(path, table, encoding="ascii" if ascii else "binary", overwrite=overwrite)
-    elif extension == ".npz":
-        npz.write_npz(path, table, overwrite=overwrite)
-    elif extension in (".las", ".laz"):
-        las_writer.write_las(path, table, scale=scale, offset=offset, like=like, overwrite=overwrite)
-    elif extension == ".e57":
-        write_e57(path, table, overwrite=overwrite, frames=frames)
-    else:
-        warn_of_lost_unit(path, table)
-        write_text(path, table, overwrite=overwrite)
+    write = FORMATS[Path(path).suffix.lower()].write or _write_text  # which raises for other extensions
+    write(path, table, options)
 
 
-def with_fitting_names(path: str | os.PathLike[str], table: PointTable, *, stacklevel: int = 3) -> PointTable:
+def with_fitting_names(path: FilePath, table: PointTable, *, stacklevel: int = 3) -> PointTable:
     """The table with attribute names that the format supports. Warns of changes."""
-    extension = Path(path).suffix.lower()
-    if extension == ".ply":
-        format, rules = "PLY", ply.name_rules(table.normals, table.colors)
-    elif extension == ".pcd":
-        format, rules = "PCD", pcd.name_rules(table)
-    elif extension == ".npz":
-        format, rules = "NPZ", npz.name_rules(table)
-    elif extension in (".las", ".laz"):
-        format, rules = "LAS", las_writer.name_rules(path, table)
-    else:
+    format = FORMATS[Path(path).suffix.lower()]
+    if format.name_rules is None:
         return table
-    return replace(table, attributes=rename(path, format, table.attributes, rules, stacklevel=stacklevel))
+    rules = format.name_rules(path, table)
+    return replace(table, attributes=rename(path, format.name, table.attributes, rules, stacklevel=stacklevel))

@@ -109,7 +109,7 @@ def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
                 np.lib.format.write_array(stream, np.asarray(values, order="C"), allow_pickle=False)
 
 
-def name_rules(table: PointTable) -> NameRules:
+def name_rules(_path: FilePath, table: PointTable) -> NameRules:
     used = (*_TABLE_KEYS, *([_UNIT] if table.unit is not None else []))
     return NameRules(lambda letter: letter.isprintable() and letter not in "/\\", used, in_parts=False)
 

@@ -305,7 +305,7 @@ def _unpack_colors(
     return stack_colors(path, [channels[:, 2], channels[:, 1], channels[:, 0]], out), channels[:, 3]
 
 
-def name_rules(table: PointTable) -> NameRules:
+def name_rules(_path: FilePath, table: PointTable) -> NameRules:
     used = {*_POINTS, *PACKED, "_", *(_NORMALS if table.normals is not None else ())}
     roles = [*([_NORMALS] if table.normals is None else []), *([_CHANNELS] if table.colors is None else [])]
     return NameRules(is_word, used, roles, in_parts=False)

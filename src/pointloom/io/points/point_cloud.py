@@ -25,7 +25,7 @@ from ...pcd.point_arrays import VECTORS, check_cloud
 from ..attribute_names import NameRules, new_names, warn_of_names
 from ..table import PointTable
 from .copc import open_copc
-from .formats import READERS, WRITTEN, read_points, write_table
+from .formats import READERS, WRITTEN, WriteOptions, read_points, write_table
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
 from .pcd import warn_of_viewpoint
@@ -291,16 +291,10 @@ def write_point_cloud(
         raise TypeError(f"like: expected the path of a LAS or LAZ file, got {type(like).__name__}")
     header = None if like is None else open_las(like).header
     offset = cloud.origin if cloud.origin.any() and header is None else None
-    write_table(
-        path,
-        table_of(cloud),
-        ascii=ascii,
-        overwrite=overwrite,
-        scale=scale,
-        offset=offset,
-        like=header,
-        device=cloud.device,
+    options = WriteOptions(
+        ascii=ascii, overwrite=overwrite, scale=scale, offset=offset, like=header, device=cloud.device
     )
+    write_table(path, table_of(cloud), options)
 
 
 def table_of(cloud: PointCloud) -> PointTable:
