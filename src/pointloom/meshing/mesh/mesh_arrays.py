@@ -45,7 +45,7 @@ from ...kernels.lang import int32, vec2, vec3
 from ...kernels.linear_algebra import det, inv, matmul
 from ...kernels.memory import clone, download, full, move, upload, zeros
 from ...kernels.meshes import mesh_edits
-from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles, raise_numbers, shift_triangles
+from ...kernels.meshes.mesh_edits import gather_corners, raise_numbers, shift_triangles
 from ...pcd.motion import Movable
 from ...pcd.point_arrays import PointArrays, read_only
 from ...pcd.units import InUnit, unit_under
@@ -217,7 +217,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     def _triangles_at(self, rows: wp.array) -> dict[str, Any]:
         """Triangle data at rows, an int32 device array with repeats allowed."""
-        selected: dict[str, Any] = {"triangles": gather_triangles(self._arrays["triangles"], rows)}
+        selected: dict[str, Any] = {"triangles": gather_rows(self._arrays["triangles"], rows)}
         if "triangle_uvs" in self._arrays:
             selected["triangle_uvs"] = gather_corners(self._arrays["triangle_uvs"], rows)
         if "triangle_material_ids" in self._arrays:
