@@ -90,15 +90,16 @@ def picked(p: SampledSurface) -> list[Any]:
     """Picked points for clicks on an image, and the points inside a polygon."""
     from pointloom.visualization.render.view import fit_view
     from pointloom.visualization.viewer.tools.clip_planes import Clip, hidden_points
-    from pointloom.visualization.viewer.tools.picking import pick_point
+    from pointloom.visualization.viewer.tools.picking import Target, pick
     from pointloom.visualization.viewer.tools.polygon_crop import seen_inside
 
     view = fit_view(p.cloud.points, width=320, height=240)
     hidden = hidden_points(p.cloud, Clip(low=p.cloud.get_center() - [np.inf, 0.0, np.inf]))
     clicks = [(float(x), float(y)) for x in range(10, 320, 25) for y in range(10, 240, 25)]
-    indices = [pick_point(p.cloud, view, x, y, hidden=marks) for x, y in clicks for marks in (None, hidden)]
+    targets = [Target("cloud", p.cloud, hidden=marks) for marks in (None, hidden)]
+    hits = [pick([target], view, x, y) for x, y in clicks for target in targets]
     inside = seen_inside(p.cloud, view, [[40, 30], [300, 60], [170, 110], [250, 220], [60, 200]])
-    return [np.array([-1 if index is None else index for index in indices]), inside]
+    return [np.array([-1 if hit is None else hit.index for hit in hits]), inside]
 
 
 def las_chunks(p: SampledSurface) -> list[Any]:

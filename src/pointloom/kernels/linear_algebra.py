@@ -14,7 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from .launches import bind
 from .memory import host_view
@@ -25,7 +25,7 @@ EPSILON = float(np.finfo(np.float64).eps)
 MAX_KEPT = 128  # numbers of a matrix whose arrays are kept for the next call
 
 
-def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
+def matmul(a: ArrayLike, b: ArrayLike, *others: Any) -> NDArray[Any]:
     """The product `a @ b @ ...` from left to right, with broadcasting. Up to 8 products in ascending order."""
     a, b = np.asarray(a), np.asarray(b)
     left = a if a.ndim > 1 else a[None]
@@ -50,7 +50,7 @@ def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
 
 
 @np.errstate(all="ignore")  # as in BLAS and LAPACK
-def norm(values: Any) -> float:
+def norm(values: ArrayLike) -> float:
     """Euclidean norm of all values. (`np.linalg.norm` with an axis has a fixed order already.)"""
     values = np.asarray(values, np.float64)
     return math.sqrt(float((values * values).sum()))
@@ -74,7 +74,7 @@ def cube_root(value: float) -> float:
     return math.copysign(math.ldexp(root, third), value)
 
 
-def det(A: Any) -> Any:
+def det(A: ArrayLike) -> Any:
     """Determinant of 3x3 matrices, shape (..., 3, 3)."""
     A = np.asarray(A, np.float64)
     if A.shape == (3, 3):
@@ -112,7 +112,7 @@ _systems: dict[tuple[int, ...], list[_Systems]] = {}
 _decompositions: dict[tuple[int, ...], list[_Decompositions]] = {}
 
 
-def solve(A: Any, b: Any) -> Array:
+def solve(A: ArrayLike, b: ArrayLike) -> Array:
     """Solve A X = b for b of shape (..., n, k) or (n) by elimination with pivoting. Raises LinAlgError if singular."""
     A, b = np.asarray(A, np.float64), np.asarray(b, np.float64)
     if b.ndim == 1:
@@ -136,7 +136,7 @@ def solve(A: Any, b: Any) -> Array:
     return solution
 
 
-def inv(A: Any) -> Array:
+def inv(A: ArrayLike) -> Array:
     """Inverse of matrices of shape (..., n, n). Raises LinAlgError if singular."""
     A = np.asarray(A, np.float64)
     return solve(A, _identity(A.shape[-1]))
@@ -147,7 +147,7 @@ def _identity(n: int) -> Array:
     return np.eye(n)
 
 
-def eigh(A: Any) -> tuple[Array, Array]:
+def eigh(A: ArrayLike) -> tuple[Array, Array]:
     """Eigenvalues in ascending order and eigenvectors as columns of symmetric matrices, shape (..., n, n). Householder
     reflections and implicit QL (Golub and Van Loan, Matrix Computations, 2013, section 8.3). Signs are LAPACK's. For a
     repeated eigenvalue the largest entry is positive.
@@ -174,11 +174,11 @@ def eigh(A: Any) -> tuple[Array, Array]:
     return values, vectors
 
 
-def eigvalsh(A: Any) -> Array:
+def eigvalsh(A: ArrayLike) -> Array:
     return eigh(A)[0]
 
 
-def is_positive_definite(A: Any) -> bool:
+def is_positive_definite(A: ArrayLike) -> bool:
     """True if symmetric elimination of a matrix (n, n) finds positive pivots alone. An eighth of the time of `eigh`."""
     rows = np.asarray(A, np.float64).tolist()
     for k, row in enumerate(rows):

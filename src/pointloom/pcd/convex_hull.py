@@ -14,7 +14,7 @@ from ..core.coordinates import finite_rows
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.extent.central_hull import find_central_hull
-from ..kernels.extent.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points
+from ..kernels.extent.hull_filter import farthest_rows, mask_outer, scale_points
 from ..kernels.lang import int32
 from ..kernels.linear_algebra import matmul
 from ..kernels.memory import download, upload
@@ -202,7 +202,7 @@ def outer_rows(points: wp.array) -> NDArray[np.int64]:
         if points.size < MAX_UNFILTERED_POINTS:
             break
         chosen = farthest_rows(points, center, cells)
-        corners = download(gather_positions(points, upload(chosen, int32, points.device)))  # sync
+        corners = download(gather_rows(points, upload(chosen, int32, points.device)))  # sync
         hull = _run_qhull(corners, "Qt")
         if hull is None:  # nearly flat: all points may be needed
             break
@@ -210,5 +210,5 @@ def outer_rows(points: wp.array) -> NDArray[np.int64]:
         facets = corners[orient(hull.simplices, corners, hull.equations)]
         outer = positions_of(mask_outer(points, center, facets, hull.equations, width))  # sync
         rows = outer if rows is None else gather_rows(rows, outer)
-        points = gather_positions(points, outer)
+        points = gather_rows(points, outer)
     return np.arange(points.size) if rows is None else download(rows).astype(np.int64)

@@ -23,9 +23,8 @@ from pointloom.visualization.viewer.tools.measuring import (
 from pointloom.visualization.viewer.tools.picking import (
     Target,
     coordinate_text,
-    describe_point,
+    describe_row,
     pick,
-    pick_point,
     project,
     ray_through,
 )
@@ -179,6 +178,11 @@ def sphere(count=3000):
     return np.column_stack([np.sqrt(1 - z * z) * np.cos(angle), np.sqrt(1 - z * z) * np.sin(angle), z])
 
 
+def pick_point(cloud, view, x, y, *, pose=None, hidden=None, **options):
+    hit = pick([Target("cloud", cloud, pose=pose, hidden=hidden)], view, x, y, **options)
+    return None if hit is None else hit.index
+
+
 def oracle(points, view, x, y, radius, hidden=None):
     """The same rule in NumPy, for one point at a time in float64."""
     with np.errstate(all="ignore"):
@@ -291,13 +295,11 @@ def test_the_ray_through_a_pixel_hits_its_point():
 def test_all_attributes_of_a_point_are_reported():
     points, values = np.array([[0.1, 0.25, -3]]) + UTM, {"label": np.array([7], np.int32), "wind": [[0.5, 2.0]]}
     cloud = loom.PointCloud(points, colors=[[1, 0.5, 0]], normals=[[0, 0, 1]], **values)
-    rows = dict(describe_point(cloud, 0))
+    rows = dict(describe_row(cloud, 0))
     assert rows["index"] == "0" and rows["color"] == "255 128 0" and rows["normal"] == "0.0000 0.0000 1.0000"
     assert rows["label"] == "7" and rows["wind"] == "0.5 2"
     assert [float(rows[axis]) for axis in "xyz"] == pytest.approx([412_345.1, 5_412_345.25, 297.0], abs=1e-6)
-    assert dict(describe_point(cloud, 0, np.array([1.0, 2.0, 3.0])))["y"] == "2"
-    with pytest.raises(IndexError):
-        describe_point(cloud, 1)
+    assert dict(describe_row(cloud, 0, np.array([1.0, 2.0, 3.0])))["y"] == "2"
 
 
 def test_coordinates_have_the_digits_that_they_have():

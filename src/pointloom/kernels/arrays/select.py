@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..array_types import AnyArray, Array, Indices, Integers, Mask
-from ..lang import array, int32, kernel, launch, tid, uint8, vec3
+from ..lang import array, int32, kernel, launch, tid, uint8, vec3, vec3d, vec3i
 from ..memory import contiguous, copy, download, empty, rows_of, upload, zeros
 from .prefix_sum import inclusive_scan
 from .side_by_side import read_together
@@ -40,6 +40,21 @@ def number_rows_kernel(rows: array(dtype=int32), numbers: array(dtype=int32)):
 def gather_vec3_kernel(values: array(dtype=vec3), rows: array(dtype=int32), out: array(dtype=vec3)):
     i = tid()
     out[i] = values[rows[i]]
+
+
+@kernel
+def gather_vec3d_kernel(values: array(dtype=vec3d), rows: array(dtype=int32), out: array(dtype=vec3d)):
+    i = tid()
+    out[i] = values[rows[i]]
+
+
+@kernel
+def gather_vec3i_kernel(values: array(dtype=vec3i), rows: array(dtype=int32), out: array(dtype=vec3i)):
+    i = tid()
+    out[i] = values[rows[i]]
+
+
+GATHERING = {vec3: gather_vec3_kernel, vec3d: gather_vec3d_kernel, vec3i: gather_vec3i_kernel}
 
 
 @kernel
@@ -139,11 +154,11 @@ def positions_and_starts(mask: Mask, firsts: np.ndarray) -> tuple[Indices, np.nd
 
 
 def gather_rows(values: Array, rows: Indices) -> Array:
-    """values[rows] on the device, for vec3 arrays and scalar arrays (n) or (n, c). `rows` int32 in 0..n-1."""
+    """values[rows] on the device, for vectors of three and scalar arrays (n) or (n, c). `rows` int32 in 0..n-1."""
     device = values.device
-    if values.dtype == vec3:
-        out: Any = empty(rows.size, vec3, device)
-        launch(gather_vec3_kernel, rows.size, [values, rows, out])
+    if values.dtype in GATHERING:
+        out: Any = empty(rows.size, values.dtype, device)
+        launch(GATHERING[values.dtype], rows.size, [values, rows, out])
         return out
     if not device.is_cuda:
         chosen: Any = upload(download(values)[download(rows)], values.dtype, device)

@@ -7,6 +7,8 @@ thesis, Grenoble 2009, chapter 4). Triangle edges by image distance (Baerentzen 
 rendering", SIGGRAPH 2006). Only + - * / and sqrt: bitwise identical everywhere.
 """
 
+from typing import NamedTuple
+
 from ..array_types import Bytes, Device, Scalars, Vectors
 from ..arrays.packed_keys import NO_KEY, key_index, key_number
 from ..lang import (
@@ -309,28 +311,38 @@ def start_light(buffer: DepthBuffer) -> Vectors:
     return zeros((buffer.width // CELLS_PER_PIXEL) * (buffer.height // CELLS_PER_PIXEL), vec3, buffer.words.device)
 
 
+class PointLook(NamedTuple):
+    """Colors of points (`plain` without `colors`), and their light: that of `normals` if `lit` and `shaded`, else
+    eye-dome lighting if `shaded`."""
+
+    colors: Vectors
+    normals: Vectors
+    plain: vec3
+    shaded: bool
+    lit: bool
+
+
 def shade_points(
     buffer: DepthBuffer,
     view: View,
     region: Region,
     light: Vectors,
+    look: PointLook,
     *,
-    colors: Vectors,
-    normals: Vectors,
-    plain: vec3,
-    shaded: bool,
-    lit: bool,
     last_point: int,
     around: DepthBuffer,
     veil: Veil,
 ) -> None:
-    """Add the light of points. Unless `shaded`, eye-dome lighting is used, cast by points up to `last_point` in the
-    buffer `around` (a transparent cloud has its own). `lit`: use normals.
-    """
-    lit = shaded and lit and normals.size > 0
-    look = [colors, normals, plain, int(lit), int(shaded and not lit), last_point, around, veil]
+    """Add the light of points. Eye-dome lighting is cast by points up to `last_point` in the buffer `around` (a
+    transparent cloud has its own)."""
+    lit = look.shaded and look.lit and look.normals.size > 0
+    lights = [int(lit), int(look.shaded and not lit), last_point, around, veil, light]
     pixels = PixelRuns(region.pixels, light.device)
-    launch(shade_points_kernel, pixels.threads, [buffer, view, region, pixels, *look, light])
+    launch(
+        shade_points_kernel,
+        pixels.threads,
+        [buffer, view, region, pixels, look.colors, look.normals, look.plain, *lights],
+    )
 
 
 def shade_lines(

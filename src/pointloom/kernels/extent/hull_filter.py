@@ -9,7 +9,7 @@ algorithm", IPL 1978, on a cube map.
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Indices, Mask, Points, Positions
+from ..array_types import Mask, Points, Positions
 from ..arrays.packed_keys import pack_key
 from ..lang import (
     array,
@@ -20,7 +20,6 @@ from ..lang import (
     float64,
     floor,
     func,
-    int32,
     int64,
     isfinite,
     kernel,
@@ -199,12 +198,6 @@ def mask_outer_kernel(
     mask[i] = uint8(keep)
 
 
-@kernel
-def gather_vec3d_kernel(values: array(dtype=vec3d), rows: array(dtype=int32), out: array(dtype=vec3d)):
-    i = tid()
-    out[i] = values[rows[i]]
-
-
 def scale_points(points: Points, middle: np.ndarray, scale: np.ndarray) -> Positions:
     out = empty(points.size, vec3d, points.device)
     launch(scale_points_kernel, points.size, [points, vec3d(*middle), vec3d(*scale), out])
@@ -232,9 +225,3 @@ def mask_outer(points: Positions, center: np.ndarray, corners: np.ndarray, plane
     mask = empty(points.size, uint8, device)
     launch(mask_outer_kernel, points.size, [points, vec3d(*center), width, nodes, mask])
     return mask
-
-
-def gather_positions(points: Positions, rows: Indices) -> Positions:
-    out = empty(rows.size, vec3d, points.device)
-    launch(gather_vec3d_kernel, rows.size, [points, rows, out])
-    return out

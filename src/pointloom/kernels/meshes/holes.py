@@ -40,7 +40,6 @@ from ..lang import (
 from ..memory import copy, download, empty, full, upload, zeros
 from .boundary_loops import Border, find_loops
 from .mesh_edges import edge_key, find_edge, find_edges, key_bits, spread_runs_kernel
-from .mesh_edits import gather_triangles
 from .mesh_measures import triangle_cross
 
 if TYPE_CHECKING:
@@ -390,7 +389,7 @@ def drop_conflicts(
     rows = positions_of(mask)  # sync
     kept_corners = empty(3 * rows.size, int32, device)
     launch(gather_three_kernel, rows.size, [corners, rows, kept_corners])
-    return gather_triangles(pieces, rows), kept_corners, waiting
+    return gather_rows(pieces, rows), kept_corners, waiting
 
 
 class Filling:

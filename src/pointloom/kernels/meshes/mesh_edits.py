@@ -47,12 +47,6 @@ def mask_complete_triangles_kernel(triangles: array(dtype=vec3i), used: array(dt
 
 
 @kernel
-def gather_triangles_kernel(triangles: array(dtype=vec3i), rows: array(dtype=int32), gathered: array(dtype=vec3i)):
-    i = tid()
-    gathered[i] = triangles[rows[i]]
-
-
-@kernel
 def gather_corners_kernel(values: array(dtype=vec2), rows: array(dtype=int32), gathered: array(dtype=vec2)):
     i = tid()
     for k in range(3):
@@ -231,12 +225,6 @@ def keep_counted(
     return renumber_triangles(triangles, indices), selected
 
 
-def gather_triangles(triangles: Triangles, rows: Indices) -> Triangles:
-    gathered = empty(rows.size, vec3i, triangles.device)
-    launch(gather_triangles_kernel, rows.size, [triangles, rows, gathered])
-    return gathered
-
-
 def unmarked_rows(mask: Mask) -> Indices:
     """Positions, int32 ascending, where a uint8 mask is zero. One sync."""
     if mask.device.is_cuda:
@@ -245,7 +233,7 @@ def unmarked_rows(mask: Mask) -> Indices:
 
 
 def keep_triangles(triangles: Triangles, mask: Mask) -> Triangles:
-    return gather_triangles(triangles, positions_of(mask))  # sync
+    return gather_rows(triangles, positions_of(mask))  # sync
 
 
 def gather_corners(values: Array1[vec2], rows: Indices) -> Array1[vec2]:

@@ -32,7 +32,6 @@ from ..lang import (
     vec3i,
 )
 from ..memory import copy, empty, full, zeros
-from ..meshes.mesh_edits import gather_triangles
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from ..search.point_tree import PointTree
 from .ball_faces import BallPoints, list_faces
@@ -259,7 +258,7 @@ def close_radius(mesh: BallMesh, searched: Bytes) -> tuple[Triangles, Triangles,
     launch(mark_searched_kernel, searched.size, [mesh.covered, rims, searched])
     launch(part_triangles_kernel, mesh.triangles.size, [mesh, searched, near, far])
     open_rows, closed_rows, indices = positions_of_each(near, far, searched)  # sync
-    return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows), indices
+    return gather_rows(mesh.triangles, open_rows), gather_rows(mesh.triangles, closed_rows), indices
 
 
 @kernel
@@ -351,4 +350,4 @@ class RollingBall:
         bits = max(1, row_count.bit_length())
         keys = empty(triangles.size, int64, device)
         launch(name_corners_kernel, triangles.size, [self.rows, bits, triangles, keys])
-        return gather_triangles(triangles, argsort_keys(keys, 2 * bits)[1])
+        return gather_rows(triangles, argsort_keys(keys, 2 * bits)[1])

@@ -497,34 +497,41 @@ def grow_tree(
     return pyramid
 
 
+class PoissonSettings(NamedTuple):
+    """Settings of a reconstruction: the finest level `depth` >= 2, linear interpolation of vertices (`is_linear`), the
+    weight of points, samples per cell, and weights by the lengths of the normals (`by_length`)."""
+
+    depth: int
+    is_linear: bool
+    point_weight: float
+    samples_per_cell: float
+    by_length: bool
+
+
 def reconstruct_poisson(
     points: Points,
     normals: Vectors,
     rows: Indices,
     cube: Cube,
-    depth: int,
-    *,
-    is_linear: bool,
-    point_weight: float,
-    samples_per_cell: float,
-    by_length: bool,
+    settings: PoissonSettings,
     envelope: Envelope | None = None,
     progress: Callable[[str, int, int], None] | None = None,
 ) -> PoissonSurface:
-    """Reconstruct a surface from oriented points. `rows` (int32) are points with a valid normal, `cube` contains them,
-    `depth` >= 2 is the finest level. `by_length` weights samples by normal length. `progress` gets (stage, steps done,
-    total). Raises MemoryError if the tree does not fit, and ValueError for more triangles than int32 counts."""
+    """Reconstruct a surface from oriented points. `rows` (int32) are points with a valid normal, `cube` contains them.
+    `progress` gets (stage, steps done, total). Raises MemoryError if the tree does not fit, and ValueError for more
+    triangles than int32 counts."""
+    depth = settings.depth
     check_room(points.device, rows.size * SAMPLE_BYTES, f"the cells of {rows.size:,} points")
-    cells = gather_samples(points, normals, rows, cube, depth, by_length)
-    pyramid = grow_tree(cells, rows.size, depth, max(1, depth - 2), samples_per_cell)
+    cells = gather_samples(points, normals, rows, cube, depth, settings.by_length)
+    pyramid = grow_tree(cells, rows.size, depth, max(1, depth - 2), settings.samples_per_cell)
     areas = sum_levels([reduce(sum_areas, c.count, [c, r]) for c, r in pyramid.pairs()])
     tests = constraints(pyramid)
-    solutions = solve(pyramid, tests, point_weight, areas, cube, envelope, progress)
+    solutions = solve(pyramid, tests, settings.point_weight, areas, cube, envelope, progress)
     del tests
     if progress is not None:
         progress("surface", 0, 0)
     iso = mean_at_samples(pyramid, solutions)
-    surface = OctreeSurface(pyramid.levels, solutions, iso, cube, is_linear)
+    surface = OctreeSurface(pyramid.levels, solutions, iso, cube, settings.is_linear)
     depths = empty(surface.slots.size, int32, points.device)
     for level, first, last in surface.ranges:
         if last > first:

@@ -15,7 +15,7 @@ from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
 from ..lang import array, cross, int32, int64, kernel, launch, length, tid, uint8, vec2
 from ..memory import clone, download, empty, full
-from ..meshes.mesh_edits import gather_corners, gather_triangles
+from ..meshes.mesh_edits import gather_corners
 from .collapse_mesh import TRIANGLE_COUNT, VERTEX_COUNT, CollapseMesh, edge_valence
 from .collapse_rounds import CollapseRounds
 from .edge_costs import sum_quadrics_kernel
@@ -96,7 +96,7 @@ class Decimation:
     def _mesh_at(self, rows: Indices, mesh: CollapseMesh) -> CollapseMesh:
         uvs = gather_corners(mesh.uvs, rows) if mesh.has_uvs else None
         materials = gather_rows(mesh.materials, rows) if mesh.has_materials else None
-        return CollapseMesh(mesh.positions, gather_triangles(mesh.triangles, rows), uvs, materials, mesh.rows)
+        return CollapseMesh(mesh.positions, gather_rows(mesh.triangles, rows), uvs, materials, mesh.rows)
 
     def run(self) -> None:
         """Collapse edges until the target is reached. If impossible without an error limit, give up texture seams, then

@@ -7,7 +7,7 @@ whose key (length and hash) is minimal at all vertices around both ends, so no t
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Bytes, Integers, Triangles
-from ..arrays.select import positions_of
+from ..arrays.select import gather_rows, positions_of
 from ..lang import (
     array,
     atomic_add,
@@ -30,7 +30,6 @@ from ..lang import (
 )
 from ..memory import clone, download, empty, full, zeros
 from ..meshes.mesh_edges import opposite_vertex
-from ..meshes.mesh_edits import gather_triangles
 from .creased_mesh import FREE_VERTEX, LINE_VERTEX, NO_NUMBER, CreasedMesh, after_round, is_edge, is_paired, mixed_key
 
 MIN_COSINE = 0.5  # between the normals of a triangle before and after
@@ -263,4 +262,4 @@ def without_removed(triangles: Triangles, creases: Bytes) -> tuple[Triangles, By
     rows = positions_of(mask)  # sync
     left = empty(3 * rows.size, uint8, triangles.device)
     launch(gather_creases_kernel, left.size, [creases, rows, left])
-    return gather_triangles(triangles, rows), left
+    return gather_rows(triangles, rows), left

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.array_types import Points, Triangles
+from ...kernels.arrays.select import gather_rows
 from ...kernels.arrays.sort import positions
 from ...kernels.lang import float64, int32, vec3
 from ...kernels.memory import download, upload, zeros
-from ...kernels.meshes.mesh_edits import gather_triangles
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.rays.winding_numbers import Dipoles, add_winding_numbers
 
@@ -53,7 +53,7 @@ def find_enclosing(vertices: Points, triangles: Triangles, parts: Parts) -> dict
             for part, part_rows in zip(near, rows, strict=True)
         ])  # fmt: skip
         part_rows = upload(order[starts[outer] : starts[outer + 1]].astype(np.int32), int32, triangles.device)
-        numbers = _winding_numbers(vertices, gather_triangles(triangles, part_rows), queries)
+        numbers = _winding_numbers(vertices, gather_rows(triangles, part_rows), queries)
         within = (np.abs(numbers) > 0.5).reshape(-1, PROBES_PER_PART).sum(axis=1) * 2 > PROBES_PER_PART
         for part in near[within].tolist():
             enclosing.setdefault(part, []).append(outer)

@@ -44,7 +44,7 @@ from ...kernels.meshes.mesh_edits import flip_triangles, keep_counted, list_rows
 from ...kernels.reconstruction.alpha_faces import ALPHAS_PER_SYNC, find_alpha_shapes
 from ...kernels.reconstruction.ball_surface import RollingBall
 from ...kernels.reconstruction.envelope import Envelope
-from ...kernels.reconstruction.poisson import mean_length, reconstruct_poisson
+from ...kernels.reconstruction.poisson import PoissonSettings, mean_length, reconstruct_poisson
 from ...kernels.reconstruction.sample_cells import MAX_DEPTH, Cube, bound_samples, sample_rows
 from ...kernels.search.nearest_point import find_nearest_rows
 from ...kernels.search.neighbor_distances import nearest_distances
@@ -163,26 +163,19 @@ class MeshReconstruction(MeshMeasures):
         _warn_of_sides(cloud, float(cube.side))
         deepest = _depth_of_width(float(cube.side), cell) if cell > 0 else deepest
         _check_scale(edge, deepest, count, points.size)
-        surface = reconstruct_poisson(
-            points,
-            normals,
-            rows,
-            cube,
-            deepest,
-            is_linear=bool(linear_fit),
-            point_weight=pull,
-            samples_per_cell=count,
-            by_length=bool(confidence),
-            envelope=None if envelope is None else _check_envelope(envelope, cloud),
-            progress=check_progress(None),
+        settings = PoissonSettings(deepest, bool(linear_fit), pull, count, bool(confidence))
+        bounds = None if envelope is None else _check_envelope(envelope, cloud)
+        surface = reconstruct_poisson(points, normals, rows, cube, settings, bounds, check_progress(None))
+        mesh = cls.from_device_arrays(
+            {
+                "vertices": surface.vertices,
+                "triangles": surface.triangles,
+                "vertex_normals": surface.normals,
+                "vertex_colors": _nearest_colors(cloud, surface.vertices),
+            },
+            cloud.origin,
+            cloud.array_library,
         )
-        arrays = {
-            "vertices": surface.vertices,
-            "triangles": surface.triangles,
-            "vertex_normals": surface.normals,
-            "vertex_colors": _nearest_colors(cloud, surface.vertices),
-        }
-        mesh = cls.from_device_arrays(arrays, cloud.origin, cloud.array_library)
         mesh.unit = cloud.unit
         return mesh, mesh.arrays.hand_out(surface.densities)
 

@@ -19,7 +19,7 @@ from ...kernels.memory import download, empty, upload
 from ...kernels.meshes import clean_triangles, merge_vertices
 from ...kernels.meshes.copies import find_copies
 from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
-from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles, repeated_positions
+from ...kernels.meshes.mesh_edits import count_referenced, repeated_positions
 from ...kernels.meshes.part_votes import keep_alone
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
@@ -72,7 +72,7 @@ def _sew(
     vertices, copied_area = mesh.arrays["vertices"], _area_of(mesh, repeated)
     rows = other_rows(_joined(folded, repeated), merged_triangles.size, are_distinct=True)
     clean = mesh.with_arrays(**mesh.arrays.triangles_at(rows))
-    merged_triangles, loose = gather_triangles(merged_triangles, rows), gather_rows(loose, rows)
+    merged_triangles, loose = gather_rows(merged_triangles, rows), gather_rows(loose, rows)
     sheets = Sheets(vertices, clean.arrays["triangles"], merged_triangles, loose)
     covered, crowding = _find_parts_to_drop(clean, sheets, merged_triangles, loose)
     copied_area += _area_of(clean, covered)
@@ -99,11 +99,11 @@ def _sew(
 def _find_worthless(mesh: MeshSelection, merged_triangles: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
     """Rows of loose triangles: degenerate, duplicate, duplicate in either orientation."""
     rows = positions_of(loose)  # sync
-    candidates = gather_triangles(merged_triangles, rows)
+    candidates = gather_rows(merged_triangles, rows)
     vertices = mesh.arrays["vertices"]
     folded = positions_of(clean_triangles.mask_degenerate(vertices, candidates, zero_area=False))  # sync
     rest = other_rows(folded, rows.size, are_distinct=True)
-    triangles, rows_left = gather_triangles(candidates, rest), gather_rows(rows, rest)
+    triangles, rows_left = gather_rows(candidates, rest), gather_rows(rows, rest)
     repeats = positions_of(clean_triangles.mask_repeats(triangles))  # sync
     classes, count = find_copies(triangles, vertices.size)  # sync
     oriented_repeats = repeats

@@ -12,7 +12,7 @@ from numpy.typing import DTypeLike, NDArray
 from ...core.array_libraries import NUMPY, hand_out_copy
 from ...core.up_axis import Direction
 from ...kernels.arrays.select import gather_rows
-from ...kernels.meshes.mesh_edits import gather_corners, gather_triangles
+from ...kernels.meshes.mesh_edits import gather_corners
 from .mesh_attributes import Arrays, rows_of
 from .mesh_rows import ATTRIBUTES, PER_VERTEX
 
@@ -53,7 +53,7 @@ class MeshStore(dict[str, wp.array]):
 
     def triangles_at(self, rows: wp.array) -> dict[str, Any]:
         """Triangle data at rows, an int32 device array with repeats allowed. Arguments of `with_arrays`."""
-        selected: dict[str, Any] = {"triangles": gather_triangles(self["triangles"], rows)}
+        selected: dict[str, Any] = {"triangles": gather_rows(self["triangles"], rows)}
         if "triangle_uvs" in self:
             selected["triangle_uvs"] = gather_corners(self["triangle_uvs"], rows)
         if "triangle_material_ids" in self:

@@ -24,6 +24,7 @@ from ...kernels.drawing.placing import find_extremes, shift_indices, transform_p
 from ...kernels.drawing.points import SQUARE_SIDE, Splat, count_in_squares, draw_points
 from ...kernels.drawing.shading import (
     CELLS_PER_PIXEL,
+    PointLook,
     Region,
     Veil,
     finish_picture,
@@ -204,9 +205,8 @@ class Drawing:
         """Shade the visible pixels of a part in a buffer."""
         view, veil = self._view_in_cells(part), Veil(part.opacity, self.left)
         if isinstance(part, Points):
-            look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain), "shaded": part.shaded}
-            how = {"lit": part.lit, "last_point": last_point, "around": around, "veil": veil}
-            shade_points(buffer, view, region, self.light, **look, **how)
+            look = PointLook(part.colors, part.normals, vec3(*part.plain), part.shaded, part.lit)
+            shade_points(buffer, view, region, self.light, look, last_point=last_point, around=around, veil=veil)
         else:
             shade_surface(buffer, view, region, self.light, self._surface(part), veil)
 

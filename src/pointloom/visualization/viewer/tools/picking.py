@@ -17,7 +17,6 @@ from ....core.checks import check_number, check_positive, check_transformation
 from ....kernels.drawing import picking
 from ....meshing.scene.raycasting_scene import RaycastingScene
 from ....pcd.cloud import PointCloud
-from ....pcd.point_arrays import check_cloud
 from ...render.view import View, check_view
 
 CLICK_RADIUS = 6.0  # [px] tolerance of a click
@@ -59,41 +58,17 @@ class Pick:
     attributes: Mapping[str, Any] = dataclasses.field(default_factory=dict)
 
 
-def pick_point(
-    cloud: PointCloud,
-    view: View,
-    x: float,
-    y: float,
-    *,
-    radius: float = CLICK_RADIUS,
-    pose: Any = None,
-    hidden: Any = None,
-) -> int | None:
-    """Index of the point of a cloud at a click: the nearest one on the screen among those in front, or None.
+def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: float = CLICK_RADIUS) -> Pick | None:
+    """Pick among several clouds and meshes. Surfaces hide objects behind them.
 
-    Each 10 pixel widths of depth behind the foremost point within `radius` [px] count as one pixel of distance. So the
-    point under the click is chosen on any surface up to 84 degrees of slope, and no point behind a surface. `pose` is
-    cloud to world, 4x4; `hidden` is uint8 (n,), 1 for hidden points. Raises TypeError or ValueError.
+    Of a cloud, the nearest point on the screen among those in front is picked. Each 10 pixel widths of depth behind the
+    foremost point within `radius` [px] count as one pixel of distance. So the point under the click is chosen on any
+    surface up to 84 degrees of slope, and no point behind a surface. Of points at the same screen position, the
+    smallest index wins. Raises TypeError or ValueError.
 
     Notes:
-        Two passes over the points, 24 B per point, 1 sync each. Deterministic on every device. Of points at the same
-        screen position, the smallest index wins.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.visualization.render.view import fit_view
-        >>> cloud = loom.PointCloud([[0, 0, 0], [0, 1, 0], [0, 1, 1]])
-        >>> view = fit_view(cloud.points, width=320, height=240)
-        >>> [pick_point(cloud, view, *project(view, point)[:2]) for point in cloud.points]
-        [0, 1, 2]
+        Two passes over the points, 24 B per point, 1 sync each. Deterministic on every device.
     """
-    check_cloud("cloud", cloud)
-    hit = pick([Target("cloud", cloud, pose=pose, hidden=hidden)], view, x, y, radius=radius)
-    return None if hit is None else hit.index
-
-
-def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: float = CLICK_RADIUS) -> Pick | None:
-    """Pick among several clouds and meshes. Surfaces hide objects behind them."""
     check_view(view)
     click = check_number("x", x), check_number("y", y)
     radius = check_positive("radius", radius)
@@ -170,11 +145,6 @@ def project(view: View, point: Any) -> tuple[float, float, float]:
         return math.nan, math.nan, float(q[2])
     camera = view.intrinsic
     return float(camera.fx * q[0] / q[2] + camera.cx), float(camera.fy * q[1] / q[2] + camera.cy), float(q[2])
-
-
-def describe_point(cloud: PointCloud, index: int, point: NDArray[np.float64] | None = None) -> Rows:
-    """Labels and values of a point for display; `point` is its displayed position [m] if different."""
-    return describe_row(cloud.select_by_index([index]), index, point)
 
 
 def describe_row(row: PointCloud, index: int, point: NDArray[np.float64] | None = None) -> Rows:
