@@ -95,7 +95,7 @@ def _icp(size: int) -> Callable[[], Any]:
     points = (surface_of(size, 1) - T[:3, 3]) @ T[:3, :3]
     source, target = loom.PointCloud(points, device=DEVICE), cloud_of(size).estimate_normals(max_nn=20)
     reg = loom.registration
-    method = reg.TransformationEstimationPointToPlane()
+    method = reg.TransformationEstimation.point_to_plane()
 
     def align(steps: int) -> Any:
         rules = reg.ICPConvergenceCriteria(0, 0, steps)

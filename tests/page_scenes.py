@@ -57,7 +57,7 @@ def source_and_target() -> dict[str, Any]:
 
 
 def pair_nearby() -> dict[str, Any]:
-    method = loom.registration.TransformationEstimationPointToPoint()
+    method = loom.registration.TransformationEstimation.point_to_point()
     one_iteration = loom.registration.ICPConvergenceCriteria(max_iteration=1)
     target, source = room(3000), room(3000, seed=1).translate([0.02, 0.01, 0])
     return {

@@ -15,7 +15,6 @@ from .cameras.depth_filters import create_normal_map as create_normal_map
 from .cameras.depth_filters import erode_depth_edges as erode_depth_edges
 from .cameras.depth_filters import filter_depth_bilateral as filter_depth_bilateral
 from .cameras.depth_filters import pyrdown_color as pyrdown_color
-from .cameras.depth_filters import pyrdown_depth as pyrdown_depth
 from .cameras.images import RGBDImage as RGBDImage
 from .cameras.panoramas import Panorama as Panorama
 from .cameras.trajectory import Trajectory as Trajectory
@@ -49,9 +48,7 @@ from .io.frames.rgbd_sources import frames_from as frames_from
 from .io.images.image_files import read_color as read_color
 from .io.images.image_files import read_depth as read_depth
 from .io.models.camera_files import read_cameras as read_cameras
-from .io.models.colmap import read_colmap_model as read_colmap_model
 from .io.models.colmap import write_colmap_model as write_colmap_model
-from .io.models.metashape import read_metashape_cameras as read_metashape_cameras
 from .io.models.sfm_model import SfmModel as SfmModel
 from .io.models.transforms_writer import write_transforms as write_transforms
 from .io.points.e57_stations import read_stations as read_stations

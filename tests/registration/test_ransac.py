@@ -24,7 +24,7 @@ def test_any_sample_size_recovers_the_pose(device, rng, ransac_n, angle_between)
 @pytest.mark.slow
 def test_scale_is_estimated_on_request(device, rng, angle_between):
     case = made_up(rng, outliers=0.7, scale=1.7)
-    method = reg.TransformationEstimationPointToPoint(with_scaling=True)
+    method = reg.TransformationEstimation.point_to_point(with_scaling=True)
     result = ransac(case, device, estimation_method=method)
     scale = np.cbrt(np.linalg.det(result.transformation[:3, :3]))
     assert abs(scale - 1.7) < 2e-3 and result.fitness > 0.99
@@ -293,7 +293,7 @@ def test_degenerate_clouds_raise_no_exception(device, rng, shape):
     }[shape]
     pairs = np.column_stack([np.arange(200)] * 2)
     case = SimpleNamespace(source=points, target=np.add(points, [1.0, 0, 0]), pairs=pairs)
-    rules, scaled = reg.RANSACConvergenceCriteria(3000), reg.TransformationEstimationPointToPoint(True)
+    rules, scaled = reg.RANSACConvergenceCriteria(3000), reg.TransformationEstimation.point_to_point(True)
     results = [ransac(case, device, estimation_method=method, criteria=rules) for method in (None, scaled)]
     results += [fgr(case, device, tuple_test=tested) for tested in (True, False)]
     for k, result in enumerate(results):

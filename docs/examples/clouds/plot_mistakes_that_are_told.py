@@ -34,7 +34,7 @@ def try_it(what, call):
         raise AssertionError(f"{what}: nothing was said")
 
 
-plane = loom.registration.TransformationEstimationPointToPlane()
+plane = loom.registration.TransformationEstimation.point_to_plane()
 try_it("normals missing", lambda: loom.registration.registration_icp(cloud, cloud, 0.1, estimation_method=plane))
 try_it("(3, n) for (n, 3)", lambda: loom.PointCloud(np.zeros((3, 5000))))
 try_it("colors of 8 bits as floats", lambda: loom.PointCloud(np.zeros((2, 3)), colors=[[255.0, 0, 0], [0, 128.0, 0]]))

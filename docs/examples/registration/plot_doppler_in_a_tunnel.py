@@ -49,7 +49,7 @@ print(first)
 
 # %%
 # **By shape alone** every point has a partner, the fit is as good as the noise, and the motion is missed by meters.
-plane = reg.registration_icp(first, target, 1.0, np.eye(4), reg.TransformationEstimationPointToPlane())
+plane = reg.registration_icp(first, target, 1.0, np.eye(4), reg.TransformationEstimation.point_to_plane())
 print(
     f"point to plane: {plane.transformation[0, 3]:+.3f} m along the tunnel, fitness {plane.fitness:.3f}, "
     f"rmse {plane.inlier_rmse:.3f} m"

@@ -84,7 +84,7 @@ refined = reg.registration_icp(
     normals,
     2 * voxel,
     results["robust"].transformation,
-    reg.TransformationEstimationPointToPlane(),
+    reg.TransformationEstimation.point_to_plane(),
     overlap=None,
 )
 print(f"after ICP: {off(refined.transformation)[0]:.3f} degrees, {off(refined.transformation)[1]:.2f} mm")

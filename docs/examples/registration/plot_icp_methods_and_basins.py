@@ -49,11 +49,11 @@ def off(T):
 # compares surface with surface; the symmetric one suits curved things; colors help where the shape alone leaves a
 # motion open.
 methods = {
-    "point to point": reg.TransformationEstimationPointToPoint(),
-    "point to plane": reg.TransformationEstimationPointToPlane(),
-    "generalized": reg.TransformationEstimationForGeneralizedICP(),
-    "symmetric": reg.TransformationEstimationSymmetric(),
-    "colored": reg.TransformationEstimationForColoredICP(),
+    "point to point": reg.TransformationEstimation.point_to_point(),
+    "point to plane": reg.TransformationEstimation.point_to_plane(),
+    "generalized": reg.TransformationEstimation.generalized(),
+    "symmetric": reg.TransformationEstimation.symmetric(),
+    "colored": reg.TransformationEstimation.colored(),
 }
 distance = 0.15 * size  # pairs lie nearer than this [m]; larger reaches farther, and is led astray more
 angles = np.array([0, 20, 40, 60, 90, 120])

@@ -37,6 +37,9 @@ RENAMED = {
     "loom.color_map.texture_from_pictures": "loom.meshing.texture_from_images",
     "loom.mvs.fuse": "loom.photogrammetry.fuse_depth_maps",
     "loom.odometry.Method": "loom.rgbd.align_frames",
+    "loom.pyrdown_depth": "loom.create_depth_pyramid",
+    "loom.read_colmap_model": "loom.read_cameras",
+    "loom.read_metashape_cameras": "loom.read_cameras",
     "loom.reconstruction.run_system": "loom.rgbd.run_reconstruction_system",
     "loom.registration.CauchyLoss": "loom.registration.RobustKernel.cauchy",
     "loom.registration.check_alignment": "loom.registration.assess_registration",
@@ -49,8 +52,11 @@ RENAMED = {
         "loom.registration.CorrespondenceChecker.by_rotation"
     ),
     "loom.registration.GeneralizedLoss": "loom.registration.RobustKernel.general",
+    "loom.registration.GlobalOptimizationGaussNewton": "loom.registration.global_optimization",
+    "loom.registration.GlobalOptimizationLevenbergMarquardt": "loom.registration.global_optimization",
     "loom.registration.GMLoss": "loom.registration.RobustKernel.geman_mcclure",
     "loom.registration.HuberLoss": "loom.registration.RobustKernel.huber",
+    "loom.registration.iterate_odometry": "loom.registration.LidarOdometry or loom.registration.run_odometry",
     "loom.registration.L1Loss": "loom.registration.RobustKernel.l1",
     "loom.registration.L2Loss": "loom.registration.RobustKernel.l2",
     "loom.registration.localizability": "loom.registration.assess_registration",
@@ -69,11 +75,28 @@ RENAMED = {
         "loom.registration.correspondences_from_features, loom.registration.registration_robust_based_on_correspondence"
     ),
     "loom.registration.registration_symmetric_icp": "loom.registration.registration_icp",
+    "loom.registration.summarize_steps": "loom.registration.LidarOdometry.summary",
+    "loom.registration.TransformationEstimationForColoredICP": "loom.registration.TransformationEstimation.colored",
+    "loom.registration.TransformationEstimationForGeneralizedICP": (
+        "loom.registration.TransformationEstimation.generalized"
+    ),
+    "loom.registration.TransformationEstimationPointToPlane": (
+        "loom.registration.TransformationEstimation.point_to_plane"
+    ),
+    "loom.registration.TransformationEstimationPointToPoint": (
+        "loom.registration.TransformationEstimation.point_to_point"
+    ),
+    "loom.registration.TransformationEstimationSymmetric": "loom.registration.TransformationEstimation.symmetric",
     "loom.registration.TukeyLoss": "loom.registration.RobustKernel.tukey",
+    "loom.rgbd.integrate_scene": "loom.rgbd.run_reconstruction_system",
+    "loom.rgbd.make_fragments": "loom.rgbd.run_reconstruction_system",
     "loom.rgbd.OdometryConvergenceCriteria": "loom.rgbd.compute_rgbd_odometry",
     "loom.rgbd.OdometryLossParams": "loom.rgbd.compute_rgbd_odometry",
     "loom.rgbd.OdometryMethod": "loom.rgbd.align_frames",
     "loom.rgbd.OdometryOption": "loom.rgbd.compute_rgbd_odometry",
+    "loom.rgbd.refine_registration": "loom.rgbd.run_reconstruction_system",
+    "loom.rgbd.refine_with_slac": "loom.rgbd.run_reconstruction_system",
+    "loom.rgbd.register_fragments": "loom.rgbd.run_reconstruction_system",
     "loom.rgbd.rgbd_odometry_multi_scale": "loom.rgbd.compute_rgbd_odometry",
     "loom.rgbd.RGBDOdometryJacobianFromColorTerm": "loom.rgbd.compute_rgbd_odometry",
     "loom.rgbd.RGBDOdometryJacobianFromHybridTerm": "loom.rgbd.compute_rgbd_odometry",

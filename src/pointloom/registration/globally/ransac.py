@@ -78,7 +78,8 @@ def registration_ransac_based_on_correspondence(
         corres: Indices (source, target), shape [m, 2], as from `correspondences_from_features`. Non-finite points are
             ignored.
         max_correspondence_distance: Exclusive match distance [m]; typically 1.5 voxels.
-        estimation_method: TransformationEstimationPointToPoint (None), with or without scaling. Its kernel is ignored.
+        estimation_method: `TransformationEstimation.point_to_point`, with or without scaling; None: without. Its kernel
+            is ignored.
         ransac_n: Correspondences per sample, at least 3.
         checkers: Tests that a sample and its pose must pass before scoring.
         criteria: Stopping criteria; None: RANSACConvergenceCriteria(100000, 0.999).
@@ -129,7 +130,7 @@ def _check_settings(
     method = TransformationEstimationPointToPoint() if method is None else method
     if not isinstance(method, TransformationEstimationPointToPoint):
         raise TypeError(
-            "estimation_method: expected TransformationEstimationPointToPoint, which fits a pose to pairs of points, "
+            "estimation_method: expected TransformationEstimation.point_to_point(), which fits a pose to point pairs, "
             f"got {type(method).__name__}. Use that in registration_icp to refine the result"
         )
     criteria = RANSACConvergenceCriteria() if criteria is None else criteria
