@@ -32,7 +32,9 @@ def dlpack_cloud(d: Scenes) -> Any:
 def projected(d: Scenes) -> Any:
     """Geographic coordinates projected to meters, and their zone."""
     cloud = loom().PointCloud(scenes.bumpy_surface(500, 80) * [0.01, 0.01, 1.0] + [9.18, 48.77, 240.0])
-    return [loom().project_to_utm(cloud), loom().utm_epsg(cloud)]
+    from pointloom.pcd.geographic import utm_epsg
+
+    return [loom().project_to_utm(cloud), utm_epsg(cloud)]
 
 
 def moved_boxes(p: SampledSurface) -> list[Any]:
@@ -277,12 +279,12 @@ def color_maps(d: Scenes) -> list[Any]:
     """Color maps in both forms, by rays and by depth."""
     camera, images, poses = posed_images(d)
     maps, mesh, path = loom().meshing, imaged_grid(d), loom().Trajectory(poses)
-    rigid = maps.RigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2)
-    bent = maps.NonRigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2, number_of_vertical_anchors=4)
+    rigid = maps.ColorMapOption(maximum_iteration=5, image_boundary_margin=2)
+    bent = maps.ColorMapOption(maximum_iteration=5, image_boundary_margin=2, number_of_vertical_anchors=4)
     depth = np.ones((48, 64), np.float32)
     frames = [loom().RGBDImage(image, depth, device=d.device) for image in images]
-    results = [maps.run_rigid_optimizer(mesh, images, path, rigid, intrinsic=camera)]
-    results.append(maps.run_non_rigid_optimizer(mesh, frames, path, bent, intrinsic=camera))
+    results = [maps.optimize_color_map(mesh, images, path, rigid, intrinsic=camera)]
+    results.append(maps.optimize_color_map(mesh, frames, path, bent, intrinsic=camera, method="non-rigid"))
     return [[r.mesh.vertex_colors, r.trajectory.poses, r.seen, r.warp(1), r.unwarped_image(2)] for r in results]
 
 
@@ -455,15 +457,15 @@ def checked(d: Scenes) -> list[bool]:
 
 
 def ransac(d: Scenes, **options: Any) -> Any:
-    rules = reg().RANSACConvergenceCriteria(20_000, 0.999)
-    return reg().registration_ransac_based_on_correspondence(*d.thinned, d.matches, 0.1, criteria=rules, **options)
+    return reg().registration_ransac_based_on_correspondence(
+        *d.thinned, d.matches, 0.1, num_iterations=20_000, **options
+    )
 
 
 def ransac_features(d: Scenes, mutual: bool) -> Any:
-    rules = reg().RANSACConvergenceCriteria(20_000, 0.999)
     pairs = reg().correspondences_from_features(*d.features, mutual)
     call = reg().registration_ransac_based_on_correspondence
-    return call(*d.thinned, pairs, 0.1, checkers=checkers()[:3], criteria=rules, seed=2)
+    return call(*d.thinned, pairs, 0.1, checkers=checkers()[:3], num_iterations=20_000, seed=2)
 
 
 def fast_global(d: Scenes, **options: Any) -> list[Any]:
@@ -478,6 +480,12 @@ def robust_global(d: Scenes) -> list[Any]:
     call, match = reg().registration_robust_based_on_correspondence, reg().correspondences_from_features
     pairs = [match(*d.features, mutual, 0.0) for mutual in (True, False)]
     return [*(call(*d.thinned, each, 0.06) for each in pairs), call(*d.thinned, d.matches, 0.08, seed=6)]
+
+
+def halved_color(d: Scenes) -> Any:
+    from pointloom.cameras.depth_filters import pyrdown_color
+
+    return pyrdown_color(d.paint, device=d.device)
 
 
 def steps_of_odometry(d: Scenes) -> list[Any]:
@@ -608,7 +616,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "DepthEstimate, to_point_cloud": lambda d: estimated(d).to_point_cloud(device=d.device),
     "create_normal_map": lambda d: loom().create_normal_map(d.rgbd, d.lens, -1.0),
     "pyrdown_depth": lambda d: loom().create_depth_pyramid(d.frames.depths[3], 2, device=d.device)[1],
-    "pyrdown_color": lambda d: loom().pyrdown_color(d.paint, device=d.device),
+    "pyrdown_color": lambda d: halved_color(d),
     "undistort_image": undistorted_paint,
     "panorama": panorama_faces,
     "create_depth_pyramid": lambda d: loom().create_depth_pyramid(d.rgbd, 3),

@@ -105,7 +105,7 @@ def survey() -> dict[str, Any]:
     cloud = room()
     cloud["intensity"] = np.arange(len(cloud), dtype=np.uint16)
     loom.write_point_cloud("survey.laz", cloud)
-    return {"view": loom.fit_view(cloud.points)}
+    return {"view": loom.View.fit(cloud.points)}
 
 
 def colmap_project() -> dict[str, Any]:

@@ -7,14 +7,11 @@ from . import registration as registration
 from . import rgbd as rgbd
 from . import tiling as tiling
 from .cameras.camera import PinholeCameraIntrinsic as PinholeCameraIntrinsic
-from .cameras.camera import read_pinhole_camera_intrinsic as read_pinhole_camera_intrinsic
-from .cameras.camera import write_pinhole_camera_intrinsic as write_pinhole_camera_intrinsic
 from .cameras.camera_models import CameraModel as CameraModel
 from .cameras.depth_filters import create_depth_pyramid as create_depth_pyramid
 from .cameras.depth_filters import create_normal_map as create_normal_map
 from .cameras.depth_filters import erode_depth_edges as erode_depth_edges
 from .cameras.depth_filters import filter_depth_bilateral as filter_depth_bilateral
-from .cameras.depth_filters import pyrdown_color as pyrdown_color
 from .cameras.images import RGBDImage as RGBDImage
 from .cameras.panoramas import Panorama as Panorama
 from .cameras.trajectory import Trajectory as Trajectory
@@ -79,7 +76,6 @@ from .pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .pcd.features import estimate_curvature as estimate_curvature
 from .pcd.geodesy import WorldFrame as WorldFrame
 from .pcd.geographic import project_to_utm as project_to_utm
-from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.line_set import LineSet as LineSet
@@ -102,7 +98,6 @@ from .visualization.render.picture_files import write_image as write_image
 from .visualization.render.plots import draw_slice as draw_slice
 from .visualization.render.render import render as render
 from .visualization.render.view import View as View
-from .visualization.render.view import fit_view as fit_view
 from .visualization.viewer.detail_files import sample_file as sample_file
 from .visualization.viewer.detail_tree import DetailTree as DetailTree
 from .visualization.viewer.draw import draw as draw

@@ -414,7 +414,7 @@ WRITERS = {
     **dict.fromkeys(("s.ply", "s.splat", "s.spz"), lambda path: loom.write_splats(path, splats())),
     **dict.fromkeys(("p.png", "p.webp"), lambda path: loom.write_image(path, PIXELS)),
     "graph.json": lambda path: loom.registration.write_pose_graph(path, GRAPH),
-    "camera.json": lambda path: loom.write_pinhole_camera_intrinsic(path, CAMERA),
+    "camera.json": lambda path: CAMERA.write(path),
     "config.json": lambda path: loom.rgbd.ReconstructionConfig().write(path),
     "view.json": lambda path: loom.write_view(path, loom.View(CAMERA, np.eye(4)), ([0, 0, 0], [1, 1, 1])),
     "stations.e57": lambda path: loom.write_stations(path, [cloud()], [np.eye(4)]),

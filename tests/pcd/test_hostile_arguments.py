@@ -272,7 +272,6 @@ loom.paint_change(cloud=cloud, change=cloud.points[:, 0], limit=0.5)
 loom.estimate_curvature(cloud=cloud, radius=0.5, max_nn=10)
 loom.filter_depth_bilateral(depth=depth, kernel_size=3, value_sigma=0.03, dist_sigma=2.0, depth_scale=1.0, device="cpu")
 loom.meshing.marching_cubes(field=field, level=0.0, spacing=three, origin=three, device="cpu", arrays="numpy")
-loom.pyrdown_color(color=color, device="cpu")
 loom.open_dataset(folder="nowhere", layout="auto", intrinsic=camera, every=1, skip_missing=True)
 loom.open_frames(folder="nowhere", layout="auto", intrinsic=camera, every=1, depth_scale=1000.0, poses=True, skip_missing=True, resize_color=True)
 loom.frames_from(frames=images, intrinsic=camera, depth_scale=1000.0, resize_color=True)
@@ -308,10 +307,9 @@ loom.write_splats(path="splats.ply", splats=splats)
 loom.read_stations(path="nowhere.e57", device="cpu", arrays="numpy")
 loom.write_stations(path="stations.e57", clouds=[cloud.select_by_index([0])], poses=[pose], names=["A"])
 loom.read_triangle_mesh(path="mesh.ply", device="cpu", up="y", arrays="numpy")
-loom.write_pinhole_camera_intrinsic(path="camera.json", intrinsic=camera)
+camera.write(path="camera.json")
 loom.write_point_cloud(path="cloud.las", cloud=cloud, scale=0.001, like=None)
 loom.project_to_utm(cloud=lonlat, epsg=32632)
-loom.utm_epsg(cloud=lonlat)
 loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
 loom.write_triangle_mesh(path="mesh.ply", mesh=mesh, up="y")
 loom.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
@@ -322,7 +320,7 @@ loom.meshing.orthophoto(mesh=mesh, cell=0.1, frame=world, epsg=32632, corner=[0.
 photo.write(path="ortho.tif")
 loom.read_color(path="nowhere.png")
 loom.read_depth(path="nowhere.png")
-loom.read_pinhole_camera_intrinsic(path="nowhere.json")
+loom.PinholeCameraIntrinsic.read(path="nowhere.json")
 loom.read_trajectory(path="nowhere.log", skip_missing=True)
 loom.Panorama(width=32, height=16, side=8, device="cpu")
 panorama.apply(image=sphere)
@@ -435,7 +433,7 @@ LEFT_OUT = {
     # tests/files, tests/meshing, tests/kernels
     "read_cameras", "draw_slice", "set_num_threads", "draw_change", "paint_change",
     # tests/meshing
-    "NonRigidOptimizerOption", "RigidOptimizerOption", "run_non_rigid_optimizer", "run_rigid_optimizer",
+    "ColorMapOption", "optimize_color_map",
     "texture_from_images", "texture_mesh",
 }  # fmt: skip
 LEFT_OUT |= {

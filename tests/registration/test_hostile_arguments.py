@@ -34,7 +34,6 @@ reg.NormalDistributionsTransformOption(voxel_size=0.5, min_points_per_voxel=6, c
 reg.Constraint(free=["x", "yaw"], frame=axes, pivot=three, prior=known, noise=0.01)
 reg.Prior(transformation=pose, information=None, sigma_translation=0.1, sigma_rotation=0.2)
 reg.leveled(init=pose, up_in_source=three, up_in_target=three)
-reg.RANSACConvergenceCriteria(max_iteration=100, confidence=0.9)
 reg.FastGlobalRegistrationOption(division_factor=1.4, maximum_correspondence_distance=0.1, iteration_number=4, tuple_scale=0.9, maximum_tuple_count=100)
 reg.GlobalOptimizationConvergenceCriteria(max_iteration=3, min_relative_increment=1e-6, min_relative_residual_increment=1e-6, min_right_term=1e-6, min_residual=1e-6, max_iteration_lm=3, upper_scale_factor=0.6, lower_scale_factor=0.3)
 reg.GlobalOptimizationOption(max_correspondence_distance=0.03, edge_prune_threshold=0.25, preference_loop_closure=1.0, reference_node=-1)
@@ -57,7 +56,6 @@ reg.evaluate_trajectory(estimate=trajectory, truth=trajectory, align="first", de
 reg.fit_to_positions(model=model, positions=positions, max_error=0.1, seed=0)
 reg.get_information_matrix_from_point_clouds(source=source, target=target, max_correspondence_distance=0.2, transformation=pose)
 reg.global_optimization(pose_graph=graph, method="gauss-newton", criteria=criteria, option=option, free=["yaw", "x", "y", "z"])
-reg.list_scans(folder="nowhere")
 reg.multi_scale_icp(source=source, target=target, voxel_sizes=[0.3, 0.1], criteria_list=[rules, rules], max_correspondence_distances=[0.4, 0.2], init=pose, estimation_method=to_points, callback_after_iteration=None, overlap=0.8, constraint=bound, weights=times)
 reg.read_pose_graph(path="nowhere.json")
 reg.read_positions(path=gps, names=["a", "b", "c", "d"])
@@ -69,7 +67,7 @@ reg.coherent_point_drift(source=source, target=target, kind="affine", outliers=0
 reg.register_nonrigid(source=source, target=target, node_spacing=0.5, max_correspondence_distance=1.0, init=pose, landmarks=None, landmark_weight=1.0, stiffness=[1.0], max_iterations=2, tolerance=0.01, progress=None)
 reg.registration_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=to_points, criteria=rules, overlap=0.9, max_normal_angle=1.0, degeneracy=1e-3, callback_after_iteration=None, constraint=bound, weights=times)
 reg.registration_icp_batch(sources=source, targets=target, max_correspondence_distance=0.2, inits=pose, estimation_method=to_points, criteria=rules, overlap=0.9, max_normal_angle=1.0, degeneracy=1e-3, constraint=bound, weights=times)
-reg.registration_ransac_based_on_correspondence(source=source, target=target, corres=corres, max_correspondence_distance=0.2, estimation_method=to_points, ransac_n=3, checkers=[by_distance], criteria=draws, seed=0)
+reg.registration_ransac_based_on_correspondence(source=source, target=target, corres=corres, max_correspondence_distance=0.2, estimation_method=to_points, ransac_n=3, checkers=[by_distance], num_iterations=100, confidence=0.9, seed=0)
 reg.registration_robust_based_on_correspondence(source=source, target=target, corres=corres, noise_bound=0.1, seed=0)
 reg.registration_ndt(source=source, target=target, option=distributions, init=pose, degeneracy=0.005)
 reg.run_odometry(scans=[source, source], timestamps=None, progress=None, device="cpu", columns=["x", "y", "z"])
@@ -115,7 +113,7 @@ def things() -> dict[str, Any]:
         pose=np.eye(4), corres=np.tile(np.arange(60)[:, None], (1, 2)), three=np.array([0.5, 0.5, 0.5]),
         times=np.linspace(0, 1, 60), features=rng.random((60, 5)).astype(np.float32), node=nodes[0],
         information=np.eye(6), graph=reg.PoseGraph(nodes, [edge]), trajectory=loom.Trajectory([np.eye(4)] * 3),
-        rules=reg.ICPConvergenceCriteria(max_iteration=3), draws=reg.RANSACConvergenceCriteria(100, 0.9),
+        rules=reg.ICPConvergenceCriteria(max_iteration=3),
         distributions=reg.NormalDistributionsTransformOption(0.5, max_iteration=3),
         option=reg.GlobalOptimizationOption(),
         criteria=reg.GlobalOptimizationConvergenceCriteria(max_iteration=3),

@@ -16,7 +16,7 @@ loom.render(geometries=cloud, camera=view, size=(16, 12), point_size=2.0, backgr
 loom.View(intrinsic=camera, T_world_camera=pose)
 loom.View.from_open3d(bounds=bounds, zoom=0.7, front=[0, 0, 1.0], lookat=[0, 0, 0.0], up=[0, 1.0, 0], field_of_view=60.0, width=16, height=12)
 view.to_open3d(bounds=bounds)
-loom.fit_view(points=points, direction=(0, 1, 0), up=(0, 0, 1), width=16, height=12)
+loom.View.fit(points=points, direction=(0, 1, 0), up=(0, 0, 1), width=16, height=12)
 loom.read_view(path="view.json", width=16, height=12)
 loom.write_view(path="view.json", view=view, bounds=bounds)
 loom.write_image(path="picture.png", image=picture)

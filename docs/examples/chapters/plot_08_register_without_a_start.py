@@ -102,7 +102,7 @@ ransac = reg.registration_ransac_based_on_correspondence(
     thin_source, thin_target, pairs, distance,
     reg.TransformationEstimation.point_to_point(False), 3,
     [reg.CorrespondenceChecker.by_edge_length(0.9), reg.CorrespondenceChecker.by_distance(distance)],
-    reg.RANSACConvergenceCriteria(100_000, 0.999), seed=0,
+    num_iterations=100_000, confidence=0.999, seed=0,
 )  # fmt: skip
 print(ransac)
 print("off by {:.1f} degrees and {:.0f} cm".format(*off(ransac.transformation, truth)))

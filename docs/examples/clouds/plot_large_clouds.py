@@ -63,8 +63,8 @@ assert np.abs(total / hits - by_hand).max() < 0.1  # LAZ holds millimeters: a po
 # A view takes nodes until its budget is used, those first whose points are farthest apart on the screen.
 tree = loom.DetailTree.from_file(survey, attributes=["intensity"])
 middle = cloud.get_center()
-far = loom.fit_view(look.points, direction=(0.1, 0.8, -0.6), width=960, height=640)
-near = loom.fit_view(
+far = loom.View.fit(look.points, direction=(0.1, 0.8, -0.6), width=960, height=640)
+near = loom.View.fit(
     look.points[np.linalg.norm(look.points[:, :2] - middle[:2], axis=1) < 25],
     direction=(0.1, 0.8, -0.5),
     width=960,

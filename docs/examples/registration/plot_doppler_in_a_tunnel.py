@@ -77,7 +77,7 @@ assert np.linalg.norm(result.transformation[:3, 3] - truth[:3, 3]) < 0.05
 # the car is.
 near = first.select_by_mask(np.abs(first.points[:, 0]) < 22)
 colored = {"geometry": near, "color_by": "dopplers", "colormap": "coolwarm", "limits": (-25, 25), "point_size": 3}
-view = loom.fit_view(
+view = loom.View.fit(
     first.points[np.abs(first.points[:, 0]) < 30], direction=(0.45, 0.85, -0.35), width=960, height=560
 )
 image = loom.render(colored, view, color_bar=True)

@@ -106,6 +106,6 @@ scene = {
 corners = np.vstack([style["geometry"].points for style in scene.values()])
 image = loom.render(
     scene,
-    loom.fit_view(corners, direction=(0.0, 1.0, -0.35), width=960, height=480),
+    loom.View.fit(corners, direction=(0.0, 1.0, -0.35), width=960, height=480),
     legend=[("target", (0.2, 0.5, 0.8)), ("source", (0.95, 0.6, 0.1))],
 )

@@ -130,4 +130,4 @@ scene = {
     "closures": loops,
 }
 corners = np.vstack([drifted.poses[:, :3, 3], positions])
-image = loom.render(scene, loom.fit_view(corners, direction=(0.2, 0.7, -0.8), width=960, height=640), legend=True)
+image = loom.render(scene, loom.View.fit(corners, direction=(0.2, 0.7, -0.8), width=960, height=640), legend=True)

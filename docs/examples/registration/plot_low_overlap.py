@@ -104,5 +104,5 @@ for result, step in ((wide, 0), (good, 1)):
 corners = np.vstack([part["geometry"].points for part in scene])
 labels = [("all pairs", 0.5 * (low + high) + [0, 0, 1]), ("overlap found", 0.5 * (low + high) + shift + [0, 0, 1])]
 image = loom.render(
-    scene, loom.fit_view(corners, direction=(0, 0.02, -1), up=(1, 0, 0), width=1120, height=640), labels=labels
+    scene, loom.View.fit(corners, direction=(0, 0.02, -1), up=(1, 0, 0), width=1120, height=640), labels=labels
 )

@@ -74,5 +74,5 @@ for name, k, color in (("first", 0, (0.2, 0.5, 0.8)), ("last", 11, (0.95, 0.55, 
     near = cloud.select_by_mask((np.abs(cloud.points - [5, 0, 4]) < [24, 16, 12]).all(axis=1)).without("colors")
     drawn[name] = {"geometry": near, "color": color, "point_size": 3}
 corners = np.vstack([part["geometry"].points for part in drawn.values()])
-view = loom.fit_view(corners, direction=(0.35, 0.75, -0.5), width=960, height=640)
+view = loom.View.fit(corners, direction=(0.35, 0.75, -0.5), width=960, height=640)
 image = loom.render(drawn, view, legend=True)

@@ -128,4 +128,4 @@ scene = {
     "done target": {"geometry": target.translate(right).paint_uniform_color([0.2, 0.5, 0.8])},
 }
 corners = np.vstack([style["geometry"].points for style in scene.values()])
-image = loom.render(scene, loom.fit_view(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420))
+image = loom.render(scene, loom.View.fit(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420))

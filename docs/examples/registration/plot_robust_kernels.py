@@ -87,5 +87,5 @@ scene = {
     },
 }
 image = loom.render(
-    scene, loom.fit_view(target.crop(inner).points, direction=(-0.5, 0.62, -0.8), width=960, height=640), legend=True
+    scene, loom.View.fit(target.crop(inner).points, direction=(-0.5, 0.62, -0.8), width=960, height=640), legend=True
 )

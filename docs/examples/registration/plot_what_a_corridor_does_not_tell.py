@@ -142,4 +142,4 @@ for row, name in enumerate(poses):
         (f"{name}: {determined[name]} of 13 scans determine the motion", positions[len(positions) // 2] + [0, 0, 0.8])
     )
 corners = np.array([[-2, -6.3, 0], [14, -6.3, 0], [-2, 1.3, 2.6], [14, 1.3, 2.6]])
-image = loom.render(drawn, loom.fit_view(corners, direction=(0.2, 0.8, -0.7), width=960, height=560), labels=labels)
+image = loom.render(drawn, loom.View.fit(corners, direction=(0.2, 0.8, -0.7), width=960, height=560), labels=labels)

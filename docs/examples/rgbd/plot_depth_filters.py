@@ -92,6 +92,6 @@ for values in (depth, cut):
         radius=0.02, max_nn=12
     )
     cloud = cloud.orient_normals_towards_camera_location([0, 0, 0])
-    view = loom.fit_view(cloud.points, direction=(0.35, 0.3, 1.0), up=(0, -1, 0), width=640, height=640)
+    view = loom.View.fit(cloud.points, direction=(0.35, 0.3, 1.0), up=(0, -1, 0), width=640, height=640)
     images.append(loom.render({"geometry": cloud, "color": (0.8, 0.76, 0.7)}, view, (640, 640), shading="smooth"))
 image = np.hstack(images)

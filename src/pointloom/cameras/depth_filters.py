@@ -201,7 +201,7 @@ def create_depth_pyramid(
     the previous one, unlike `PinholeCameraIntrinsic.scaled`, since pixel (u, v) is pixel (2 u, 2 v) there.
 
     Args:
-        depth: Shape (h, w), or an RGBDImage, whose colors are halved by `pyrdown_color`.
+        depth: Shape (h, w), or an RGBDImage, whose colors are halved, too.
         levels: Number of images.
         diff_threshold: Pixels whose depth differs from the center's by this or more are ignored [m].
         depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.

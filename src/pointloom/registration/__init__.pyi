@@ -1,6 +1,5 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
-from ..io.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
 from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker
@@ -11,7 +10,6 @@ from .globally.global_registration import (
     registration_robust_based_on_correspondence as registration_robust_based_on_correspondence,
 )
 from .globally.pair import register_pair as register_pair
-from .globally.ransac import RANSACConvergenceCriteria as RANSACConvergenceCriteria
 from .globally.ransac import registration_ransac_based_on_correspondence as registration_ransac_based_on_correspondence
 from .globally.rating import assess_registration as assess_registration
 from .icp.constraint import Constraint as Constraint

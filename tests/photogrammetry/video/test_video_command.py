@@ -287,7 +287,7 @@ def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, t
 
 def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
     camera = loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
-    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", camera)
+    camera.write(tmp_path / "camera.json")
     work = tmp_path / "work"
     loom.photogrammetry.reconstruct_video(
         film, loom.photogrammetry.VideoSettings(intrinsic=tmp_path / "camera.json"), work=work

@@ -60,7 +60,7 @@ def texture_from_images(
 
     Views are chosen by size and sharpness of the triangle and by smoothness between neighbors. Colors are adjusted
     until images agree at seams. Sharper than `TriangleMesh.project_images_to_albedo`. Poses are not changed. See
-    `run_rigid_optimizer`. Bitwise reproducible on one device. 7 B per pixel, 120 B per texel, about 30 B per
+    `optimize_color_map`. Bitwise reproducible on one device. 7 B per pixel, 120 B per texel, about 30 B per
     triangle-image pair. Colors are shifted, not scaled. Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV
     2014.
 

@@ -27,34 +27,8 @@ from .checkers import CorrespondenceChecker, checks_of
 from .rating import score_registration
 
 MIN_SAMPLE = 3  # minimum correspondences for a pose
-
-
-class RANSACConvergenceCriteria:
-    """Stopping criteria of RANSAC.
-
-    Args:
-        max_iteration: Maximum number of hypotheses.
-        confidence: Stop when an outlier-free sample was drawn with this probability, 0..1. 1 draws all `max_iteration`.
-
-    Raises:
-        ValueError: A number is out of range.
-
-    Example:
-        >>> import pointloom as loom
-        >>> loom.registration.RANSACConvergenceCriteria(max_iteration=4000000)
-        RANSACConvergenceCriteria(max_iteration=4000000, confidence=0.999)
-    """
-
-    def __init__(self, max_iteration: int = 100000, confidence: float = 0.999):
-        self.max_iteration = check_count("max_iteration", max_iteration)
-        if self.max_iteration >= 2**31:
-            raise ValueError(f"max_iteration: expected an integer below 2^31, got {max_iteration!r}")
-        self.confidence = check_positive("confidence", confidence, allow_zero=True)
-        if self.confidence > 1:
-            raise ValueError(f"confidence: expected a number in 0..1, got {confidence!r}")
-
-    def __repr__(self) -> str:
-        return f"RANSACConvergenceCriteria(max_iteration={self.max_iteration}, confidence={self.confidence})"
+NUM_ITERATIONS = 100_000  # hypotheses, as in Open3D
+CONFIDENCE = 0.999
 
 
 @explain_argument_errors
@@ -66,8 +40,9 @@ def registration_ransac_based_on_correspondence(
     estimation_method: TransformationEstimationPointToPoint | None = None,
     ransac_n: int = MIN_SAMPLE,
     checkers: Sequence[CorrespondenceChecker] = (),
-    criteria: RANSACConvergenceCriteria | None = None,
     *,
+    num_iterations: int = NUM_ITERATIONS,
+    confidence: float = CONFIDENCE,
     seed: int = 0,
 ) -> RegistrationResult:
     """Register two clouds without a starting pose, by RANSAC over correspondences.
@@ -82,7 +57,8 @@ def registration_ransac_based_on_correspondence(
             is ignored.
         ransac_n: Correspondences per sample, at least 3.
         checkers: Tests that a sample and its pose must pass before scoring.
-        criteria: Stopping criteria; None: RANSACConvergenceCriteria(100000, 0.999).
+        num_iterations: Maximum number of hypotheses.
+        confidence: Stop when an outlier-free sample was drawn with this probability, 0..1. 1 draws all hypotheses.
         seed: Seed of the samples.
 
     Returns:
@@ -119,13 +95,14 @@ def registration_ransac_based_on_correspondence(
         (True, 1.0, True)
     """
     check_clouds(source, target)
-    settings = _check_settings(max_correspondence_distance, estimation_method, ransac_n, checkers, criteria, seed)
-    return _register(source, target, pairs_on_device(corres, source, target), *settings)
+    settings = _check_settings(max_correspondence_distance, estimation_method, ransac_n, checkers, seed)
+    limits = _check_limits(num_iterations, confidence)
+    return _register(source, target, pairs_on_device(corres, source, target), *settings, limits)
 
 
 def _check_settings(
-    distance: Any, method: Any, ransac_n: Any, checkers: Any, criteria: Any, seed: Any
-) -> tuple[float, bool, int, Sequence[CorrespondenceChecker], RANSACConvergenceCriteria, int]:
+    distance: Any, method: Any, ransac_n: Any, checkers: Any, seed: Any
+) -> tuple[float, bool, int, Sequence[CorrespondenceChecker], int]:
     max_distance = check_positive("max_correspondence_distance", distance)
     method = TransformationEstimationPointToPoint() if method is None else method
     if not isinstance(method, TransformationEstimationPointToPoint):
@@ -133,11 +110,18 @@ def _check_settings(
             "estimation_method: expected TransformationEstimation.point_to_point(), which fits a pose to point pairs, "
             f"got {type(method).__name__}. Use that in registration_icp to refine the result"
         )
-    criteria = RANSACConvergenceCriteria() if criteria is None else criteria
-    if not isinstance(criteria, RANSACConvergenceCriteria):
-        raise TypeError(f"criteria: expected RANSACConvergenceCriteria, got {type(criteria).__name__}")
     sample_size = check_count("ransac_n", ransac_n, minimum=MIN_SAMPLE)
-    return max_distance, bool(method.with_scaling), sample_size, checkers, criteria, check_seed(seed)
+    return max_distance, bool(method.with_scaling), sample_size, checkers, check_seed(seed)
+
+
+def _check_limits(num_iterations: Any, confidence: Any) -> tuple[int, float]:
+    count = check_count("num_iterations", num_iterations)
+    if count >= 2**31:
+        raise ValueError(f"num_iterations: expected an integer below 2^31, got {num_iterations!r}")
+    probability = check_positive("confidence", confidence, allow_zero=True)
+    if probability > 1:
+        raise ValueError(f"confidence: expected a number in 0..1, got {confidence!r}")
+    return count, probability
 
 
 def _register(
@@ -148,8 +132,8 @@ def _register(
     with_scaling: bool,
     sample_size: int,
     checkers: Sequence[CorrespondenceChecker],
-    criteria: RANSACConvergenceCriteria,
     seed: int,
+    limits: tuple[int, float],
 ) -> RegistrationResult:
     checks, device = checks_of(checkers), source.device
     points = source._device_array("points"), target._device_array("points")
@@ -160,7 +144,6 @@ def _register(
     normals = empty(0, vec3, device), empty(0, vec3, device)
     if np.isfinite(checks.cosine) and source.has_normals and target.has_normals:
         normals = source._device_array("normals"), target._device_array("normals")
-    limits = (criteria.max_iteration, criteria.confidence)
     best = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
     if best.pose is None or best.count <= 0:
         warning = "no hypothesis passed the checks" if best.pose is None else "no hypothesis aligned the clouds"
@@ -168,7 +151,7 @@ def _register(
     T = to_world(best.pose, *world_middles(source, target, fitness.middles))
     result = evaluate_registration(source, target, distance, T)
     result.iterations, result.converged = best.drawn, best.confident
-    unsure = f"the confidence {criteria.confidence:g} was not reached within {best.drawn:,} iterations"
+    unsure = f"the confidence {limits[1]:g} was not reached within {best.drawn:,} iterations"
     result.warnings = () if best.confident else (unsure,)
     if with_scaling:
         result._has_scale = True

@@ -75,7 +75,7 @@ class DetailTree(NodesInView):
         >>> tree = loom.DetailTree.from_cloud(cloud)
         >>> tree.count, sum(len(tree.node(i).indices) for i in range(len(tree)))
         (20000, 20000)
-        >>> view = loom.fit_view(cloud.points, width=64, height=48)
+        >>> view = loom.View.fit(cloud.points, width=64, height=48)
         >>> nodes = tree.select(view, budget=15_000)
         >>> nodes[0], int(tree.counts[nodes].sum()) <= 15_000
         (0, True)
