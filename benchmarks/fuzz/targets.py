@@ -108,7 +108,7 @@ PUBLIC: dict[str, tuple[str, ...] | LeftOut] = {
     "loom.registration.read_pose_graph": ("pose graph",),
     "loom.registration.read_positions": ("positions",),
     "loom.registration.run_odometry": CLOUDS,
-    "loom.sample_file": LeftOut("paths of files of the package"),
+    "loom.DetailTree.sample": LeftOut("paths of files of the package"),
     "loom.photogrammetry.choose_frames": (*VIDEOS, *IMAGES),
     "loom.photogrammetry.find_features": (*IMAGES, *PHOTOS),
     "loom.photogrammetry.map_images": DATABASES,

@@ -98,7 +98,6 @@ from .visualization.render.picture_files import write_image as write_image
 from .visualization.render.plots import draw_slice as draw_slice
 from .visualization.render.render import render as render
 from .visualization.render.view import View as View
-from .visualization.viewer.detail_files import sample_file as sample_file
 from .visualization.viewer.detail_tree import DetailTree as DetailTree
 from .visualization.viewer.draw import draw as draw
 from .visualization.viewer.viewer import Viewer as Viewer

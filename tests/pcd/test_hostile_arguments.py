@@ -419,14 +419,14 @@ HOMES = {
 # Results; errors; functions of device arrays, which are not public; and functions tested in other folders.
 LEFT_OUT = {
     "DatasetError", "FileError", "DeviceError", "PointloomError", "CameraError", "NonFiniteWarning",
-    "GeographicWarning", "RecordingWarning", "evaluate_depth", "sample_file",
+    "GeographicWarning", "RecordingWarning", "evaluate_depth",
     "DroppedResultWarning", "UnitWarning", "VoxelGrid",
     "DistanceField",
     "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
     "PointCloud.from_open3d", "find_boxes", "rasterize",
     # tests/drawing: viewer, recording, render
     "draw", "Viewer", "DetailTree", "record", "render", "write_image", "View",
-    "fit_view", "read_view", "write_view", "CameraFrustum",
+    "read_view", "write_view", "CameraFrustum",
     # tests/core, tests/photogrammetry/depth, tests/rgbd
     "DepthModel", "estimate_depth",
     "fuse", "track", "check_focal", "reconstruct",

@@ -109,6 +109,7 @@ RENAMED = {
     "loom.rgbd.rgbd_odometry_multi_scale": "loom.rgbd.compute_rgbd_odometry",
     "loom.rgbd.RGBDOdometryJacobianFromColorTerm": "loom.rgbd.compute_rgbd_odometry",
     "loom.rgbd.RGBDOdometryJacobianFromHybridTerm": "loom.rgbd.compute_rgbd_odometry",
+    "loom.sample_file": "loom.DetailTree.sample",
     "loom.save_picture": "loom.write_image",
     "loom.sfm.map_pictures": "loom.photogrammetry.map_images",
     "loom.sfm.match": "loom.photogrammetry.match_features",

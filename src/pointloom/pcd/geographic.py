@@ -8,7 +8,7 @@ accuracy of a few nanometers", 2011, equations 7 to 12 and 35.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import warp as wp
@@ -84,8 +84,8 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -
         raise ValueError(
             'cloud: normals in degrees cannot be projected. Project cloud.without("normals"), then estimate them'
         )
-    reference = cloud if epsg is None else epsg
-    code = utm_epsg(reference) if isinstance(reference, PointCloud) else check_count("epsg", reference)
+    reference: Any = cloud if epsg is None else epsg
+    code = utm_epsg(reference) if hasattr(reference, "points") else check_count("epsg", reference)
     zone = code % 100
     if code - zone not in (_NORTHERN, _SOUTHERN) or not 1 <= zone <= 60:
         raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")
