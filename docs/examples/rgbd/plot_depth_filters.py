@@ -9,7 +9,7 @@ make it smaller without mixing near and far, and see its normals.
 import numpy as np
 
 import pointloom as loom
-from pointloom.cameras.depth_filters import create_depth_pyramid, create_normal_map, pyrdown_color
+from pointloom.cameras.depth_filters import create_depth_pyramid, create_normal_map
 
 # %%
 # A frame with noise, and the same without
@@ -76,7 +76,7 @@ assert angles["smoothed"] < 0.7 * angles["measured"]
 # for images that were resized by area: their borders keep their place.)
 
 levels = create_depth_pyramid(smooth, 3, depth_scale=1.0)
-color = pyrdown_color(noisy.color)
+color = loom.create_depth_pyramid(loom.RGBDImage(noisy.color, noisy.depth, depth_scale=1.0), 2)[1].color
 half = loom.PinholeCameraIntrinsic(
     camera.width // 2, camera.height // 2, *(0.5 * np.array([camera.fx, camera.fy, camera.cx, camera.cy]))
 )

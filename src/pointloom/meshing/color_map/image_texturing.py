@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 import warp as wp
 
+from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.checks import check_color, check_count, check_positive, check_progress
 from ...core.progress import ReportProgress
 from ...kernels.arrays.duplicates import find_equal_points
@@ -52,7 +52,7 @@ def texture_from_images(
     exposures: bool = True,
     seam_leveling: bool = True,
     local_leveling: bool = True,
-    depth_max: float = np.inf,
+    depth_max: float = UNLIMITED_DEPTH,
     plain: Any = PLAIN,
     progress: ReportProgress | None = None,
 ) -> ImageTextureResult:
