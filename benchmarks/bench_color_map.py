@@ -44,8 +44,8 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
     mesh = loom.TriangleMesh(scene["vertices"], scene["triangles"], device=device)
     frames = [loom.RGBDImage(*frame, device=device) for frame in scene["frames"]]
     camera, path = loom.PinholeCameraIntrinsic(*scene["camera"]), loom.Trajectory(scene["poses"])
-    option = maps.RigidOptimizerOption(maximum_iteration=ITERATIONS)
-    return lambda: maps.run_rigid_optimizer(mesh, frames, path, option, intrinsic=camera)
+    option = maps.ColorMapOption(maximum_iteration=ITERATIONS)
+    return lambda: maps.optimize_color_map(mesh, frames, path, option, intrinsic=camera)
 
 
 def prepare_open3d(scene: Scene, device: str) -> Any:

@@ -37,7 +37,7 @@ def prepare_pointloom(scene: Pair, device: str) -> Any:
         registration.CorrespondenceChecker.by_edge_length(0.9),
         registration.CorrespondenceChecker.by_distance(1.5 * size),
     ]
-    criteria = registration.RANSACConvergenceCriteria(MAX_ITERATION, CONFIDENCE)
+    limits = {"num_iterations": MAX_ITERATION, "confidence": CONFIDENCE}
 
     def describe(cloud: Any) -> tuple[Any, Any]:
         thinned = cloud.voxel_down_sample(size).estimate_normals(radius=2 * size, max_nn=30)
@@ -48,7 +48,7 @@ def prepare_pointloom(scene: Pair, device: str) -> Any:
         (source, left), (target, right) = map(describe, clouds)
         pairs = registration.correspondences_from_features(left, right, mutual_filter=True)
         result = registration.registration_ransac_based_on_correspondence(
-            source, target, pairs, 1.5 * size, checkers=checkers, criteria=criteria
+            source, target, pairs, 1.5 * size, checkers=checkers, **limits
         )
         return result.transformation, scene.T
 

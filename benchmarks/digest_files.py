@@ -67,7 +67,7 @@ def poses(d: Scenes) -> Any:
         for ending in ("log", "tum", "kitti"):
             loom().write_trajectory(folder / f"path.{ending}", path)
         loom().write_trajectory(folder / "path.json", path, intrinsic=camera)
-        loom().write_pinhole_camera_intrinsic(folder / "camera.json", camera)
+        camera.write(folder / "camera.json")
 
     return contents(write)
 
@@ -86,7 +86,7 @@ def graph(d: Scenes) -> Any:
 
 def view(d: Scenes) -> Any:
     points = d.surface.cloud.points
-    fitted, bounds = loom().fit_view(points, width=64, height=48), (points.min(axis=0), points.max(axis=0))
+    fitted, bounds = loom().View.fit(points, width=64, height=48), (points.min(axis=0), points.max(axis=0))
     return contents(lambda folder: loom().write_view(folder / "view.json", fitted, bounds))
 
 

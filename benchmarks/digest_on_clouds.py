@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from digest_scenes import HEIGHT, WIDTH, SampledSurface, about, loom, pose_of, reg
+from digest_scenes import HEIGHT, WIDTH, SampledSurface, about, estimators, loom, pose_of, reg
 
 
 def there_and_back(value: Any, ending: str, write: str, read: str, **options: Any) -> Any:
@@ -50,7 +50,7 @@ def search(p: SampledSurface) -> Any:
 
 def icp(p: SampledSurface, method: str = "PointToPoint", **options: Any) -> Any:
     """ICP with an estimator whose options are given by keyword."""
-    estimation = getattr(reg(), f"TransformationEstimation{method}")(**options)
+    estimation = getattr(estimators(), f"TransformationEstimation{method}")(**options)
     return reg().registration_icp(p.source, p.facing, p.max_distance, None, estimation)
 
 
@@ -63,7 +63,7 @@ def ndt(p: SampledSurface, **options: Any) -> Any:
 def from_poses(p: SampledSurface) -> list[Any]:
     """ICP from three poses at once."""
     starts = [about(p.middle, pose_of(degrees, np.zeros(3))) for degrees in (-1.0, 0.0, 3.0)]
-    plane = reg().TransformationEstimationPointToPlane()
+    plane = reg().TransformationEstimation.point_to_plane()
     return reg().registration_icp_batch(p.source, p.facing, p.max_distance, np.array(starts), plane)
 
 
@@ -223,7 +223,7 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
         p.cloud,
         p.max_distance,
         None,
-        reg().TransformationEstimationForGeneralizedICP(),
+        reg().TransformationEstimation.generalized(),
     ),
     "icp, generalized, voxels": lambda p: icp(p, "ForGeneralizedICP", voxel_size=4 * p.spacing),
     "registration_ndt": lambda p: ndt(p),

@@ -17,7 +17,7 @@ from digest_files import WRITTEN
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
-from digest_scenes import ROTATED, UTM, SampledSurface, Scenes, about, loom, pose_of, reg
+from digest_scenes import ROTATED, UTM, SampledSurface, Scenes, about, estimators, loom, pose_of, reg
 from digest_shapes import SHAPES
 from digest_stations import surveyed
 from digest_volumes import VOLUMES
@@ -32,7 +32,9 @@ def dlpack_cloud(d: Scenes) -> Any:
 def projected(d: Scenes) -> Any:
     """Geographic coordinates projected to meters, and their zone."""
     cloud = loom().PointCloud(scenes.bumpy_surface(500, 80) * [0.01, 0.01, 1.0] + [9.18, 48.77, 240.0])
-    return [loom().project_to_utm(cloud), loom().utm_epsg(cloud)]
+    from pointloom.pcd.geographic import utm_epsg
+
+    return [loom().project_to_utm(cloud), utm_epsg(cloud)]
 
 
 def moved_boxes(p: SampledSurface) -> list[Any]:
@@ -278,12 +280,12 @@ def color_maps(d: Scenes) -> list[Any]:
     """Color maps in both forms, by rays and by depth."""
     camera, images, poses = posed_images(d)
     maps, mesh, path = loom().meshing, imaged_grid(d), loom().Trajectory(poses)
-    rigid = maps.RigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2)
-    bent = maps.NonRigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2, number_of_vertical_anchors=4)
+    rigid = maps.ColorMapOption(maximum_iteration=5, image_boundary_margin=2)
+    bent = maps.ColorMapOption(maximum_iteration=5, image_boundary_margin=2, number_of_vertical_anchors=4)
     depth = np.ones((48, 64), np.float32)
     frames = [loom().RGBDImage(image, depth, device=d.device) for image in images]
-    results = [maps.run_rigid_optimizer(mesh, images, path, rigid, intrinsic=camera)]
-    results.append(maps.run_non_rigid_optimizer(mesh, frames, path, bent, intrinsic=camera))
+    results = [maps.optimize_color_map(mesh, images, path, rigid, intrinsic=camera)]
+    results.append(maps.optimize_color_map(mesh, frames, path, bent, intrinsic=camera, method="non-rigid"))
     return [[r.mesh.vertex_colors, r.trajectory.poses, r.seen, r.warp(1), r.unwarped_image(2)] for r in results]
 
 
@@ -379,7 +381,7 @@ def robust_kernels(scale: float = 0.02) -> dict[str, Any]:
 
 def icp_with(p: SampledSurface, method: str = "PointToPlane", **options: Any) -> Any:
     """ICP with the given options."""
-    estimation = getattr(reg(), f"TransformationEstimation{method}")()
+    estimation = getattr(estimators(), f"TransformationEstimation{method}")()
     return reg().registration_icp(p.source, p.facing, p.max_distance, None, estimation, **options)
 
 
@@ -389,7 +391,7 @@ def icp_fixed(p: SampledSurface) -> list[Any]:
     """
     rotation = np.array([[0.8, -0.6, 0.0, 0.02], [0.6, 0.8, 0.0, 0.01], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
     known = reg().Prior(rotation, sigma_translation=0.1, sigma_rotation=0.5)
-    level, scaled = ("x", "y", "z", "yaw"), reg().TransformationEstimationPointToPoint(True)
+    level, scaled = ("x", "y", "z", "yaw"), reg().TransformationEstimation.point_to_point(True)
     weights = np.linspace(0, 1, len(p.source))
     return [
         icp_with(
@@ -424,7 +426,7 @@ def multi_scale(p: SampledSurface) -> list[Any]:
     """Multi-scale ICP, with the states passed to a callback."""
     states: list[Any] = []
     rules = [reg().ICPConvergenceCriteria(1e-4, 1e-4, 10), reg().ICPConvergenceCriteria(max_iteration=20)]
-    plane, sizes = reg().TransformationEstimationPointToPlane(), [4 * p.spacing, -1]
+    plane, sizes = reg().TransformationEstimation.point_to_plane(), [4 * p.spacing, -1]
     clouds, distances = (p.source, p.facing), [2 * p.max_distance, p.max_distance]
     watch: dict[str, Any] = {"callback_after_iteration": lambda state: states.append(dict(state))}
     return [reg().multi_scale_icp(*clouds, sizes, rules, distances, None, plane, **watch), states]
@@ -436,7 +438,7 @@ def doppler(d: Scenes, **options: Any) -> Any:
 
 
 def icp_batch(d: Scenes, method: str) -> list[Any]:
-    estimation = getattr(reg(), f"TransformationEstimation{method}")()
+    estimation = getattr(estimators(), f"TransformationEstimation{method}")()
     return reg().registration_icp_batch(*d.patches, 0.15, None, estimation, degeneracy=0)
 
 
@@ -456,15 +458,15 @@ def checked(d: Scenes) -> list[bool]:
 
 
 def ransac(d: Scenes, **options: Any) -> Any:
-    rules = reg().RANSACConvergenceCriteria(20_000, 0.999)
-    return reg().registration_ransac_based_on_correspondence(*d.thinned, d.matches, 0.1, criteria=rules, **options)
+    return reg().registration_ransac_based_on_correspondence(
+        *d.thinned, d.matches, 0.1, num_iterations=20_000, **options
+    )
 
 
 def ransac_features(d: Scenes, mutual: bool) -> Any:
-    rules = reg().RANSACConvergenceCriteria(20_000, 0.999)
     pairs = reg().correspondences_from_features(*d.features, mutual)
     call = reg().registration_ransac_based_on_correspondence
-    return call(*d.thinned, pairs, 0.1, checkers=checkers()[:3], criteria=rules, seed=2)
+    return call(*d.thinned, pairs, 0.1, checkers=checkers()[:3], num_iterations=20_000, seed=2)
 
 
 def fast_global(d: Scenes, **options: Any) -> list[Any]:
@@ -481,9 +483,20 @@ def robust_global(d: Scenes) -> list[Any]:
     return [*(call(*d.thinned, each, 0.06) for each in pairs), call(*d.thinned, d.matches, 0.08, seed=6)]
 
 
+def halved_color(d: Scenes) -> Any:
+    from pointloom.cameras.depth_filters import pyrdown_color
+
+    return pyrdown_color(d.paint, device=d.device)
+
+
+def steps_of_odometry(d: Scenes) -> list[Any]:
+    steps: list[Any] = []
+    reg().run_odometry(d.scans[:3], progress=steps.append, device=d.device, voxel_size=2.0)
+    return steps
+
+
 def optimized(d: Scenes, method: str, **options: Any) -> Any:
-    how = getattr(reg(), f"GlobalOptimization{method}")()
-    return reg().global_optimization(d.graph, how, option=reg().GlobalOptimizationOption(DISTANCE, **options))
+    return reg().global_optimization(d.graph, method, option=reg().GlobalOptimizationOption(DISTANCE, **options))
 
 
 def graph_file(d: Scenes) -> Any:
@@ -603,8 +616,8 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "erode_depth_edges": lambda d: loom().erode_depth_edges(d.rgbd, 2, 0.05),
     "DepthEstimate, to_point_cloud": lambda d: estimated(d).to_point_cloud(device=d.device),
     "create_normal_map": lambda d: loom().create_normal_map(d.rgbd, d.lens, -1.0),
-    "pyrdown_depth": lambda d: loom().pyrdown_depth(d.frames.depths[3], device=d.device),
-    "pyrdown_color": lambda d: loom().pyrdown_color(d.paint, device=d.device),
+    "pyrdown_depth": lambda d: loom().create_depth_pyramid(d.frames.depths[3], 2, device=d.device)[1],
+    "pyrdown_color": lambda d: halved_color(d),
     "undistort_image": undistorted_paint,
     "panorama": panorama_faces,
     "create_depth_pyramid": lambda d: loom().create_depth_pyramid(d.rgbd, 3),
@@ -749,7 +762,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "ransac, features": lambda d: [ransac_features(d, mutual) for mutual in (False, True)],
     "ransac, pairs": lambda d: [ransac(d), ransac(d, ransac_n=4, checkers=checkers()[:2], seed=1)],
     "ransac, pairs, scaling": lambda d: ransac(
-        d, estimation_method=reg().TransformationEstimationPointToPoint(with_scaling=True)
+        d, estimation_method=reg().TransformationEstimation.point_to_point(with_scaling=True)
     ),
     "fast global registration": fast_global,
     "fast global registration, absolute": lambda d: fast_global(d, use_absolute_scale=True, tuple_test=False),
@@ -762,13 +775,13 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "register_nonrigid": bent,
     "coherent_point_drift": drifted,
     "register_stations": surveyed,
-    "global_optimization": lambda d: optimized(d, "LevenbergMarquardt", reference_node=0),
-    "global_optimization, Gauss-Newton": lambda d: optimized(d, "GaussNewton", edge_prune_threshold=0.1),
+    "global_optimization": lambda d: optimized(d, "levenberg-marquardt", reference_node=0),
+    "global_optimization, Gauss-Newton": lambda d: optimized(d, "gauss-newton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,
     "odometry": odometry,
     "odometry, as measured": lambda d: odometry(d, deskew=False, max_points_per_voxel=5, min_range=2.0),
     "run_odometry": lambda d: d.path,
-    "iterate_odometry": lambda d: list(reg().iterate_odometry(d.scans[:3], device=d.device, voxel_size=2.0)),
+    "iterate_odometry": steps_of_odometry,
     "deskew_point_cloud": lambda d: reg().deskew_point_cloud(d.scans[2], pose_of(3.0, [1, 0.1, 0])),
     "evaluate_trajectory": lambda d: [
         reg().evaluate_trajectory(d.path, d.true_path, align=align, lengths=[2, 3]) for align in (True, "first", None)

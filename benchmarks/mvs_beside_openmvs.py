@@ -46,7 +46,7 @@ def main() -> None:
     given = parser.parse_args()
     scene = read_openmvs_scene(real_data("mvs-openmvs-sample/scene.mvs"))
     openmvs_mesh = loom.read_triangle_mesh(real_data("mvs-openmvs-sample/scene_mesh.ply"))
-    model = loom.read_colmap_model(given.work / "mesh" / "sparse")
+    model = loom.read_cameras(given.work / "mesh" / "sparse")
     # OpenMVS's sample numbers the photographs in their order.
     taken = sorted(path.stem for path in real_data("mvs-sceaux/images").glob("*.JPG"))
     positions = {name: scene.centers[taken.index(Path(name).stem)] for name in model.names}

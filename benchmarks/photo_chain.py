@@ -160,7 +160,7 @@ def colmap(name: str, work: Path) -> dict[str, Any]:
     if models:
         best = max(models.values(), key=lambda model: model.num_reg_images())
         best.write(colmap_folder)
-        model = by_name(loom.read_colmap_model(colmap_folder))
+        model = by_name(loom.read_cameras(colmap_folder))
         report |= {"placed": len(model.names), "error_px": round(best.compute_mean_reprojection_error(), 3)}
         report["focals"] = sorted({round(float(camera.params[0]), 1) for camera in model.cameras})
         if photos.poses:
@@ -190,7 +190,7 @@ def textured(name: str, work: Path) -> dict[str, Any]:
     if done.returncode not in (0, 3):
         return {"error": done.stderr[-500:]}
     report = {"cpu_seconds": round(cpu_seconds() - begin, 1), "code": done.returncode}
-    model = loom.read_colmap_model(folder / "work" / "mesh" / "sparse")
+    model = loom.read_cameras(folder / "work" / "mesh" / "sparse")
     mesh = loom.read_triangle_mesh(folder / "textured.obj")
     for k in (0, len(model.names) // 2):
         camera = model.cameras[k]

@@ -43,10 +43,10 @@ def estimators() -> dict[str, Any]:
 
     reg = loom.registration
     return {
-        "point-to-point ICP": reg.TransformationEstimationPointToPoint(),
-        "point-to-plane ICP": reg.TransformationEstimationPointToPlane(),
-        "symmetric ICP": reg.TransformationEstimationSymmetric(),
-        "generalized ICP": reg.TransformationEstimationForGeneralizedICP(),
+        "point-to-point ICP": reg.TransformationEstimation.point_to_point(),
+        "point-to-plane ICP": reg.TransformationEstimation.point_to_plane(),
+        "symmetric ICP": reg.TransformationEstimation.symmetric(),
+        "generalized ICP": reg.TransformationEstimation.generalized(),
     }
 
 
@@ -67,7 +67,7 @@ def our_icp(name: str, voxels: float | None = None) -> Method:
         reg = loom.registration
         estimator = estimators()[name]
         if voxels:
-            estimator = reg.TransformationEstimationForGeneralizedICP(voxel_size=voxels * pair.distance)
+            estimator = reg.TransformationEstimation.generalized(voxel_size=voxels * pair.distance)
         rules = reg.ICPConvergenceCriteria(CHANGE, CHANGE, STEPS)
         return reg.registration_icp(*our_clouds(pair), pair.distance, start, estimator, rules).transformation
 

@@ -183,7 +183,7 @@ def after_icp() -> Scene:
     """After ICP: distances to the target."""
     target = objects().voxel_down_sample(0.02).estimate_normals(radius=0.08, max_nn=20)
     source = moved(target, 8, (0.1, 0.05, 0.12))
-    plane = loom.registration.TransformationEstimationPointToPlane()
+    plane = loom.registration.TransformationEstimation.point_to_plane()
     result = loom.registration.registration_icp(source, target, 0.3, np.eye(4), plane)
     source = source.transform(result.transformation)
     source["distance"] = source.compute_point_cloud_distance(target)

@@ -57,7 +57,7 @@ def source_and_target() -> dict[str, Any]:
 
 
 def pair_nearby() -> dict[str, Any]:
-    method = loom.registration.TransformationEstimationPointToPoint()
+    method = loom.registration.TransformationEstimation.point_to_point()
     one_iteration = loom.registration.ICPConvergenceCriteria(max_iteration=1)
     target, source = room(3000), room(3000, seed=1).translate([0.02, 0.01, 0])
     return {
@@ -105,7 +105,7 @@ def survey() -> dict[str, Any]:
     cloud = room()
     cloud["intensity"] = np.arange(len(cloud), dtype=np.uint16)
     loom.write_point_cloud("survey.laz", cloud)
-    return {"view": loom.fit_view(cloud.points)}
+    return {"view": loom.View.fit(cloud.points)}
 
 
 def colmap_project() -> dict[str, Any]:

@@ -274,7 +274,7 @@ def finish_fusion(folder: Path) -> Any:
     return loom.tiling.finish_fusion(folder, folder / "mesh.ply")
 
 
-COLMAP = loom.read_colmap_model
+COLMAP = loom.read_cameras
 ROOM, TUM = "data set, {}", "TUM, {}"
 
 # name, suffix, seeds, mutate, read, oracle: as in cases.Case

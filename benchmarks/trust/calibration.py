@@ -150,9 +150,9 @@ def components(pair: Pair, operation: str) -> Array | None:
         for points in (pair.source, pair.target)
     ]
     estimation = (
-        reg.TransformationEstimationPointToPlane()
+        reg.TransformationEstimation.point_to_plane()
         if operation == "point-to-plane"
-        else reg.TransformationEstimationForGeneralizedICP()
+        else reg.TransformationEstimation.generalized()
     )
     result = reg.registration_icp(*clouds, 1.5 * pair.voxel, off @ pair.T, estimation)
     if result.fitness < MIN_FITNESS:

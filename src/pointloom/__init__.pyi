@@ -7,15 +7,11 @@ from . import registration as registration
 from . import rgbd as rgbd
 from . import tiling as tiling
 from .cameras.camera import PinholeCameraIntrinsic as PinholeCameraIntrinsic
-from .cameras.camera import read_pinhole_camera_intrinsic as read_pinhole_camera_intrinsic
-from .cameras.camera import write_pinhole_camera_intrinsic as write_pinhole_camera_intrinsic
 from .cameras.camera_models import CameraModel as CameraModel
 from .cameras.depth_filters import create_depth_pyramid as create_depth_pyramid
 from .cameras.depth_filters import create_normal_map as create_normal_map
 from .cameras.depth_filters import erode_depth_edges as erode_depth_edges
 from .cameras.depth_filters import filter_depth_bilateral as filter_depth_bilateral
-from .cameras.depth_filters import pyrdown_color as pyrdown_color
-from .cameras.depth_filters import pyrdown_depth as pyrdown_depth
 from .cameras.images import RGBDImage as RGBDImage
 from .cameras.panoramas import Panorama as Panorama
 from .cameras.trajectory import Trajectory as Trajectory
@@ -49,9 +45,7 @@ from .io.frames.rgbd_sources import frames_from as frames_from
 from .io.images.image_files import read_color as read_color
 from .io.images.image_files import read_depth as read_depth
 from .io.models.camera_files import read_cameras as read_cameras
-from .io.models.colmap import read_colmap_model as read_colmap_model
 from .io.models.colmap import write_colmap_model as write_colmap_model
-from .io.models.metashape import read_metashape_cameras as read_metashape_cameras
 from .io.models.sfm_model import SfmModel as SfmModel
 from .io.models.transforms_writer import write_transforms as write_transforms
 from .io.points.e57_stations import read_stations as read_stations
@@ -82,7 +76,6 @@ from .pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .pcd.features import estimate_curvature as estimate_curvature
 from .pcd.geodesy import WorldFrame as WorldFrame
 from .pcd.geographic import project_to_utm as project_to_utm
-from .pcd.geographic import utm_epsg as utm_epsg
 from .pcd.ground import classify_ground as classify_ground
 from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.line_set import LineSet as LineSet
@@ -105,8 +98,6 @@ from .visualization.render.picture_files import write_image as write_image
 from .visualization.render.plots import draw_slice as draw_slice
 from .visualization.render.render import render as render
 from .visualization.render.view import View as View
-from .visualization.render.view import fit_view as fit_view
-from .visualization.viewer.detail_files import sample_file as sample_file
 from .visualization.viewer.detail_tree import DetailTree as DetailTree
 from .visualization.viewer.draw import draw as draw
 from .visualization.viewer.viewer import Viewer as Viewer

@@ -198,11 +198,7 @@ def test_registrations_use_features_and_pairs_on_their_device(library, clouds):
     twice = np.concatenate([pairs, pairs[::-1]])
     calls = {
         "ransac": lambda c, f, p: register.registration_ransac_based_on_correspondence(
-            c,
-            c.transform(T),
-            register.correspondences_from_features(f, f, True),
-            0.05,
-            criteria=register.RANSACConvergenceCriteria(500),
+            c, c.transform(T), register.correspondences_from_features(f, f, True), 0.05, num_iterations=500
         ),
         "fgr": lambda c, f, p: registration_fgr_based_on_correspondence(c, c.transform(T), p),
         "robust": lambda c, f, p: register.registration_robust_based_on_correspondence(c, c.transform(T), p, 0.02),
@@ -427,7 +423,7 @@ ARGUMENTS = {
     "a box": lambda s: loom.AxisAlignedBoundingBox.create_from_points(s.points).max_bound,
     "an oriented box": lambda s: loom.OrientedBoundingBox.create_from_points(s.points).extent,
     "a minimal box": lambda s: loom.OrientedBoundingBox.create_from_points_minimal(s.points).extent,
-    "a view": lambda s: loom.fit_view(s.points).T_world_camera,
+    "a view": lambda s: loom.View.fit(s.points).T_world_camera,
     "lines": lambda s: loom.LineSet(s.points, s.make(np.array([[0, 1], [1, 2]]))).points,
     "lines of pairs": lambda s: (
         loom.LineSet.create_from_point_cloud_correspondences(

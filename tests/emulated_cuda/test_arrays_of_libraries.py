@@ -70,11 +70,7 @@ OPERATIONS = {
     "pairs": lambda c, e: loom.registration.correspondences_from_features(e.features, e.features, True),
     "registered": lambda c, e: loom.registration.evaluate_registration(c, c, 0.02).correspondence_set,
     "ransac": lambda c, e: loom.registration.registration_ransac_based_on_correspondence(
-        c,
-        c,
-        loom.registration.correspondences_from_features(e.features, e.features, True),
-        0.05,
-        criteria=loom.registration.RANSACConvergenceCriteria(200),
+        c, c, loom.registration.correspondences_from_features(e.features, e.features, True), 0.05, num_iterations=200
     ),
     "knn": lambda c, e: e.search.knn_search(e.points, 5),
     "radius": lambda c, e: e.search.radius_search(e.points, 0.05),

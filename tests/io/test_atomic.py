@@ -414,7 +414,7 @@ WRITERS = {
     **dict.fromkeys(("s.ply", "s.splat", "s.spz"), lambda path: loom.write_splats(path, splats())),
     **dict.fromkeys(("p.png", "p.webp"), lambda path: loom.write_image(path, PIXELS)),
     "graph.json": lambda path: loom.registration.write_pose_graph(path, GRAPH),
-    "camera.json": lambda path: loom.write_pinhole_camera_intrinsic(path, CAMERA),
+    "camera.json": lambda path: CAMERA.write(path),
     "config.json": lambda path: loom.rgbd.ReconstructionConfig().write(path),
     "view.json": lambda path: loom.write_view(path, loom.View(CAMERA, np.eye(4)), ([0, 0, 0], [1, 1, 1])),
     "stations.e57": lambda path: loom.write_stations(path, [cloud()], [np.eye(4)]),
@@ -451,11 +451,11 @@ def test_files_that_are_replaced_together_follow_the_rules_of_open(tmp_path, acc
     loom.write_colmap_model(folder, models[1], overwrite=True)
     assert (folder / names[1]).is_symlink() and b"new.png" in (disk / names[1]).read_bytes()
     assert (folder / names[0]).stat().st_mode & 0o777 == 0o600
-    assert loom.read_colmap_model(folder).names == ("new.png",)
+    assert loom.read_cameras(folder).names == ("new.png",)
     (folder / names[0]).chmod(0o444)
     with pytest.raises(loom.FileError, match="read-only"):
         loom.write_colmap_model(folder, models[0], overwrite=True)
-    assert loom.read_colmap_model(folder).names == ("new.png",) and len([*folder.iterdir()]) == 3
+    assert loom.read_cameras(folder).names == ("new.png",) and len([*folder.iterdir()]) == 3
 
 
 @pytest.mark.parametrize("name", WRITERS)

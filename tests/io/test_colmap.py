@@ -10,6 +10,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.io.models import colmap_binary, colmap_text
+from pointloom.io.models.colmap import read_colmap_model
 
 from ..cameras.colmap_oracle import query_colmap
 from .sfm_models import LENS, assert_same, ring_model
@@ -41,7 +42,7 @@ def synthetic(tmp_path_factory):
 @pytest.mark.parametrize("which", [0, 1], ids=FORMS)
 def test_models_written_by_colmap_are_read(synthetic, which):
     folders, expected = synthetic
-    model = loom.read_colmap_model(folders[which])
+    model = read_colmap_model(folders[which])
     assert {"rigs", "frames"} <= {path.stem for path in folders[which].iterdir()}  # of version 4
     assert sorted(expected["images"]) == list(model.names)
     for i, name in enumerate(model.names):
@@ -71,32 +72,32 @@ def test_model_round_trip(tmp_path, form, images, points):
     lists = [values[:images] for values in (MODEL.names, MODEL.cameras, MODEL.T_camera_world)]
     model = loom.SfmModel(*lists, MODEL.points[:points]) if images else MODEL
     loom.write_colmap_model(tmp_path / "m", model, format=form)
-    assert_same(loom.read_colmap_model(tmp_path / "m"), model, poses=1e-15, pixels=1e-12)
+    assert_same(read_colmap_model(tmp_path / "m"), model, poses=1e-15, pixels=1e-12)
 
 
 @pytest.mark.parametrize("subfolder", ["sparse/0", "sparse", "0", "."])
 def test_model_in_a_subfolder_of_the_project_is_read(tmp_path, form, subfolder):
     loom.write_colmap_model(tmp_path / "project" / subfolder, MODEL, format=form)
-    assert len(loom.read_colmap_model(tmp_path / "project")) == len(MODEL)
+    assert len(read_colmap_model(tmp_path / "project")) == len(MODEL)
 
 
 def test_of_several_models_one_must_be_chosen(tmp_path):
     loom.write_colmap_model(tmp_path / "sparse/0", MODEL.select(MODEL.names[:2]))
     loom.write_colmap_model(tmp_path / "sparse/1", MODEL, format="txt")
     with pytest.raises(loom.FileError, match=r"2.*sparse/0.*2.*sparse/1.*6"):
-        loom.read_colmap_model(tmp_path)
-    assert len(loom.read_colmap_model(tmp_path / "sparse/1")) == 6
+        read_colmap_model(tmp_path)
+    assert len(read_colmap_model(tmp_path / "sparse/1")) == 6
 
 
 def test_a_missing_file_or_model_is_named(folder, form, tmp_path):
     (tmp_path / "file").write_text("x")
     for name, reason in (("", "contains no COLMAP model"), ("none", "does not exist"), ("file", "is a file")):
         with pytest.raises(loom.FileError, match=reason):
-            loom.read_colmap_model(tmp_path / name)
+            read_colmap_model(tmp_path / name)
     for name in ("cameras", "images", "points3D"):
         (folder / f"{name}.{form}").rename(tmp_path / "part")
         with pytest.raises(loom.FileError, match=f"but not {name}.{form}"):
-            loom.read_colmap_model(folder)
+            read_colmap_model(folder)
         (tmp_path / "part").rename(folder / f"{name}.{form}")
 
 
@@ -107,7 +108,7 @@ def test_writing_replaces_the_existing_model_in_both_formats(folder, form):
     loom.write_colmap_model(folder, MODEL.select(MODEL.names[:3]), format=other)
     names = sorted(path.name for path in folder.iterdir())
     assert names == sorted([*(f"{name}.{other}" for name in ("cameras", "images", "points3D")), "project.ini"])
-    assert len(loom.read_colmap_model(folder)) == 3
+    assert len(read_colmap_model(folder)) == 3
 
 
 def test_a_model_that_may_not_be_replaced_stays(folder):
@@ -177,7 +178,7 @@ def test_damage_is_reported_with_its_location(tmp_path, name, at, new, message):
     data[at : at + len(new)] = new
     (tmp_path / name).write_bytes(data)
     with pytest.raises(loom.FileError, match=message):
-        loom.read_colmap_model(tmp_path)
+        read_colmap_model(tmp_path)
 
 
 @pytest.mark.parametrize("name", ["cameras.bin", "images.bin", "points3D.bin"])
@@ -188,10 +189,10 @@ def test_truncated_or_overlong_file_is_rejected(tmp_path, name):
     for end in [0, 1, 7, 8, 9, *rng.integers(10, len(data), 40).tolist(), len(data) - 1]:
         (tmp_path / name).write_bytes(data[:end])
         with pytest.raises(loom.FileError, match=r"byte|is empty"):
-            loom.read_colmap_model(tmp_path)
+            read_colmap_model(tmp_path)
     (tmp_path / name).write_bytes(data + b"\0")
     with pytest.raises(loom.FileError, match="1 bytes follow the last record"):
-        loom.read_colmap_model(tmp_path)
+        read_colmap_model(tmp_path)
 
 
 @pytest.mark.parametrize("name", ["cameras", "images", "points3D"])
@@ -205,7 +206,7 @@ def test_random_bytes_never_crash_the_reader(folder, form, name):
             spoiled[at] = rng.integers(0, 256)
         path.write_bytes(spoiled if trial % 4 else rng.bytes(200))
         try:
-            model = loom.read_colmap_model(folder)
+            model = read_colmap_model(folder)
         except loom.FileError as error:
             assert str(path) in str(error) or "images" in str(error) or "points3D" in str(error)
         else:
@@ -226,7 +227,7 @@ def write_text(folder, cameras=CAMERAS, images=IMAGES, points=POINTS, encoding="
 @pytest.mark.parametrize("change", [str, lambda s: s.replace("\n", "\r\n"), lambda s: "\ufeff" + s, str.rstrip])
 def test_text_is_read_with_any_line_ends(tmp_path, change):
     images = change(IMAGES) if change is not str.rstrip else IMAGES
-    model = loom.read_colmap_model(write_text(tmp_path, change(CAMERAS), images, change(POINTS)))
+    model = read_colmap_model(write_text(tmp_path, change(CAMERAS), images, change(POINTS)))
     assert model.names == ("a b.png", "c.png") and model.pixels.tolist() == [[10, 20]]
     assert model.colors.tolist() == [[1, 2, 3]] and model.errors.tolist() == [0.5]
 
@@ -260,15 +261,15 @@ def test_text_is_read_with_any_line_ends(tmp_path, change):
 def test_invalid_text_is_reported_with_its_line(tmp_path, file, text, message):
     write_text(tmp_path, **{{"points3D": "points"}.get(file, file): text})
     with pytest.raises(loom.FileError, match=message):
-        loom.read_colmap_model(tmp_path)
+        read_colmap_model(tmp_path)
 
 
 def test_text_in_another_encoding_is_reported_and_a_point_without_an_error_or_a_track_is_read(tmp_path):
-    model = loom.read_colmap_model(write_text(tmp_path, points=POINTS + "9 1 1 1 0 0 0 -1\n"))
+    model = read_colmap_model(write_text(tmp_path, points=POINTS + "9 1 1 1 0 0 0 -1\n"))
     assert np.isnan(model.errors[1]) and model.view_counts.tolist() == [1, 0]
     write_text(tmp_path, images=IMAGES.replace("a b", "größe"), encoding="latin-1")
     with pytest.raises(loom.FileError, match=r"/images\.txt \(byte 20\):"):
-        loom.read_colmap_model(tmp_path)
+        read_colmap_model(tmp_path)
 
 
 TWO = CAMERAS + "2 PINHOLE 640 480 510 510 320 240\n"
@@ -293,7 +294,7 @@ def pack_rigs(folder):
 def write_rigs(folder, form, rigs=RIGS, frames=FRAMES):
     write_text(folder, TWO, STALE.replace("nan", "1"), "")
     if form == "bin":
-        model = loom.read_colmap_model(folder)
+        model = read_colmap_model(folder)
         loom.write_colmap_model(folder, model, format="bin")
         pack_rigs(folder)
         return folder
@@ -305,13 +306,13 @@ def write_rigs(folder, form, rigs=RIGS, frames=FRAMES):
 
 
 def test_poses_of_frames_and_rigs_replace_outdated_copies(tmp_path, form):
-    model = loom.read_colmap_model(write_rigs(tmp_path, form))
+    model = read_colmap_model(write_rigs(tmp_path, form))
     second, later = np.diag([1.0, -1, -1, 1]), np.diag([-1.0, 1, -1, 1])
     second[:3, 3], later[2, 3] = (-0.1, 0, 2), 5
     assert np.array_equal(model.T_camera_world, [np.eye(4), second, later, second @ later])
     loom.write_colmap_model(tmp_path, model, format=form)
     assert not [*tmp_path.glob("frames*"), *tmp_path.glob("rigs*")]
-    assert_same(loom.read_colmap_model(tmp_path), model, poses=1e-15)
+    assert_same(read_colmap_model(tmp_path), model, poses=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -339,13 +340,13 @@ def test_poses_of_frames_and_rigs_replace_outdated_copies(tmp_path, form):
 )
 def test_contradictory_rigs_and_frames_are_rejected(tmp_path, rigs, frames, message):
     with pytest.raises(loom.FileError, match=message):
-        loom.read_colmap_model(write_rigs(tmp_path, "txt", rigs, frames))
+        read_colmap_model(write_rigs(tmp_path, "txt", rigs, frames))
 
 
 def test_models_without_frames_have_the_poses_of_images(tmp_path):
     write_rigs(tmp_path, "txt", "# Number of rigs: 0\n", "")
     (tmp_path / "images.txt").write_text(STALE.replace("nan", "1"))
-    assert loom.read_colmap_model(tmp_path).T_camera_world[3, :3, 3].tolist() == [-3, 0, 5]
+    assert read_colmap_model(tmp_path).T_camera_world[3, :3, 3].tolist() == [-3, 0, 5]
 
 
 @pytest.mark.parametrize("name", ["rigs.bin", "frames.bin"])
@@ -354,7 +355,7 @@ def test_damaged_rigs_and_frames_raise_errors_of_files(tmp_path, name):
     for spoiled in [*(data[:end] for end in range(0, len(data), 3)), data + b"\0", data[:16] + b"\xff" * 8 + data[24:]]:
         (tmp_path / name).write_bytes(spoiled)
         with pytest.raises(loom.FileError, match=name):
-            loom.read_colmap_model(tmp_path)
+            read_colmap_model(tmp_path)
 
 
 KILLED = """
@@ -397,7 +398,7 @@ def test_a_model_survives_a_kill_at_each_step_of_its_replacement(tmp_path, form)
     subprocess.run([sys.executable, "-c", KILLED, tmp_path, form], check=True)
     ends = []
     for folder in sorted(tmp_path.iterdir(), key=lambda path: int(path.name)):
-        ends += [*loom.read_colmap_model(folder).names]
+        ends += [*read_colmap_model(folder).names]
         assert (folder / "rigs.bin").exists() == (ends[-1] == "old.png") and (folder / "notes.txt").exists()
     assert ends == sorted(ends, reverse=True) and {*ends} == {"old.png", "new.png"} and len(ends) > 8
 
@@ -410,4 +411,4 @@ def test_a_folder_that_claims_to_be_half_replaced_removes_no_other_file(tmp_path
     (folder / ".files.new").mkdir()
     (folder / ".files.new" / ".list.json").write_text(json.dumps(["../other.txt", "../../other.txt", "notes.txt"]))
     (folder / "notes.txt").write_text("kept")
-    assert loom.read_colmap_model(folder).names[0] == "a.png" and other.exists() and (folder / "notes.txt").exists()
+    assert read_colmap_model(folder).names[0] == "a.png" and other.exists() and (folder / "notes.txt").exists()

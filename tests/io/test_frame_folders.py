@@ -698,7 +698,7 @@ def test_a_folder_of_lost_poses_alone_is_refused(tmp_path):
 
 def test_the_command_leaves_them_out(tmp_path, capsys):
     folder = make_lost(tmp_path / "set", "7scenes", ["", "-inf", "", ""])
-    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", SMALL)
+    SMALL.write(tmp_path / "camera.json")
     command = ["fuse", str(folder), "-o", str(tmp_path / "a.ply"), "--intrinsic", str(tmp_path / "camera.json")]
     with pytest.raises(SystemExit) as leaving:
         cli(command)

@@ -15,8 +15,7 @@ from .image_scenes import bilinear
 from .open3d_meshes import in_open3d
 
 color_map = loom.meshing
-RIGID, BENT = color_map.RigidOptimizerOption, color_map.NonRigidOptimizerOption
-FORMS = {"rigid": (color_map.run_rigid_optimizer, RIGID), "non-rigid": (color_map.run_non_rigid_optimizer, BENT)}
+FORMS = ("rigid", "non-rigid")
 FINE = 81  # vertices per side: enough per anchor cell to warp an image
 
 
@@ -52,11 +51,11 @@ def open3d_poses(*given):
 
 
 def color(scene, poses=None, iterations=0, form="rigid", images=None, **options):
-    run, kind = FORMS[form]
     named = {k: options.pop(k) for k in ("occlusion",) if k in options}
-    option = kind(maximum_iteration=iterations, **options)
+    option = color_map.ColorMapOption(maximum_iteration=iterations, **options)
     images = scene.frames if images is None else images
-    return run(scene.mesh, images, scene.path(poses), option, intrinsic=scene.camera, **named)
+    path, call = scene.path(poses), color_map.optimize_color_map
+    return call(scene.mesh, images, path, option, intrinsic=scene.camera, method=form, **named)
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -258,7 +257,7 @@ def test_images_without_improved_agreement_are_unreliable():
 
 def test_color_maps_report_what_the_images_contradict():
     images, path = [np.full((48, 64, 3), 200, np.uint8)] * 2, loom.Trajectory([POSE] * 2)
-    good = loom.meshing.run_rigid_optimizer(wall(), images, path, intrinsic=CAMERA)
+    good = loom.meshing.optimize_color_map(wall(), images, path, intrinsic=CAMERA)
     assert good.reliable and good.to_dict()["warnings"] == []
     for text, values in {
         "frames show only 0.0% of the vertices": {"seen": np.arange(143) < 0},

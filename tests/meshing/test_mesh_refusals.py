@@ -52,7 +52,7 @@ bend = partial(
     constraint_vertex_indices=[0, 1], constraint_vertex_positions=np.eye(3)[:2], max_iter=3,
 )  # fmt: skip
 color_map = partial(
-    loom.meshing.run_rigid_optimizer,
+    loom.meshing.optimize_color_map,
     mesh=SCENE.mesh, images_rgbd=SCENE.frames, camera_trajectory=SCENE.path(), intrinsic=SCENE.camera,
 )  # fmt: skip
 texture = partial(
@@ -65,7 +65,7 @@ NAMES = {
     "none": loom.TriangleMesh(), "sphere": SPHERE.vertices, "textured": textured(), "IMAGE": IMAGE,
     "splats": SPLATS, "volume": VOLUME, "shifted": SHIFTED, "camera": SMALL, "s": SCENE, "poses": SCENE.poses,
     "boxes": BOXES, "frame": loom.WorldFrame(48.75, 9.0), "poisson": poisson, "color_map": color_map,
-    "rigid": loom.meshing.RigidOptimizerOption(), "texture": texture, "wall": WALL, "scene": loom.RaycastingScene(),
+    "rigid": loom.meshing.ColorMapOption(), "texture": texture, "wall": WALL, "scene": loom.RaycastingScene(),
     "pivot": partial(loom.TriangleMesh.create_from_point_cloud_ball_pivoting, BALL),
     "alpha_shape": partial(loom.TriangleMesh.create_from_point_cloud_alpha_shape, CUBE),
     "bend": bend, "bake": bake, "fine": FINE, "obj": object(),
@@ -232,9 +232,9 @@ color_map(intrinsic=loom.PinholeCameraIntrinsic(16, 12, 15.0, 15.0, 7.5, 5.5)) |
 color_map(images_rgbd=[], camera_trajectory=loom.Trajectory(poses[:0])) | images_rgbd:
 color_map(camera_trajectory=loom.Trajectory([*poses[:3], nan * eye, poses[4]])) | camera_trajectory.poses[3]:
 color_map(occlusion="no") | occlusion:
-loom.meshing.NonRigidOptimizerOption(maximum_allowable_depth=0) | maximum_allowable_depth:
-loom.meshing.NonRigidOptimizerOption(depth_threshold_for_visibility_check=0) | depth_threshold_for_visibility_check:
-loom.meshing.NonRigidOptimizerOption(number_of_vertical_anchors=0) | number_of_vertical_anchors:
+loom.meshing.ColorMapOption(maximum_allowable_depth=0) | maximum_allowable_depth:
+loom.meshing.ColorMapOption(depth_threshold_for_visibility_check=0) | depth_threshold_for_visibility_check:
+loom.meshing.ColorMapOption(number_of_vertical_anchors=0) | number_of_vertical_anchors:
 color_map(images_rgbd=[f.color for f in s.frames], occlusion="depth") | occlusion:
 color_map(images_rgbd=[gray] * 5) | images_rgbd[0]:
 texture(mesh=box.remove_triangles_by_mask(np.ones(12, bool))) | mesh:
@@ -278,7 +278,7 @@ scene.create_rays_pinhole(60, [0, 0, 0]) | create_rays_pinhole: expected
 loom.meshing.fuse_splats(ball, voxel_size=0.1) | splats:
 volume.ray_cast("prime sense", eye) | intrinsic:
 loom.meshing.fuse_volumes([volume, None], [eye, eye]) | volumes[1]:
-loom.meshing.run_non_rigid_optimizer(s.mesh, s.frames, s.path(), rigid, intrinsic=s.camera) | option:
+loom.meshing.optimize_color_map(s.mesh, s.frames, s.path(), rigid, intrinsic=s.camera, method="bent") | method:
 color_map(camera_trajectory=poses) | camera_trajectory:
 color_map(images_rgbd=[np.zeros((24, 32, 3))] * 5) | images_rgbd[0]:
 """

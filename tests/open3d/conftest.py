@@ -81,7 +81,7 @@ def page_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
             rgbd = loom.RGBDImage.create_from_color_and_depth(frame.color, depth, 1000.0, FARTHEST, False)
             cloud = loom.PointCloud.create_from_rgbd_image(rgbd, camera)
             loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(EVERY))
-    loom.write_pinhole_camera_intrinsic(folder / "camera.json", camera)
+    camera.write(folder / "camera.json")
     path = loom.Trajectory(poses)
     loom.write_trajectory(folder / "trajectory.log", path)
     loom.write_trajectory(folder / "cameras.json", path, intrinsic=camera)

@@ -169,8 +169,8 @@ def test_the_tilde_is_the_home(tmp_path, monkeypatch, shapes):
     assert loom.read_triangle_mesh("~/in/a.obj").has_textures
     loom.write_image("~/in/a.png", picture)
     assert loom.read_color("~/in/a.png").shape == COLOR.shape
-    loom.write_pinhole_camera_intrinsic("~/in/camera.json", CAMERA)
-    assert loom.read_pinhole_camera_intrinsic("~/in/camera.json") == CAMERA
+    CAMERA.write("~/in/camera.json")
+    assert loom.PinholeCameraIntrinsic.read("~/in/camera.json") == CAMERA
     loom.write_trajectory("~/in/path.log", loom.Trajectory(np.eye(4)[None]))
     assert len(loom.read_trajectory("~/in/path.log").poses) == 1
     assert sorted(path.name for path in (tmp_path / "in").iterdir()) == [

@@ -10,6 +10,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.registration import robust_kernels
+from pointloom.registration.icp import estimation as estimators
 from pointloom.registration.rigid import fit_pose
 
 from .estimator_steps import DISTANCE, legacy_cloud, result_after, tensor_after, tensor_cloud, tensor_kernel
@@ -62,7 +63,7 @@ def about_pairs(pair, init):
 def method_of(module, name, arguments):
     """An estimator of pointloom or Open3D; kernels by their names."""
     kernels = WHITENED if name == "ForGeneralizedICP" else KERNELS
-    losses = robust_kernels if module is reg else module
+    losses, module = (robust_kernels, estimators) if module is reg else (module, module)
     made = (getattr(losses, a)(*kernels[a]) if isinstance(a, str) else a for a in arguments)
     return getattr(module, f"TransformationEstimation{name}")(*made)
 
@@ -163,7 +164,7 @@ def steps_of_shapes(o3d, pair):
 def test_steps_of_general_kernels_match_open3d(device, pair, oracle, tolerances):
     answers = oracle("registration/estimation/general_kernels", steps_of_shapes, pair)
     for shape, expected in zip(SHAPES, answers, strict=True):
-        method = reg.TransformationEstimationPointToPlane(reg.RobustKernel.general(0.02, shape))
+        method = reg.TransformationEstimation.point_to_plane(reg.RobustKernel.general(0.02, shape))
         for steps, pose in zip((1, 20), expected, strict=True):
             actual = result_after(device, pair, method, steps).transformation
             np.testing.assert_allclose(actual, pose, rtol=0, atol=tolerances.icp_pose, err_msg=f"{shape} {steps}")
@@ -172,7 +173,7 @@ def test_steps_of_general_kernels_match_open3d(device, pair, oracle, tolerances)
 def test_point_to_point_weights_depend_on_distance(device, pair, tolerances):
     """One weighted step against the closed form in float64."""
     loss = reg.RobustKernel.cauchy(0.03)
-    result = result_after(device, pair, reg.TransformationEstimationPointToPoint(kernel=loss), 1).transformation
+    result = result_after(device, pair, reg.TransformationEstimation.point_to_point(kernel=loss), 1).transformation
     pairs = reg.evaluate_registration(pair.source, pair.target, DISTANCE).correspondence_set
     p, q = pair.source.points[pairs[:, 0]], pair.target.points[pairs[:, 1]]
     w = loss.weight(np.linalg.norm(p - q, axis=1))
@@ -180,7 +181,7 @@ def test_point_to_point_weights_depend_on_distance(device, pair, tolerances):
 
 
 def test_voxelized_gicp_matches_the_plain_form(device, pair, angle_between):
-    result = result_after(device, pair, reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1), 30)
+    result = result_after(device, pair, reg.TransformationEstimation.generalized(voxel_size=0.1), 30)
     assert angle_between(result.transformation, pair.T) < 0.1
     assert np.abs(result.transformation[:3, 3] - pair.T[:3, 3]).max() < 2e-3
     rows, voxels = result.correspondence_set.T
@@ -283,7 +284,10 @@ def test_doppler_resolves_motion_that_planes_cannot(device):
     scan = loom.PointCloud(source, dopplers=speeds, device=device)
     target = loom.PointCloud(tunnel(6000), device=device).estimate_normals(max_nn=20)
     rules = reg.ICPConvergenceCriteria(1e-9, 1e-9, 50)
-    methods = reg.TransformationEstimationForDopplerICP(lambda_doppler=0.1), reg.TransformationEstimationPointToPlane()
+    methods = (
+        reg.TransformationEstimationForDopplerICP(lambda_doppler=0.1),
+        reg.TransformationEstimation.point_to_plane(),
+    )
     results = (reg.registration_icp(scan, target, 1.0, None, method, rules) for method in methods)
     with_speeds, by_planes = (abs(result.transformation[0, 3] - 0.3) for result in results)
     assert with_speeds < 0.01 < 0.1 < by_planes

@@ -14,13 +14,13 @@ from .poses import as_pose, bunny_pose, shift_between
 
 reg = loom.registration
 RULES = reg.ICPConvergenceCriteria(1e-6, 1e-6, 50)
-PLANE = reg.TransformationEstimationPointToPlane()
+PLANE = reg.TransformationEstimation.point_to_plane()
 KINDS = {
-    "point": reg.TransformationEstimationPointToPoint(),
+    "point": reg.TransformationEstimation.point_to_point(),
     "plane": PLANE,
-    "symmetric": reg.TransformationEstimationSymmetric(),
-    "generalized": reg.TransformationEstimationForGeneralizedICP(),
-    "robust": reg.TransformationEstimationPointToPlane(reg.RobustKernel.tukey(0.5)),
+    "symmetric": reg.TransformationEstimation.symmetric(),
+    "generalized": reg.TransformationEstimation.generalized(),
+    "robust": reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(0.5)),
 }
 
 
@@ -153,7 +153,7 @@ def test_icp_of_a_room_matches_open3d(device, scan_set, room, o3d, to_open3d, ki
 
 def test_colored_frames_of_a_desk_end_near_open3ds_path(device, desk, o3d, to_open3d, angle_between):
     """Open3D's steps about the origin do not converge here: the error is 0.05 degrees after 200."""
-    method = reg.TransformationEstimationForColoredICP()
+    method = reg.TransformationEstimation.colored()
     first, rest = (run(device, desk, method, rules=reg.ICPConvergenceCriteria(0, 0, n)) for n in (20, 40))
     np.testing.assert_allclose(first.transformation, rest.transformation, rtol=0, atol=1e-9)
     expected = run_open3d(o3d, to_open3d, desk, "colored", rules=reg.ICPConvergenceCriteria(0, 0, 20))
@@ -194,7 +194,7 @@ def test_parts_with_a_fifth_of_overlap_stay_aligned(device, parted_kitchen, o3d,
 
 
 LEVEL = ("x", "y", "z", "yaw")
-GENERALIZED = reg.TransformationEstimationForGeneralizedICP()
+GENERALIZED = reg.TransformationEstimation.generalized()
 
 
 def thinned(points, size, device):

@@ -144,7 +144,7 @@ def test_a_pair_from_a_given_start_names_motions_that_gentle_slopes_do_not_deter
 
 @pytest.mark.parametrize("match", [1.0, 3.0])
 def test_a_source_that_shrinks_into_a_corner_is_not_reliable(device, match):
-    method, collapsed = reg.TransformationEstimationPointToPoint(with_scaling=True), 0
+    method, collapsed = reg.TransformationEstimation.point_to_point(with_scaling=True), 0
     for seed in range(8):
         rng = np.random.default_rng(seed)
         source, target = (loom.PointCloud(box(rng, count), device=device) for count in (1500, 2500))

@@ -24,7 +24,7 @@ def test_any_sample_size_recovers_the_pose(device, rng, ransac_n, angle_between)
 @pytest.mark.slow
 def test_scale_is_estimated_on_request(device, rng, angle_between):
     case = made_up(rng, outliers=0.7, scale=1.7)
-    method = reg.TransformationEstimationPointToPoint(with_scaling=True)
+    method = reg.TransformationEstimation.point_to_point(with_scaling=True)
     result = ransac(case, device, estimation_method=method)
     scale = np.cbrt(np.linalg.det(result.transformation[:3, :3]))
     assert abs(scale - 1.7) < 2e-3 and result.fitness > 0.99
@@ -64,7 +64,7 @@ def test_fitness_of_all_points_decides_not_the_correspondences(device, rng):
     right = np.column_stack([np.arange(60), np.arange(60)])
     wrong = np.column_stack([np.arange(600, 720), np.arange(720, 840)])
     case = SimpleNamespace(source=source, target=target, pairs=np.concatenate([right, wrong]))
-    result = ransac(case, device, criteria=reg.RANSACConvergenceCriteria(20000, 1.0))
+    result = ransac(case, device, num_iterations=20000, confidence=1.0)
     np.testing.assert_allclose(result.transformation, T_true, atol=1e-4)
 
 
@@ -97,21 +97,21 @@ def test_rotation_checker_selects_the_smaller_rotation(device, rng):
 
 def test_confidence_one_draws_all_hypotheses(device, rng):
     case = made_up(rng, 200, outliers=0.0)
-    result = ransac(case, device, criteria=reg.RANSACConvergenceCriteria(7000, 1.0))
+    result = ransac(case, device, num_iterations=7000, confidence=1.0)
     assert result.iterations == 7000 and not result.converged and "within 7,000 iterations" in result.warnings[0]
     assert result.fitness > 0.99
 
 
 def test_one_iteration_suffices_without_outliers(device, rng):
     case = made_up(rng, 200, outliers=0.0, noise=0.0)
-    result = ransac(case, device, criteria=reg.RANSACConvergenceCriteria(1))
+    result = ransac(case, device, num_iterations=1)
     assert result.iterations == 1 and result.fitness == 1
 
 
 def test_another_seed_gives_other_samples(device, rng):
     case = made_up(rng, outliers=0.9, noise=0.005)
-    limits = reg.RANSACConvergenceCriteria(40)  # so few that chance decides
-    poses = {ransac(case, device, seed=seed, criteria=limits).transformation.tobytes() for seed in range(5)}
+    few = 40  # so few that chance decides
+    poses = {ransac(case, device, seed=seed, num_iterations=few).transformation.tobytes() for seed in range(5)}
     assert len(poses) == 5
 
 
@@ -293,8 +293,8 @@ def test_degenerate_clouds_raise_no_exception(device, rng, shape):
     }[shape]
     pairs = np.column_stack([np.arange(200)] * 2)
     case = SimpleNamespace(source=points, target=np.add(points, [1.0, 0, 0]), pairs=pairs)
-    rules, scaled = reg.RANSACConvergenceCriteria(3000), reg.TransformationEstimationPointToPoint(True)
-    results = [ransac(case, device, estimation_method=method, criteria=rules) for method in (None, scaled)]
+    scaled = reg.TransformationEstimation.point_to_point(True)
+    results = [ransac(case, device, estimation_method=method, num_iterations=3000) for method in (None, scaled)]
     results += [fgr(case, device, tuple_test=tested) for tested in (True, False)]
     for k, result in enumerate(results):
         assert np.isfinite(result.transformation).all()

@@ -11,7 +11,6 @@ import pytest
 import warp as wp
 
 import pointloom as loom
-from pointloom.registration.pose_graphs.pose_graph_optimization import GlobalOptimizationMethod
 
 from .test_hostile_arguments import things as good_arguments
 
@@ -25,14 +24,14 @@ shape: | reg.RobustKernel.general(1, 2.1)
 relative_fitness: | reg.ICPConvergenceCriteria(-1, 1e-6, 30)
 max_iteration: | reg.ICPConvergenceCriteria(1e-6, 1e-6, -1)
 max_iteration: .* up to 100,000 | reg.ICPConvergenceCriteria(max_iteration=2**31 - 1)
-lambda_geometric: | reg.TransformationEstimationForColoredICP(1.1)
+lambda_geometric: | reg.TransformationEstimation.colored(1.1)
 lambda_doppler: | reg.TransformationEstimationForDopplerICP(lambda_doppler=1.1)
 period: | reg.TransformationEstimationForDopplerICP(period=0)
 doppler_outlier_threshold: | reg.TransformationEstimationForDopplerICP(doppler_outlier_threshold=inf)
 outlier_rejection_min_iteration: | reg.TransformationEstimationForDopplerICP(outlier_rejection_min_iteration=-1)
 transform_vehicle_to_sensor: | reg.TransformationEstimationForDopplerICP(transform_vehicle_to_sensor=2 * pose)
-epsilon: | reg.TransformationEstimationForGeneralizedICP(epsilon=0)
-voxel_size: | reg.TransformationEstimationForGeneralizedICP(voxel_size=-1)
+epsilon: | reg.TransformationEstimation.generalized(epsilon=0)
+voxel_size: | reg.TransformationEstimation.generalized(voxel_size=-1)
 voxel_size: | reg.NormalDistributionsTransformOption(0)
 min_points_per_voxel: .*>= 4 | reg.NormalDistributionsTransformOption(min_points_per_voxel=3)
 covariance_regularization: | reg.NormalDistributionsTransformOption(covariance_regularization=1)
@@ -60,19 +59,19 @@ max_normal_angle: | reg.registration_icp(source, target, 1, max_normal_angle=0)
 max_normal_angle: .*voxel | reg.registration_icp(source, target, 1, None, voxelized, max_normal_angle=1.0)
 source: .* call .*estimate_normals | reg.registration_icp(bare, target, 1, max_normal_angle=1.0)
 target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, max_normal_angle=1.0)
-target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimationPointToPlane())
-source: .* call .*estimate_normals | reg.registration_icp(bare, target, 1, None, reg.TransformationEstimationSymmetric())
-target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimationSymmetric())
-source: .* assign cloud.colors | reg.registration_icp(bare, target, 1, None, reg.TransformationEstimationForColoredICP())
-target: .* assign cloud.colors | reg.registration_icp(source, shaded, 1, None, reg.TransformationEstimationForColoredICP())
-target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimationForColoredICP())
+target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimation.point_to_plane())
+source: .* call .*estimate_normals | reg.registration_icp(bare, target, 1, None, reg.TransformationEstimation.symmetric())
+target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimation.symmetric())
+source: .* assign cloud.colors | reg.registration_icp(bare, target, 1, None, reg.TransformationEstimation.colored())
+target: .* assign cloud.colors | reg.registration_icp(source, shaded, 1, None, reg.TransformationEstimation.colored())
+target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimation.colored())
 source: .* assign cloud\['dopplers'\] | reg.registration_icp(bare, target, 1, None, reg.TransformationEstimationForDopplerICP())
 target: .* call .*estimate_normals | reg.registration_icp(source, bare, 1, None, reg.TransformationEstimationForDopplerICP())
 source: expected a scan in the frame of its sensor | reg.registration_icp(far, target, 1, None, reg.TransformationEstimationForDopplerICP())
 free: expected at least one | reg.Constraint(free=())
 free: .*did you mean 'yaw' | reg.Constraint(free=("x", "yav"))
 free: 'x' is duplicated | reg.Constraint(free=("x", "y", "x"))
-constraint: TransformationEstimationSymmetric | reg.registration_icp(source, target, 1, None, reg.TransformationEstimationSymmetric(), constraint=reg.Constraint(("x",)))
+constraint: TransformationEstimationSymmetric | reg.registration_icp(source, target, 1, None, reg.TransformationEstimation.symmetric(), constraint=reg.Constraint(("x",)))
 constraint: TransformationEstimationForDopplerICP | reg.registration_icp(source, target, 1, None, reg.TransformationEstimationForDopplerICP(), constraint=reg.Constraint(("x",)))
 frame: .*Pass free= | reg.Constraint(frame=axes)
 frame: expected orthonormal | reg.Constraint(("x",), 1.1 * axes)
@@ -103,7 +102,7 @@ sources: expected 1 or 3 | reg.registration_icp_batch([source] * 2, [target] * 3
 inits: expected 1 or 3 | reg.registration_icp_batch([source] * 3, [target] * 3, 0.1, [pose, pose])
 inits: expected shape | reg.registration_icp_batch([source] * 3, [target] * 3, 0.1, np.ones((3, 3)))
 inits\[1\]: | reg.registration_icp_batch([source] * 3, target, 0.1, [pose, np.diag([2, 2, 2, 1]), pose])
-targets\[2\]: | reg.registration_icp_batch([source] * 3, [target, target, bare], 0.1, None, reg.TransformationEstimationPointToPlane())
+targets\[2\]: | reg.registration_icp_batch([source] * 3, [target, target, bare], 0.1, None, reg.TransformationEstimation.point_to_plane())
 voxel_sizes: .*descending | reg.multi_scale_icp(source, target, [0.1, 0.2], [rules, rules], [0.2, 0.1])
 voxel_sizes, criteria_list, .*one length | reg.multi_scale_icp(source, target, [0.1], [rules, rules], [0.2, 0.1])
 free: expected all six | reg.register_pair(source, target, voxel_size=0.06, constraint=reg.Constraint(["x"]))
@@ -125,8 +124,8 @@ target_features: | reg.correspondences_from_features(np.zeros((5, 33)), np.zeros
 .*got \[5\] | reg.correspondences_from_features(wp.zeros(5, dtype=wp.float32, device="cpu"), np.zeros((5, 3)))
 ratio: .*at most 1 | reg.correspondences_from_features(features, features, ratio=1.01)
 mutual_consistency_ratio: | reg.correspondences_from_features(features, features, mutual_consistency_ratio=-0.1)
-max_iteration: | reg.RANSACConvergenceCriteria(2**31)
-confidence: | reg.RANSACConvergenceCriteria(confidence=1.5)
+num_iterations: | reg.registration_ransac_based_on_correspondence(source, target, corres, 0.1, num_iterations=2**31)
+confidence: | reg.registration_ransac_based_on_correspondence(source, target, corres, 0.1, confidence=1.5)
 similarity_threshold: | reg.CorrespondenceChecker.by_edge_length(1.1)
 distance_threshold: | reg.CorrespondenceChecker.by_distance(0)
 normal_angle_threshold: | reg.CorrespondenceChecker.by_normal(-1)
@@ -217,7 +216,7 @@ constraint: expected Constraint | reg.registration_icp(source, target, 1, constr
 option: | reg.registration_fgr_based_on_correspondence(source, target, corres, 0.025)
 corres: | reg.registration_ransac_based_on_correspondence(source, target, [[0.5, 1.0]], 0.1)
 checkers: | reg.registration_ransac_based_on_correspondence(source, target, corres, 0.1, checkers=[0.9])
-estimation_method: | reg.registration_ransac_based_on_correspondence(source, target, corres, 0.1, reg.TransformationEstimationPointToPlane())
+estimation_method: | reg.registration_ransac_based_on_correspondence(source, target, corres, 0.1, reg.TransformationEstimation.point_to_plane())
 criteria: | reg.registration_ransac_based_on_correspondence(source, target, corres, 0.1, criteria=(10, 0.9))
 source_features: | reg.correspondences_from_features(np.zeros((5, 3), complex), np.zeros((5, 3)))
 target_features: | reg.correspondences_from_features(np.zeros((5, 3)), [["a", "b", "c"]])
@@ -225,7 +224,7 @@ clouds\[0\]: .*PointCloud | reg.choose_voxel_size(axes)
 known\[0\]: | reg.register_multiway([source, target], voxel_size=0.1, known=[(1, 0, pose, 0.0, 1.0)])
 source_node_id | reg.PoseGraphEdge(0.5, 1)
 method: | reg.global_optimization(graph, "LM")
-method: | reg.global_optimization(graph, GlobalOptimizationMethod())
+method: | reg.global_optimization(graph, "newton")
 nodes\[1\]: | reg.global_optimization(reg.PoseGraph([reg.PoseGraphNode(), pose]))
 positions: expected a mapping | reg.fit_to_positions(model, list(scattered.values()))
 """  # noqa: E501
@@ -256,11 +255,10 @@ def things() -> dict[str, Any]:
     reg, source = loom.registration, known["source"]
     scattered = dict(zip("abcd", np.random.default_rng(0).normal(0, 100, (4, 3)), strict=True))
     return known | {
-        "GlobalOptimizationMethod": GlobalOptimizationMethod,
         "loom": loom, "np": np, "wp": wp, "nan": np.nan, "inf": np.inf, "far": source.translate([5e5, 5.4e6, 0]),
         "bare": loom.PointCloud(source.points), "shaded": loom.PointCloud(source.points, normals=source.normals),
-        "scaled": reg.TransformationEstimationPointToPoint(True), "scattered": scattered,
-        "voxelized": reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1),
+        "scaled": reg.TransformationEstimation.point_to_point(True), "scattered": scattered,
+        "voxelized": reg.TransformationEstimation.generalized(voxel_size=0.1),
         "timed": lambda *times: loom.Trajectory([np.eye(4)] * len(times) or np.empty((0, 4, 4)), times),
     }  # fmt: skip
 

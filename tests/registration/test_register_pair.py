@@ -10,7 +10,7 @@ from ..cli.surface_poses import NEAR, POSE, bumpy, colors_at, moved
 from .poses import as_pose
 
 reg = loom.registration
-PLANE = reg.TransformationEstimationPointToPlane()
+PLANE = reg.TransformationEstimation.point_to_plane()
 
 
 @pytest.fixture

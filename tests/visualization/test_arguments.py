@@ -16,7 +16,7 @@ loom.render(geometries=cloud, camera=view, size=(16, 12), point_size=2.0, backgr
 loom.View(intrinsic=camera, T_world_camera=pose)
 loom.View.from_open3d(bounds=bounds, zoom=0.7, front=[0, 0, 1.0], lookat=[0, 0, 0.0], up=[0, 1.0, 0], field_of_view=60.0, width=16, height=12)
 view.to_open3d(bounds=bounds)
-loom.fit_view(points=points, direction=(0, 1, 0), up=(0, 0, 1), width=16, height=12)
+loom.View.fit(points=points, direction=(0, 1, 0), up=(0, 0, 1), width=16, height=12)
 loom.read_view(path="view.json", width=16, height=12)
 loom.write_view(path="view.json", view=view, bounds=bounds)
 loom.write_image(path="picture.png", image=picture)
@@ -24,7 +24,7 @@ loom.CameraFrustum(intrinsic=camera, T_world_camera=pose, scale=0.2, color=(1, 0
 loom.record(path="a.html", fps=10.0, size=(32, 24), max_points=100, max_frames=10, title="t", view=view, background=(1, 1, 1), progress=print)
 loom.DetailTree.from_cloud(cloud=cloud)
 loom.DetailTree.from_file(path="scan.ply", attributes=["label"], device="cpu", progress=None)
-loom.sample_file(path="scan.ply", count=10)
+loom.DetailTree.sample(path="scan.ply", count=10)
 tree._are_refined(nodes=[0])
 tree.colors_of(indices=[0, 1])
 tree.indices_of(i=0)
@@ -58,8 +58,8 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_the_table_names_every_argument_of_every_public_call():
-    known = {"render", "write_image", "View", "fit_view", "read_view", "write_view", "CameraFrustum"}
-    known |= {"record", "DetailTree", "sample_file"}
+    known = {"render", "write_image", "View", "read_view", "write_view", "CameraFrustum"}
+    known |= {"record", "DetailTree"}
     assert missing_from(TABLE, public_arguments(loom, set(loom.__all__) - known)) == {}
 
 

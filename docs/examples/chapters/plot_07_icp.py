@@ -94,7 +94,7 @@ print(at_start)
 # themselves make this slow: the nearest point holds a point where it is.
 
 point = reg.registration_icp(
-    source, target, distance, start, reg.TransformationEstimationPointToPoint(),
+    source, target, distance, start, reg.TransformationEstimation.point_to_point(),
     reg.ICPConvergenceCriteria(max_iteration=200),
 )  # fmt: skip
 print(point)
@@ -107,7 +107,7 @@ print("off by {:.2f} degrees and {:.1f} mm".format(*(np.array(off(point.transfor
 # 2), and far fewer steps.
 
 plane = reg.registration_icp(
-    source, target, distance, start, reg.TransformationEstimationPointToPlane(),
+    source, target, distance, start, reg.TransformationEstimation.point_to_plane(),
     reg.ICPConvergenceCriteria(max_iteration=200),
 )  # fmt: skip
 print(plane)
@@ -139,13 +139,13 @@ print(f"half of the points are within {np.median(moved['apart']) * 1000:.0f} mm 
 # takes a voxel size, criteria and a distance for each scale; chapter 10 has it in full.
 
 for radius in (0.01, 0.03, 0.12, 0.5, 2.0):
-    tried = reg.registration_icp(source, target, radius, start, reg.TransformationEstimationPointToPlane())
+    tried = reg.registration_icp(source, target, radius, start, reg.TransformationEstimation.point_to_plane())
     angle, step = off(tried.transformation, truth)
     print(
         f"distance {radius:4} m: fitness {tried.fitness:.2f}, truly off by {angle:5.2f} degrees, {step * 100:5.1f} cm"
     )
 
-narrow = reg.registration_icp(source, target, 0.01, start, reg.TransformationEstimationPointToPlane())
+narrow = reg.registration_icp(source, target, 0.01, start, reg.TransformationEstimation.point_to_plane())
 assert off(narrow.transformation, truth)[0] > off(plane.transformation, truth)[0]
 
 # %%
@@ -167,7 +167,8 @@ for name, (left, right, true_pose) in room_pairs.items():
     for overlap in (1.0, None):
         tried = reg.registration_icp(
             left, right, distance, true_pose @ perturbation(5.0, (0.06, -0.04, 0.05)),
-            reg.TransformationEstimationPointToPlane(), reg.ICPConvergenceCriteria(max_iteration=200), overlap=overlap,
+            reg.TransformationEstimation.point_to_plane(), reg.ICPConvergenceCriteria(max_iteration=200),
+            overlap=overlap,
         )  # fmt: skip
         alike = reg.evaluate_registration(left, right, distance, tried.transformation)
         score = reg.assess_registration(left, right, tried.transformation, 0.045).score
@@ -200,7 +201,7 @@ assert scores["0 -> 23", 1.0] < 0.5 < scores["0 -> 23", None]
 
 wall = loom.TriangleMesh.create_plane(2.0, 1.5).compute_vertex_normals().sample_points_uniformly(4000, seed=0)
 on_wall = reg.registration_icp(
-    wall, wall, distance, perturbation(2, (0.0, 0.0, 0.02)), reg.TransformationEstimationPointToPlane()
+    wall, wall, distance, perturbation(2, (0.0, 0.0, 0.02)), reg.TransformationEstimation.point_to_plane()
 )
 print("converged:", on_wall.converged, "- not determined:", len(on_wall.degenerate_directions), "of 6 motions")
 print("in the room:", len(plane.degenerate_directions))
@@ -222,7 +223,7 @@ assert information.shape == (6, 6) and information[5, 5] == len(plane.correspond
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 with loom.record(folder / "icp.html", max_points=40_000, title="Point-to-plane ICP") as recording:
-    reg.registration_icp(source, target, distance, start, reg.TransformationEstimationPointToPlane())
+    reg.registration_icp(source, target, distance, start, reg.TransformationEstimation.point_to_plane())
 page = folder / "icp.html"
 
 # %%
@@ -243,7 +244,7 @@ assert lost.fitness == 0.0
 # itself. Fitness is lower than it should be, but not 0. From 35 degrees off:
 
 far = reg.registration_icp(source, target, distance, truth @ perturbation(35.0, (0.2, 0, 0)),
-                           reg.TransformationEstimationPointToPlane())  # fmt: skip
+                           reg.TransformationEstimation.point_to_plane())  # fmt: skip
 print(far)
 print("off by {:.0f} degrees, {:.2f} m".format(*off(far.transformation, truth)))
 assert max(off(far.transformation, truth)[0] / 10, off(far.transformation, truth)[1] / 0.5) > 1
@@ -256,7 +257,7 @@ assert far.fitness < plane.fitness
 #
 # Try it
 # ------
-# - ``TransformationEstimationForGeneralizedICP()`` in place of point to plane: is it more exact?
+# - ``TransformationEstimation.generalized()`` in place of point to plane: is it more exact?
 # - Begin 20, 30, 40 degrees off. From where on does it fail?
 # - Begin nearer and farther from the truth with frames 0 and 23. How near does ``overlap=None`` want to begin?
 #

@@ -100,9 +100,9 @@ distance = 1.5 * VOXEL
 pairs = reg.correspondences_from_features(source_features, target_features, mutual_filter=True)
 ransac = reg.registration_ransac_based_on_correspondence(
     thin_source, thin_target, pairs, distance,
-    reg.TransformationEstimationPointToPoint(False), 3,
+    reg.TransformationEstimation.point_to_point(False), 3,
     [reg.CorrespondenceChecker.by_edge_length(0.9), reg.CorrespondenceChecker.by_distance(distance)],
-    reg.RANSACConvergenceCriteria(100_000, 0.999), seed=0,
+    num_iterations=100_000, confidence=0.999, seed=0,
 )  # fmt: skip
 print(ransac)
 print("off by {:.1f} degrees and {:.0f} cm".format(*off(ransac.transformation, truth)))
@@ -145,7 +145,7 @@ assert off(global_result.transformation, truth)[0] < 2 and off(global_result.tra
 # A global method ends near the truth, not at it: its clouds were thinned. ICP on finer clouds does the rest.
 
 fine = [cloud.voxel_down_sample(0.02).estimate_normals(radius=0.06, max_nn=30) for cloud in (source, target)]
-refined = reg.registration_icp(*fine, 0.05, global_result.transformation, reg.TransformationEstimationPointToPlane())
+refined = reg.registration_icp(*fine, 0.05, global_result.transformation, reg.TransformationEstimation.point_to_plane())
 print("after ICP off by {:.2f} degrees and {:.1f} cm".format(*off(refined.transformation, truth)))
 assert off(refined.transformation, truth)[0] < 1.0 and off(refined.transformation, truth)[1] < 3
 

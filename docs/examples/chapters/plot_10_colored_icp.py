@@ -58,7 +58,7 @@ before = loom.render([source, target], view, (960, 640))
 # Point to plane brings the two sheets onto one height and stops. It reports that three motions (two translations
 # and a rotation) are not determined.
 
-shape = reg.registration_icp(source, target, 0.06, np.eye(4), reg.TransformationEstimationPointToPlane())
+shape = reg.registration_icp(source, target, 0.06, np.eye(4), reg.TransformationEstimation.point_to_plane())
 print(shape)
 print("not determined:", len(shape.degenerate_directions), "of 6 motions")
 print("off by {:.2f} degrees and {:.0f} mm".format(*off(shape.transformation, truth)))
@@ -84,7 +84,7 @@ for voxel_size, iterations in ((0.08, 50), (0.04, 30), (0.02, 20)):
         for cloud in (source, target)
     ]
     result = reg.registration_icp(
-        *thin, voxel_size, T, reg.TransformationEstimationForColoredICP(lambda_geometric=0.968),
+        *thin, voxel_size, T, reg.TransformationEstimation.colored(lambda_geometric=0.968),
         reg.ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=iterations),
     )  # fmt: skip
     T = result.transformation
@@ -104,7 +104,7 @@ after = loom.render([source.transform(T), target], view, (960, 640))
 rules = [reg.ICPConvergenceCriteria(max_iteration=count) for count in (50, 30, 20)]
 at_once = reg.multi_scale_icp(
     source.without("normals"), target.without("normals"), [0.08, 0.04, 0.02], rules, [0.08, 0.04, 0.02], np.eye(4),
-    reg.TransformationEstimationForColoredICP(), estimate_normals=True,
+    reg.TransformationEstimation.colored(), estimate_normals=True,
 )  # fmt: skip
 print("multi_scale_icp: off by {:.2f} degrees and {:.0f} mm".format(*off(at_once.transformation, truth)))
 assert off(at_once.transformation, truth)[1] < 10
@@ -120,7 +120,7 @@ ends, fractions = {}, {}
 for push in (0.05, 0.1, 0.3, 0.7):
     tried = reg.multi_scale_icp(
         source.without("normals"), target.without("normals"), [0.08, 0.04, 0.02], rules, [0.08, 0.04, 0.02],
-        truth @ perturbation(0, (0, push, 0)), reg.TransformationEstimationForColoredICP(), estimate_normals=True,
+        truth @ perturbation(0, (0, push, 0)), reg.TransformationEstimation.colored(), estimate_normals=True,
     )  # fmt: skip
     ends[push], fractions[push] = off(tried.transformation, truth)[1], tried.fitness
     print(f"from {push * 100:2.0f} cm off it ends {ends[push] / 10:5.1f} cm off, fitness {tried.fitness:.2f}")
@@ -141,7 +141,7 @@ with loom.record(folder / "colors.html", automatic=False, max_points=60_000, tit
             cloud.voxel_down_sample(voxel_size).estimate_normals(radius=2 * voxel_size, max_nn=30)
             for cloud in (source, target)
         ]
-        by_color = reg.TransformationEstimationForColoredICP()
+        by_color = reg.TransformationEstimation.colored()
         for count in range(8):
             one = reg.ICPConvergenceCriteria(max_iteration=3)
             T = reg.registration_icp(*thin, voxel_size, T, by_color, one).transformation
@@ -156,7 +156,7 @@ page = folder / "colors.html"
 # **No colors**, or no normals: an error says which, and what makes them.
 
 try:
-    bare, method = source.without("colors"), reg.TransformationEstimationForColoredICP()
+    bare, method = source.without("colors"), reg.TransformationEstimation.colored()
     reg.registration_icp(bare, target, 0.05, None, method)
 except ValueError as error:
     message = str(error)

@@ -42,12 +42,12 @@ source = scans.scans[9].transform(to_first @ scans.poses[9]).voxel_down_sample(0
 print("source", source, "target", target)
 
 with loom.record(folder / "icp.html", title="ICP brings two scans together") as recording:
-    result = reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimationPointToPlane())
+    result = reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimation.point_to_plane())
 print(result)
 print(len(recording.timeline.frames), "frames: the start, and one for each iteration")
 assert len(recording.timeline.frames) == result.iterations + 1
 
-unwatched = reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimationPointToPlane())
+unwatched = reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimation.point_to_plane())
 assert np.array_equal(result.transformation, unwatched.transformation), "watching changes nothing"
 
 # %%
@@ -73,7 +73,7 @@ small = loom.View.from_open3d(
     height=240,
 )
 with loom.record(folder / "icp.gif", fps=5, size=(320, 240), view=small):
-    reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimationPointToPlane())
+    reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimation.point_to_plane())
 print("icp.gif:", (folder / "icp.gif").stat().st_size // 1000, "kB")
 assert (folder / "icp.gif").stat().st_size > 1000
 
@@ -99,7 +99,7 @@ with loom.record(folder / "by_hand.html", automatic=False, title="By hand") as r
         recording.plot("half of the points within [mm]", history[-1])
         recording.step(f"step {k}")
         T = reg.registration_icp(
-            source, target, 0.02, T, reg.TransformationEstimationPointToPlane(), one
+            source, target, 0.02, T, reg.TransformationEstimation.point_to_plane(), one
         ).transformation
 page = folder / "by_hand.html"
 print(f"half of the points within {history[0]:.1f} mm at first, {history[-1]:.1f} mm at last")

@@ -133,10 +133,10 @@ kernels = {
     "Tukey": reg.RobustKernel.tukey(0.003),
 }
 rules = reg.ICPConvergenceCriteria(max_iteration=100)
-start = reg.registration_icp(source, target, DISTANCE, np.eye(4), reg.TransformationEstimationPointToPlane(), rules)
+start = reg.registration_icp(source, target, DISTANCE, np.eye(4), reg.TransformationEstimation.point_to_plane(), rules)
 ends = {}
 for name, kernel in kernels.items():
-    method = reg.TransformationEstimationPointToPlane(kernel)
+    method = reg.TransformationEstimation.point_to_plane(kernel)
     result = reg.registration_icp(source, target, DISTANCE, start.transformation, method, rules)
     ends[name] = off(result.transformation)
     print(f"{name:7} {ends[name][0]:5.2f} degrees, {ends[name][1]:5.2f} mm off; fitness {result.fitness:.2f}")
@@ -149,7 +149,7 @@ assert ends["Cauchy"][1] < ends["L2"][1] and ends["GM"][1] < ends["L2"][1]
 # points lie on the surface and the wrong ones stand out; with least squares everything is a bit wrong.
 
 best = reg.registration_icp(
-    source, target, DISTANCE, start.transformation, reg.TransformationEstimationPointToPlane(kernels["Tukey"]), rules
+    source, target, DISTANCE, start.transformation, reg.TransformationEstimation.point_to_plane(kernels["Tukey"]), rules
 )
 panels = {}
 for k, (name, T) in enumerate({"L2": start.transformation, "Tukey": best.transformation}.items()):
@@ -171,7 +171,7 @@ errors = loom.render(
 # way down is to begin with a large k, and end with three times the noise (below).
 
 for k in (0.0001, 0.001, 0.003, 0.01, 0.1):
-    method = reg.TransformationEstimationPointToPlane(reg.RobustKernel.tukey(k))
+    method = reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(k))
     result = reg.registration_icp(source, target, DISTANCE, start.transformation, method, rules)
     print(f"Tukey with k {k * 1000:6.1f} mm: {off(result.transformation)[1]:5.2f} mm off")
 
@@ -202,7 +202,7 @@ assert 0.0005 < noise(best.transformation) < 0.002 < apart
 T = start.transformation
 for _ in range(4):
     k = 3 * noise(T)
-    method = reg.TransformationEstimationPointToPlane(reg.RobustKernel.tukey(k))
+    method = reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(k))
     T = reg.registration_icp(source, target, DISTANCE, T, method, rules).transformation
     print(f"k {1000 * k:4.1f} mm: {off(T)[1]:.2f} mm off")
 assert off(T)[1] < 0.5 and k < 0.008
@@ -246,14 +246,14 @@ for wrong in (
         raise AssertionError("accepted")
 
 # %%
-# **A kernel for point to point** works too, as ``TransformationEstimationPointToPoint(with_scaling=False,
+# **A kernel for point to point** works too, as ``TransformationEstimation.point_to_point(with_scaling=False,
 # kernel=...)``. There the distance is from point to point and holds the spacing: k must be well above the spacing of
 # the points, or right pairs do not count.
 
 spacing = float(np.median(target.compute_nearest_neighbor_distance()))
 ends = {}
 for k in (1.5 * spacing, 5 * spacing):
-    method = reg.TransformationEstimationPointToPoint(with_scaling=False, kernel=reg.RobustKernel.tukey(k))
+    method = reg.TransformationEstimation.point_to_point(with_scaling=False, kernel=reg.RobustKernel.tukey(k))
     T = reg.registration_icp(source, target, DISTANCE, start.transformation, method, rules).transformation
     ends[k] = off(T)[1]
     print(f"point to point, k {1000 * k:.1f} mm, {k / spacing:.1f} spacings: {ends[k]:.2f} mm off")

@@ -26,11 +26,11 @@ frames = loom.datasets.room_frames(24)
 camera = frames[0].intrinsic
 truth = loom.Trajectory(np.stack([frame.T_world_camera for frame in frames]))
 
-loom.write_pinhole_camera_intrinsic(folder / "camera.json", camera)
+camera.write(folder / "camera.json")
 loom.write_trajectory(folder / "path.log", truth)
-print(loom.read_pinhole_camera_intrinsic(folder / "camera.json"))
+print(loom.PinholeCameraIntrinsic.read(folder / "camera.json"))
 print(loom.read_trajectory(folder / "path.log"))
-assert loom.read_pinhole_camera_intrinsic(folder / "camera.json") == camera
+assert loom.PinholeCameraIntrinsic.read(folder / "camera.json") == camera
 
 # %%
 # Merge clouds

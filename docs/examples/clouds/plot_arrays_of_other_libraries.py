@@ -30,7 +30,7 @@ swirl = np.sin(8 * cloud["intensity"] + np.arctan2(points[:, 1], points[:, 0]))
 cloud["swirl"] = swirl.astype(np.float32)
 image = loom.render(
     {"geometry": cloud, "color_by": "swirl", "colormap": "viridis", "point_size": 3},
-    loom.fit_view(points, direction=(-0.4, 0.6, -0.6), width=960, height=640),
+    loom.View.fit(points, direction=(-0.4, 0.6, -0.6), width=960, height=640),
     color_bar=True,
 )
 

@@ -71,7 +71,7 @@ print(
 )
 assert fscore[1] > fscore[0]
 
-view = loom.fit_view(first.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
+view = loom.View.fit(first.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
 change = loom.render(
     {
         "same": {"geometry": second.select_by_mask(~new), "color": (0.78, 0.78, 0.76)},

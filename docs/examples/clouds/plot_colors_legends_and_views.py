@@ -35,11 +35,11 @@ for index, (name, style) in enumerate(ways.items()):
     scene[name] = {"geometry": cloud.translate(shift), "point_size": 3} | style
     labels.append((name, shift + cloud.get_center() + [0, 0, 0.55 * size]))
 corners = np.vstack([style["geometry"].points for style in scene.values()] + [[position] for _, position in labels])
-row = loom.render(scene, loom.fit_view(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420), labels=labels)
+row = loom.render(scene, loom.View.fit(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420), labels=labels)
 
 # %%
 # **A color bar** for what the first ``color_by`` means, **a legend** for what is what.
-view = loom.fit_view(cloud.points, direction=(-0.4, 0.8, -0.4), width=960, height=640)
+view = loom.View.fit(cloud.points, direction=(-0.4, 0.8, -0.4), width=960, height=640)
 bar = loom.render(
     {"geometry": cloud, "color_by": "curvature", "limits": (0, bend), "colormap": "turbo"}, view, color_bar=True
 )

@@ -56,7 +56,7 @@ assert (np.abs(local) <= np.array([1.0, 0.7, 0.6]) + 1e-6).all()
 outline = loom.LineSet(
     np.vstack([corners, corners[:1]]) * [1, 1, 0] + [0, 0, low[2] + 0.06], [[k, k + 1] for k in range(5)]
 )
-view = loom.fit_view(room.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
+view = loom.View.fit(room.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
 looked_into = open_room.crop(
     loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], high[2]])
 )

@@ -94,7 +94,7 @@ palette = np.array(
 thin.colors = palette[labels]
 low, high = room.get_min_bound(), room.get_max_bound()
 shown = thin.crop(loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2]))
-view = loom.fit_view(shown.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
+view = loom.View.fit(shown.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
 image = loom.render(shown, view)
 again = loom.render(shown.to(devices[-1]), view)
 print("image", digest([image]), "on", devices[-1], digest([again]))

@@ -66,7 +66,7 @@ for index, (name, thin) in enumerate(ways.items()):
     }
     labels.append((name, shift + np.array([0.0, 0.0, 0.62])))
 corners = [[-0.5, -0.55, -0.5], [0.5, 5.6, 0.75]]
-view = loom.fit_view(corners, direction=(-1.0, 0.0, -0.2), width=1120, height=320)
+view = loom.View.fit(corners, direction=(-1.0, 0.0, -0.2), width=1120, height=320)
 side_by_side = loom.render(scene, view, labels=labels, color_bar=True)
 
 # %%

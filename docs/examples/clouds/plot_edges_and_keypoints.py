@@ -49,7 +49,7 @@ print({name: f"{100 * fraction:.1f} %" for name, fraction in right.items()})
 assert right["wire"] > 0.99 and right["floor"] > 0.9 and right["bush"] > 0.5
 
 colors = np.array([[0.9, 0.35, 0.15], [0.35, 0.6, 0.8], [0.3, 0.65, 0.3]])[strongest]
-view = loom.fit_view(points, direction=(-0.5, 0.75, -0.45), width=960, height=640)
+view = loom.View.fit(points, direction=(-0.5, 0.75, -0.45), width=960, height=640)
 edge_image = loom.render(
     {"geometry": loom.PointCloud(points, colors=colors), "point_size": 3.5},
     view,
@@ -83,6 +83,6 @@ marks = [
 ]
 keypoint_image = loom.render(
     [{"geometry": shed, "color_by": "curvature", "colormap": "viridis", "point_size": 4}, *marks],
-    loom.fit_view(shed.points, direction=(-0.5, 0.75, -0.6), width=960, height=640),
+    loom.View.fit(shed.points, direction=(-0.5, 0.75, -0.6), width=960, height=640),
     color_bar=True,
 )

@@ -15,7 +15,6 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.core.units import LengthUnit
-from pointloom.pcd.geographic import utm_epsg
 
 folder = Path(tempfile.mkdtemp())
 rng = np.random.default_rng(1)
@@ -79,22 +78,22 @@ assert abs(field.points[1, 0] - 20.1168) < 1e-4
 
 # %%
 # **Degrees** are no lengths: a radius of 0.001 degrees is 111 m one way and 80 m the other. ``project_to_utm`` makes
-# meters of them; ``utm_epsg`` says which zone it would take, to give several clouds of one place the same.
+# meters of them. ``epsg=`` is the zone, or a cloud, to give several clouds of one site the same zone.
 longitude = -79.3871 + rng.uniform(0, 0.002, 5000)
 latitude = 43.6426 + rng.uniform(0, 0.002, 5000)
 hill = 100 + 20 * np.exp(-(((longitude + 79.3861) / 5e-4) ** 2) - ((latitude - 43.6436) / 5e-4) ** 2)
 degrees = loom.PointCloud(np.column_stack([longitude, latitude, hill]), unit="degree")
-zone = utm_epsg(degrees)
-utm = loom.project_to_utm(degrees, epsg=zone)
+utm = loom.project_to_utm(degrees)
+other = loom.project_to_utm(degrees.select_by_index(range(9)), epsg=degrees)
 size = np.ptp(utm.points, axis=0)
-print(f"EPSG:{zone}, {size[0]:.1f} by {size[1]:.1f} m")
-assert zone == 32617 and abs(size[0] - 161) < 6 and abs(size[1] - 222) < 6
+print(f"{size[0]:.1f} by {size[1]:.1f} m")
+assert np.allclose(other.points, utm.points[:9]) and abs(size[0] - 161) < 6 and abs(size[1] - 222) < 6
 assert utm.unit == "metre"
 
 # %%
 # The color bar of a height is in the unit that the cloud has.
 image = loom.render(
     {"geometry": utm, "color_by": "height", "colormap": "viridis", "point_size": 6},
-    loom.fit_view(utm.points, direction=(-0.3, 0.7, -0.55), width=960, height=640),
+    loom.View.fit(utm.points, direction=(-0.3, 0.7, -0.55), width=960, height=640),
     color_bar=True,
 )

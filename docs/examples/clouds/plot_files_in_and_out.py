@@ -98,4 +98,4 @@ with warnings.catch_warnings():
 assert np.array_equal(back.points, room.points) and np.array_equal(back.normals, room.normals)
 low, high = room.get_min_bound(), room.get_max_bound()
 shown = back.crop(loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2]))
-image = loom.render(shown, loom.fit_view(shown.points, direction=(-0.5, 0.62, -0.8), width=960, height=640))
+image = loom.render(shown, loom.View.fit(shown.points, direction=(-0.5, 0.62, -0.8), width=960, height=640))

@@ -97,7 +97,7 @@ for number, building in enumerate(buildings):
 
 colors = np.where(is_ground[:, None], [0.72, 0.66, 0.52], [0.35, 0.6, 0.3])
 colors[high[roof]] = [0.85, 0.4, 0.25]
-view = loom.fit_view(cloud.points, direction=(-0.35, 0.7, -0.55), width=960, height=640)
+view = loom.View.fit(cloud.points, direction=(-0.35, 0.7, -0.55), width=960, height=640)
 parts = loom.render(
     [loom.PointCloud(cloud.points, colors=colors), *[{"geometry": box, "color": (0.6, 0.1, 0.1)} for box in boxes]],
     view,

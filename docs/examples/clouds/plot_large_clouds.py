@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.visualization.viewer.detail_files import sample_file
 
 # %%
 # A survey to try it with: hills of 400 by 400 m with a road, made here in parts and written as LAZ.
@@ -36,7 +35,7 @@ print(f"{len(cloud):,} points, {survey.stat().st_size / 2**20:.1f} MiB")
 
 # %%
 # **A first look**: some 50,000 points taken evenly, before anything large is read.
-look = sample_file(survey, 50_000)
+look = loom.DetailTree.sample(survey, 50_000)
 print(f"first look: {len(look):,} points, from {look.get_min_bound().round(1)} to {look.get_max_bound().round(1)} m")
 assert len(look) <= 50_000
 
@@ -63,8 +62,8 @@ assert np.abs(total / hits - by_hand).max() < 0.1  # LAZ holds millimeters: a po
 # A view takes nodes until its budget is used, those first whose points are farthest apart on the screen.
 tree = loom.DetailTree.from_file(survey, attributes=["intensity"])
 middle = cloud.get_center()
-far = loom.fit_view(look.points, direction=(0.1, 0.8, -0.6), width=960, height=640)
-near = loom.fit_view(
+far = loom.View.fit(look.points, direction=(0.1, 0.8, -0.6), width=960, height=640)
+near = loom.View.fit(
     look.points[np.linalg.norm(look.points[:, :2] - middle[:2], axis=1) < 25],
     direction=(0.1, 0.8, -0.5),
     width=960,

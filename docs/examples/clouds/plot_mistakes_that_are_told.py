@@ -34,7 +34,7 @@ def try_it(what, call):
         raise AssertionError(f"{what}: nothing was said")
 
 
-plane = loom.registration.TransformationEstimationPointToPlane()
+plane = loom.registration.TransformationEstimation.point_to_plane()
 try_it("normals missing", lambda: loom.registration.registration_icp(cloud, cloud, 0.1, estimation_method=plane))
 try_it("(3, n) for (n, 3)", lambda: loom.PointCloud(np.zeros((3, 5000))))
 try_it("colors of 8 bits as floats", lambda: loom.PointCloud(np.zeros((2, 3)), colors=[[255.0, 0, 0], [0, 128.0, 0]]))
@@ -79,7 +79,7 @@ logger.setLevel(before)
 # What was asked for above, done right: kept, with normals, and seen.
 thin = cloud.voxel_down_sample(0.004).estimate_normals(max_nn=16)
 thin = loom.estimate_curvature(thin, max_nn=30)
-view = loom.fit_view(
+view = loom.View.fit(
     np.vstack([thin.points, thin.translate([0.24, 0, 0]).points]), direction=(-0.4, 0.8, -0.3), width=960, height=640
 )
 image = loom.render([thin, {"geometry": thin.translate([0.24, 0, 0]), "color_by": "curvature"}], view, color_bar=True)

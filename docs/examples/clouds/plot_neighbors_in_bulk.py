@@ -63,7 +63,7 @@ dense = np.asarray(search.radius_search(room, 0.1).counts)
 room["points per m2"] = (dense / (np.pi * 0.1**2)).astype(np.float32)
 low, high = room.get_min_bound(), room.get_max_bound()
 shown = room.crop(loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2]))
-view = loom.fit_view(shown.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
+view = loom.View.fit(shown.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
 density = loom.render({"geometry": shown, "color_by": "points per m2", "colormap": "viridis"}, view, color_bar=True)
 
 # %%

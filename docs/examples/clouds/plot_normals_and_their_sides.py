@@ -59,7 +59,7 @@ for index, (name, oriented) in enumerate(ways.items()):
     scene[name] = {"geometry": painted.translate(shift), "point_size": 3}
     labels.append((f"{name}: {100 * right[name]:.0f} %", shift + cloud.get_center() + [0, 0, 0.62 * size]))
 drawn = np.vstack([style["geometry"].points for style in scene.values()] + [[position] for _, position in labels])
-view = loom.fit_view(drawn, direction=(0.0, 1.0, -0.3), width=1120, height=420)
+view = loom.View.fit(drawn, direction=(0.0, 1.0, -0.3), width=1120, height=420)
 sides = loom.render(scene, view, labels=labels)
 
 # %%

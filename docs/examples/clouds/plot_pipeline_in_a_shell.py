@@ -77,4 +77,4 @@ shell("clean scan.ply clean.ply", expected=1)
 
 # %%
 # An image without a display ends the script: ``pointloom view clusters.ply --picture clusters.png``, or from Python:
-image = loom.render(clusters, loom.fit_view(clusters.points, direction=(-0.5, 0.62, -0.8), width=960, height=640))
+image = loom.render(clusters, loom.View.fit(clusters.points, direction=(-0.5, 0.62, -0.8), width=960, height=640))

@@ -48,7 +48,7 @@ palette = np.array(
 )
 room.colors = palette[labels]  # the last color, gray, is that of label -1
 plane_labels = [(f"plane {k}", room.points[labels == k].mean(axis=0)) for k in range(len(planes))]
-view = loom.fit_view(room.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
+view = loom.View.fit(room.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
 cut = room.select_by_mask(room.points[:, 2] < low + 2.2)  # without the ceiling, to look in
 plane_image = loom.render({"geometry": cut, "point_size": 5}, view, labels=plane_labels)
 

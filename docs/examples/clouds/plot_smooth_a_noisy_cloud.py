@@ -74,5 +74,5 @@ for index, (name, cloud) in enumerate(ways.items()):
     labels.append((name, shift + np.array([0, 0, 0.175])))
 corners = np.vstack([style["geometry"].points for style in drawn.values()] + [[position] for _, position in labels])
 image = loom.render(
-    drawn, loom.fit_view(corners, direction=(0, 1.0, -0.2), width=1120, height=400), labels=labels, color_bar=True
+    drawn, loom.View.fit(corners, direction=(0, 1.0, -0.2), width=1120, height=400), labels=labels, color_bar=True
 )

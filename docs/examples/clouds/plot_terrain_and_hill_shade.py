@@ -96,14 +96,14 @@ contours = loom.LineSet(
 )
 print(contours)
 
-view = loom.fit_view(surface.vertices, direction=(0.25, 0.7, -0.6), width=960, height=640)
+view = loom.View.fit(surface.vertices, direction=(0.25, 0.7, -0.6), width=960, height=640)
 relief = loom.render(
     [{"geometry": surface, "shaded": False}, {"geometry": contours, "color": (0.35, 0.25, 0.15), "line_width": 1}], view
 )
 
 # %%
 # From straight above: the map.
-above = loom.fit_view(surface.vertices, direction=(0, 0.001, -1), up=(0, 1, 0), width=960, height=900)
+above = loom.View.fit(surface.vertices, direction=(0, 0.001, -1), up=(0, 1, 0), width=960, height=900)
 plan = loom.render(
     [{"geometry": surface, "shaded": False}, {"geometry": contours, "color": (0.35, 0.25, 0.15), "line_width": 1}],
     above,

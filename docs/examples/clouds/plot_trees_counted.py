@@ -94,5 +94,5 @@ image = loom.render(
         loom.PointCloud(crowns.points, colors=palette[belongs]),
         {"geometry": stems, "color": (0.35, 0.2, 0.1), "line_width": 3},
     ],
-    loom.fit_view(cloud.points, direction=(-0.35, 0.7, -0.5), width=960, height=640),
+    loom.View.fit(cloud.points, direction=(-0.35, 0.7, -0.5), width=960, height=640),
 )

@@ -78,7 +78,7 @@ assert abs(volume / original.get_volume() - 1) < 0.01
 
 side = [1.15 * (original.get_max_bound() - original.get_min_bound())[0], 0.0, 0.0]
 left, right = broken.remove_triangles_by_mask(np.isnan(soup).any(axis=(1, 2))), result.mesh.translate(side)
-view = loom.fit_view(np.vstack([left.vertices, right.vertices]), direction=look, width=960, height=640)
+view = loom.View.fit(np.vstack([left.vertices, right.vertices]), direction=look, width=960, height=640)
 scene = {
     "broken": {"geometry": left, "color": (0.85, 0.45, 0.35), "back_faces": False},
     "mended": {"geometry": right.compute_vertex_normals(), "color": (0.45, 0.65, 0.8)},

@@ -59,7 +59,7 @@ lid = loom.LineSet(np.vstack(loops), np.vstack([
 ]))  # fmt: skip
 above = contours.points[contours.lines].mean(axis=1)[:, 2] > middle[2]
 rest = loom.LineSet(contours.points, contours.lines[above])
-view = loom.fit_view(mesh.vertices, direction=(-0.35, 1, -0.6), width=800, height=800)
+view = loom.View.fit(mesh.vertices, direction=(-0.35, 1, -0.6), width=800, height=800)
 scene = {
     "half with its lid": {"geometry": half, "color": (0.86, 0.65, 0.45)},
     "sections of the other half": {"geometry": rest, "color": (0.2, 0.4, 0.7), "line_width": 2},

@@ -34,7 +34,7 @@ second_id = scene.add_instance(owl_id, pose)
 # far along the direction the first hit is, infinite where there is none. As in Open3D, these rays have the middle of
 # the first pixel at (0.5, 0.5), everything else here at (0, 0): so half a pixel goes to the principal point.
 
-view = loom.fit_view(
+view = loom.View.fit(
     np.vstack([owl.vertices, owl.vertices + pose[:3, 3]]), direction=(0.35, 1, -0.45), width=960, height=640
 )
 K = view.intrinsic.intrinsic_matrix + np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])

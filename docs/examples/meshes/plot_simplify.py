@@ -53,7 +53,7 @@ print({key: value for key, value in tenth.to_dict().items() if not isinstance(va
 width = 1.15 * float((mesh.get_max_bound() - mesh.get_min_bound())[0])
 shown = [mesh, tenth.mesh, hundredth.mesh]
 side_by_side = [reduced.translate([i * width, 0, 0]) for i, reduced in enumerate(shown)]
-view = loom.fit_view(
+view = loom.View.fit(
     np.vstack([reduced.vertices for reduced in side_by_side]), direction=(-0.25, 1, -0.3), width=960, height=640
 )
 scene = [{"geometry": reduced, "wireframe": i > 0} for i, reduced in enumerate(side_by_side)]

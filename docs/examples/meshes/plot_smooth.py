@@ -60,7 +60,7 @@ assert len(sharp.vertices) == len(noisy.vertices)
 width = 1.12 * float((truth.get_max_bound() - truth.get_min_bound())[0])
 shown = {"noisy": noisy, "laplacian, 30 times": results["laplacian"].mesh, "taubin, 30 times": results["taubin"].mesh}
 side_by_side = [mesh.translate([i * width, 0, 0]) for i, mesh in enumerate(shown.values())]
-view = loom.fit_view(
+view = loom.View.fit(
     np.vstack([mesh.vertices for mesh in side_by_side]), direction=(-0.25, 1, -0.3), width=960, height=640
 )
 top = truth.get_max_bound()[2] * 1.1

@@ -93,14 +93,14 @@ assert len(cloud) > 3000 and len(mesh.triangles) > 5000
 # One of the photographs, the cameras with the shared points, and the mesh with its colors.
 
 frusta = [loom.CameraFrustum(camera, T, scale=0.08, color=(0.85, 0.35, 0.1)) for T in shots.poses[:count]]
-view = loom.fit_view(
+view = loom.View.fit(
     np.vstack([shots.poses[:count, :3, 3], loom.datasets.object_mesh().vertices]),
     direction=(-0.6, 1, -0.7),
     width=640,
     height=640,
 )
 cameras = loom.render([{"geometry": model.point_cloud(), "point_size": 3}, *frusta], view)
-near = loom.fit_view(
+near = loom.View.fit(
     loom.datasets.object_mesh().vertices, direction=tuple(shots.poses[count // 2, :3, 2]), width=640, height=640
 )
 surface = loom.render({"geometry": mesh, "shaded": False}, near)

@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.io.models.metashape import read_metashape_cameras
 
 folder = Path(tempfile.mkdtemp())
 shots = loom.datasets.photographs(12)
@@ -31,7 +30,7 @@ model = loom.SfmModel(
     names, [lens] * len(names), np.linalg.inv(shots.poses), points.points, (points.colors * 255).astype(np.uint8)
 )
 loom.write_colmap_model(folder / "sparse", model, format="txt")
-back = loom.read_colmap_model(folder / "sparse")
+back = loom.read_cameras(folder / "sparse")
 print(back)
 assert back.names == tuple(names) or list(back.names) == names
 assert np.allclose(back.T_world_camera, shots.poses, atol=1e-9)
@@ -76,7 +75,7 @@ cameras = "".join(
     f'<resolution width="{camera.width}" height="{camera.height}"/><f>{camera.fx}</f></calibration></sensor></sensors>'
     f"<cameras>{cameras}</cameras></chunk></document>"
 )
-metashape = read_metashape_cameras(folder / "cameras.xml")
+metashape = loom.read_cameras(folder / "cameras.xml")
 print(metashape, metashape.cameras[0].intrinsic)
 assert np.allclose(metashape.T_world_camera, shots.poses[:2], atol=1e-9)
 

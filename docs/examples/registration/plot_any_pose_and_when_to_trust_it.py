@@ -108,6 +108,6 @@ scene = {
 corners = np.vstack([style["geometry"].points for style in scene.values()])
 image = loom.render(
     scene,
-    loom.fit_view(corners, direction=(-0.5, 0.62, -0.8), width=1120, height=560),
+    loom.View.fit(corners, direction=(-0.5, 0.62, -0.8), width=1120, height=560),
     legend=[("target", (0.2, 0.5, 0.8)), ("source", (0.95, 0.6, 0.15))],
 )

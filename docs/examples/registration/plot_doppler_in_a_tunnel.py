@@ -49,7 +49,7 @@ print(first)
 
 # %%
 # **By shape alone** every point has a partner, the fit is as good as the noise, and the motion is missed by meters.
-plane = reg.registration_icp(first, target, 1.0, np.eye(4), reg.TransformationEstimationPointToPlane())
+plane = reg.registration_icp(first, target, 1.0, np.eye(4), reg.TransformationEstimation.point_to_plane())
 print(
     f"point to plane: {plane.transformation[0, 3]:+.3f} m along the tunnel, fitness {plane.fitness:.3f}, "
     f"rmse {plane.inlier_rmse:.3f} m"
@@ -77,7 +77,7 @@ assert np.linalg.norm(result.transformation[:3, 3] - truth[:3, 3]) < 0.05
 # the car is.
 near = first.select_by_mask(np.abs(first.points[:, 0]) < 22)
 colored = {"geometry": near, "color_by": "dopplers", "colormap": "coolwarm", "limits": (-25, 25), "point_size": 3}
-view = loom.fit_view(
+view = loom.View.fit(
     first.points[np.abs(first.points[:, 0]) < 30], direction=(0.45, 0.85, -0.35), width=960, height=560
 )
 image = loom.render(colored, view, color_bar=True)

@@ -58,11 +58,10 @@ checkers = [
     reg.CorrespondenceChecker.by_distance(1.5 * voxel),
     reg.CorrespondenceChecker.by_normal(np.radians(40)),
 ]
-criteria = reg.RANSACConvergenceCriteria(max_iteration=200_000, confidence=0.999)
 option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=1.5 * voxel)
 results = {
     "RANSAC": reg.registration_ransac_based_on_correspondence(
-        *thin, pairs, 1.5 * voxel, checkers=checkers, criteria=criteria, seed=0
+        *thin, pairs, 1.5 * voxel, checkers=checkers, num_iterations=200_000, seed=0
     ),
     "FGR": reg.registration_fgr_based_on_correspondence(*thin, pairs, option),
     "robust": reg.registration_robust_based_on_correspondence(*thin, pairs, 1.5 * voxel),
@@ -84,7 +83,7 @@ refined = reg.registration_icp(
     normals,
     2 * voxel,
     results["robust"].transformation,
-    reg.TransformationEstimationPointToPlane(),
+    reg.TransformationEstimation.point_to_plane(),
     overlap=None,
 )
 print(f"after ICP: {off(refined.transformation)[0]:.3f} degrees, {off(refined.transformation)[1]:.2f} mm")
@@ -117,4 +116,4 @@ scene += [
     },
 ]
 corners = np.vstack([part["geometry"].points for part in scene])
-image = loom.render(scene, loom.fit_view(corners, direction=(0.05, 0.1, 1.0), up=(0, -1, 0), width=1120, height=480))
+image = loom.render(scene, loom.View.fit(corners, direction=(0.05, 0.1, 1.0), up=(0, -1, 0), width=1120, height=480))

@@ -49,11 +49,11 @@ def off(T):
 # compares surface with surface; the symmetric one suits curved things; colors help where the shape alone leaves a
 # motion open.
 methods = {
-    "point to point": reg.TransformationEstimationPointToPoint(),
-    "point to plane": reg.TransformationEstimationPointToPlane(),
-    "generalized": reg.TransformationEstimationForGeneralizedICP(),
-    "symmetric": reg.TransformationEstimationSymmetric(),
-    "colored": reg.TransformationEstimationForColoredICP(),
+    "point to point": reg.TransformationEstimation.point_to_point(),
+    "point to plane": reg.TransformationEstimation.point_to_plane(),
+    "generalized": reg.TransformationEstimation.generalized(),
+    "symmetric": reg.TransformationEstimation.symmetric(),
+    "colored": reg.TransformationEstimation.colored(),
 }
 distance = 0.15 * size  # pairs lie nearer than this [m]; larger reaches farther, and is led astray more
 angles = np.array([0, 20, 40, 60, 90, 120])
@@ -106,6 +106,6 @@ scene = {
 corners = np.vstack([style["geometry"].points for style in scene.values()])
 image = loom.render(
     scene,
-    loom.fit_view(corners, direction=(0.0, 1.0, -0.35), width=960, height=480),
+    loom.View.fit(corners, direction=(0.0, 1.0, -0.35), width=960, height=480),
     legend=[("target", (0.2, 0.5, 0.8)), ("source", (0.95, 0.6, 0.1))],
 )

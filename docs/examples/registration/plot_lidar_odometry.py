@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.io.points.scan_files import list_scans
 
 reg = loom.registration
 
@@ -50,7 +49,7 @@ assert error.segment_translation < 1.0  # percent of the way
 with tempfile.TemporaryDirectory() as folder:
     for k in range(8):
         loom.write_point_cloud(Path(folder) / f"scan{k}.ply", drive.scans[k])
-    print([file.name for file in list_scans(folder)])
+    print(sorted(file.name for file in Path(folder).iterdir()))
     again = reg.run_odometry(folder, max_range=80.0, min_range=1.0)
     assert np.array_equal(again.poses, path.poses[:8])  # the same bits
     loom.write_trajectory(Path(folder) / "path.kitti", path)
@@ -70,7 +69,7 @@ center = path.poses[15][:3, 3]
 near = street.select_by_mask((np.abs(street.points - center) < [32, 26, 20]).all(axis=1))
 positions = path.poses[:, :3, 3] + [0, 0, 0.3]
 line = loom.LineSet(positions, np.column_stack([np.arange(29), np.arange(1, 30)]).astype(np.int32))
-view = loom.fit_view(near.points, direction=(0.35, 0.75, -0.5), width=960, height=640)
+view = loom.View.fit(near.points, direction=(0.35, 0.75, -0.5), width=960, height=640)
 style = {"line_width": 6, "color": (0.9, 0.1, 0.1)}
 street_map = loom.render([{"geometry": near, "point_size": 3}, {"geometry": line} | style], view)
 

@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.pose_graphs.pose_graph_optimization import GlobalOptimizationGaussNewton
 
 reg = loom.registration
 
@@ -72,9 +71,8 @@ graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in poses], steps + closures)
 # **Optimize.** ``max_correspondence_distance`` is how far a right closure may miss [m], ``reference_node`` keeps its
 # pose. The result is a new graph; the report says how it went, and which edges it dropped.
 option = reg.GlobalOptimizationOption(max_correspondence_distance=0.3, edge_prune_threshold=0.25, reference_node=0)
-method = reg.GlobalOptimizationLevenbergMarquardt()
 criteria = reg.GlobalOptimizationConvergenceCriteria(max_iteration=100)
-solved = reg.global_optimization(graph, method, criteria, option)
+solved = reg.global_optimization(graph, "levenberg-marquardt", criteria, option)
 report = solved.report
 print(f"{report.iterations} steps, residual {report.initial_residual:.1f} to {report.residual:.3f}, {report.criterion}")
 print("dropped:", [(graph.edges[k].source_node_id, graph.edges[k].target_node_id) for k in report.pruned_edges])
@@ -89,7 +87,7 @@ assert after.absolute_translation.rmse < 0.5 * before.absolute_translation.rmse
 trusted = [
     reg.PoseGraphEdge(e.source_node_id, e.target_node_id, e.transformation, e.information) for e in steps + closures
 ]
-bent = reg.global_optimization(reg.PoseGraph(graph.nodes, trusted), GlobalOptimizationGaussNewton(), criteria, option)
+bent = reg.global_optimization(reg.PoseGraph(graph.nodes, trusted), "gauss-newton", criteria, option)
 bent_path = loom.Trajectory(np.array([node.pose for node in bent.nodes]))
 worse = reg.evaluate_trajectory(bent_path, true_path, align="first", lengths=[10.0])
 print(f"with the wrong loop accepted: {worse.absolute_translation.rmse:.2f} m rmse")
@@ -132,4 +130,4 @@ scene = {
     "closures": loops,
 }
 corners = np.vstack([drifted.poses[:, :3, 3], positions])
-image = loom.render(scene, loom.fit_view(corners, direction=(0.2, 0.7, -0.8), width=960, height=640), legend=True)
+image = loom.render(scene, loom.View.fit(corners, direction=(0.2, 0.7, -0.8), width=960, height=640), legend=True)

@@ -40,7 +40,7 @@ def off(T):
 # %%
 # The distance of a pair decides how much of what does not belong is heard. All pairs (``overlap=1.0``, what every
 # other library does), the fraction given, and the fraction found by the iterations themselves (``overlap=None``).
-method = reg.TransformationEstimationForGeneralizedICP()
+method = reg.TransformationEstimation.generalized()
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 errors = {}
 for distance in (0.16, 0.4, 1.0):
@@ -63,7 +63,7 @@ rules = [reg.ICPConvergenceCriteria(max_iteration=60)] * 2
 coarse_to_fine = {}
 for first in (0.16, 0.48):
     several = reg.multi_scale_icp(
-        source, target, [0.08, -1], rules, [first, 0.12], start, reg.TransformationEstimationPointToPlane()
+        source, target, [0.08, -1], rules, [first, 0.12], start, reg.TransformationEstimation.point_to_plane()
     )
     coarse_to_fine[first] = off(several.transformation)
     print(f"two scales from {first} m: {coarse_to_fine[first][0]:.3f} degrees, {coarse_to_fine[first][1]:.1f} mm off")
@@ -104,5 +104,5 @@ for result, step in ((wide, 0), (good, 1)):
 corners = np.vstack([part["geometry"].points for part in scene])
 labels = [("all pairs", 0.5 * (low + high) + [0, 0, 1]), ("overlap found", 0.5 * (low + high) + shift + [0, 0, 1])]
 image = loom.render(
-    scene, loom.fit_view(corners, direction=(0, 0.02, -1), up=(1, 0, 0), width=1120, height=640), labels=labels
+    scene, loom.View.fit(corners, direction=(0, 0.02, -1), up=(1, 0, 0), width=1120, height=640), labels=labels
 )

@@ -26,7 +26,7 @@ print(scans[0])
 # prepared once; a job that is done costs nothing more.
 sources, targets = scans[1:], scans[:-1]
 inits = np.tile(step, (len(sources), 1, 1))
-estimation = reg.TransformationEstimationForGeneralizedICP()
+estimation = reg.TransformationEstimation.generalized()
 results = reg.registration_icp_batch(sources, targets, 1.0, inits, estimation)
 for k, result in enumerate(results[:3]):
     print(
@@ -57,7 +57,7 @@ offsets = np.linspace(-4, 4, 9)
 starts = np.tile(results[0].transformation, (81, 1, 1))
 starts[:, :2, 3] += np.array([[x, y] for x in offsets for y in offsets])
 batch_results = reg.registration_icp_batch(
-    sources[0], targets[0], 2.0, starts, reg.TransformationEstimationPointToPlane()
+    sources[0], targets[0], 2.0, starts, reg.TransformationEstimation.point_to_plane()
 )
 ends = np.array([result.transformation[:3, 3] for result in batch_results])
 right = np.linalg.norm(ends - results[0].transformation[:3, 3], axis=1) < 0.1
@@ -74,5 +74,5 @@ for name, k, color in (("first", 0, (0.2, 0.5, 0.8)), ("last", 11, (0.95, 0.55, 
     near = cloud.select_by_mask((np.abs(cloud.points - [5, 0, 4]) < [24, 16, 12]).all(axis=1)).without("colors")
     drawn[name] = {"geometry": near, "color": color, "point_size": 3}
 corners = np.vstack([part["geometry"].points for part in drawn.values()])
-view = loom.fit_view(corners, direction=(0.35, 0.75, -0.5), width=960, height=640)
+view = loom.View.fit(corners, direction=(0.35, 0.75, -0.5), width=960, height=640)
 image = loom.render(drawn, view, legend=True)

@@ -90,5 +90,5 @@ for name, position in positions.items():
     color = [0.9, 0.15, 0.1] if name in wrong else [0.1, 0.6, 0.3]
     marks.append(loom.TriangleMesh.create_sphere(0.014).translate(position).paint_uniform_color(color))
 corners = np.vstack([np.array(list(positions.values())), owl.points])
-view = loom.fit_view(corners, direction=(-0.4, 0.8, -0.5), width=960, height=640)
+view = loom.View.fit(corners, direction=(-0.4, 0.8, -0.5), width=960, height=640)
 image = loom.render([owl, *frusta, *marks], view)

@@ -84,7 +84,7 @@ drawn = [
     for scan, color in zip(registered, palette, strict=True)
 ]
 drawn.append({"geometry": merged.without("normals"), "point_size": 4})
-view = loom.fit_view(
+view = loom.View.fit(
     np.vstack([merged.points - shift, merged.points + shift]), direction=(0.15, 1.0, -0.25), width=1120, height=560
 )
 

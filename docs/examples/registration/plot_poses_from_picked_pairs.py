@@ -55,7 +55,7 @@ def pose_of(pairs, source=source, with_scaling=False):
     """T_target_source that brings the picked points together best."""
     left, right = source.select_by_index(pairs[:, 0]), target.select_by_index(pairs[:, 1])
     together = np.column_stack([np.arange(len(pairs))] * 2).astype(np.int32)
-    method = reg.TransformationEstimationPointToPoint(with_scaling)
+    method = reg.TransformationEstimation.point_to_point(with_scaling)
     return reg.registration_ransac_based_on_correspondence(left, right, together, size, method, len(pairs))
 
 
@@ -100,7 +100,7 @@ assert 2 * off(robust.transformation)[0] < off(plain)[0] and off(robust.transfor
 # than the distance, and how near.
 before = reg.evaluate_registration(source, target, 0.03 * size, first[5])
 result = reg.registration_icp(
-    source, target.estimate_normals(max_nn=20), 0.08 * size, first[5], reg.TransformationEstimationPointToPlane()
+    source, target.estimate_normals(max_nn=20), 0.08 * size, first[5], reg.TransformationEstimation.point_to_plane()
 )
 after = reg.evaluate_registration(source, target, 0.03 * size, result.transformation)
 print(
@@ -128,4 +128,4 @@ scene = {
     "done target": {"geometry": target.translate(right).paint_uniform_color([0.2, 0.5, 0.8])},
 }
 corners = np.vstack([style["geometry"].points for style in scene.values()])
-image = loom.render(scene, loom.fit_view(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420))
+image = loom.render(scene, loom.View.fit(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420))

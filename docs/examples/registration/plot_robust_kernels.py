@@ -60,7 +60,7 @@ criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 error, poses = {}, {}
 for name, kernel in kernels.items():
     result = reg.registration_icp(
-        scan, target, 0.4, np.eye(4), reg.TransformationEstimationPointToPlane(kernel), criteria
+        scan, target, 0.4, np.eye(4), reg.TransformationEstimation.point_to_plane(kernel), criteria
     )
     error[name], poses[name] = off(result.transformation), result.transformation
     print(f"{name:20} {error[name][0]:.3f} degrees, {1000 * error[name][1]:5.1f} mm off, {result.iterations} steps")
@@ -87,5 +87,5 @@ scene = {
     },
 }
 image = loom.render(
-    scene, loom.fit_view(target.crop(inner).points, direction=(-0.5, 0.62, -0.8), width=960, height=640), legend=True
+    scene, loom.View.fit(target.crop(inner).points, direction=(-0.5, 0.62, -0.8), width=960, height=640), legend=True
 )

@@ -120,7 +120,7 @@ scene = {
 }
 image = loom.render(
     scene,
-    loom.fit_view(
+    loom.View.fit(
         np.vstack([positions, from_first[:, :3, 3]]), direction=(0, 0.35, -1), up=(0, 1, 0), width=1120, height=420
     ),
     legend=True,

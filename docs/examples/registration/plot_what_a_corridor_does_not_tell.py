@@ -10,8 +10,6 @@ wheels or an IMU closes the gap.
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.lidar.lidar_runs import iterate_odometry
-from pointloom.registration.lidar.lidar_steps import summarize_steps
 
 reg = loom.registration
 
@@ -72,7 +70,10 @@ bare_scans, furnished_scans = (scan_along(corridor(furnished)[0]) for furnished 
 # **The bare corridor from its scans alone** is refused, with the direction that is open. That refusal is the point:
 # the path itself looks as smooth as any. It stands still in it, since the rings that a scanner draws on walls move
 # with it.
-bare = summarize_steps(list(iterate_odometry(bare_scans, **options)))
+odometry = reg.LidarOdometry(**options)
+for scan in bare_scans:
+    odometry.register(scan)
+bare = odometry.summary
 print(bare)
 print("warnings:", bare.warnings)
 assert not bare.reliable and len(bare.undetermined) > 10 and "x" in bare.open_motions
@@ -104,7 +105,7 @@ assert determined["bare"] < 7 and determined["furnished"] > 10
 # found. Its ``degenerate_directions`` name motions that the pairs do not determine at all, as on one wall; the
 # corridor's edges, where normals are rounded, are enough to hide it. Fitness does not measure reliability.
 target, source = (scan.voxel_down_sample(0.1).estimate_normals(max_nn=15) for scan in bare_scans[:2])
-plane = reg.TransformationEstimationPointToPlane()
+plane = reg.TransformationEstimation.point_to_plane()
 result = reg.registration_icp(source, target, 0.5, np.eye(4), plane)
 print(
     f"corridor: fitness {result.fitness:.3f}, {result.transformation[0, 3]:.3f} m along x, "
@@ -141,4 +142,4 @@ for row, name in enumerate(poses):
         (f"{name}: {determined[name]} of 13 scans determine the motion", positions[len(positions) // 2] + [0, 0, 0.8])
     )
 corners = np.array([[-2, -6.3, 0], [14, -6.3, 0], [-2, 1.3, 2.6], [14, 1.3, 2.6]])
-image = loom.render(drawn, loom.fit_view(corners, direction=(0.2, 0.8, -0.7), width=960, height=560), labels=labels)
+image = loom.render(drawn, loom.View.fit(corners, direction=(0.2, 0.8, -0.7), width=960, height=560), labels=labels)

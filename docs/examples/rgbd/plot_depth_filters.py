@@ -9,7 +9,7 @@ make it smaller without mixing near and far, and see its normals.
 import numpy as np
 
 import pointloom as loom
-from pointloom.cameras.depth_filters import create_depth_pyramid, create_normal_map, pyrdown_color, pyrdown_depth
+from pointloom.cameras.depth_filters import create_depth_pyramid, create_normal_map
 
 # %%
 # A frame with noise, and the same without
@@ -76,8 +76,7 @@ assert angles["smoothed"] < 0.7 * angles["measured"]
 # for images that were resized by area: their borders keep their place.)
 
 levels = create_depth_pyramid(smooth, 3, depth_scale=1.0)
-color = pyrdown_color(noisy.color)
-assert np.array_equal(levels[1], pyrdown_depth(levels[0], depth_scale=1.0))
+color = loom.create_depth_pyramid(loom.RGBDImage(noisy.color, noisy.depth, depth_scale=1.0), 2)[1].color
 half = loom.PinholeCameraIntrinsic(
     camera.width // 2, camera.height // 2, *(0.5 * np.array([camera.fx, camera.fy, camera.cx, camera.cy]))
 )
@@ -93,6 +92,6 @@ for values in (depth, cut):
         radius=0.02, max_nn=12
     )
     cloud = cloud.orient_normals_towards_camera_location([0, 0, 0])
-    view = loom.fit_view(cloud.points, direction=(0.35, 0.3, 1.0), up=(0, -1, 0), width=640, height=640)
+    view = loom.View.fit(cloud.points, direction=(0.35, 0.3, 1.0), up=(0, -1, 0), width=640, height=640)
     images.append(loom.render({"geometry": cloud, "color": (0.8, 0.76, 0.7)}, view, (640, 640), shading="smooth"))
 image = np.hstack(images)

@@ -65,8 +65,8 @@ assert len(list(loom.open_frames(folder / "take-1", every=4))) == 3
 
 color = loom.read_color(folder / "take-1" / "frame-000003.color.png")
 depth = loom.read_depth(folder / "take-1" / "frame-000003.depth.png")
-lens = loom.read_pinhole_camera_intrinsic(folder / "take-1" / "camera-intrinsics.json")
-loom.write_pinhole_camera_intrinsic(folder / "camera.json", lens)
+lens = loom.PinholeCameraIntrinsic.read(folder / "take-1" / "camera-intrinsics.json")
+lens.write(folder / "camera.json")
 path = loom.Trajectory(np.array([frame.T_world_camera for frame in frames]))
 loom.write_trajectory(folder / "trajectory.log", path)
 assert np.allclose(loom.read_trajectory(folder / "trajectory.log").poses, path.poses, atol=1e-6)

@@ -84,7 +84,7 @@ assert difference(T)[1] < 20
 
 clouds = [loom.PointCloud.create_from_rgbd_image(image, camera) for image in pair]
 colors = [(0.95, 0.6, 0.1), (0.1, 0.5, 0.85)]
-view = loom.fit_view(clouds[1].points, direction=(0.15, 0.75, 1.0), up=(0, -1, 0), width=640, height=640)
+view = loom.View.fit(clouds[1].points, direction=(0.15, 0.75, 1.0), up=(0, -1, 0), width=640, height=640)
 images = []
 for moved in (clouds[0], clouds[0].transform(result.transformation)):
     scene = [{"geometry": cloud, "color": color} for cloud, color in zip((moved, clouds[1]), colors, strict=False)]

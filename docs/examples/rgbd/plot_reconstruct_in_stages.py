@@ -34,24 +34,21 @@ config = system.ReconstructionConfig(n_frames_per_fragment=12, tsdf_voxel_size=0
 # Stage by stage
 # --------------
 #
-# Each stage leaves its result in the job's folder and a record of what it was made from. A pair of frames whose
-# odometry is unreliable ends a fragment: no motion is assumed.
+# Each stage writes its result and a record of its inputs to the job's folder. A pair of frames whose odometry is
+# unreliable ends a fragment: no motion is assumed. Without ``refine`` and ``integrate``, the run ends with registered
+# fragments.
 
-fragments = system.make_fragments(frames, config, job)
-for fragment in fragments.fragments:
-    print(f"fragment {fragment.number}: frames {fragment.indices[0]} to {fragment.indices[-1]}")
-registration = system.register_fragments(config, job)
-refined = system.refine_registration(config, job)
-scene = system.integrate_scene(frames, config, job)
-assert registration.placed.all() and refined.placed.all() and not fragments.lost
+registered = system.run_reconstruction_system(frames, config, job, refine=False, integrate=False)
+for fragment in registered.fragments:
+    print(fragment)
+assert registered.reliable and not registered.lost and not registered.files
 
 # %%
 # Or all at once
 # --------------
 #
-# ``run_reconstruction_system`` runs what is not done yet. With ``resume=True`` everything is kept here, since nothing
-# changed: an
-# interrupted job loses at most the fragment that it was at, and ends with the same bits.
+# With ``resume=True`` the results of finished stages are kept. An interrupted job loses at most one fragment, and its
+# result is bitwise identical.
 
 report = system.run_reconstruction_system(frames, config, job, resume=True)
 print(report)
@@ -80,8 +77,7 @@ T = recorded[12].T_world_camera.copy()
 T[:3, 3] -= 0.7 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
 cameras = [
-    loom.CameraFrustum(camera, start @ path.poses[i], scale=0.15, color=colors[fragment.number % 3])
-    for fragment in fragments.fragments
-    for i in fragment.indices
+    loom.CameraFrustum(camera, start @ pose, scale=0.15, color=colors[i // config.n_frames_per_fragment])
+    for i, pose in enumerate(path.poses)
 ]
 image = loom.render([{"geometry": mesh, "shaded": False, "back_faces": False}, *cameras], view)

@@ -48,15 +48,14 @@ print(f"residual {colors.residual_before:.4f} before, {colors.residual:.4f} afte
 assert colors.residual < colors.residual_before and result.reliable
 
 # %%
-# The same by Open3D's names, for chains that need the options: ``run_rigid_optimizer`` moves poses,
-# ``run_non_rigid_optimizer`` bends the images as well.
+# ``optimize_color_map`` has the options of Open3D's optimizers. With ``method="non-rigid"`` it also warps the images.
 
 images = [loom.RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=4.0) for frame in frames]
-option = loom.meshing.RigidOptimizerOption(maximum_iteration=10, maximum_allowable_depth=4.0)
+option = loom.meshing.ColorMapOption(maximum_iteration=10, maximum_allowable_depth=4.0)
 world_to_camera = loom.Trajectory(np.array(poses))
-rigid = loom.meshing.run_rigid_optimizer(mesh, images, world_to_camera, option, intrinsic=camera)
+rigid = loom.meshing.optimize_color_map(mesh, images, world_to_camera, option, intrinsic=camera)
 print(
-    f"by Open3D's name: {rigid.residual_before:.4f} before, {rigid.residual:.4f} "
+    f"residual {rigid.residual_before:.4f} before, {rigid.residual:.4f} "
     f"after; {100 * rigid.seen.mean():.0f} % of the vertices seen"
 )
 assert rigid.residual < rigid.residual_before

@@ -110,7 +110,7 @@ class PinholeCameraIntrinsic(HintedNames):
             raise TypeError(
                 f"{', '.join(missing)}: missing; expected PinholeCameraIntrinsic(width, height, fx, fy, cx, cy), "
                 "(width, height, K), (PinholeCameraIntrinsicParameters.PrimeSenseDefault), or "
-                "read_pinhole_camera_intrinsic(path)"
+                "PinholeCameraIntrinsic.read(path)"
             )
         for field, value in zip(dataclasses.fields(self), given, strict=True):
             object.__setattr__(self, field.name, value)
@@ -195,6 +195,34 @@ class PinholeCameraIntrinsic(HintedNames):
         """The color camera of Kinect v2: 1920 x 1080."""
         return cls(PinholeCameraIntrinsicParameters.Kinect2ColorCameraDefault)
 
+    @staticmethod
+    def read(path: str | os.PathLike[str]) -> PinholeCameraIntrinsic:
+        """Read a camera from Open3D's JSON.
+
+        Reads `{"width", "height", "intrinsic_matrix"}` with the 9 numbers of K column by column, or the intrinsic of a
+        PinholeCameraParameters object. Recorder metadata (`serial_number`, `depth_scale` and others) is ignored.
+        Unknown keys raise, since they may change the projection.
+
+        Raises:
+            FileError: Unreadable, not JSON, or a key that is missing, unknown or out of range.
+
+        Example:
+            >>> import pointloom as loom
+            >>> camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
+            >>> camera.write("camera.json")
+            >>> loom.PinholeCameraIntrinsic.read("camera.json") == camera
+            True
+        """
+        return read_pinhole_camera_intrinsic(path)
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write the camera as Open3D's JSON with all digits. An existing file is replaced.
+
+        Raises:
+            FileError: The file cannot be written.
+        """
+        write_pinhole_camera_intrinsic(path, self)
+
     @classmethod
     def from_matrix(cls, K: Any, width: int, height: int) -> PinholeCameraIntrinsic:
         """The camera with calibration matrix K, shape (3, 3) [px].
@@ -213,22 +241,7 @@ class PinholeCameraIntrinsic(HintedNames):
 
 
 def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCameraIntrinsic:
-    """Read a camera from Open3D's JSON.
-
-    Reads `{"width", "height", "intrinsic_matrix"}` with the 9 numbers of K column by column, or the intrinsic of a
-    PinholeCameraParameters object. Recorder metadata (`serial_number`, `depth_scale` and others) is ignored. Unknown
-    keys raise, since they may change the projection.
-
-    Raises:
-        FileError: Unreadable, not JSON, or a key that is missing, unknown or out of range.
-
-    Example:
-        >>> import pointloom as loom
-        >>> camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
-        >>> loom.write_pinhole_camera_intrinsic("camera.json", camera)
-        >>> loom.read_pinhole_camera_intrinsic("camera.json") == camera
-        True
-    """
+    """Read a camera from Open3D's JSON, see `PinholeCameraIntrinsic.read`."""
     content = read_json_object(path)
     where = ""
     if "intrinsic" in content:
@@ -247,18 +260,7 @@ def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCamera
 
 
 def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic) -> None:
-    """Write a camera as Open3D's JSON with all digits. An existing file is replaced.
-
-    Raises:
-        FileError: The file cannot be written.
-
-    Example:
-        >>> import pointloom as loom
-        >>> camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
-        >>> loom.write_pinhole_camera_intrinsic("camera.json", camera)
-        >>> loom.read_pinhole_camera_intrinsic("camera.json") == camera
-        True
-    """
+    """Write a camera as Open3D's JSON, see `PinholeCameraIntrinsic.write`."""
     path = path_of(path)
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")

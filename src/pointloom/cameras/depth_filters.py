@@ -63,7 +63,7 @@ def filter_depth_bilateral(
         >>> loom.filter_depth_bilateral(depth, 3).round(3)
         array([[1.002, 1.008, 2.004, 2.016, 0.   ]], dtype=float32)
     """
-    reason = "the time grows with its square; halve the image with pyrdown_depth, or filter twice"
+    reason = "the time grows with its square; halve the image with create_depth_pyramid, or filter twice"
     radius = check_count("kernel_size", kernel_size, maximum=MAX_KERNEL, because=reason) // 2
     value, distance = check_positive("value_sigma", value_sigma), check_positive("dist_sigma", dist_sigma)
     metric, height, width = _metric(depth, depth_scale, device)
@@ -145,30 +145,7 @@ def create_normal_map(
 def pyrdown_depth(
     depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float | None = None, device: Any = None
 ) -> Depth:
-    """Halve a depth image: every second pixel, averaged over 5 x 5 pixels of the same surface.
-
-    Args:
-        depth: Shape (h, w), or an RGBDImage, whose colors are halved by `pyrdown_color`.
-        diff_threshold: Pixels whose depth differs from the center's by this or more are ignored [m].
-        depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
-        device: Device for an array; None: the GPU that it is on, else the CPU.
-
-    Returns:
-        Depth [m] of shape (h // 2, w // 2). 0 where the pixel had none. Its camera has half of fx, fy, cx and cy,
-        unlike `PinholeCameraIntrinsic.scaled`, since pixel (u, v) is pixel (2 u, 2 v) of the input.
-
-    Raises:
-        ValueError: A wrong shape, fewer than 2 rows or columns, or a threshold that is not positive.
-
-    Notes:
-        As Open3D's PyrDownDepth. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.3.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> from pointloom.cameras.depth_filters import pyrdown_depth
-        >>> pyrdown_depth(np.array([[1.0, 1.1, 5.0, 5.0], [1.1, 1.0, 5.0, 0.0]])).round(3)
-        array([[1.048, 5.   ]], dtype=float32)
-    """
+    """Halve a depth image: the next level of `create_depth_pyramid`, of shape (h // 2, w // 2)."""
     jump = check_positive("diff_threshold", diff_threshold)
     metric, height, width = _metric(depth, depth_scale, device)
     _check_even("depth", height, width)
@@ -218,17 +195,23 @@ def create_depth_pyramid(
     depth_scale: float | None = None,
     device: Any = None,
 ) -> list[Depth]:
-    """A pyramid of depth images, the largest first. See `pyrdown_depth`.
+    """A pyramid of depth images, the largest first. Each level has every second pixel of the previous one.
+
+    A pixel is averaged over 5 x 5 pixels of the same surface. The camera of a level has half of fx, fy, cx and cy of
+    the previous one, unlike `PinholeCameraIntrinsic.scaled`, since pixel (u, v) is pixel (2 u, 2 v) there.
 
     Args:
-        depth: Shape (h, w), or an RGBDImage.
+        depth: Shape (h, w), or an RGBDImage, whose colors are halved, too.
         levels: Number of images.
-        diff_threshold: As in `pyrdown_depth`.
+        diff_threshold: Pixels whose depth differs from the center's by this or more are ignored [m].
         depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
         device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Raises:
-        ValueError: As `pyrdown_depth`. Levels < 1 or more than the size can be halved.
+        ValueError: A wrong shape, a threshold that is not positive, or levels < 1 or more than the size can be halved.
+
+    Notes:
+        As Open3D's PyrDownDepth. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.3.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -1,7 +1,11 @@
-"""Units and limits of depth images: defaults of functions that take them, and a warning if they do not fit."""
+"""Units and limits of depth images: defaults of functions that take them, and a warning if they do not fit.
+
+One default for each meaning: images of depth cameras, operations that Open3D has, and depth without sensor noise.
+"""
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -11,6 +15,7 @@ from ..core.units import called_by_user, warn_of_units
 DEPTH_SCALE = 1000.0  # stored depth of one meter, for integers whose scale is not given: millimeters
 DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras exceeds 2 cm
 OPEN3D_DEPTH_MAX = 3.0  # [m] of operations that Open3D has with this default
+UNLIMITED_DEPTH = math.inf  # [m] of depth that is rendered, or triangulated from photographs or by a scanner
 MIN_SCALE_OF_INTEGERS = 100.0  # units per meter: floats with a larger scale are probably integers in other units
 MIN_FARTHEST_DEPTH = 0.05  # [m] no depth camera measures all pixels closer
 

@@ -1,10 +1,8 @@
 """The public names of pointloom.meshing: the one list of them, for type checkers and for `public_names`."""
 
 from .color_map.image_texturing import texture_from_images as texture_from_images
-from .color_map.optimizers import run_non_rigid_optimizer as run_non_rigid_optimizer
-from .color_map.optimizers import run_rigid_optimizer as run_rigid_optimizer
-from .color_map.options import NonRigidOptimizerOption as NonRigidOptimizerOption
-from .color_map.options import RigidOptimizerOption as RigidOptimizerOption
+from .color_map.optimizers import optimize_color_map as optimize_color_map
+from .color_map.options import ColorMapOption as ColorMapOption
 from .color_map.texturing import texture_mesh as texture_mesh
 from .mesh.cleaned_mesh import clean_mesh as clean_mesh
 from .mesh.cloud_surface import create_surface as create_surface

@@ -71,7 +71,7 @@ class Conversion(Selection):
             project_valid_depth_only: If False, keep the grid: NaN points without depth, and `cloud.grid` is set.
             with_normals: Add unit normals toward the camera from differences to the next grid points, see
                 `create_normal_map`. Points without one are dropped, or get NaN if the grid is kept. Smooth the depth
-                first with `filter_depth_bilateral` or `pyrdown_depth`.
+                first with `filter_depth_bilateral` or `create_depth_pyramid`.
             device: Target device. If None: the depth's GPU, or the CPU.
             arrays: Library of returned arrays, as of `to`. If None: that of the depth.
 

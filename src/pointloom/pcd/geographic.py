@@ -8,7 +8,7 @@ accuracy of a few nanometers", 2011, equations 7 to 12 and 35.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import warp as wp
@@ -57,12 +57,13 @@ def utm_epsg(cloud: PointCloud) -> int:
     return (_NORTHERN_EPSG_BASE if latitude >= 0 else _SOUTHERN_EPSG_BASE) + zone
 
 
-def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
+def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -> PointCloud:
     """Project a cloud in degrees to UTM meters. Heights and attributes stay.
 
     Args:
         cloud: x is the longitude, y the latitude [degrees]; z is kept.
-        epsg: UTM zone. If None: `utm_epsg(cloud)`. Use one zone for clouds of one site.
+        epsg: UTM zone, or a cloud in degrees whose zone is used. If None: the zone (WGS 84) with most points of the
+            cloud. Use one zone for clouds of one site.
 
     Returns:
         Eastings and northings [m]. Bitwise identical on every device. 108 B per point temporarily.
@@ -83,7 +84,8 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
         raise ValueError(
             'cloud: normals in degrees cannot be projected. Project cloud.without("normals"), then estimate them'
         )
-    code = utm_epsg(cloud) if epsg is None else check_count("epsg", epsg)
+    reference: Any = cloud if epsg is None else epsg
+    code = utm_epsg(reference) if hasattr(reference, "points") else check_count("epsg", reference)
     zone = code % 100
     if code - zone not in (_NORTHERN_EPSG_BASE, _SOUTHERN_EPSG_BASE) or not 1 <= zone <= 60:
         raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")

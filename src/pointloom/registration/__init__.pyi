@@ -1,6 +1,5 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
-from ..io.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
 from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker
@@ -11,17 +10,12 @@ from .globally.global_registration import (
     registration_robust_based_on_correspondence as registration_robust_based_on_correspondence,
 )
 from .globally.pair import register_pair as register_pair
-from .globally.ransac import RANSACConvergenceCriteria as RANSACConvergenceCriteria
 from .globally.ransac import registration_ransac_based_on_correspondence as registration_ransac_based_on_correspondence
 from .globally.rating import assess_registration as assess_registration
 from .icp.constraint import Constraint as Constraint
 from .icp.constraint import Prior as Prior
-from .icp.estimation import TransformationEstimationForColoredICP as TransformationEstimationForColoredICP
+from .icp.estimation import TransformationEstimation as TransformationEstimation
 from .icp.estimation import TransformationEstimationForDopplerICP as TransformationEstimationForDopplerICP
-from .icp.estimation import TransformationEstimationForGeneralizedICP as TransformationEstimationForGeneralizedICP
-from .icp.estimation import TransformationEstimationPointToPlane as TransformationEstimationPointToPlane
-from .icp.estimation import TransformationEstimationPointToPoint as TransformationEstimationPointToPoint
-from .icp.estimation import TransformationEstimationSymmetric as TransformationEstimationSymmetric
 from .icp.evaluation import evaluate_registration as evaluate_registration
 from .icp.evaluation import get_information_matrix_from_point_clouds as get_information_matrix_from_point_clouds
 from .icp.icp import ICPConvergenceCriteria as ICPConvergenceCriteria
@@ -33,9 +27,7 @@ from .icp.ndt import NormalDistributionsTransformOption as NormalDistributionsTr
 from .icp.ndt import registration_ndt as registration_ndt
 from .lidar.deskewing import deskew_point_cloud as deskew_point_cloud
 from .lidar.lidar_odometry import LidarOdometry as LidarOdometry
-from .lidar.lidar_runs import iterate_odometry as iterate_odometry
 from .lidar.lidar_runs import run_odometry as run_odometry
-from .lidar.lidar_steps import summarize_steps as summarize_steps
 from .matching import correspondences_from_features as correspondences_from_features
 from .pose_graphs.fragment_graph import FragmentPair as FragmentPair
 from .pose_graphs.multiway import register_multiway as register_multiway
@@ -46,10 +38,6 @@ from .pose_graphs.pose_graph_files import read_pose_graph as read_pose_graph
 from .pose_graphs.pose_graph_files import write_pose_graph as write_pose_graph
 from .pose_graphs.pose_graph_optimization import (
     GlobalOptimizationConvergenceCriteria as GlobalOptimizationConvergenceCriteria,
-)
-from .pose_graphs.pose_graph_optimization import GlobalOptimizationGaussNewton as GlobalOptimizationGaussNewton
-from .pose_graphs.pose_graph_optimization import (
-    GlobalOptimizationLevenbergMarquardt as GlobalOptimizationLevenbergMarquardt,
 )
 from .pose_graphs.pose_graph_optimization import GlobalOptimizationOption as GlobalOptimizationOption
 from .pose_graphs.pose_graph_optimization import global_optimization as global_optimization

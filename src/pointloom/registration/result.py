@@ -31,7 +31,6 @@ MIN_FITNESS = 0.1  # results below are unreliable
 # RMS distance of correspondences in match distances below which one cloud is a copy of the other. Rounding to float32
 # gives 1e-6 and less, two samplings of a surface at least 0.02 (a tenth of the point spacing).
 MAX_COPY_RMSE = 1e-4
-_lock = threading.RLock()  # an assessment is computed once, also if several threads read it
 
 
 class Outcome(NamedTuple):
@@ -100,6 +99,7 @@ class RegistrationResult(Assessed):
         self._correspondences, self._clouds = correspondences, clouds
         self._assessment: RegistrationAssessment | None = None
         self._assessed_pose = transformation.copy()  # assessed if the attribute is changed
+        self._lock = threading.RLock()  # an assessment is computed once, also if several threads read it
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -115,7 +115,7 @@ class RegistrationResult(Assessed):
 
         Raises `ValueError` for results without clouds: those that were unpickled, or found no pose.
         """
-        with _lock:
+        with self._lock:
             made = self._assessment
             if made is None:
                 if self._clouds is None:
@@ -216,12 +216,16 @@ class RegistrationResult(Assessed):
         pairs, _ = self.correspondence_set, self.warnings
         known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
         known |= {"_clouds": None, "_assessment": None}
-        return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}
+        left_out = {"correspondence_set", "_lock"}
+        return {**{name: value for name, value in vars(self).items() if name not in left_out}, **known}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, _lock=threading.RLock())
 
     def __copy__(self) -> RegistrationResult:
         """A result with the same clouds, which computes on access what this one has not computed."""
         made = type(self).__new__(type(self))
-        made.__dict__.update(vars(self))
+        made.__setstate__(vars(self))
         return made
 
     def __repr__(self) -> str:

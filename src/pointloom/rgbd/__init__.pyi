@@ -8,14 +8,8 @@ from .odometry.rgbd_odometry import compute_odometry_information_matrix as compu
 from .odometry.rgbd_odometry import compute_rgbd_odometry as compute_rgbd_odometry
 from .reconstruction.config import ReconstructionConfig as ReconstructionConfig
 from .reconstruction.fragment_model import FragmentOptions as FragmentOptions
-from .reconstruction.fragments import make_fragments as make_fragments
 from .reconstruction.frames_to_mesh import reconstruct as reconstruct
 from .reconstruction.job import run_reconstruction_system as run_reconstruction_system
-from .reconstruction.nonrigid import refine_with_slac as refine_with_slac
-from .reconstruction.placement import register_fragments as register_fragments
-from .reconstruction.refinement import refine_registration as refine_registration
-from .reconstruction.scene import integrate_scene as integrate_scene
-from .reconstruction.volumes import ControlGrid as ControlGrid
 from .reconstruction.volumes import SLACOptimizerParams as SLACOptimizerParams
 from .reconstruction.volumes import run_slac_optimizer_for_fragments as run_slac_optimizer_for_fragments
 from .slam.dense_slam import DenseSLAM as DenseSLAM
@@ -31,9 +25,9 @@ from .slam.tracking import track as track
 # isort: split
 from .fusion.results import FusionResult as FusionResult
 from .odometry.results import OdometryResult as OdometryResult
-from .reconstruction.fragments import FragmentSet as FragmentSet
 from .reconstruction.frames_to_mesh import ReconstructionResult as ReconstructionResult
 from .reconstruction.report import SystemReport as SystemReport
+from .reconstruction.volumes import ControlGrid as ControlGrid
 from .slam.focal_check import FocalCheck as FocalCheck
 from .slam.loop_closure import LoopClosure as LoopClosure
 from .slam.map_joins import MapJoin as MapJoin

@@ -23,7 +23,7 @@ def folder(tmp_path):
     fixed_map(tmp_path / "net.onnx", 37 / z + 5)
     Image.fromarray(IMAGE).save(tmp_path / "photo.png")
     np.save(tmp_path / "z.npy", z.astype(np.float32))
-    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
+    CAMERA.write(tmp_path / "camera.json")
     return tmp_path
 
 

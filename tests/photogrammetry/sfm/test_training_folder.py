@@ -56,7 +56,7 @@ def written(tmp_path, model, **options):
 def test_points_project_to_undistorted_observations(tmp_path, kind, max_size):
     model = model_of(kind)
     report, scene = written(tmp_path, model, max_size=max_size)
-    result = loom.read_colmap_model(scene / "sparse" / "0")
+    result = loom.read_cameras(scene / "sparse" / "0")
     assert {camera.model for camera in result.cameras} == {"PINHOLE"}
     np.testing.assert_array_equal(result.colors, model.colors)
     assert len(result.observations) > 0.8 * len(model.observations)
@@ -83,7 +83,7 @@ def test_points_project_to_undistorted_observations(tmp_path, kind, max_size):
 @pytest.mark.parametrize("kind", ["PINHOLE", "OPENCV"])
 def test_transforms_match_the_colmap_files(tmp_path, kind):
     _, scene = written(tmp_path, model_of(kind))
-    sparse, nerf = loom.read_colmap_model(scene / "sparse" / "0"), loom.read_cameras(scene / "transforms.json")
+    sparse, nerf = loom.read_cameras(scene / "sparse" / "0"), loom.read_cameras(scene / "transforms.json")
     assert nerf.names == tuple(f"images/{name}" for name in sparse.names)
     np.testing.assert_allclose(nerf.T_camera_world, sparse.T_camera_world, atol=1e-12)
     assert [camera.intrinsic for camera in nerf.cameras] == [camera.intrinsic for camera in sparse.cameras]
@@ -98,7 +98,7 @@ def test_undistorted_pixels_match_the_camera_model(tmp_path):
     for axis, ramp in enumerate((u, v)):
         images = [np.rint(ramp * 2.5).astype(np.uint8)] * 3
         loom.photogrammetry.write_training_folder(tmp_path / f"{axis}", model, images)
-        result, off = loom.read_colmap_model(tmp_path / f"{axis}" / "sparse" / "0"), []
+        result, off = loom.read_cameras(tmp_path / f"{axis}" / "sparse" / "0"), []
         for k, name in enumerate(result.names):
             shown = loom.read_color(tmp_path / f"{axis}" / "images" / name)[..., 0] / 2.5
             mine, first = (m.observations[:, 0] == n for m, n in ((result, k), (model, source_of(model, name))))
@@ -135,14 +135,14 @@ def test_points_outside_the_undistorted_images_have_no_observation(tmp_path):
     seen = {"observations": [[0, 0], [0, 1]], "pixels": [[0.0, 0.0], [48.0, 32.0]]}
     model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None], points=[corner, middle], **seen)
     loom.photogrammetry.write_training_folder(tmp_path / "scene", model, [np.zeros((SIZE[1], SIZE[0], 3), np.uint8)])
-    assert loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0").observations.tolist() == [[0, 1]]
+    assert loom.read_cameras(tmp_path / "scene" / "sparse" / "0").observations.tolist() == [[0, 1]]
 
 
 def test_names_differing_by_folder_or_case_stay_distinct(tmp_path):
     _, scene = written(tmp_path, model_of(names=("day 1/a.jpg", "day 2/a.jpg", "day 2/A.png")))
     names = sorted(path.name for path in (scene / "images").iterdir())
     assert names == ["day 1_a.jpg.png", "day 2_A.png.png", "day 2_a.jpg.png"]
-    assert tuple(names) == loom.read_colmap_model(scene / "sparse" / "0").names
+    assert tuple(names) == loom.read_cameras(scene / "sparse" / "0").names
     assert len({name.casefold() for name in names}) == 3
 
 
@@ -150,7 +150,7 @@ def test_names_differing_by_folder_or_case_stay_distinct(tmp_path):
 def test_utm_coordinates_are_shifted_and_reported_or_stay_exact(tmp_path, shift):
     model = model_of("OPENCV", origin=UTM)
     report, scene = written(tmp_path, model, shift=shift)
-    result = loom.read_colmap_model(scene / "sparse" / "0")
+    result = loom.read_cameras(scene / "sparse" / "0")
     content = json.loads((scene / "transforms.json").read_text())
     np.testing.assert_allclose(result.points + report.origin, model.points, atol=2e-9, rtol=0)
     centers = model.centers[[source_of(model, name) for name in result.names]]
@@ -181,7 +181,7 @@ def test_masks_are_undistorted_and_complete(tmp_path):
     frames = json.loads((scene / "transforms.json").read_text())["frames"]
     assert [frame["mask_path"] for frame in frames] == [f"masks/{name}.png" for name in ("a.png", "b.png", "c.png")]
     first, second = (np.array(Image.open(scene / frame["mask_path"])) for frame in frames[:2])
-    lens = loom.read_colmap_model(scene / "sparse" / "0").cameras[0].intrinsic
+    lens = loom.read_cameras(scene / "sparse" / "0").cameras[0].intrinsic
     middle = round(lens.cx)
     assert first.shape == (lens.height, lens.width) and report.mask_count == 3
     assert first[3:-3, 2 : middle - 1].min() == 255 and first[:, middle + 2 :].max() == 0 and second.min() == 255
@@ -198,7 +198,7 @@ def test_images_may_be_arrays_and_models_without_points(tmp_path):
     images = [np.full((SIZE[1], SIZE[0]), 90, np.uint8)] * 3
     report = loom.photogrammetry.write_training_folder(tmp_path / "scene", bare, images)
     assert report.point_count == 0 and not (tmp_path / "scene" / "sparse_pc.ply").exists()
-    assert len(loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0")) == 3
+    assert len(loom.read_cameras(tmp_path / "scene" / "sparse" / "0")) == 3
 
 
 def test_invalid_inputs_are_named_and_nothing_is_written(tmp_path):

@@ -194,14 +194,14 @@ def test_a_mask_function_gets_stored_images_and_may_exclude_them(tmp_path):
 
     report, folder = take_masked(tmp_path, mask_of, names=("a.jpg", "b.jpg", "c.jpg"), orientation=6)
     assert sorted(path.name for path in (folder / "images").iterdir()) == ["a.png", "b.png"]
-    assert loom.read_colmap_model(folder / "cameras").names == ("a.png", "b.png")
+    assert loom.read_cameras(folder / "cameras").names == ("a.png", "b.png")
     assert report["kept"] == 2 and "since the mask excludes all pixels: c.jpg" in " ".join(report["notes"])
 
 
 def test_masks_are_straightened_with_images_whose_lens_colmap_does_not_have(tmp_path):
     masks = write_images(tmp_path / "masks", [left_half(SIZE)] * 2, ["a.png", "b.png"])
     _, folder = take_masked(tmp_path, masks, more="<k4>2.0</k4>")
-    camera = loom.read_colmap_model(folder / "cameras").cameras[0]
+    camera = loom.read_cameras(folder / "cameras").cameras[0]
     mask = mask_in(folder, "a.png")
     assert mask.shape == (camera.height, camera.width) != SIZE
     border = int(np.floor(camera.intrinsic.cx))

@@ -299,7 +299,7 @@ def test_poses_beside_the_mesh_carry_the_numbers_of_their_images_and_its_unit(st
     assert path.ids[:, 0].tolist() == [3, 10, 20]
     expected = np.array([0, 0.1, 0.2]) * (scale or 1.0)
     np.testing.assert_allclose(path.poses[:, 0, 3], expected, atol=1e-9)
-    model = loom.read_colmap_model(tmp_path / "mesh" / surface.SPARSE)
+    model = loom.read_cameras(tmp_path / "mesh" / surface.SPARSE)
     np.testing.assert_allclose(model.centers[:, 0], expected, atol=1e-9)
 
 

@@ -64,11 +64,11 @@ def test_a_training_folder_is_written_in_the_unit_of_the_mesh(quick, film, outpu
     report = answer("video", film, "-o", output, "--training", scene, "--scale", 2.5)
     assert report["files"] == [str(output), str(scene)]
     assert report["training"]["image_count"] == COUNT == len(names_in(scene / "images"))
-    model, twice = loom.read_colmap_model(scene / "sparse" / "0"), report["fit"]["scale"]
+    model, twice = loom.read_cameras(scene / "sparse" / "0"), report["fit"]["scale"]
     assert twice == 2.5
     plain = answer("video", film, "-o", output, "--training", scene, "--force", "--align", "none")
     assert plain["fit"]["scale"] == 1.0
-    np.testing.assert_allclose(model.centers, 2.5 * loom.read_colmap_model(scene / "sparse" / "0").centers, atol=1e-12)
+    np.testing.assert_allclose(model.centers, 2.5 * loom.read_cameras(scene / "sparse" / "0").centers, atol=1e-12)
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "notes.txt").write_text("mine")
     message = refusal("video", film, "-o", output, "--training", tmp_path / "other", "--force")
@@ -287,7 +287,7 @@ def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, t
 
 def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
     camera = loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
-    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", camera)
+    camera.write(tmp_path / "camera.json")
     work = tmp_path / "work"
     loom.photogrammetry.reconstruct_video(
         film, loom.photogrammetry.VideoSettings(intrinsic=tmp_path / "camera.json"), work=work

@@ -17,9 +17,12 @@ from pointloom.core import atomic
 from pointloom.core.errors import FileError
 from pointloom.core.wording import json_text
 from pointloom.datasets.scenes.room import surface_errors
-from pointloom.rgbd.reconstruction.fragments import fragments_in
+from pointloom.rgbd.reconstruction.fragments import fragments_in, make_fragments
 from pointloom.rgbd.reconstruction.job_files import JobFiles
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
+from pointloom.rgbd.reconstruction.placement import register_fragments
+from pointloom.rgbd.reconstruction.refinement import refine_registration
+from pointloom.rgbd.reconstruction.scene import integrate_scene
 
 from ...interruptions import run_lines
 from .walks import ShortSequence, blank, config, drift_of, frame_at
@@ -76,11 +79,11 @@ def test_open3d_reads_the_pose_graphs(room, o3d):
 def test_each_stage_can_be_run_by_itself(room, tmp_path):
     sequence, folder, _ = room
     settings = config(n_frames_per_fragment=3)
-    loom.rgbd.make_fragments(sequence, settings, tmp_path)
-    loom.rgbd.register_fragments(settings, tmp_path)
-    integrated = loom.rgbd.integrate_scene(sequence, settings, tmp_path)
-    loom.rgbd.refine_registration(settings, tmp_path)
-    refined = loom.rgbd.integrate_scene(sequence, settings, tmp_path)
+    make_fragments(sequence, settings, tmp_path)
+    register_fragments(settings, tmp_path)
+    integrated = integrate_scene(sequence, settings, tmp_path)
+    refine_registration(settings, tmp_path)
+    refined = integrate_scene(sequence, settings, tmp_path)
     settings.write(tmp_path / "config.json")
     assert not np.array_equal(integrated.T_world_camera, refined.T_world_camera)
     assert digest_of(tmp_path) == digest_of(folder)
@@ -89,24 +92,24 @@ def test_each_stage_can_be_run_by_itself(room, tmp_path):
 
 
 def test_a_stage_requires_the_previous_one(tmp_path):
-    rec, settings, sequence = loom.rgbd, config(), ShortSequence([0, 1])
-    for stage in (rec.register_fragments, refine_with_slac):
+    settings, sequence = config(), ShortSequence([0, 1])
+    for stage in (register_fragments, refine_with_slac):
         with pytest.raises(FileError, match="make_fragments"):
             stage(settings, tmp_path)
-    rec.make_fragments(sequence, settings, tmp_path)
-    for stage in (rec.refine_registration, refine_with_slac, lambda *job: rec.integrate_scene(sequence, *job)):
+    make_fragments(sequence, settings, tmp_path)
+    for stage in (refine_registration, refine_with_slac, lambda *job: integrate_scene(sequence, *job)):
         with pytest.raises(FileError, match="register_fragments"):
             stage(settings, tmp_path)
-    rec.register_fragments(settings, tmp_path)
+    register_fragments(settings, tmp_path)
     with pytest.raises(FileError, match="refine_with_slac"):
-        rec.integrate_scene(sequence, settings, tmp_path, slac=True)
+        integrate_scene(sequence, settings, tmp_path, slac=True)
 
 
 def test_recomputed_fragments_are_registered_again(tmp_path):
     run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path)
-    loom.rgbd.make_fragments(ShortSequence([0, 1, 2]), config(), tmp_path)
+    make_fragments(ShortSequence([0, 1, 2]), config(), tmp_path)
     with pytest.raises(FileError, match="recreated after their registration"):
-        loom.rgbd.integrate_scene(ShortSequence([0, 1, 2]), config(), tmp_path)
+        integrate_scene(ShortSequence([0, 1, 2]), config(), tmp_path)
 
 
 def test_parts_that_cannot_be_joined_are_listed(tmp_path):
@@ -454,9 +457,6 @@ def test_every_sixth_frame_of_the_kitchen_is_registered(tmp_path, real_file):
     report = run_reconstruction_system(frames, Config(n_frames_per_fragment=25, tsdf_voxel_size=0.02), tmp_path)
     assert (report.used, report.frames) == (50, 50)
     assert report.trajectory_error["rmse"] < 0.06  # the true poses are accurate to centimeters
-
-
-make_fragments = loom.rgbd.make_fragments
 
 
 def frames_of(result):

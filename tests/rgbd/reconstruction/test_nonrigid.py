@@ -11,6 +11,8 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.registration.deformable.control_grid_files import read_control_grid, write_control_grid
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
+from pointloom.rgbd.reconstruction.placement import register_fragments
+from pointloom.rgbd.reconstruction.scene import integrate_scene
 from pointloom.rgbd.reconstruction.volumes import integrate_deformed
 
 from ...interruptions import run_lines
@@ -69,7 +71,7 @@ def test_the_surface_is_written_as_points_on_request(completed_run, job):
     assert np.median(points.compute_point_cloud_distance(loom.PointCloud(mesh.vertices))) < 1e-5
     (job / "slac" / "output_slac_pointcloud.ply").unlink()
     settings = dataclasses.replace(SETTINGS, save_output_as="mesh")
-    assert rec.integrate_scene(deformed_sequence(), settings, job, slac=True, resume=True).cloud_path is None
+    assert integrate_scene(deformed_sequence(), settings, job, slac=True, resume=True).cloud_path is None
     assert not (job / "slac" / "output_slac_pointcloud.ply").exists()
     again = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
     assert str(job / "slac" / "output_slac_pointcloud.ply") in again.files
@@ -79,7 +81,7 @@ def test_frames_go_through_the_grid(completed_run):
     folder, report, _ = completed_run
     settings, sequence = SETTINGS, deformed_sequence()
     result = refine_with_slac(settings, folder, resume=True)
-    scene = rec.integrate_scene(sequence, settings, folder, slac=True, resume=True)
+    scene = integrate_scene(sequence, settings, folder, slac=True, resume=True)
     volume = loom.TSDFVolume(voxel_size=settings.volume_voxel_size, truncation=settings.truncation)
     for index, T in zip(scene.indices.tolist(), scene.T_world_camera, strict=True):
         number, frame = index // 2, sequence.read(index)
@@ -164,15 +166,15 @@ def test_a_damaged_file_is_recomputed(completed_run, job, name):
     path = job / "slac" / name
     path.write_bytes(path.read_bytes()[:-40])
     with pytest.raises(FileError, match=r"/job:.*refine_with_slac"):
-        rec.integrate_scene(deformed_sequence(), SETTINGS, job, slac=True)
+        integrate_scene(deformed_sequence(), SETTINGS, job, slac=True)
     rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
     assert digest_of(job) == content
 
 
 def test_newly_registered_fragments_are_aligned_again(job):
-    rec.register_fragments(dataclasses.replace(SETTINGS, seed=1), job)
+    register_fragments(dataclasses.replace(SETTINGS, seed=1), job)
     with pytest.raises(FileError, match=r"/job:.*refine_with_slac"):
-        rec.integrate_scene(deformed_sequence(), SETTINGS, job, slac=True)
+        integrate_scene(deformed_sequence(), SETTINGS, job, slac=True)
 
 
 def test_unsupported_slac_options_are_reported_first(tmp_path):

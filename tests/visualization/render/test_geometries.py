@@ -292,7 +292,7 @@ def test_pinhole_camera_parameters_of_open3d_are_read(tmp_path, oracle):
 def test_views_go_to_open3d_and_back(tmp_path, scale, offset):
     points = np.asarray(offset) + scale * np.random.default_rng(1).random((50, 3))
     bounds = points.min(axis=0), points.max(axis=0)
-    view = loom.fit_view(points, width=200, height=150)
+    view = loom.View.fit(points, width=200, height=150)
     loom.write_view(tmp_path / "view.json", view, bounds)
     again = loom.read_view(tmp_path / "view.json", width=200, height=150)
     assert np.allclose(again.intrinsic.matrix, view.intrinsic.matrix, rtol=1e-12)
@@ -368,7 +368,7 @@ def test_files_that_are_no_view_are_refused(tmp_path, text, message):
 @pytest.mark.parametrize("offset", [(0, 0, 0), (5e5, 5.4e6, 300.0)])
 def test_a_fitted_view_frames_all_points_tightly(offset):
     points = np.random.default_rng(0).uniform((-2, 0, 5), (3, 1, 9), (2000, 3)) + offset
-    view = loom.fit_view(points, width=320, height=240)
+    view = loom.View.fit(points, width=320, height=240)
     local = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
     u = view.intrinsic.fx * local[:, 0] / local[:, 2] + view.intrinsic.cx
     v = view.intrinsic.fy * local[:, 1] / local[:, 2] + view.intrinsic.cy
@@ -380,8 +380,8 @@ def test_a_fitted_view_frames_all_points_tightly(offset):
 @pytest.mark.parametrize("points", [[[1.0, 2.0, 3.0]], [[0, 0, 0], [0, 0, 4.0]], np.empty((0, 3)), [[np.nan, 0, 0]]])
 def test_a_view_of_few_points_is_still_a_view(points):
     with pytest.raises(ValueError, match="direction"):
-        loom.fit_view(points, direction=(0, 0, -1))  # along up
-    assert np.isfinite(loom.fit_view(points, width=160, height=120).T_world_camera).all()
+        loom.View.fit(points, direction=(0, 0, -1))  # along up
+    assert np.isfinite(loom.View.fit(points, width=160, height=120).T_world_camera).all()
 
 
 @pytest.mark.parametrize("up", ["x", "y", "z"])

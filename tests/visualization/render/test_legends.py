@@ -175,7 +175,7 @@ def test_overlays_cover_no_geometry_in_a_fitted_view(size, shape, by, device):
 
 def test_a_given_view_is_unchanged(device):
     cloud = slab((2, 2, 2), device)
-    view = loom.fit_view(cloud.points, width=320, height=240)
+    view = loom.View.fit(cloud.points, width=320, height=240)
     bare = loom.render({"geometry": cloud, "color_by": "height"}, view, device=device)
     given = loom.render({"geometry": cloud, "color_by": "height"}, view, color_bar=True, device=device)
     assert np.array_equal(bare[:, :150], given[:, :150])
@@ -198,7 +198,7 @@ def test_a_scale_bar_has_a_round_length():
 def test_a_scale_bar_is_as_long_as_lengths_at_the_depth_of_the_middle(scale):
     """A line of the bar's length, level at the middle, covers as many columns as the bar."""
     middle = np.array([1.0, 2.0, 3.0]) * scale
-    view = loom.fit_view(middle + scale * np.array([[-1, -1, -1], [1, 1, 1]]), width=640, height=480)
+    view = loom.View.fit(middle + scale * np.array([[-1, -1, -1], [1, 1, 1]]), width=640, height=480)
     canvas = Canvas.blank(640, 480)
     draw_scale_bar(canvas, view, middle, None)
     row = (canvas.to_numpy() < 60).all(axis=2).sum(axis=1).max()  # the longest dark row is the bar

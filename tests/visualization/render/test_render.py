@@ -268,7 +268,7 @@ def test_a_pose_moves_the_drawn_geometry(device):
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], (5.0, -3.0, 1.0)
     cloud = loom.PointCloud(np.random.default_rng(0).random((3000, 3))).estimate_normals()
-    view = loom.fit_view(cloud.transform(T).points, width=160, height=120)
+    view = loom.View.fit(cloud.transform(T).points, width=160, height=120)
     moved = loom.render(cloud.transform(T), view, device=device).astype(int)
     assert np.abs(moved - loom.render({"geometry": cloud, "pose": T}, view, device=device)).mean() < 0.5
 
@@ -321,7 +321,7 @@ def test_labels_legends_and_color_bars_are_drawn(device):
     cloud = loom.PointCloud(np.random.default_rng(0).random((500, 3)))
     shown = {"geometry": cloud, "name": "dust", "color_by": "height", "colormap": "jet"}
     size = (320, 240)
-    view = loom.fit_view(cloud.points, width=320, height=240)
+    view = loom.View.fit(cloud.points, width=320, height=240)
     bare = loom.render(shown, view, device=device)
     labels = [("here", view.T_world_camera[:3, 3] - view.T_world_camera[:3, 2])]
     assert loom.render(shown, view, labels=labels, device=device).tobytes() == bare.tobytes()

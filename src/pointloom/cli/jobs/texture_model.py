@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.checks import check_progress
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
@@ -42,7 +43,7 @@ def texture_model(
     output: FilePath,
     *,
     size: int | None = None,
-    depth_max: float = float("inf"),
+    depth_max: float = UNLIMITED_DEPTH,
     device: DeviceLike = "auto",
     up: str = "y",
     overwrite: bool = False,

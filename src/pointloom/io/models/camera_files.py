@@ -43,8 +43,8 @@ def read_cameras(
 ) -> SfmModel:
     """Read cameras and poses of images in any supported format.
 
-    - `.xml`: Agisoft Metashape, see `read_metashape_cameras`.
-    - A folder with COLMAP's cameras, images and points3D, see `read_colmap_model`.
+    - `.xml`: Agisoft Metashape (File > Export > Export Cameras).
+    - A folder with COLMAP's cameras, images and points3D.
     - `.json` with `frames`: transforms.json of nerfstudio or instant-ngp.
     - A folder with a JSON file per image: Polycam's keyframes/cameras, or 3D Scanner App.
     - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`. Requires `images` and

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
+from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.checks import check_color, check_count, check_positive, check_progress
 from ...core.progress import ReportProgress
 from ...kernels.arrays.duplicates import find_equal_points
@@ -53,7 +53,7 @@ def texture_from_images(
     exposures: bool = True,
     seam_leveling: bool = True,
     local_leveling: bool = True,
-    depth_max: float = np.inf,
+    depth_max: float = UNLIMITED_DEPTH,
     plain: ArrayLike = UNSEEN_COLOR,
     progress: ReportProgress | None = None,
 ) -> ImageTextureResult:
@@ -61,7 +61,7 @@ def texture_from_images(
 
     Views are chosen by size and sharpness of the triangle and by smoothness between neighbors. Colors are adjusted
     until images agree at seams. Sharper than `TriangleMesh.project_images_to_albedo`. Poses are not changed. See
-    `run_rigid_optimizer`. Bitwise reproducible on one device. 7 B per pixel, 120 B per texel, about 30 B per
+    `optimize_color_map`. Bitwise reproducible on one device. 7 B per pixel, 120 B per texel, about 30 B per
     triangle-image pair. Colors are shifted, not scaled. Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV
     2014.
 

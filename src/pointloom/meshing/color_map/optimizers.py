@@ -1,9 +1,9 @@
-"""`run_rigid_optimizer` and `run_non_rigid_optimizer`: vertex colors from posed images."""
+"""Vertex colors from posed images."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -30,25 +30,25 @@ from ...kernels.textures.warp_steps import WarpSearch
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
 from ..mesh.posed_images import Names, PosedImages, check_images
-from .options import NonRigidOptimizerOption, RigidOptimizerOption
+from .options import ColorMapOption
 from .results import ColorMapResult, NothingSeenError
 
-Option = TypeVar("Option", bound=RigidOptimizerOption)
-
 OCCLUSIONS = ("depth", "rays")
+METHODS = ("rigid", "non-rigid")
 NAMES = Names("images_rgbd", "intrinsic", "camera_trajectory.poses")
 
 
-def run_rigid_optimizer(
+def optimize_color_map(
     mesh: TriangleMesh,
     images_rgbd: Sequence[Any],
     camera_trajectory: Trajectory,
-    option: RigidOptimizerOption | None = None,
+    option: ColorMapOption | None = None,
     *,
     intrinsic: object,
+    method: str = "rigid",
     occlusion: str | None = None,
 ) -> ColorMapResult:
-    """Color a mesh from posed images, and refine the poses so that the images agree at each vertex.
+    """Color a mesh from posed images, and refine the poses, and optionally warps, so that the images agree.
 
     A vertex takes the mean color of the images that see it under the given poses. Vertex intensities and Gauss-Newton
     pose steps alternate. Unlike in Open3D, steps have full length, steps that increase the residual are reverted, and
@@ -61,11 +61,14 @@ def run_rigid_optimizer(
         camera_trajectory: T_world_camera of each image.
         option: None for the defaults, which move no pose.
         intrinsic: The camera of all images, or a list of one per image.
+        method: "rigid" optimizes poses. "non-rigid" also optimizes a bilinear warp of each image by a grid of anchors,
+            which compensates lens distortion and mesh errors: 100 B more per image-vertex pair and 8 (2 rows + 12) B
+            per anchor unknown.
         occlusion: Occlusion test by "depth" of the images or by "rays" on the mesh, one per pixel. If None: depth if
             present.
 
     Returns:
-        A ColorMapResult, which unpacks as (colored mesh, poses).
+        A ColorMapResult, which unpacks as (colored mesh, poses). `warp` and `unwarped_image` describe the warps.
 
     Raises:
         TypeError: If an argument has another type.
@@ -79,68 +82,29 @@ def run_rigid_optimizer(
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> frame = loom.RGBDImage(np.full((48, 64, 3), (0, 255, 0), np.uint8), np.full((48, 64), 1000, np.uint16))
         >>> path = loom.Trajectory([np.eye(4), np.eye(4)])
-        >>> colored, path = loom.meshing.run_rigid_optimizer(mesh, [frame, frame], path, intrinsic=camera)
+        >>> colored, path = loom.meshing.optimize_color_map(mesh, [frame, frame], path, intrinsic=camera)
         >>> colored.vertex_colors.tolist()
         [[0.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
     """
-    chosen = _check_option(option, RigidOptimizerOption)
+    chosen = ColorMapOption() if option is None else option
+    if not isinstance(chosen, ColorMapOption):
+        raise TypeError(f"option: expected a ColorMapOption, got {type(chosen).__name__}")
+    if not isinstance(method, str) or method not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
     stack, sightings = _look(mesh, images, chosen, occlusion)
-    warps = Warps(stack.layout, 0, mesh.device)
-    search = ColorSearch(mesh.array("vertices"), sightings, stack, warps, chosen.maximum_iteration)
-    loop_while(search.state.running, search.iterate_rigid)
+    vertices, iterations = mesh.array("vertices"), chosen.maximum_iteration
+    search: ColorSearch
+    if method == "rigid":
+        warps = Warps(stack.layout, 0, mesh.device)
+        search = ColorSearch(vertices, sightings, stack, warps, iterations)
+        loop_while(search.state.running, search.iterate_rigid)
+    else:
+        warps = Warps(stack.layout, chosen.number_of_vertical_anchors, mesh.device)
+        search = WarpSearch(vertices, sightings, stack, warps, iterations, chosen.non_rigid_anchor_point_weight)
+        while search.iterate():
+            pass
     return _conclude(mesh, images, camera_trajectory, chosen, search)
-
-
-def run_non_rigid_optimizer(
-    mesh: TriangleMesh,
-    images_rgbd: Sequence[Any],
-    camera_trajectory: Trajectory,
-    option: NonRigidOptimizerOption | None = None,
-    *,
-    intrinsic: object,
-    occlusion: str | None = None,
-) -> ColorMapResult:
-    """Color a mesh from posed images with refined poses and a bilinear warp of each image.
-
-    As `run_rigid_optimizer`. A grid of anchors per image also compensates lens distortion and mesh errors. Bitwise
-    reproducible on one device. Additionally 100 B per image-vertex pair and 8 (2 rows + 12) B per anchor unknown.
-
-    Args:
-        mesh, images_rgbd, camera_trajectory, intrinsic, occlusion: As of `run_rigid_optimizer`, including errors.
-        option: None for the defaults, which move nothing.
-
-    Returns:
-        As `run_rigid_optimizer`; `warp` and `unwarped_image` describe the warps.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
-        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> frame = loom.RGBDImage(np.full((48, 64, 3), (0, 255, 0), np.uint8), np.full((48, 64), 1000, np.uint16))
-        >>> option = loom.meshing.NonRigidOptimizerOption(maximum_iteration=10)
-        >>> path = loom.Trajectory([np.eye(4), np.eye(4)])
-        >>> result = loom.meshing.run_non_rigid_optimizer(mesh, [frame, frame], path, option, intrinsic=camera)
-        >>> result.mesh.vertex_colors[0].tolist(), float(abs(result.warp(0)).max())
-        ([0.0, 1.0, 0.0], 0.0)
-    """
-    chosen = _check_option(option, NonRigidOptimizerOption)
-    images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
-    stack, sightings = _look(mesh, images, chosen, occlusion)
-    warps = Warps(stack.layout, chosen.number_of_vertical_anchors, mesh.device)
-    weight, iterations = chosen.non_rigid_anchor_point_weight, chosen.maximum_iteration
-    search = WarpSearch(mesh.array("vertices"), sightings, stack, warps, iterations, weight)
-    while search.iterate():
-        pass
-    return _conclude(mesh, images, camera_trajectory, chosen, search)
-
-
-def _check_option(option: Option | None, kind: type[Option]) -> Option:
-    if option is None:
-        return kind()
-    if not isinstance(option, kind):
-        raise TypeError(f"option: expected a {kind.__name__}, got {type(option).__name__}")
-    return option
 
 
 def _check_input(mesh: object, images: object, trajectory: object, intrinsic: object) -> PosedImages:
@@ -159,7 +123,7 @@ def _check_input(mesh: object, images: object, trajectory: object, intrinsic: ob
 
 
 def _look(
-    mesh: TriangleMesh, images: PosedImages, option: RigidOptimizerOption, occlusion: str | None
+    mesh: TriangleMesh, images: PosedImages, option: ColorMapOption, occlusion: str | None
 ) -> tuple[StackedImages, Sightings]:
     without = [i for i, depth in enumerate(images.depths) if depth is None]
     if occlusion is None:
@@ -182,7 +146,7 @@ def _look(
 
 
 def _masks(
-    mesh: TriangleMesh, depths: Iterable[Any], stack: StackedImages, option: RigidOptimizerOption
+    mesh: TriangleMesh, depths: Iterable[Any], stack: StackedImages, option: ColorMapOption
 ) -> Iterator[wp.array]:
     rule = DepthRule(
         option.maximum_allowable_depth,
@@ -202,7 +166,7 @@ def _depths_by_rays(mesh: TriangleMesh, stack: StackedImages) -> Iterator[wp.arr
 
 
 def _conclude(
-    mesh: TriangleMesh, images: PosedImages, given: Trajectory, option: RigidOptimizerOption, search: ColorSearch
+    mesh: TriangleMesh, images: PosedImages, given: Trajectory, option: ColorMapOption, search: ColorSearch
 ) -> ColorMapResult:
     colors, seen = average_colors(search.vertices, search.sightings, search.images, search.warps)
     _fill_unseen(mesh, colors, seen, option.invisible_vertex_color_knn)

@@ -11,8 +11,8 @@ MAX_ANCHORS = 256  # rows: one every few pixels
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class RigidOptimizerOption:
-    """Options of `run_rigid_optimizer`. Open3D's `debug_output_dir` is not supported.
+class ColorMapOption:
+    """Options of `optimize_color_map`. Open3D's `debug_output_dir` is not supported.
 
     Args:
         maximum_iteration: Maximum; stops below a gain of 1e-6. 0 (Open3D's default) moves no pose. 50 usually suffice.
@@ -22,13 +22,15 @@ class RigidOptimizerOption:
         half_dilation_kernel_size_for_discontinuity_map: Ignored pixels around a boundary.
         image_boundary_margin: Ignored pixels at the image border.
         invisible_vertex_color_knn: Nearest colored vertices averaged for unseen ones. 0 leaves them black.
+        number_of_vertical_anchors: Rows of the anchor grid of a warp. Columns follow from the aspect ratio.
+        non_rigid_anchor_point_weight: Weight of the anchors' regularization, times the fraction of visible vertices.
 
     Raises:
         ValueError, TypeError: If a number is out of range.
 
     Example:
         >>> import pointloom as loom
-        >>> loom.meshing.RigidOptimizerOption(maximum_iteration=50).image_boundary_margin
+        >>> loom.meshing.ColorMapOption(maximum_iteration=50).image_boundary_margin
         10
     """
 
@@ -39,6 +41,8 @@ class RigidOptimizerOption:
     half_dilation_kernel_size_for_discontinuity_map: int = 3
     image_boundary_margin: int = 10
     invisible_vertex_color_knn: int = 3
+    number_of_vertical_anchors: int = 16
+    non_rigid_anchor_point_weight: float = 0.316
 
     def __post_init__(self):
         for name in ("maximum_iteration", "image_boundary_margin", "invisible_vertex_color_knn"):
@@ -54,30 +58,6 @@ class RigidOptimizerOption:
         for name in ("depth_threshold_for_visibility_check", "depth_threshold_for_discontinuity_check"):
             check_positive(name, getattr(self, name), allow_infinite=True)
         check_positive("maximum_allowable_depth", self.maximum_allowable_depth, allow_infinite=True)
-
-
-@dataclasses.dataclass(frozen=True, kw_only=True)
-class NonRigidOptimizerOption(RigidOptimizerOption):
-    """Options of `run_non_rigid_optimizer`: `RigidOptimizerOption` and the image warps.
-
-    Args:
-        number_of_vertical_anchors: Rows of the anchor grid. Columns follow from the aspect ratio.
-        non_rigid_anchor_point_weight: Weight of the anchors' regularization, times the fraction of visible vertices.
-
-    Raises:
-        ValueError, TypeError: If a number is out of range.
-
-    Example:
-        >>> import pointloom as loom
-        >>> loom.meshing.NonRigidOptimizerOption(maximum_iteration=50).number_of_vertical_anchors
-        16
-    """
-
-    number_of_vertical_anchors: int = 16
-    non_rigid_anchor_point_weight: float = 0.316
-
-    def __post_init__(self):
-        super().__post_init__()
         limit = {"maximum": MAX_ANCHORS, "because": "images do not have more rows of detail"}
         check_count("number_of_vertical_anchors", self.number_of_vertical_anchors, minimum=2, **limit)
         check_positive("non_rigid_anchor_point_weight", self.non_rigid_anchor_point_weight)

@@ -21,8 +21,8 @@ from ...kernels.array_types import Device
 from ...kernels.linear_algebra import inv
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_texture import MAX_TEXELS
-from .optimizers import run_non_rigid_optimizer, run_rigid_optimizer
-from .options import NonRigidOptimizerOption, RigidOptimizerOption
+from .optimizers import optimize_color_map
+from .options import ColorMapOption
 from .results import ColorMapResult
 from .textured_mesh import TexturedMesh, mean_motion
 
@@ -46,7 +46,7 @@ def texture_mesh(
 ) -> TexturedMesh:
     """Color or texture a mesh from RGB-D frames with refined poses, and check the result, as `pointloom texture`.
 
-    Runs `run_rigid_optimizer` with settings for depth cameras, optionally `run_non_rigid_optimizer`, and fills an
+    Runs `optimize_color_map` with settings for depth cameras, optionally also non-rigid, and fills an
     atlas. Bitwise reproducible on one device.
 
     Args:
@@ -151,12 +151,12 @@ def _color(
         "half_dilation_kernel_size_for_discontinuity_map": STEP_MARGIN,
     }
     iterations = 0 if method == "none" else RIGID_ITERATIONS
-    option = RigidOptimizerOption(maximum_iteration=iterations, **numbers)
-    rigid = run_rigid_optimizer(mesh, images, path, option, intrinsic=camera)
+    option = ColorMapOption(maximum_iteration=iterations, **numbers)
+    rigid = optimize_color_map(mesh, images, path, option, intrinsic=camera)
     if method != "non-rigid":
         return rigid
-    option = NonRigidOptimizerOption(maximum_iteration=NON_RIGID_ITERATIONS, **numbers)
-    non_rigid = run_non_rigid_optimizer(mesh, images, rigid.trajectory, option, intrinsic=camera)
+    option = ColorMapOption(maximum_iteration=NON_RIGID_ITERATIONS, **numbers)
+    non_rigid = optimize_color_map(mesh, images, rigid.trajectory, option, intrinsic=camera, method=method)
     iterations = rigid.iterations + non_rigid.iterations
     return dataclasses.replace(non_rigid, residual_before=rigid.residual_before, iterations=iterations)
 

@@ -205,7 +205,7 @@ class PagedTSDFVolume(Serialized, HintedNames):
         extrinsic: ArrayLike,
         color: ArrayLike | None = None,
         depth_scale: float | None = None,
-        depth_max: float | None = None,
+        depth_max: float = OPEN3D_DEPTH_MAX,
     ) -> list[int]:
         """Integrate k frames, as `TSDFVolume.integrate_frames`, one after another.
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.checks import check_list, check_positive, check_progress, check_rigid
 from ...core.progress import ReportProgress
 from ...kernels.linear_algebra import inv, matmul, norm
@@ -34,7 +35,7 @@ def fuse_splats(
     *,
     voxel_size: float,
     truncation: float | None = None,
-    depth_max: float = math.inf,
+    depth_max: float = UNLIMITED_DEPTH,
     weight_threshold: float = 2.0,
     progress: ReportProgress | None = None,
 ) -> TriangleMesh:

@@ -31,12 +31,13 @@ class StackedFrames(NamedTuple):
 
     def images(self, rows: range) -> tuple[Any, Any]:
         """Depth and colors of adjacent frames."""
-        raw, pixels, count = self.raw, self.pixels, self.raw.size // len(self.poses)
+        count = self.raw.size // len(self.poses)
         first, last = rows.start * count, rows.stop * count
-        raw = raw[first:last] if isinstance(raw, np.ndarray) else rows_of(raw, first, last)
-        if pixels is not None:
-            pixels = pixels[first:last] if isinstance(pixels, np.ndarray) else rows_of(pixels, first, last)
-        return raw, pixels
+
+        def part(values: Any) -> Any:
+            return values[first:last] if isinstance(values, np.ndarray) else rows_of(values, first, last)
+
+        return part(self.raw), None if self.pixels is None else part(self.pixels)
 
 
 def stacked_frames(

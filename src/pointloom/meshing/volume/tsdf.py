@@ -12,7 +12,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.depth_range import OPEN3D_DEPTH_MAX, warn_of_scale
+from ...cameras.depth_range import OPEN3D_DEPTH_MAX, UNLIMITED_DEPTH, warn_of_scale
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth, upload_taken
 from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import NUMPY, library_of
@@ -202,7 +202,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         extrinsic: ArrayLike,
         color: ArrayLike | None = None,
         depth_scale: float | None = None,
-        depth_max: float | None = None,
+        depth_max: float = OPEN3D_DEPTH_MAX,
     ) -> list[int]:
         """Integrate k frames of one size, such as those of k cameras: bitwise as k calls of `integrate`, in order.
 
@@ -215,7 +215,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
             extrinsic: T_camera_world of each frame, shape (k, 4, 4).
             color: uint8 (k, h, w, 3); required for every frame or none if the volume keeps color.
             depth_scale: Depth units per meter. If None: 1000 for integers, 1 for floats.
-            depth_max: Maximum depth used [m]. If None: 3.
+            depth_max: Maximum depth used [m].
 
         Returns:
             The number of touched blocks of each frame. On a GPU the values are awaited on first use.
@@ -234,9 +234,9 @@ class TSDFVolume(ScanIntegration, HintedNames):
             >>> len(touched), volume.frame_count
             (2, 2)
         """
-        limit = OPEN3D_DEPTH_MAX if depth_max is None else depth_max
         on_host = self._device_frames is not None  # until their group is integrated
-        frames = stacked_frames(depth, intrinsic, extrinsic, color, depth_scale, limit, self.device, on_host=on_host)
+        given = depth, intrinsic, extrinsic, color, depth_scale, depth_max, self.device
+        frames = stacked_frames(*given, on_host=on_host)
         self._check_color(frames.pixels is not None)
         warn_of_scale(frames.depth, frames.scale, frames.farthest, "depth_max", OTHER_UNIT)
         counts: list[Any] = []
@@ -279,7 +279,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         T_world_camera: NDArray[Any],
         pixels: AnyArray | None = None,
         depth_scale: float = 1.0,
-        depth_max: float = np.inf,
+        depth_max: float = UNLIMITED_DEPTH,
     ) -> int:
         """`integrate` for a frame on the device, or on the host if there are `_device_frames`. The pose is not checked.
         `depth` is float32 or uint16 (h * w,) in units of 1 / `depth_scale`; `pixels` is uint8 (h * w, 3) or None."""

@@ -86,7 +86,7 @@ def triangulate(
 
     Args:
         images: Folder of upright 8-bit PNG or JPEG images.
-        cameras: Lenses and poses, such as from `read_metashape_cameras`, `read_colmap_model`, `read_cameras`, without
+        cameras: Lenses and poses, such as from `read_cameras`, without
             their points. Images by name, with or without extension.
         max_size: Maximum image side for feature extraction [px].
         max_features: Maximum number per image.

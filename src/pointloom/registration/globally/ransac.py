@@ -28,34 +28,8 @@ from .checkers import CorrespondenceChecker, checks_of
 from .rating import score_registration
 
 MIN_SAMPLE = 3  # minimum correspondences for a pose
-
-
-class RANSACConvergenceCriteria:
-    """Stopping criteria of RANSAC.
-
-    Args:
-        max_iteration: Maximum number of hypotheses.
-        confidence: Stop when an outlier-free sample was drawn with this probability, 0..1. 1 draws all `max_iteration`.
-
-    Raises:
-        ValueError: A number is out of range.
-
-    Example:
-        >>> import pointloom as loom
-        >>> loom.registration.RANSACConvergenceCriteria(max_iteration=4000000)
-        RANSACConvergenceCriteria(max_iteration=4000000, confidence=0.999)
-    """
-
-    def __init__(self, max_iteration: int = 100000, confidence: float = 0.999):
-        self.max_iteration = check_count("max_iteration", max_iteration)
-        if self.max_iteration >= 2**31:
-            raise ValueError(f"max_iteration: expected an integer below 2^31, got {max_iteration!r}")
-        self.confidence = check_positive("confidence", confidence, allow_zero=True)
-        if self.confidence > 1:
-            raise ValueError(f"confidence: expected a number in 0..1, got {confidence!r}")
-
-    def __repr__(self) -> str:
-        return f"RANSACConvergenceCriteria(max_iteration={self.max_iteration}, confidence={self.confidence})"
+NUM_ITERATIONS = 100_000  # hypotheses, as in Open3D
+CONFIDENCE = 0.999
 
 
 @explain_argument_errors
@@ -67,8 +41,9 @@ def registration_ransac_based_on_correspondence(
     estimation_method: TransformationEstimationPointToPoint | None = None,
     ransac_n: int = MIN_SAMPLE,
     checkers: Sequence[CorrespondenceChecker] = (),
-    criteria: RANSACConvergenceCriteria | None = None,
     *,
+    num_iterations: int = NUM_ITERATIONS,
+    confidence: float = CONFIDENCE,
     seed: int = 0,
 ) -> RegistrationResult:
     """Register two clouds without a starting pose, by RANSAC over correspondences.
@@ -79,10 +54,12 @@ def registration_ransac_based_on_correspondence(
         corres: Indices (source, target), shape [m, 2], as from `correspondences_from_features`. Non-finite points are
             ignored.
         max_correspondence_distance: Exclusive match distance [m]; typically 1.5 voxels.
-        estimation_method: TransformationEstimationPointToPoint (None), with or without scaling. Its kernel is ignored.
+        estimation_method: `TransformationEstimation.point_to_point`, with or without scaling; None: without. Its kernel
+            is ignored.
         ransac_n: Correspondences per sample, at least 3.
         checkers: Tests that a sample and its pose must pass before scoring.
-        criteria: Stopping criteria; None: RANSACConvergenceCriteria(100000, 0.999).
+        num_iterations: Maximum number of hypotheses.
+        confidence: Stop when an outlier-free sample was drawn with this probability, 0..1. 1 draws all hypotheses.
         seed: Seed of the samples.
 
     Returns:
@@ -119,8 +96,9 @@ def registration_ransac_based_on_correspondence(
         (True, 1.0, True)
     """
     check_clouds(source, target)
-    settings = _settings_of(max_correspondence_distance, estimation_method, ransac_n, checkers, criteria, seed)
-    return _register(source, target, pairs_on_device(corres, source, target), settings)
+    settings = _check_settings(max_correspondence_distance, estimation_method, ransac_n, checkers, seed)
+    limits = _check_limits(num_iterations, confidence)
+    return _register(source, target, pairs_on_device(corres, source, target), settings, limits)
 
 
 class _Settings(NamedTuple):
@@ -128,35 +106,41 @@ class _Settings(NamedTuple):
     with_scaling: bool
     sample_size: int
     checks: Checks
-    criteria: RANSACConvergenceCriteria
     seed: int
 
 
-def _settings_of(
+def _check_settings(
     distance: float,
     method: TransformationEstimationPointToPoint | None,
     ransac_n: int,
     checkers: Sequence[CorrespondenceChecker],
-    criteria: RANSACConvergenceCriteria | None,
     seed: int,
 ) -> _Settings:
     max_distance = check_positive("max_correspondence_distance", distance)
     method = TransformationEstimationPointToPoint() if method is None else method
     if not isinstance(method, TransformationEstimationPointToPoint):
         raise TypeError(
-            "estimation_method: expected TransformationEstimationPointToPoint, which fits a pose to pairs of points, "
+            "estimation_method: expected TransformationEstimation.point_to_point(), which fits a pose to point pairs, "
             f"got {type(method).__name__}. Use that in registration_icp to refine the result"
         )
-    criteria = RANSACConvergenceCriteria() if criteria is None else criteria
-    if not isinstance(criteria, RANSACConvergenceCriteria):
-        raise TypeError(f"criteria: expected RANSACConvergenceCriteria, got {type(criteria).__name__}")
     sample_size = check_count("ransac_n", ransac_n, minimum=MIN_SAMPLE)
-    with_scaling, checked_seed = bool(method.with_scaling), check_seed(seed)
-    return _Settings(max_distance, with_scaling, sample_size, checks_of(checkers), criteria, checked_seed)
+    return _Settings(max_distance, bool(method.with_scaling), sample_size, checks_of(checkers), check_seed(seed))
 
 
-def _register(source: PointCloud, target: PointCloud, pairs: wp.array, settings: _Settings) -> RegistrationResult:
-    distance, with_scaling, sample_size, checks, criteria, seed = settings
+def _check_limits(num_iterations: int, confidence: float) -> tuple[int, float]:
+    count = check_count("num_iterations", num_iterations)
+    if count >= 2**31:
+        raise ValueError(f"num_iterations: expected an integer below 2^31, got {num_iterations!r}")
+    probability = check_positive("confidence", confidence, allow_zero=True)
+    if probability > 1:
+        raise ValueError(f"confidence: expected a number in 0..1, got {confidence!r}")
+    return count, probability
+
+
+def _register(
+    source: PointCloud, target: PointCloud, pairs: wp.array, settings: _Settings, limits: tuple[int, float]
+) -> RegistrationResult:
+    distance, with_scaling, sample_size, checks, seed = settings
     device = source.device
     points = source.arrays["points"], target.arrays["points"]
     fitness = PoseFitness(source.arrays.tree.order(), target.search_tree())
@@ -166,7 +150,6 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, settings:
     normals = empty(0, vec3, device), empty(0, vec3, device)
     if np.isfinite(checks.cosine) and source.has_normals and target.has_normals:
         normals = source.arrays["normals"], target.arrays["normals"]
-    limits = (criteria.max_iteration, criteria.confidence)
     best = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
     if best.pose is None or best.count <= 0:
         warning = "no hypothesis passed the checks" if best.pose is None else "no hypothesis aligned the clouds"
@@ -174,7 +157,7 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, settings:
     T = to_world(best.pose, *world_middles(source, target, fitness.middles))
     result = evaluate_registration(source, target, distance, T)
     result.iterations, result.converged = best.drawn, best.confident
-    unsure = f"the confidence {criteria.confidence:g} was not reached within {best.drawn:,} iterations"
+    unsure = f"the confidence {limits[1]:g} was not reached within {best.drawn:,} iterations"
     result.warnings = () if best.confident else (unsure,)
     if with_scaling:
         result.check_scale()

@@ -34,10 +34,16 @@ MIN_SQUARES = L2Loss()
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimation:
-    """Base of the estimators, which compute a pose from pairs.
+    """An estimator of ICP, which computes a pose from pairs. The static methods create the estimators.
 
     Raises:
         TypeError: `kernel` is not a kernel.
+
+    Example:
+        >>> import pointloom as loom
+        >>> reg = loom.registration
+        >>> reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(0.1)).kernel.k
+        0.1
     """
 
     rows: ClassVar[Any]
@@ -55,6 +61,60 @@ class TransformationEstimation:
                 raise TypeError(
                     f"{field.name}: expected a robust kernel such as RobustKernel.tukey(0.1), got {value!r}"
                 )
+
+    @staticmethod
+    def point_to_point(with_scaling: bool = False, kernel: RobustKernel = MIN_SQUARES) -> TransformationEstimation:
+        """Minimize squared point distances in closed form (Horn 1987). With scale as Umeyama 1991.
+
+        Args:
+            with_scaling: Estimate a scale.
+            kernel: Weighs pairs by their distance [m]. Open3D has none here.
+        """
+        return TransformationEstimationPointToPoint(with_scaling, kernel)
+
+    @staticmethod
+    def point_to_plane(kernel: RobustKernel = MIN_SQUARES) -> TransformationEstimation:
+        """Minimize squared distances of source points from the target planes (Chen and Medioni 1991).
+
+        Args:
+            kernel: Weighs pairs by that distance [m].
+        """
+        return TransformationEstimationPointToPlane(kernel)
+
+    @staticmethod
+    def symmetric(kernel: RobustKernel = MIN_SQUARES) -> TransformationEstimation:
+        """Symmetric point-to-plane ICP (Rusinkiewicz 2019): exact on spheres, fewer steps.
+
+        Args:
+            kernel: Weighs pairs by (p - q) . (n_p + n_q), about twice a distance [m].
+        """
+        return TransformationEstimationSymmetric(kernel)
+
+    @staticmethod
+    def generalized(
+        epsilon: float = 1e-3, kernel: RobustKernel = MIN_SQUARES, voxel_size: float | None = None
+    ) -> TransformationEstimation:
+        """Generalized ICP: plane-to-plane with thin Gaussians (Segal, Haehnel and Thrun 2009).
+
+        Uses the cloud's covariances if present, else planes from its normals, else from 20 neighbors.
+
+        Args:
+            epsilon: Variance across a plane, relative to 1 along it.
+            kernel: Weighs each of the three rows of a pair by its dimensionless residual.
+            voxel_size: Match to Gaussians of target voxels of this edge [m] instead of points (Koide et al. 2021):
+                faster, without search. Open3D has no such form.
+        """
+        return TransformationEstimationForGeneralizedICP(epsilon, kernel, voxel_size)
+
+    @staticmethod
+    def colored(lambda_geometric: float = 0.968, kernel: RobustKernel = MIN_SQUARES) -> TransformationEstimation:
+        """Colored ICP: point-to-plane and photometric terms (Park, Zhou and Koltun 2017).
+
+        Args:
+            lambda_geometric: Weight of the geometric term, 0..1.
+            kernel: Weighs the geometric and the photometric row of a pair, each by its residual.
+        """
+        return TransformationEstimationForColoredICP(lambda_geometric, kernel)
 
     @property
     def scales(self) -> bool:

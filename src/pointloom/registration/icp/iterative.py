@@ -78,7 +78,7 @@ def check_constrainable(method: TransformationEstimation, constraint: JobConstra
     if constraint is not None and not method.constrainable:
         raise ValueError(
             f"constraint: {type(method).__name__} cannot be constrained. "
-            "Use TransformationEstimationPointToPlane() or another one that can"
+            "Use TransformationEstimation.point_to_plane() or another one that can"
         )
 
 

@@ -20,26 +20,7 @@ from .lidar_steps import OdometryStep
 def iterate_odometry(
     scans: Scans, *, device: DeviceLike = None, columns: Sequence[str] | None = None, **options: Any
 ) -> Iterator[OdometryStep]:
-    """Register scans one by one, and yield each step.
-
-    Args:
-        scans: A folder in natural order (scan2 before scan10); or files (KITTI's .bin, .ply, .pcd, .las, ...); or
-            clouds.
-        device: Device of files and map; None: the CPU, or that of the first cloud.
-        columns: Column names of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
-        **options: As of LidarOdometry.
-
-    Raises:
-        FileError: No scans, or one that cannot be read.
-        TypeError, ValueError: As LidarOdometry.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.registration.lidar.lidar_runs import iterate_odometry
-        >>> wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
-        >>> [(step.index, step.status) for step in iterate_odometry([wall, wall])]
-        [(0, 'first scan'), (1, 'converged')]
-    """
+    """Register scans one by one, and yield each step. Arguments and errors as of `run_odometry`."""
     odometry = LidarOdometry(device=device, **options)
     for scan in read_scans(scans, device=device, columns=columns):
         odometry.register(scan)
@@ -58,10 +39,12 @@ def run_odometry(
     """Estimate the trajectory of a scanner: T_world_sensor of each scan, the first at the identity.
 
     Args:
-        scans: As of iterate_odometry.
+        scans: A folder in natural order (scan2 before scan10); or files (KITTI's .bin, .ply, .pcd, .las, ...); or
+            clouds.
         timestamps: Time of each scan [s] for the trajectory.
         progress: Called with the OdometryStep of each scan.
-        device, columns: As of iterate_odometry.
+        device: Device of files and map; None: the CPU, or that of the first cloud.
+        columns: Column names of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
         **options: As of LidarOdometry.
 
     Returns:

@@ -112,22 +112,7 @@ class GlobalOptimizationConvergenceCriteria:
             )
 
 
-class GlobalOptimizationMethod:
-    """Base of GlobalOptimizationLevenbergMarquardt and GlobalOptimizationGaussNewton."""
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}()"
-
-
-class GlobalOptimizationGaussNewton(GlobalOptimizationMethod):
-    """Full steps; stops if one does not lower the residual. Faster near the optimum."""
-
-
-class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
-    """Damped steps, which also converge from inexact initial poses."""
-
-
-DAMPED = GlobalOptimizationLevenbergMarquardt()
+LEVENBERG_MARQUARDT, GAUSS_NEWTON = METHODS = ("levenberg-marquardt", "gauss-newton")
 USUAL_CRITERIA = GlobalOptimizationConvergenceCriteria()
 USUAL_OPTION = GlobalOptimizationOption()
 
@@ -135,7 +120,7 @@ USUAL_OPTION = GlobalOptimizationOption()
 @returns_new
 def global_optimization(
     pose_graph: PoseGraph,
-    method: GlobalOptimizationMethod = DAMPED,
+    method: str = LEVENBERG_MARQUARDT,
     criteria: GlobalOptimizationConvergenceCriteria = USUAL_CRITERIA,
     option: GlobalOptimizationOption = USUAL_OPTION,
     *,
@@ -150,7 +135,8 @@ def global_optimization(
     Args:
         pose_graph: Connected nodes with initial poses, and edges. Not modified. Contradicting certain edges are
             balanced.
-        method: GlobalOptimizationLevenbergMarquardt() or GlobalOptimizationGaussNewton().
+        method: "levenberg-marquardt" (damped steps, which also converge from inexact initial poses) or "gauss-newton"
+            (full steps, which stop if one does not lower the residual: faster near the optimum).
         criteria: Stopping criteria.
         option: Options.
         free: Free motions of the nodes in the world frame, of "x", "y", "z", "roll", "pitch" and "yaw"; None: all. The
@@ -185,9 +171,9 @@ def global_optimization(
         >>> [f"{node.pose[0, 3]:.2f}" for node in solved.nodes], solved.report.pruned_edges.tolist()
         (['0.00', '1.09', '2.18'], [3])
     """
-    damped = isinstance(method, GlobalOptimizationLevenbergMarquardt)
-    if not damped and not isinstance(method, GlobalOptimizationGaussNewton):
-        raise TypeError(f"method: expected {DAMPED} or GlobalOptimizationGaussNewton(), got {shown(method)}")
+    if not isinstance(method, str) or method not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {shown(method)}")
+    damped = method == LEVENBERG_MARQUARDT
     for name, value, kind in (
         ("criteria", criteria, GlobalOptimizationConvergenceCriteria),
         ("option", option, GlobalOptimizationOption),

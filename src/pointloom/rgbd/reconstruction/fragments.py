@@ -137,7 +137,8 @@ def make_fragments(
         >>> class First:
         ...     intrinsic, depth_scale, read = frames.intrinsic, frames.depth_scale, frames.read
         ...     def __len__(self): return 9
-        >>> found = loom.rgbd.make_fragments(First(), config, "room")
+        >>> from pointloom.rgbd.reconstruction.fragments import make_fragments
+        >>> found = make_fragments(First(), config, "room")
         >>> [len(fragment) for fragment in found.fragments], found.lost
         ([6, 3], [])
     """

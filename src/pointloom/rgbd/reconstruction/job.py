@@ -37,13 +37,14 @@ def run_reconstruction_system(
     resume: bool = False,
     refine: bool = True,
     slac: bool = False,
+    integrate: bool = True,
     device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> SystemReport:
     """Reconstruct a mesh and the camera trajectory from RGB-D frames without poses.
 
-    Runs `make_fragments`, `register_fragments`, and optionally `refine_registration` and `refine_with_slac`, then
-    `integrate_scene`.
+    The stages make fragments, register them, optionally refine the registration and the distortion of the camera, and
+    integrate the frames into a volume. Each writes its result to the folder.
 
     Args:
         source: Frames of one camera with random access: `open_frames`, `open_dataset`, `room_sequence`. A stream (any
@@ -51,8 +52,9 @@ def run_reconstruction_system(
         config: The configuration; None: the defaults.
         folder: Job folder; created if missing; earlier results are replaced.
         resume: Keep valid results of an earlier run. An interruption loses at most one fragment. A recording is reused.
-        refine: Run `refine_registration`.
-        slac: Run `refine_with_slac`, and undistort the frames.
+        refine: Refine the registration by ICP.
+        slac: Estimate the distortion of the camera, and undistort the frames.
+        integrate: Write the mesh and the trajectory. If False, the run ends with the poses of the fragments.
         device: Compute device; None: the CPU.
         progress: Called with (stage, steps done, steps in all or 0 if unknown).
 
@@ -61,7 +63,7 @@ def run_reconstruction_system(
         Without connected frames no model is written.
 
     Raises:
-        TypeError, ValueError: As of `make_fragments` and, with `slac`, of `refine_with_slac`.
+        TypeError, ValueError: An argument or a field of the configuration has another type or is out of range.
         FileError: A file cannot be written, or a recording exists without `resume`. Finished stages stay.
         DeviceError: No such device.
 
@@ -104,9 +106,10 @@ def run_reconstruction_system(
             bent = refine_with_slac(config, folder, **options)
             placement = bent.placement
             clock.stop("slac")
-        observers.report("stage", name="integrate")
-        scene = integrate_scene(frames, config, folder, slac=slac, **options)
-        clock.stop("integrate")
+        if integrate:
+            observers.report("stage", name="integrate")
+            scene = integrate_scene(frames, config, folder, slac=slac, **options)
+            clock.stop("integrate")
     figures, cost = None if bent is None else bent.figures, Cost(clock.seconds, peak_bytes())
     parts = fragment_set, placement, scene
     warnings = source_warnings(source)

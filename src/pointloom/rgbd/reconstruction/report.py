@@ -175,7 +175,7 @@ def report_of(
         trajectory_error=error,
         resumed=fragment_set.resumed,
         files=tuple(os.fspath(path) for path in files),
-        warnings=(*_warnings(lost, scene, frame_count), *_graph_warnings(placement, slac), *source_warnings),
+        warnings=(*_warnings(lost, placement, scene, frame_count), *_graph_warnings(placement, slac), *source_warnings),
         slac=slac,
         seconds=cost.seconds,
         peak_bytes=cost.peak_bytes,
@@ -206,11 +206,13 @@ def _lost_frames(fragment_set: FragmentSet, registered: list[bool], scene: Scene
     return runs
 
 
-def _warnings(lost: list[LostRun], scene: Scene | None, frame_count: int) -> tuple[str, ...]:
-    if scene is None:
+def _warnings(
+    lost: list[LostRun], placement: Placement | None, scene: Scene | None, frame_count: int
+) -> tuple[str, ...]:
+    if placement is None:
         return (f"no two of the {frame_count} frames overlap; {lost[0].reason}",)
     reasons = []
-    if scene.mesh_path is None:
+    if scene is not None and scene.mesh_path is None:
         reasons.append("the mesh is empty: no voxel was seen often enough; use more frames")
     if lost:
         count = sum(run.count for run in lost)

@@ -99,6 +99,33 @@ class View:
 
         return view_to_open3d(self.intrinsic, self.T_world_camera, bounds)
 
+    @staticmethod
+    def fit(
+        points: Any,
+        *,
+        direction: Triple = (-0.65, 0.7, -0.75),
+        up: Triple = (0.0, 0.0, 1.0),
+        width: int = 1280,
+        height: int = 960,
+    ) -> View:
+        """Closest view along a direction that shows all points.
+
+        Args:
+            points: Shape (n, 3) [m]. Non-finite points are ignored. Without any point, the view shows the origin.
+            direction: Viewing direction. By default down from the front right.
+            up: Up direction of the image. Not along `direction`.
+            width, height: Size of the image [px].
+
+        Raises:
+            ValueError: Another shape, a size below 1, or a direction along `up`.
+
+        Example:
+            >>> view = View.fit([[0, 0, 0], [1, 1, 1]], width=320, height=240)
+            >>> view.intrinsic.width, view.T_world_camera.shape
+            (320, (4, 4))
+        """
+        return fit_view(points, direction=direction, up=up, width=width, height=height)
+
 
 def fit_view(
     points: Any,
@@ -108,22 +135,7 @@ def fit_view(
     width: int = 1280,
     height: int = 960,
 ) -> View:
-    """Closest view along a direction that shows all points.
-
-    Args:
-        points: Shape (n, 3) [m]. Non-finite points are ignored. Without any point, the view shows the origin.
-        direction: Viewing direction. By default down from the front right.
-        up: Up direction of the image. Not along `direction`.
-        width, height: Size of the image [px].
-
-    Raises:
-        ValueError: Another shape, a size below 1, or a direction along `up`.
-
-    Example:
-        >>> view = fit_view([[0, 0, 0], [1, 1, 1]], width=320, height=240)
-        >>> view.intrinsic.width, view.T_world_camera.shape
-        (320, (4, 4))
-    """
+    """Closest view along a direction that shows all points, see `View.fit`."""
     values = check_rows("points", on_host("points", points), 3, dtype=np.float64)
     values = values[np.isfinite(values).all(axis=1)]
     if values.size and np.abs(values).max() > LARGEST_NUMBER:

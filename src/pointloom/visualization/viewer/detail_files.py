@@ -19,25 +19,7 @@ from ...pcd.cloud import PointCloud
 
 
 def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
-    """Read an even sample of a file, to show while its tree is built.
-
-    Args:
-        path: The file.
-        count: Maximum number of points, at least 1.
-
-    Returns:
-        The cloud. None if the format can only be read completely.
-
-    Raises:
-        FileError, TypeError, ValueError: The file cannot be read, or `count` is not an integer >= 1.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> from pointloom.visualization.viewer.detail_files import sample_file
-        >>> loom.write_point_cloud("scan.ply", loom.PointCloud(np.random.default_rng(0).random((1000, 3))))
-        >>> sample_file("scan.ply", 10)
-        PointCloud(10 points, no attributes, cpu)
-    """
+    """Read an even sample of a file, see `DetailTree.sample`."""
     path, count = path_of(path), check_count("count", count)
     file = open_in_parts(path)
     if file is None:

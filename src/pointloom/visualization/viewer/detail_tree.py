@@ -26,7 +26,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.detail_nodes import MAX_POINTS, NodeTable, make_nodes
 from ...pcd.point_arrays import check_cloud
 from ..render.view import View, check_view
-from .detail_files import bytes_at, columns_of, no_attribute
+from .detail_files import bytes_at, columns_of, no_attribute, sample_file
 from .nodes_in_view import NodesInView, inward
 
 Points = NDArray[np.float32]
@@ -75,7 +75,7 @@ class DetailTree(NodesInView):
         >>> tree = loom.DetailTree.from_cloud(cloud)
         >>> tree.count, sum(len(tree.node(i).indices) for i in range(len(tree)))
         (20000, 20000)
-        >>> view = loom.fit_view(cloud.points, width=64, height=48)
+        >>> view = loom.View.fit(cloud.points, width=64, height=48)
         >>> nodes = tree.select(view, budget=15_000)
         >>> nodes[0], int(tree.counts[nodes].sum()) <= 15_000
         (0, True)
@@ -119,6 +119,28 @@ class DetailTree(NodesInView):
         if cloud.has_colors:
             colors = functools.partial(bytes_at, download(cloud.arrays["colors"]))
         return cls(cloud.arrays["points"], cloud.origin, colors)
+
+    @staticmethod
+    def sample(path: str | os.PathLike[str], count: int) -> PointCloud | None:
+        """Read an even sample of a file, to show while its tree is built.
+
+        Args:
+            path: The file.
+            count: Maximum number of points, at least 1.
+
+        Returns:
+            The cloud. None if the format can only be read completely.
+
+        Raises:
+            FileError, TypeError, ValueError: The file cannot be read, or `count` is not an integer >= 1.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> loom.write_point_cloud("scan.ply", loom.PointCloud(np.random.default_rng(0).random((1000, 3))))
+            >>> loom.DetailTree.sample("scan.ply", 10)
+            PointCloud(10 points, no attributes, cpu)
+        """
+        return sample_file(path, count)
 
     @classmethod
     def from_file(

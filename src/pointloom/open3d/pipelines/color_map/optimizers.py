@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,7 +22,7 @@ from ...wrapper import unwrap
 class RigidOptimizerOption(Settings):
     """Options of `run_rigid_optimizer`. Nothing is written to `debug_output_dir`."""
 
-    _kind = options.RigidOptimizerOption
+    _kind = options.ColorMapOption
     maximum_iteration: Any = 0
     maximum_allowable_depth: float = 2.5
     depth_threshold_for_visibility_check: float = 0.03
@@ -41,7 +41,6 @@ class RigidOptimizerOption(Settings):
 
 @dataclass(eq=False, repr=False, init=False)
 class NonRigidOptimizerOption(RigidOptimizerOption):
-    _kind = options.NonRigidOptimizerOption
     number_of_vertical_anchors: int = 16
     non_rigid_anchor_point_weight: float = 0.316
 
@@ -66,7 +65,7 @@ def run_rigid_optimizer(
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     """Color a mesh with optimized poses. Returns the mesh and the cameras."""
     chosen = unwrap(option, RigidOptimizerOption, "option")
-    return _run(optimizers.run_rigid_optimizer, mesh, images_rgbd, camera_trajectory, chosen)
+    return _run("rigid", mesh, images_rgbd, camera_trajectory, chosen)
 
 
 def run_non_rigid_optimizer(
@@ -77,21 +76,18 @@ def run_non_rigid_optimizer(
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     """Like `run_rigid_optimizer`, with image deformation."""
     chosen = unwrap(option, NonRigidOptimizerOption, "option")
-    return _run(optimizers.run_non_rigid_optimizer, mesh, images_rgbd, camera_trajectory, chosen)
+    return _run("non-rigid", mesh, images_rgbd, camera_trajectory, chosen)
 
 
 def _run(
-    run: Callable[..., Any],
-    mesh: MeshLike,
-    images: Iterable[FrameLike],
-    cameras: PinholeCameraTrajectory,
-    option: options.RigidOptimizerOption,
+    method: str, mesh: MeshLike, images: Iterable[FrameLike], cameras: PinholeCameraTrajectory, option: Any
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     parameters = list(cameras.parameters)
     poses = Trajectory(np.array([np.linalg.inv(one.extrinsic) for one in parameters], np.float64).reshape(-1, 4, 4))
     unwrapped = [unwrap(image, RGBDImage, f"images_rgbd[{i}]") for i, image in enumerate(images)]
     intrinsics = [unwrap(one.intrinsic) for one in parameters]
-    colored, moved = run(unwrap(mesh, TriangleMesh, "mesh"), unwrapped, poses, option, intrinsic=intrinsics)
+    given = unwrap(mesh, TriangleMesh, "mesh"), unwrapped, poses, option
+    colored, moved = optimizers.optimize_color_map(*given, intrinsic=intrinsics, method=method)
     optimized = PinholeCameraTrajectory()
     optimized.parameters = [
         _parameters(one, np.linalg.inv(pose)) for one, pose in zip(parameters, moved.poses, strict=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,11 +37,18 @@ from .estimation import (
 MIN_MUTUAL_FRACTION = 0.1  # of the source points; with fewer mutual pairs, all pairs are used
 
 
+class RANSACLimits(NamedTuple):
+    """Maximum number of hypotheses, and the confidence at which the search ends."""
+
+    max_iteration: int = ransac.NUM_ITERATIONS
+    confidence: float = ransac.CONFIDENCE
+
+
 @dataclass(eq=False, repr=False)
 class RANSACConvergenceCriteria(Settings):
     """Limits of RANSAC. A confidence outside 0 to 1 is clipped, as in Open3D: before 0.12 it was a count."""
 
-    _kind = ransac.RANSACConvergenceCriteria
+    _kind = RANSACLimits
     max_iteration: Any = 100000
     confidence: float = 0.999
 
@@ -97,7 +104,8 @@ def registration_ransac_based_on_feature_matching(
         *pair,
         match_clouds(*pair, *features, bool(mutual_filter), MIN_MUTUAL_FRACTION),
         max_correspondence_distance,
-        *_rules(estimation_method, ransac_n, checkers, criteria),
+        *_rules(estimation_method, ransac_n, checkers),
+        **_limits(criteria),
         seed=next_seed(),
     )
     return RegistrationResult.from_native(result)
@@ -118,7 +126,8 @@ def registration_ransac_based_on_correspondence(
         *clouds_of(source, target),
         as_array(corres),
         max_correspondence_distance,
-        *_rules(estimation_method, ransac_n, checkers, criteria),
+        *_rules(estimation_method, ransac_n, checkers),
+        **_limits(criteria),
         seed=next_seed(),
     )
     return RegistrationResult.from_native(result)
@@ -158,18 +167,18 @@ def _option(option: FastGlobalRegistrationOption | None) -> Any:
     return unwrap(default if option is None else option, FastGlobalRegistrationOption, "option")
 
 
-def _rules(
-    method: TransformationEstimation | None,
-    ransac_n: int,
-    checkers: Sequence[Any],
-    criteria: RANSACConvergenceCriteria | None,
-) -> tuple[Any, int, Any, Any]:
+def _rules(method: TransformationEstimation | None, ransac_n: int, checkers: Sequence[Any]) -> tuple[Any, int, Any]:
     if not isinstance(checkers, Sequence):
         given = type(checkers).__name__
         raise TypeError(f"checkers: expected a list of CorrespondenceCheckers, got {given}; criteria follows it")
     method = TransformationEstimationPointToPoint() if method is None else method
-    criteria = RANSACConvergenceCriteria() if criteria is None else criteria
-    return unwrap(method), ransac_n, unwrap(list(checkers)), unwrap(criteria, RANSACConvergenceCriteria, "criteria")
+    return unwrap(method), ransac_n, unwrap(list(checkers))
+
+
+def _limits(criteria: Any) -> dict[str, Any]:
+    chosen = RANSACConvergenceCriteria() if criteria is None else criteria
+    limits = unwrap(chosen, RANSACConvergenceCriteria, "criteria")
+    return {"num_iterations": limits.max_iteration, "confidence": limits.confidence}
 
 
 @dataclass(eq=False, repr=False)

@@ -168,7 +168,12 @@ class GlobalOptimizationConvergenceCriteria(Settings):
 class GlobalOptimizationMethod(Settings):
     """Base class of the two optimizers."""
 
-    _kind = pose_graph_optimization.GlobalOptimizationMethod
+    _kind = str
+    _name = ""
+
+    @property
+    def _native(self) -> str:
+        return self._name
 
     def OptimizePoseGraph(
         self, pose_graph: PoseGraph, criteria: GlobalOptimizationConvergenceCriteria, option: GlobalOptimizationOption
@@ -178,12 +183,12 @@ class GlobalOptimizationMethod(Settings):
 
 @dataclass(eq=False, repr=False)
 class GlobalOptimizationGaussNewton(GlobalOptimizationMethod):
-    _kind = pose_graph_optimization.GlobalOptimizationGaussNewton
+    _name = pose_graph_optimization.GAUSS_NEWTON
 
 
 @dataclass(eq=False, repr=False)
 class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
-    _kind = pose_graph_optimization.GlobalOptimizationLevenbergMarquardt
+    _name = pose_graph_optimization.LEVENBERG_MARQUARDT
 
 
 def global_optimization(
