@@ -45,6 +45,7 @@ from ...kernels.linear_algebra import det, inv, matmul
 from ...kernels.memory import clone, download, full, move, upload, zeros
 from ...kernels.meshes import mesh_edits
 from ...kernels.meshes.mesh_edits import raise_numbers, shift_triangles
+from ...pcd.attribute_columns import concatenate_columns
 from ...pcd.motion import Movable
 from ...pcd.point_arrays import PointArrays, read_only
 from ...pcd.units import InUnit, unit_under
@@ -461,7 +462,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
         for kind in ATTRIBUTES:
             columns = [mesh.arrays.attributes[kind] for mesh in parts]
             shared = [name for name in columns[0] if all(name in of_part for of_part in columns)]
-            arrays[kind] = {name: _joined_columns(name, [of_part[name] for of_part in columns]) for name in shared}
+            arrays[kind] = {
+                name: concatenate_columns(name, [of_part[name] for of_part in columns], "meshes") for name in shared
+            }
         uvs, textures = _joined_textures(parts)
         return cls.from_device_arrays(arrays | uvs, origin, parts[0].array_library, textures=textures)
 
@@ -572,19 +575,6 @@ def _numbered(parts: list[MeshArrays]) -> list[Any]:
         numbered.append(shift_triangles(triangles, start) if start else triangles)
         start += mesh.arrays["vertices"].size
     return numbered
-
-
-def _joined_columns(name: str, columns: list[Any]) -> Any:
-    first = columns[0]
-    for column in columns:
-        if column.dtype != first.dtype:
-            kinds = f"{first.dtype.__name__} and {column.dtype.__name__}"
-            raise TypeError(f"{escaped(name)}: expected one dtype in all meshes, got {kinds}. Convert one of them")
-        if column.shape[1:] != first.shape[1:]:
-            raise ValueError(
-                f"{name}: expected rows of one shape, got {list(first.shape[1:])} and {list(column.shape[1:])}"
-            )
-    return concatenate_rows(columns)
 
 
 def _joined_textures(parts: list[MeshArrays]) -> tuple[dict[str, wp.array], Textures]:
