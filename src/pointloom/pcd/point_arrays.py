@@ -11,7 +11,6 @@ import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..core.array_libraries import NUMPY, check_library, library_of, owned
-from ..core.attribute_hints import KnownNames
 from ..core.callable_bool import CallableBool
 from ..core.checks import check_colors, check_name, check_rows, is_on_gpu
 from ..core.coordinates import split_origin, warn_if_coarse
@@ -29,7 +28,7 @@ from ..kernels.search.point_tree import PointTree
 from .attribute_columns import upload_column
 from .cached_tree import CachedTree
 from .point_store import PointStore
-from .units import InUnit
+from .stored_arrays import StoredArrays, read_only
 
 VECTORS = ("points", "normals", "colors")
 
@@ -65,7 +64,7 @@ class Attributes(MutableMapping[str, NDArray[Any]]):
         return "{" + ", ".join(f"{name!r}: {values.dtype} {list(values.shape)}" for name, values in self.items()) + "}"
 
 
-class PointArrays(InUnit, KnownNames):
+class PointArrays(StoredArrays):
     """Points and attributes of a cloud, validated on assignment. Base of PointCloud.
 
     Arrays that are read are read-only copies: modify a `.copy()` and assign it.
@@ -75,7 +74,6 @@ class PointArrays(InUnit, KnownNames):
     """
 
     arrays: PointStore  # device arrays for the modules of this package
-    _internal = ("arrays", "from_device_arrays", "with_arrays")
     _how_to_add = "Add an attribute of the points with cloud[{name!r}] = values"
     grid: tuple[int, int] | None
 
@@ -113,16 +111,6 @@ class PointArrays(InUnit, KnownNames):
 
     def _repr_html_(self) -> str:
         return html_table(repr(self), ((name, array_type(values)) for name, values in self.arrays.items()))
-
-    @property
-    def device(self) -> Any:
-        """Device of the arrays."""
-        return self.arrays["points"].device
-
-    @property
-    def origin(self) -> NDArray[np.float64]:
-        """Origin of the device positions [m], float64 (3,)."""
-        return read_only(self.arrays.origin.copy())
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -300,20 +288,9 @@ class PointArrays(InUnit, KnownNames):
         return self.with_arrays({n: a for n, a in self.arrays.items() if n not in names}, grid=self.grid)
 
     @returns_new
-    def clear(self) -> Self:
-        """Empty cloud on the same device: `cloud = cloud.clear()`."""
-        kind: Any = type(self)
-        return kind(device=self.device)
-
-    @returns_new
     def copy(self) -> Self:
         """Copy that shares arrays. Assignments to one do not affect the other."""
         return self.with_arrays(self.arrays, grid=self.grid)
-
-    @property
-    def array_library(self) -> str:
-        """Library of the arrays that operations return: that of the arrays the cloud was made from."""
-        return self.arrays.library
 
     @classmethod
     def from_device_arrays(
@@ -387,8 +364,3 @@ def _remedy_of(value: object) -> str:
     if hasattr(value, "sample_points_uniformly"):
         return "sample a mesh with mesh.sample_points_uniformly(100_000)"
     return "use loom.PointCloud(array), or loom.PointCloud.from_open3d(cloud) for an Open3D cloud"
-
-
-def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    array.flags.writeable = False
-    return array

@@ -269,7 +269,7 @@ class Selection(PointArrays):
         low, high, finite = bound_points(self.arrays["points"])
         if finite:
             cloud_bounds = low + self.arrays.origin, high + self.arrays.origin
-            warn_of_far("bounding_box", box.get_min_bound(), box.get_max_bound(), *cloud_bounds, finite, self.unit)
+            warn_of_far("bounding_box", (box.get_min_bound(), box.get_max_bound()), cloud_bounds, finite, self.unit)
 
     def select_mask(self, mask: wp.array, invert: bool = False) -> Self:
         return self.select_rows(positions_of(invert_mask(mask) if invert else mask))

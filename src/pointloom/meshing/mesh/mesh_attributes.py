@@ -14,7 +14,7 @@ from ...core.escaped_text import escaped
 from ...kernels.array_types import Device
 from ...kernels.arrays.select import gather_rows
 from ...pcd.attribute_columns import upload_column
-from ...pcd.point_arrays import read_only
+from ...pcd.stored_arrays import read_only
 
 Arrays = dict[str, wp.array]
 
