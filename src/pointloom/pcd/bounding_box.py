@@ -13,7 +13,8 @@ from ..core.devices import resolve_device
 from ..core.gpu_arrays import take_points
 from ..core.html_tables import html_table
 from ..kernels.arrays.select import positions_of
-from .point_arrays import PointArrays, read_only
+from .point_arrays import PointArrays
+from .stored_arrays import read_only
 
 
 class BoundingBox(KnownNames):

@@ -19,7 +19,7 @@ from ..kernels.linear_algebra import matmul
 from .bounding_box import BoundingBox
 from .convex_hull import find_extremes
 from .minimal_box import fit_principal_box, fit_smallest_box
-from .point_arrays import read_only
+from .stored_arrays import read_only
 
 CORNER_SIGNS = np.array(  # Open3D's order, in halves of the extent
     [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1], [1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]], np.float64

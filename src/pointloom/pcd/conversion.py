@@ -372,9 +372,6 @@ class Conversion(Selection):
             cloud.unit = state.get("unit")  # missing in older pickles
         vars(self).update(vars(cloud))
 
-    def __copy__(self) -> Self:
-        return self.copy()
-
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self.with_arrays({name: clone(array) for name, array in self.arrays.items()}, grid=self.grid)
 

@@ -18,6 +18,8 @@ MIN_RADIUS_SPACINGS = 0.25  # of the surface spacing: smaller radii are checked
 MIN_MEAN_NEIGHBORS = 1.1  # mean points within a radius, including the point itself: 90% have no neighbor
 MAX_DISTANCE_RATIO = 1000.0  # ratio of distance to extent of unrelated data
 
+Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
+
 
 def check_order(count_name: str, count: object, length_name: str, length: object) -> None:
     if isinstance(count, float) and isinstance(length, int) and not isinstance(length, bool):
@@ -55,18 +57,11 @@ def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit
     )
 
 
-def warn_of_far(
-    name: str,
-    low: NDArray[np.float64],
-    high: NDArray[np.float64],
-    cloud_low: NDArray[np.float64],
-    cloud_high: NDArray[np.float64],
-    count: int,
-    unit: LengthUnit | None,
-) -> None:
+def warn_of_far(name: str, box: Bounds, cloud_box: Bounds, count: int, unit: LengthUnit | None) -> None:
     """Warn if a box is so far from a large cloud that position or unit differ."""
-    gap = float(np.max(np.maximum(np.asarray(low) - cloud_high, np.asarray(cloud_low) - high)))
-    span = float(max(np.max(np.asarray(high) - low), np.max(np.asarray(cloud_high) - cloud_low)))
+    (low, high), (cloud_low, cloud_high) = (map(np.asarray, each) for each in (box, cloud_box))
+    gap = float(np.max(np.maximum(low - cloud_high, cloud_low - high)))
+    span = float(max(np.max(high - low), np.max(cloud_high - cloud_low)))
     if count >= MAX_SINGLE_GROUP_POINTS and gap > MAX_DISTANCE_RATIO * span > 0 and called_by_user():
         m = symbol_of(unit)
         warn_of_units(

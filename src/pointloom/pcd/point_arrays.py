@@ -11,24 +11,24 @@ import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..core.array_libraries import NUMPY, check_library, library_of, owned
-from ..core.attribute_hints import KnownNames
 from ..core.callable_bool import CallableBool
-from ..core.checks import check_colors, check_name, check_numeric, check_rows, is_on_gpu
+from ..core.checks import check_colors, check_name, check_rows, is_on_gpu
 from ..core.coordinates import split_origin, warn_if_coarse
 from ..core.devices import DeviceLike, resolve_device
 from ..core.dropped_results import returns_new
 from ..core.escaped_text import escaped
 from ..core.exchange import plain_device
-from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
+from ..core.gpu_arrays import take_colors, take_points, take_vectors
 from ..core.html_tables import array_type, html_table
 from ..core.units import LengthUnit
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock_for
 from ..kernels.memory import clone, host_view, move, upload
 from ..kernels.search.point_tree import PointTree
+from .attribute_columns import upload_column
 from .cached_tree import CachedTree
 from .point_store import PointStore
-from .units import InUnit
+from .stored_arrays import StoredArrays, read_only
 
 VECTORS = ("points", "normals", "colors")
 
@@ -64,7 +64,7 @@ class Attributes(MutableMapping[str, NDArray[Any]]):
         return "{" + ", ".join(f"{name!r}: {values.dtype} {list(values.shape)}" for name, values in self.items()) + "}"
 
 
-class PointArrays(InUnit, KnownNames):
+class PointArrays(StoredArrays):
     """Points and attributes of a cloud, validated on assignment. Base of PointCloud.
 
     Arrays that are read are read-only copies: modify a `.copy()` and assign it.
@@ -74,7 +74,6 @@ class PointArrays(InUnit, KnownNames):
     """
 
     arrays: PointStore  # device arrays for the modules of this package
-    _internal = ("arrays", "from_device_arrays", "with_arrays")
     _how_to_add = "Add an attribute of the points with cloud[{name!r}] = values"
     grid: tuple[int, int] | None
 
@@ -112,16 +111,6 @@ class PointArrays(InUnit, KnownNames):
 
     def _repr_html_(self) -> str:
         return html_table(repr(self), ((name, array_type(values)) for name, values in self.arrays.items()))
-
-    @property
-    def device(self) -> Any:
-        """Device of the arrays."""
-        return self.arrays["points"].device
-
-    @property
-    def origin(self) -> NDArray[np.float64]:
-        """Origin of the device positions [m], float64 (3,)."""
-        return read_only(self.arrays.origin.copy())
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -299,20 +288,9 @@ class PointArrays(InUnit, KnownNames):
         return self.with_arrays({n: a for n, a in self.arrays.items() if n not in names}, grid=self.grid)
 
     @returns_new
-    def clear(self) -> Self:
-        """Empty cloud on the same device: `cloud = cloud.clear()`."""
-        kind: Any = type(self)
-        return kind(device=self.device)
-
-    @returns_new
     def copy(self) -> Self:
         """Copy that shares arrays. Assignments to one do not affect the other."""
         return self.with_arrays(self.arrays, grid=self.grid)
-
-    @property
-    def array_library(self) -> str:
-        """Library of the arrays that operations return: that of the arrays the cloud was made from."""
-        return self.arrays.library
 
     @classmethod
     def from_device_arrays(
@@ -342,33 +320,16 @@ class PointArrays(InUnit, KnownNames):
             raise TypeError(
                 f"{escaped(name)}: expected an array, got a PointCloud. Pass one of its arrays: other[{name!r}]"
             )
-        if is_on_gpu(values):
-            self.arrays[name] = self._taken(name, values)
-            return
-        is_copied = library_of(values) == NUMPY
-        if name == "normals":
-            normals = check_rows(name, values, 3, rows=len(self), dtype=np.float32)
-            self.arrays[name] = upload(normals, vec3, self.device, copied=is_copied)
-        elif name == "colors":
-            colors = check_colors(name, check_rows(name, values, 3, rows=len(self)))
-            self.arrays[name] = upload(colors, vec3, self.device, copied=is_copied)
+        if name not in VECTORS:
+            self.arrays[name] = upload_column(name, values, len(self), self.device)
+        elif is_on_gpu(values):
+            take = take_vectors if name == "normals" else take_colors
+            self.arrays[name] = take(name, values, self.device, rows=len(self))
         else:
-            column = check_numeric(escaped(name), values)
-            if column.ndim not in (1, 2) or len(column) != len(self):
-                expected = f"[{len(self)}] or [{len(self)}, c]"
-                raise ValueError(f"{escaped(name)}: expected shape {expected}, got {list(column.shape)}")
-            if column.dtype.itemsize > 8:
-                raise TypeError(f"{escaped(name)}: expected numbers of 64 bits at most, got {column.dtype}")
-            kind = wp.dtype_from_numpy(column.dtype.newbyteorder("="))
-            self.arrays[name] = upload(column, kind, self.device, copied=is_copied)
-
-    def _taken(self, name: str, values: ArrayLike) -> wp.array:
-        """Convert a GPU array to an attribute."""
-        if name == "normals":
-            return take_vectors(name, values, self.device, rows=len(self))
-        if name == "colors":
-            return take_colors(name, values, self.device, rows=len(self))
-        return take_column(name, values, self.device, len(self))
+            is_copied = library_of(values) == NUMPY
+            rows = check_rows(name, values, 3, rows=len(self), dtype=np.float32 if name == "normals" else None)
+            rows = rows if name == "normals" else check_colors(name, rows)
+            self.arrays[name] = upload(rows, vec3, self.device, copied=is_copied)
 
 
 def place_points(
@@ -403,8 +364,3 @@ def _remedy_of(value: object) -> str:
     if hasattr(value, "sample_points_uniformly"):
         return "sample a mesh with mesh.sample_points_uniformly(100_000)"
     return "use loom.PointCloud(array), or loom.PointCloud.from_open3d(cloud) for an Open3D cloud"
-
-
-def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    array.flags.writeable = False
-    return array

@@ -18,18 +18,37 @@ from ..kernels.memory import download, upload
 from .cached_tree import CachedTree
 
 
-class PointStore(dict[str, wp.array]):
-    """Device arrays by name, for reading: `points` is vec3 (n,) relative to `origin`. `cloud.arrays` is one.
-
-    Unlike `cloud.array(name)`, reading `cloud.arrays[name]` keeps the cached search tree.
+class ArrayStore(dict[str, wp.array]):
+    """Device arrays by name, for reading.
 
     Attributes:
         origin: Origin of the positions [m], float64 (3,).
         library: Library of returned arrays, see core/array_libraries.py.
+    """
+
+    __slots__ = ("library", "origin")
+    origin: NDArray[np.float64]
+    library: str
+
+    @property
+    def device(self) -> wp.Device:
+        return next(iter(self.values())).device
+
+    def hand_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
+        """Convert a result to `library`. NumPy arrays share no memory with the CPU's device arrays."""
+        return hand_out_copy(array, self.library, dtype)
+
+
+class PointStore(ArrayStore):
+    """Arrays of a cloud: `points` is vec3 (n,) relative to `origin`. `cloud.arrays` is one.
+
+    Unlike `cloud.array(name)`, reading `cloud.arrays[name]` keeps the cached search tree.
+
+    Attributes:
         tree: The points and their search tree, built on demand.
     """
 
-    __slots__ = ("library", "origin", "tree")
+    __slots__ = ("tree",)
 
     def __init__(
         self,
@@ -68,8 +87,4 @@ class PointStore(dict[str, wp.array]):
         """Points relative to another origin, a device array of vec3."""
         if (self.origin == origin).all():
             return self["points"]
-        return upload(split_origin(self.positions(), origin)[0], vec3, self["points"].device)
-
-    def hand_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """Convert a result to `library`. NumPy arrays share no memory with the CPU's device arrays."""
-        return hand_out_copy(array, self.library, dtype)
+        return upload(split_origin(self.positions(), origin)[0], vec3, self.device)

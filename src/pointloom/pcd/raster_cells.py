@@ -33,6 +33,7 @@ GROUND_CLASSES, NOISE_CLASSES = (2,), (7, 18)  # LAS classes
 DEFAULT_RADIUS = 20  # default, in cells
 MAX_CELLS = 2**28
 CELL_BYTES = 32  # per cell
+Vector = NDArray[np.float64]
 BORDER_TOLERANCE = 1e-9  # of a cell: tolerance for bounds at cell borders
 
 
@@ -76,16 +77,14 @@ def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -
     return FixedCells(corner, side, first, shape)
 
 
-def cells_over(
-    low: NDArray[np.float64], high: NDArray[np.float64], corner: NDArray[np.float64], side: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def cells_over(low: Vector, high: Vector, corner: Vector, side: float) -> tuple[Vector, Vector]:
     """Half-open cells that contain a range, both ends included: first cell and count along x and y."""
     with np.errstate(over="ignore", invalid="ignore"):  # overflow means too many cells
         first, last = (np.floor((end.astype(np.float64)[:2] - corner) / side) for end in (low, high))
         return first, last - first + 1
 
 
-def cells_within(ends: NDArray[np.float64], side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def cells_within(ends: Vector, side: float) -> tuple[Vector, Vector]:
     """Cells of a box with ends at or within cells, as `cells_over`; x and y from the corner."""
     with np.errstate(over="ignore", invalid="ignore"):
         first = np.floor(ends[0] / side + BORDER_TOLERANCE)

@@ -172,8 +172,10 @@ class Segmentation(Selection):
             >>> sorted(int(np.abs(patch.R[:, 2]).argmax()) for patch in cloud.detect_planar_patches())
             [1, 2]
         """
-        spread = _check_angle("normal_variance_threshold_deg", normal_variance_threshold_deg)
-        flatness = _check_angle("coplanarity_deg", coplanarity_deg)
+        spread = float(
+            np.radians(_check_degrees("normal_variance_threshold_deg", normal_variance_threshold_deg, allow_zero=True))
+        )
+        flatness = float(np.radians(_check_degrees("coplanarity_deg", coplanarity_deg, allow_zero=True)))
         fraction = check_positive("outlier_ratio", outlier_ratio, allow_zero=True)
         if fraction > 1:
             raise ValueError(f"outlier_ratio: expected a number in 0..1, got {outlier_ratio!r}")
@@ -447,10 +449,7 @@ class Segmentation(Selection):
             >>> labels.max() + 1, bool((labels[:4000] == 0).mean() > 0.95)
             (np.int32(2), True)
         """
-        angle = check_positive("smoothness_threshold_deg", smoothness_threshold_deg)
-        if angle > 90:
-            given = shown(smoothness_threshold_deg)
-            raise ValueError(f"smoothness_threshold_deg: expected degrees in 0..90, 0 excluded, got {given}")
+        angle = _check_degrees("smoothness_threshold_deg", smoothness_threshold_deg)
         limit = check_positive("curvature_threshold", curvature_threshold)
         min_size = check_count("min_cluster_size", min_cluster_size, **UNLIMITED_COUNT)
         max_size = MAX_SIZE
@@ -478,12 +477,13 @@ class Segmentation(Selection):
         return grow_regions(normals, curvature, nearest, *limits)[0]
 
 
-def _check_angle(name: str, degrees: object) -> float:
-    """Validate an angle of 0..90 degrees. Returns radians."""
-    angle = check_positive(name, degrees, allow_zero=True)
+def _check_degrees(name: str, degrees: object, *, allow_zero: bool = False) -> float:
+    angle = check_positive(name, degrees, allow_zero=allow_zero)
     if angle > 90:
-        raise ValueError(f"{name}: expected degrees in 0..90, got {degrees!r}")
-    return float(np.radians(angle))
+        raise ValueError(
+            f"{name}: expected degrees in 0..90{'' if allow_zero else ', 0 excluded'}, got {shown(degrees)}"
+        )
+    return angle
 
 
 def _check_search(
@@ -506,9 +506,7 @@ def _check_search(
 def limits_of(distance: float, degrees: float, smallest: float, largest: float | None) -> ShapeLimits:
     """Validate the limits of a shape search. A maximum radius of 0 means none."""
     max_distance = check_positive("distance_threshold", distance)
-    angle = check_positive("normal_threshold_deg", degrees)
-    if angle > 90:
-        raise ValueError(f"normal_threshold_deg: expected degrees in 0..90, 0 excluded, got {shown(degrees)}")
+    angle = _check_degrees("normal_threshold_deg", degrees)
     min_radius = check_positive("min_radius", smallest, allow_zero=True)
     max_radius = 0.0 if largest is None else check_positive("max_radius", largest)
     if largest is not None and max_radius < min_radius:

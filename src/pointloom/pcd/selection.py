@@ -26,12 +26,11 @@ from ..core.checks import (
 )
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
-from ..core.escaped_text import escaped
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
 from ..core.units import common_unit
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
-from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
+from ..kernels.arrays.concatenation import concatenate_points
 from ..kernels.arrays.duplicates import first_occurrences
 from ..kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
@@ -44,6 +43,7 @@ from ..kernels.sampling.voxel_keys import VoxelGroups
 from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, nearest_to_middles, trace_voxels
 from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
 from ..kernels.segmentation.neighbor_counts import mask_crowded
+from .attribute_columns import concatenate_columns
 from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .las_attributes import with_common_las_attributes
@@ -125,9 +125,7 @@ class Selection(PointArrays):
         for name in parts[0].arrays:
             if name == "points" or not all(name in part for part in parts):
                 continue
-            rows = [part.array(name) for part in parts]
-            _check_alike(name, rows)
-            arrays[name] = concatenate_rows(rows)
+            arrays[name] = concatenate_columns(name, [part.arrays[name] for part in parts], "clouds")
         merged = cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
         merged.unit = unit
         return merged
@@ -271,7 +269,7 @@ class Selection(PointArrays):
         low, high, finite = bound_points(self.arrays["points"])
         if finite:
             cloud_bounds = low + self.arrays.origin, high + self.arrays.origin
-            warn_of_far("bounding_box", box.get_min_bound(), box.get_max_bound(), *cloud_bounds, finite, self.unit)
+            warn_of_far("bounding_box", (box.get_min_bound(), box.get_max_bound()), cloud_bounds, finite, self.unit)
 
     def select_mask(self, mask: wp.array, invert: bool = False) -> Self:
         return self.select_rows(positions_of(invert_mask(mask) if invert else mask))
@@ -600,16 +598,3 @@ class Selection(PointArrays):
             )
             if name == "colors" or is_integer:
                 cloud.arrays[name] = gather_rows(values, commonest_rows(values, groups))
-
-
-def _check_alike(name: str, rows: Sequence[Any]) -> None:
-    first = rows[0]
-    for values in rows:
-        if values.dtype != first.dtype:
-            given = f"{first.dtype.__name__} and {values.dtype.__name__}"
-            raise TypeError(f"{escaped(name)}: expected one type in all clouds, got {given}; convert one")
-        if values.shape[1:] != first.shape[1:]:
-            given = f"{[*first.shape[1:]]} and {[*values.shape[1:]]}"
-            raise ValueError(
-                f"{name}: expected the same number of columns in all clouds, got shapes [n, ...] with {given}"
-            )

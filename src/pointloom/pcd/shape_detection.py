@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -131,7 +131,7 @@ def detect_shapes(
     check_cloud("cloud", cloud)
     kind_numbers = _check_kinds(kinds)
     limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
-    max_samples, chance, start = check_samples(num_iterations, probability, seed)
+    sampling = _Sampling(*check_samples(num_iterations, probability, seed))
     min_points = max(MIN_POINTS, int(MIN_FRACTION * len(cloud)))
     if min_support is not None:
         min_points = check_count("min_support", min_support, minimum=10)
@@ -148,7 +148,7 @@ def detect_shapes(
             tree = without_copies(cloud.search_tree())
             apart = nearest_distances(tree, tree.source, others=True, missing=0.0)
             epsilon = GAP_DISTANCES * float(median_above_zero(apart) or limits.distance)
-        rounds = _Rounds(search, limits, kind_numbers, min_points, epsilon, max_samples, chance, start, labels)
+        rounds = _Rounds(search, limits, kind_numbers, min_points, epsilon, sampling, labels)
         report_progress("shapes", 0, len(cloud))
         while len(shapes) < largest and (candidate := rounds.next_shape()) is not None:
             write_distances(rounds.search, candidate, distances)
@@ -157,6 +157,14 @@ def detect_shapes(
             report_progress("shapes", len(cloud) - rounds.search.rows.size, len(cloud))
         undecided = rounds.undecided() if len(shapes) < largest else ()
     return DetectedShapes(cloud.arrays.hand_out(labels), shapes, cloud.arrays.hand_out(distances), undecided)
+
+
+class _Sampling(NamedTuple):
+    """Samples per kind, required probability of finding each shape, and random seed."""
+
+    max_samples: int
+    probability: float
+    seed: int
 
 
 class _Rounds:
@@ -169,14 +177,12 @@ class _Rounds:
         kinds: list[int],
         min_points: int,
         epsilon: float,
-        max_samples: int,
-        probability: float,
-        seed: int,
+        sampling: _Sampling,
         labels: Integers,
     ) -> None:
         self.search, self.limits, self.labels = search, limits, labels
-        self._kinds, self._min_points, self._epsilon, self._seed = kinds, min_points, epsilon, seed
-        self._max_samples, self._probability, self._batch = max_samples, probability, FIRST_BATCH
+        self._kinds, self._min_points, self._epsilon = kinds, min_points, epsilon
+        self._sampling, self._batch = sampling, FIRST_BATCH
         self._drawn = dict.fromkeys(kinds, 0)  # samples per kind
         self._tried = dict.fromkeys(kinds, 0)  # samples since the last check for missed shapes
         self._has_detected = False  # a shape was detected since then, which most kept candidates may have been
@@ -216,7 +222,7 @@ class _Rounds:
         return [
             kind
             for kind in self._kinds
-            if self._drawn[kind] < self._max_samples and not self._is_safe(self._min_points, kind)
+            if self._drawn[kind] < self._sampling.max_samples and not self._is_safe(self._min_points, kind)
         ]
 
     def undecided(self) -> tuple[str, ...]:
@@ -228,13 +234,14 @@ class _Rounds:
     def _is_safe(self, count: int, kind: int) -> bool:
         """True if a shape of `count` points would have been found with the required probability."""
         hit = chance_of(count / self.search.rows.size, kind, self.search.levels)
-        return 1 - (1 - hit) ** self._tried[kind] >= self._probability
+        return 1 - (1 - hit) ** self._tried[kind] >= self._sampling.probability
 
     def _draw(self) -> None:
         samples = [
-            (kind, min(self._batch, self._max_samples - self._drawn[kind]), self._drawn[kind]) for kind in self._open()
+            (kind, min(self._batch, self._sampling.max_samples - self._drawn[kind]), self._drawn[kind])
+            for kind in self._open()
         ]
-        drawn = self.search.draw_each(samples, self._seed, self.limits)
+        drawn = self.search.draw_each(samples, self._sampling.seed, self.limits)
         for (kind, size, _), (shapes, counts) in zip(samples, drawn, strict=True):
             self._drawn[kind] += size
             self._tried[kind] += size

@@ -31,9 +31,10 @@ from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .cloud import PointCloud
 from .harmonics import DEGREE_0_HARMONIC, MAX_DEGREE, degree_of, rotation_of_harmonics
 from .motion import Movable
-from .point_arrays import check_cloud, read_only
+from .point_arrays import check_cloud
 from .polygon_volume import SelectionPolygonVolume
 from .splat_images import RasterizationMixin
+from .stored_arrays import read_only
 
 #: The attributes of the cloud that keeps splats, by the names of PLY files: `f_rest` where the degree is above 0.
 NAMES = ("f_dc", "f_rest", "opacity", "scale", "rot")

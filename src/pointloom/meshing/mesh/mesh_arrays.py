@@ -11,7 +11,6 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import NUMPY, check_library, library_of, owned
-from ...core.attribute_hints import KnownNames
 from ...core.callable_bool import CallableBool
 from ...core.checks import (
     check_color,
@@ -45,9 +44,11 @@ from ...kernels.linear_algebra import det, inv, matmul
 from ...kernels.memory import clone, download, full, move, upload, zeros
 from ...kernels.meshes import mesh_edits
 from ...kernels.meshes.mesh_edits import raise_numbers, shift_triangles
+from ...pcd.attribute_columns import concatenate_columns
 from ...pcd.motion import Movable
-from ...pcd.point_arrays import PointArrays, read_only
-from ...pcd.units import InUnit, unit_under
+from ...pcd.point_arrays import PointArrays
+from ...pcd.stored_arrays import StoredArrays, read_only
+from ...pcd.units import unit_under
 from .finite_corners import check_finite_corners
 from .mesh_attributes import MeshAttributes, each, listed
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
@@ -56,11 +57,11 @@ from .mesh_store import MeshStore, Textures
 MAX_INT32 = 2**31 - 1  # 32-bit indices
 
 
-class MeshArrays(InUnit, KnownNames, Movable):
+class MeshArrays(StoredArrays, Movable):
     """Vertices, triangles and attributes of a mesh, validated on assignment. Base of TriangleMesh."""
 
     arrays: MeshStore  # device arrays for the modules of this package
-    _internal = ("arrays", "from_device_arrays", "with_arrays", "without_attributes")
+    _internal = ("without_attributes",)
 
     def __len__(self) -> int:
         return self.arrays["triangles"].size
@@ -172,11 +173,6 @@ class MeshArrays(InUnit, KnownNames, Movable):
         mesh.unit, mesh.arrays.up = self.unit, self.arrays.up
         return mesh
 
-    @property
-    def array_library(self) -> str:
-        """Library of the arrays that operations return: that of the arrays the mesh was made from."""
-        return self.arrays.library
-
     def _assign(self, name: str, values: ArrayLike) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points
             raise TypeError(f"{name}: expected an array, got a PointCloud. Pass one of its arrays")
@@ -216,16 +212,6 @@ class MeshArrays(InUnit, KnownNames, Movable):
         extras += "".join(f", {kind}[{listed(columns)}]" for kind, columns in self.arrays.attributes.items() if columns)
         sizes = f"{self.arrays['vertices'].size} vertices, {len(self)} triangles"
         return f"{type(self).__name__}({sizes}{extras}, {self.device})"
-
-    @property
-    def device(self) -> Any:
-        """Device of the arrays."""
-        return self.arrays["vertices"].device
-
-    @property
-    def origin(self) -> NDArray[np.float64]:
-        """Point that vertices are stored relative to [m], float64 (3,)."""
-        return read_only(self.arrays.origin.copy())
 
     @property
     def vertices(self) -> NDArray[np.float64]:
@@ -374,18 +360,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return mesh
 
     @returns_new
-    def clear(self) -> Self:
-        """Empty mesh on the same device: `mesh = mesh.clear()`."""
-        kind: Any = type(self)
-        return kind(device=self.device)
-
-    @returns_new
     def copy(self) -> Self:
         """Copy that shares arrays. Assignments to one do not affect the other."""
         return self.with_arrays()
-
-    def __copy__(self) -> Self:
-        return self.copy()
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self._with_each(clone)
@@ -461,7 +438,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
         for kind in ATTRIBUTES:
             columns = [mesh.arrays.attributes[kind] for mesh in parts]
             shared = [name for name in columns[0] if all(name in of_part for of_part in columns)]
-            arrays[kind] = {name: _joined_columns(name, [of_part[name] for of_part in columns]) for name in shared}
+            arrays[kind] = {
+                name: concatenate_columns(name, [of_part[name] for of_part in columns], "meshes") for name in shared
+            }
         uvs, textures = _joined_textures(parts)
         return cls.from_device_arrays(arrays | uvs, origin, parts[0].array_library, textures=textures)
 
@@ -572,19 +551,6 @@ def _numbered(parts: list[MeshArrays]) -> list[Any]:
         numbered.append(shift_triangles(triangles, start) if start else triangles)
         start += mesh.arrays["vertices"].size
     return numbered
-
-
-def _joined_columns(name: str, columns: list[Any]) -> Any:
-    first = columns[0]
-    for column in columns:
-        if column.dtype != first.dtype:
-            kinds = f"{first.dtype.__name__} and {column.dtype.__name__}"
-            raise TypeError(f"{escaped(name)}: expected one dtype in all meshes, got {kinds}. Convert one of them")
-        if column.shape[1:] != first.shape[1:]:
-            raise ValueError(
-                f"{name}: expected rows of one shape, got {list(first.shape[1:])} and {list(column.shape[1:])}"
-            )
-    return concatenate_rows(columns)
 
 
 def _joined_textures(parts: list[MeshArrays]) -> tuple[dict[str, wp.array], Textures]:

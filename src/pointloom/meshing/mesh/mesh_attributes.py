@@ -8,14 +8,13 @@ from typing import Any
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.array_libraries import NUMPY, library_of, owned
-from ...core.checks import check_name, check_numeric, is_on_gpu, shown
+from ...core.array_libraries import owned
+from ...core.checks import check_name, shown
 from ...core.escaped_text import escaped
-from ...core.gpu_arrays import take_column
 from ...kernels.array_types import Device
 from ...kernels.arrays.select import gather_rows
-from ...kernels.memory import upload
-from ...pcd.point_arrays import read_only
+from ...pcd.attribute_columns import upload_column
+from ...pcd.stored_arrays import read_only
 
 Arrays = dict[str, wp.array]
 
@@ -33,7 +32,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if check_name("name", name) in self._fields:
             raise KeyError(f"{name}: not a custom attribute. Assign mesh.{name}")
-        self._arrays[name] = self._taken(name, values)
+        self._arrays[name] = upload_column(name, values, self._count, self._device, of=self._of)
 
     def __delitem__(self, name: str) -> None:
         del self._arrays[name]
@@ -59,18 +58,6 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     def array(self, name: str) -> wp.array:
         """Device array of an attribute, shared. KeyError if missing."""
         return self._arrays[name]
-
-    def _taken(self, name: str, values: ArrayLike) -> wp.array:
-        if is_on_gpu(values):
-            return take_column(escaped(name), values, self._device, self._count)
-        column = check_numeric(escaped(name), values)
-        if column.ndim not in (1, 2) or len(column) != self._count:
-            expected = f"[{self._count}] or [{self._count}, c], one row per {self._of}"
-            raise ValueError(f"{escaped(name)}: expected shape {expected}, got {list(column.shape)}")
-        if column.dtype.itemsize > 8:
-            raise TypeError(f"{escaped(name)}: expected numbers of at most 64 bits, got {column.dtype}")
-        kind = wp.dtype_from_numpy(column.dtype.newbyteorder("="))
-        return upload(column, kind, self._device, copied=library_of(values) == NUMPY)
 
 
 def assign_all(attributes: MeshAttributes, given: Mapping[str, Any] | None) -> None:

@@ -37,7 +37,8 @@ from ...kernels.rays.triangle_voxels import VoxelFrame, read_counts, touched_col
 from ...kernels.surface.orientation import normalize_vectors
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.cloud import PointCloud
-from ...pcd.point_arrays import check_cloud, read_only
+from ...pcd.point_arrays import check_cloud
+from ...pcd.stored_arrays import read_only
 from .finite_corners import check_finite_corners
 from .mesh_arrays import check_mesh
 from .mesh_metrics import SurfaceMetrics, measure_both_ways, points_about

@@ -7,30 +7,29 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
-from ...core.array_libraries import NUMPY, hand_out_copy
+from ...core.array_libraries import NUMPY
 from ...core.up_axis import Direction
 from ...kernels.arrays.select import gather_rows
 from ...kernels.meshes.mesh_edits import gather_corners
+from ...pcd.point_store import ArrayStore
 from .mesh_attributes import Arrays, rows_of
 from .mesh_rows import ATTRIBUTES, PER_VERTEX
 
 Textures = tuple[NDArray[np.uint8], ...]
 
 
-class MeshStore(dict[str, wp.array]):
-    """Device arrays by name, for reading: those of `mesh.array`. `mesh.arrays` is one.
+class MeshStore(ArrayStore):
+    """Arrays of a mesh: those of `mesh.array`. `mesh.arrays` is one.
 
     Attributes:
         attributes: Arrays of `vertex_attributes` and `triangle_attributes` by name.
-        origin: Origin of the vertices [m], float64 (3,).
-        library: Library of returned arrays, see core/array_libraries.py.
         textures: Images, uint8 (height, width, 3 or 4), on the host.
         up: Up direction. None if unknown.
     """
 
-    __slots__ = ("attributes", "library", "origin", "textures", "up")
+    __slots__ = ("attributes", "textures", "up")
 
     def __init__(
         self, arrays: Mapping[str, Any], origin: NDArray[np.float64], library: str = NUMPY, *, textures: Textures = ()
@@ -43,10 +42,6 @@ class MeshStore(dict[str, wp.array]):
     @property
     def vertex_count(self) -> int:
         return self["vertices"].size
-
-    def hand_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """Convert a result to `library`. NumPy arrays share no memory with the CPU's device arrays."""
-        return hand_out_copy(array, self.library, dtype)
 
     def per_vertex(self) -> Arrays:
         return {name: values for name, values in self.items() if name in PER_VERTEX}

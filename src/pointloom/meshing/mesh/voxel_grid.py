@@ -13,7 +13,7 @@ from ...core.checks import check_finite, check_rows, check_shape
 from ...core.devices import resolve_device
 from ...core.exchange import hand_back, on_host
 from ...kernels.memory import check_room
-from ...pcd.point_arrays import read_only
+from ...pcd.stored_arrays import read_only
 
 
 class VoxelGrid(HintedNames):

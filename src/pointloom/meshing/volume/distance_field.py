@@ -73,11 +73,6 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
 
     _fixed = ("device", "voxel_size", "max_distance", "shape", "origin", "is_signed")
     _internal = ("blocks", "set_source")
-    device: Any
-    voxel_size: float
-    max_distance: float | None
-    origin: NDArray[np.float64]
-    shape: tuple[int, int, int] | None
     is_signed: bool
 
     def __init__(self) -> None:

@@ -27,19 +27,8 @@ def score_shifts(
     Voxels with at most `weight_threshold` frames are ignored. Shifts whose first points score below `min_score` stop
     early. With `is_coarse` a point scores 1 in any existing block."""
     with locked_objects([volume]):
-        return _score_shifts(volume, points, shifts, weight_threshold, min_score, is_coarse)
-
-
-def _score_shifts(
-    volume: TSDFVolume,
-    points: NDArray[np.float64],
-    shifts: NDArray[np.float64],
-    weight_threshold: float,
-    min_score: float,
-    is_coarse: bool,
-) -> NDArray[np.float32]:
-    blocks = volume.blocks
-    local_points: Any = upload(((points - volume.origin) / volume.voxel_size).astype(np.float32), vec3, blocks.device)
-    moves: Any = upload((shifts / volume.voxel_size).astype(np.float32), vec3, blocks.device)
-    scores = shift_scores.score_shifts(local_points, moves, blocks, weight_threshold, min_score, is_coarse=is_coarse)
-    return download(scores)  # sync
+        blocks, size = volume.blocks, volume.voxel_size
+        local_points: Any = upload(((points - volume.origin) / size).astype(np.float32), vec3, blocks.device)
+        moves: Any = upload((shifts / size).astype(np.float32), vec3, blocks.device)
+        limits = weight_threshold, min_score
+        return download(shift_scores.score_shifts(local_points, moves, blocks, *limits, is_coarse=is_coarse))  # sync
