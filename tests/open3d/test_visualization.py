@@ -210,7 +210,7 @@ def window(monkeypatch, capsys):
 
 def press(control, value=None):
     """Press a button of the page, or set a value, and wait until the program has been called."""
-    handle, done = control._handles[0], threading.Event()
+    handle, done = control._state.handles[0], threading.Event()
     for callback in handle._callbacks:
         callback(SimpleNamespace(client_id=0, value=value, target=handle))
     control._controls._calls.call(0, done.set)

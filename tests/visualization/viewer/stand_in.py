@@ -169,7 +169,7 @@ class Page:
 @contextlib.contextmanager
 def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
     visitor = viewer.server.pages._welcome({"say": "hello", "size": list(size), "version": 1}, lambda: None)
-    page = Page(visitor._outbox, viewer.server.pages._delivery, visitor.take, visitor._client)
+    page = Page(visitor._outbox, viewer.server.pages.delivery, visitor.take, visitor._client)
     page.run_callbacks()
     try:
         yield page

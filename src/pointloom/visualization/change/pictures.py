@@ -36,7 +36,7 @@ UNCHANGED, UNKNOWN = "not significant", "no distance"
 
 
 @explain_argument_errors
-def paint_change(cloud: PointCloud, change: Any, *, limit: float | None = None) -> PointCloud:
+def paint_change(cloud: PointCloud, change: object, *, limit: float | None = None) -> PointCloud:
     """Color the points of a cloud by signed distance: red positive, blue negative, gray not significant.
 
     Args:
@@ -63,12 +63,12 @@ def paint_change(cloud: PointCloud, change: Any, *, limit: float | None = None) 
 @explain_argument_errors
 def draw_change(
     cloud: PointCloud,
-    change: Any,
+    change: object,
     path: str | os.PathLike[str] | None = None,
     *,
     limit: float | None = None,
     title: str = "change",
-    camera: Any = None,
+    camera: object = None,
     size: tuple[int, int] = (1280, 960),
     point_size: float | None = None,
     overwrite: bool = True,
@@ -114,7 +114,7 @@ def draw_change(
     return picture
 
 
-def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring, list[tuple[str, Any]]]:
+def _painted(cloud: Any, change: Any, limit: object) -> tuple[PointCloud, Coloring, list[tuple[str, Any]]]:
     """The colored cloud, its coloring, and the legend entries for gray."""
     check_cloud("cloud", cloud)
     distances, changed = _distances_of(change)
@@ -129,7 +129,7 @@ def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring,
     return painted, dataclasses.replace(coloring, has_missing=False), [(", ".join(gray), MISSING_COLOR)] if gray else []
 
 
-def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def _distances_of(change: object) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     if isinstance(change, M3C2Result | CloudToMeshResult):
         return asnumpy(change.distances), asnumpy(change.is_significant)
     values = check_numeric("change", on_host("change", change)).astype(np.float64)

@@ -53,7 +53,7 @@ def find_view(view: View | dict[str, Any] | None, timeline: Timeline, look: Any,
     return view if isinstance(view, View) else _view_by_parameters(timeline, view, width, height)
 
 
-def check_look(view: Any) -> View | dict[str, Any] | None:
+def check_look(view: object) -> View | dict[str, Any] | None:
     """Validate a view, or Open3D's parameters of one on a test box."""
     if view is None or isinstance(view, View):
         return view
@@ -94,7 +94,9 @@ def _seen_points(timeline: Timeline, points_of: Callable[[Shape], NDArray[np.flo
 class Film:
     """Renders the frames of a timeline from a view in world coordinates (its size is ignored)."""
 
-    def __init__(self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: Any = None):
+    def __init__(
+        self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: object = None
+    ):
         self.timeline, self.width, self.height, self.background = timeline, width, height, background
         self._names = _plotted(timeline, width, height)
         self._picture_height = _picture_height(timeline, width, height)
@@ -127,7 +129,7 @@ class Film:
 class _Plots:
     """The strip of plots. The static part is drawn once."""
 
-    def __init__(self, timeline: Timeline, names: Sequence[str], width: int, height: int, device: Any):
+    def __init__(self, timeline: Timeline, names: Sequence[str], width: int, height: int, device: object):
         self._names, self._count = names, len(timeline.frames)
         self._values = [np.array([frame.values.get(name, math.nan) for frame in timeline.frames]) for name in names]
         self._panel, self._height = width / max(len(names), 1), height
@@ -225,7 +227,7 @@ def _sized(view: View, width: int, height: int) -> View:
 class Stills:
     """Renders the frames of a timeline. Unchanged shapes stay on the device (None: CPU)."""
 
-    def __init__(self, timeline: Timeline, view: View, background: Triple, device: Any):
+    def __init__(self, timeline: Timeline, view: View, background: Triple, device: object):
         self._timeline, self._background, self._device = timeline, background, resolve_device(device)
         T = view.T_world_camera.copy()
         T[:3, 3] -= timeline.origin  # origin of the shapes, so that no large numbers are rounded

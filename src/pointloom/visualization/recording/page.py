@@ -95,7 +95,7 @@ def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[An
             file.write(texts[piece].encode("utf-8", "replace"))
 
 
-def _json_in_html(value: Any) -> str:
+def _json_in_html(value: object) -> str:
     """JSON that cannot end its HTML element."""
     text = json.dumps(value, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
@@ -166,7 +166,7 @@ class _Table:
         self.rows: list[Any] = []
         self._numbers: dict[Any, int] = {}
 
-    def add(self, row: Any) -> int:
+    def add(self, row: object) -> int:
         number = self._numbers.setdefault(row, len(self.rows))
         if number == len(self.rows):
             self.rows.append(row)
@@ -254,14 +254,14 @@ def _outermost(shape: Shape) -> NDArray[np.float64]:
     return np.unique(np.concatenate([sample[extents.argmax(axis=0)], axes]), axis=0).astype(np.float64)
 
 
-def _check_background(background: Any) -> list[float]:
+def _check_background(background: object) -> list[float]:
     values = check_finite("background", check_shape("background", background, (3,)))
     if values.min() < 0 or values.max() > 1:
         raise ValueError(f"background: expected numbers from 0 to 1, got {values.tolist()}")
     return values.tolist()
 
 
-def _check_timeline(timeline: Any) -> None:
+def _check_timeline(timeline: object) -> None:
     if not isinstance(timeline, Timeline):
         raise TypeError(f"timeline: expected a Timeline, got {type(timeline).__name__}")
     check_finite("timeline.origin", check_shape("timeline.origin", timeline.origin, (3,)))

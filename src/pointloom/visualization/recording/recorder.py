@@ -162,7 +162,7 @@ class Recorder(Serialized):
     def __repr__(self) -> str:
         return f"Recorder({escaped(self.path)}, {len(self._frames)} frames, {len(self._store.shapes)} shapes)"
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
         """For notebooks: the recording, once it is written."""
         from .cell_output import recorder_output
 
@@ -190,7 +190,7 @@ class Recorder(Serialized):
             except Exception as second:  # the first error is the one to report
                 error.add_note(f"and the recording could not be written: {second}")
 
-    def add(self, name: str, geometry: Any, **style: Any) -> None:
+    def add(self, name: str, geometry: object, **style: Any) -> None:
         """Show a geometry from the next step on, replacing one of the same name.
 
         Args:
@@ -206,14 +206,14 @@ class Recorder(Serialized):
         self._set(name, sketch(geometry, chosen, self.max_points), chosen, pose)
         self._up = self._up or up_of_geometry(geometry, chosen.pose)
 
-    def update(self, name: str, geometry: Any, **style: Any) -> None:
+    def update(self, name: str, geometry: object, **style: Any) -> None:
         """Replace a geometry. Style and pose are kept unless given. Raises `KeyError` or as `add`."""
         entry = self._known(name)
         chosen = dataclasses.replace(entry.style, **fields_of(style))
         pose = entry.pose if chosen.pose is None else None
         self._set(name, sketch(geometry, chosen, self.max_points), chosen, pose)
 
-    def set_pose(self, name: str, pose: Any) -> None:
+    def set_pose(self, name: str, pose: object) -> None:
         """Set the pose (4x4, geometry to world) of a geometry without a copy of it.
 
         Raises `KeyError` for an unknown name and `ValueError` if `pose` is not a transformation.
@@ -361,7 +361,7 @@ class Recorder(Serialized):
         return ", ".join([self._title, *notes] if self._title else notes)
 
 
-def check_picture_size(size: Any) -> tuple[int, int]:
+def check_picture_size(size: object) -> tuple[int, int]:
     if not isinstance(size, tuple | list) or len(size) != 2:
         raise ValueError(f"size: expected width and height, got {size!r}")
     limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are kept in memory"}

@@ -32,7 +32,7 @@ class Stage:
     def max_points(self) -> int:
         return self.recorder.max_points
 
-    def show(self, name: str, geometry: Any, *, fraction: int = 1, **style: Any) -> None:
+    def show(self, name: str, geometry: object, *, fraction: int = 1, **style: Any) -> None:
         """Show a geometry with a fraction 1 / `fraction` of the points."""
         self.recorder._show(name, [(geometry, style)], max(self.max_points // fraction, 1), self)
 

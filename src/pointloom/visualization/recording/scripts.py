@@ -115,7 +115,7 @@ class Clusters(Script):
     def events(self) -> dict[str, Callable[..., None]]:
         return {"clusters": self.clusters}
 
-    def clusters(self, cloud: PointCloud, labels: Any, **_: Any) -> None:
+    def clusters(self, cloud: PointCloud, labels: object, **_: Any) -> None:
         rows = spread_rows(len(cloud), self.stage.max_points)
         chosen, cluster_labels = cloud.select_by_index(rows), download(labels)[rows]
         self.look = self.look or look_at(chosen)
@@ -151,7 +151,7 @@ class Planes(Script):
     def events(self) -> dict[str, Callable[..., None]]:
         return {"plane": self.plane}
 
-    def plane(self, cloud: PointCloud, inliers: Any, model: Any, number: int | None = None, **_: Any) -> None:
+    def plane(self, cloud: PointCloud, inliers: object, model: Any, number: int | None = None, **_: Any) -> None:
         """Points of a plane. Without a number it is the only plane."""
         if cloud is not self._cloud or not number:
             self._cloud, self._inliers = cloud, []
@@ -245,7 +245,7 @@ class Fusion(Travel):
     def events(self) -> dict[str, Callable[..., None]]:
         return {"integrate": self.integrate, "track": self.track, "loops": self.loops, "rgbd_odometry": self.odometry}
 
-    def integrate(self, volume: Any, intrinsic: Any, T_world_camera: Matrix, **_: Any) -> None:
+    def integrate(self, volume: Any, intrinsic: object, T_world_camera: Matrix, **_: Any) -> None:
         if volume is not self._volume:
             self._begin(volume)
         self._count += 1
@@ -283,7 +283,7 @@ class Fusion(Travel):
         count = len(closure.loops)
         self.stage.step(f"{count} loop{'' if count == 1 else 's'} closed")
 
-    def odometry(self, source: Any, target: Any, intrinsic: Any, result: Any, **_: Any) -> None:
+    def odometry(self, source: Any, target: object, intrinsic: Any, result: Any, **_: Any) -> None:
         """A frame was aligned with another. The path continues if that was the last one."""
         if target is not self._image:
             self._pose = np.eye(4)
@@ -306,7 +306,7 @@ class Fusion(Travel):
             self._draw_surface()
             self.stage.step(f"the surface of {self._count} frames")
 
-    def _begin(self, volume: Any) -> None:
+    def _begin(self, volume: object) -> None:
         self.finish()
         self.path, self._volume, self._camera = [], volume, None
         self._count, self._shown, self._surfaces, self._every = 0, (0, 0), 0, SURFACE_EVERY
@@ -338,7 +338,7 @@ class Drive(Travel):
     def events(self) -> dict[str, Callable[..., None]]:
         return {"scan": self.scan}
 
-    def scan(self, odometry: Any, scan: PointCloud, step: Any, **_: Any) -> None:
+    def scan(self, odometry: object, scan: PointCloud, step: Any, **_: Any) -> None:
         if odometry is not self._odometry:
             self._odometry, self.path, self._every = odometry, [], SURFACE_EVERY
         self._scans = step.index + 1

@@ -43,7 +43,7 @@ class Sketch:
     device: Any = None
 
 
-def sketch(geometry: Any, style: Style, max_points: int) -> Sketch:
+def sketch(geometry: object, style: Style, max_points: int) -> Sketch:
     """Convert a geometry. Larger clouds are sampled and larger meshes simplified to `max_points`."""
     parts = parts_of(geometry, style)
     origin = parts[0].origin if parts else np.zeros(3)

@@ -35,7 +35,7 @@ FASTEST_GIF = 50.0  # [1/s] viewers slow down delays below 2/100 s
 PALETTE_FRAMES = 12  # frames that define the colors of a GIF
 
 
-def check_recording(path: str | Path, *, fps: float, background: Any, overwrite: bool) -> None:
+def check_recording(path: str | Path, *, fps: float, background: object, overwrite: bool) -> None:
     """Check format, path and ffmpeg before any work. Raises FileError or ValueError."""
     suffix = Path(path).suffix.lower()
     if suffix not in RECORDINGS:
@@ -58,7 +58,7 @@ def write_recording(
     background: Triple,
     overwrite: bool,
     report_progress: ReportProgress,
-    device: Any = None,
+    device: object = None,
 ) -> None:
     """Write a recording atomically in the format of the suffix. Raises FileError."""
     suffix = Path(path).suffix.lower()

@@ -59,13 +59,13 @@ class Canvas:
         self.sheet, self.device = Sheet(picture, self.width, self.height), picture.device
 
     @classmethod
-    def blank(cls, width: int, height: int, background: Color = LIGHT_COLOR, device: Any = None) -> Self:
+    def blank(cls, width: int, height: int, background: Color = LIGHT_COLOR, device: object = None) -> Self:
         width, height = check_count("width", width), check_count("height", height)
         pixels = np.tile(np.array(_color_bytes("background", background), np.uint8), width * height)
         return cls(upload(pixels, uint8, resolve_device(device)), width, height)
 
     @classmethod
-    def of_image(cls, image: NDArray[np.uint8], device: Any = None) -> Self:
+    def of_image(cls, image: NDArray[np.uint8], device: object = None) -> Self:
         values = _check_image(image)
         return cls(upload(values.ravel(), uint8, resolve_device(device)), values.shape[1], values.shape[0])
 
@@ -226,7 +226,7 @@ def _color_bytes(name: str, color: Color) -> tuple[int, int, int]:
     return red, green, blue
 
 
-def _check_image(image: Any) -> NDArray[np.uint8]:
+def _check_image(image: object) -> NDArray[np.uint8]:
     values = np.asarray(unmasked("image", image))
     if values.ndim != 3 or values.shape[2] != 3 or values.dtype != np.uint8 or not values.size:
         is_clear = values.ndim == 3 and values.shape[2] == 4

@@ -189,11 +189,11 @@ def name_labels(seen: list[int], attribute: str) -> dict[int, str]:
     return names
 
 
-def _is_raised(flag: Any) -> bool:
+def _is_raised(flag: object) -> bool:
     return bool(download(flag)[0])  # sync
 
 
-def _check_limits(limits: Any) -> tuple[float, float]:
+def _check_limits(limits: object) -> tuple[float, float]:
     low, high = check_finite("limits", check_shape("limits", limits, (2,))).tolist()
     if not low < high:
         raise ValueError(f"limits: expected (low, high) with low < high, got {shown(limits)}")

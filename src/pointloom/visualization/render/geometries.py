@@ -57,7 +57,7 @@ CLOUD_COLORS: tuple[Triple, ...] = (
 Named = tuple[str, Any, Style]
 
 
-def named_geometries(geometries: Any) -> list[Named]:
+def named_geometries(geometries: object) -> list[Named]:
     """Unique names and styles of geometries, given as one, a list, a mapping, or dictionaries as in Open3D's `draw`.
 
     Raises TypeError for unsupported types and ValueError for unknown style keys or values out of range.
@@ -122,14 +122,14 @@ def _with_distinct_colors(named: list[Named]) -> list[Named]:
     return [(n, g, dataclasses.replace(s, color=colors[n]) if n in colors else s) for n, g, s in named]
 
 
-def _has_colors(cloud: Any) -> bool:
+def _has_colors(cloud: object) -> bool:
     if isinstance(cloud, PointCloud):
         return bool(cloud.has_colors)
     colors = getattr(cloud, "colors", None)
     return colors is not None and len(colors) > 0
 
 
-def kind_of(geometry: Any) -> str:
+def kind_of(geometry: object) -> str:
     """Default name of a geometry. Raises TypeError if it cannot be drawn."""
     return _entry_of(as_known(geometry))[0]
 
@@ -147,7 +147,7 @@ def as_known(geometry: Any) -> Any:
     return np.from_dlpack(geometry)
 
 
-def parts_of(geometry: Any, style: Style | None = None, device: Any = None) -> list[Part]:
+def parts_of(geometry: object, style: Style | None = None, device: object = None) -> list[Part]:
     """Drawn parts of a geometry on a device (None: that of the geometry, else the CPU). Arrays on it are shared.
 
     Raises TypeError if it cannot be drawn and ValueError for inconsistent arrays.
@@ -189,13 +189,13 @@ def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
 
 
 def _points(
-    positions: Any,
+    positions: object,
     origin: NDArray[np.float64],
-    colors: Any,
-    normals: Any,
+    colors: object,
+    normals: object,
     style: Style,
     has_own: bool,
-    coloring: Any = None,
+    coloring: object = None,
 ) -> Points:
     """Points. Their own colors are unlit unless the style requires lighting."""
     return Points(
@@ -242,7 +242,7 @@ def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
     return [_points(cloud.arrays["points"], cloud.origin, *arrays, style, len(colors) > 0)]
 
 
-def optional_rows(holder: Any, name: str, rows: int) -> NDArray[np.float32]:
+def optional_rows(holder: object, name: str, rows: int) -> NDArray[np.float32]:
     """An attribute with one row per element, or no rows if missing. Colors 0 to 1."""
     values = getattr(holder, name, None)
     if values is None or len(values) == 0:
@@ -273,18 +273,18 @@ def _surface_style(style: Style) -> dict[str, Any]:
     return chosen | {name: value for name, value in decided.items() if value is not None}
 
 
-def _of_voxels(grid: VoxelGrid, style: Style, device: Any) -> list[Part]:
+def _of_voxels(grid: VoxelGrid, style: Style, device: object) -> list[Part]:
     parts: list[Part] = voxel_parts(grid, _surface_style(style), device)
     return parts
 
 
-def _of_hull(hull: ConvexHull, style: Style, device: Any) -> list[Part]:
+def _of_hull(hull: ConvexHull, style: Style, device: object) -> list[Part]:
     if style.wireframe is False:
         return _of_mesh(hull, style, device)
     return [_lines(outlines.of_triangles(hull.vertices, hull.triangles), style, device)]
 
 
-def _of_tsdf(volume: TSDFVolume, style: Style, device: Any) -> list[Part]:
+def _of_tsdf(volume: TSDFVolume, style: Style, device: object) -> list[Part]:
     return _of_mesh(volume.extract_triangle_mesh(), style, device)
 
 
@@ -319,7 +319,7 @@ _KINDS: list[tuple[type, Entry]] = [
 ]
 
 
-def _entry_of(geometry: Any) -> Entry:
+def _entry_of(geometry: object) -> Entry:
     if isinstance(geometry, type):
         raise TypeError(f"geometries: expected a geometry, got the class {geometry.__name__}")
     if isinstance(geometry, str | os.PathLike):

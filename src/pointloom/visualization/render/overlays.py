@@ -63,7 +63,7 @@ class Overlays:
             draw_scale_bar(canvas, view, middle, self.unit, **ink)
 
 
-def check_labels(labels: Any) -> list[tuple[str, NDArray[np.float64]]]:
+def check_labels(labels: object) -> list[tuple[str, NDArray[np.float64]]]:
     checked = []
     for entry in check_list("labels", [] if labels is None else labels, "texts with positions"):
         text, position = _pair("labels", entry, "a text and a position")
@@ -71,7 +71,7 @@ def check_labels(labels: Any) -> list[tuple[str, NDArray[np.float64]]]:
     return checked
 
 
-def check_legend(legend: Any) -> Any:
+def check_legend(legend: object) -> Any:
     """Names with colors, or whether there is a legend."""
     if legend is None or legend is False or legend is True:
         return legend
@@ -83,7 +83,7 @@ def check_legend(legend: Any) -> Any:
     return checked
 
 
-def check_bar(color_bar: Any, parts: Sequence[Part]) -> Coloring | None:
+def check_bar(color_bar: object, parts: Sequence[Part]) -> Coloring | None:
     if color_bar is None or color_bar is False or isinstance(color_bar, Coloring):
         return color_bar or None
     if color_bar is not True:

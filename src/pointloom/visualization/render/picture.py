@@ -35,7 +35,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
     def __new__(cls, pixels: NDArray[np.uint8]) -> Picture:
         return np.asarray(pixels).view(cls)
 
-    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+    def __array_wrap__(self, array: Any, context: object = None, return_scalar: bool = False) -> Any:
         return array[()] if return_scalar else np.asarray(array)
 
     def _is_image(self) -> bool:

@@ -73,7 +73,7 @@ def write_image(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite:
         file.write(data)
 
 
-def _check_bytes(image: Any) -> NDArray[np.uint8]:
+def _check_bytes(image: object) -> NDArray[np.uint8]:
     if not isinstance(image, np.ndarray) or image.dtype != np.uint8:
         kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
         raise TypeError(f"image: expected a NumPy array of uint8, got {kind}")

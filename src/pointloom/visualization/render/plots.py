@@ -46,7 +46,7 @@ MM_PER_METER = 1000.0
 OCCUPIED_COLOR, UNKNOWN_COLOR = (26, 26, 26), (153, 153, 153)  # of 255
 
 
-def check_plot(path: Any, *, overwrite: bool) -> None:
+def check_plot(path: object, *, overwrite: bool) -> None:
     """Check matplotlib, extension and path before any work. Raises FileError."""
     check_picture(path, overwrite=overwrite)
     import_for(path, "matplotlib.figure", "plot")

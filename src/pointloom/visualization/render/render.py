@@ -42,16 +42,16 @@ SHADINGS = ("smooth", "flat", "none")
 
 @overload
 def render(
-    geometries: Any, camera: Any = None, *args: Any, depth: Literal[False] = False, **options: Any
+    geometries: object, camera: object = None, *args: Any, depth: Literal[False] = False, **options: Any
 ) -> Picture: ...
 @overload
 def render(
-    geometries: Any, camera: Any = None, *args: Any, depth: Literal[True], **options: Any
+    geometries: object, camera: object = None, *args: Any, depth: Literal[True], **options: Any
 ) -> tuple[Picture, NDArray[np.float32]]: ...
 @explain_argument_errors
 def render(
-    geometries: Any,
-    camera: Any = None,
+    geometries: object,
+    camera: object = None,
     size: tuple[int, int] = (1280, 960),
     *,
     point_size: float | None = None,
@@ -61,12 +61,12 @@ def render(
     background: Triple | str = (1.0, 1.0, 1.0),
     shading: str | None = None,
     labels: Iterable[tuple[str, Any]] | None = None,
-    legend: Any = None,
-    color_bar: Any = None,
+    legend: object = None,
+    color_bar: object = None,
     scale_bar: bool = False,
     up: str | Triple | None = None,
     depth: bool = False,
-    device: Any = None,
+    device: object = None,
 ) -> Any:
     """Render an image of clouds, meshes, lines, boxes, cameras, trajectories and voxel grids.
 
@@ -155,7 +155,7 @@ def render(
 
 
 def _groups_of(
-    named: Sequence[Named], for_all: Style, shading: str | None, device: Any, *, on_dark: bool
+    named: Sequence[Named], for_all: Style, shading: str | None, device: object, *, on_dark: bool
 ) -> list[list[Part]]:
     groups = [parts_of(geometry, style.over(for_all), device) for _, geometry, style in named]
     if shading is not None:
@@ -192,7 +192,7 @@ def _all_of(groups: list[list[Part]]) -> list[Part]:
 
 
 def resolve_view(
-    camera: Any, scene: Scene, width: int, height: int, *, inset_choices: Sequence[Insets] = (), up: Triple = UP
+    camera: object, scene: Scene, width: int, height: int, *, inset_choices: Sequence[Insets] = (), up: Triple = UP
 ) -> View:
     """View for the `camera` of `render`. A fitted view uses those of `inset_choices` that allow the closest view."""
     if camera is None:
@@ -243,7 +243,7 @@ def _shaded(part: Part, shading: str) -> Part:
     return dataclasses.replace(part, normals=normals, lit=True)
 
 
-def device_of(named: Sequence[Named], device: Any) -> Any:
+def device_of(named: Sequence[Named], device: object) -> Any:
     """The given device, else that of the first geometry that has one."""
     if device is None:
         devices = (getattr(geometry, "device", None) for _, geometry, _ in named)
@@ -275,7 +275,7 @@ NAMED_COLORS: dict[str, Triple] = {
 MAX_DARK_LUMINANCE = 0.25  # luminance of a background below which lines without a color are light
 
 
-def check_background(background: Any) -> Triple | None:
+def check_background(background: object) -> Triple | None:
     """Background color, None if transparent. Raises TypeError or ValueError."""
     if isinstance(background, str):
         if background != TRANSPARENT and background not in NAMED_COLORS:

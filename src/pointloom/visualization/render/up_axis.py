@@ -20,7 +20,7 @@ def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
     return next(filter(None, (up_of_geometry(geometry, pose) for geometry, pose in geometries)), UP)
 
 
-def up_of_geometry(geometry: Any, pose: Any = None) -> Triple | None:
+def up_of_geometry(geometry: object, pose: Any = None) -> Triple | None:
     """Up axis of a geometry under its 4x4 pose. None if undefined."""
     up = geometry.up if isinstance(geometry, MeshArrays) else None
     return up if pose is None else transform_up_vector(up, pose[:3, :3])

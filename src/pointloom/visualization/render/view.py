@@ -128,7 +128,7 @@ class View:
 
 
 def fit_view(
-    points: Any,
+    points: object,
     *,
     direction: Triple = (-0.65, 0.7, -0.75),
     up: Triple = (0.0, 0.0, 1.0),
@@ -198,7 +198,7 @@ def _shortened(first: int, last: int, length: int) -> tuple[float, float]:
     return first * fraction, last * fraction
 
 
-def check_view(view: Any) -> View:
+def check_view(view: object) -> View:
     if not isinstance(view, View):
         raise TypeError(f"view: expected a View, got {type(view).__name__}")
     return view

@@ -116,7 +116,7 @@ def diagonal(bounds: Bounds) -> float:
     return float(np.linalg.norm(bounds[1] - bounds[0])) or 1.0
 
 
-def read_parameters(view: Any) -> View | dict[str, Any] | None:
+def read_parameters(view: object) -> View | dict[str, Any] | None:
     if view is None or isinstance(view, View):
         return view
     if isinstance(view, str | os.PathLike):

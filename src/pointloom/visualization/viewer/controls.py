@@ -2,19 +2,32 @@
 
 from __future__ import annotations
 
+import dataclasses
 import threading
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ...core.checks import check_callback, check_list, check_name, check_number, check_positive, shown
 from .callback_queue import Calls
 from .keys import check_hotkey
+
+if TYPE_CHECKING:
+    from .link import Gui, PanelEvent
 
 DEFAULT_FOLDER, FOLDER_ORDER = "Program", 0.7  # below the point count and the active tool, above all other folders
 SLIDER_STEPS = 100  # default number of slider steps
 MAX_TEXT = 16_384  # characters
 
 Check = Callable[[Any], Any]
+
+
+@dataclasses.dataclass(eq=False)
+class ControlState:
+    """Value of a control and its handles in the pages. The first is the control itself; none after its removal."""
+
+    value: Any
+    check: Check | None
+    handles: list[Any] = dataclasses.field(default_factory=list)
 
 
 class Control:
@@ -33,13 +46,12 @@ class Control:
         (0.1, 'voxel size')
     """
 
-    def __init__(self, label: str, folder: str, value: Any, check: Check | None, controls: Controls):
+    def __init__(self, label: str, folder: str, state: ControlState, controls: Controls):
         self.label, self.folder = label, folder
-        self._value, self._check, self._controls = value, check, controls
-        self._handles: list[Any] = []  # of the link. The first is the control itself
+        self._state, self._controls = state, controls
 
     def __repr__(self) -> str:
-        value = "" if self._check is None else f", {self._value!r}"
+        value = "" if self._state.check is None else f", {self._state.value!r}"
         return f"Control({self.label!r}{value})"
 
     @property
@@ -48,23 +60,24 @@ class Control:
 
         Raises `TypeError` for a button or a value of another type, `ValueError` for a value out of range.
         """
-        return self._value
+        return self._state.value
 
     @value.setter
-    def value(self, value: Any) -> None:
-        if self._check is None:
+    def value(self, value: object) -> None:
+        state = self._state
+        if state.check is None:
             raise TypeError(f"value: the button {self.label!r} has no value")
-        self._value = self._check(value)
-        if self._handles:
-            self._handles[0].value = self._value
+        state.value = state.check(value)
+        if state.handles:
+            state.handles[0].value = state.value
 
     def remove(self) -> None:
         """Remove the control from the panel. A second call has no effect."""
-        self._controls.remove(self)
+        self._controls.remove(self, self._state)
 
 
 class Controls:
-    def __init__(self, gui: Any, calls: Calls, bind: Callable[[str, str, Callable[[int | None], None]], Any]):
+    def __init__(self, gui: Gui, calls: Calls, bind: Callable[[str, str, Callable[[int | None], None]], Any]):
         self._gui, self._calls, self._bind = gui, calls, bind
         self._lock = threading.RLock()
         self._folders: dict[str, tuple[Any, list[Control]]] = {}
@@ -77,15 +90,16 @@ class Controls:
         def make(name: str) -> Any:
             return self._gui.add_button(name if key is None else f"{name} ({key})", hint=hint)
 
-        control = self._add(label, folder, None, None, make)
+        state = ControlState(None, None)
+        control = self._add(label, folder, state, make)
 
         def press(client: int | None) -> None:
-            if control._handles:
+            if state.handles:
                 calls.call(client, lambda: callback(client))
 
-        control._handles[0].on_click(lambda event: press(event.client_id))
+        state.handles[0].on_click(lambda event: press(event.client_id))
         if key is not None:
-            control._handles.append(self._bind(key, control.label, press))
+            state.handles.append(self._bind(key, control.label, press))
         return control
 
     def add_slider(self, label: str, low: Any, high: Any, value: Any, callback: Any, step: Any, folder: str) -> Control:
@@ -101,7 +115,7 @@ class Controls:
         if step > last - first:
             raise ValueError(f"step: expected at most high - low, {last - first:g}, got {step:g}")
 
-        def check(new: Any) -> Any:
+        def check(new: object) -> Any:
             number = check_number("value", new)
             if not first <= number <= last:
                 raise ValueError(f"value: expected {first:g} to {last:g}, got {number:g}")
@@ -109,11 +123,15 @@ class Controls:
 
         start = check(value)
         ends = kind(first), kind(last), kind(step)
-        return self._add(label, folder, start, check, lambda name: self._gui.add_slider(name, *ends, start), callback)
+        return self._add(
+            label, folder, ControlState(start, check), lambda name: self._gui.add_slider(name, *ends, start), callback
+        )
 
     def add_checkbox(self, label: str, value: Any, callback: Any, folder: str) -> Control:
         start = _check_flag(value)
-        return self._add(label, folder, start, _check_flag, lambda name: self._gui.add_checkbox(name, start), callback)
+        return self._add(
+            label, folder, ControlState(start, _check_flag), lambda name: self._gui.add_checkbox(name, start), callback
+        )
 
     def add_dropdown(self, label: str, options: Any, callback: Any, value: Any, folder: str) -> Control:
         known = tuple(check_name("options", option) for option in check_list("options", options, "strings"))
@@ -126,15 +144,19 @@ class Controls:
             return new
 
         start = known[0] if value is None else check(value)
-        return self._add(label, folder, start, check, lambda name: self._gui.add_dropdown(name, known, start), callback)
+        return self._add(
+            label, folder, ControlState(start, check), lambda name: self._gui.add_dropdown(name, known, start), callback
+        )
 
     def add_text(self, label: str, value: Any, callback: Any, folder: str) -> Control:
         start = _check_text(value)
-        return self._add(label, folder, start, _check_text, lambda name: self._gui.add_text(name, start), callback)
+        return self._add(
+            label, folder, ControlState(start, _check_text), lambda name: self._gui.add_text(name, start), callback
+        )
 
-    def remove(self, control: Control) -> None:
+    def remove(self, control: Control, state: ControlState) -> None:
         with self._lock:
-            handles, control._handles = control._handles, []
+            handles, state.handles = state.handles, []
             for handle in handles:
                 handle.remove()
             folder, within = self._folders.get(control.folder, (None, []))
@@ -145,35 +167,35 @@ class Controls:
                 folder.remove()
 
     def _add(
-        self, label: str, folder: str, value: Any, check: Check | None, make: Callable[[str], Any], callback: Any = None
+        self, label: str, folder: str, state: ControlState, make: Callable[[str], Any], callback: Any = None
     ) -> Control:
         check_callback("callback", callback)
-        control = Control(_check_label("label", label), _check_label("folder", folder), value, check, self)
+        control = Control(_check_label("label", label), _check_label("folder", folder), state, self)
         with self._lock:
             if folder not in self._folders:
                 self._folders[folder] = self._gui.add_folder(folder, order=FOLDER_ORDER), []
             folder_handle, within = self._folders[folder]
             with folder_handle:
-                control._handles.append(make(label))
+                state.handles.append(make(label))
             within.append(control)
-        if check is not None:
-            control._handles[0].on_update(lambda event: self._take(control, event.client_id, event.value, callback))
+        if state.check is not None:
+            state.handles[0].on_update(lambda event: self._apply(control, state, event, callback))
         return control
 
-    def _take(self, control: Control, client: int | None, value: Any, callback: Any) -> None:
+    def _apply(self, control: Control, state: ControlState, event: PanelEvent, callback: Any) -> None:
         """Store a value set by a page (validated by the link) and call the callback."""
-        assert control._check is not None
-        if client is None or not control._handles:  # set by the program, or removed
+        assert state.check is not None
+        if not state.handles:  # removed
             return
         try:
-            new = control._value = control._check(value)
+            new = state.value = state.check(event.value)
         except (TypeError, ValueError):
             return
         if callback is not None:
-            self._calls.call(client, lambda: callback(new), control)
+            self._calls.call(event.client_id, lambda: callback(new), control)
 
 
-def _check_flag(value: Any) -> bool:
+def _check_flag(value: object) -> bool:
     if not isinstance(value, bool) and type(value).__name__ not in ("bool", "bool_"):
         raise TypeError(f"value: expected True or False, got {shown(value)}")
     return bool(value)

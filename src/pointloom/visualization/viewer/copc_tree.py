@@ -130,13 +130,13 @@ class CopcTree(NodesInView):
         colors = None if table.colors is None else to_bytes(table.colors)
         return Node(positions, middle, half, self.indices_of(i), colors)
 
-    def colors_of(self, indices: Any) -> NDArray[np.uint8] | None:
+    def colors_of(self, indices: object) -> NDArray[np.uint8] | None:
         """Colors of points in the file, uint8 (k, 3), or None."""
         if not self.has_colors:
             return None
         return self.paint(indices, lambda cloud: np.asarray(to_bytes(np.asarray(cloud.colors))))
 
-    def paint(self, indices: Any, paint: Callable[[PointCloud], NDArray[Any]]) -> NDArray[Any]:
+    def paint(self, indices: object, paint: Callable[[PointCloud], NDArray[Any]]) -> NDArray[Any]:
         """Apply `paint` (cloud to rows) to the nodes of points, whose indices (k,) are grouped by node."""
         indices = np.asarray(indices, np.int64)
         if not len(indices):

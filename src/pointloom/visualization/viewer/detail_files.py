@@ -30,7 +30,7 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
 
 @quiet()
 def columns_of(
-    path: Any, part: PointTable, origin: NDArray[np.float64], attributes: Sequence[str]
+    path: object, part: PointTable, origin: NDArray[np.float64], attributes: Sequence[str]
 ) -> dict[str, NDArray[Any]]:
     """Columns of a part for a tree: positions relative to an origin, uint8 colors, attributes prefixed by a dot."""
     columns: dict[str, NDArray[Any]] = {"positions": (part.points - origin).astype(np.float32)}

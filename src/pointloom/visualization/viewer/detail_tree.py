@@ -148,7 +148,7 @@ class DetailTree(NodesInView):
         path: str | os.PathLike[str],
         *,
         attributes: Sequence[str] = (),
-        device: Any = None,
+        device: object = None,
         progress: ReportProgress | None = None,
     ) -> DetailTree:
         """Build the tree of a file. Binary PLY and PCD, LAS and LAZ are read in parts, other formats at once.

@@ -42,15 +42,15 @@ MAX_OPEN = 16  # viewers per kernel: fewer than the ports that are tried
 
 @explain_argument_errors
 def draw(
-    geometries: Any,
+    geometries: object,
     width: int = 1280,
     height: int = 960,
     point_show_normal: bool = False,
     mesh_show_wireframe: bool = False,
     mesh_show_back_face: bool = False,
-    lookat: Any = None,
-    up: Any = None,
-    front: Any = None,
+    lookat: object = None,
+    up: object = None,
+    front: object = None,
     zoom: float | None = None,
     field_of_view: float | None = None,
     *,
@@ -333,7 +333,7 @@ class InlinePage:
     def __repr__(self) -> str:
         return f"InlinePage({'; '.join(self.notes)})"
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
         """The page in a frame, with the image as fallback."""
         if self.html is None:
             return still_output(repr(self), self.notes, self.picture)

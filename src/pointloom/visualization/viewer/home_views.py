@@ -47,7 +47,7 @@ class Homes:
     def __init__(self) -> None:
         self._positions: deque[Any] = deque(maxlen=MAX_HOMES)
 
-    def put(self, position: Any) -> None:
+    def put(self, position: object) -> None:
         self._positions.append(position)
 
     def leave(self) -> None:

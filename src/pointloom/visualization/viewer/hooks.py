@@ -62,6 +62,6 @@ class Hooks:
         return [self._calls]
 
 
-def check_function(callback: Any) -> None:
+def check_function(callback: object) -> None:
     if not callable(callback):
         raise TypeError(f"callback: expected a function, got {type(callback).__name__}")

@@ -150,7 +150,7 @@ class Item:
             some.colors = self.tree.colors_of(np.asarray(indices, np.int64))
         return some
 
-    def recolor(self, coloring: Any) -> None:
+    def recolor(self, coloring: object) -> None:
         self.coloring, self._shown = coloring, None
 
     def colors_of(self, indices: Any) -> NDArray[np.uint8]:
@@ -204,7 +204,7 @@ class Item:
         return self._sample if pose is None else self._sample @ pose[:3, :3].T + pose[:3, 3]
 
 
-def make_item(name: str, number: int, geometry: Any, style: Style, tree: Any = None) -> Item:
+def make_item(name: str, number: int, geometry: object, style: Style, tree: object = None) -> Item:
     """Make an item. Raises TypeError if it cannot be drawn and ValueError for inconsistent arrays."""
     parts = parts_of(geometry, style)
     cloud = None
@@ -235,7 +235,7 @@ def _cloud_of(part: Points) -> PointCloud:
     return PointCloud(download(part.positions).reshape(-1, 3) + part.origin, **rows)
 
 
-def to_bytes(colors: Any) -> NDArray[np.uint8]:
+def to_bytes(colors: object) -> NDArray[np.uint8]:
     """Colors from 0 to 1 as uint8; clipped, NaN is black."""
     values = np.nan_to_num(np.asarray(colors, np.float32), nan=0.0, posinf=1.0, neginf=0.0)
     return (np.clip(values, 0, 1) * np.float32(255) + np.float32(0.5)).astype(np.uint8)

@@ -67,7 +67,7 @@ class LiveTimeline:
     def time(self) -> float:
         return self.times[-1 if self._shown is None else self._shown - self.dropped]
 
-    def set_time(self, t: Any) -> None:
+    def set_time(self, t: object) -> None:
         time = check_number("t", t)
         if self.times and time < self.times[-1]:
             raise ValueError(f"t: expected at least the newest time, {self.times[-1]:g}, got {time:g}")
@@ -95,7 +95,7 @@ class LiveTimeline:
         for item in items:
             self._put(item.name, State(item, None, True))
 
-    def update(self, name: str, geometry: Any) -> None:
+    def update(self, name: str, geometry: object) -> None:
         old = self._find(name)
         item = make_item(name, old.item.number, geometry, old.item.style)
         self._put(name, State(item, old.pose, old.visible))
@@ -108,7 +108,7 @@ class LiveTimeline:
         for name in self.names():
             self._put(name, None)
 
-    def set_pose(self, name: str, T: Any) -> None:
+    def set_pose(self, name: str, T: object) -> None:
         self._put(name, dataclasses.replace(self._find(name), pose=check_rigid("T", T)))
 
     def set_visible(self, name: str, visible: bool) -> None:

@@ -67,7 +67,7 @@ class NodesInView:
         taken = int(np.searchsorted(np.cumsum(counts[ranked]), budget, side="right"))
         return ranked[: max(taken, min(1, budget))].tolist()
 
-    def pixels(self, view: View, lengths: Any) -> NDArray[np.float64]:
+    def pixels(self, view: View, lengths: object) -> NDArray[np.float64]:
         """Maximum projected size of lengths in a view, where each node's cell is nearest to the camera.
 
         Args:
@@ -88,15 +88,15 @@ class NodesInView:
         distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _MIN_DISTANCE_RATIO * halves)
         return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
 
-    def _are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
+    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
         """For each drawn node, True if the next level within it is drawn, too; bool (k,)."""
         names = self._names[self._check_nodes(nodes)]
         return np.isin(names, names >> 3)
 
-    def _check_nodes(self, nodes: Any) -> NDArray[Any]:
+    def _check_nodes(self, nodes: object) -> NDArray[Any]:
         return check_indices("nodes", nodes, len(self), of=f"tree of {len(self)} nodes")
 
-    def _check_counts(self, counts: Any) -> NDArray[np.int64]:
+    def _check_counts(self, counts: object) -> NDArray[np.int64]:
         numbers = check_numeric("counts", counts)
         if numbers.shape != self.counts.shape:
             raise ValueError(f"counts: expected shape [{len(self)}], one per node, got {list(numbers.shape)}")

@@ -149,7 +149,7 @@ class PageActions:
                     self._edits.set_visible(name, visible)
 
     @show_errors_in_page
-    def color(self, client: int, by: str | None, colormap: str | None, limits: Any) -> None:
+    def color(self, client: int, by: str | None, colormap: str | None, limits: object) -> None:
         self.display.color_by(by, colormap, limits)
 
     def _color(self, client: int, *, fit: bool = False) -> None:

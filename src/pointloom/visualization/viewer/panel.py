@@ -134,7 +134,7 @@ class Panel:
         self.normals.value, self.wireframe.value = scene.normals, scene.wireframe
 
 
-def legend_of(coloring: Coloring, items: Any) -> tuple[str, Any]:
+def legend_of(coloring: Coloring, items: object) -> tuple[str, Any]:
     """Content of a legend: ("bar", title, ticks and colormap), or ("labels", rows of name, color and count)."""
     if coloring.limits is not None and coloring.colormap is not None:
         title, ticks = bar_ticks(coloring)

@@ -81,7 +81,7 @@ class WholeCloud:
         if self.waits:
             self._send_step(len(self._nodes))
 
-    def look(self, view: Any) -> None:
+    def look(self, view: object) -> None:
         """No effect: the page has all points."""
 
     def set_colors(self, colors_of: Callable[[NDArray[np.int64]], NDArray[np.uint8]]) -> None:

@@ -94,7 +94,7 @@ class Scene:
         return self._up
 
     @up.setter
-    def up(self, value: Any) -> None:
+    def up(self, value: object) -> None:
         self._up = None if value is None else check_up(value)
 
     def home(self) -> View:
@@ -230,10 +230,10 @@ class Scene:
         return np.vstack([*samples, boxes.corners()])
 
 
-def check_color(color: Any) -> NDArray[np.float64]:
+def check_color(color: object) -> NDArray[np.float64]:
     return np.clip(check_finite("background", check_shape("background", color, (3,))), 0, 1)
 
 
-def check_size(size: Any) -> float:
+def check_size(size: object) -> float:
     """Point size [px], clipped to the visible range."""
     return min(max(check_positive("point_size", size), SMALLEST_POINT), LARGEST_POINT)

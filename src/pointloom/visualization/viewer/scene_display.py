@@ -173,7 +173,7 @@ class SceneDisplay:
         self.panel.put_item(item)
         self.changed()
 
-    def set_view(self, view: Any) -> None:
+    def set_view(self, view: object) -> None:
         home = self.scene.set_view(view)
         self._update_first_camera()
         self.in_pages(lambda session: session.look_from(home))
@@ -184,13 +184,13 @@ class SceneDisplay:
             self.in_pages(lambda session: session.resize_points())
             self.panel.show_state()
 
-    def set_background(self, color: Any) -> None:
+    def set_background(self, color: object) -> None:
         with self.scene.lock:
             self.scene.background, self.scene.has_own_background = check_color(color), True
             self._paint_background()
             self.panel.show_state()
 
-    def color_by(self, by: str | None, colormap: str | None = None, limits: Any = None) -> None:
+    def color_by(self, by: str | None, colormap: str | None = None, limits: object = None) -> None:
         scene = self.scene
         with scene.lock, self.batch():
             scene.coloring = scene.coloring.checked(by, colormap, limits, scene.shown.values())

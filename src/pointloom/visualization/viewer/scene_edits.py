@@ -79,7 +79,7 @@ class SceneEdits:
         with self.scene.lock:
             return timeline.newest()
 
-    def add(self, name: str, geometry: Any, **style: Any) -> None:
+    def add(self, name: str, geometry: object, **style: Any) -> None:
         check_name("name", name)
         if style.get("colormap") is not None:
             check_name("colormap", style["colormap"])
@@ -98,7 +98,7 @@ class SceneEdits:
             self.display.add_items(items)
 
     @logged
-    def update(self, name: str, geometry: Any) -> None:
+    def update(self, name: str, geometry: object) -> None:
         with self.scene.lock:
             self.scene.check_open()
             old = self.scene.find(name)
@@ -120,7 +120,7 @@ class SceneEdits:
             self.display.clear()
 
     @logged
-    def set_pose(self, name: str, T: Any) -> None:
+    def set_pose(self, name: str, T: object) -> None:
         with self.scene.lock:
             self.scene.check_open()
             self.scene.find(name)

@@ -111,7 +111,7 @@ def shown_geometry(scene: Scene, item: Item, clip: Clip | None = None) -> Named:
     return item.name, geometry, style
 
 
-def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
+def clipped(geometry: object, clip: Clip, pose: object) -> Any:
     """Clip a cloud or mesh at a pose. Other types are returned unchanged."""
     if not clip.cuts:
         return geometry

@@ -99,7 +99,7 @@ class CloudStream:
         client: PageClient,
         tree: DetailTree | CopcTree,
         *,
-        origin: Any,
+        origin: object,
         budget: int,
         point_size: float | None = None,
         metric: bool = False,
@@ -152,7 +152,7 @@ class CloudStream:
             if not self._is_closed:
                 self._frame.visible = bool(visible)
 
-    def set_pose(self, T: Any) -> None:
+    def set_pose(self, T: object) -> None:
         """Set T_world_cloud, 4x4, and select nodes again."""
         pose = check_rigid("T", T)
         with self._working:
@@ -342,7 +342,7 @@ class CloudStream:
             self._size = request.size or self._size
             return dict.fromkeys(nodes, self._size)
         self._size = self._fitting_size(nodes, view)
-        wide = np.where(self._tree._are_refined(nodes), 0.0, _DISC_SPACINGS * self._tree.spacings[nodes])
+        wide = np.where(self._tree.are_refined(nodes), 0.0, _DISC_SPACINGS * self._tree.spacings[nodes])
         return dict(zip(nodes, np.maximum(wide, self._size).tolist(), strict=True))
 
     def _fitting_size(self, nodes: list[int], view: View) -> float:

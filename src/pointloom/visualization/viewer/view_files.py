@@ -45,7 +45,7 @@ def read_scene(
     max_points: int,
     color_by: str | None = None,
     progress: ReportProgress | None = None,
-    device: Any = None,
+    device: object = None,
     in_parts: bool = False,
     topic: str | None = None,
     frame: str | None = None,
@@ -100,7 +100,7 @@ def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Name
     return samples
 
 
-def read_geometry(path: str | os.PathLike[str], *, device: Any = None, columns: Sequence[str] | None = None) -> Any:
+def read_geometry(path: str | os.PathLike[str], *, device: object = None, columns: Sequence[str] | None = None) -> Any:
     """Read a file by its name and content. A cloud if `columns` is given. Raises FileError."""
     path, suffix = path_of(path), Path(path).suffix.lower()
     restore_folder(path)
@@ -124,7 +124,7 @@ def read_geometry(path: str | os.PathLike[str], *, device: Any = None, columns: 
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Supported: {known}")
 
 
-def read_recording(path: Path, topic: str | None, frame: str | None, *, device: Any = None) -> PointCloud:
+def read_recording(path: Path, topic: str | None, frame: str | None, *, device: object = None) -> PointCloud:
     scans = open_recording(path).scans(topic, frame=frame, device=device)
     return next(scans) if frame is None else PointCloud.concatenate(list(scans))
 
@@ -153,7 +153,7 @@ def _open_large(path: Path, max_points: int) -> Any:
 
 
 def _read_large(
-    path: Path, max_points: int, color_by: str | None, progress: ReportProgress | None, device: Any
+    path: Path, max_points: int, color_by: str | None, progress: ReportProgress | None, device: object
 ) -> DetailTree | None:
     """Levels of detail of a cloud with more points. None for other files."""
     if _open_large(path, max_points) is None:

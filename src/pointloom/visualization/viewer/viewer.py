@@ -96,7 +96,7 @@ class Viewer:
         title: str = "pointloom",
         max_points: int = MAX_POINTS,
         point_size: float = POINT_SIZE,
-        background: Any = (1.0, 1.0, 1.0),
+        background: object = (1.0, 1.0, 1.0),
         size: tuple[int, int] = (1280, 960),
     ):
         self.scene = Scene(
@@ -133,7 +133,7 @@ class Viewer:
     def __repr__(self) -> str:
         return f"Viewer({self.url}, {len(self.scene.shown)} geometries{', closed' if self.closed else ''})"
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
         """For notebooks: the page in a frame, with a static image as fallback."""
         if self.closed:
             return {"text/plain": repr(self)}
@@ -145,7 +145,7 @@ class Viewer:
     def __exit__(self, *_: Any) -> None:
         self.close()
 
-    def add(self, name: str, geometry: Any, **style: Any) -> None:
+    def add(self, name: str, geometry: object, **style: Any) -> None:
         """Add a geometry to the scene, replacing one of the same name. Use `batch` to add many at once.
 
         Args:
@@ -160,7 +160,7 @@ class Viewer:
         """
         self.edits.add(name, geometry, **style)
 
-    def add_all(self, geometries: Any) -> None:
+    def add_all(self, geometries: object) -> None:
         """Add several geometries atomically, replacing those of the same names.
 
         Args:
@@ -206,7 +206,7 @@ class Viewer:
         """Add the result of `named_geometries`, with optional level-of-detail trees by name."""
         self.edits.add_named(named, trees)
 
-    def update(self, name: str, geometry: Any) -> None:
+    def update(self, name: str, geometry: object) -> None:
         """Replace a geometry without flicker, keeping style, pose and visibility. Raises `KeyError`."""
         self.edits.update(name, geometry)
 
@@ -218,7 +218,7 @@ class Viewer:
         """Remove all geometries. The view is fitted again to the next one."""
         self.edits.clear()
 
-    def set_pose(self, name: str, T: Any) -> None:
+    def set_pose(self, name: str, T: object) -> None:
         """Move a geometry. Sends 84 bytes to each page, independent of its size.
 
         Args:
@@ -279,10 +279,10 @@ class Viewer:
         return self.scene.up
 
     @up.setter
-    def up(self, value: Any) -> None:
+    def up(self, value: object) -> None:
         self.scene.up = value
 
-    def set_view(self, view: Any = None, **parameters: Any) -> None:
+    def set_view(self, view: object = None, **parameters: Any) -> None:
         """Set the camera of all current and later pages. The key R in a page resets to it.
 
         Args:
@@ -325,10 +325,10 @@ class Viewer:
         return self.scene.background.copy()
 
     @background.setter
-    def background(self, color: Any) -> None:
+    def background(self, color: object) -> None:
         self.display.set_background(color)
 
-    def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
+    def color_by(self, by: str | None, *, colormap: str | None = None, limits: object = None) -> None:
         """Color the clouds by a property of their points.
 
         Args:

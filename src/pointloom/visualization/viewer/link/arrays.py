@@ -13,7 +13,7 @@ from ....core.checks import check_finite, check_number, check_shape
 NORMAL_SCALE = 32767
 
 
-def immutable_rows(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
+def immutable_rows(values: object, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
     """Rows (n, *tail) of one of `dtypes` (others become the first): a read-only array itself, else a copy."""
     given = np.asarray(values)
     first, *others = map(np.dtype, dtypes)
@@ -28,7 +28,7 @@ def immutable_rows(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[An
     return array
 
 
-def packed_normals(values: Any) -> NDArray[np.int16]:
+def packed_normals(values: object) -> NDArray[np.int16]:
     """Unit normals (n, 3) as int16; int16 is returned as is."""
     given = np.asarray(values)
     if given.dtype != np.int16:
@@ -37,7 +37,7 @@ def packed_normals(values: Any) -> NDArray[np.int16]:
     return immutable_rows(given, [np.int16], 3)
 
 
-def placing(R: Any, t: Any, scale: float) -> list[float]:
+def placing(R: object, t: object, scale: float) -> list[float]:
     """Rotation (3, 3), translation (3,) (None: identity) and scale as 12 numbers, rows of 3x4."""
     pose = np.zeros((3, 4))
     pose[:, :3] = np.eye(3) if R is None else check_finite("R", check_shape("R", R, (3, 3)))
@@ -47,10 +47,10 @@ def placing(R: Any, t: Any, scale: float) -> list[float]:
     return pose.ravel().tolist()
 
 
-def triple(name: str, values: Any) -> list[float]:
+def triple(name: str, values: object) -> list[float]:
     return check_finite(name, check_shape(name, values, (3,))).tolist()
 
 
-def color(name: str, values: Any) -> list[int]:
+def color(name: str, values: object) -> list[int]:
     numbers = check_shape(name, values, (3,))
     return np.clip(np.rint(check_finite(name, numbers)), 0, 255).astype(int).tolist()

@@ -39,7 +39,7 @@ class CameraState:
 FIRST_STATE = CameraState(np.zeros(3), np.eye(3), math.radians(60), (800, 600), np.array([0.0, 0.0, 1.0]))
 
 
-def nearest_rotation(matrix: Any) -> NDArray[np.float64] | None:
+def nearest_rotation(matrix: object) -> NDArray[np.float64] | None:
     """The rotation closest to a matrix (3, 3) with rounding errors. None if it is no rotation."""
     values = np.asarray(matrix, np.float64)
     if not (np.isfinite(values).all() and np.abs(values).max() < 2):

@@ -5,15 +5,12 @@ from __future__ import annotations
 import dataclasses
 import itertools
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
 from ..guard import control_value
 from .delivery import Channel
-
-if TYPE_CHECKING:
-    from .gui import Gui
 
 Check = Callable[[Any], Any]
 
@@ -38,7 +35,21 @@ class UploadedFile:
         return self.text.encode()
 
 
-def equal(a: Any, b: Any) -> bool:
+class Owner(Protocol):
+    """The panel of handles."""
+
+    channel: Channel
+
+    def enter(self, folder: Folder) -> None: ...
+
+    def leave(self) -> None: ...
+
+    def forget(self, handle: Handle) -> None: ...
+
+    def forget_command(self, command: Command) -> None: ...
+
+
+def equal(a: object, b: object) -> bool:
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
         return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and a.dtype == b.dtype and np.array_equal(a, b)
     return type(a) is type(b) and a == b
@@ -57,7 +68,7 @@ class Handle:
         **{"hint": str, "order": float},
     }
 
-    def __init__(self, gui: Gui, kind: str, fields: dict[str, Any]):
+    def __init__(self, gui: Owner, kind: str, fields: dict[str, Any]):
         checks = {**self._COMMON, **self.FIELDS}
         state = {name: checks[name](value) for name, value in fields.items()}
         self.__dict__.update(_gui=gui, kind=kind, id=gui.channel.delivery.number(), _state=state, _removed=False)
@@ -72,7 +83,7 @@ class Handle:
             return state[name]
         raise AttributeError(f"a {self.__dict__.get('kind', 'control')} has no {name}")
 
-    def __setattr__(self, name: str, value: Any) -> None:
+    def __setattr__(self, name: str, value: object) -> None:
         check = self.FIELDS.get(name) or self._COMMON.get(name)
         if check is None:
             if name.startswith("_"):
@@ -86,6 +97,9 @@ class Handle:
         if not self._removed:
             self._gui.forget(self)
 
+    def mark_removed(self) -> None:
+        self._removed = True
+
     def first_op(self) -> dict[str, Any]:
         return {name: sent(value) for name, value in self._state.items()}
 
@@ -93,11 +107,11 @@ class Handle:
         """Callbacks for a press, each with its event."""
         return []
 
-    def apply_value(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
+    def apply_value(self, page: Channel, client_id: int, value: object) -> list[tuple[Callable[..., Any], PanelEvent]]:
         """Apply a value from a page. Raises ValueError if invalid. Returns the callbacks."""
         raise ValueError(f"a {self.kind} has no value that a page sets")
 
-    def _change(self, name: str, value: Any, *, but: Channel | None = None) -> None:
+    def _change(self, name: str, value: object, *, but: Channel | None = None) -> None:
         with self.channel.delivery.lock:
             if equal(self._state.get(name), value):
                 return
@@ -111,7 +125,7 @@ class Handle:
                 self.channel.send_but_to(but, op)
 
 
-def sent(value: Any) -> Any:
+def sent(value: object) -> Any:
     """A field as sent: tuples become lists."""
     return [sent(one) for one in value] if isinstance(value, tuple) else value
 
@@ -132,7 +146,7 @@ class Folder(Handle):
 class Shown(Handle):
     """A read-only control; `check` validates its value."""
 
-    def __init__(self, gui: Gui, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
+    def __init__(self, gui: Owner, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
         self.__dict__["FIELDS"] = checks
         super().__init__(gui, kind, fields)
 
@@ -140,7 +154,7 @@ class Shown(Handle):
 class Input(Shown):
     """A control whose `value` is set by pages or the program."""
 
-    def __init__(self, gui: Gui, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
+    def __init__(self, gui: Owner, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
         super().__init__(gui, kind, fields, checks)
         self._callbacks: list[Callable[[PanelEvent], Any]] = []
 
@@ -149,7 +163,7 @@ class Input(Shown):
         self._callbacks.append(callback)
         return callback
 
-    def apply_value(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
+    def apply_value(self, page: Channel, client_id: int, value: object) -> list[tuple[Callable[..., Any], PanelEvent]]:
         """Apply a value from a page and send it to the other pages."""
         with self.channel.delivery.lock:
             low, high = self._limits()
@@ -166,7 +180,7 @@ class Input(Shown):
 
 
 class Button(Handle):
-    def __init__(self, gui: Gui, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
+    def __init__(self, gui: Owner, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
         self.__dict__["FIELDS"] = checks
         super().__init__(gui, kind, fields)
         self._callbacks: list[Callable[[PanelEvent], Any]] = []
@@ -201,7 +215,7 @@ class Upload(Button):
 class Tree(Handle):
     """A list of names with visibility, grouped by slashes."""
 
-    def __init__(self, gui: Gui, fields: dict[str, Any]):
+    def __init__(self, gui: Owner, fields: dict[str, Any]):
         super().__init__(gui, "tree", fields)
         self._rows: dict[str, list[Any]] = {}
         self._callbacks: list[Callable[[PanelEvent], Any]] = []
@@ -227,7 +241,7 @@ class Tree(Handle):
             if self._rows.pop(key, None) is not None and not self._removed:
                 self._send({}, {key: None})
 
-    def apply_value(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], Any]]:
+    def apply_value(self, page: Channel, client_id: int, value: object) -> list[tuple[Callable[..., Any], Any]]:
         """Apply `[[key, ...], visible]` from a page. Unknown keys are ignored."""
         if not isinstance(value, list) or len(value) != 2 or not isinstance(value[1], bool):
             raise ValueError(f"expected [[key, ...], visible], got {value!r:.80}")
@@ -253,11 +267,14 @@ class Command:
 
     kind = "command"
 
-    def __init__(self, gui: Gui, label: str, hotkey: str | None, group: str):
+    def __init__(self, gui: Owner, label: str, hotkey: str | None, group: str):
         self._gui, self._removed = gui, False
         self.label, self.hotkey, self.group = label, hotkey, group
         self.id = gui.channel.delivery.number()
         self._callbacks: list[Callable[[PanelEvent], Any]] = []
+
+    def mark_removed(self) -> None:
+        self._removed = True
 
     def on_trigger(self, callback: Callable[[PanelEvent], Any]) -> Callable[[PanelEvent], Any]:
         self._callbacks.append(callback)

@@ -73,7 +73,7 @@ class Gui:
         fields = {"options": words, "value": words[0] if value is None else value}
         return self._input("dropdown", label, fields, {"options": _words, "value": str}, common)
 
-    def add_rgb(self, label: str, value: Any, **common: Any) -> Input:
+    def add_rgb(self, label: str, value: object, **common: Any) -> Input:
         """Add a color field, 0 to 255."""
         return self._input("rgb", label, {"value": value}, {"value": _rgb}, common)
 
@@ -81,7 +81,7 @@ class Gui:
         """Add plain text with line breaks. Its `value` is assignable."""
         return self._shown("words", None, {"value": text}, {"value": str}, common)
 
-    def add_table(self, rows: Any, **common: Any) -> Shown:
+    def add_table(self, rows: object, **common: Any) -> Shown:
         """Add rows of label and text, as a mapping or pairs."""
         return self._shown("table", None, {"value": rows}, {"value": _rows}, common)
 
@@ -89,12 +89,12 @@ class Gui:
         """Add a button for uploading a text file of up to 1 MiB; `accept` as in HTML."""
         return self._add(Upload(self, "upload", _fields(label, {"accept": accept}, **common), {"accept": str}))
 
-    def add_colorbar(self, title: str, ticks: Any, colors: Any, **common: Any) -> Shown:
+    def add_colorbar(self, title: str, ticks: object, colors: object, **common: Any) -> Shown:
         """Add a color bar beside the image: ticks are pairs of a fraction and a text, colors uint8 (256, 3)."""
         fields = {"title": title, "ticks": ticks, "colors": colors}
         return self._shown("colorbar", None, fields, {"title": str, "ticks": _ticks, "colors": _ramp}, common)
 
-    def add_legend(self, entries: Any, **common: Any) -> Shown:
+    def add_legend(self, entries: object, **common: Any) -> Shown:
         """Add a legend: rows of label, color (0 to 255) and text."""
         return self._shown("legend", None, {"entries": entries}, {"entries": _entries}, common)
 
@@ -129,11 +129,11 @@ class Gui:
             for number in self.channel.drop("dropcontrol", handle.id):
                 gone: Any = self._handles.pop(number, None)
                 if gone is not None:
-                    gone._removed = True
+                    gone.mark_removed()
 
     def forget_command(self, command: Command) -> None:
         with self.channel.delivery.lock:
-            command._removed = True
+            command.mark_removed()
             self._handles.pop(command.id, None)
             self.channel.drop("dropcommand", command.id)
 
@@ -178,7 +178,7 @@ def _fields(
     return {"label": label, "order": order, "visible": visible, "disabled": disabled, "hint": hint, **own}
 
 
-def _text_or_none(value: Any) -> str | None:
+def _text_or_none(value: object) -> str | None:
     return None if value is None else str(value)
 
 
@@ -189,15 +189,15 @@ def _words(options: Sequence[str]) -> tuple[str, ...]:
     return words
 
 
-def _number(value: Any) -> float:
+def _number(value: object) -> float:
     return check_number("number", value)
 
 
-def _number_or_none(value: Any) -> Any:
+def _number_or_none(value: object) -> Any:
     return None if value is None else _number_as_it_is(value)
 
 
-def _number_as_it_is(value: Any) -> Any:
+def _number_as_it_is(value: object) -> Any:
     return int(value) if isinstance(value, int | np.integer) and not isinstance(value, bool) else _number(value)
 
 
@@ -208,7 +208,7 @@ def _pair(value: Any) -> tuple[float, float]:
     return low, high
 
 
-def _rgb(value: Any) -> tuple[int, ...]:
+def _rgb(value: object) -> tuple[int, ...]:
     return tuple(color("color", value))
 
 
@@ -224,7 +224,7 @@ def _entries(entries: Any) -> tuple[tuple[str, tuple[int, ...], str], ...]:
     return tuple((str(label), _rgb(rgb), str(text)) for label, rgb, text in entries)
 
 
-def _ramp(colors: Any) -> Any:
+def _ramp(colors: object) -> Any:
     return None if colors is None else immutable_rows(colors, [np.uint8], 3)
 
 

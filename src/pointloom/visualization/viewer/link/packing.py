@@ -75,7 +75,7 @@ def _write(op: Op, arrays: list[NDArray[Any]]) -> str:
         return ""
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: object) -> Any:
     if isinstance(value, np.generic):
         return value.item()
     raise TypeError(f"{type(value).__name__} cannot be written as JSON")

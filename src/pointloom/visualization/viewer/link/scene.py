@@ -34,12 +34,12 @@ class Node:
     Calls on a removed node, or after its page was closed, have no effect.
     """
 
-    def __init__(self, channel: Channel, kind: str, number: int, R: Any, t: Any, scale: float, visible: bool):
+    def __init__(self, channel: Channel, kind: str, number: int, R: object, t: object, scale: float, visible: bool):
         self._channel, self.kind, self.id = channel, kind, number
         self._R, self._t, self._scale, self._visible = R, t, scale, visible
         self._removed = False
 
-    def set_transform(self, R: Any, t: Any, scale: float | None = None) -> None:
+    def set_transform(self, R: object, t: object, scale: float | None = None) -> None:
         """Set rotation (3, 3), translation (3,) and scale in the parent's frame; None: identity, zero, unchanged."""
         self._scale = self._scale if scale is None else scale
         self._send({"pose": placing(R, t, self._scale)})
@@ -95,11 +95,11 @@ class Scene:
 
     def add_points(
         self,
-        positions: Any,
-        colors: Any = None,
+        positions: object,
+        colors: object = None,
         *,
-        plain: Any = None,
-        normals: Any = None,
+        plain: object = None,
+        normals: object = None,
         size: float = 3.0,
         metric: bool = False,
         relief: bool = True,
@@ -117,14 +117,14 @@ class Scene:
 
     def add_surface(
         self,
-        positions: Any,
-        indices: Any,
+        positions: object,
+        indices: object,
         *,
-        normals: Any = None,
-        colors: Any = None,
-        plain: Any = None,
-        uvs: Any = None,
-        texture: Any = None,
+        normals: object = None,
+        colors: object = None,
+        plain: object = None,
+        uvs: object = None,
+        texture: object = None,
         lit: bool = True,
         cull: bool = False,
         wireframe: bool = False,
@@ -140,13 +140,19 @@ class Scene:
         return self._add("triangles", {**properties, "opacity": opacity}, **placement)
 
     def add_lines(
-        self, ends: Any, colors: Any = None, *, plain: Any = None, width: float = 1.0, **placement: Unpack[Placement]
+        self,
+        ends: object,
+        colors: object = None,
+        *,
+        plain: object = None,
+        width: float = 1.0,
+        **placement: Unpack[Placement],
     ) -> Node:
         """Add segments with ends (m, 2, 3), uint8 colors of ends (m, 2, 3) or segments (m, 3), and width [px]."""
         properties = {"ends": ends, "colors": colors, "plain": plain, "width": width}
         return self._add("lines", properties, **placement)
 
-    def add_label(self, text: str, position: Any, *, anchor: str = "center") -> Node:
+    def add_label(self, text: str, position: object, *, anchor: str = "center") -> Node:
         """Add a text at a position (3,) of the parent's frame; `anchor` is the corner of the text at that position."""
         return self._add("label", {"text": text, "anchor": anchor}, t=position)
 
@@ -174,8 +180,8 @@ class Scene:
         properties: dict[str, Any],
         *,
         parent: Node | None = None,
-        R: Any = None,
-        t: Any = None,
+        R: object = None,
+        t: object = None,
         scale: float = 1.0,
         visible: bool = True,
     ) -> Node:
@@ -202,30 +208,30 @@ def checked(kind: str, properties: dict[str, Any]) -> dict[str, Any]:
     return sent
 
 
-def _positions(values: Any) -> NDArray[Any]:
+def _positions(values: object) -> NDArray[Any]:
     return immutable_rows(values, [np.float32, np.float16], 3)
 
 
-def _singles(values: Any) -> NDArray[Any]:
+def _singles(values: object) -> NDArray[Any]:
     return immutable_rows(values, [np.float32], 3)
 
 
-def _ends(values: Any) -> NDArray[Any]:
+def _ends(values: object) -> NDArray[Any]:
     return immutable_rows(values, [np.float32], 2, 3).reshape(-1, 3)
 
 
-def _colors(values: Any) -> NDArray[np.uint8]:
+def _colors(values: object) -> NDArray[np.uint8]:
     return immutable_rows(values, [np.uint8], 3)
 
 
-def _end_colors(values: Any) -> NDArray[np.uint8]:
+def _end_colors(values: object) -> NDArray[np.uint8]:
     given = np.asarray(values)
     if given.ndim == 3:
         return immutable_rows(given, [np.uint8], 2, 3).reshape(-1, 3)
     return np.repeat(_colors(given), 2, axis=0)
 
 
-def _indices(values: Any) -> NDArray[Any]:
+def _indices(values: object) -> NDArray[Any]:
     given = np.asarray(values)
     return (
         immutable_rows(given, [np.uint32], 3)
@@ -234,11 +240,11 @@ def _indices(values: Any) -> NDArray[Any]:
     )
 
 
-def _uvs(values: Any) -> NDArray[Any]:
+def _uvs(values: object) -> NDArray[Any]:
     return immutable_rows(values, [np.float32], 2)
 
 
-def _texture(values: Any) -> NDArray[np.uint8]:
+def _texture(values: object) -> NDArray[np.uint8]:
     return np.frombuffer(encode_png(np.ascontiguousarray(values, np.uint8)), np.uint8)[:, None]
 
 
@@ -251,19 +257,19 @@ def _one_of(options: tuple[str, ...]) -> Callable[[Any], str]:
     return check
 
 
-def _plain(value: Any) -> list[int]:
+def _plain(value: object) -> list[int]:
     return color("plain", value)
 
 
-def _size(value: Any) -> float:
+def _size(value: object) -> float:
     return check_positive("size", value)
 
 
-def _width(value: Any) -> float:
+def _width(value: object) -> float:
     return check_positive("width", value)
 
 
-def _opacity(value: Any) -> float:
+def _opacity(value: object) -> float:
     return check_fraction("opacity", value)
 
 

@@ -86,8 +86,8 @@ class PageServer:
         from .hub import Hub  # the only module that needs websockets, an extra
 
         self.token = secrets.token_urlsafe(TOKEN_BYTES)
-        self._delivery = Delivery()
-        self._channel = Channel(self._delivery, is_shared=True)
+        self.delivery = Delivery()
+        self._channel = Channel(self.delivery, is_shared=True)
         self.scene, self.gui = Scene(self._channel), Gui(self._channel)
         self._clients: dict[int, PageClient] = {}
         self._numbers = itertools.count()
@@ -101,7 +101,7 @@ class PageServer:
         own_port(self)
 
     def get_clients(self) -> dict[int, PageClient]:
-        with self._delivery.lock:
+        with self.delivery.lock:
             return dict(self._clients)
 
     @property
@@ -116,7 +116,7 @@ class PageServer:
 
     def on_client_connect(self, callback: Callable[[PageClient], Any]) -> Callable[[PageClient], Any]:
         """Add a callback for current and new pages, called in the page's thread."""
-        with self._delivery.lock:
+        with self.delivery.lock:
             self._on_connect.append(callback)
             here = list(self._clients.values())
         for client in here:
@@ -134,20 +134,20 @@ class PageServer:
 
     def atomic(self) -> contextlib.AbstractContextManager[None]:
         """Context in which this thread's changes are applied together; may be nested."""
-        return self._delivery.atomic()
+        return self.delivery.atomic()
 
-    def set_background(self, rgb: Any, own: bool = True) -> None:
+    def set_background(self, rgb: object, own: bool = True) -> None:
         """Set the background color, 0 to 1. If not `own`, a page may follow dark mode."""
         self._channel.send({"op": "background", "color": check_color("rgb", rgb).tolist(), "own": bool(own)})
 
     def set_first_camera(self, **fields: Any) -> None:
         """Set the camera of future pages. Fields as in `PageCamera.put`."""
         sent = camera_fields(fields)
-        with self._delivery.lock:
+        with self.delivery.lock:
             self._first = moved(self._first, sent)
-            self._delivery.keep({"op": "camera", **sent})
+            self.delivery.keep({"op": "camera", **sent})
 
-    def set_bounds(self, low: Any, high: Any) -> None:
+    def set_bounds(self, low: object, high: object) -> None:
         self._channel.send({"op": "bounds", "low": triple("low", low), "high": triple("high", high)})
 
     def set_hint(self, text: str) -> None:
@@ -172,13 +172,13 @@ class PageServer:
     def stop(self) -> None:
         """Disconnect the pages and free port, thread and memory. A second call has no effect."""
         self._hub.stop()
-        self._delivery.close()
+        self.delivery.close()
         disown_port(self)
 
     def _welcome(self, hello: dict[str, Any], wake: Callable[[], None]) -> _Visitor:
-        channel = Channel(self._delivery, is_shared=False)
+        channel = Channel(self.delivery, is_shared=False)
         size = (int(hello["size"][0]), int(hello["size"][1]))
-        with self._delivery.lock:
+        with self.delivery.lock:
             first = CameraState(**{**vars(self._first), "size": size})
             client = PageClient(channel, next(self._numbers), first, (self.scene, self.gui))
             visitor = _Visitor(self, client, channel, wake)
@@ -188,9 +188,9 @@ class PageServer:
             client.worker.run(callback, client, always=True)
         return visitor
 
-    def _leave(self, client: PageClient, channel: Channel) -> None:
-        with self._delivery.lock:
-            self._delivery.leave(channel)
+    def disconnect(self, client: PageClient, channel: Channel) -> None:
+        with self.delivery.lock:
+            self.delivery.leave(channel)
             self._clients.pop(client.client_id, None)
             client.is_open = False
         for callback in tuple(self._on_disconnect):
@@ -199,15 +199,15 @@ class PageServer:
 
     def forget(self) -> None:
         """Drop the pages in a forked child, whose copies of the sockets are already closed."""
-        self._delivery.lock = threading.RLock()
-        self._delivery.close()
+        self.delivery.lock = threading.RLock()
+        self.delivery.close()
         self._clients, self.is_child = {}, True
 
 
 class _Visitor:
     def __init__(self, server: PageServer, client: PageClient, channel: Channel, wake: Callable[[], None]):
         self._server, self._client, self._channel = server, client, channel
-        self._outbox = server._delivery.join(channel, wake)
+        self._outbox = server.delivery.join(channel, wake)
         self.take = client.take
 
     @property
@@ -215,10 +215,10 @@ class _Visitor:
         return self._outbox.own_bytes
 
     def unsent(self) -> tuple[list[Op], bool]:
-        return self._server._delivery.take(self._outbox)
+        return self._server.delivery.take(self._outbox)
 
     def has_more(self) -> bool:
         return bool(self._outbox)
 
     def leave(self) -> None:
-        self._server._leave(self._client, self._channel)
+        self._server.disconnect(self._client, self._channel)

@@ -52,7 +52,7 @@ def camera_of(fields: Mapping[str, Any]) -> CameraState | None:
     return CameraState(position, rotation, float(fields["fov"]), size, pivot, fields["orthographic"])
 
 
-def is_number(value: Any) -> bool:
+def is_number(value: object) -> bool:
     """True for finite numbers, not for booleans."""
     return isinstance(value, int | float) and not isinstance(value, bool) and is_finite(value)
 
@@ -70,7 +70,7 @@ def is_integer(value: Any) -> bool:
     return is_number(value) and abs(value) <= MAX_INTEGER and value == int(value)
 
 
-def is_text(value: Any, max_length: int = MAX_SMALL_BYTES) -> bool:
+def is_text(value: object, max_length: int = MAX_SMALL_BYTES) -> bool:
     if not isinstance(value, str) or len(value) > max_length:
         return False
     try:
@@ -84,23 +84,23 @@ def _refuse(constant: str) -> NoReturn:
     raise ValueError(f"{constant} is no number of JSON")
 
 
-def _is_switch(value: Any) -> bool:
+def _is_switch(value: object) -> bool:
     return isinstance(value, bool)
 
 
-def _is_position(value: Any) -> bool:
+def _is_position(value: object) -> bool:
     return _numbers(value, 3, MAX_COORDINATE)
 
 
-def _is_matrix(value: Any) -> bool:
+def _is_matrix(value: object) -> bool:
     return _numbers(value, 9, 2.0)
 
 
-def _numbers(value: Any, count: int, limit: float) -> bool:
+def _numbers(value: object, count: int, limit: float) -> bool:
     return isinstance(value, list) and len(value) == count and all(is_number(one) and abs(one) < limit for one in value)
 
 
-def _is_size(value: Any) -> bool:
+def _is_size(value: object) -> bool:
     return (
         isinstance(value, list) and len(value) == 2 and all(is_integer(one) and 1 <= one <= MAX_PIXELS for one in value)
     )
@@ -122,15 +122,15 @@ def _is_version(value: Any) -> bool:
     return is_integer(value) and value >= 1
 
 
-def _is_name(value: Any) -> bool:
+def _is_name(value: object) -> bool:
     return is_text(value, 255)
 
 
-def _is_content(value: Any) -> bool:
+def _is_content(value: object) -> bool:
     return is_text(value, MAX_BYTES)
 
 
-def _is_value(value: Any) -> bool:
+def _is_value(value: object) -> bool:
     """True for control values: text, number, boolean, or short lists of those."""
     waiting, depth = [value], 0
     while waiting and depth < MAX_DEPTH:

@@ -44,7 +44,7 @@ class PairFit:
     residuals: NDArray[np.float64]
 
 
-def fit_pairs(source: Any, target: Any) -> PairFit:
+def fit_pairs(source: object, target: object) -> PairFit:
     """Least-squares rigid transformation between picked points (m, 3) [m] (Umeyama 1991).
 
     Raises ValueError for fewer than 3 pairs, other shapes, non-finite or collinear points (spread below 1/50 of the
@@ -95,8 +95,8 @@ class PairRegistration(Assessed):
 def register_from_pairs(
     source: PointCloud,
     target: PointCloud,
-    source_points: Any,
-    target_points: Any,
+    source_points: object,
+    target_points: object,
     *,
     refine: bool = True,
     max_correspondence_distance: float | None = None,
@@ -177,9 +177,9 @@ def _method(target: PointCloud) -> tuple[PointCloud, TransformationEstimation]:
 def save_pairs(
     path: Any,
     names: tuple[str, str],
-    indices: Any,
-    source_points: Any,
-    target_points: Any,
+    indices: object,
+    source_points: object,
+    target_points: object,
     registration: PairRegistration,
 ) -> None:
     """Write pairs and their registration as JSON, atomically. Raises FileError."""

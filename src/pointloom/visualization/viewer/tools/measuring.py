@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +26,7 @@ class Distance:
     slope: float
 
 
-def distance_between(a: Any, b: Any) -> Distance:
+def distance_between(a: object, b: object) -> Distance:
     """Distance from one point to another.
 
     Example:
@@ -40,7 +39,7 @@ def distance_between(a: Any, b: Any) -> Distance:
     return Distance(length, float(d[0]), float(d[1]), float(d[2]), slope)
 
 
-def path_length(points: Any) -> float:
+def path_length(points: object) -> float:
     """Length of a path through points (n, 3) [m]. 0 for fewer than 2.
 
     Example:
@@ -51,7 +50,7 @@ def path_length(points: Any) -> float:
     return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())
 
 
-def angle_at(a: Any, b: Any, c: Any) -> float:
+def angle_at(a: object, b: object, c: object) -> float:
     """Angle at b between the directions to a and c [degrees], 0 to 180. NaN if one has no length.
 
     Example:
@@ -95,5 +94,5 @@ def angle_text(value: float) -> str:
     return "none" if math.isnan(value) else f"{value:.2f}°"
 
 
-def _point(name: str, value: Any) -> NDArray[np.float64]:
+def _point(name: str, value: object) -> NDArray[np.float64]:
     return check_finite(name, check_shape(name, value, (3,)))

@@ -444,7 +444,7 @@ def _same(before: tuple[Any, ...] | None, now: tuple[Any, ...]) -> bool:
     return before is not None and len(before) == len(now) and all(a is b for a, b in zip(before, now, strict=True))
 
 
-def clip_part(part: Triangles, clip: Clip, pose: Any) -> Triangles:
+def clip_part(part: Triangles, clip: Clip, pose: object) -> Triangles:
     """Clip a surface. A textured one loses all triangles that are partly outside."""
     positions = download(part.positions).reshape(-1, 3)
     faces = download(part.indices).reshape(-1, 3)
