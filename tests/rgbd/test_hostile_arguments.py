@@ -77,7 +77,7 @@ grid.deform(cloud=cloud)
 grid.set_positions(positions=grid.get_init_positions())
 grid.deform_depth(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_max=3.0)
 grid.deform_rgbd(image=image, intrinsic=camera, extrinsic=pose, depth_max=3.0)
-integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_world_fragment=pose, T_fragment_camera=pose, color=image.color, depth_scale=1000.0, depth_max=3.0)
+integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_world_fragment=pose, T_fragment_camera=pose, color=image.color, depth_max=3.0)
 """,  # noqa: E501
 }
 HOMES = {

@@ -95,10 +95,9 @@ class OdometryFrame:
     @classmethod
     def from_image(cls, image: RGBDImage, intrinsic: PinholeCameraIntrinsic, least: float, most: float) -> Self:
         """Create a frame from an RGB-D image with a valid depth range."""
-        frame = cls.__new__(cls)
         depth = fill_missing(mark_missing(image.depth_array, least, most))
-        frame._make(depth, image.color_array, check_intrinsic(intrinsic, image.width, image.height))
-        return frame
+        checked = check_intrinsic(intrinsic, image.width, image.height)
+        return cls._from_device_maps(depth, image.color_array, checked)
 
     def _make(
         self,

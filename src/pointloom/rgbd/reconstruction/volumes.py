@@ -99,7 +99,6 @@ def integrate_deformed(
     T_world_fragment: ArrayLike,
     T_fragment_camera: ArrayLike | None = None,
     color: ArrayLike | None = None,
-    depth_scale: float | None = None,
     depth_max: float = OPEN3D_DEPTH_MAX,
 ) -> int:
     """Fuse a frame into a volume after undistortion of its depth by a control grid.
@@ -107,12 +106,11 @@ def integrate_deformed(
     Args:
         volume: The volume, on the grid's device.
         grid: From `run_slac_optimizer_for_fragments`.
-        depth: Shape [h, w]. Integers of 16 bits and more, or floats.
+        depth: Shape [h, w]. Integers of 16 bits and more [mm], or floats [m].
         intrinsic: The camera, of the image size.
         T_world_fragment: Optimized pose of the frame's fragment, shape [4, 4].
         T_fragment_camera: Camera pose in the fragment; None: the identity.
         color: uint8 [h, w, 3]. As of `TSDFVolume.integrate`.
-        depth_scale: Depth units per meter; None: 1000 for integers and 1 for floats.
         depth_max: Maximum depth [m], before and after undistortion.
 
     Returns:
@@ -144,9 +142,9 @@ def integrate_deformed(
     step = np.eye(4) if T_fragment_camera is None else check_rigid("T_fragment_camera", T_fragment_camera)
     T_camera_fragment = inv(step)
     if color is None:
-        straight = grid.deform_depth(depth, intrinsic, T_camera_fragment, depth_scale, depth_max)
+        straight = grid.deform_depth(depth, intrinsic, T_camera_fragment, depth_max=depth_max)
         return volume.integrate(straight, intrinsic, invert_pose(matmul(T, step)), depth_max=depth_max)
-    frame = RGBDImage(color, depth, depth_scale=depth_scale, depth_trunc=depth_max, device=grid.device)
+    frame = RGBDImage(color, depth, depth_trunc=depth_max, device=grid.device)
     straight = grid.deform_rgbd(frame, intrinsic, T_camera_fragment, depth_max=depth_max)
     given = straight.depth, intrinsic, invert_pose(matmul(T, step))
     return volume.integrate(*given, color=straight.color, depth_max=depth_max)

@@ -84,10 +84,8 @@ class Layers:
     def are_one(self) -> bool:
         """True if both move alike, with enough motion to decide."""
         shift, angle = self._moved
-        is_plain = (
-            self.far.residual < MAX_STATIC
-            and self.full.residual < MAX_COMMON_RATIO * self.far.residual + MIN_DIFFERENCE
-        )
+        max_common = MAX_COMMON_RATIO * self.far.residual + MIN_DIFFERENCE
+        is_plain = self.far.residual < MAX_STATIC and self.full.residual < max_common
         return self.is_conclusive and (shift > MIN_SHIFT or angle > MIN_ROTATION) and is_plain
 
     @property

@@ -259,10 +259,8 @@ class Tracker:
         if before is not None:
             pyramid, its_pose = before
             step = align_frames(frame.pyramid, pyramid)
-            if (
-                step.reliable
-                and _apart(matmul(invert_pose(matmul(its_pose, step.transformation)), pose)) < MAX_SHAPE_DIFFERENCE
-            ):
+            by_step = matmul(its_pose, step.transformation)
+            if step.reliable and _apart(matmul(invert_pose(by_step), pose)) < MAX_SHAPE_DIFFERENCE:
                 return Attempt(pose, result, "tracked")
         self._proposal = frame.pyramid, pose
         return Attempt(pose, result, "lost", ("relocalized by shape; the next frame must confirm it",))
