@@ -36,7 +36,7 @@ class Sequence:
 
 
 def room_frames(count: int, width: int = 640, height: int = 480) -> Sequence:
-    from pointloom.datasets.scenes.room import room_loop_sequence
+    from room_loops import room_loop_sequence
 
     room = room_loop_sequence(LOOP_FRAMES, width=width, height=height)
     frames = [room.read(i) for i in range(count)]

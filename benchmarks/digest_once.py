@@ -128,7 +128,7 @@ def tracked_frames(d: Any) -> Any:
     """Trajectory and surface of a moving camera that is covered and then relocalized."""
     from types import SimpleNamespace
 
-    from pointloom.datasets.scenes.room import room_loop_sequence
+    from room_loops import room_loop_sequence
 
     room = room_loop_sequence(300, width=80, height=60, covered=(5, 6))
     slam = loom().rgbd.DenseSLAM(room.intrinsic, voxel_size=0.04, submap_frames=4, device=d.device)

@@ -76,8 +76,9 @@ def _rgbd_frame(pixels: int) -> Call:
 
 
 def _slam_frame(pixels: int) -> Call:
+    from room_loops import room_loop_sequence
+
     import pointloom as loom
-    from pointloom.datasets.scenes.room import room_loop_sequence
 
     width, height = image_size(pixels)
     room = room_loop_sequence(300, width=width, height=height, device=DEVICE)

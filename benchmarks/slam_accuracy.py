@@ -55,7 +55,7 @@ def kitchen(every: int) -> Scene:
 
 
 def room(frames: int, size: tuple[int, int], path: str, **effects: Any) -> Scene:
-    from pointloom.datasets.scenes.room import room_loop_sequence
+    from room_loops import room_loop_sequence
 
     sequence = room_loop_sequence(frames, path, width=size[0], height=size[1], **effects)
     plain = not effects

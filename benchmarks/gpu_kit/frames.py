@@ -47,7 +47,7 @@ class Room(NamedTuple):
 
 def room() -> Room:
     """Frames of a hand-held camera in the furnished room, at 30 Hz."""
-    from pointloom.datasets.scenes.room import room_loop_sequence
+    from room_loops import room_loop_sequence
 
     sequence = room_loop_sequence(LOOP, width=WIDTH, height=HEIGHT, device=devices.NAME)
     frames = [sequence.read(k) for k in range(FRAMES)]

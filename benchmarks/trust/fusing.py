@@ -24,7 +24,7 @@ def judge() -> Iterator[Judged]:
 
 
 def _sequence() -> Any:
-    from pointloom.datasets.scenes.room import room_loop_sequence
+    from room_loops import room_loop_sequence
 
     return room_loop_sequence(30 * FRAMES, "round", width=320, height=240)
 

@@ -44,7 +44,7 @@ def kitchen(count: int) -> tuple[list[Any], Any]:
 
 def room(count: int, **effects: Any) -> tuple[list[Any], Any]:
     """Frames of a loop through the synthetic room, and their camera."""
-    from pointloom.datasets.scenes.room import room_loop_sequence
+    from room_loops import room_loop_sequence
 
     sequence = room_loop_sequence(400, "eight", width=160, height=120, **effects)
     frames = [sequence.read(index) for index in range(count)]

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from benchmarks.room_loops import room_loop_sequence
 from pointloom.cli.shell import console
-from pointloom.datasets.scenes.room import room_loop_sequence, write_room_sequence
+from pointloom.datasets.scenes.room import write_room_sequence
 from pointloom.io.frames.recordings import record_frames
 from pointloom.kernels.language import compile_notices
 

@@ -5,17 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from benchmarks.room_loops import room_loop_sequence
 from pointloom import PinholeCameraIntrinsic
 from pointloom.core.errors import FileError
 from pointloom.datasets.scenes.furniture import LAMP_POSITION, ROOM_SIZE, furnished_room
-from pointloom.datasets.scenes.room import (
-    film_pose,
-    room_loop_sequence,
-    room_pose,
-    room_sequence,
-    surface_errors,
-    write_room_sequence,
-)
+from pointloom.datasets.scenes.room import film_pose, room_pose, room_sequence, surface_errors, write_room_sequence
 from pointloom.io.frames.datasets import open_dataset
 from pointloom.kernels.memory import download
 from pointloom.kernels.scenes.depth_noise import measure_depth

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from benchmarks.room_loops import room_loop_sequence
 from pointloom.core.errors import CameraError, DatasetError
-from pointloom.datasets.scenes.room import room_loop_sequence
 from pointloom.io.frames import recordings
 from pointloom.io.frames.dataset_layouts import FRAME_TIMES
 from pointloom.io.frames.datasets import Frame

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 import pointloom as loom
-from pointloom.datasets.scenes.room import room_loop_sequence
+from benchmarks.room_loops import room_loop_sequence
 from pointloom.rgbd.slam.dense_slam import DenseSLAM
 
 WIDTH, HEIGHT = 80, 60

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from benchmarks.room_loops import room_loop_sequence
 from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.trajectory import Trajectory
 from pointloom.core.errors import FileError
-from pointloom.datasets.scenes.room import room_loop_sequence
 from pointloom.rgbd.odometry.results import OdometryResult
 from pointloom.rgbd.slam.focal_check import MIN_ROTATION, check_focal, rotated_pairs
 from pointloom.rgbd.slam.foreground import Fit, Layers, depth_between

@@ -6,7 +6,8 @@ import itertools
 import numpy as np
 import pytest
 
-from pointloom.datasets.scenes.room import LOOPS, room_loop_sequence, surface_errors
+from benchmarks.room_loops import LOOPS, room_loop_sequence
+from pointloom.datasets.scenes.room import surface_errors
 from pointloom.io.frames.rgbd_sources import RGBDSource
 from pointloom.registration.pose_graphs.reports import GlobalOptimizationReport
 from pointloom.registration.rigid import invert_pose, pose_error, pose_of

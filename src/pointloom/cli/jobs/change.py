@@ -83,50 +83,68 @@ class ChangeReport(JobReport):
         ]
 
 
+@dataclass(frozen=True)
+class ChangeOutputs:
+    """Files that `change_files` writes.
+
+    Attributes:
+        points: Core points with distance and level of detection as attributes.
+        painted: Core points in the colors of the image.
+        picture: A .png or .webp file: change from blue to red, gray if not significant.
+        limit: Distance of the darkest colors [m]. None fits them to the changes.
+    """
+
+    points: FilePath | None = None
+    painted: FilePath | None = None
+    picture: FilePath | None = None
+    limit: float | None = None
+
+
+@dataclass(frozen=True)
+class ChangeMeasure:
+    """How change is measured.
+
+    By default half of the points have 20 neighbors within `cylinder_radius` [m], and `normal_radii` and `max_distance`
+    follow from it. For a mesh, it is the radius of averaging. `cores` is the cell size of core points [m], None for all
+    points.
+    """
+
+    cores: float | None = None
+    normal_radii: Sequence[float] | None = None
+    cylinder_radius: float | None = None
+    max_distance: float | None = None
+    registration_error: float = 0.0
+    orientation: tuple[float, float, float] = UP_AXIS
+
+
 def change_files(
     earlier: FilePath,
     later: FilePath,
     *,
-    output: FilePath | None = None,
-    picture: FilePath | None = None,
-    painted: FilePath | None = None,
-    cores: float | None = None,
-    normal_radii: Sequence[float] | None = None,
-    cylinder_radius: float | None = None,
-    max_distance: float | None = None,
-    registration_error: float = 0.0,
-    orientation: tuple[float, float, float] = UP_AXIS,
-    limit: float | None = None,
+    outputs: ChangeOutputs | None = None,
+    measure: ChangeMeasure | None = None,
     **settings: Unpack[Settings],
 ) -> ChangeReport:
     """Measure how far a surface has moved from an earlier cloud or mesh to a later cloud, with the level of detection.
 
     Unreliable if fewer than half of the core points have a distance, or if nearly all moved in one direction (epochs
-    not registered). By default half of the points have 20 neighbors within `cylinder_radius` [m], and `normal_radii`
-    and `max_distance` follow from it. For a mesh, it is the radius of averaging.
-
-    Args:
-        output: Core points with distance and level of detection as attributes.
-        picture: A .png or .webp file: change from blue to red, gray if not significant.
-        painted: Core points in the colors of the image.
-        cores: Cell size of core points [m]. None uses all points.
-        limit: Distance of the darkest colors [m]. None fits them to the changes.
+    not registered).
     """
+    outputs, measure = outputs or ChangeOutputs(), measure or ChangeMeasure()
     job = Job("change", earlier, **settings)
-    job.check(output, LABELLED, what="attributes")
-    job.check(painted, COLORED, what="colors")
-    if picture is not None:
-        check_picture(picture, overwrite=job.form["overwrite"])
+    job.check(outputs.points, LABELLED, what="attributes")
+    job.check(outputs.painted, COLORED, what="colors")
+    if outputs.picture is not None:
+        check_picture(outputs.picture, overwrite=job.form["overwrite"])
     check_systems(earlier, later)
     with job.stage("read"):
         first, after = _read(job, earlier, later, settings.get("columns"))
-    lengths = {"normal_radii": normal_radii, "cylinder_radius": cylinder_radius, "max_distance": max_distance}
     if isinstance(first, PointCloud):
-        compared = _with_cloud(job, first, after, cores, lengths, registration_error, orientation)
+        compared = _with_cloud(job, first, after, measure)
     else:
-        compared = _with_mesh(job, first, after, cores, lengths, registration_error)
-    _write(job, compared, output, painted, picture, limit)
-    return _report(job, later, compared, registration_error)
+        compared = _with_mesh(job, first, after, measure)
+    _write(job, compared, outputs)
+    return _report(job, later, compared, measure.registration_error)
 
 
 class Compared(NamedTuple):
@@ -154,36 +172,27 @@ def _read(
     return _filled(cloud_of(first, earlier, device=job.device), earlier), after
 
 
-def _with_mesh(
-    job: Job, mesh: TriangleMesh, after: PointCloud, cores: float | None, lengths: dict[str, Any], error: float
-) -> Compared:
-    where = after if cores is None else after.thin(cores)
+def _with_mesh(job: Job, mesh: TriangleMesh, after: PointCloud, measure: ChangeMeasure) -> Compared:
+    where = after if measure.cores is None else after.thin(measure.cores)
     with job.stage("change", judged=True):
-        options = {"radius": lengths["cylinder_radius"], "max_distance": lengths["max_distance"]}
-        result = compare_cloud_to_mesh(where, mesh, registration_error=error, **options)
+        options = {"radius": measure.cylinder_radius, "max_distance": measure.max_distance}
+        result = compare_cloud_to_mesh(where, mesh, registration_error=measure.registration_error, **options)
     columns = {"distance": result.distances, "beside": result.beside.astype(np.uint8)}
     return Compared("cloud to mesh", where, result, columns, {name: v for name, v in options.items() if v is not None})
 
 
-def _with_cloud(
-    job: Job,
-    before: PointCloud,
-    after: PointCloud,
-    cores: float | None,
-    given: dict[str, Any],
-    error: float,
-    orientation: Any,
-) -> Compared:
-    where = before if cores is None else before.thin(cores)
-    radius = given["cylinder_radius"] or _radius_for(before, job.source)
-    radii = given["normal_radii"] or [radius * times for times in NORMAL_RADII]
+def _with_cloud(job: Job, before: PointCloud, after: PointCloud, measure: ChangeMeasure) -> Compared:
+    where = before if measure.cores is None else before.thin(measure.cores)
+    radius = measure.cylinder_radius or _radius_for(before, job.source)
+    radii = measure.normal_radii or [radius * times for times in NORMAL_RADII]
     lengths = {
         "normal_radii": [*map(float, radii)],
         "cylinder_radius": radius,
-        "max_distance": given["max_distance"] or MAX_DISTANCE_FACTOR * radius,
+        "max_distance": measure.max_distance or MAX_DISTANCE_FACTOR * radius,
     }
     with job.stage("change", judged=True):
-        options: dict[str, Any] = {"registration_error": error, "orientation": orientation}
+        options: dict[str, Any] = {"registration_error": measure.registration_error}
+        options["orientation"] = measure.orientation
         result = m3c2(before, after, core_points=where, **lengths, **options)
     columns = {"distance": result.distances, "points_before": result.counts[:, 0], "points_after": result.counts[:, 1]}
     return Compared("m3c2", where, result, columns, lengths)
@@ -215,28 +224,21 @@ def _radius_for(cloud: PointCloud, path: FilePath) -> float:
     return rounded_up(distance)
 
 
-def _write(
-    job: Job,
-    compared: Compared,
-    output: FilePath | None,
-    painted: FilePath | None,
-    picture: FilePath | None,
-    limit: float | None,
-) -> None:
-    where, result = compared.where, compared.result
-    if output is not None:
+def _write(job: Job, compared: Compared, outputs: ChangeOutputs) -> None:
+    where, result, limit = compared.where, compared.result, outputs.limit
+    if outputs.points is not None:
         cloud = where.copy()
         for name, values in compared.columns.items():
             cloud[name] = values.astype(np.float32) if values.dtype == np.float64 else np.ascontiguousarray(values)
         cloud["level_of_detection"] = result.level_of_detection.astype(np.float32)
         cloud["significant"] = result.is_significant.astype(np.uint8)
-        job.write_points(table_of(cloud), output)
-    if painted is not None:
-        job.write_cloud(paint_change(where, result, limit=limit), painted)
-    if picture is not None:
+        job.write_points(table_of(cloud), outputs.points)
+    if outputs.painted is not None:
+        job.write_cloud(paint_change(where, result, limit=limit), outputs.painted)
+    if outputs.picture is not None:
         with job.stage("picture"):
-            draw_change(where, result, picture, limit=limit, overwrite=job.form["overwrite"])
-        job.wrote(picture)
+            draw_change(where, result, outputs.picture, limit=limit, overwrite=job.form["overwrite"])
+        job.wrote(outputs.picture)
 
 
 def _report(job: Job, later: FilePath, compared: Compared, registration_error: float) -> ChangeReport:

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
 from ...cameras.pose_files import FORMATS, write_poses
-from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
-from ...core.progress import ReportProgress
 from ...core.reports import Fields
 from ...core.units import common_unit
 from ...io.meshes import tables
@@ -24,7 +21,7 @@ from ...registration.globally.level_poses import LEVEL
 from ...registration.pose_graphs.multiway import FragmentsResult, register_multiway
 from ...registration.pose_graphs.pose_graph_files import write_pose_graph
 from ...registration.voxel_size import choose_voxel_size
-from .job import Job, JobReport
+from .job import Job, JobReport, Settings
 from .register import read_cloud
 
 _LISTED_CLOUDS = 5  # names of unplaced clouds
@@ -67,10 +64,7 @@ def register_folder(
     level: bool = False,
     merged: FilePath | None = None,
     graph: FilePath | None = None,
-    columns: Sequence[str] | None = None,
-    device: DeviceLike = "auto",
-    overwrite: bool = False,
-    progress: ReportProgress | None = None,
+    **settings: Unpack[Settings],
 ) -> MultiwayReport:
     """Register the clouds of a folder, in natural order of their names, and write their poses.
 
@@ -85,13 +79,13 @@ def register_folder(
         merged: File for all placed clouds, with their common attributes.
         graph: A .json file for the pose graph.
     """
-    job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
+    job = Job("multiway", folder, **settings)
     check_outputs(job, output, merged, graph)
     where, paths, clouds = job.device, list_clouds(folder), []
     with job.stage("read", reported=False):
         for done, path in enumerate(paths):
             job.progress("read", done, len(paths))
-            clouds.append(read_cloud(path, where, columns))
+            clouds.append(read_cloud(path, where, settings.get("columns")))
         job.progress("read", len(paths), len(paths))
     job.unit = common_unit("clouds", (cloud.unit for cloud in clouds))
     with job.stage("voxels", reported=False):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +12,12 @@ from numpy.typing import NDArray
 from ...cameras.trajectory import read_trajectory
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
-from ...core.progress import ReportProgress
 from ...core.wording import plain
 from ...registration.globally.level_poses import LEVEL
 from ...tiling.jobs.placed_scans import finish_registration
 from ...tiling.jobs.run_jobs import retry_job, run_job
 from ...tiling.jobs.scans import plan_registration
-from .job import Job
+from .job import Job, Settings
 from .multiway import MultiwayReport, check_outputs, list_clouds, placement_warning, write_poses_and_graph
 
 
@@ -52,9 +51,7 @@ def register_in_job(
     place_error: float = 0.0,
     workers: int = 0,
     graph: FilePath | None = None,
-    device: str = "auto",
-    overwrite: bool = False,
-    progress: ReportProgress | None = None,
+    **settings: Unpack[Settings],
 ) -> PlacedReport:
     """Like `register_folder`, with one task per pair in a job on disk. A repeated call resumes it and retries failures.
 
@@ -62,7 +59,7 @@ def register_in_job(
     else in order; `place_error` is their maximum error [m]. `workers` 0 works in this process. See `plan_registration`
     for `voxel_size` and `neighbors`, and `run_job` for `device`.
     """
-    job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
+    job, device = Job("multiway", folder, **settings), settings.get("device", "auto")
     check_outputs(job, output, None, graph)
     paths = list_clouds(folder)
     given = None if places is None else poses_by_scan(places, len(paths))

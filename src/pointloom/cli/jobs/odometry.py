@@ -6,13 +6,12 @@ import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 from ...cameras.pose_files import FORMATS as POSE_FORMATS
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
-from ...core.progress import ReportProgress
 from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
 from ...io.bags.recording import is_recording, open_recording
@@ -22,7 +21,7 @@ from ...registration.lidar.lidar_odometry import LidarOdometry
 from ...registration.lidar.lidar_steps import OdometrySummary, summarize_steps
 from ...registration.trajectories.trajectory_error import TrajectoryError
 from .evaluate import compare
-from .job import Job, JobReport
+from .job import Job, JobReport, Settings
 
 FORMATS = {"kitti": (".kitti", ".txt"), "tum": (".txt", ".tum"), "log": (".log",)}  # extensions of each
 
@@ -75,10 +74,7 @@ def odometry_of_folder(
     min_range: float = 5.0,
     truth: FilePath | None = None,
     topic: str | None = None,
-    columns: Sequence[str] | None = None,
-    device: DeviceLike = "auto",
-    overwrite: bool = False,
-    progress: ReportProgress | None = None,
+    **settings: Unpack[Settings],
 ) -> OdometryReport:
     """Find the pose of each scan of a folder and write them. Output and truth are checked before the work.
 
@@ -92,10 +88,10 @@ def odometry_of_folder(
         truth: File of true poses, one per scan. Errors are aligned by se3.
         topic: Topic of a recording. None for the only one of clouds.
     """
-    job = Job("odometry", folder, device=device, overwrite=overwrite, progress=progress)
+    job = Job("odometry", folder, **settings)
     form = _check_output(job, output, format)
     odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
-    scans = _Scans.open(folder, topic, columns, job.device)
+    scans = _Scans.open(folder, topic, settings.get("columns"), job.device)
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
     true_path = None if truth is None else read_trajectory(truth)
@@ -106,7 +102,7 @@ def odometry_of_folder(
     summary, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses), None
     if summary.has_seen:
         with job.stage("write", reported=False):
-            write_trajectory(output, path, format=form, overwrite=overwrite)
+            write_trajectory(output, path, format=form, overwrite=job.form["overwrite"])
         job.wrote(output)
         if true_path is not None and truth is not None:
             errors = compare(path, true_path, folder, truth, "se3")

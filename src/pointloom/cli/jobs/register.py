@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
@@ -14,7 +14,6 @@ from ...cameras.pose_files import write_pose
 from ...cameras.pose_text import read_pose
 from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
-from ...core.progress import ReportProgress
 from ...core.reports import Fields, quality
 from ...core.units import common_unit
 from ...io.meshes import tables
@@ -28,7 +27,7 @@ from ...registration.icp.constraint import Constraint, Prior
 from ...visualization.render.pair_picture import draw_pair
 from ...visualization.render.picture_files import check_picture
 from .announced_stages import AnnouncedStages
-from .job import Job, JobReport
+from .job import Job, JobReport, Settings
 
 IDENTITY, GLOBAL = "identity", "global"
 
@@ -54,60 +53,100 @@ class RegisterReport(JobReport):
         return [*self.registration.fields(), *self.closing(self.device)]
 
 
+@dataclass(frozen=True)
+class RegisterOutputs:
+    """Files that `register_files` writes.
+
+    Attributes:
+        pose: A .txt file for T_target_source, 4 rows of 4 numbers with all digits.
+        aligned: File for the moved source with all attributes.
+        picture: A .png file of both clouds before (left) and after (right).
+    """
+
+    pose: FilePath | None = None
+    aligned: FilePath | None = None
+    picture: FilePath | None = None
+
+    def check(self, job: Job) -> None:
+        job.check(self.pose, (".txt",), what="poses")
+        job.check(self.aligned)
+        if self.picture is not None:
+            check_picture(self.picture, overwrite=job.form["overwrite"])
+
+    def write(self, job: Job, clouds: tuple[PointCloud, PointCloud], T: np.ndarray, target: FilePath) -> None:
+        form = job.form
+        if self.pose is not None:
+            write_pose(self.pose, T, overwrite=form["overwrite"])
+            job.wrote(self.pose)
+        if self.aligned is not None:
+            table = table_of(clouds[0].transform(T))
+            left_out = tables.write_cloud_table(self.aligned, table, source=target, system_only=True, **form)
+            job.wrote(self.aligned, left_out)
+        if self.picture is not None:
+            draw_pair(self.picture, *clouds, T, overwrite=form["overwrite"])
+            job.wrote(self.picture)
+
+
+@dataclass(frozen=True)
+class MotionLimits:
+    """Free motions of the source, and a file with a known pose.
+
+    `sigma` are the standard deviations of its translation [m] and rotation [degrees].
+    """
+
+    free: Sequence[str] | None = None
+    prior: FilePath | None = None
+    sigma: tuple[float, float] | None = None
+
+    def constraint(self) -> Constraint:
+        """Read the prior pose. Raises FileError, or ValueError for a pose without deviations or the reverse."""
+        if self.prior is None and self.sigma is None:
+            return Constraint(self.free)
+        if self.prior is None or self.sigma is None:
+            raise ValueError("prior, prior_sigma: expected both or none, the known pose and its uncertainty")
+        translation, rotation = self.sigma
+        prior = Prior(read_pose(self.prior), sigma_translation=translation, sigma_rotation=math.radians(rotation))
+        return Constraint(self.free, prior=prior)
+
+
 def register_files(
     source: FilePath,
     target: FilePath,
     *,
-    output: FilePath | None = None,
+    outputs: RegisterOutputs | None = None,
     init: FilePath = GLOBAL,
     method: str = "point-to-plane",
     voxel_size: float | None = None,
     max_correspondence_distance: float | None = None,
-    free: Sequence[str] | None = None,
-    prior: FilePath | None = None,
-    prior_sigma: tuple[float, float] | None = None,
-    aligned: FilePath | None = None,
-    picture: FilePath | None = None,
-    columns: Sequence[str] | None = None,
-    device: DeviceLike = "auto",
-    overwrite: bool = False,
-    progress: ReportProgress | None = None,
+    motions: MotionLimits | None = None,
+    **settings: Unpack[Settings],
 ) -> RegisterReport:
     """Register a source file to a target file. Outputs are checked first, and not written without correspondences.
 
     Args:
-        output: A .txt file for T_target_source, 4 rows of 4 numbers with all digits.
         init: "global", "identity", or a file with an initial pose.
-        prior: File with a known pose.
-        prior_sigma: Standard deviations of its translation [m] and rotation [degrees].
-        aligned: File for the moved source with all attributes.
-        picture: A .png file of both clouds before (left) and after (right).
     """
     if method not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
-    job = Job("register", source, device=device, overwrite=overwrite, progress=progress)
-    job.check(output, (".txt",), what="poses")
-    job.check(aligned)
-    if picture is not None:
-        check_picture(picture, overwrite=overwrite)
-    where, start, known = job.device, _start(init), _known(prior, prior_sigma)
+    job, outputs, motions = Job("register", source, **settings), outputs or RegisterOutputs(), motions or MotionLimits()
+    outputs.check(job)
+    where, start, constraint = job.device, _start(init), motions.constraint()
     with job.stage("read"):
-        first, second = columns_of([source, target], columns)
+        first, second = columns_of([source, target], settings.get("columns"))
         clouds = read_cloud(source, where, first), read_cloud(target, where, second)
     job.unit = common_unit("source, target", (cloud.unit for cloud in clouds))
     try:
         with AnnouncedStages(job.clock, job.progress, silent=("voxels", "rate")) as stages:
             options: dict[str, Any] = {"method": method, "voxel_size": voxel_size}
             options["max_correspondence_distance"] = max_correspondence_distance
-            options["constraint"] = Constraint(free, prior=known)
-            registration = register_pair(*clouds, init=start, progress=stages, **options)
+            registration = register_pair(*clouds, init=start, constraint=constraint, progress=stages, **options)
     except UnfitCloudError as error:
         path = source if error.role == "source" else target
         reason = error.reason.replace(f"method={method!r}", f"--method {method}")
         raise FileError(path, reason, remedy=_REMEDIES[error.lacks]) from error
     with job.stage("write"):
         if registration.result.fitness > 0:
-            _write_results(job, clouds, registration, output, aligned, picture, target)
+            outputs.write(job, clouds, registration.transformation, target)
     return RegisterReport(
         job.done(_warning(registration, str(init))),
         os.fspath(target),
@@ -131,36 +170,6 @@ def _start(init: FilePath) -> np.ndarray | None:
     if str(init) == GLOBAL:
         return None
     return np.eye(4) if str(init) == IDENTITY else read_pose(init)
-
-
-def _known(prior: FilePath | None, sigma: tuple[float, float] | None) -> Prior | None:
-    """The prior pose and its deviations, both or neither. Raises FileError or ValueError."""
-    if prior is None and sigma is None:
-        return None
-    if prior is None or sigma is None:
-        raise ValueError("prior, prior_sigma: expected both or none, the known pose and its uncertainty")
-    return Prior(read_pose(prior), sigma_translation=sigma[0], sigma_rotation=math.radians(sigma[1]))
-
-
-def _write_results(
-    job: Job,
-    clouds: tuple[PointCloud, PointCloud],
-    registration: PairRegistration,
-    output: FilePath | None,
-    aligned: FilePath | None,
-    picture: FilePath | None,
-    target: FilePath,
-) -> None:
-    T, form = registration.transformation, job.form
-    if output is not None:
-        write_pose(output, T, overwrite=form["overwrite"])
-        job.wrote(output)
-    if aligned is not None:
-        table = table_of(clouds[0].transform(T))
-        job.wrote(aligned, tables.write_cloud_table(aligned, table, source=target, system_only=True, **form))
-    if picture is not None:
-        draw_pair(picture, *clouds, T, overwrite=form["overwrite"])
-        job.wrote(picture)
 
 
 def _warning(registration: PairRegistration, init: str) -> str | None:

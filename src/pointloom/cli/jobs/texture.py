@@ -5,20 +5,17 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...cameras.depth_range import DEPTH_MAX
-from ...core.checks import check_count, check_progress
-from ...core.devices import DeviceLike, resolve_device
+from ...core.checks import check_count
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
-from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, quality
-from ...core.timing import Clock, peak_bytes
+from ...core.timing import peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
 from ...io.frames.datasets import RGBDDataset, open_dataset
-from ...io.meshes.mesh_formats import UPRIGHT
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
 from ...meshing.color_map.texturing import texture_mesh
@@ -27,6 +24,7 @@ from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 from ...visualization.render.picture_files import check_picture
 from ...visualization.render.scene_view import draw_scene
 from .announced_stages import AnnouncedStages
+from .job import Job, Settings
 
 WITH_ATLAS = (".obj", ".glb", ".gltf")
 WRITTEN = (".ply", *WITH_ATLAS)
@@ -40,46 +38,43 @@ def texture_folder(
     folder: FilePath,
     output: FilePath,
     *,
+    layout: dict[str, Any],
     method: str = "rigid",
     size: int = DEFAULT_TEXTURE_SIZE,
     depth_max: float = DEPTH_MAX,
-    intrinsic: FilePath | None = None,
-    device: DeviceLike = "auto",
-    up: str = "y",
     picture: FilePath | None = None,
-    overwrite: bool = False,
-    progress: ReportProgress | None = None,
-    **layout: Any,
+    **settings: Unpack[Settings],
 ) -> TextureReport:
     """Write a mesh with the colors of posed frames. Outputs are checked before the work.
 
     Args:
-        folder: See `open_dataset`, with `layout` and `every`.
+        folder: See `open_dataset`, with the options `layout`. Its "intrinsic" is a camera as Open3D's JSON, which
+            replaces that of the folder.
         output: A .ply for vertex colors, an .obj, .glb or .gltf for a texture of `size` texels per side.
-        intrinsic: Camera as Open3D's JSON, replacing that of the folder.
-        up: Up axis in the frame of the poses, "y" or "z", for .glb or .gltf.
         picture: A .png file of the mesh with vertex colors.
     """
     check_count("size", size)
-    notify = check_progress(progress)
+    job = Job("texture", mesh, **settings)
+    overwrite = job.form["overwrite"]
     check_output(output, WRITTEN, what="colored meshes", overwrite=overwrite)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
-    where, clock, with_atlas = resolve_device(device), Clock(), Path(output).suffix.lower() in WITH_ATLAS
+    where, clock, with_atlas = job.device, job.clock, Path(output).suffix.lower() in WITH_ATLAS
+    intrinsic = layout["intrinsic"]
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
-    shape = read_triangle_mesh(mesh, device=where, up=_up_of(mesh, up))
+    shape = read_triangle_mesh(mesh, device=where, up=job.up_of(mesh))
     if with_atlas and not len(shape):
         raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply file for vertex colors")
-    dataset = _open_colored(folder, intrinsic=camera, **layout)
+    dataset = _open_colored(folder, **layout | {"intrinsic": camera})
     clock.stop("read")
     task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
     how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
     try:
-        with AnnouncedStages(clock, notify, first="read", part_of={"frames": "read"}) as stages:
+        with AnnouncedStages(clock, job.progress, first="read", part_of={"frames": "read"}) as stages:
             result = texture_mesh(shape, dataset, **how, progress=stages)
     except NothingSeenError:
         return TextureReport(task, None, clock.seconds, [])
-    files = _write(result, output, picture, up=_up_of(output, up), overwrite=overwrite)
+    files = _write(result, output, picture, up=job.up_of(output), overwrite=overwrite)
     clock.stop("write")
     return TextureReport(task, result, clock.seconds, files)
 
@@ -137,10 +132,6 @@ def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
     if any(files.color is None for files in dataset.frames):
         raise FileError(dataset.folder, "expected frames with color images, got frames without")
     return dataset
-
-
-def _up_of(path: FilePath, up: str) -> str:
-    return up if Path(path).suffix.lower() in UPRIGHT else "y"
 
 
 def _write(result: TexturedMesh, output: FilePath, picture: FilePath | None, *, up: str, overwrite: bool) -> list[str]:

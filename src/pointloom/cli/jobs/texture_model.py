@@ -5,23 +5,20 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 from ...cameras.depth_range import UNLIMITED_DEPTH
-from ...core.checks import check_progress
-from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
-from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, quality
-from ...core.timing import Clock, peak_bytes
+from ...core.timing import peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
-from ...io.meshes.mesh_formats import UPRIGHT
 from ...io.models.colmap import is_colmap_model, read_colmap_model
 from ...meshing.color_map.image_texture_result import ImageTextureResult
 from ...meshing.color_map.image_texturing import texture_from_images
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
+from .job import Job, Settings
 
 WRITTEN = (".obj", ".glb", ".gltf")
 SCALED_MODEL = Path("mesh")  # of a video's work folder: the model in the units of its mesh
@@ -44,10 +41,7 @@ def texture_model(
     *,
     size: int | None = None,
     depth_max: float = UNLIMITED_DEPTH,
-    device: DeviceLike = "auto",
-    up: str = "y",
-    overwrite: bool = False,
-    progress: ReportProgress | None = None,
+    **settings: Unpack[Settings],
 ) -> ModelTextureReport:
     """Write a mesh with a texture from the images of a model. The output is checked before the work.
 
@@ -55,10 +49,11 @@ def texture_model(
     .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See
     `texture_from_images` for `size` and `depth_max`.
     """
-    notify = check_progress(progress)
+    job = Job("texture", mesh, **settings)
+    overwrite = job.form["overwrite"]
     check_output(output, WRITTEN, what="textures from images", overwrite=overwrite)
-    clock, where = Clock(), resolve_device(device)
-    shape = read_triangle_mesh(mesh, device=where, up=_up_of(mesh, up))
+    where, clock = job.device, job.clock
+    shape = read_triangle_mesh(mesh, device=where, up=job.up_of(mesh))
     if not len(shape):
         raise FileError(
             mesh, "has no triangles, which a texture needs", remedy="Pass a mesh, such as one of pointloom video"
@@ -66,13 +61,13 @@ def texture_model(
     model, images = _open(Path(folder))
     clock.stop("read")
     try:
-        result = texture_from_images(shape, images, model, size=size, depth_max=depth_max, progress=notify)
+        result = texture_from_images(shape, images, model, size=size, depth_max=depth_max, progress=job.progress)
     except NothingSeenError:
         result = None
     clock.stop("texture")
     files = []
     if result is not None:
-        write_triangle_mesh(output, result.mesh, up=_up_of(output, up), overwrite=overwrite)
+        write_triangle_mesh(output, result.mesh, up=job.up_of(output), overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
     return ModelTextureReport(os.fspath(mesh), os.fspath(folder), len(model), result, clock.seconds, files)
@@ -119,7 +114,3 @@ def _open(folder: Path) -> tuple[Any, Path]:
             folder, "contains a model, but no folder with its images", remedy=f"Put the images into {candidates[0]}"
         )
     return read_colmap_model(folder), images
-
-
-def _up_of(path: FilePath, up: str) -> str:
-    return up if Path(path).suffix.lower() in UPRIGHT else "y"

@@ -14,6 +14,8 @@ from .mesh_toolbox import ANY
 from .options import FILE, LENGTH, columns_option, device_option, force_option, json_option, refuse, refuse_same
 from .registration_commands import RANGE_TYPE
 
+_MEASURE = ("cores", "normal_radii", "cylinder_radius", "max_distance", "registration_error", "orientation")
+
 
 @click.command(short_help="Measure change between two surveys.")
 @click.argument("earlier", type=FILE, metavar="A")
@@ -57,8 +59,10 @@ def change(earlier: Path, later: Path, as_json: bool, force: bool, **options: An
     if not any(options["orientation"]):
         refuse("--toward: expected a direction, got 0 0 0")
     refuse_same(**{name: options[name] for name in ("output", "picture", "painted")})
-    from ..jobs.change import change_files
+    from ..jobs.change import ChangeMeasure, ChangeOutputs, change_files
 
+    options["outputs"] = ChangeOutputs(*(options.pop(name) for name in ("output", "painted", "picture", "limit")))
+    options["measure"] = ChangeMeasure(**{name: options.pop(name) for name in _MEASURE})
     with Progress() as progress:
         report = change_files(earlier, later, overwrite=force, progress=progress, **options)
     return answer_with(report, f"{earlier} to {later}", as_json)

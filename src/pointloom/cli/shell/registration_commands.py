@@ -108,10 +108,12 @@ def register(
     refuse_same(**{name: options[name] for name in ("output", "aligned", "picture")}, record=options["record_as"])
     if (options["prior"] is None) != (options["prior_sigma"] is None):
         refuse("--prior, --prior-sigma: expected both or none, the known pose and its uncertainty")
-    options["free"] = _motions(free, init)
-    from ..jobs.register import register_files
+    free_motions = _motions(free, init)
+    from ..jobs.register import MotionLimits, RegisterOutputs, register_files
     from .recording_command import recorded
 
+    options["outputs"] = RegisterOutputs(*(options.pop(name) for name in ("output", "aligned", "picture")))
+    options["motions"] = MotionLimits(free_motions, options.pop("prior"), options.pop("prior_sigma"))
     with open_pipes([source, target], read_as=read_as) as ends, Progress() as progress:
         report = recorded(register_files, *ends.sources, init=init, overwrite=force, progress=progress, **options)
     return answer_with(ends.rename(report), f"{source} onto {target}", as_json)

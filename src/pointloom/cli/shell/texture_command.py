@@ -84,6 +84,7 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
         with Progress() as progress:
             model_report = texture_model(mesh, frames, output, overwrite=force, progress=progress, **chosen)
         return answer_with(model_report, f"{mesh} and {frames} (model)", as_json)
+    options["layout"] = {name: options.pop(name) for name in ("layout", "intrinsic", "every", "skip_missing")}
     with Progress() as progress:
         report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
     return answer_with(report, f"{mesh} and {frames} ({report.task.layout})", as_json)

@@ -81,12 +81,12 @@ def view(
             refuse(f"{written} is one of the FILES; pass another name")
     if options["colormap"] is not None and options["color_by"] is None:
         refuse("--colormap requires --color-by")
-    from .view_job import ViewJob, check_outputs
+    from .view_job import ViewJob, ViewOptions, check_outputs
 
     check_outputs(screenshot, save_html, force=options["force"])
 
     with open_pipes(files, read_as=read_as) as ends:
-        job = ViewJob(ends, **options)
+        job = ViewJob(ends, ViewOptions(**options))
         if screenshot is not None or save_html is not None:
             return job.write(screenshot, save_html, as_json)
         return job.serve(as_json)

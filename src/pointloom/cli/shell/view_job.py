@@ -43,35 +43,35 @@ def check_outputs(screenshot: Path | None, page: Path | None, *, force: bool) ->
         check_writable(page, overwrite=force)
 
 
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class ViewOptions:
+    """Options of `pointloom view`. Clouds of a recording's `topic` are transformed into `frame`."""
+
+    color_by: str | None
+    colormap: str | None
+    view_file: Path | None
+    point_size: float | None
+    up: str | None
+    max_points: int
+    force: bool
+    port: int
+    host: str
+    no_open: bool
+    keep_alive: float
+    topic: str | None = None
+    frame: str | None = None
+    columns: Sequence[str] | None = None
+
+
 class ViewJob:
-    """Files to show or render. Arguments are the options of `pointloom view`. Raises FileError or ValueError.
+    """Files to show or render. `ends` are the files, with names for pipes. Raises FileError or ValueError."""
 
-    `ends` are the files, with names for pipes. Clouds of a recording's `topic` are transformed into `frame`.
-    """
-
-    def __init__(
-        self,
-        ends: Ends,
-        *,
-        color_by: str | None,
-        colormap: str | None,
-        view_file: Path | None,
-        point_size: float | None,
-        up: str | None,
-        max_points: int,
-        force: bool,
-        topic: str | None = None,
-        frame: str | None = None,
-        columns: Sequence[str] | None = None,
-        **server: Any,
-    ):
-        self.files, self._ends = ends.sources, ends
+    def __init__(self, ends: Ends, options: ViewOptions):
+        self.files, self._ends, self.given = ends.sources, ends, options
         self.title = ", ".join(INPUT if str(path) in ends.names else path.name for path in self.files)
-        self.force, self.max_points, self.server = force, max_points, server
-        self.color_by, self.colormap, self.point_size = color_by, colormap, point_size
-        self.up = None if up is None else check_up(up)
-        self._recorded = {"topic": topic, "frame": frame}
-        self._columns = columns_of(self.files, columns)
+        self.up = None if options.up is None else check_up(options.up)
+        topic, frame, view_file = options.topic, options.frame, options.view_file
+        self._columns = columns_of(self.files, options.columns)
         self.clock = Clock()
         self.view = None if view_file is None else read_view(view_file, width=IMAGE_SIZE[0], height=IMAGE_SIZE[1])
         for path in self.files:
@@ -85,15 +85,16 @@ class ViewJob:
 
     def read(self, notify: ReportProgress = ignore_progress, *, in_parts: bool = False) -> None:
         """Read the files with progress. With `in_parts`, only the coarse levels of large COPC files."""
-        style = {"point_size": self.point_size} if self.point_size is not None else {}
+        given = self.given
+        style = {"point_size": given.point_size} if given.point_size is not None else {}
         with Progress() as progress:
 
             def report(stage: str, done: int, total: int) -> None:
                 progress(stage, done, total)
                 notify(stage, done, total)
 
-            options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": report}
-            options |= {"in_parts": in_parts, "columns": self._columns, **self._recorded}
+            options: dict[str, Any] = {"max_points": given.max_points, "color_by": given.color_by, "progress": report}
+            options |= {"in_parts": in_parts, "columns": self._columns, "topic": given.topic, "frame": given.frame}
             named, trees = read_scene(list(self.files), style, **options)
         names = {
             name: INPUT for path, (name, _, _) in zip(self.files, named, strict=True) if str(path) in self._ends.names
@@ -111,8 +112,8 @@ class ViewJob:
             written.append(screenshot)
             self.clock.stop("draw")
         if page is not None:
-            how: dict[str, Any] = {"view": self.view, "title": self.title, "overwrite": self.force, "up": self.up}
-            write_geometries(page, named, self.max_points, **how)
+            how: dict[str, Any] = {"view": self.view, "title": self.title, "overwrite": self.given.force, "up": self.up}
+            write_geometries(page, named, self.given.max_points, **how)
             written.append(page)
             self.clock.stop("write page")
         report = dataclasses.replace(self._report(), files=tuple(map(str, written)), seconds=self.clock.seconds)
@@ -124,21 +125,23 @@ class ViewJob:
         from ...visualization.viewer.draw import announce, open_page
         from ...visualization.viewer.viewer import Viewer
 
-        sizes: dict[str, Any] = {} if self.point_size is None else {"point_size": self.point_size}
-        port, host = self.server["port"], self.server["host"]
+        sizes: dict[str, Any] = {} if self.given.point_size is None else {"point_size": self.given.point_size}
+        port, host = self.given.port, self.given.host
 
         def open_up() -> None:
             announce(viewer)
-            if not self.server["no_open"]:
+            if not self.given.no_open:
                 open_page(viewer)
 
-        with Viewer(port=port, host=host, title=self.title, max_points=self.max_points, **sizes) as viewer:
+        with Viewer(port=port, host=host, title=self.title, max_points=self.given.max_points, **sizes) as viewer:
             viewer.up = self.up
             if self.view is not None:
                 viewer.set_view(self.view)
             first: list[Named] = []
             if not self._ends.names and not any(self._columns):  # waits for a pipe
-                first = first_looks(self.files, min(self.max_points, FIRST_LOOK), larger_than=self.max_points)
+                first = first_looks(
+                    self.files, min(self.given.max_points, FIRST_LOOK), larger_than=self.given.max_points
+                )
             if first:
                 viewer.add_named(first)
                 open_up()
@@ -152,34 +155,38 @@ class ViewJob:
             viewer.add_named(self.named, self.trees)
             for name, _, _ in first:
                 viewer.remove(name)
-            if self.color_by is not None:
-                viewer.color_by(self.color_by, colormap=self.colormap)
+            if self.given.color_by is not None:
+                viewer.color_by(self.given.color_by, colormap=self.given.colormap)
             if not first:
                 open_up()
             if as_json:
                 print_json(self._ends.rename(self._report()).to_dict() | {"url": viewer.url, "ssh": viewer.ssh_line})
-            viewer.wait(keep_alive=self.server["keep_alive"])
+            viewer.wait(keep_alive=self.given.keep_alive)
         return 0
 
     def _draw(self, named: list[Named], path: Path) -> None:
         from ...visualization.render.render import render
 
         entries = [as_entry(one) for one in named]
-        picture = render(entries, camera=self.view, size=IMAGE_SIZE, color_bar=self.color_by is not None, up=self.up)
-        write_image(path, picture, overwrite=self.force)
+        picture = render(
+            entries, camera=self.view, size=IMAGE_SIZE, color_bar=self.given.color_by is not None, up=self.up
+        )
+        write_image(path, picture, overwrite=self.given.force)
 
     def _colored(self) -> list[Named]:
         colored: list[Named] = []
         for name, geometry, style in self.named:
             if name in self.trees:
                 geometry = with_colors(make_item(name, 0, geometry, style, self.trees[name]))
-            if isinstance(geometry, PointCloud) and self.color_by in choices_of(geometry):
-                style = dataclasses.replace(style, color_by=self.color_by, colormap=self.colormap, color=None)
+            if isinstance(geometry, PointCloud) and self.given.color_by in choices_of(geometry):
+                style = dataclasses.replace(
+                    style, color_by=self.given.color_by, colormap=self.given.colormap, color=None
+                )
             colored.append((name, geometry, style))
         return colored
 
     def _check_color(self) -> None:
-        if self.color_by is None:
+        if self.given.color_by is None:
             return
         known: list[str] = []
         for name, geometry, _ in self.named:
@@ -187,9 +194,9 @@ class ViewJob:
                 known += [choice for choice in choices_of(geometry) if choice not in known]
                 if name in self.trees and self.trees[name].colors_of(np.zeros(0, np.int64)) is not None:
                     known.append("rgb")
-        if self.color_by not in known:
+        if self.given.color_by not in known:
             there = f"there are {', '.join(known)}" if known else "there are no clouds"
-            raise ValueError(f"--color-by: no cloud here has {self.color_by!r}; {there}")
+            raise ValueError(f"--color-by: no cloud here has {self.given.color_by!r}; {there}")
 
     def _report(self) -> ViewReport:
         shown = []

@@ -10,7 +10,7 @@ import functools
 import math
 import os
 import shutil
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
 from ...core.atomic import part_name
-from ...core.checks import check_count, check_fraction, check_list, check_name, check_number, check_rigid, check_rows
+from ...core.checks import check_count, check_fraction, check_list, check_number, check_rigid, check_rows
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...io.frames.datasets import Frame
@@ -30,7 +30,7 @@ from ...kernels.memory import download, upload
 from ...kernels.scenes.color_noise import measure_colors
 from ...kernels.scenes.depth_noise import measure_depth
 from ...kernels.scenes.primitives import distance_to_solids
-from ...kernels.scenes.room import CHECKER_PATTERN, STRIPES_PATTERN, Room
+from ...kernels.scenes.room import Room
 from ...kernels.scenes.value_noise import grain_pixels
 from .furniture import ROOM_SIZE, build_room, furnished_room
 
@@ -77,16 +77,7 @@ def round_pose(fraction: float) -> NDArray[np.float64]:
     yaw, pitch = a + 0.35, math.radians(-6 + 27 * math.sin(3 * a))
     behind = 0.75 + 0.25 * math.sin(2 * a + 1)
     position = (-behind * math.cos(yaw), -0.8 * behind * math.sin(yaw), 1.5 + 0.15 * math.sin(2 * a))
-    return _hand_held(fraction, position, yaw, pitch)
-
-
-def eight_pose(fraction: float) -> NDArray[np.float64]:
-    """Camera to world [m] on a figure of eight along the room. Up and down four times."""
-    a = -2 * math.pi * fraction
-    yaw = math.pi / 2 + a + math.radians(10) * math.sin(2 * a)
-    pitch = math.radians(-8 + 28 * math.sin(4 * a + 1.2))
-    position = (1.05 * math.sin(a), -0.42 * math.sin(2 * a), 1.5 + 0.12 * math.cos(3 * a))
-    return _hand_held(fraction, position, yaw, pitch)
+    return hand_held(fraction, position, yaw, pitch)
 
 
 def film_pose(fraction: float) -> NDArray[np.float64]:
@@ -94,10 +85,10 @@ def film_pose(fraction: float) -> NDArray[np.float64]:
     yaw = 2 * math.pi * fraction + 0.35
     pitch = math.radians(-14 + 6 * math.sin(6 * math.pi * fraction))
     position = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * fraction))
-    return _hand_held(fraction, position, yaw, pitch)
+    return hand_held(fraction, position, yaw, pitch)
 
 
-def _hand_held(fraction: float, position: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
+def hand_held(fraction: float, position: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
     """A pose from the floor center with hand tremor of 3 mm and 0.2 degrees at about 1 Hz, periodic over the loop."""
     a = 2 * math.pi * fraction
     tremble = 0.003 * np.sin([19 * a + 0.3, 23 * a + 1.1, 17 * a + 2.0])
@@ -107,11 +98,7 @@ def _hand_held(fraction: float, position: tuple[float, float, float], yaw: float
     return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
 
 
-LOOPS = {"round": round_pose, "eight": eight_pose}
-
-
 DEPTH_SCALE = 1000.0  # noisy depth is stored in integer millimeters
-FRAME_RATE = 30.0  # [Hz] frame rate of the loops
 COLOR_NOISE = 2.0  # [of 255] standard deviation of color noise with texture, as of a phone camera indoors
 
 
@@ -134,14 +121,13 @@ class RoomSequence:
         noise: bool,
         device: DeviceLike,
         path: Callable[[float], NDArray[np.float64]] = room_pose,
-        effects: RoomEffects | None = None,
         texture: float = 0.0,
         color_noise: float = 0.0,
     ):
         self.frame_count, self.intrinsic, self.seed, self.noise = frame_count, intrinsic, seed, noise
         self._texture, self._color_noise = texture, color_noise
         self.depth_scale = DEPTH_SCALE if noise else 1.0
-        self._room, self._path, self._effects = _cached_room(str(device), current_cpu_compiler()), path, effects
+        self.room, self.path = _cached_room(str(device), current_cpu_compiler()), path
 
     def __len__(self) -> int:
         return self.frame_count
@@ -152,32 +138,36 @@ class RoomSequence:
     @property
     def poses(self) -> NDArray[np.float64]:
         """The true poses of all frames, camera to world, shape (n, 4, 4) [m], without rendering."""
-        return np.array([self._path(i / self.frame_count) for i in range(self.frame_count)])
+        return np.array([self.path(i / self.frame_count) for i in range(self.frame_count)])
 
     def read(self, index: int) -> RoomFrame:
         """Render a frame. The same index always gives the same frame."""
         if not 0 <= index < self.frame_count:
             raise IndexError(f"index: expected 0 to {self.frame_count - 1}, got {index}")
-        camera, effects, fraction = self.intrinsic, self._effects, index / self.frame_count
-        width, height = camera.width, camera.height
-        T = self._path(fraction)
-        room = self._room if effects is None or not effects.person else person_in(self._room, T, fraction)
-        depth, incidence, colors = self._look(room, T)
+        T = self.path(index / self.frame_count)
+        depth, color = self.images(self.room, T, index)
+        return self.frame(index, T, depth, color)
+
+    def images(
+        self, room: Room, T_world_camera: NDArray[np.float64], index: int
+    ) -> tuple[NDArray[Any], NDArray[np.uint8]]:
+        """Measured depth and color of a room at a pose, without color noise."""
+        width, height = self.intrinsic.width, self.intrinsic.height
+        depth, incidence, colors = self._look(room, T_world_camera)
         if self.noise:
             depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
         values = np.array(download(depth), np.float32).reshape(height, width)  # sync
         measured = np.rint(values * DEPTH_SCALE).astype(np.uint16) if self.noise else values
-        color, time = np.array(download(colors), np.uint8).reshape(height, width, 3), None
-        if effects is not None:
-            shutter = [self._path((index + offset) / self.frame_count) for offset in effects.shutter_offsets()]
-            others = (np.array(download(self._look(room, other)[2])).reshape(color.shape) for other in shutter)
-            measured, color = effects.spoil(index, measured, color, others)
-            time = index / FRAME_RATE
+        return measured, np.array(download(colors), np.uint8).reshape(height, width, 3)
+
+    def frame(
+        self, index: int, T: NDArray[np.float64], depth: NDArray[Any], color: NDArray[np.uint8] | None, **time: float
+    ) -> RoomFrame:
+        """A frame of images, with color noise added."""
         if self._color_noise and color is not None:
             color = self._with_noise(index, color)
-        return RoomFrame(
-            depth=measured, color=color, T_world_camera=T, intrinsic=camera, name=f"frame-{index:06d}", timestamp=time
-        )
+        name = f"frame-{index:06d}"
+        return RoomFrame(depth=depth, color=color, T_world_camera=T, intrinsic=self.intrinsic, name=name, **time)
 
     def _look(self, room: Room, T_world_camera: NDArray[np.float64]) -> tuple[Any, Any, Any]:
         """Depth, incidence and colors of a view, as `Room.render`, with surface texture if requested."""
@@ -187,12 +177,12 @@ class RoomSequence:
             if self._texture < 1:
                 mixed = self._texture * np.array(download(colors), np.float32)  # sync
                 mixed += (1 - self._texture) * np.array(download(plain), np.float32)
-                colors = upload(np.rint(mixed).astype(np.uint8), uint8, self._room.device)
+                colors = upload(np.rint(mixed).astype(np.uint8), uint8, self.room.device)
         return depth, incidence, colors
 
     def _with_noise(self, index: int, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """Add sensor noise, after all other effects."""
-        light = upload(np.ascontiguousarray(color).reshape(-1), uint8, self._room.device)
+        light = upload(np.ascontiguousarray(color).reshape(-1), uint8, self.room.device)
         noisy = measure_colors(light, sigma=self._color_noise, seed=self.seed, frame=index)
         return np.array(download(noisy), np.uint8).reshape(color.shape)  # sync
 
@@ -231,52 +221,8 @@ def room_sequence(
         A lazy sequence of `RoomFrame`, bitwise reproducible on one device.
     """
     frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
-    camera, where = _prime_sense(width, height), resolve_device(device)
-    return RoomSequence(frame_count, camera, seed, bool(noise), where, **_grain(texture, color_noise))
-
-
-def room_loop_sequence(
-    frame_count: int = 600,
-    path: str = "round",
-    *,
-    width: int = 640,
-    height: int = 480,
-    seed: int = 0,
-    noise: bool = True,
-    color: bool = True,
-    blur: float = 0.0,
-    exposure: float = 0.0,
-    covered: tuple[int, int] | None = None,
-    person: bool = False,
-    texture: bool | float = False,
-    color_noise: float | None = None,
-    device: DeviceLike = "cpu",
-) -> RoomSequence:
-    """RGB-D frames of the furnished room from a camera on a closed loop at 30 Hz.
-
-    Args:
-        frame_count: Frames of the loop. 600 are 5 to 15 mm and up to 1.5 degrees apart, as of a hand-held camera.
-        path: "round" or "eight". Each sees 95 % of the room.
-        width, height, seed, noise, texture, color_noise, device: As `room_sequence`.
-        color: Render color.
-        blur: Exposure time of the color camera as a fraction of the frame time (mean of 5 renderings). Depth has no
-            blur.
-        exposure: Amplitude of slow brightness changes along the rows (rolling shutter): 0.5 is 1.5 times brighter or
-            darker.
-        covered: Range of frames with blank depth and black color.
-        person: A person walks in front of the camera.
-
-    Returns:
-        A lazy sequence of `RoomFrame` with timestamps, bitwise reproducible on one device.
-    """
-    frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
-    if check_name("path", path) not in LOOPS:
-        raise ValueError(f"path: expected one of {tuple(LOOPS)}, got {path!r}")
-    effects = RoomEffects.checked(frame_count, seed, color, blur, exposure, covered, person)
-    camera, where = _prime_sense(width, height), resolve_device(device)
-    return RoomSequence(
-        frame_count, camera, seed, bool(noise), where, LOOPS[path], effects, **_grain(texture, color_noise)
-    )
+    camera, where = prime_sense_camera(width, height), resolve_device(device)
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, **grain_options(texture, color_noise))
 
 
 def room_views(
@@ -305,10 +251,10 @@ def room_views(
     def path(fraction: float) -> NDArray[np.float64]:
         return matrices[min(round(fraction * frame_count), frame_count - 1)]
 
-    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **_grain(texture, color_noise))
+    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain_options(texture, color_noise))
 
 
-def _grain(texture: Any, color_noise: Any) -> dict[str, Any]:
+def grain_options(texture: Any, color_noise: Any) -> dict[str, Any]:
     fraction = check_fraction("texture", float(texture) if isinstance(texture, bool) else texture)
     return {"texture": fraction, "color_noise": _checked_noise(color_noise, texture)}
 
@@ -322,7 +268,7 @@ def _checked_noise(color_noise: Any, texture: Any) -> float:
     return value
 
 
-def _prime_sense(width: int, height: int) -> PinholeCameraIntrinsic:
+def prime_sense_camera(width: int, height: int) -> PinholeCameraIntrinsic:
     width, height = check_count("width", width), check_count("height", height)
     focal = 525.0 * width / 640
     return PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
@@ -379,86 +325,3 @@ def write_room_sequence(
         raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
     finally:
         shutil.rmtree(part, ignore_errors=True)
-
-
-BLUR_RENDERINGS = 5  # renderings averaged for blur; odd, so that one is at the pose
-
-EXPOSURE_PERIODS = (2.3, 0.7)  # [s] periods of the exposure
-
-FRAME_TIME = 1 / 30  # [s]
-
-PERSON_AWAY = 1.9  # [m] from the camera
-PERSON_SWING = math.radians(45)  # to both sides. A view of 63 degrees ends at 31
-PERSON_PASSES = 3  # back and forth on a loop
-
-
-@dataclasses.dataclass(frozen=True)
-class RoomEffects:
-    seed: int
-    color: bool = True
-    blur: float = 0.0
-    exposure: float = 0.0
-    covered: tuple[int, int] = (0, 0)
-    person: bool = False
-
-    @classmethod
-    def checked(
-        cls, frame_count: int, seed: int, color: Any, blur: Any, exposure: Any, covered: Any, person: Any
-    ) -> RoomEffects:
-        blur, exposure = check_number("blur", blur), check_number("exposure", exposure)
-        for name, value in (("blur", blur), ("exposure", exposure)):
-            if not 0 <= value <= 10:
-                raise ValueError(f"{name}: expected 0 to 10, got {value}")
-        if covered is None:
-            return cls(seed, bool(color), blur, exposure, (0, 0), bool(person))
-        if not isinstance(covered, (tuple, list)) or len(covered) != 2:
-            raise TypeError(f"covered: expected (first, end) frame indices, got {covered!r}")
-        first, end = (check_count("covered", value, minimum=0) for value in covered)
-        if not first < end <= frame_count:
-            raise ValueError(f"covered: expected two frames in order up to {frame_count}, got {first} and {end}")
-        return cls(seed, bool(color), blur, exposure, (first, end), bool(person))
-
-    def shutter_offsets(self) -> list[float]:
-        """Offsets [frames] of the additional renderings of a blurred image."""
-        if not self.blur or not self.color:
-            return []
-        offsets = [(k / (BLUR_RENDERINGS - 1) - 0.5) * self.blur for k in range(BLUR_RENDERINGS)]
-        return [offset for offset in offsets if offset]
-
-    def spoil(
-        self, index: int, depth: NDArray[Any], color: NDArray[np.uint8], others: Iterable[NDArray[np.uint8]]
-    ) -> tuple[NDArray[Any], NDArray[np.uint8] | None]:
-        """Apply the effects to a frame; `others` are the renderings at the other shutter times."""
-        if self.covered[0] <= index < self.covered[1]:
-            return np.zeros_like(depth), np.zeros_like(color) if self.color else None
-        if not self.color:
-            return depth, None
-        if not self.blur and not self.exposure:
-            return depth, color
-        light = np.mean([color, *others], axis=0)
-        if self.exposure:
-            light *= self._gains(index, len(color))[:, None, None]
-        return depth, np.rint(np.clip(light, 0, 255)).astype(np.uint8)
-
-    def _gains(self, index: int, rows: int) -> NDArray[np.float64]:
-        """Brightness of each row under a rolling shutter."""
-        time = (index + np.arange(rows) / rows) * FRAME_TIME
-        phases = 2 * math.pi * np.random.default_rng([self.seed, 1]).random(len(EXPOSURE_PERIODS))
-        waves = [
-            np.sin(2 * math.pi * time / period + phase) for period, phase in zip(EXPOSURE_PERIODS, phases, strict=True)
-        ]
-        return (1 + self.exposure) ** np.mean(waves, axis=0)
-
-
-def person_in(room: Room, T_world_camera: NDArray[np.float64], fraction: float) -> Room:
-    """The room with a person in front of the camera. The lighting does not change."""
-    parts, eye, forward = furnished_room(), T_world_camera[:3, 3], T_world_camera[:3, 2]
-    angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * fraction)
-    x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), ROOM_SIZE[0] - 0.35)
-    y = min(max(eye[1] + PERSON_AWAY * math.sin(angle), 0.35), ROOM_SIZE[1] - 0.35)
-    parts.set_frame(x, y, angle=math.degrees(angle))
-    shirt = {"second": (0.90, 0.86, 0.80), "pattern": (STRIPES_PATTERN, 0.05)}
-    parts.cylinder((0, 0, 1.1), 0.21, 0.72, (0.20, 0.30, 0.55), rounding=0.1, **shirt)
-    parts.cylinder((0, 0, 0.4), 0.16, 0.8, (0.16, 0.17, 0.22), rounding=0.05)
-    parts.sphere((0, 0, 1.6), 0.12, (0.85, 0.66, 0.52), second=(0.30, 0.20, 0.15), pattern=(CHECKER_PATTERN, 0.12))
-    return Room(parts.solids(room.device), np.array(parts.paints), np.array(parts.patterns), light=room.light)
