@@ -17,7 +17,7 @@ from .rigid import nearest_rotation
 def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
     bare = cloud._with_arrays({"points": cloud._device_array("points")})
     thinned = bare.voxel_down_sample(voxel_size)
-    return Surface(thinned._device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
+    return Surface.select(thinned._device_array("points"), NARROW * voxel_size, WIDE * voxel_size)
 
 
 def surface_for(cloud: PointCloud, voxel_size: float, distance: float) -> Surface:

@@ -228,12 +228,12 @@ class NearGround:
         """uint8 (n): 1 for ground points; parameters as of `classify_ground`."""
         cells, unwanted = self.cells, zeros(self.cells.size, uint8, self.device)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
-        closed = self._opened(surface, LOW_RADIUS, DILATION_SIGN)
+        closed = self.open_by(surface, LOW_RADIUS, DILATION_SIGN)
         flag_steps(surface, closed, LOW_SLOPE * cells.cell, DILATION_SIGN, unwanted)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
         before = surface
         for radius in range(1, self.radius + 1):
-            opened = self._opened(surface, radius, EROSION_SIGN)
+            opened = self.open_by(surface, radius, EROSION_SIGN)
             flag_steps(before, opened, slope * radius * cells.cell, EROSION_SIGN, unwanted)
             before = opened
         heights = self._filled(unwanted, levels_of(self.radius), SPRINGS_PER_LEVEL)
@@ -265,7 +265,7 @@ class NearGround:
             filled = heights
         return filled
 
-    def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
+    def open_by(self, heights: Scalars, radius: int, first: float) -> Scalars:
         """Opening (EROSION_SIGN first) or closing (DILATION_SIGN first) by octagons, ignoring unknown cells."""
         for side in (first, -first):
             known = empty(self.cells.size, float32, self.device)
