@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..array_types import AnyArray, Array, Indices, Integers, Mask
-from ..lang import array, int32, kernel, launch, tid, uint8, vec3, vec3d, vec3i
+from ..lang import array, compute, int32, kernel, launch, tid, uint8, vec3, vec3d, vec3i
 from ..memory import contiguous, copy, download, empty, rows_of, upload, zeros
 from .prefix_sum import inclusive_scan
 from .side_by_side import read_together
@@ -67,9 +67,7 @@ def invert_mask_kernel(mask: array(dtype=uint8), inverted: array(dtype=uint8)):
 
 
 def invert_mask(mask: Mask) -> Mask:
-    inverted = empty(mask.size, uint8, mask.device)
-    launch(invert_mask_kernel, mask.size, [mask, inverted])
-    return inverted
+    return compute(invert_mask_kernel, mask.size, [mask], uint8, mask.device)
 
 
 @kernel
@@ -80,15 +78,12 @@ def mark_negative_kernel(values: array(dtype=int32), marks: array(dtype=int32)):
 
 def mark_negative(values: Integers) -> Integers:
     """int32: 1 where a value is negative, else 0."""
-    marks = empty(values.size, int32, values.device)
-    launch(mark_negative_kernel, values.size, [values, marks])
-    return marks
+    return compute(mark_negative_kernel, values.size, [values], int32, values.device)
 
 
 def _ranks_of(mask: Mask) -> Integers:
     """Inclusive counts of set elements, for a nonempty GPU mask."""
-    ranks = empty(mask.size, int32, mask.device)
-    launch(count_mask_kernel, mask.size, [mask, ranks])
+    ranks = compute(count_mask_kernel, mask.size, [mask], int32, mask.device)
     inclusive_scan(ranks, ranks)
     return ranks
 

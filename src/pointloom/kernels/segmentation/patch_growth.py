@@ -21,6 +21,7 @@ from ..lang import (
     array,
     atomic_max,
     atomic_min,
+    compute,
     dot,
     float32,
     func,
@@ -399,8 +400,7 @@ class Patches:
         mask = empty(self.labels.size, uint8, self.device)
         launch(mask_growing_kernel, self.labels.size, [self.labels, upload(chosen, int32, self.device), mask])
         rows, patches = positions_of(mask, int(self.counts[chosen].sum())), np.flatnonzero(chosen)
-        keys = empty(rows.size, int64, self.device)
-        launch(widen_labels_kernel, rows.size, [rows, self.labels, keys])
+        keys = compute(widen_labels_kernel, rows.size, [rows, self.labels], int64, self.device)
         _, order = argsort_keys(keys, max(1, len(chosen).bit_length()))
         rows = gather_rows(rows, order)
         names = np.full(len(chosen), -1)

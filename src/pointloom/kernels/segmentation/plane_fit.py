@@ -22,6 +22,7 @@ from ..lang import (
     WARP,
     array,
     atomic_add,
+    compute,
     float64,
     int32,
     kernel,
@@ -408,8 +409,7 @@ class PlaneSearch:
             partials = empty((part.size, block_count), float64, self.device)
             arguments = [self.blocks, planes, part, threshold, partials]
             launch(sum_distances_kernel, part.size * block_count, arguments)
-            out = empty(part.size, float64, self.device)
-            launch(fold_distances_kernel, part.size, [partials, out])
+            out = compute(fold_distances_kernel, part.size, [partials], float64, self.device)
             sums.append(download(out).copy())  # sync: only if several planes have equally many inliers
         return np.concatenate(sums)
 

@@ -15,6 +15,7 @@ from ..lang import (
     INFINITY,
     array,
     atomic_min,
+    compute,
     float32,
     float64,
     floor,
@@ -256,11 +257,9 @@ class NearGround:
         filled = known[-1][0]
         for level in range(levels - 1, -1, -1):
             own, wide, high = known[level]
-            heights = empty(own.size, float32, self.device)
-            launch(spread_cells_kernel, own.size, [own, filled, wide, high, heights])
+            heights = compute(spread_cells_kernel, own.size, [own, filled, wide, high], float32, self.device)
             for _ in range(springs[level] if level < len(springs) else 0):
-                pulled = empty(own.size, float32, self.device)
-                launch(relax_cells_kernel, own.size, [own, heights, wide, high, pulled])
+                pulled = compute(relax_cells_kernel, own.size, [own, heights, wide, high], float32, self.device)
                 heights = pulled
             filled = heights
         return filled
@@ -268,7 +267,6 @@ class NearGround:
     def open_by(self, heights: Scalars, radius: int, first: float) -> Scalars:
         """Opening (EROSION_SIGN first) or closing (DILATION_SIGN first) by octagons, ignoring unknown cells."""
         for side in (first, -first):
-            known = empty(self.cells.size, float32, self.device)
-            launch(pass_over_kernel, self.cells.size, [heights, side * INFINITY, known])
+            known = compute(pass_over_kernel, self.cells.size, [heights, side * INFINITY], float32, self.device)
             heights = filter_along(known, self.cells.columns, self.cells.rows, segments_of(radius), side)
         return heights
