@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from ..array_types import AnyArray, Array, Indices, Integers, Mask
-from ..lang import array, compute, int32, kernel, launch, tid, uint8, vec3, vec3d, vec3i
+from ..array_types import AnyArray, Array, Indices, Integers, LongIntegers, Mask
+from ..lang import array, compute, int32, int64, kernel, launch, tid, uint8, vec3, vec3d, vec3i
 from ..memory import contiguous, copy, download, empty, rows_of, upload, zeros
 from .prefix_sum import inclusive_scan
 from .side_by_side import read_together
@@ -52,6 +52,17 @@ def gather_vec3d_kernel(values: array(dtype=vec3d), rows: array(dtype=int32), ou
 def gather_vec3i_kernel(values: array(dtype=vec3i), rows: array(dtype=int32), out: array(dtype=vec3i)):
     i = tid()
     out[i] = values[rows[i]]
+
+
+@kernel
+def gather_keys_kernel(values: array(dtype=int32), rows: array(dtype=int32), keys: array(dtype=int64)):
+    i = tid()
+    keys[i] = int64(values[rows[i]])
+
+
+def gather_keys(values: Integers, rows: Indices) -> LongIntegers:
+    """values[rows] of int32 as int64 keys to sort."""
+    return compute(gather_keys_kernel, rows.size, [values, rows], int64, values.device)
 
 
 GATHERING = {vec3: gather_vec3_kernel, vec3d: gather_vec3d_kernel, vec3i: gather_vec3i_kernel}

@@ -12,10 +12,10 @@ import numpy as np
 from ..algebra.transform import narrow, widen
 from ..array_types import Indices, Integers, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import positions_of
+from ..arrays.select import gather_keys, positions_of
 from ..arrays.union_find import mask_roots_kernel
 from ..arrays.unique import UniqueKeys
-from ..lang import array, compute, float64, int32, int64, kernel, launch, length, tid, uint8, vec3, vec3d, vec3i
+from ..lang import array, compute, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3d, vec3i
 from ..memory import download, empty, upload
 
 
@@ -32,12 +32,6 @@ def rename_corners_kernel(
     i = tid()
     t = triangles[i]
     renamed[i] = vec3i(indices[owners[t[0]]], indices[owners[t[1]]], indices[owners[t[2]]])
-
-
-@kernel
-def list_owner_indices_kernel(owners: array(dtype=int32), indices: array(dtype=int32), keys: array(dtype=int64)):
-    i = tid()
-    keys[i] = int64(indices[owners[i]])
 
 
 @kernel
@@ -84,8 +78,7 @@ def average_members(
 ) -> list[Any]:
     """Mean rows (vec3 [count]) of each owner and its merged vertices; `unit` marks arrays of unit vectors."""
     device = owners.device
-    keys = compute(list_owner_indices_kernel, owners.size, [owners, indices], int64, device)
-    groups, means = UniqueKeys(keys, max(1, count.bit_length()), padded=True), []
+    groups, means = UniqueKeys(gather_keys(indices, owners), max(1, count.bit_length()), padded=True), []
     for rows, is_unit in zip(arrays, unit, strict=True):
         means.append(empty(count, vec3, device))
         launch(average_members_kernel, count, [rows, groups, int(is_unit), means[-1]])
