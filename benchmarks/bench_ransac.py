@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from bench_register_globally import Pair, errors, pair
+from bench_register_globally import Pair, describe_in_open3d, errors, pair
 from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 from real_data import real_data
 
@@ -67,16 +67,9 @@ def prepare_open3d(scene: Pair, device: str) -> Any:
     criteria = registration.RANSACConvergenceCriteria(MAX_ITERATION, CONFIDENCE)
     method = registration.TransformationEstimationPointToPoint(False)
 
-    def describe(cloud: Any) -> tuple[Any, Any]:
-        thinned = cloud.voxel_down_sample(size)
-        thinned.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(2 * size, 30))
-        thinned.orient_normals_towards_camera_location()
-        search = o3d.geometry.KDTreeSearchParamHybrid(5 * size, 100)
-        return thinned, registration.compute_fpfh_feature(thinned, search)
-
     def register() -> Any:
         o3d.utility.random.seed(0)
-        (source, left), (target, right) = map(describe, clouds)
+        (source, left), (target, right) = (describe_in_open3d(cloud, size) for cloud in clouds)
         result = registration.registration_ransac_based_on_feature_matching(
             source, target, left, right, True, 1.5 * size, method, 3, checkers, criteria
         )

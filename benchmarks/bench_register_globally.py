@@ -77,6 +77,16 @@ def prepare_kiss_matcher(scene: Pair, device: str) -> Any:
     return call
 
 
+def describe_in_open3d(cloud: Any, size: float) -> tuple[Any, Any]:
+    """Thinned Open3D cloud and its FPFH features, for voxels of `size` [m]."""
+    o3d = load_open3d()
+    thinned = cloud.voxel_down_sample(size)
+    thinned.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(2 * size, 30))
+    thinned.orient_normals_towards_camera_location()
+    search = o3d.geometry.KDTreeSearchParamHybrid(5 * size, 100)
+    return thinned, o3d.pipelines.registration.compute_fpfh_feature(thinned, search)
+
+
 def prepare_open3d_ransac(scene: Pair, device: str) -> Any:
     o3d = load_open3d()
     size, registration = scene.voxel_size, o3d.pipelines.registration
@@ -86,15 +96,8 @@ def prepare_open3d_ransac(scene: Pair, device: str) -> Any:
         registration.CorrespondenceCheckerBasedOnDistance(1.5 * size),
     ]
 
-    def describe(cloud: Any) -> tuple[Any, Any]:
-        thinned = cloud.voxel_down_sample(size)
-        thinned.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(2 * size, 30))
-        thinned.orient_normals_towards_camera_location()
-        search = o3d.geometry.KDTreeSearchParamHybrid(5 * size, 100)
-        return thinned, registration.compute_fpfh_feature(thinned, search)
-
     def call() -> Any:
-        (source, left), (target, right) = map(describe, clouds)
+        (source, left), (target, right) = (describe_in_open3d(cloud, size) for cloud in clouds)
         result = registration.registration_ransac_based_on_feature_matching(
             source, target, left, right, True, 1.5 * size,
             registration.TransformationEstimationPointToPoint(False), 3, checkers,

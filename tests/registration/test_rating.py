@@ -135,7 +135,7 @@ def test_normals_point_to_the_hollow_side_for_any_rotation(device, rng):
     ball /= np.linalg.norm(ball, axis=1, keepdims=True)
     for T in (np.eye(4), as_pose([1.0, 2.0, -0.5], [5, 6, 7])):
         cloud = loom.PointCloud(moved(ball, T), device=device)
-        surface = Surface(cloud.array("points"), 0.2, 0.3)
+        surface = Surface.select(cloud.array("points"), 0.2, 0.3)
         normals = surface.normals.numpy()
         assert len(surface) == 6000 and (np.einsum("ij,ij->i", normals, -(ball @ T[:3, :3].T)) > 0.99).all()
 
@@ -145,7 +145,7 @@ def test_points_without_a_surface_are_excluded(device, rng):
     line = np.linspace(0, 1, 50)[:, None] * [1, 0, 0] + [0, 0, 10]
     points = np.r_[surface, line, [[0, 0, 20.0]], [[np.nan, 0, 0]]]
     cloud = loom.PointCloud(points, device=device)
-    result = Surface(cloud.array("points"), 0.25, 0.4)
+    result = Surface.select(cloud.array("points"), 0.25, 0.4)
     assert len(result) == 3000 and (result.points.numpy() == cloud.array("points").numpy()[:3000]).all()
     normals = find_sides(result.tree, 1e-6, 1e-6).numpy()
     assert np.isnan(normals).all()

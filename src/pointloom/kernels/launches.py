@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import warp as wp
 
-from .array_types import Device
+from .array_types import Array1, Device, Element
 from .language import cpu_code, kernel_cache, pool_code, prepared_launches, taichi_compiler, warp_compiler
 from .language.arguments import MAX_THREADS, checked_arguments
 from .language.compile_notices import announced, compiling
@@ -232,6 +232,15 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
             chunks = taichi_compiler.start().chunks(thread_count)
             annotations = taichi_compiler.CHUNKS.values()
             _run_taichi(kernel.taichi, kernel.name, lambda: [*kernel.types, *annotations], [*values, *chunks])
+
+
+def compute(
+    kernel: Kernel, count: int, arguments: Sequence[Any], dtype: type[Element], device: Device
+) -> Array1[Element]:
+    """Launch one thread for each of `count` elements of a new array, the kernel's last parameter. Return the array."""
+    out = empty(count, dtype, device)
+    launch(kernel, count, [*arguments, out])
+    return out
 
 
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any]:

@@ -18,7 +18,7 @@ def search_over(points, device, rows=None):
 
 
 def drawn_planes(search, sample_size, count, seed, first=0):
-    return download(search._draw(sample_size, count, seed, first)).copy()
+    return download(search.draw_planes(sample_size, count, seed, first)).copy()
 
 
 def brute_counts(search, points, planes, threshold):
@@ -36,9 +36,9 @@ def test_counts_of_inliers_match_numpy(device, rng, count, plane_count):
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points = points[np.argsort(points[:, 0])]
     search = search_over(points, device)
-    planes = search._draw(3, plane_count, 1, 0)
+    planes = search.draw_planes(3, plane_count, 1, 0)
     expected, unclear = brute_counts(search, points.astype(float), download(planes), 0.05)
-    counts = download(search._score(planes, plane_count, 0.05))
+    counts = download(search.score(planes, plane_count, 0.05))
     assert (counts == expected)[~unclear].all() and (np.abs(counts - expected) <= 2).all()
     assert (~unclear).any() or count > POINTS_PER_BLOCK
 
@@ -48,7 +48,7 @@ def test_a_point_at_the_threshold_is_no_inlier_as_in_open3d(device):
     points = np.column_stack([np.tile(np.arange(-2.0, 3), 7), np.zeros(35), heights]).astype(np.float32)
     search = search_over(points, device)
     level = upload(np.array([[0.0, 0, 1, 0]]), vec4d, search.points.device)
-    assert download(search._score(level, 1, 0.25)).tolist() == [15]
+    assert download(search.score(level, 1, 0.25)).tolist() == [15]
 
 
 @pytest.mark.parametrize("scale", [1.0, 3000.0], ids=["room", "city"])
@@ -60,10 +60,10 @@ def test_skipped_blocks_contain_no_inlier(device, rng, scale):
     corners = np.repeat(rng.random((40, 3)), POINTS_PER_BLOCK, axis=0)
     points = (scale * (corners + 0.2 * rng.random((40 * POINTS_PER_BLOCK, 3)))).astype(np.float32)
     search = search_over(points, device)
-    planes = search._draw(3, 200, 0, 0)
+    planes = search.draw_planes(3, 200, 0, 0)
     threshold = 0.001 * scale
     expected, _ = brute_counts(search, points.astype(float), download(planes), threshold)
-    counts = download(search._score(planes, 200, threshold))
+    counts = download(search.score(planes, 200, threshold))
     assert np.abs(counts - expected).max() <= 2, "points within rounding of the threshold"
     assert expected.max() > 50
 
@@ -177,7 +177,7 @@ def test_a_window_opens_as_its_segments_do_one_by_one(device, rng, first, then, 
     for side, (dx, dy, half) in [(first, s) for s in segments] + [(then, s) for s in reversed(segments)]:
         expected = swept(expected, dx, dy, half, min if side == EROSION_SIGN else max)
     grid = grid_of(heights, device)
-    np.testing.assert_array_equal(download(grid._opened(grid.heights, radius, first)).reshape(shape), expected)
+    np.testing.assert_array_equal(download(grid.open_by(grid.heights, radius, first)).reshape(shape), expected)
 
 
 def filled_once(grid, unwanted):

@@ -3,7 +3,23 @@
 import numpy as np
 
 from ..array_types import Array2, Points, Positions, Vectors
-from ..lang import array, dot, float32, float64, func, kernel, launch, mat33d, sqrt, struct, tid, transpose, vec3, vec3d
+from ..lang import (
+    array,
+    compute,
+    dot,
+    float32,
+    float64,
+    func,
+    kernel,
+    launch,
+    mat33d,
+    sqrt,
+    struct,
+    tid,
+    transpose,
+    vec3,
+    vec3d,
+)
 from ..memory import empty
 from .matrices import multiply33
 
@@ -75,9 +91,7 @@ def transform_covariances_kernel(
 
 
 def transform_points(points: Points, A: np.ndarray, t: np.ndarray) -> Points:
-    out = empty(points.size, vec3, points.device)
-    launch(transform_points_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), out])
-    return out
+    return compute(transform_points_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t)], vec3, points.device)
 
 
 def transform_directions(directions: Vectors, A: np.ndarray) -> Vectors:
@@ -106,12 +120,8 @@ def narrow_rows_kernel(wide: array(dtype=vec3d), rows: array(dtype=vec3)):
 
 
 def widen_rows(rows: Vectors) -> Positions:
-    wide = empty(rows.size, vec3d, rows.device)
-    launch(widen_rows_kernel, rows.size, [rows, wide])
-    return wide
+    return compute(widen_rows_kernel, rows.size, [rows], vec3d, rows.device)
 
 
 def narrow_rows(wide: Positions) -> Vectors:
-    rows = empty(wide.size, vec3, wide.device)
-    launch(narrow_rows_kernel, wide.size, [wide, rows])
-    return rows
+    return compute(narrow_rows_kernel, wide.size, [wide], vec3, wide.device)

@@ -9,13 +9,13 @@ from ..array_types import Integers, Points, Positions, Scalars
 from ..lang import (
     NAN,
     array,
+    compute,
     float32,
     float64,
     func,
     int32,
     isfinite,
     kernel,
-    launch,
     sqrt,
     struct,
     tid,
@@ -190,22 +190,17 @@ def split_degrees_kernel(
 
 def project_degrees(degrees: Positions, to: Mercator) -> Positions:
     """Easting and northing [m] of longitude (within 720 of the meridian) and latitude in degrees."""
-    out = empty(degrees.size, vec3d, degrees.device)
-    launch(project_degrees_kernel, degrees.size, [degrees, to, out])
-    return out
+    return compute(project_degrees_kernel, degrees.size, [degrees, to], vec3d, degrees.device)
 
 
 def relative_degrees(degrees: Positions, meridian: float) -> Points:
     """(relative longitude in -180..180, latitude, magnitude of the longitude) of each point. NaN if not finite."""
-    out = empty(degrees.size, vec3, degrees.device)
-    launch(relative_degrees_kernel, degrees.size, [degrees, float(meridian), out])
-    return out
+    return compute(relative_degrees_kernel, degrees.size, [degrees, float(meridian)], vec3, degrees.device)
 
 
 def split_degrees(degrees: Points) -> tuple[Scalars, Scalars, Integers]:
     """(longitudes, latitudes, runs) of `relative_degrees`. Finite points are run 0, others zeros in run 1."""
     shape = degrees.size
     longitudes, latitudes = empty(shape, float32, degrees.device), empty(shape, float32, degrees.device)
-    runs = empty(shape, int32, degrees.device)
-    launch(split_degrees_kernel, shape, [degrees, longitudes, latitudes, runs])
+    runs = compute(split_degrees_kernel, shape, [degrees, longitudes, latitudes], int32, degrees.device)
     return longitudes, latitudes, runs

@@ -12,6 +12,7 @@ from ..lang import (
     atomic_add,
     atomic_max,
     bits_float,
+    compute,
     float32,
     float_bits,
     func,
@@ -114,9 +115,7 @@ def find_extremes(points: Points) -> Integers:
 
 def find_box(points: Points) -> Array1[float32]:
     """Box of the finite points on their device: low and high corner, float32 (6). No sync."""
-    box = empty(6, float32, points.device)
-    launch(fold_box_kernel, 6, [find_extremes(points), box])
-    return box
+    return compute(fold_box_kernel, 6, [find_extremes(points)], float32, points.device)
 
 
 def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:

@@ -1,8 +1,7 @@
 """First occurrences of points with equal coordinate bits (zero equals minus zero)."""
 
 from ..array_types import Cells, Indices, Points
-from ..lang import array, float_bits, func, int64, kernel, launch, tid, vec3, vec3i
-from ..memory import empty
+from ..lang import array, compute, float_bits, func, int64, kernel, tid, vec3, vec3i
 from .first_rows import first_rows, mask_first_rows
 from .select import positions_of
 
@@ -49,9 +48,7 @@ def list_words_kernel(points: array(dtype=vec3), words: array(dtype=vec3i)):
 
 
 def list_words(points: Points) -> Cells:
-    words = empty(points.size, vec3i, points.device)
-    launch(list_words_kernel, points.size, [points, words])
-    return words
+    return compute(list_words_kernel, points.size, [points], vec3i, points.device)
 
 
 def find_equal_points(points: Points) -> Indices:

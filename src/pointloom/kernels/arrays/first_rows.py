@@ -5,8 +5,8 @@ insertion needs only `atomic_min`, and the first equal row of a probe is the low
 """
 
 from ..array_types import Cells, Indices, Mask
-from ..lang import array, atomic_min, func, int32, int64, kernel, launch, tid, uint8, vec3i
-from ..memory import empty, full
+from ..lang import array, atomic_min, compute, func, int32, int64, kernel, launch, tid, uint8, vec3i
+from ..memory import full
 from .hash_table import mix_bits
 
 FREE = 0x7FFFFFFF  # an empty slot, larger than any row number
@@ -82,14 +82,10 @@ def _slots_of(rows: Cells) -> tuple[Indices, int]:
 def first_rows(rows: Cells) -> Indices:
     """Number of the first row equal to each one, int32 [n]."""
     slots, mask = _slots_of(rows)
-    firsts = empty(rows.size, int32, rows.device)
-    launch(find_rows_kernel, rows.size, [rows, mask, slots, firsts])
-    return firsts
+    return compute(find_rows_kernel, rows.size, [rows, mask, slots], int32, rows.device)
 
 
 def mask_first_rows(rows: Cells, of_first: int = 1) -> Mask:
     """uint8 [n]: `of_first` (0 or 1) for rows that are the first of equal ones, the other value for the others."""
     slots, mask = _slots_of(rows)
-    marks = empty(rows.size, uint8, rows.device)
-    launch(mask_first_rows_kernel, rows.size, [rows, mask, slots, of_first, marks])
-    return marks
+    return compute(mask_first_rows_kernel, rows.size, [rows, mask, slots, of_first], uint8, rows.device)

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import AnyArray, Doubles, Integers, Points, Positions, Scalars
-from ..lang import array, atomic_max, float32, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
+from ..lang import array, atomic_max, compute, float32, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
 from ..memory import contiguous, empty, zeros
 from .side_by_side import read_together
 
@@ -80,13 +80,9 @@ def subtract_origin(points: Positions, origin: np.ndarray) -> tuple[Points, Inte
 
 def add_origin(points: Points, origin: np.ndarray) -> Positions:
     """Points about an origin in world coordinates, an array of vec3d."""
-    out = empty(points.size, vec3d, points.device)
-    launch(add_origin_kernel, points.size, [points, vec3d(*np.asarray(origin).tolist()), out])
-    return out
+    return compute(add_origin_kernel, points.size, [points, vec3d(*np.asarray(origin).tolist())], vec3d, points.device)
 
 
 def shift_rays(rays: Doubles, origin: np.ndarray) -> Scalars:
     """Rays, float64 (6 n) on the device, as float32 with their starts about an origin."""
-    out = empty(rays.size, float32, rays.device)
-    launch(shift_rays_kernel, rays.size, [rays, vec3d(*np.asarray(origin).tolist()), out])
-    return out
+    return compute(shift_rays_kernel, rays.size, [rays, vec3d(*np.asarray(origin).tolist())], float32, rays.device)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..array_types import Array2, Indices, Integers, LongIntegers
-from ..lang import array, atomic_add, atomic_max, atomic_min, int32, int64, kernel, launch, tid, uint8
+from ..lang import array, atomic_add, atomic_max, atomic_min, compute, int32, int64, kernel, launch, tid, uint8
 from ..memory import download, empty, fill_column, upload, zeros
 from .select import positions_of
 from .unique import UniqueKeys, count_runs_kernel
@@ -99,16 +99,12 @@ def limits_of(numbers: LongIntegers, first: int = 0, step: int = 1) -> tuple[int
 
 def resolve_rows(numbers: LongIntegers, count: int) -> Indices:
     """int64 numbers in -count .. count - 1 as int32 rows."""
-    rows = empty(numbers.size, int32, numbers.device)
-    launch(resolve_rows_kernel, numbers.size, [numbers, count, rows])
-    return rows
+    return compute(resolve_rows_kernel, numbers.size, [numbers, count], int32, numbers.device)
 
 
 def run_lengths(offsets: Indices) -> Integers:
     """Lengths of runs, int32 (n), from their offsets, int32 (n + 1)."""
-    lengths = empty(offsets.size - 1, int32, offsets.device)
-    launch(count_runs_kernel, lengths.size, [offsets, lengths])
-    return lengths
+    return compute(count_runs_kernel, offsets.size - 1, [offsets], int32, offsets.device)
 
 
 def pair_up(left: Integers, right: Integers) -> Array2[int32]:
@@ -121,8 +117,7 @@ def pair_up(left: Integers, right: Integers) -> Array2[int32]:
 
 def distinct_pairs(pairs: Array2[int32]) -> Array2[int32]:
     """Sorted unique pairs of int32 (m, 2), none negative. One sync."""
-    keys = empty(pairs.shape[0], int64, pairs.device)
-    launch(pack_pairs_kernel, keys.size, [pairs, keys])
+    keys = compute(pack_pairs_kernel, pairs.shape[0], [pairs], int64, pairs.device)
     unique = UniqueKeys(keys)
     distinct = empty((unique.count, 2), int32, pairs.device)
     launch(unpack_pairs_kernel, unique.count, [unique.keys, distinct])

@@ -1,7 +1,7 @@
 """Sums and means over runs of rows, one thread per run and column, in float64 and row order."""
 
 from ..array_types import Array2, Indices, Vectors
-from ..lang import array, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
+from ..lang import array, compute, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
 from ..memory import empty
 from .prefix_sum import gather_int_kernel
 
@@ -65,9 +65,7 @@ def sum_columns_kernel(
 
 def average_vec3(values: Vectors, order: Indices, starts: Indices) -> Vectors:
     """Means of vec3 rows over runs `order[starts[i]:starts[i + 1]]`, shape (runs)."""
-    means = empty(starts.size - 1, vec3, values.device)
-    launch(average_vec3_kernel, means.size, [values, order, starts, means])
-    return means
+    return compute(average_vec3_kernel, starts.size - 1, [values, order, starts], vec3, values.device)
 
 
 def sum_columns(values: Array2[float64], order: Indices, starts: Indices, mean: bool = False) -> Array2[float64]:
@@ -79,6 +77,4 @@ def sum_columns(values: Array2[float64], order: Indices, starts: Indices, mean: 
 
 
 def first_rows(order: Indices, starts: Indices) -> Indices:
-    rows = empty(starts.size - 1, int32, order.device)
-    launch(gather_int_kernel, rows.size, [order, starts, rows])
-    return rows
+    return compute(gather_int_kernel, starts.size - 1, [order, starts], int32, order.device)

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from ..array_types import AnyArray, Array, Indices, Integers, Mask
-from ..lang import array, int32, kernel, launch, tid, uint8, vec3, vec3d, vec3i
+from ..array_types import AnyArray, Array, Indices, Integers, LongIntegers, Mask
+from ..lang import array, compute, int32, int64, kernel, launch, tid, uint8, vec3, vec3d, vec3i
 from ..memory import contiguous, copy, download, empty, rows_of, upload, zeros
 from .prefix_sum import inclusive_scan
 from .side_by_side import read_together
@@ -54,6 +54,17 @@ def gather_vec3i_kernel(values: array(dtype=vec3i), rows: array(dtype=int32), ou
     out[i] = values[rows[i]]
 
 
+@kernel
+def gather_keys_kernel(values: array(dtype=int32), rows: array(dtype=int32), keys: array(dtype=int64)):
+    i = tid()
+    keys[i] = int64(values[rows[i]])
+
+
+def gather_keys(values: Integers, rows: Indices) -> LongIntegers:
+    """values[rows] of int32 as int64 keys to sort."""
+    return compute(gather_keys_kernel, rows.size, [values, rows], int64, values.device)
+
+
 GATHERING = {vec3: gather_vec3_kernel, vec3d: gather_vec3d_kernel, vec3i: gather_vec3i_kernel}
 
 
@@ -67,9 +78,7 @@ def invert_mask_kernel(mask: array(dtype=uint8), inverted: array(dtype=uint8)):
 
 
 def invert_mask(mask: Mask) -> Mask:
-    inverted = empty(mask.size, uint8, mask.device)
-    launch(invert_mask_kernel, mask.size, [mask, inverted])
-    return inverted
+    return compute(invert_mask_kernel, mask.size, [mask], uint8, mask.device)
 
 
 @kernel
@@ -80,15 +89,12 @@ def mark_negative_kernel(values: array(dtype=int32), marks: array(dtype=int32)):
 
 def mark_negative(values: Integers) -> Integers:
     """int32: 1 where a value is negative, else 0."""
-    marks = empty(values.size, int32, values.device)
-    launch(mark_negative_kernel, values.size, [values, marks])
-    return marks
+    return compute(mark_negative_kernel, values.size, [values], int32, values.device)
 
 
 def _ranks_of(mask: Mask) -> Integers:
     """Inclusive counts of set elements, for a nonempty GPU mask."""
-    ranks = empty(mask.size, int32, mask.device)
-    launch(count_mask_kernel, mask.size, [mask, ranks])
+    ranks = compute(count_mask_kernel, mask.size, [mask], int32, mask.device)
     inclusive_scan(ranks, ranks)
     return ranks
 

@@ -12,7 +12,7 @@ import numpy as np
 import warp as wp
 
 from ..array_types import Device, Indices, Integers, Keys, LongIntegers
-from ..lang import array, func, int32, int64, kernel, launch, struct, tid
+from ..lang import array, compute, func, int32, int64, kernel, launch, struct, tid
 from ..language import device_copies
 from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of
@@ -46,9 +46,7 @@ def list_descending_keys_kernel(scores: array(dtype=int32), max_score: int, keys
 
 def descending_keys(scores: Integers, max_score: int) -> LongIntegers:
     """Keys of int32 scores whose ascending order is that of descending scores."""
-    keys = empty(scores.size, int64, scores.device)
-    launch(list_descending_keys_kernel, scores.size, [scores, max_score, keys])
-    return keys
+    return compute(list_descending_keys_kernel, scores.size, [scores, max_score], int64, scores.device)
 
 
 @struct

@@ -1,7 +1,7 @@
 """Row subsets: every k-th, random, listed, or all others."""
 
 from ..array_types import Device, Indices, Mask
-from ..lang import array, func, int32, int64, kernel, launch, tid, uint8
+from ..lang import array, compute, func, int32, int64, kernel, launch, tid, uint8
 from ..memory import empty, zeros
 from .random import random_bits
 from .select import invert_mask, positions_of
@@ -38,9 +38,7 @@ def mark_rows_kernel(rows: array(dtype=int32), mask: array(dtype=uint8)):
 
 
 def step_rows(count: int, step: int, device: Device) -> Indices:
-    rows = empty(-(-count // step), int32, device)
-    launch(step_rows_kernel, rows.size, [min(step, count), rows])
-    return rows
+    return compute(step_rows_kernel, -(-count // step), [min(step, count)], int32, device)
 
 
 def draw_rows(count: int, drawn: int, seed: int, device: Device) -> Indices:
@@ -48,8 +46,7 @@ def draw_rows(count: int, drawn: int, seed: int, device: Device) -> Indices:
     if drawn == 0:
         return empty(0, int32, device)
     bits = WORD_BITS - max(1, (count - 1).bit_length())
-    keys = empty(count, int64, device)
-    launch(draw_keys_kernel, count, [seed, KEY_BITS - bits, keys])
+    keys = compute(draw_keys_kernel, count, [seed, KEY_BITS - bits], int64, device)
     _, order = argsort_keys(keys, bits)
     return sort_rows(order[:drawn], count, are_distinct=True)
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array_types import AnyArray, Indices, Integers, Keys, LongIntegers
-from ..lang import array, int32, int64, kernel, launch, struct, tid, uint8
+from ..lang import array, compute, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import copy, download, empty, full, rows_of, upload
 from .prefix_sum import inclusive_scan
 from .side_by_side import read_together
@@ -89,8 +89,7 @@ class UniqueKeys:
             return
         if beside is not None:
             self.beside = download(beside).tolist()  # sync
-        marks = empty(keys.size, uint8, device)
-        launch(mark_run_starts_kernel, keys.size, [sorted_keys, marks])
+        marks = compute(mark_run_starts_kernel, keys.size, [sorted_keys], uint8, device)
         heads = np.flatnonzero(download(marks).view(np.bool_))  # five times as fast as of bytes
         self.count = len(heads)
         self.keys = upload(download(sorted_keys)[heads], int64, device, copied=False)
@@ -111,9 +110,7 @@ class UniqueKeys:
         self.keys, self.starts = rows_of(self.keys, 0, count), rows_of(self.starts, 0, count + 1)
 
     def counts(self) -> Integers:
-        counts = empty(self.count, int32, self.starts.device)
-        launch(count_runs_kernel, self.count, [self.starts, counts])
-        return counts
+        return compute(count_runs_kernel, self.count, [self.starts], int32, self.starts.device)
 
     def drop_last(self, key: int) -> None:
         """Remove a key if it is the last. Its positions stay at the end of `order`."""

@@ -12,6 +12,7 @@ from ..arrays.sparse_factor import solve_symmetric
 from ..lang import (
     array,
     atomic_max,
+    compute,
     dot,
     float64,
     func,
@@ -191,8 +192,7 @@ class CoherentField:
         square = zeros((count, count), float64, device)
         across = -(-count // PRODUCTS_PER_THREAD)
         launch(square_rows_kernel, count * across, [self.rows, count, sums, size, square])
-        right = empty(count, vec3d, device)
-        launch(pull_rows_kernel, count, [self.rows, self.positions, sums, size, right])
+        right = compute(pull_rows_kernel, count, [self.rows, self.positions, sums, size], vec3d, device)
         lower = np.tril(np.asarray(download(square)).reshape(count, count))  # sync
         matrix = lower + np.tril(lower, -1).T + damping * np.eye(count)
         values = solve_symmetric(matrix, np.asarray(download(right)).reshape(count, 3))

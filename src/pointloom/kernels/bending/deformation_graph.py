@@ -12,6 +12,7 @@ from ..array_types import Array1, Doubles, Indices, Points, Positions, Scalars, 
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float32,
@@ -231,9 +232,7 @@ def measure_volumes_kernel(graph: DeformationGraph, influence: Influence, volume
 
 def bend_points(graph: DeformationGraph, influence: Influence) -> Points:
     """Deformed points, vec3 about the origin of the graph's centers."""
-    moved = empty(influence.count, vec3, influence.points.device)
-    launch(bend_points_kernel, influence.count, [graph, influence, moved])
-    return moved
+    return compute(bend_points_kernel, influence.count, [graph, influence], vec3, influence.points.device)
 
 
 def bend_wide(graph: DeformationGraph, influence: Influence, origin: Any) -> Positions:
@@ -244,16 +243,12 @@ def bend_wide(graph: DeformationGraph, influence: Influence, origin: Any) -> Pos
 
 def bend_normals(graph: DeformationGraph, influence: Influence, normals: Vectors) -> Vectors:
     """Deformed normals at undeformed points."""
-    bent = empty(influence.count, vec3, influence.points.device)
-    launch(bend_normals_kernel, influence.count, [graph, influence, normals, bent])
-    return bent
+    return compute(bend_normals_kernel, influence.count, [graph, influence, normals], vec3, influence.points.device)
 
 
 def measure_volumes(graph: DeformationGraph, influence: Influence) -> Scalars:
     """Volume ratios, float32 (n)."""
-    volumes = empty(influence.count, float32, influence.points.device)
-    launch(measure_volumes_kernel, influence.count, [graph, influence, volumes])
-    return volumes
+    return compute(measure_volumes_kernel, influence.count, [graph, influence], float32, influence.points.device)
 
 
 @kernel
@@ -323,6 +318,4 @@ def measure_strain_kernel(graph: DeformationGraph, around: VertexNeighbors, stra
 
 def measure_strain(graph: DeformationGraph, around: VertexNeighbors) -> Doubles:
     """Strain of the graph at each node, float64 (m): 0 for pure bending, -1 without neighbors."""
-    strains = empty(graph.count, float64, graph.nodes.device)
-    launch(measure_strain_kernel, graph.count, [graph, around, strains])
-    return strains
+    return compute(measure_strain_kernel, graph.count, [graph, around], float64, graph.nodes.device)

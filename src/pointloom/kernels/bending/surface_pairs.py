@@ -6,8 +6,7 @@ distance, normal, or if on the boundary. On a straight boundary the neighbors' c
 from ..algebra.transform import widen
 from ..array_types import Array2, Integers, Points, Vectors
 from ..arrays.packed_keys import key_index, key_number
-from ..lang import array, dot, float32, float64, int32, int64, isfinite, kernel, launch, sqrt, struct, tid, vec3, vec3d
-from ..memory import empty
+from ..lang import array, compute, dot, float32, float64, int32, int64, isfinite, kernel, sqrt, struct, tid, vec3, vec3d
 from ..search.point_tree import PointTree
 from ..search.tree_search import search_nearest
 from .bending_steps import BendingRows
@@ -132,6 +131,4 @@ def pin_rows_kernel(first: int, targets: array(dtype=vec3d), weight: float64, ro
 
 def find_borders(tree: PointTree, normals: Vectors) -> Integers:
     near: tuple[Array2[int32], Array2[float32], Integers] = search_nearest(tree, tree.source, BORDER_NEIGHBORS)
-    borders = empty(tree.source.size, int32, tree.device)
-    launch(find_borders_kernel, borders.size, [tree.source, normals, *near, borders])
-    return borders
+    return compute(find_borders_kernel, tree.source.size, [tree.source, normals, *near], int32, tree.device)

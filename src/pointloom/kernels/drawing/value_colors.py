@@ -5,7 +5,22 @@ fused products: bitwise identical on every device. Non-finite values get their o
 import numpy as np
 
 from ..array_types import AnyArray, Device, Doubles, Integers, Points, Scalars, Vectors
-from ..lang import array, atomic_max, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3
+from ..lang import (
+    array,
+    atomic_max,
+    compute,
+    float32,
+    float64,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    struct,
+    tid,
+    vec3,
+)
 from ..memory import download, empty, upload, zeros
 
 MAX_LABELS = 4096  # labels from -1 recorded individually: more than any legend has
@@ -166,9 +181,7 @@ def color_values(values: Scalars | Doubles, ramp: Ramp) -> Vectors:
 
 
 def color_coordinates(points: Points, axis: int, ramp: Ramp) -> Vectors:
-    colors = empty(points.size, vec3, points.device)
-    launch(color_coordinates_kernel, points.size, [points, axis, ramp, colors])
-    return colors
+    return compute(color_coordinates_kernel, points.size, [points, axis, ramp], vec3, points.device)
 
 
 def color_labels(labels: AnyArray, palette: np.ndarray, noise: tuple[float, float, float]) -> tuple[Vectors, list[int]]:

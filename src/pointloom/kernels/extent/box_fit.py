@@ -9,7 +9,23 @@ solutions is sampled, and promising minima are refined by golden section. Extent
 import numpy as np
 
 from ..array_types import Device
-from ..lang import INFINITY, array, cross, dot, float64, func, int32, kernel, launch, length, struct, tid, vec2d, vec3d
+from ..lang import (
+    INFINITY,
+    array,
+    compute,
+    cross,
+    dot,
+    float64,
+    func,
+    int32,
+    kernel,
+    launch,
+    length,
+    struct,
+    tid,
+    vec2d,
+    vec3d,
+)
 from ..linear_algebra import matmul
 from ..memory import download, empty, upload
 from .hull_filter import aim_direction, grid_index, locate_direction
@@ -37,8 +53,7 @@ class ClimbedHull:
 
     def __init__(self, vertices: np.ndarray, edges: np.ndarray, device: Device) -> None:
         """`vertices` float64 (m, 3); `edges` of two vertices, int (e, 2)."""
-        directions = empty(6 * TABLE_WIDTH**2, vec3d, device)
-        launch(aim_table_kernel, directions.size, [TABLE_WIDTH, directions])
+        directions = compute(aim_table_kernel, 6 * TABLE_WIDTH**2, [TABLE_WIDTH], vec3d, device)
         aims = download(directions)  # sync
         rows = max(1, TABLE_CHUNK // len(vertices))
         table = np.concatenate(

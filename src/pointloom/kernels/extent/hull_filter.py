@@ -15,6 +15,7 @@ from ..lang import (
     array,
     atomic_max,
     ceil,
+    compute,
     cross,
     dot,
     float64,
@@ -32,7 +33,7 @@ from ..lang import (
     vec4d,
 )
 from ..linear_algebra import matmul
-from ..memory import download, empty, full, upload, zeros
+from ..memory import download, full, upload, zeros
 
 LAST_INDEX = 0x7FFFFFFF  # keys store it minus the index, so that the first of equal points wins
 RELATIVE_MARGIN = 1e-9  # of the distance: Qhull's planes of unit coordinates are accurate to 1e-15 over their facet
@@ -199,9 +200,7 @@ def mask_outer_kernel(
 
 
 def scale_points(points: Points, middle: np.ndarray, scale: np.ndarray) -> Positions:
-    out = empty(points.size, vec3d, points.device)
-    launch(scale_points_kernel, points.size, [points, vec3d(*middle), vec3d(*scale), out])
-    return out
+    return compute(scale_points_kernel, points.size, [points, vec3d(*middle), vec3d(*scale)], vec3d, points.device)
 
 
 def farthest_rows(points: Positions, center: np.ndarray, width: int) -> np.ndarray:
@@ -222,6 +221,4 @@ def mask_outer(points: Positions, center: np.ndarray, corners: np.ndarray, plane
     facets = upload(arms[ahead].reshape(-1, 3), vec3d, device)
     slopes = upload(normals[ahead] / offsets[ahead, None], vec3d, device)
     launch(draw_facets_kernel, slopes.size, [facets, slopes, width, nodes])
-    mask = empty(points.size, uint8, device)
-    launch(mask_outer_kernel, points.size, [points, vec3d(*center), width, nodes, mask])
-    return mask
+    return compute(mask_outer_kernel, points.size, [points, vec3d(*center), width, nodes], uint8, device)

@@ -13,6 +13,7 @@ from ..lang import (
     NAN,
     array,
     atomic_add,
+    compute,
     float32,
     func,
     int32,
@@ -125,9 +126,7 @@ def mask_oriented_box(points: Points, offset: np.ndarray, axes: np.ndarray, half
 
 
 def mask_finite(points: Points, drop_nan: bool | int, drop_infinite: bool | int) -> Mask:
-    mask = empty(points.size, uint8, points.device)
-    launch(mask_finite_kernel, points.size, [points, int(drop_nan), int(drop_infinite), mask])
-    return mask
+    return compute(mask_finite_kernel, points.size, [points, int(drop_nan), int(drop_infinite)], uint8, points.device)
 
 
 def count_unusable(clouds: Sequence[Points], columns: Sequence[Sequence[Array2[Any]]]) -> NDArray[np.int32]:
@@ -155,6 +154,5 @@ def drop_unusable(
 
 def usable_rows(points: Points, normals: Vectors) -> Indices:
     """Rows of finite points with finite normals: int32, ascending (one sync)."""
-    mask = empty(points.size, uint8, points.device)
-    launch(mask_usable_kernel, points.size, [points, normals, mask])
+    mask = compute(mask_usable_kernel, points.size, [points, normals], uint8, points.device)
     return positions_of(mask)

@@ -17,6 +17,7 @@ from ..lang import (
     NAN,
     array,
     atomic_max,
+    compute,
     float32,
     float64,
     float_bits,
@@ -253,21 +254,17 @@ def visible_rows(points: Points, offset: np.ndarray, radius: float) -> tuple[Ind
     camera = [vec3d(*offset), float(radius)]
     views, faces, ranges = empty(count, vec3d, device), empty(count, uint8, device), empty(count, float32, device)
     launch(view_points_kernel, count, [points, *camera, views, faces, ranges])
-    mask = empty(count, uint8, device)
-    launch(mark_viewed_kernel, count, [faces, mask])
+    mask = compute(mark_viewed_kernel, count, [faces], uint8, device)
     rows = positions_of(mask)  # sync
     if rows.size >= MIN_FILTERED_POINTS:
         rows = rule_out_hidden(rows, views, faces, ranges)
-    mirrored = empty(rows.size, vec3d, device)
-    launch(flip_points_kernel, rows.size, [points, rows, *camera, mirrored])
+    mirrored = compute(flip_points_kernel, rows.size, [points, rows, *camera], vec3d, device)
     return rows, mirrored
 
 
 def direct_positions(positions: Positions) -> Points:
     """Unit vectors."""
-    out = empty(positions.size, vec3, positions.device)
-    launch(direct_positions_kernel, positions.size, [positions, out])
-    return out
+    return compute(direct_positions_kernel, positions.size, [positions], vec3, positions.device)
 
 
 def rule_out_hidden(rows: Indices, views: Positions, faces: Bytes, ranges: Scalars) -> Indices:

@@ -19,6 +19,7 @@ from ..lang import (
     array,
     atomic_min,
     bit_count,
+    compute,
     float32,
     float64,
     func,
@@ -266,9 +267,7 @@ class FeatureMatch:
         return 1 if self.device.is_cuda else CPU_RUN
 
     def matched(self) -> Mask:
-        mask = empty(self.row_counts[0], uint8, self.device)
-        launch(keep_matched_kernel, mask.size, [self.nearest, mask])
-        return mask
+        return compute(keep_matched_kernel, self.row_counts[0], [self.nearest], uint8, self.device)
 
     def mutual(self) -> Mask:
         claims = full(self.row_counts[1], NO_ROW_KEY, int64, self.device)

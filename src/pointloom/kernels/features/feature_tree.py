@@ -17,6 +17,7 @@ from ..lang import (
     INFINITY,
     array,
     atomic_max,
+    compute,
     float32,
     float64,
     float_bits,
@@ -64,8 +65,7 @@ class FeatureRows:
     def __init__(self, features: Array2[float32]) -> None:
         row_count, self.columns = features.shape
         self.features, self.device = features, features.device
-        usable = empty(row_count, uint8, self.device)
-        launch(mark_rows_kernel, row_count, [features, usable])
+        usable = compute(mark_rows_kernel, row_count, [features], uint8, self.device)
         self.rows = positions_of(usable)  # sync
         self.count = self.rows.size
 

@@ -11,6 +11,7 @@ from ..arrays.packed_keys import key_index
 from ..arrays.select import gather_vec3_kernel
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float32,
@@ -120,9 +121,7 @@ def fit_gradients_kernel(
 
 def average_colors(colors: Vectors) -> Scalars:
     """Intensity: mean of the three color channels, float32 (n)."""
-    intensities = empty(colors.size, float32, colors.device)
-    launch(average_colors_kernel, colors.size, [colors, intensities])
-    return intensities
+    return compute(average_colors_kernel, colors.size, [colors], float32, colors.device)
 
 
 def estimate_color_gradients(

@@ -23,6 +23,7 @@ from ..lang import (
     INFINITY,
     array,
     atomic_add,
+    compute,
     dot,
     float64,
     func,
@@ -278,6 +279,4 @@ def match_distributions_kernel(
 
 def match_distributions(source: Points, poses: Integers, target: NormalDistributions) -> Integers:
     """Target points paired with the source points under a pose, int32 (n), or NO_PAIR."""
-    pairs = empty(source.size, int32, source.device)
-    launch(match_distributions_kernel, source.size, [source, poses, target, pairs])
-    return pairs
+    return compute(match_distributions_kernel, source.size, [source, poses, target], int32, source.device)

@@ -10,6 +10,7 @@ from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import (
     NAN,
     array,
+    compute,
     cross,
     dot,
     float32,
@@ -235,9 +236,7 @@ def weigh_colors_kernel(pixels: array(dtype=uint8, ndim=2), intensity: array(dty
 
 def decode_depth(raw: Array1[uint16], layout: str) -> Array1[uint16]:
     """Millimeters, uint16, from the raw depths of a data set; `layout` is "sun" or "nyu"."""
-    depth = empty(raw.size, uint16, raw.device)
-    launch({"sun": decode_sun_kernel, "nyu": decode_nyu_kernel}[layout], raw.size, [raw, depth])
-    return depth
+    return compute({"sun": decode_sun_kernel, "nyu": decode_nyu_kernel}[layout], raw.size, [raw], uint16, raw.device)
 
 
 def metric_depth(raw: Scalars | Array1[uint16], scale: float, farthest: float) -> tuple[Scalars, Integers]:
@@ -297,6 +296,4 @@ def color_pixels(pixels: Scalars | Array2[uint8], grid: PixelGrid) -> Vectors:
 
 def intensity_of(pixels: AnyArray) -> Scalars:
     """Brightness 0..1, float32 (pixels), of a uint8 device image (pixels, 3)."""
-    intensity = empty(pixels.shape[0], float32, pixels.device)
-    launch(weigh_colors_kernel, intensity.size, [pixels, intensity])
-    return intensity
+    return compute(weigh_colors_kernel, pixels.shape[0], [pixels], float32, pixels.device)

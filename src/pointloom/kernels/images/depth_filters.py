@@ -1,7 +1,7 @@
 """Depth image filters: bilateral, edge erosion, halving. Depth is in meters. Missing pixels (0) stay missing."""
 
 from ..array_types import Array2, Scalars
-from ..lang import array, bits_float, float32, floor, func, kernel, launch, loop, tid, uint8, vec3, vector
+from ..lang import array, bits_float, compute, float32, floor, func, kernel, launch, loop, tid, uint8, vec3, vector
 from ..memory import empty
 
 CENTER_WEIGHT, SIDE_WEIGHT, CORNER_WEIGHT = 0.375, 0.25, 0.0625  # the binomial weights 6, 4, 1 of 16
@@ -208,9 +208,7 @@ def filter_bilateral(
 
 def erode_edges(depth: Scalars, width: int, height: int, radius: int, jump: float) -> Scalars:
     """Depth without pixels within `radius` of an edge, float32 (height * width)."""
-    eroded = empty(depth.size, float32, depth.device)
-    launch(erode_edges_kernel, depth.size, [depth, width, height, radius, float(jump), eroded])
-    return eroded
+    return compute(erode_edges_kernel, depth.size, [depth, width, height, radius, float(jump)], float32, depth.device)
 
 
 def halve_depth(depth: Scalars, width: int, height: int, jump: float) -> Scalars:

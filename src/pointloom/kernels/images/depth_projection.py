@@ -8,7 +8,7 @@ from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import Transform, transform_point, widen
 from ..array_types import Array2, LongIntegers, Points, Scalars, Vectors
 from ..arrays.packed_keys import NO_KEY, key_index, key_number, offer_cell
-from ..lang import array, float32, float64, floor, func, int64, isfinite, kernel, launch, tid, uint8, vec3
+from ..lang import array, compute, float32, float64, floor, func, int64, isfinite, kernel, launch, tid, uint8, vec3
 from ..memory import empty, full
 
 
@@ -66,9 +66,7 @@ def project_points(points: Points, T_camera_points: np.ndarray, camera: CameraLi
 
 def read_depth(words: LongIntegers, scale: float = 1.0) -> Scalars:
     """Depth [m] times `scale`, float32 (pixels). 0 if empty."""
-    depth = empty(words.size, float32, words.device)
-    launch(read_depth_kernel, words.size, [words, float(scale), depth])
-    return depth
+    return compute(read_depth_kernel, words.size, [words, float(scale)], float32, words.device)
 
 
 def read_colors(words: LongIntegers, colors: Vectors) -> Array2[uint8]:

@@ -3,8 +3,7 @@ on the line through two others on one side. A flying pixel is on neither line an
 """
 
 from ..array_types import Scalars
-from ..lang import array, float32, func, kernel, launch, tid
-from ..memory import empty
+from ..lang import array, compute, float32, func, kernel, tid
 
 
 @func
@@ -64,6 +63,4 @@ def drop_flying_kernel(
 
 
 def drop_flying(depth: Scalars, width: int, height: int, radius: int, jump: float) -> Scalars:
-    filtered = empty(depth.size, float32, depth.device)
-    launch(drop_flying_kernel, depth.size, [depth, width, height, radius, float(jump), filtered])
-    return filtered
+    return compute(drop_flying_kernel, depth.size, [depth, width, height, radius, float(jump)], float32, depth.device)

@@ -8,7 +8,7 @@ from typing import Any
 from ..algebra.angles import angle_of
 from ..algebra.camera import Camera, CameraLike
 from ..array_types import Array1, Array2, Device, Mask
-from ..lang import array, float64, floor, func, kernel, launch, sqrt, struct, tid, uint8, vec2, vec2d
+from ..lang import array, compute, float64, floor, func, kernel, launch, sqrt, struct, tid, uint8, vec2, vec2d
 from ..memory import empty
 
 PERSPECTIVE_LENS, EQUIDISTANT_LENS, FIELD_OF_VIEW_LENS, DIVISION_LENS, UNIFIED_LENS = 0, 1, 2, 3, 4
@@ -192,9 +192,7 @@ def mask_visible_kernel(positions: array(dtype=vec2), visible: array(dtype=uint8
 
 def find_lens_positions(lens: LensOptics, camera: CameraLike, device: Device) -> Array1[vec2]:
     """Lens image position of each pinhole pixel, vec2 (height * width); (-1, -1) if it is not visible."""
-    positions = empty(camera.width * camera.height, vec2, device)
-    launch(find_lens_positions_kernel, positions.size, [lens, camera, positions])
-    return positions
+    return compute(find_lens_positions_kernel, camera.width * camera.height, [lens, camera], vec2, device)
 
 
 def sample_image(pixels: Array2[uint8], width: int, height: int, side: int, positions: Array1[vec2]) -> Array2[uint8]:
@@ -211,6 +209,4 @@ def sample_image(pixels: Array2[uint8], width: int, height: int, side: int, posi
 
 
 def mask_visible(positions: Array1[vec2]) -> Mask:
-    visible = empty(positions.size, uint8, positions.device)
-    launch(mask_visible_kernel, positions.size, [positions, visible])
-    return visible
+    return compute(mask_visible_kernel, positions.size, [positions], uint8, positions.device)

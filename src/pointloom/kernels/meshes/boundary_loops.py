@@ -13,7 +13,7 @@ from ..arrays.packed_keys import pack_bits
 from ..arrays.select import gather_rows, number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys, cut_together
-from ..lang import Kernel, array, func, int32, int64, kernel, launch, tid, uint8, vec3i
+from ..lang import Kernel, array, compute, func, int32, int64, kernel, launch, tid, uint8, vec3i
 from ..memory import clone, download, empty, full, upload
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_indices
 from .mesh_topology import corner_vertex, next_corner
@@ -82,8 +82,7 @@ class Border:
         device = triangles.device
         edges, twins = find_edges(triangles, vertex_count, True), empty(3 * triangles.size, int32, device)
         launch(pair_half_edges_kernel, edges.count, [edges, key_bits(vertex_count), twins])
-        mask = empty(twins.size, uint8, device)
-        launch(mark_border_kernel, mask.size, [twins, mask])
+        mask = compute(mark_border_kernel, twins.size, [twins], uint8, device)
         self.half_edges, self.edges = positions_of(mask), edges  # sync
         count, indices = self.half_edges.size, empty(twins.size, int32, device)
         launch(number_rows_kernel, count, [self.half_edges, indices])
@@ -211,17 +210,14 @@ def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]
     if not nexts.device.is_cuda and nexts.size <= MAX_SERIAL_HALF_EDGES:
         return _rank_few(vertices, nexts)
     device, count = nexts.device, nexts.size
-    leaders = empty(count, int64, device)
-    launch(begin_leaders_kernel, count, [vertices, leaders])
+    leaders = compute(begin_leaders_kernel, count, [vertices], int64, device)
     ends, leaders = _jump(jump_leaders_kernel, nexts, leaders)
     jumps, lengths = empty(count, int32, device), empty(count, int64, device)
     launch(cut_loops_kernel, count, [nexts, leaders, jumps, lengths])
     _, lengths = _jump(jump_lengths_kernel, jumps, lengths)
-    mask = empty(count, uint8, device)
-    launch(mark_loops_kernel, count, [ends, mask])
+    mask = compute(mark_loops_kernel, count, [ends], uint8, device)
     rows = positions_of(mask)  # sync
-    before = empty(rows.size, int64, device)
-    launch(list_loop_keys_kernel, rows.size, [rows, leaders, lengths, before])
+    before = compute(list_loop_keys_kernel, rows.size, [rows, leaders, lengths], int64, device)
     rows = gather_rows(rows, argsort_keys(before, max(1, count.bit_length()))[1])
     loops = UniqueKeys(gather_rows(leaders, rows), padded=True)
     return gather_rows(rows, loops.order), loops

@@ -5,7 +5,7 @@ Duplicates are equal rows (first_rows.py) once triangles are rotated to begin wi
 
 from ..array_types import Mask, Points, Triangles
 from ..arrays.first_rows import mask_first_rows
-from ..lang import array, func, isfinite, kernel, launch, length, tid, uint8, vec3, vec3i
+from ..lang import array, compute, func, isfinite, kernel, launch, length, tid, uint8, vec3, vec3i
 from ..memory import empty, zeros
 from .mesh_measures import triangle_cross
 
@@ -68,9 +68,7 @@ def mask_degenerate(vertices: Points, triangles: Triangles, *, zero_area: bool) 
 
 
 def mask_not_finite(vertices: Points, triangles: Triangles) -> Mask:
-    mask = empty(triangles.size, uint8, triangles.device)
-    launch(mask_not_finite_kernel, triangles.size, [vertices, triangles, mask])
-    return mask
+    return compute(mask_not_finite_kernel, triangles.size, [vertices, triangles], uint8, triangles.device)
 
 
 @kernel
@@ -105,6 +103,5 @@ def mask_used(triangles: Triangles, removed: Mask, vertex_count: int) -> Mask:
 
 def mask_repeats(triangles: Triangles) -> Mask:
     """uint8 [t]: 1 for triangles that equal an earlier one up to rotation. The opposite orientation differs."""
-    rotated = empty(triangles.size, vec3i, triangles.device)
-    launch(list_rotated_kernel, triangles.size, [triangles, rotated])
+    rotated = compute(list_rotated_kernel, triangles.size, [triangles], vec3i, triangles.device)
     return mask_first_rows(rotated, 0)

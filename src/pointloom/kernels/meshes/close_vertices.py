@@ -15,6 +15,7 @@ from ..arrays.unique import UniqueKeys, cut_together
 from ..lang import (
     array,
     atomic_max,
+    compute,
     dot,
     float64,
     floor,
@@ -136,8 +137,7 @@ class Cells:
         self.square_radius = float(radius) * float(radius)
         self.side = 2 * float(radius) * CELL_MARGIN
         while True:
-            keys = empty(count, int64, device)
-            launch(hash_cells_kernel, count, [points, self.side, self.salt, keys])
+            keys = compute(hash_cells_kernel, count, [points, self.side, self.salt], int64, device)
             keys, order = argsort_keys(keys, HASH_BITS + CELL_BITS)
             self.cells = UniqueKeys(keys, in_order=(keys, order), padded=True)
             blocks, differ = empty(count, int64, device), zeros(1, int32, device)
@@ -255,6 +255,5 @@ def find_close_vertices(vertices: Points, finite: Integers, max_distance: float,
         lambda rows, open_rows: launch(try_vertices_kernel, rows.size, [rows, cells, open_rows]), count, device
     )
     launch(decide_rest_kernel, min(1, rows.size), [rows, cells])
-    local_owners = empty(count, int32, device)
-    launch(find_owners_kernel, count, [cells, local_owners])
+    local_owners = compute(find_owners_kernel, count, [cells], int32, device)
     launch(spread_owners_kernel, count, [finite, local_owners, owners])

@@ -2,7 +2,7 @@
 
 from ..array_types import Integers, Triangles
 from ..arrays.prefix_sum import inclusive_scan
-from ..lang import array, int32, kernel, launch, tid, vec3i
+from ..lang import array, compute, int32, kernel, launch, tid, vec3i
 from ..memory import download, empty
 from .triangle_order import mark_new_triangles_kernel, sort_triangles
 
@@ -27,8 +27,7 @@ def find_copies(triangles: Triangles, vertex_count: int) -> tuple[Integers, int]
     device, count = triangles.device, triangles.size
     if count == 0:
         return empty(0, int32, device), 0
-    ascending = empty(count, vec3i, device)
-    launch(list_ascending_kernel, count, [triangles, ascending])
+    ascending = compute(list_ascending_kernel, count, [triangles], vec3i, device)
     order = sort_triangles(ascending, vertex_count)
     ranks, classes = empty(count, int32, device), empty(count, int32, device)
     launch(mark_new_triangles_kernel, count, [ascending, order, ranks])

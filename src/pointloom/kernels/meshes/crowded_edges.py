@@ -10,7 +10,7 @@ from ..arrays.open_rows import resolve_in_rounds
 from ..arrays.select import gather_rows, positions_of_each
 from ..arrays.sort import argsort_keys, positions
 from ..arrays.unique import UniqueKeys
-from ..lang import array, float64, float_bits, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
+from ..lang import array, compute, float64, float_bits, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import empty, full, zeros
 from .clean_triangles import uses_vertex_twice
 from .mesh_edges import find_edges
@@ -179,8 +179,7 @@ def mask_crowding(vertices: Points, triangles: Triangles, at_crowded_edges: Crow
     removed = zeros(triangles.size, uint8, device)
     if rows.size == 0:
         return removed
-    keys = empty(rows.size, int64, device)
-    launch(list_area_keys_kernel, rows.size, [measure_areas(vertices, triangles), rows, keys])
+    keys = compute(list_area_keys_kernel, rows.size, [measure_areas(vertices, triangles), rows], int64, device)
     chosen = gather_rows(rows, argsort_keys(keys, 31)[1])
     crowded = CrowdedEdges(chosen, at_crowded_edges.of_half_edge, at_crowded_edges.edge_count)
     rest = _decide_in_rounds(crowded, chosen.size, device)

@@ -19,6 +19,7 @@ from ..lang import (
     INFINITY,
     array,
     atomic_max,
+    compute,
     cross,
     dot,
     float64,
@@ -270,8 +271,7 @@ def close_loops(
         launch(weigh_loops_kernel, len(counts), [all_loops.edge_keys, bits, loops])
     for span in range(2, longest if longest > SHORT_LOOP_VERTICES or device.is_cuda else 0):
         launch(weigh_chords_kernel, loops.owners.size, [all_loops.edge_keys, bits, loops, span])
-    mask = empty(len(batch), uint8, device)
-    launch(mark_closed_kernel, len(batch), [loops, mask])
+    mask = compute(mark_closed_kernel, len(batch), [loops], uint8, device)
     rows = np.flatnonzero(download(mask).view(np.bool_))  # sync
     closed, sizes = upload(rows, int32, device), counts[rows] - 2
     offsets = upload(np.concatenate([[0], np.cumsum(sizes)]), int32, device)
@@ -384,8 +384,7 @@ def drop_conflicts(
     waiting = int(download(waits).sum())  # sync
     if not waiting:
         return pieces, corners, 0
-    mask = empty(pieces.size, uint8, device)
-    launch(mask_accepted_kernel, pieces.size, [of_loop, waits, mask])
+    mask = compute(mask_accepted_kernel, pieces.size, [of_loop, waits], uint8, device)
     rows = positions_of(mask)  # sync
     kept_corners = empty(3 * rows.size, int32, device)
     launch(gather_three_kernel, rows.size, [corners, rows, kept_corners])

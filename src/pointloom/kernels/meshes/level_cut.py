@@ -9,7 +9,23 @@ from ..array_types import Array1, Doubles, Integers, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
-from ..lang import array, float64, int32, int64, kernel, launch, length, struct, tid, uint8, vec2, vec3, vec3d, vec3i
+from ..lang import (
+    array,
+    compute,
+    float64,
+    int32,
+    int64,
+    kernel,
+    launch,
+    length,
+    struct,
+    tid,
+    uint8,
+    vec2,
+    vec3,
+    vec3d,
+    vec3i,
+)
 from ..memory import copy, empty, full
 from .mesh_edges import higher_end, lower_end, spread_runs_kernel
 from .mesh_topology import corner_vertex, list_edge_keys_kernel, next_corner
@@ -210,8 +226,7 @@ class LevelCut:
         device, self.triangles = triangles.device, triangles
         self.sides = empty(values.size, int32, device)
         launch(mark_sides_kernel, values.size, [values, level, self.sides])
-        counts = empty(triangles.size, int32, device)
-        launch(count_pieces_kernel, triangles.size, [triangles, self.sides, counts])
+        counts = compute(count_pieces_kernel, triangles.size, [triangles, self.sides], int32, device)
         offsets, total = exclusive_scan(counts, largest=3)  # sync, since a level cuts at most two edges
         self.cuts = CutEdges(triangles, values, self.sides, level, total - triangles.size)
         self.pieces, self.above = empty(total, vec3i, device), empty(total, uint8, device)

@@ -12,10 +12,10 @@ import numpy as np
 from ..algebra.transform import narrow, widen
 from ..array_types import Indices, Integers, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan
-from ..arrays.select import positions_of
+from ..arrays.select import gather_keys, positions_of
 from ..arrays.union_find import mask_roots_kernel
 from ..arrays.unique import UniqueKeys
-from ..lang import array, float64, int32, int64, kernel, launch, length, tid, uint8, vec3, vec3d, vec3i
+from ..lang import array, compute, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3d, vec3i
 from ..memory import download, empty, upload
 
 
@@ -32,12 +32,6 @@ def rename_corners_kernel(
     i = tid()
     t = triangles[i]
     renamed[i] = vec3i(indices[owners[t[0]]], indices[owners[t[1]]], indices[owners[t[2]]])
-
-
-@kernel
-def list_owner_indices_kernel(owners: array(dtype=int32), indices: array(dtype=int32), keys: array(dtype=int64)):
-    i = tid()
-    keys[i] = int64(indices[owners[i]])
 
 
 @kernel
@@ -61,8 +55,7 @@ def average_members_kernel(rows: array(dtype=vec3), groups: UniqueKeys, unit: in
 
 def number_owners(owners: Indices) -> tuple[Integers, int]:
     """(indices int32 [m + 1], count): new index of each owner. One sync."""
-    marks = empty(owners.size, int32, owners.device)
-    launch(mark_owners_kernel, owners.size, [owners, marks])
+    marks = compute(mark_owners_kernel, owners.size, [owners], int32, owners.device)
     return exclusive_scan(marks, largest=1)
 
 
@@ -72,15 +65,12 @@ def list_owners(owners: Indices, indices: Integers, count: int) -> Indices:
     if not device.is_cuda:
         steps = download(indices)
         return upload(np.flatnonzero(steps[1:] != steps[:-1]).astype(np.int32), int32, device)
-    mask = empty(owners.size, uint8, device)
-    launch(mask_roots_kernel, owners.size, [owners, mask])
+    mask = compute(mask_roots_kernel, owners.size, [owners], uint8, device)
     return positions_of(mask, count)
 
 
 def rename_corners(triangles: Triangles, owners: Indices, indices: Integers) -> Triangles:
-    renamed = empty(triangles.size, vec3i, triangles.device)
-    launch(rename_corners_kernel, triangles.size, [triangles, owners, indices, renamed])
-    return renamed
+    return compute(rename_corners_kernel, triangles.size, [triangles, owners, indices], vec3i, triangles.device)
 
 
 def average_members(
@@ -88,9 +78,7 @@ def average_members(
 ) -> list[Any]:
     """Mean rows (vec3 [count]) of each owner and its merged vertices; `unit` marks arrays of unit vectors."""
     device = owners.device
-    keys = empty(owners.size, int64, device)
-    launch(list_owner_indices_kernel, owners.size, [owners, indices, keys])
-    groups, means = UniqueKeys(keys, max(1, count.bit_length()), padded=True), []
+    groups, means = UniqueKeys(gather_keys(indices, owners), max(1, count.bit_length()), padded=True), []
     for rows, is_unit in zip(arrays, unit, strict=True):
         means.append(empty(count, vec3, device))
         launch(average_members_kernel, count, [rows, groups, int(is_unit), means[-1]])

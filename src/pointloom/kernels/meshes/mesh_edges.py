@@ -10,7 +10,7 @@ from ..arrays.select import invert_mask
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
-from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2i, vec3i
+from ..lang import array, compute, func, int32, int64, kernel, launch, struct, tid, uint8, vec2i, vec3i
 from ..memory import empty, rows_of
 from .mesh_topology import CornersByVertex, corner_vertex, list_edge_keys_kernel, next_corner
 
@@ -144,9 +144,7 @@ def count_sharers_kernel(edges: MeshEdges, counts: array(dtype=int32)):
 
 
 def count_sharers(edges: MeshEdges) -> Integers:
-    counts = empty(edges.count, int32, edges.lows.device)
-    launch(count_sharers_kernel, edges.count, [edges, counts])
-    return counts
+    return compute(count_sharers_kernel, edges.count, [edges], int32, edges.lows.device)
 
 
 @kernel
@@ -164,9 +162,7 @@ def mask_counts_kernel(starts: array(dtype=int32), min_count: int, max_count: in
 
 
 def mask_counts(edges: UniqueKeys | MeshEdges, min_count: int, max_count: int) -> Mask:
-    mask = empty(edges.count, uint8, edges.starts.device)
-    launch(mask_counts_kernel, edges.count, [edges.starts, min_count, max_count, mask])
-    return mask
+    return compute(mask_counts_kernel, edges.count, [edges.starts, min_count, max_count], uint8, edges.starts.device)
 
 
 def mask_other_counts(edges: UniqueKeys | MeshEdges, count: int) -> Mask:
@@ -175,9 +171,7 @@ def mask_other_counts(edges: UniqueKeys | MeshEdges, count: int) -> Mask:
 
 def edge_ends(edges: UniqueKeys, rows: Indices, vertex_count: int) -> Array1[vec2i]:
     """Vertices of the edges at some rows, vec2i, the lower first."""
-    ends = empty(rows.size, vec2i, rows.device)
-    launch(list_ends_kernel, rows.size, [edges.keys, rows, key_bits(vertex_count), ends])
-    return ends
+    return compute(list_ends_kernel, rows.size, [edges.keys, rows, key_bits(vertex_count)], vec2i, rows.device)
 
 
 @func

@@ -8,7 +8,7 @@ import numpy as np
 from ..array_types import Array1, Cells, Indices, Integers, Mask, Triangles, Vectors
 from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.select import gather_rows, invert_mask, positions_of
-from ..lang import array, atomic_min, int32, kernel, launch, tid, uint8, vec2, vec3, vec3i
+from ..lang import array, atomic_min, compute, int32, kernel, launch, tid, uint8, vec2, vec3, vec3i
 from ..memory import download, empty, full, upload, zeros
 
 
@@ -134,9 +134,7 @@ def mask_and_index(rows: Indices, count: int) -> tuple[Integers, Indices]:
 
 
 def renumber_triangles(triangles: Triangles, indices: Integers) -> Triangles:
-    renumbered = empty(triangles.size, vec3i, triangles.device)
-    launch(renumber_triangles_kernel, triangles.size, [triangles, indices, renumbered])
-    return renumbered
+    return compute(renumber_triangles_kernel, triangles.size, [triangles, indices], vec3i, triangles.device)
 
 
 @kernel
@@ -152,21 +150,15 @@ def raise_numbers_kernel(numbers: array(dtype=int32), step: int, raised: array(d
 
 
 def shift_triangles(triangles: Triangles, step: int) -> Triangles:
-    shifted = empty(triangles.size, vec3i, triangles.device)
-    launch(shift_triangles_kernel, triangles.size, [triangles, step, shifted])
-    return shifted
+    return compute(shift_triangles_kernel, triangles.size, [triangles, step], vec3i, triangles.device)
 
 
 def raise_numbers(numbers: Integers, step: int) -> Integers:
-    raised = empty(numbers.size, int32, numbers.device)
-    launch(raise_numbers_kernel, numbers.size, [numbers, step, raised])
-    return raised
+    return compute(raise_numbers_kernel, numbers.size, [numbers, step], int32, numbers.device)
 
 
 def flip_triangles(triangles: Triangles) -> Triangles:
-    flipped = empty(triangles.size, vec3i, triangles.device)
-    launch(flip_triangles_kernel, triangles.size, [triangles, flipped])
-    return flipped
+    return compute(flip_triangles_kernel, triangles.size, [triangles], vec3i, triangles.device)
 
 
 def flip_corners(values: Array1[vec2]) -> Array1[vec2]:
@@ -182,8 +174,7 @@ def count_referenced(triangles: Triangles, vertex_count: int) -> int:
 
 def count_unlike(triangles: Triangles, others: Cells) -> int:
     """Number of triangles that differ from a list at least as long. One sync."""
-    unlike = empty(triangles.size, int32, triangles.device)
-    launch(compare_triangles_kernel, triangles.size, [triangles, others, unlike])
+    unlike = compute(compare_triangles_kernel, triangles.size, [triangles, others], int32, triangles.device)
     return sum_counts(unlike)
 
 
@@ -244,6 +235,5 @@ def gather_corners(values: Array1[vec2], rows: Indices) -> Array1[vec2]:
 
 def complete_triangles(triangles: Triangles, used: Integers) -> Indices:
     """Rows of triangles whose vertices are all used (int32 [m] of 0 or 1)."""
-    mask = empty(triangles.size, uint8, triangles.device)
-    launch(mask_complete_triangles_kernel, triangles.size, [triangles, used, mask])
+    mask = compute(mask_complete_triangles_kernel, triangles.size, [triangles, used], uint8, triangles.device)
     return positions_of(mask)  # sync

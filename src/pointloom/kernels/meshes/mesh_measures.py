@@ -8,6 +8,7 @@ from ..array_types import Points, Triangles, Vectors
 from ..lang import (
     NAN,
     array,
+    compute,
     cross,
     dot,
     func,
@@ -94,9 +95,7 @@ def measure_triangle(vertices: array(dtype=vec3), triangles: array(dtype=vec3i))
 
 
 def triangle_normals(vertices: Points, triangles: Triangles) -> Vectors:
-    normals = empty(triangles.size, vec3, vertices.device)
-    launch(compute_triangle_normals_kernel, triangles.size, [vertices, triangles, normals])
-    return normals
+    return compute(compute_triangle_normals_kernel, triangles.size, [vertices, triangles], vec3, vertices.device)
 
 
 def vertex_normals(vertices: Points, triangles: Triangles) -> Vectors:

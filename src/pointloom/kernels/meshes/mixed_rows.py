@@ -8,7 +8,7 @@ from typing import Any
 
 from ..array_types import AnyArray, Array1, Doubles, Indices, Triangles
 from ..arrays.select import gather_rows
-from ..lang import array, float64, int32, kernel, launch, struct, tid, vec3d, vec3i
+from ..lang import array, compute, float64, int32, kernel, launch, struct, tid, vec3d, vec3i
 from ..memory import cast, empty
 
 FLOATING = ("float16", "float32", "float64")  # types that are interpolated
@@ -25,9 +25,7 @@ class MixedRows:
         self.rows, self.weights, self.count = rows, weights, rows.size
 
     def nearest(self) -> Indices:
-        nearest = empty(self.count, int32, self.rows.device)
-        launch(choose_heaviest_kernel, self.count, [self, nearest])
-        return nearest
+        return compute(choose_heaviest_kernel, self.count, [self], int32, self.rows.device)
 
     def of(self, values: AnyArray) -> Any:
         if values.dtype.__name__ not in FLOATING:

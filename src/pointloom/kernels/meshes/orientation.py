@@ -18,6 +18,7 @@ from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
     atomic_max,
+    compute,
     dot,
     float64,
     int32,
@@ -196,9 +197,7 @@ class OrientedParts(NamedTuple):
 
 
 def flip_some(triangles: Triangles, flips: Bytes) -> Triangles:
-    flipped = empty(triangles.size, vec3i, triangles.device)
-    launch(flip_some_triangles_kernel, triangles.size, [triangles, flips, flipped])
-    return flipped
+    return compute(flip_some_triangles_kernel, triangles.size, [triangles, flips], vec3i, triangles.device)
 
 
 def flip_some_corners(values: Array1[vec2], flips: Bytes) -> Array1[vec2]:

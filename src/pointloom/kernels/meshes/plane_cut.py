@@ -10,7 +10,7 @@ import numpy as np
 from ..algebra.transform import widen
 from ..array_types import Doubles, Indices, Integers, Mask, Points, Triangles
 from ..arrays.side_by_side import read_together
-from ..lang import array, dot, float64, int32, isfinite, kernel, launch, tid, uint8, vec3, vec3d, vec3i
+from ..lang import array, compute, dot, float64, int32, isfinite, kernel, launch, tid, uint8, vec3, vec3d, vec3i
 from ..memory import empty
 from .level_cut import LevelCut
 from .mesh_measures import triangle_cross
@@ -144,9 +144,7 @@ def find_sides(vertices: Points, pieces: Triangles, sides: Integers, normal: np.
 
 def mask_above(side_of: Integers, *, with_up: bool) -> Mask:
     """uint8 [p]: 1 for pieces above or in the plane; those that face up only with `with_up`."""
-    mask = empty(side_of.size, uint8, side_of.device)
-    launch(mask_side_kernel, side_of.size, [side_of, int(with_up), mask])
-    return mask
+    return compute(mask_side_kernel, side_of.size, [side_of, int(with_up)], uint8, side_of.device)
 
 
 class HalfEdges(NamedTuple):
@@ -162,8 +160,7 @@ class HalfEdges(NamedTuple):
 
 def mark_in_plane(cut: LevelCut, selected: Mask | None = None) -> Mask:
     """uint8 [3 p]: 1 for half-edges of (selected) pieces in the plane of a cut."""
-    mask = empty(3 * cut.pieces.size, uint8, cut.pieces.device)
-    launch(mark_half_edges_kernel, mask.size, [cut.pieces, cut.sides, mask])
+    mask = compute(mark_half_edges_kernel, 3 * cut.pieces.size, [cut.pieces, cut.sides], uint8, cut.pieces.device)
     if selected is not None:
         launch(clear_half_edges_kernel, mask.size, [selected, mask])
     return mask

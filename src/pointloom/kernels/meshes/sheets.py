@@ -17,6 +17,7 @@ from ..arrays.union_find import flatten_sets_kernel, unite
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float64,
@@ -78,8 +79,7 @@ class OpenEdges:
     def __init__(self, welded: Triangles, vertex_count: int, is_open: Mask) -> None:
         rows, bits, device = positions_of(is_open), key_bits(vertex_count), welded.device  # sync
         none = (1 << (2 * bits)) - 1
-        keys = empty(rows.size, int64, device)
-        launch(list_open_keys_kernel, rows.size, [welded, rows, bits, none, keys])
+        keys = compute(list_open_keys_kernel, rows.size, [welded, rows, bits, none], int64, device)
         groups = UniqueKeys(keys, 2 * bits)  # sync
         groups.drop_last(none)  # sync
         self.count, n = groups.count, rows.size
@@ -316,8 +316,7 @@ def match_by_angle(
 
 
 def crowded_rows(open_edges: OpenEdges) -> Indices:
-    crowded = empty(open_edges.count, uint8, open_edges.starts.device)
-    launch(mask_crowded_runs_kernel, open_edges.count, [open_edges.starts, crowded])
+    crowded = compute(mask_crowded_runs_kernel, open_edges.count, [open_edges.starts], uint8, open_edges.starts.device)
     return positions_of(crowded)  # sync
 
 
@@ -446,9 +445,7 @@ def mask_loose(triangles: Triangles, vertex_count: int) -> Mask:
     launch(unite_runs_kernel, edges.count, [edges, parents])
     launch(flatten_sets_kernel, count, [parents])
     launch(mark_roots_kernel, count, [parents, unsound, of_part])
-    loose = empty(count, uint8, device)
-    launch(spread_marks_kernel, count, [parents, of_part, loose])
-    return loose
+    return compute(spread_marks_kernel, count, [parents, of_part], uint8, device)
 
 
 @kernel
@@ -459,8 +456,7 @@ def read_flips_kernel(forms: array(dtype=int32), flips: array(dtype=uint8)):
 
 def _winding(forms: Indices, parents: Indices, inwards: bool) -> Mask:
     """uint8 [t]: 1 for triangles oriented against most of their component; inverted with `inwards`."""
-    flips = empty(parents.size, uint8, parents.device)
-    launch(read_flips_kernel, flips.size, [forms, flips])
+    flips = compute(read_flips_kernel, parents.size, [forms], uint8, parents.device)
     follow_majority(parents, flips, inwards)
     return flips
 

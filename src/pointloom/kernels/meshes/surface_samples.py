@@ -13,7 +13,23 @@ from ..algebra.transform import narrow, widen
 from ..array_types import Doubles, Points, Triangles, Vectors
 from ..arrays.random import random_bits
 from ..arrays.running_sums import running_sums
-from ..lang import NAN, array, float64, func, int32, isfinite, kernel, launch, length, sqrt, tid, vec3, vec3d, vec3i
+from ..lang import (
+    NAN,
+    array,
+    compute,
+    float64,
+    func,
+    int32,
+    isfinite,
+    kernel,
+    launch,
+    length,
+    sqrt,
+    tid,
+    vec3,
+    vec3d,
+    vec3i,
+)
 from ..memory import download, empty, rows_of
 from .mesh_measures import triangle_cross, unit_or_up
 
@@ -123,16 +139,12 @@ def take_triangle_normals_kernel(
 
 def measure_areas(vertices: Points, triangles: Triangles) -> Doubles:
     """Twice the area of each triangle, float64 [t]. Zero if a corner is not finite."""
-    areas = empty(triangles.size, float64, vertices.device)
-    launch(measure_areas_kernel, triangles.size, [vertices, triangles, areas])
-    return areas
+    return compute(measure_areas_kernel, triangles.size, [vertices, triangles], float64, vertices.device)
 
 
 def triangle_areas(vertices: Points, triangles: Triangles) -> Doubles:
     """Area of each triangle, float64 [t]. NaN if a corner is not finite."""
-    areas = empty(triangles.size, float64, vertices.device)
-    launch(list_areas_kernel, areas.size, [vertices, triangles, areas])
-    return areas
+    return compute(list_areas_kernel, triangles.size, [vertices, triangles], float64, vertices.device)
 
 
 class SurfaceSamples:
@@ -158,8 +170,7 @@ class SurfaceSamples:
         self.count = count
         self.chosen, self.weights = empty(count, int32, self.device), empty(count, vec3d, self.device)
         steps = 1 << max(0, min(self.triangles.size, count // MIN_SAMPLES_PER_ENTRY).bit_length() - 1)
-        guide = empty(steps + 1, int32, self.device)
-        launch(guide_fractions_kernel, steps + 1, [self.running, steps, guide])
+        guide = compute(guide_fractions_kernel, steps + 1, [self.running, steps], int32, self.device)
         launch(draw_samples_kernel, count, [self.running, steps, guide, seed, self.chosen, self.weights])
 
     def mix(self, values: Vectors, unit: bool = False) -> Vectors:

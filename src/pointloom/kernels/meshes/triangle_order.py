@@ -3,8 +3,7 @@
 from ..array_types import Indices, Triangles
 from ..arrays.select import gather_rows
 from ..arrays.sort import argsort_keys
-from ..lang import array, int32, int64, kernel, launch, tid, vec3i
-from ..memory import empty
+from ..lang import array, compute, int32, int64, kernel, tid, vec3i
 
 
 @kernel
@@ -37,10 +36,8 @@ def mark_new_triangles_kernel(triangles: array(dtype=vec3i), order: array(dtype=
 def sort_triangles(triangles: Triangles, vertex_count: int) -> Indices:
     """Rows of triangles in lexicographic order. Equal ones keep their order."""
     device, count, bits = triangles.device, triangles.size, max(1, vertex_count.bit_length())
-    keys = empty(count, int64, device)
-    launch(list_third_keys_kernel, count, [triangles, keys])
+    keys = compute(list_third_keys_kernel, count, [triangles], int64, device)
     _, thirds = argsort_keys(keys, bits)
-    keys = empty(count, int64, device)
-    launch(list_first_keys_kernel, count, [triangles, thirds, bits, keys])
+    keys = compute(list_first_keys_kernel, count, [triangles, thirds, bits], int64, device)
     _, order = argsort_keys(keys, 2 * bits)
     return gather_rows(thirds, order)

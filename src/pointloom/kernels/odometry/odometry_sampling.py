@@ -13,7 +13,7 @@ from ..arrays.hash_table import EMPTY, insert_entry
 from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
-from ..lang import NAN, array, float64, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3d
+from ..lang import NAN, array, compute, float64, func, int32, int64, isfinite, kernel, launch, tid, uint8, vec3, vec3d
 from ..memory import download, empty, full, zeros
 from .local_cells import LocalCells, cell_holding, local_key
 
@@ -110,9 +110,7 @@ def shift_points(points: Points, origin: np.ndarray) -> Points:
     """Points about zero instead of an origin (3). The array itself if that is zero."""
     if not any(origin):
         return points
-    out = empty(points.size, vec3, points.device)
-    launch(shift_points_kernel, points.size, [points, vec3d(*origin), out])
-    return out
+    return compute(shift_points_kernel, points.size, [points, vec3d(*origin)], vec3, points.device)
 
 
 def first_in_voxels(points: Points, voxel_size: float, min_range: float, max_range: float) -> Points:
@@ -168,8 +166,7 @@ def _cells_within(max_range: float, voxel_size: float) -> LocalCells:
 
 def _mark_by_sorting(points: Points, min_range: float, max_range: float, cells: LocalCells, marks: Mask) -> None:
     """Fallback by sorting if voxel and index do not fit into one entry."""
-    keys = empty(points.size, int64, points.device)
-    launch(encode_in_range_kernel, points.size, [points, min_range, max_range, cells, keys])
+    keys = compute(encode_in_range_kernel, points.size, [points, min_range, max_range, cells], int64, points.device)
     groups = UniqueKeys(keys, cells.key_bits)  # sync
     groups.drop_last(cells.skipped)  # sync
     launch(mark_firsts_kernel, groups.count, [groups, marks])

@@ -22,6 +22,7 @@ from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys, write_heads
 from ..lang import (
     array,
+    compute,
     float64,
     func,
     int32,
@@ -202,8 +203,7 @@ class VoxelMap:
 
     def _insert(self, groups: UniqueKeys, local: LocalCells, offsets: Points) -> None:
         known = self.count
-        touched = empty(groups.count, int64, self.device)
-        launch(widen_keys_kernel, groups.count, [groups, local, touched])
+        touched = compute(widen_keys_kernel, groups.count, [groups, local], int64, self.device)
         voxels, missing = self.table.find(touched)
         rows = positions_of(missing)
         count = known + rows.size
@@ -257,8 +257,7 @@ class VoxelMap:
     def without_far(self, center: np.ndarray, limit: float) -> "VoxelMap":
         """Map without voxels farther than `limit` [m] from a position (by center); itself if there are none."""
         count = self.count
-        marks = empty(count, uint8, self.device)
-        launch(mark_near_voxels_kernel, count, [self, vec3d(*center), limit, marks])
+        marks = compute(mark_near_voxels_kernel, count, [self, vec3d(*center), limit], uint8, self.device)
         rows = positions_of(marks)  # sync
         if rows.size == count:
             return self

@@ -16,6 +16,7 @@ from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float64,
@@ -204,8 +205,7 @@ class AlignmentRows:
         """Three syncs."""
         device = surfaces.moved.device
         self._surfaces = surfaces
-        mask = empty(surfaces.moved.size + surfaces.points.size, uint8, device)
-        launch(mask_pairs_kernel, mask.size, [surfaces, mask])
+        mask = compute(mask_pairs_kernel, surfaces.moved.size + surfaces.points.size, [surfaces], uint8, device)
         self._pairs = positions_of(mask)  # sync
         count = self._pairs.size
         self.middle, self.lever, self.spread = np.zeros(3), 1.0, np.eye(3) / 3

@@ -21,6 +21,7 @@ from ..lang import (
     atomic_add,
     ballot,
     bit_count,
+    compute,
     cuda_func,
     dot,
     float64,
@@ -311,8 +312,7 @@ def mark_peaks_in_lanes_kernel(
 
 def order_descending(values: LongIntegers) -> Indices:
     """Descending order of non-negative int64 values, ties by index; int32."""
-    keys = empty(values.size, int64, values.device)
-    launch(descending_keys_kernel, values.size, [values, (1 << SUM_BITS) - 1, keys])
+    keys = compute(descending_keys_kernel, values.size, [values, (1 << SUM_BITS) - 1], int64, values.device)
     return argsort_keys(keys, SUM_BITS)[1]
 
 

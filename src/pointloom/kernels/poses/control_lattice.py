@@ -14,6 +14,7 @@ from ..arrays.hash_table import HashTable, find_position, list_keys
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float64,
@@ -290,8 +291,7 @@ def sum_bent_pairs(points: array(dtype=vec3), moved: array(dtype=vec3)) -> pair_
 def make_lattice(cell_size: float, points: Points, known: ControlLattice | None = None) -> ControlLattice:
     """Lattice of the cells of points and of the `known` lattice, whose shifts it keeps. One sync."""
     device = points.device
-    keys = empty(points.size, int64, device)
-    launch(key_cells_kernel, points.size, [points, float(cell_size), keys])
+    keys = compute(key_cells_kernel, points.size, [points, float(cell_size)], int64, device)
     groups = UniqueKeys(keys)
     groups.drop_last(OUTSIDE_KEY)
     cell_keys = groups.keys
@@ -304,16 +304,12 @@ def make_lattice(cell_size: float, points: Points, known: ControlLattice | None 
 
 
 def bend_points(points: Points, lattice: ControlLattice) -> Points:
-    moved = empty(points.size, vec3, points.device)
-    launch(bend_points_kernel, points.size, [points, lattice, moved])
-    return moved
+    return compute(bend_points_kernel, points.size, [points, lattice], vec3, points.device)
 
 
 def bend_normals(points: Points, normals: Vectors, lattice: ControlLattice) -> Vectors:
     """Deform the normals at undeformed points."""
-    bent = empty(points.size, vec3, points.device)
-    launch(bend_normals_kernel, points.size, [points, normals, lattice, bent])
-    return bent
+    return compute(bend_normals_kernel, points.size, [points, normals, lattice], vec3, points.device)
 
 
 @kernel

@@ -20,6 +20,7 @@ from ..arrays.select import positions_and_starts
 from ..arrays.sort import argsort_keys
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float64,
@@ -101,8 +102,7 @@ class FragmentRows:
         starts = empty(cell_count + 1, int32, device)
         self.order = empty(0, int32, device)
         if cell_count:
-            keys = empty(2 * self.count, int64, device)
-            launch(key_ends_kernel, 2 * self.count, [cell_count, self, keys])
+            keys = compute(key_ends_kernel, 2 * self.count, [cell_count, self], int64, device)
             sorted_keys, self.order = argsort_keys(keys, max(1, cell_count.bit_length()))
             find_key_starts(sorted_keys, starts)
         else:

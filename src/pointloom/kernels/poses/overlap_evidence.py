@@ -16,6 +16,7 @@ from ..array_types import Array1, Integers, Vectors
 from ..arrays.packed_keys import key_index, key_number
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float32,
@@ -136,8 +137,7 @@ class Overlap:
     def find_planes(self) -> MainPlanes:
         """The dominant planes of the matches."""
         count = self.moved.size
-        mask = empty(count, uint8, self.moved.device)
-        launch(mask_matched_kernel, count, [self, mask])
+        mask = compute(mask_matched_kernel, count, [self], uint8, self.moved.device)
         fitted, slab = FITTED_DISTANCE * self.distance, ON_PLANE * self.distance
         return find_main_planes(self.moved, self.moved_normals, mask, PLANE_COUNT, fitted, slab, self.cosine)
 

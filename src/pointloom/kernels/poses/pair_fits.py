@@ -18,6 +18,7 @@ from ..lang import (
     Kernel,
     Reduction,
     array,
+    compute,
     dot,
     float32,
     float64,
@@ -63,8 +64,7 @@ class PairCoordinates:
     ) -> None:
         """Select the finite correspondences `pairs` (int32 (m, 2)) of two arrays of vec3. Centers as float32 (3)."""
         device = source.device
-        mask = empty(pairs.shape[0], uint8, device)
-        launch(mask_finite_pairs_kernel, mask.size, [source, target, pairs, mask])
+        mask = compute(mask_finite_pairs_kernel, pairs.shape[0], [source, target, pairs], uint8, device)
         rows = positions_of(mask)
         self.device, self.count, self.rows = device, rows.size, pairs
         if rows.size < pairs.shape[0]:

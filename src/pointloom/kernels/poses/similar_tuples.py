@@ -7,7 +7,7 @@ from ..array_types import Integers
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.random import random_below, random_bits
 from ..arrays.select import positions_of
-from ..lang import array, float64, int32, kernel, launch, tid, uint8
+from ..lang import array, compute, float64, int32, kernel, launch, tid, uint8
 from ..memory import empty
 from .pair_fits import PairCoordinates, source_point, target_point
 
@@ -56,8 +56,7 @@ def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float,
         chosen = positions_of(passed)  # sync
         if chosen.size:
             chosen = chosen[: min(chosen.size, max_triples - total)]
-            rows = empty(TUPLE_SIZE * chosen.size, int32, device)
-            launch(list_tuples_kernel, rows.size, [tuples, chosen, rows])
+            rows = compute(list_tuples_kernel, TUPLE_SIZE * chosen.size, [tuples, chosen], int32, device)
             batches.append(rows)
             total += chosen.size
         done, batch = done + size, min(2 * batch, MAX_BATCH)

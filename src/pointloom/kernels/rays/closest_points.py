@@ -7,6 +7,7 @@ from ..array_types import Doubles, Points, Scalars
 from ..lang import (
     NAN,
     array,
+    compute,
     float32,
     float64,
     func,
@@ -21,7 +22,7 @@ from ..lang import (
     vec3i,
     vec4d,
 )
-from ..memory import empty, full, zeros
+from ..memory import full, zeros
 from ..meshes.mesh_measures import triangle_cross, unit_or_up
 from ..meshes.pseudonormals import Pseudonormals, side_of_part
 from .nearest_triangle import NearestTriangles
@@ -135,13 +136,9 @@ def mark_inside_kernel(distances: array(dtype=float32), inside: array(dtype=floa
 
 def mark_inside(distances: Scalars) -> Scalars:
     """float32 (n), 1 where signed distances are <= 0, else 0. NaN stays."""
-    inside = empty(distances.size, float32, distances.device)
-    launch(mark_inside_kernel, inside.size, [distances, inside])
-    return inside
+    return compute(mark_inside_kernel, distances.size, [distances], float32, distances.device)
 
 
 def sign_distances(queries: Points, sqdists: Doubles, numbers: Doubles) -> Scalars:
     """float32 (n), roots of squared distances, negative where the winding number exceeds a half."""
-    distances = empty(queries.size, float32, queries.device)
-    launch(sign_distances_kernel, queries.size, [queries, sqdists, numbers, distances])
-    return distances
+    return compute(sign_distances_kernel, queries.size, [queries, sqdists, numbers], float32, queries.device)

@@ -1,8 +1,7 @@
 """Colors of distances: five colors of viridis, linearly interpolated."""
 
 from ..array_types import Doubles, Vectors
-from ..lang import array, float64, isfinite, kernel, launch, tid, vec3
-from ..memory import empty
+from ..lang import array, compute, float64, isfinite, kernel, tid, vec3
 
 COLOR_STEPS = 4
 
@@ -36,6 +35,4 @@ def color_distances_kernel(distances: array(dtype=float64), largest: float, colo
 
 
 def color_distances(distances: Doubles, largest: float) -> Vectors:
-    colors = empty(distances.size, vec3, distances.device)
-    launch(color_distances_kernel, distances.size, [distances, largest, colors])
-    return colors
+    return compute(color_distances_kernel, distances.size, [distances, largest], vec3, distances.device)

@@ -14,6 +14,7 @@ from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     INFINITY,
     array,
+    compute,
     cross,
     float32,
     float64,
@@ -233,15 +234,11 @@ def cast_rays(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Vectors]:
 
 def test_occlusions(trees: SceneTrees, rays: Scalars, nearest: float = 0.0, farthest: float = math.inf) -> Mask:
     """True if a ray hits anything with a parameter from `nearest` to `farthest`: uint8 (n)."""
-    occluded = empty(rays.size // 6, uint8, rays.device)
-    launch(test_occlusions_kernel, occluded.size, [rays, nearest, farthest, trees, occluded])
-    return occluded
+    return compute(test_occlusions_kernel, rays.size // 6, [rays, nearest, farthest, trees], uint8, rays.device)
 
 
 def count_hits(trees: SceneTrees, rays: Scalars) -> Integers:
-    counts = empty(rays.size // 6, int32, rays.device)
-    launch(count_hits_kernel, counts.size, [rays, trees, counts])
-    return counts
+    return compute(count_hits_kernel, rays.size // 6, [rays, trees], int32, rays.device)
 
 
 def list_hits(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Indices, Integers]:

@@ -19,6 +19,7 @@ from ..lang import (
     NAN,
     array,
     atomic_max,
+    compute,
     float64,
     func,
     int32,
@@ -266,9 +267,7 @@ def distances_to(points: Points, tree: TriangleTree) -> Doubles:
     """Distances [m] of points (about a tree's origin) to its triangles, float64; infinite beyond 1.8e19 m."""
     nearest = NearestTriangles(points)
     nearest.search(tree, points, 0)
-    distances = empty(points.size, float64, points.device)
-    launch(take_roots_kernel, points.size, [nearest.sqdists, points, distances])
-    return distances
+    return compute(take_roots_kernel, points.size, [nearest.sqdists, points], float64, points.device)
 
 
 def sum_squares(distances: Doubles) -> Array1[vec2d]:

@@ -2,7 +2,7 @@
 
 from ..algebra.transform import narrow
 from ..array_types import Points, Triangles
-from ..lang import array, int32, kernel, launch, tid, vec3, vec3d, vec3i
+from ..lang import array, compute, int32, kernel, launch, tid, vec3, vec3d, vec3i
 from ..memory import empty
 from ..meshes.mixed_rows import MixedRows
 from .closest_points import measure_row
@@ -50,6 +50,4 @@ class SurfacePositions:
 
 def middles_of(vertices: Points, triangles: Triangles) -> Points:
     """Center of each triangle, vec3. NaN for non-finite corners."""
-    middles = empty(triangles.size, vec3, vertices.device)
-    launch(find_middles_kernel, triangles.size, [vertices, triangles, middles])
-    return middles
+    return compute(find_middles_kernel, triangles.size, [vertices, triangles], vec3, vertices.device)

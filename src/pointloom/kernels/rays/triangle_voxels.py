@@ -15,6 +15,7 @@ from ..arrays.unique import UniqueKeys
 from ..lang import (
     Kernel,
     array,
+    compute,
     cross,
     dot,
     float64,
@@ -246,8 +247,7 @@ class Columns:
 
     def __init__(self, visit: Kernel, vertices: Points, triangles: Triangles, frame: VoxelFrame, upright: int) -> None:
         device, count = triangles.device, triangles.size
-        counts = empty(count, int32, device)
-        launch(count_columns_kernel, count, [vertices, triangles, frame, upright, counts])
+        counts = compute(count_columns_kernel, count, [vertices, triangles, frame, upright], int32, device)
         x, y, z = (int(number) for number in frame.counts)
         self._offsets, totals = scan_unread(counts, max(x * y, y * z, z * x))
         self._tallest = max(x, y, z)  # most hits of a column

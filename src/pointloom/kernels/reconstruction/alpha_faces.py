@@ -25,6 +25,7 @@ from ..lang import (
     array,
     atomic_add,
     bit_count,
+    compute,
     float32,
     float64,
     func,
@@ -432,15 +433,11 @@ def read_tetrahedra_kernel(table: array(dtype=int32), rows: array(dtype=int32), 
 
 def mark_rows(mark: Kernel, table: Integers, kind: int) -> Mask:
     count = table.size // RESULT_COLUMNS
-    mask = empty(count, uint8, table.device)
-    launch(mark, count, [table, kind, mask])
-    return mask
+    return compute(mark, count, [table, kind], uint8, table.device)
 
 
 def read_rows(read: Kernel, kind_of_row: type[Element], table: Integers, rows: Indices) -> Array1[Element]:
-    out = empty(rows.size, kind_of_row, table.device)
-    launch(read, rows.size, [table, rows, out])
-    return out
+    return compute(read, rows.size, [table, rows], kind_of_row, table.device)
 
 
 FIRST_NEIGHBORS = 16  # points inserted into a star before the traversal
@@ -634,8 +631,7 @@ def search_stars(
     """Launch the search, and repeat it with more room for stars that overflowed. One sync per launch."""
     device, room, needed = tree.device, STAR_TRIANGLES, [0, 0]
     run = 1 if device.is_cuda else CPU_POINTS_PER_THREAD
-    todo = empty(lists.size // FIRST_NEIGHBORS, int32, device)
-    launch(list_ranks_kernel, todo.size, [begin, todo])
+    todo = compute(list_ranks_kernel, lists.size // FIRST_NEIGHBORS, [begin], int32, device)
     while todo.size:
         step = max(1, SCRATCH_NUMBERS // (room * NUMBERS_PER_TRIANGLE)) * run
         left = []

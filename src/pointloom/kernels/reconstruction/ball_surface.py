@@ -16,6 +16,7 @@ from ..arrays.select import gather_rows, positions_of, positions_of_each
 from ..arrays.sort import argsort_keys, positions
 from ..lang import (
     array,
+    compute,
     dot,
     float32,
     func,
@@ -307,8 +308,7 @@ class RollingBall:
 
     def __init__(self, points: Points, normals: Vectors, grown: Callable[[], PointTree]) -> None:
         device = points.device
-        facing = empty(points.size, uint8, device)
-        launch(mark_facing_kernel, points.size, [points, normals, facing])
+        facing = compute(mark_facing_kernel, points.size, [points, normals], uint8, device)
         self.tree = grown() if points.size else PointTree(empty(0, vec3, device))
         rows, repeated = positions_of_each(facing, self._mark_repeated())  # sync
         if rows.size < self.tree.count or repeated.size:
@@ -322,9 +322,7 @@ class RollingBall:
 
     def _mark_repeated(self) -> Mask:
         """Mark points equal to their predecessor in the tree. Other duplicates only cost time."""
-        marks = empty(self.tree.count, uint8, self.tree.device)
-        launch(mark_repeated_kernel, self.tree.count, [self.tree.points, marks])
-        return marks
+        return compute(mark_repeated_kernel, self.tree.count, [self.tree.points], uint8, self.tree.device)
 
     def roll(
         self, radii: Iterable[float], row_count: int, check: Callable[[PointTree, float, Indices], None]
@@ -348,6 +346,5 @@ class RollingBall:
             parts.append(closed)
         triangles = concatenate_rows([*parts, open])
         bits = max(1, row_count.bit_length())
-        keys = empty(triangles.size, int64, device)
-        launch(name_corners_kernel, triangles.size, [self.rows, bits, triangles, keys])
+        keys = compute(name_corners_kernel, triangles.size, [self.rows, bits, triangles], int64, device)
         return gather_rows(triangles, argsort_keys(keys, 2 * bits)[1])

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..array_types import Device, Integers
 from ..arrays.prefix_sum import exclusive_scan, offsets_of
-from ..lang import array, func, int32, kernel, launch, struct, tid, uint8, vec3i
+from ..lang import array, compute, func, int32, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import check_room, empty, fill, full, upload, zeros
 
 BLOCK_SLOTS = 8  # of a block
@@ -165,8 +165,7 @@ def first_levels(device: Device) -> tuple[OctreeLevel, OctreeLevel]:
 def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> OctreeLevel | None:
     """Next level for the marked cells, or None. One sync unless `is_full`. Raises MemoryError before any allocation."""
     slots, device = BLOCK_SLOTS * level.count, level.device
-    marks = empty(slots, int32, device)
-    launch(mark_children_kernel, slots, [level, marks])
+    marks = compute(mark_children_kernel, slots, [level], int32, device)
     if is_full:
         offsets, count = offsets_of(marks), ((1 << level.depth) + 1) ** 3
     else:

@@ -20,6 +20,7 @@ from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import positions_of
 from ..lang import (
     array,
+    compute,
     float32,
     float64,
     func,
@@ -146,8 +147,7 @@ def list_unknowns(mask: Mask, blocks: int) -> tuple[Indices, Integers, list[int]
         return corners, firsts, [blocks] * BLOCK_SLOTS
     indices = positions_of(mask)
     begins = np.searchsorted(download(indices), np.arange(BLOCK_SLOTS + 1) * blocks)
-    corners = empty(indices.size, int32, device)
-    launch(name_corners_kernel, indices.size, [indices, blocks, corners])
+    corners = compute(name_corners_kernel, indices.size, [indices, blocks], int32, device)
     return corners, upload(begins, int32, device), np.diff(begins).tolist()
 
 
@@ -396,8 +396,7 @@ def solve(
         values = zeros(BLOCK_SLOTS * level.count, float32, device)
         if depth > 1:
             launch(lower_values_kernel, values.size, [levels[depth - 1], solutions[-1], level, values])
-        mask = empty(values.size, uint8, device)
-        launch(mark_unknowns_kernel, values.size, [level, level.count, mask])
+        mask = compute(mark_unknowns_kernel, values.size, [level, level.count], uint8, device)
         if envelope is not None:
             assert cube is not None
             fix_outside(level, cube, envelope, mask, values)

@@ -17,6 +17,7 @@ from ..lang import (
     NAN,
     array,
     atomic_add,
+    compute,
     float32,
     float64,
     func,
@@ -202,8 +203,7 @@ class SampleCells:
     def __init__(self, members: LongIntegers, shift: int, count: int | None) -> None:
         """Cells of sorted, shifted codes. One sync if `count` is None."""
         device, n = members.device, members.size
-        heads = empty(n, int32, device)
-        launch(mark_cells_kernel, n, [members, shift, heads])
+        heads = compute(mark_cells_kernel, n, [members, shift], int32, device)
         if count is None:
             offsets, self.count = exclusive_scan(heads, largest=1)  # sync
         else:
@@ -244,8 +244,7 @@ def gather_samples(
 ) -> list[SampleCells]:
     """Occupied cells of levels 0 .. depth as a list of SampleCells. `by_length` weights samples by normal length."""
     device, n = points.device, rows.size
-    codes = empty(n, int64, device)
-    launch(encode_samples_kernel, n, [points, rows, cube, depth, codes])
+    codes = compute(encode_samples_kernel, n, [points, rows, cube, depth], int64, device)
     codes, order = argsort_keys(codes, max(1, 3 * depth))
     counts = count_cells(codes, depth)  # sync
     level = SampleCells(codes, 0, counts[depth])

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ..array_types import Device, Integers, Points, Scalars
-from ..lang import array, float32, func, int32, kernel, launch, log, struct, tid, vec3
+from ..lang import array, compute, float32, func, int32, kernel, launch, log, struct, tid, vec3
 from ..memory import empty, full
 from .octree_levels import BLOCK_SLOTS, OctreeLevel, neighbor_slot, slot_position
 from .sample_cells import SampleCells
@@ -189,9 +189,7 @@ class DensityPyramid:
         self.nodes.append(nodes)
         self.cells_at.append(cells_at)
         self.levels.append(level)
-        growing = empty(cells.count, int32, device)
-        launch(list_growing_kernel, cells.count, [nodes, growing])
-        return growing
+        return compute(list_growing_kernel, cells.count, [nodes], int32, device)
 
     def pairs(self) -> Iterator[tuple[SampleCells, SampleNodes]]:
         """Cells of samples and their SampleNodes by level, from level 1 on."""

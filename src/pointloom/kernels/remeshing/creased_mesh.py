@@ -18,6 +18,7 @@ from ..lang import (
     array,
     atomic_add,
     atomic_max,
+    compute,
     dot,
     float32,
     float64,
@@ -278,8 +279,7 @@ def find_features(vertices: Points, triangles: Triangles, angle: float, min_size
     free = zeros(vertices.size, uint8, device)
     creases = drop_short_creases(CreasedMesh(vertices, triangles, creases, free), min_size)
     mesh = CreasedMesh(vertices, triangles, creases, free)
-    fixed = empty(vertices.size, uint8, device)
-    launch(fix_bends_kernel, vertices.size, [mesh, cosine, fixed])
+    fixed = compute(fix_bends_kernel, vertices.size, [mesh, cosine], uint8, device)
     return mesh.creases, fixed
 
 
@@ -299,17 +299,14 @@ def list_segments_kernel(mesh: CreasedMesh, rows: array(dtype=int32), segments: 
 
 def crease_rows(mesh: CreasedMesh) -> Indices:
     """Crease edges, int32. One sync."""
-    mask = empty(mesh.edges.count, uint8, mesh.vertices.device)
-    launch(mark_creased_kernel, mask.size, [mesh, mask])
+    mask = compute(mark_creased_kernel, mesh.edges.count, [mesh], uint8, mesh.vertices.device)
     return positions_of(mask)
 
 
 def crease_segments(mesh: CreasedMesh) -> Triangles:
     """Creases as degenerate triangles, vec3i, for nearest points by a TriangleTree."""
     rows = crease_rows(mesh)  # sync
-    segments = empty(rows.size, vec3i, mesh.vertices.device)
-    launch(list_segments_kernel, rows.size, [mesh, rows, segments])
-    return segments
+    return compute(list_segments_kernel, rows.size, [mesh, rows], vec3i, mesh.vertices.device)
 
 
 @kernel

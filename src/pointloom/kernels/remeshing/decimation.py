@@ -13,7 +13,7 @@ from ..array_types import Array1, Indices, Integers, Points, Triangles, Vectors
 from ..arrays.packed_keys import NO_KEY, pack_key
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import array, cross, int32, int64, kernel, launch, length, tid, uint8, vec2
+from ..lang import array, compute, cross, int32, int64, kernel, launch, length, tid, uint8, vec2
 from ..memory import clone, download, empty, full
 from ..meshes.mesh_edits import gather_corners
 from .collapse_mesh import TRIANGLE_COUNT, VERTEX_COUNT, CollapseMesh, edge_valence
@@ -88,8 +88,7 @@ class Decimation:
     ) -> CollapseMesh:
         positions = self.frame.scaled(per_vertex[0])
         mesh = CollapseMesh(positions, triangles, uvs, materials, per_vertex[1:])
-        mask = empty(triangles.size, uint8, triangles.device)
-        launch(mark_valid_kernel, mask.size, [mesh, mask])
+        mask = compute(mark_valid_kernel, triangles.size, [mesh], uint8, triangles.device)
         rows = positions_of(mask)  # sync
         return mesh if rows.size == triangles.size else self._mesh_at(rows, mesh)
 

@@ -7,7 +7,7 @@ creases. New vertices are sorted by edge, triangles by their original.
 from ..algebra.transform import narrow, widen
 from ..array_types import Integers
 from ..arrays.prefix_sum import scan_together
-from ..lang import array, dot, float64, func, int32, kernel, launch, tid, uint8, vec3, vec3i
+from ..lang import array, compute, dot, float64, func, int32, kernel, launch, tid, uint8, vec3, vec3i
 from ..memory import copy, empty, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .creased_mesh import CreasedMesh, is_edge
@@ -114,10 +114,8 @@ def split_long_edges(
 ) -> tuple[CreasedMesh, int, list[int]]:
     """(mesh, number of edges split, the values `beside`). One sync."""
     device, count = mesh.vertices.device, mesh.vertices.size
-    marks = empty(mesh.edges.count, int32, device)
-    launch(mark_long_kernel, marks.size, [mesh, longest * longest, marks])
-    counts = empty(mesh.triangles.size, int32, device)
-    launch(count_parts_kernel, counts.size, [mesh, marks, counts])
+    marks = compute(mark_long_kernel, mesh.edges.count, [mesh, longest * longest], int32, device)
+    counts = compute(count_parts_kernel, mesh.triangles.size, [mesh, marks], int32, device)
     wanted = [(marks, [marks.size]), (counts, [counts.size])]
     (indices, (split,)), (offsets, (total,)), *extra = scan_together(
         wanted, beside, largest=4

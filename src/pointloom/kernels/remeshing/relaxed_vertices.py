@@ -8,7 +8,7 @@ import itertools
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Integers, Points
-from ..lang import array, atomic_add, dot, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3d
+from ..lang import array, atomic_add, compute, dot, float64, int32, kernel, launch, length, tid, uint8, vec3, vec3d
 from ..memory import download, empty, zeros
 from ..meshes.mesh_measures import triangle_cross
 from .creased_mesh import FREE_VERTEX, LINE_VERTEX, CreasedMesh, line_neighbor
@@ -101,9 +101,7 @@ def choose_positions_kernel(
 
 
 def relaxed(mesh: CreasedMesh) -> Points:
-    moved = empty(mesh.vertices.size, vec3, mesh.vertices.device)
-    launch(relax_kernel, moved.size, [mesh, moved])
-    return moved
+    return compute(relax_kernel, mesh.vertices.size, [mesh], vec3, mesh.vertices.device)
 
 
 def choose_positions(mesh: CreasedMesh, on_surface: Points, on_lines: Points) -> Points:

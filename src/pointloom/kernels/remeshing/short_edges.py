@@ -12,6 +12,7 @@ from ..lang import (
     array,
     atomic_add,
     atomic_min,
+    compute,
     cross,
     dot,
     float64,
@@ -28,7 +29,7 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from ..memory import clone, download, empty, full, zeros
+from ..memory import clone, download, full, zeros
 from ..meshes.mesh_edges import opposite_vertex
 from .creased_mesh import FREE_VERTEX, LINE_VERTEX, NO_NUMBER, CreasedMesh, after_round, is_edge, is_paired, mixed_key
 
@@ -257,9 +258,7 @@ def collapse_short_edges(
 
 def without_removed(triangles: Triangles, creases: Bytes) -> tuple[Triangles, Bytes]:
     """Remaining triangles and the flags of their half-edges. One sync."""
-    mask = empty(triangles.size, uint8, triangles.device)
-    launch(mask_left_kernel, mask.size, [triangles, mask])
+    mask = compute(mask_left_kernel, triangles.size, [triangles], uint8, triangles.device)
     rows = positions_of(mask)  # sync
-    left = empty(3 * rows.size, uint8, triangles.device)
-    launch(gather_creases_kernel, left.size, [creases, rows, left])
+    left = compute(gather_creases_kernel, 3 * rows.size, [creases, rows], uint8, triangles.device)
     return gather_rows(triangles, rows), left

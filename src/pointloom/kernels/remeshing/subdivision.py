@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from ..array_types import Array1, Integers, Positions, Triangles
 from ..arrays.prefix_sum import offsets_of
-from ..lang import array, float64, int32, kernel, launch, struct, tid, vec2, vec3d, vec3i
+from ..lang import array, compute, float64, int32, kernel, launch, struct, tid, vec2, vec3d, vec3i
 from ..memory import empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, SortedEdges, count_sharers, opposite_vertex
 from ..meshes.mixed_rows import MixedRows, with_vertices_on_edges
@@ -203,9 +203,7 @@ def split_corners(corners: Array1[vec2]) -> Array1[vec2]:
 
 
 def repeat_four_times(values: Integers) -> Integers:
-    repeated = empty(4 * values.size, int32, values.device)
-    launch(repeat_four_times_kernel, repeated.size, [values, repeated])
-    return repeated
+    return compute(repeat_four_times_kernel, 4 * values.size, [values], int32, values.device)
 
 
 def mixed_ends(split: EdgeSplit) -> MixedRows:
@@ -218,8 +216,7 @@ def mixed_ends(split: EdgeSplit) -> MixedRows:
 def halve(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -> list[Positions]:
     results = []
     for rows in values:
-        out = empty(split.vertex_count[1], vec3d, rows.device)
-        launch(halve_edges_kernel, out.size, [split, rows, out])
+        out = compute(halve_edges_kernel, split.vertex_count[1], [split, rows], vec3d, rows.device)
         results.append(out)
     return results
 

@@ -7,8 +7,7 @@ import numpy as np
 
 from ..array_types import Points, Positions
 from ..arrays.bounds import bound_points
-from ..lang import array, float64, kernel, launch, tid, vec3, vec3d
-from ..memory import empty
+from ..lang import array, compute, float64, kernel, tid, vec3, vec3d
 
 
 @kernel
@@ -38,11 +37,7 @@ class UnitFrame:
         self.center = vec3d(*(((low + high) / 2).astype(np.float32) if count else np.zeros(3)))
 
     def scaled(self, points: Points) -> Positions:
-        scaled = empty(points.size, vec3d, points.device)
-        launch(scale_points_kernel, points.size, [points, self.center, self.scale, scaled])
-        return scaled
+        return compute(scale_points_kernel, points.size, [points, self.center, self.scale], vec3d, points.device)
 
     def unscaled(self, scaled: Positions) -> Points:
-        points = empty(scaled.size, vec3, scaled.device)
-        launch(unscale_points_kernel, points.size, [scaled, self.center, self.scale, points])
-        return points
+        return compute(unscale_points_kernel, scaled.size, [scaled, self.center, self.scale], vec3, scaled.device)

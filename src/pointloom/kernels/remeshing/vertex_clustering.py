@@ -18,6 +18,7 @@ from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
+    compute,
     cross,
     float64,
     int32,
@@ -193,8 +194,7 @@ def join_triangles(triangles: Triangles, labels: Integers, count: int) -> Triang
     relabeled, mask = empty(triangles.size, vec3i, device), empty(triangles.size, uint8, device)
     launch(relabel_triangles_kernel, triangles.size, [triangles, labels, relabeled, mask])
     rows = positions_of(mask)  # sync
-    keys = empty(rows.size, int64, device)
-    launch(list_first_keys_kernel, rows.size, [relabeled, rows, bits, keys])
+    keys = compute(list_first_keys_kernel, rows.size, [relabeled, rows, bits], int64, device)
     pairs = UniqueKeys(keys, 2 * bits, padded=True)
     launch(list_triple_keys_kernel, pairs.count, [pairs, relabeled, rows, bits, keys])
     groups = UniqueKeys(keys, bits + max(1, pairs.count.bit_length()), padded=True)
@@ -214,8 +214,7 @@ def cluster_vertices(
     joined = join_triangles(triangles, clusters.labels, clusters.count)
     arrays = []
     for rows, is_unit in zip(per_vertex, [False, *unit], strict=True):
-        means = empty(clusters.count, vec3, device)
-        launch(average_clusters_kernel, clusters.count, [clusters, int(is_unit), rows, means])
+        means = compute(average_clusters_kernel, clusters.count, [clusters, int(is_unit), rows], vec3, device)
         arrays.append(means)
     if with_planes:
         frame = UnitFrame(vertices, clusters.box)

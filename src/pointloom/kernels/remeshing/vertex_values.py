@@ -2,8 +2,7 @@
 
 from ..algebra.transform import narrow
 from ..array_types import Positions, Vectors
-from ..lang import array, kernel, launch, length, tid, vec3, vec3d
-from ..memory import empty
+from ..lang import array, compute, kernel, length, tid, vec3, vec3d
 
 
 @kernel
@@ -22,6 +21,4 @@ def narrow_directions_kernel(wide: array(dtype=vec3d), earlier: array(dtype=vec3
 
 def narrow_directions(wide: Positions, earlier: Vectors, first: int = 0) -> Vectors:
     """Convert vec3d rows to unit vec3. `earlier` (vec3 [m]) replaces rows without a length and those below `first`."""
-    rows = empty(wide.size, vec3, wide.device)
-    launch(narrow_directions_kernel, wide.size, [wide, earlier, first, rows])
-    return rows
+    return compute(narrow_directions_kernel, wide.size, [wide, earlier, first], vec3, wide.device)

@@ -6,6 +6,7 @@ from ..array_types import Scalars, Vectors
 from ..lang import (
     NAN,
     array,
+    compute,
     cross,
     dot,
     float32,
@@ -160,16 +161,12 @@ def fit_short_normals_kernel(
 
 def fill_missing(depth: Scalars) -> Scalars:
     """Depth with 0 for NaN."""
-    filled = empty(depth.size, float32, depth.device)
-    launch(fill_missing_kernel, depth.size, [depth, filled])
-    return filled
+    return compute(fill_missing_kernel, depth.size, [depth], float32, depth.device)
 
 
 def round_shades(brightness: Scalars) -> Scalars:
     """Brightness in steps of 1 / 255, as in 8-bit images."""
-    rounded = empty(brightness.size, float32, brightness.device)
-    launch(round_shades_kernel, brightness.size, [brightness, rounded])
-    return rounded
+    return compute(round_shades_kernel, brightness.size, [brightness], float32, brightness.device)
 
 
 def short_normals(depth: Scalars, width: int, height: int, lens: np.ndarray) -> Vectors:
@@ -181,15 +178,11 @@ def short_normals(depth: Scalars, width: int, height: int, lens: np.ndarray) -> 
 
 def mark_missing(depth: Scalars, min_depth: float, max_depth: float) -> Scalars:
     """Depth with NaN for none or out of range."""
-    marked = empty(depth.size, float32, depth.device)
-    launch(mark_missing_kernel, depth.size, [depth, float(min_depth), float(max_depth), marked])
-    return marked
+    return compute(mark_missing_kernel, depth.size, [depth, float(min_depth), float(max_depth)], float32, depth.device)
 
 
 def smooth(image: Scalars, width: int, height: int) -> Scalars:
-    smoothed = empty(image.size, float32, image.device)
-    launch(smooth_kernel, image.size, [image, width, height, smoothed])
-    return smoothed
+    return compute(smooth_kernel, image.size, [image, width, height], float32, image.device)
 
 
 def slopes(image: Scalars, width: int, height: int) -> tuple[Scalars, Scalars]:
@@ -200,19 +193,13 @@ def slopes(image: Scalars, width: int, height: int) -> tuple[Scalars, Scalars]:
 
 def spread_holes(depth: Scalars, smoothed: Scalars, width: int, height: int) -> Scalars:
     """Smoothed depth without pixels within 2 px of a hole."""
-    spread = empty(depth.size, float32, depth.device)
-    launch(spread_holes_kernel, depth.size, [depth, smoothed, width, height, spread])
-    return spread
+    return compute(spread_holes_kernel, depth.size, [depth, smoothed, width, height], float32, depth.device)
 
 
 def halve(image: Scalars, width: int, height: int) -> Scalars:
     columns, rows = width // 2, height // 2
-    halved = empty(columns * rows, float32, image.device)
-    launch(halve_kernel, halved.size, [image, width, columns, halved])
-    return halved
+    return compute(halve_kernel, columns * rows, [image, width, columns], float32, image.device)
 
 
 def scale(image: Scalars, factor: float) -> Scalars:
-    scaled = empty(image.size, float32, image.device)
-    launch(scale_kernel, image.size, [image, float(factor), scaled])
-    return scaled
+    return compute(scale_kernel, image.size, [image, float(factor)], float32, image.device)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array_types import Array1, Array2, Device, Mask, Scalars
-from ..lang import array, float32, float64, kernel, launch, reduce, reduction, struct, tid, uint8, vector
+from ..lang import array, compute, float32, float64, kernel, launch, reduce, reduction, struct, tid, uint8, vector
 from ..memory import download, empty, zeros
 from .pyramid import NO_COLOR, luma
 
@@ -26,9 +26,7 @@ def hide_near_kernel(depth: array(dtype=float32), limit: float, far: array(dtype
 
 def hide_near(depth: Scalars, limit: float) -> Scalars:
     """Depth [m], float32 (pixels), beyond a limit [m] only."""
-    far = empty(depth.size, float32, depth.device)
-    launch(hide_near_kernel, depth.size, [depth, limit, far])
-    return far
+    return compute(hide_near_kernel, depth.size, [depth, limit], float32, depth.device)
 
 
 @kernel

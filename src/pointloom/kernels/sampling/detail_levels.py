@@ -10,7 +10,23 @@ import numpy as np
 
 from ..array_types import Indices, Integers, LongIntegers, Points, Positions
 from ..arrays.sort import SortKeys, put_key
-from ..lang import array, float64, floor, func, int32, int64, isfinite, kernel, launch, struct, tid, uint8, vec3, vec3d
+from ..lang import (
+    array,
+    compute,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    struct,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+)
 from ..memory import download, empty, host_view, upload
 from ..search.hilbert_order import spread_bits
 
@@ -224,12 +240,10 @@ def sort_by_cell(points: Points | Positions, cube: Cube) -> tuple[LongIntegers, 
     words, highs = empty(count, int64, device), empty(count, int32, device)
     launch(halve_keys_kernel, count, [points, cube, shift, words, highs])
     host_view(words).sort()
-    packed = empty(count, int64, device)
-    launch(pack_highs_kernel, count, [words, highs, shift, packed])
+    packed = compute(pack_highs_kernel, count, [words, highs, shift], int64, device)
     del highs  # frees memory for `order`
     host_view(packed).sort()
-    order = empty(count, int32, device)
-    launch(join_keys_kernel, count, [words, shift, packed, order])
+    order = compute(join_keys_kernel, count, [words, shift, packed], int32, device)
     return packed, order
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..algebra.transform import widen
 from ..array_types import AnyArray, Indices, Points
-from ..lang import INFINITY, array, float64, floor, func, int32, int64, kernel, launch, tid, vec3, vec3d
+from ..lang import INFINITY, array, compute, float64, floor, func, int32, int64, kernel, launch, tid, vec3, vec3d
 from ..memory import cast, empty, full
 from ..search.neighbor_keys import sort_keys
 
@@ -152,9 +152,7 @@ def trace_voxels(points: Points, groups: "UniqueKeys", corner: np.ndarray, size:
 
 def nearest_to_means(points: Points, groups: "UniqueKeys") -> Indices:
     """Row of the point nearest to the mean of each voxel, int32 (m)."""
-    rows = empty(groups.count, int32, points.device)
-    launch(nearest_to_mean_kernel, groups.count, [points, groups.order, groups.starts, rows])
-    return rows
+    return compute(nearest_to_mean_kernel, groups.count, [points, groups.order, groups.starts], int32, points.device)
 
 
 def nearest_to_middles(points: Points, groups: "UniqueKeys", corner: np.ndarray, size: float) -> Indices:
@@ -167,8 +165,7 @@ def nearest_to_middles(points: Points, groups: "UniqueKeys", corner: np.ndarray,
 def commonest_rows(values: AnyArray, groups: "UniqueKeys") -> Indices:
     """A row of each voxel with its most common value, int32 (m); `values` are integers (n) or vec3 colors."""
     if values.dtype == vec3:
-        keys = empty(values.size, int64, values.device)
-        launch(encode_colors_kernel, values.size, [values, keys])
+        keys = compute(encode_colors_kernel, values.size, [values], int64, values.device)
     else:
         keys = cast(values, int64)
     rows = empty(groups.count, int32, values.device)

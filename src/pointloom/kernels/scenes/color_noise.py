@@ -2,8 +2,7 @@
 
 from ..array_types import Bytes
 from ..arrays.random import random_bits
-from ..lang import array, func, int64, kernel, launch, tid, uint8
-from ..memory import empty
+from ..lang import array, compute, func, int64, kernel, tid, uint8
 
 COLOR_NOISE_STREAM = 0x40000000  # distinct from the streams of the depth noise
 HALF_WORD = 0xFFFF
@@ -35,6 +34,4 @@ def measure_colors_kernel(
 
 def measure_colors(colors: Bytes, *, sigma: float, seed: int, frame: int) -> Bytes:
     """Colors, uint8 (n), with noise of standard deviation `sigma` [of 255]; (`seed`, `frame`) selects the noise."""
-    measured = empty(colors.size, uint8, colors.device)
-    launch(measure_colors_kernel, colors.size, [sigma, seed, frame, colors, measured])
-    return measured
+    return compute(measure_colors_kernel, colors.size, [sigma, seed, frame, colors], uint8, colors.device)

@@ -13,11 +13,11 @@ from ..array_types import Device, Doubles, Positions
 from ..lang import (
     INFINITY,
     array,
+    compute,
     float64,
     func,
     int32,
     kernel,
-    launch,
     mat33d,
     sqrt,
     struct,
@@ -26,7 +26,7 @@ from ..lang import (
     vec3d,
     vec4d,
 )
-from ..memory import empty, upload
+from ..memory import upload
 
 BOX_KIND = 0
 CYLINDER_KIND = 1
@@ -186,6 +186,4 @@ def measure_distances_kernel(points: array(dtype=vec3d), solids: Solids, distanc
 
 def distance_to_solids(points: Positions, solids: Solids) -> Doubles:
     """Signed distances, float64 (n) [m], of points vec3d (n) from a scene, negative inside. NaN if not finite."""
-    distances = empty(points.size, float64, points.device)
-    launch(measure_distances_kernel, points.size, [points, solids, distances])
-    return distances
+    return compute(measure_distances_kernel, points.size, [points, solids], float64, points.device)

@@ -13,6 +13,7 @@ from ..lang import (
     array,
     bit_count,
     bits_float,
+    compute,
     float32,
     float_bits,
     func,
@@ -326,6 +327,4 @@ def unpack_rows_kernel(nearest: array(dtype=int64), rows: array(dtype=int32)):
 
 def find_nearest_rows(tree: PointTree, queries: Points) -> Indices:
     """Row of the nearest point of each query, int32 (m), or -1."""
-    rows = empty(queries.size, int32, queries.device)
-    launch(unpack_rows_kernel, queries.size, [find_nearest(tree, queries), rows])
-    return rows
+    return compute(unpack_rows_kernel, queries.size, [find_nearest(tree, queries)], int32, queries.device)

@@ -8,6 +8,7 @@ from ..lang import (
     INFINITY,
     NAN,
     array,
+    compute,
     float64,
     int32,
     int64,
@@ -129,6 +130,4 @@ def mean_and_deviation(values: Doubles) -> tuple[int, float, float]:
 
 
 def mask_up_to(values: Doubles, threshold: float) -> Mask:
-    mask = empty(values.size, uint8, values.device)
-    launch(mask_up_to_kernel, values.size, [values, threshold, mask])
-    return mask
+    return compute(mask_up_to_kernel, values.size, [values, threshold], uint8, values.device)

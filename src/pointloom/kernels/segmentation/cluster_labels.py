@@ -7,7 +7,22 @@ from ..array_types import Integers
 from ..arrays.lanes import min_int_of_lanes
 from ..arrays.select import number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import WARP, array, atomic_add, atomic_min, ballot, int32, int64, kernel, lane, launch, shuffle, tid, uint8
+from ..lang import (
+    WARP,
+    array,
+    atomic_add,
+    atomic_min,
+    ballot,
+    compute,
+    int32,
+    int64,
+    kernel,
+    lane,
+    launch,
+    shuffle,
+    tid,
+    uint8,
+)
 from ..memory import empty, full, zeros
 from ..search.point_tree import LEAF
 from ..search.tree_walk import NO_NUMBER, lowest_bit
@@ -156,6 +171,5 @@ def rank_by_size(labels: Integers, cluster_count: int, min_size: int, max_size: 
     launch(count_labels_kernel, -(-labels.size // LABELS_PER_THREAD), [LABELS_PER_THREAD, labels, counts])
     launch(rank_sizes_kernel, cluster_count, [counts, min_size, max_size, keys])
     ranked, order = argsort_keys(keys, 31)
-    renamed = empty(cluster_count, int32, device)
-    launch(renumber_rows_kernel, cluster_count, [ranked, order, renamed])
+    renamed = compute(renumber_rows_kernel, cluster_count, [ranked, order], int32, device)
     launch(rename_labels_kernel, labels.size, [renamed, labels])

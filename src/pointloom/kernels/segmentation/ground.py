@@ -241,14 +241,14 @@ class HeightGrid:
         unwanted = zeros(self.size, uint8, self.device)
         fill_gaps, surface = self.prepare_filling(unwanted)
         fill_gaps()
-        opened = self._opened(surface, LOW_RADIUS, DILATION_SIGN)
+        opened = self.open_by(surface, LOW_RADIUS, DILATION_SIGN)
         flag_steps(surface, opened, LOW_SLOPE * self.cell, DILATION_SIGN, unwanted)
         fill_gaps()
         bare = surface
         # Radius grows by one cell: growth by a third would remove at once what slopes of 60% rise to, including
         # ridges.
         for radius in range(1, math.ceil(max_window / self.cell) + 1):
-            opened = self._opened(surface, radius, EROSION_SIGN)
+            opened = self.open_by(surface, radius, EROSION_SIGN)
             flag_steps(surface, opened, slope * radius * self.cell, EROSION_SIGN, unwanted)
             surface = opened
         fill_gaps()
@@ -293,7 +293,7 @@ class HeightGrid:
 
         return fill_again, filled
 
-    def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
+    def open_by(self, heights: Scalars, radius: int, first: float) -> Scalars:
         """Open (first EROSION_SIGN) or close (first DILATION_SIGN) heights by an octagon."""
         segments = segments_of(radius)
         filtered = filter_along(heights, self.columns, self.rows, segments, first)

@@ -10,7 +10,7 @@ from ..arrays.bounds import bound_points
 from ..arrays.prefix_sum import exclusive_scan, offsets_of, scan_together
 from ..arrays.select import gather_rows
 from ..arrays.sort import argsort_keys
-from ..lang import array, atomic_max, func, int32, int64, kernel, launch, tid, uint8, vec3
+from ..lang import array, atomic_max, compute, func, int32, int64, kernel, launch, tid, uint8, vec3
 from ..memory import download, empty, zeros
 from ..search.hilbert_order import spread_bits
 
@@ -188,8 +188,7 @@ class Octree:
         launch(choose_cells_kernel, cells, [starts, self.offsets, self.flat, min_count, chosen])
         slots = offsets_of(chosen)
         launch(number_cells_kernel, cells, [starts, slots, self.numbers, counts])
-        inside = empty(count, int32, device)
-        launch(mark_points_kernel, count, [self.marks, self.offsets, self.numbers, inside])
+        inside = compute(mark_points_kernel, count, [self.marks, self.offsets, self.numbers], int32, device)
         (elements, (size,)), (_, (run_count,)) = scan_together([(inside, [count])], slots[cells:], largest=1)  # sync
         if not run_count:
             return None

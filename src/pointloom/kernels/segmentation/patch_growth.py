@@ -14,7 +14,7 @@ import numpy as np
 from ..array_types import Array2, Integers, Points, Vectors
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.row_numbers import count_numbers
-from ..arrays.select import gather_rows, number_rows_kernel, positions_of
+from ..arrays.select import gather_keys, gather_rows, number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys, positions
 from ..lang import (
     INFINITY,
@@ -287,12 +287,6 @@ def write_planes_kernel(
     directions[patches[i]] = new_directions[i]
 
 
-@kernel
-def widen_labels_kernel(rows: array(dtype=int32), labels: array(dtype=int32), keys: array(dtype=int64)):
-    i = tid()
-    keys[i] = int64(labels[rows[i]])
-
-
 class Patches:
     """Planar patches over the neighbor graph: labels (-1 for none), planes with cosine and distance limits, point
     counts now and at the last fit, and whether a patch outgrew its seeds."""
@@ -399,9 +393,7 @@ class Patches:
         mask = empty(self.labels.size, uint8, self.device)
         launch(mask_growing_kernel, self.labels.size, [self.labels, upload(chosen, int32, self.device), mask])
         rows, patches = positions_of(mask, int(self.counts[chosen].sum())), np.flatnonzero(chosen)
-        keys = empty(rows.size, int64, self.device)
-        launch(widen_labels_kernel, rows.size, [rows, self.labels, keys])
-        _, order = argsort_keys(keys, max(1, len(chosen).bit_length()))
+        _, order = argsort_keys(gather_keys(self.labels, rows), max(1, len(chosen).bit_length()))
         rows = gather_rows(rows, order)
         names = np.full(len(chosen), -1)
         names[patches] = np.arange(len(patches))

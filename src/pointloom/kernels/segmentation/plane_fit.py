@@ -22,6 +22,7 @@ from ..lang import (
     WARP,
     array,
     atomic_add,
+    compute,
     float64,
     int32,
     kernel,
@@ -329,8 +330,8 @@ class PlaneSearch:
         best, best_count, best_sum, done, batch, needed = None, 0, None, 0, FIRST_BATCH, float(max_samples)
         while done < min(max_samples, needed):
             size = int(min(batch, max_samples - done, math.ceil(needed) - done))
-            planes = self._draw(sample_size, size, seed, first + done)
-            counts = download(self._score(planes, size, threshold))
+            planes = self.draw_planes(sample_size, size, seed, first + done)
+            counts = download(self.score(planes, size, threshold))
             top = int(counts.max())
             chosen = np.flatnonzero(counts == top).astype(np.int32)
             if top > 0 and top >= best_count:
@@ -354,8 +355,8 @@ class PlaneSearch:
         best, done, batch, needed = BestPlane(self, threshold), 0, FIRST_BATCH, float(max_samples)
         while done < min(max_samples, needed):
             size = int(min(batch, max_samples - done, math.ceil(needed) - done))
-            planes = self._draw(sample_size, size, seed, first + done)
-            best.offer(planes, self._score(planes, size, threshold))  # sync
+            planes = self.draw_planes(sample_size, size, seed, first + done)
+            best.offer(planes, self.score(planes, size, threshold))  # sync
             done += size
             needed = samples_needed(best.count / self.rows.size, sample_size, probability, max_samples)
             batch = min(BATCH_GROWTH * batch, MAX_PLANES)
@@ -385,13 +386,13 @@ class PlaneSearch:
         normal = vectors[:, 0]
         return np.append(normal, matmul(-normal, numbers[:3] - self.center))
 
-    def _draw(self, sample_size: int, size: int, seed: int, first: int) -> Array1[vec4d]:
+    def draw_planes(self, sample_size: int, size: int, seed: int, first: int) -> Array1[vec4d]:
         samples, planes = empty(size * sample_size, int32, self.device), empty(size, vec4d, self.device)
         arguments = [self.points, self.rows, vec3d(*self.center), seed, first, sample_size, samples, planes]
         launch(draw_planes_kernel, size, arguments)
         return planes
 
-    def _score(self, planes: Array1[vec4d], size: int, threshold: float) -> Integers:
+    def score(self, planes: Array1[vec4d], size: int, threshold: float) -> Integers:
         counts = zeros(size, int32, self.device)
         run, lanes = (1, WARP) if self.device.is_cuda else (CPU_RUN, 1)
         groups, threads = -(-size // PLANES_PER_THREAD), -(-self.blocks.block_count // run) * lanes
@@ -408,8 +409,7 @@ class PlaneSearch:
             partials = empty((part.size, block_count), float64, self.device)
             arguments = [self.blocks, planes, part, threshold, partials]
             launch(sum_distances_kernel, part.size * block_count, arguments)
-            out = empty(part.size, float64, self.device)
-            launch(fold_distances_kernel, part.size, [partials, out])
+            out = compute(fold_distances_kernel, part.size, [partials], float64, self.device)
             sums.append(download(out).copy())  # sync: only if several planes have equally many inliers
         return np.concatenate(sums)
 

@@ -11,7 +11,22 @@ from ..array_types import Indices, Integers, Points, Scalars
 from ..arrays.bounds import bound_points
 from ..arrays.quantiles import quantiles_of
 from ..arrays.select import gather_rows, positions_of
-from ..lang import array, atomic_max, atomic_min, dot, float32, float64, int32, kernel, launch, tid, uint8, vec3, vec3d
+from ..lang import (
+    array,
+    atomic_max,
+    atomic_min,
+    compute,
+    dot,
+    float32,
+    float64,
+    int32,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec3,
+    vec3d,
+)
 from ..memory import download, empty, full, upload
 from ..search.point_tree import PointTree
 from .cluster_labels import rank_by_size
@@ -113,15 +128,13 @@ def largest_part(points: Points, rows: Indices, radius: float) -> Indices:
     chosen = gather_rows(points, rows)
     labels, count = cluster_points(PointTree(chosen), rows.size, radius, 1)
     rank_by_size(labels, count, 1, rows.size)
-    mask = empty(rows.size, uint8, rows.device)
-    launch(mask_first_part_kernel, rows.size, [labels, mask])
+    mask = compute(mask_first_part_kernel, rows.size, [labels], uint8, rows.device)
     return gather_rows(rows, positions_of(mask))
 
 
 def rows_labeled(labels: Integers, rows: Indices, label: int) -> Indices:
     """Rows with a label, in order. One sync."""
-    mask = empty(rows.size, uint8, rows.device)
-    launch(mask_label_kernel, rows.size, [labels, rows, label, mask])
+    mask = compute(mask_label_kernel, rows.size, [labels, rows, label], uint8, rows.device)
     return gather_rows(rows, positions_of(mask))
 
 

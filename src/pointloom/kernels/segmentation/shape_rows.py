@@ -2,8 +2,8 @@
 
 from ..array_types import Doubles, Indices, Points, Vectors
 from ..arrays.select import gather_rows, positions_of
-from ..lang import array, float64, int32, isfinite, kernel, launch, tid, uint8, vec3
-from ..memory import empty, zeros
+from ..lang import array, compute, float64, int32, isfinite, kernel, launch, tid, uint8, vec3
+from ..memory import zeros
 from ..search.point_tree import PointTree
 
 
@@ -47,9 +47,7 @@ def ascending(rows: Indices, count: int) -> Indices:
 
 
 def every_of(rows: Indices, step: int) -> Indices:
-    taken = empty(rows.size // step, int32, rows.device)
-    launch(take_every_kernel, taken.size, [rows, step, taken])
-    return taken
+    return compute(take_every_kernel, rows.size // step, [rows, step], int32, rows.device)
 
 
 @kernel
@@ -60,6 +58,5 @@ def mask_weight_kernel(weights: array(dtype=float64), rows: array(dtype=int32), 
 
 def rows_of_weight(weights: Doubles, rows: Indices) -> Indices:
     """Rows with a positive weight, in order. One sync."""
-    mask = empty(rows.size, uint8, rows.device)
-    launch(mask_weight_kernel, rows.size, [weights, rows, mask])
+    mask = compute(mask_weight_kernel, rows.size, [weights, rows], uint8, rows.device)
     return gather_rows(rows, positions_of(mask))

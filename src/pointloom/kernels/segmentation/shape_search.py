@@ -24,6 +24,7 @@ from ..lang import (
     array,
     atomic_add,
     atomic_max,
+    compute,
     cross,
     dot,
     float32,
@@ -613,8 +614,7 @@ class ShapeSearch:
         order = argsort_keys(keys, max(1, self.part.count.bit_length()))[1]
         m = min(count, MAX_PROMISING)
         best, of = empty((m, SHAPE_NUMBERS), float64, self.device), empty(m, int32, self.device)
-        near = empty(m, int32, self.device)
-        launch(take_shapes_kernel, m, [order, shapes, kinds, scores, best, of, near])
+        near = compute(take_shapes_kernel, m, [order, shapes, kinds, scores, best, of], int32, self.device)
         return [best, near, score_shapes(self.cloud, best, of, limits.distance, limits.cosine)]
 
     def score(self, shapes: NDArray[np.float64], kinds: NDArray, limits: ShapeLimits) -> NDArray[np.int64]:

@@ -12,6 +12,7 @@ from ..array_types import Array2, Device, Integers, Points, Scalars
 from ..drawing.z_buffer import View, project, ray_through, to_camera
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float32,
@@ -20,7 +21,6 @@ from ..lang import (
     int32,
     isfinite,
     kernel,
-    launch,
     length,
     log,
     mat33,
@@ -286,6 +286,5 @@ def project_splats(
     """Project splats: they and their tile counts. `fraction`: opacity factor; `surfaces`: prepare `meet_splat`."""
     count, device = splats.points.size, splats.points.device
     projected = ProjectedSplats(count, device, surfaces=surfaces)
-    counts = empty(count, int32, device)
-    launch(project_splats_kernel, count, [splats, view, vec3(*eye), near, fraction, projected, counts])
+    counts = compute(project_splats_kernel, count, [splats, view, vec3(*eye), near, fraction, projected], int32, device)
     return projected, counts

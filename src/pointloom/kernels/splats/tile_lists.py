@@ -4,7 +4,7 @@ from ..array_types import Integers
 from ..arrays.key_starts import find_key_starts
 from ..arrays.prefix_sum import exclusive_scan
 from ..arrays.sort import SortKeys, put_key
-from ..lang import array, float_bits, func, int32, int64, kernel, launch, struct, tid, vec4i
+from ..lang import array, compute, float_bits, func, int32, int64, kernel, launch, struct, tid, vec4i
 from ..memory import empty
 from .projection import TILE_PIXELS, TILE_SIDE, ProjectedSplats
 
@@ -29,8 +29,7 @@ class TileLists:
         by_depth = SortKeys(projected.count, device)
         launch(key_depths_kernel, projected.count, [projected, counts, by_depth])
         _, order = by_depth.sort(BITS_OF_DEPTH)
-        in_order = empty(projected.count, int32, device)
-        launch(take_counts_kernel, projected.count, [order, counts, in_order])
+        in_order = compute(take_counts_kernel, projected.count, [order, counts], int32, device)
         offsets, total = exclusive_scan(in_order, largest=self.tile_count)  # sync
         keys, owners = SortKeys(total, device), empty(total, int32, device)
         launch(list_tiles_kernel, projected.count, [order, offsets, projected.boxes, self.columns, keys, owners])

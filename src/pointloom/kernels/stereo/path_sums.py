@@ -10,7 +10,7 @@ have the disparities of a pixel.
 
 from ..array_types import Array1, Bytes, Integers
 from ..arrays.lanes import min_int_of_lanes
-from ..lang import WARP, array, bit_count, func, int32, kernel, lane, launch, sync_lanes, tid, uint8, uint16
+from ..lang import WARP, array, bit_count, compute, func, int32, kernel, lane, launch, sync_lanes, tid, uint8, uint16
 from ..memory import empty, full
 from .census import LANE_COUNT, lanes
 
@@ -283,8 +283,7 @@ def sum_paths(left: Integers, right: Integers, width: int, height: int, count: i
     for order in (range(height), range(height - 1, -1, -1)):
         states: list[tuple[Bytes, Integers]] = []
         for _ in range(2):
-            state = empty(size, uint8, device)
-            launch(clear_paths_kernel, size, [count, state])
+            state = compute(clear_paths_kernel, size, [count], uint8, device)
             states.append((state, full(rows, 0, int32, device)))
         for k, y in enumerate(order):
             arrays = [y, width, count, columns, costs, *states[k % 2], *states[1 - k % 2], sums]

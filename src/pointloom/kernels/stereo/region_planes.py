@@ -12,6 +12,7 @@ from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.random import random_below, random_bits
 from ..lang import (
     array,
+    compute,
     float32,
     float64,
     func,
@@ -111,9 +112,7 @@ def take_priors_kernel(
 def judge_pixels(reference: Reference, sources: Sources, planes: Array1[vec4]) -> Array1[vec2]:
     """Lack of texture and reliability of pixels, (pixels, 2)."""
     count = reference.width * reference.height
-    judged = empty(count, vec2, planes.device)
-    launch(judge_pixels_kernel, count, [reference, sources, planes, judged])
-    return judged
+    return compute(judge_pixels_kernel, count, [reference, sources, planes], vec2, planes.device)
 
 
 def take_priors(
@@ -393,6 +392,4 @@ def plane_priors(
             launch(fit_planes_kernel, count, [regions, planes, state])
         launch(keep_planes_kernel, count, [k, state])
         launch(take_support_kernel, pairs, [k, regions, planes, state])
-    priors = empty(planes.size, vec4, regions.device)
-    launch(write_priors_kernel, planes.size, [judged, regions, state, priors])
-    return priors
+    return compute(write_priors_kernel, planes.size, [judged, regions, state], vec4, regions.device)

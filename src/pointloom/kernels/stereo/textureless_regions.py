@@ -6,7 +6,7 @@ from ..arrays.row_numbers import count_numbers
 from ..arrays.select import number_rows_kernel, positions_of
 from ..arrays.sort import argsort_keys
 from ..arrays.union_find import flatten_sets_kernel, unite
-from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2
+from ..lang import array, compute, func, int32, int64, kernel, launch, struct, tid, uint8, vec2
 from ..memory import empty, fill, zeros
 
 REGION_MARGIN = 3  # [px] from an untextured pixel
@@ -156,8 +156,7 @@ def bound_pairs_kernel(pairs: array(dtype=int64), firsts: array(dtype=int32), la
 def find_regions(judged: Array1[vec2], width: int) -> TexturelessRegions | None:
     """Textureless regions from `judged` (pixels). None if none is large enough or has reliable pixels (two syncs)."""
     device, size = judged.device, judged.size
-    labels = empty(size, int32, device)
-    launch(label_plain_kernel, size, [judged, labels])
+    labels = compute(label_plain_kernel, size, [judged], int32, device)
     launch(unite_plain_kernel, size, [width, labels])
     launch(flatten_sets_kernel, size, [labels])
     areas = count_numbers(labels, size)

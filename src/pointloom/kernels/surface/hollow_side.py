@@ -55,20 +55,14 @@ def find_sides(tree: PointTree, narrow: float, wide: float) -> Vectors:
 class Surface:
     """Points with valid normals: `points`, `normals` (vec3, in the cloud's order, no NaN), and their `tree`."""
 
-    def __init__(self, points: Points, narrow: float, wide: float) -> None:
+    @classmethod
+    def select(cls, points: Points, narrow: float, wide: float) -> "Surface":
         """Select the points of a device array of vec3. Radii [m] as of `find_sides`."""
         normals = find_sides(PointTree(points), narrow, wide)
         rows = positions_of(mask_finite(normals, 1, 1))
-        self._keep(gather_rows(points, rows), gather_rows(normals, rows))
+        return cls(gather_rows(points, rows), gather_rows(normals, rows))
 
-    @classmethod
-    def of_known(cls, points: Points, normals: Vectors) -> "Surface":
-        """Build from known points and normals, bitwise identical."""
-        surface = cls.__new__(cls)
-        surface._keep(points, normals)
-        return surface
-
-    def _keep(self, points: Points, normals: Vectors) -> None:
+    def __init__(self, points: Points, normals: Vectors) -> None:
         self.points, self.normals = points, normals
         self.tree, self.device = PointTree(points), points.device
 

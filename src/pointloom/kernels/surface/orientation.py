@@ -17,6 +17,7 @@ from ..arrays.runs import Runs, elements_of
 from ..lang import (
     array,
     atomic_min,
+    compute,
     float32,
     float_bits,
     func,
@@ -408,15 +409,11 @@ def apply_signs_kernel(
 
 
 def normalize_vectors(vectors: Vectors) -> Vectors:
-    units = empty(vectors.size, vec3, vectors.device)
-    launch(normalize_vectors_kernel, vectors.size, [vectors, units])
-    return units
+    return compute(normalize_vectors_kernel, vectors.size, [vectors], vec3, vectors.device)
 
 
 def flip_vectors(vectors: Vectors) -> Vectors:
-    flipped = empty(vectors.size, vec3, vectors.device)
-    launch(flip_vectors_kernel, vectors.size, [vectors, flipped])
-    return flipped
+    return compute(flip_vectors_kernel, vectors.size, [vectors], vec3, vectors.device)
 
 
 def drop_neighbors(
@@ -447,8 +444,7 @@ def orient_consistently(
     device = points.device
     oriented = empty(points.size, vec3, device)
     copy(oriented, normals, count=points.size)
-    units = empty(rows.size, vec3, device)
-    launch(gather_units_kernel, rows.size, [normals, rows, tree.order, units])
+    units = compute(gather_units_kernel, rows.size, [normals, rows, tree.order], vec3, device)
     forest = Forest(rows.size, device)
     count = min(k, rows.size)
     parts = list(list_neighbors(tree, count, own=True))

@@ -15,6 +15,7 @@ from ..lang import (
     array,
     atomic_add,
     atomic_min,
+    compute,
     float64,
     float_bits,
     func,
@@ -70,8 +71,7 @@ class Forest:
         else:
             raise RuntimeError("components hang under each other in a cycle")
         launch(relink_vertices_kernel, self.count, [self])
-        mask = empty(self.roots.size, uint8, self.device)
-        launch(mark_roots_kernel, self.roots.size, [self, mask])
+        mask = compute(mark_roots_kernel, self.roots.size, [self], uint8, self.device)
         self.roots = gather_rows(self.roots, positions_of(mask))
         self.reset_hooks()
 
@@ -92,8 +92,7 @@ class Forest:
         launch(fill_positions_kernel, self.count, [self._every])
         self.roots = self._every
         loop_while(status[:1], lambda: run_round(status))
-        mask = empty(self.count, uint8, self.device)
-        launch(mark_roots_kernel, self.count, [self, mask])
+        mask = compute(mark_roots_kernel, self.count, [self], uint8, self.device)
         self.roots = positions_of(mask)  # sync
         if self.roots.size > 1 and int(download(status)[1]):  # sync
             raise RuntimeError("components hang under each other in a cycle")

@@ -10,7 +10,23 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ..array_types import Doubles, LongIntegers
-from ..lang import array, cos, exp, float64, floor, func, int64, isfinite, kernel, launch, sin, sqrt, tid, vec4i
+from ..lang import (
+    array,
+    compute,
+    cos,
+    exp,
+    float64,
+    floor,
+    func,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    sin,
+    sqrt,
+    tid,
+    vec4i,
+)
 from ..memory import clone, empty
 
 MAX_AXES = 4
@@ -220,9 +236,7 @@ def _steps(shape: tuple[int, ...]) -> vec4i:
 
 def map_floats(values: Doubles, function: int) -> Doubles:
     """A function of each number."""
-    out = empty(values.size, float64, values.device)
-    launch(map_floats_kernel, values.size, [values, function, out])
-    return out
+    return compute(map_floats_kernel, values.size, [values, function], float64, values.device)
 
 
 def fold_rows(values: Numbers, count: int, operation: int) -> Numbers:

@@ -7,7 +7,23 @@ import numpy as np
 from ..array_types import Doubles, Points
 from ..arrays.key_starts import find_key_starts
 from ..arrays.sort import SortKeys, put_key
-from ..lang import NAN, array, float32, float64, floor, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3
+from ..lang import (
+    NAN,
+    array,
+    compute,
+    float32,
+    float64,
+    floor,
+    func,
+    int32,
+    int64,
+    isfinite,
+    kernel,
+    launch,
+    struct,
+    tid,
+    vec3,
+)
 from ..memory import empty
 
 MAX_NUMBER = 2.0**48  # of a cell: its size is then still 32 float64 steps
@@ -84,9 +100,7 @@ class CellGroups:
 
     def measure(self, values: Doubles, kind: int) -> Doubles:
         """CELL_MAX, CELL_MIN, CELL_COUNT or CELL_MEAN of finite values per cell, float64. NaN (count 0) if empty."""
-        out = empty(self.cells.size, float64, self.points.device)
-        launch(measure_cells_kernel, self.cells.size, [self, values, kind, out])
-        return out
+        return compute(measure_cells_kernel, self.cells.size, [self, values, kind], float64, self.points.device)
 
 
 @kernel
@@ -125,6 +139,4 @@ def take_heights_kernel(points: array(dtype=vec3), heights: array(dtype=float64)
 
 def heights_of(points: Points) -> Doubles:
     """Heights of points about their origin, float64 device array (n)."""
-    heights = empty(points.size, float64, points.device)
-    launch(take_heights_kernel, points.size, [points, heights])
-    return heights
+    return compute(take_heights_kernel, points.size, [points], float64, points.device)

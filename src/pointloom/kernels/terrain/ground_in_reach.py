@@ -15,6 +15,7 @@ from ..lang import (
     INFINITY,
     array,
     atomic_min,
+    compute,
     float32,
     float64,
     floor,
@@ -228,12 +229,12 @@ class NearGround:
         """uint8 (n): 1 for ground points; parameters as of `classify_ground`."""
         cells, unwanted = self.cells, zeros(self.cells.size, uint8, self.device)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
-        closed = self._opened(surface, LOW_RADIUS, DILATION_SIGN)
+        closed = self.open_by(surface, LOW_RADIUS, DILATION_SIGN)
         flag_steps(surface, closed, LOW_SLOPE * cells.cell, DILATION_SIGN, unwanted)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
         before = surface
         for radius in range(1, self.radius + 1):
-            opened = self._opened(surface, radius, EROSION_SIGN)
+            opened = self.open_by(surface, radius, EROSION_SIGN)
             flag_steps(before, opened, slope * radius * cells.cell, EROSION_SIGN, unwanted)
             before = opened
         heights = self._filled(unwanted, levels_of(self.radius), SPRINGS_PER_LEVEL)
@@ -256,19 +257,16 @@ class NearGround:
         filled = known[-1][0]
         for level in range(levels - 1, -1, -1):
             own, wide, high = known[level]
-            heights = empty(own.size, float32, self.device)
-            launch(spread_cells_kernel, own.size, [own, filled, wide, high, heights])
+            heights = compute(spread_cells_kernel, own.size, [own, filled, wide, high], float32, self.device)
             for _ in range(springs[level] if level < len(springs) else 0):
-                pulled = empty(own.size, float32, self.device)
-                launch(relax_cells_kernel, own.size, [own, heights, wide, high, pulled])
+                pulled = compute(relax_cells_kernel, own.size, [own, heights, wide, high], float32, self.device)
                 heights = pulled
             filled = heights
         return filled
 
-    def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
+    def open_by(self, heights: Scalars, radius: int, first: float) -> Scalars:
         """Opening (EROSION_SIGN first) or closing (DILATION_SIGN first) by octagons, ignoring unknown cells."""
         for side in (first, -first):
-            known = empty(self.cells.size, float32, self.device)
-            launch(pass_over_kernel, self.cells.size, [heights, side * INFINITY, known])
+            known = compute(pass_over_kernel, self.cells.size, [heights, side * INFINITY], float32, self.device)
             heights = filter_along(known, self.cells.columns, self.cells.rows, segments_of(radius), side)
         return heights

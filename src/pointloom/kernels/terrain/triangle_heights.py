@@ -5,7 +5,23 @@
 import numpy as np
 
 from ..array_types import Doubles, Indices, Integers, Mask, Points, Scalars, Triangles
-from ..lang import NAN, array, atomic_min, float32, float64, floor, func, int32, kernel, launch, tid, uint8, vec3, vec3i
+from ..lang import (
+    NAN,
+    array,
+    atomic_min,
+    compute,
+    float32,
+    float64,
+    floor,
+    func,
+    int32,
+    kernel,
+    launch,
+    tid,
+    uint8,
+    vec3,
+    vec3i,
+)
 from ..memory import empty, full, upload
 from .cells import FixedCells
 
@@ -144,6 +160,4 @@ def triangle_heights(points: Points, triangles: Triangles, cells: FixedCells, lo
     """Heights of triangles at cell centers, float64, NaN for none. Edges above `longest` in plan are skipped."""
     owners: Indices = full(cells.size, NO_TRIANGLE, int32, points.device)
     launch(claim_cells_kernel, triangles.size, [points, triangles, longest, cells, owners])
-    heights = empty(cells.size, float64, points.device)
-    launch(weigh_corners_kernel, cells.size, [points, triangles, cells, owners, heights])
-    return heights
+    return compute(weigh_corners_kernel, cells.size, [points, triangles, cells, owners], float64, points.device)

@@ -10,6 +10,7 @@ from ..lang import (
     array,
     atomic_min,
     ceil,
+    compute,
     float64,
     floor,
     func,
@@ -179,8 +180,7 @@ def draw_vertex_colors(triangles: Triangles, colors: Vectors, uvs: Array1[vec2],
     """Square image of vertex colors, uint8 (3 size^2), one sync. Raises ValueError for 2^31 texel rows."""
     device, count = triangles.device, size * size
     atlas = Atlas(uvs, size, size)
-    counts = empty(triangles.size, int32, device)
-    launch(count_rows_kernel, triangles.size, [atlas, counts])
+    counts = compute(count_rows_kernel, triangles.size, [atlas], int32, device)
     rows, total = exclusive_scan(counts, largest=size)  # sync, rows of the image
     owners = full(count, NO_TRIANGLE, int32, device)
     launch(claim_texels_kernel, total, [atlas, rows, owners])

@@ -15,6 +15,7 @@ from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     array,
     ceil,
+    compute,
     cross,
     dot,
     float64,
@@ -246,8 +247,7 @@ class FaceVisibility:
     ) -> None:
         self.vertices, self.triangles, self.images, self.trees = vertices, triangles, stack, trees
         self.farthest = float(farthest)
-        centers = empty(triangles.size, vec3, vertices.device)
-        launch(compute_centers_kernel, triangles.size, [vertices, triangles, centers])
+        centers = compute(compute_centers_kernel, triangles.size, [vertices, triangles], vec3, vertices.device)
         self.points = concatenate_rows([vertices, centers])
         self.steps = empty(stack.pixels.shape[0], uint8, vertices.device)
 
@@ -282,8 +282,7 @@ class FaceVisibility:
 def keep_views(views: FaceViews, keep: Mask) -> FaceViews:
     """Select pairs by a mask uint8 (k). One sync."""
     faces, device = views.starts.size - 1, views.device
-    counts = empty(faces, int32, device)
-    launch(count_selected_kernel, faces, [views.starts, keep, counts])
+    counts = compute(count_selected_kernel, faces, [views.starts, keep], int32, device)
     starts, total = exclusive_scan(counts, largest=keep.size)  # sync, some of all pairs
     selected = FaceViews(starts, empty(total, int32, device), empty(total, float64, device), empty(total, vec3, device))
     launch(copy_selected_kernel, faces, [views, keep, selected])

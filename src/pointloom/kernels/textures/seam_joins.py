@@ -11,6 +11,7 @@ from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
     ceil,
+    compute,
     float64,
     floor,
     func,
@@ -59,8 +60,7 @@ class SeamSamples:
 
     def __init__(self, texels: ChartTexels, seams: Seams) -> None:
         device, corners = texels.owners.device, seams.twins.size
-        counts = empty(corners, int32, device)
-        launch(count_samples_kernel, corners, [texels.atlas, seams, counts])
+        counts = compute(count_samples_kernel, corners, [texels.atlas, seams], int32, device)
         self.firsts, self.sample_count = exclusive_scan(counts, largest=MAX_SAMPLES)  # sync
         entries = TEXELS_PER_SAMPLE * self.sample_count
         self.keys, self.weights = empty(entries, int64, device), empty(entries, float64, device)
@@ -230,7 +230,6 @@ def drawn_steps(samples: SeamSamples, image: Bytes) -> tuple[float, float] | Non
     """(mean, 95th percentile) of the finished texture's steps across seams, 0..255, or None. A few syncs."""
     if not samples.sample_count:
         return None
-    sizes = empty(samples.sample_count, float64, image.device)
-    launch(drawn_steps_kernel, samples.sample_count, [samples, image, sizes])
+    sizes = compute(drawn_steps_kernel, samples.sample_count, [samples, image], float64, image.device)
     count, total = download(reduce(sum_steps, samples.sample_count, [sizes]))[0].tolist()  # sync
     return total / count, quantiles_of(sizes, [HIGH_QUANTILE])[0]  # sync

@@ -8,6 +8,7 @@ from ..arrays.prefix_sum import exclusive_scan, sum_counts
 from ..arrays.select import positions_of
 from ..lang import (
     array,
+    compute,
     cross,
     dot,
     float32,
@@ -179,8 +180,7 @@ class SurfaceTexels:
         launch(count_rows_kernel, triangles.size, [self.atlas, counts])
         rows, total = exclusive_scan(counts, largest=size)  # sync, rows of the image
         launch(claim_texels_kernel, total, [self.atlas, rows, self.owners])
-        mask = empty(count, uint8, device)
-        launch(mark_owned_kernel, count, [self.owners, mask])
+        mask = compute(mark_owned_kernel, count, [self.owners], uint8, device)
         self.texels = positions_of(mask)
         self.points, self.normals = (empty(self.texels.size, vec3, device) for _ in range(2))
         given = [self.texels, self.atlas, self.owners, vertices, triangles, self.points, self.normals]
@@ -202,8 +202,7 @@ class SurfaceTexels:
 
     def visible_fraction(self, sums: Array1[vec4d]) -> float:
         """Fraction of texels visible in an image. One sync."""
-        visible = empty(sums.size, int32, sums.device)
-        launch(mark_visible_kernel, sums.size, [sums, visible])
+        visible = compute(mark_visible_kernel, sums.size, [sums], int32, sums.device)
         return sum_counts(visible) / sums.size  # sync
 
     def write(self, sums: Array1[vec4d], colors: Vectors | None, gutter: int) -> Bytes:

@@ -13,7 +13,7 @@ from ..arrays.prefix_sum import find_owner, inclusive_scan, offsets_of
 from ..arrays.row_numbers import count_numbers
 from ..arrays.select import count_mask_kernel, positions_of
 from ..arrays.sort import argsort_keys
-from ..lang import array, float32, float64, floor, int32, int64, kernel, launch, sqrt, struct, tid, uint8, vec3
+from ..lang import array, compute, float32, float64, floor, int32, int64, kernel, launch, sqrt, struct, tid, uint8, vec3
 from ..memory import cast, download, empty, upload
 from .stacked_images import (
     LANE_COUNT,
@@ -209,9 +209,7 @@ def mask_by_depth(vertices: Points, image: int, stack: StackedImages, depth: Sca
 
 def mask_in_frame(vertices: Points, image: int, stack: StackedImages, farthest: float) -> Mask:
     """Vertices that project into an image, including occluded ones, uint8 (m)."""
-    mask = empty(vertices.size, uint8, vertices.device)
-    launch(match_frame_kernel, vertices.size, [vertices, image, stack, float(farthest), mask])
-    return mask
+    return compute(match_frame_kernel, vertices.size, [vertices, image, stack, float(farthest)], uint8, vertices.device)
 
 
 @kernel

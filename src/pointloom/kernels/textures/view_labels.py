@@ -8,7 +8,7 @@ down), then parallel greedy moves in which no neighbors change together. Waechte
 from ..array_types import Indices, Integers
 from ..arrays.prefix_sum import sum_counts
 from ..arrays.quantiles import quantiles_of
-from ..lang import array, atomic_add, float64, floor, func, int32, kernel, launch, loop_while, struct, tid
+from ..lang import array, atomic_add, compute, float64, floor, func, int32, kernel, launch, loop_while, struct, tid
 from ..memory import empty, full, zeros
 from .face_views import FaceViews
 
@@ -207,8 +207,7 @@ def cost_views(views: FaceViews) -> Integers:
 
 def energy_of(graph: LabelGraph, labels: Indices) -> int:
     """Energy of a labeling. One sync."""
-    energies = empty(graph.count, int32, graph.device)
-    launch(count_energy_kernel, graph.count, [graph, labels, energies])
+    energies = compute(count_energy_kernel, graph.count, [graph, labels], int32, graph.device)
     return int(sum_counts(energies))  # sync
 
 
@@ -238,13 +237,10 @@ def choose_labels(graph: LabelGraph, iterations: int = MESSAGE_ITERATIONS) -> In
         launch(pass_messages_kernel, 3 * graph.count, [graph, beliefs, messages, iteration % 2, new_messages])
         messages, new_messages = new_messages, messages
     launch(sum_beliefs_kernel, pairs, [graph, messages, beliefs])
-    labels = empty(graph.count, int32, device)
-    launch(take_best_kernel, graph.count, [graph, beliefs, labels])
+    labels = compute(take_best_kernel, graph.count, [graph, beliefs], int32, device)
     improve(graph, labels)
     return labels
 
 
 def name_views(graph: LabelGraph, labels: Indices) -> Indices:
-    named = empty(graph.count, int32, graph.device)
-    launch(name_views_kernel, graph.count, [graph.views, labels, named])
-    return named
+    return compute(name_views_kernel, graph.count, [graph.views, labels], int32, graph.device)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ..array_types import Device, Indices, Integers
 from ..arrays.block_keys import BIAS, block_key, key_block
 from ..arrays.hash_table import find_position
-from ..lang import array, func, int32, kernel, launch, struct, tid
+from ..lang import array, compute, func, int32, kernel, launch, struct, tid
 from ..memory import copy, empty
 from .tsdf_blocks import BLOCK_ROWS, BLOCK_SIDE
 from .voxel_blocks import VoxelBlocks
@@ -149,6 +149,4 @@ def pack_rows_kernel(seen: SeenBlocks, words: array(dtype=int32)):
 
 
 def pack_rows(seen: SeenBlocks) -> Integers:
-    words = empty(seen.row_count, int32, seen.neighbors.device)
-    launch(pack_rows_kernel, seen.row_count, [seen, words])
-    return words
+    return compute(pack_rows_kernel, seen.row_count, [seen], int32, seen.neighbors.device)

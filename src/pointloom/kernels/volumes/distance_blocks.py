@@ -14,7 +14,7 @@ from ..arrays.hash_table import HashTable, find_position, list_keys
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
-from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
+from ..lang import array, atomic_max, compute, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import check_room, empty, full, zeros
 from .distance_cells import NOT_FINITE_CELL
 from .distance_sweeps import MAX_RANGE_VOXELS, MAX_SQUARED_VOXELS, NO_SEED, sweep_blocks
@@ -224,8 +224,7 @@ def _distinct(cells: Cells, limits: DistanceLimits) -> tuple[Keys, Cells]:
     marks = zeros(unique.count * BLOCK_VOXELS, uint8, device)
     launch(mark_cells_kernel, cells.size, [cells, list_keys(unique.keys, unique.count), marks])
     voxels: Indices = positions_of(marks)  # sync
-    occupied = empty(voxels.size, vec3i, device)
-    launch(list_cells_kernel, voxels.size, [voxels, unique.keys, occupied])
+    occupied = compute(list_cells_kernel, voxels.size, [voxels, unique.keys], vec3i, device)
     return unique.keys, occupied
 
 
@@ -236,17 +235,14 @@ def _blocks_within(keys: Keys, limits: DistanceLimits) -> Keys:
         size = [-(-n // BLOCK_SIDE) for n in limits.box]
         count = math.prod(size)
         _check_blocks(count, device)
-        keys = empty(count, int64, device)
-        launch(list_box_keys_kernel, count, [vec3i(*size), keys])
-        return keys
+        return compute(list_box_keys_kernel, count, [vec3i(*size)], int64, device)
     if keys.size:
         _check_blocks((2 * limits.blocks + 1) ** 3, device)  # around one alone
     for axis in (2, 1, 0):
         along = 0  # existing blocks on either side
         while along < limits.blocks:
             step = min(2 * along + 1, limits.blocks - along)
-            spread = empty(3 * keys.size, int64, device)
-            launch(spread_keys_kernel, spread.size, [keys, axis, step, spread])
+            spread = compute(spread_keys_kernel, 3 * keys.size, [keys, axis, step], int64, device)
             keys, along = UniqueKeys(spread).keys, along + step  # sync
             _check_blocks(keys.size, device)
     return keys
@@ -277,14 +273,12 @@ def find_distances(
 
 def _known_only(keys: Keys, sqdists: Integers, nearest: Integers) -> tuple[Keys, Integers, Integers]:
     device = keys.device
-    known = empty(keys.size, uint8, device)
-    launch(mark_known_kernel, keys.size, [sqdists, known])
+    known = compute(mark_known_kernel, keys.size, [sqdists], uint8, device)
     blocks = positions_of(known)  # sync
     if blocks.size == keys.size:
         return keys, sqdists, nearest
     gathered = []
     for values in (sqdists, nearest):
-        out = empty(blocks.size * BLOCK_VOXELS, int32, device)
-        launch(gather_voxels_kernel, out.size, [values, blocks, out])
+        out = compute(gather_voxels_kernel, blocks.size * BLOCK_VOXELS, [values, blocks], int32, device)
         gathered.append(out)
     return gather_rows(keys, blocks), gathered[0], gathered[1]

@@ -5,8 +5,7 @@ Coordinates are rounded down in float64 from one sum and one quotient.
 
 from ..array_types import Cells, Mask, Points
 from ..arrays.select import positions_of
-from ..lang import array, float64, floor, func, int32, isfinite, kernel, launch, tid, vec3, vec3d, vec3i
-from ..memory import empty
+from ..lang import array, compute, float64, floor, func, int32, isfinite, kernel, tid, vec3, vec3d, vec3i
 
 NOT_FINITE_CELL = 1 << 30  # coordinate for a point that is not finite
 OUT_OF_RANGE_CELL = 1 << 29  # coordinate for a point out of range
@@ -45,14 +44,10 @@ def find_set_cells_kernel(rows: array(dtype=int32), size: vec3i, cells: array(dt
 
 def find_cells(points: Points, shift: tuple[float, float, float], voxel_size: float) -> Cells:
     """Voxels that contain points. Coordinates start at -shift."""
-    cells = empty(points.size, vec3i, points.device)
-    launch(find_cells_kernel, points.size, [points, vec3d(*shift), voxel_size, cells])
-    return cells
+    return compute(find_cells_kernel, points.size, [points, vec3d(*shift), voxel_size], vec3i, points.device)
 
 
 def find_set_cells(occupied: Mask, shape: tuple[int, int, int]) -> Cells:
     """Occupied voxels of a dense box, uint8, z fastest. One sync."""
     rows = positions_of(occupied)  # sync
-    cells = empty(rows.size, vec3i, rows.device)
-    launch(find_set_cells_kernel, rows.size, [rows, vec3i(*shape), cells])
-    return cells
+    return compute(find_set_cells_kernel, rows.size, [rows, vec3i(*shape)], vec3i, rows.device)

@@ -16,6 +16,7 @@ from ..lang import (
     INFINITY,
     NAN,
     array,
+    compute,
     float32,
     float64,
     floor,
@@ -317,9 +318,7 @@ def find_distances_at(points: Positions, grid: DistanceGrid, *, interpolate: boo
 
 
 def find_gradients(points: Positions, grid: DistanceGrid) -> Any:
-    gradients = empty(points.size, vec3, grid.device)
-    launch(find_gradients_kernel, points.size, [points, grid, gradients])
-    return gradients
+    return compute(find_gradients_kernel, points.size, [points, grid], vec3, grid.device)
 
 
 def find_obstacles(points: Positions, grid: DistanceGrid) -> tuple[Integers, Positions, Scalars]:
@@ -331,16 +330,12 @@ def find_obstacles(points: Positions, grid: DistanceGrid) -> tuple[Integers, Pos
 
 def find_hits(centers: Positions, radii: Doubles, grid: DistanceGrid) -> Mask:
     """1 for each sphere that is not certainly free. One radius, or one for each."""
-    hits = empty(centers.size, uint8, grid.device)
-    launch(find_hits_kernel, centers.size, [centers, radii, grid, hits])
-    return hits
+    return compute(find_hits_kernel, centers.size, [centers, radii, grid], uint8, grid.device)
 
 
 def find_body_room(spheres: Array2[float64], poses: Poses, grid: DistanceGrid) -> Doubles:
     """Free distance around the spheres (x, y, z, radius) of a body at each pose [m], float64."""
-    room = empty(poses.size, float64, grid.device)
-    launch(find_body_clearance_kernel, poses.size, [spheres, poses, grid, room])
-    return room
+    return compute(find_body_clearance_kernel, poses.size, [spheres, poses, grid], float64, grid.device)
 
 
 class Box(NamedTuple):
@@ -359,12 +354,8 @@ def list_distances(box: Box, grid: DistanceGrid) -> KnownDistances:
 
 
 def list_sqdists(box: Box, grid: DistanceGrid) -> Integers:
-    sqdists = empty(box.voxel_count, int32, grid.device)
-    launch(list_sqdists_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid, sqdists])
-    return sqdists
+    return compute(list_sqdists_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid], int32, grid.device)
 
 
 def list_nearest(box: Box, grid: DistanceGrid) -> Integers:
-    rows = empty(box.voxel_count, int32, grid.device)
-    launch(list_nearest_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid, rows])
-    return rows
+    return compute(list_nearest_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid], int32, grid.device)

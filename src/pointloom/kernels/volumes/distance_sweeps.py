@@ -12,7 +12,7 @@ from ..array_types import Array1, Integers, Keys
 from ..arrays.block_keys import block_key, key_block
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys, positions
-from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec4i
+from ..lang import array, compute, func, int32, int64, kernel, launch, struct, tid, uint8, vec4i
 from ..memory import copy, empty, upload
 from .tsdf_blocks import BLOCK_ROWS, BLOCK_SIDE, BLOCK_VOXELS
 
@@ -56,11 +56,9 @@ class BlockLines:
         if axis == 2:
             self.order, permuted = positions(keys.size, device), keys
         else:
-            permuted = empty(keys.size, int64, device)
-            launch(permute_keys_kernel, keys.size, [keys, axis, permuted])
+            permuted = compute(permute_keys_kernel, keys.size, [keys, axis], int64, device)
             permuted, self.order = argsort_keys(permuted)
-        marks = empty(keys.size, uint8, device)
-        launch(mark_gaps_kernel, keys.size, [permuted, marks])
+        marks = compute(mark_gaps_kernel, keys.size, [permuted], uint8, device)
         heads = positions_of(marks)  # sync
         self.count = heads.size
         self.starts = empty(self.count + 1, int32, device)

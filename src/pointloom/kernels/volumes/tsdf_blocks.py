@@ -20,6 +20,7 @@ from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
+    compute,
     float32,
     float64,
     floor,
@@ -148,9 +149,7 @@ class BlockMarks:
             return upload(box_keys(x + self.low[0], y + self.low[1], z + self.low[2]), int64, self.grid.device)
         if self.is_dense:
             cells = positions_of(self.grid)
-            keys = empty(cells.size, int64, self.grid.device)
-            launch(encode_cells_kernel, cells.size, [cells, self, keys])
-            return keys
+            return compute(encode_cells_kernel, cells.size, [cells, self], int64, self.grid.device)
         unique = UniqueKeys(self.keys)
         unique.drop_last(NO_KEY)
         return unique.keys

@@ -20,6 +20,7 @@ from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
 from ..lang import (
     array,
+    compute,
     float64,
     floor,
     func,
@@ -248,8 +249,7 @@ def reached_blocks(blocks: VoxelBlocks, back: np.ndarray) -> Keys:
     own = blocks.keys[: blocks.count]
     for first in range(0, own.size, chunk):
         part = own[first : min(first + chunk, own.size)]
-        reached = empty(part.size * per_block, int64, device)
-        launch(list_reached_kernel, reached.size, [part, mapping, reached])
+        reached = compute(list_reached_kernel, part.size * per_block, [part, mapping], int64, device)
         unique = UniqueKeys(reached)
         unique.drop_last(NO_KEY)
         parts.append(unique.keys)
@@ -314,8 +314,7 @@ def drop_unseen(blocks: VoxelBlocks) -> VoxelBlocks:
     count = blocks.count
     if not count:
         return blocks
-    seen = empty(count, uint8, blocks.device)
-    launch(mark_seen_blocks_kernel, count, [blocks, seen])
+    seen = compute(mark_seen_blocks_kernel, count, [blocks], uint8, blocks.device)
     rows = positions_of(seen)
     if rows.size == count:
         return blocks

@@ -187,7 +187,7 @@ class RegistrationJob(Job):
     def _describe(self, scan: int) -> Description:
         surface = self._surface(scan)
         arrays = (surface.arrays[name] for name in ("points", "normals"))
-        return describe_surface(surface, Surface.of_known(*arrays), self.size)
+        return describe_surface(surface, Surface(*arrays), self.size)
 
     def _surfaces(self, pair: FragmentPair) -> dict[int, PointCloud]:
         return {k: self._described(k).cloud for k in (pair.source, pair.target)}
