@@ -54,7 +54,7 @@ class ScanProbes:
         self.run = 1 if self.device.is_cuda else run_length(self.squares)  # a point takes long, and there are few
         self.threads = len(poses) * -(-self.count // self.run)
         self.poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, self.device)
-        self.limit = np.float32(2 * radius) ** 2
+        self.limit = float(np.float32(2 * radius) ** 2)
 
     def cost_changes(self) -> np.ndarray:
         return compare_costs(self.squares, self.voxel_map.voxel_size)
