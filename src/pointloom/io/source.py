@@ -264,7 +264,7 @@ def netted(reader: Callable[_Given, _Table]) -> Callable[_Given, _Table]:
     return read
 
 
-def open_source(path: str | os.PathLike[str]) -> SourceFile:
+def open_source(path: FilePath) -> SourceFile:
     """Open a regular, non-empty file for reading at any offset."""
     path = path_of(path)
     handled = sys.exception()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +15,7 @@ from ...cameras.depth_range import DEPTH_MAX
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_count, check_progress
 from ...core.devices import DeviceLike, resolve_device
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.timing import Clock, peak_bytes
@@ -121,7 +120,7 @@ class DemoReport(Report, Assessed):
 
 
 def run_demo(
-    folder: str | os.PathLike[str],
+    folder: FilePath,
     *,
     frame_count: int = DEFAULT_FRAMES,
     voxel_size: float = VOXEL_SIZE,

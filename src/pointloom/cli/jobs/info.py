@@ -7,7 +7,6 @@ checked.
 from __future__ import annotations
 
 import dataclasses
-import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -23,7 +22,7 @@ from ...cameras.pose_text import parse_floats, read_lines, read_pose
 from ...cameras.trajectory import read_trajectory
 from ...core.atomic import restore_folder
 from ...core.coordinates import describe_bounds, split_origin
-from ...core.errors import FileError, values_of_file
+from ...core.errors import FileError, FilePath, values_of_file
 from ...core.json_files import read_json_object
 from ...core.reports import Assessed, Fields, Report
 from ...core.wording import format_triple
@@ -132,9 +131,7 @@ class CloudFolder(Facts):
         return [("files", "\n".join(file.line() for file in self.files)), ("points", f"{self.points:,}")]
 
 
-def describe(
-    path: str | os.PathLike[str], *, layout: str = "auto", columns: Sequence[str] | None = None
-) -> Description:
+def describe(path: FilePath, *, layout: str = "auto", columns: Sequence[str] | None = None) -> Description:
     """Describe a file, or the folder of a data set, a COLMAP model, clouds or meshes. Raises FileError.
 
     `layout` is that of a folder; `columns` names the columns of .bin, .csv, .txt and .xyz.

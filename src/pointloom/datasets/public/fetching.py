@@ -18,7 +18,7 @@ from typing import Any
 from ...core.atomic import part_name
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_name
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ..array_cache import data_folder
 
@@ -27,7 +27,7 @@ LISTING = ".files.json"  # list of a set's files, by which later calls recognize
 TIMEOUT_SECONDS = 30.0  # [s] timeout without a byte
 
 
-def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
+def fetch(name: str, folder: FilePath | None = None) -> Path:
     """The folder or file of a public data set, downloaded on first use.
 
     Files are verified by checksum, archives are unpacked, and the set appears atomically. If POINTLOOM_DATA_MIRROR is

@@ -8,7 +8,6 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
-import os
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -21,7 +20,7 @@ from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intri
 from ...core.atomic import part_name
 from ...core.checks import check_count, check_fraction, check_list, check_number, check_rigid, check_rows
 from ...core.devices import DeviceLike, resolve_device
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...io.frames.datasets import Frame
 from ...io.images.image_files import write_png
 from ...kernels.lang import current_cpu_compiler, uint8, vec3d
@@ -290,7 +289,7 @@ def surface_errors(points: Any, *, device: DeviceLike = "cpu") -> NDArray[np.flo
 
 
 def write_room_sequence(
-    folder: str | os.PathLike[str],
+    folder: FilePath,
     *,
     frame_count: int = 120,
     width: int = 640,

@@ -107,22 +107,14 @@ def _unit(times: NDArray[Any], written: str | None, stamp: float, step: float) -
         return written or "s"  # as good as any
     first, span = float(times.min()), float(times.max() - times.min())
     known = {unit: scale for unit, scale in SECONDS_PER_UNIT.items() if step * scale < MAX_TIME_STEP}
-    fitting = [
-        u
-        for u, scale in known.items()
-        if stamp > MIN_CLOCK_TIME < first * scale and abs(first * scale - stamp) < MAX_CLOCK_DIFFERENCE
-    ]
-    if (
-        not fitting
-        and written in known
-        and (span == 0 or MIN_DURATION <= span * SECONDS_PER_UNIT[written] <= SWEEP_DURATIONS[1])
-    ):
+    starts = {unit: first * scale for unit, scale in known.items() if stamp > MIN_CLOCK_TIME < first * scale}
+    fitting = [unit for unit, start in starts.items() if abs(start - stamp) < MAX_CLOCK_DIFFERENCE]
+    shortest, longest = SWEEP_DURATIONS
+    if not fitting and written in known and (span == 0 or MIN_DURATION <= span * known[written] <= longest):
         fitting = [written]
     if not fitting and span == 0 and "s" in known:
         fitting = ["s"]
-    fitting = fitting or [
-        unit for unit, scale in known.items() if SWEEP_DURATIONS[0] <= span * scale <= SWEEP_DURATIONS[1]
-    ]
+    fitting = fitting or [unit for unit, scale in known.items() if shortest <= span * scale <= longest]
     return fitting[0] if fitting else None
 
 

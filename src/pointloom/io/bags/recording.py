@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import struct
 import warnings
 from collections.abc import Callable, Iterator
@@ -17,7 +16,7 @@ from ...core.array_libraries import library_for
 from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_positive
 from ...core.devices import DeviceLike
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...kernels.lru_cache import LruCache
@@ -331,7 +330,7 @@ class Recording:
         return Topic(name, kind, len(rows), rows[0][0] * 1e-9, rows[-1][0] * 1e-9, frame)
 
 
-def open_recording(path: str | os.PathLike[str]) -> Recording:
+def open_recording(path: FilePath) -> Recording:
     """Open a ROS 1 or ROS 2 bag or an MCAP file, without ROS.
 
     Truncated or unindexed files are read up to the damage. Messages are decoded lazily, which requires
@@ -363,7 +362,7 @@ def open_recording(path: str | os.PathLike[str]) -> Recording:
     return recording
 
 
-def read_recording(path: str | os.PathLike[str]) -> Recording:
+def read_recording(path: FilePath) -> Recording:
     root = path_of(path)
     restore_folder(root)
     files = [root]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count
-from ...core.errors import CameraError
+from ...core.errors import CameraError, FilePath
 from ..images.image_files import decode_texture
 from .depth_cameras import DepthCamera, import_driver, recording_path
 
@@ -43,7 +42,7 @@ class AzureKinectCamera(DepthCamera):
     name = "the Azure Kinect"
     depth_scale = 1000.0
 
-    def __init__(self, *, number: int = 0, file: str | os.PathLike[str] | None = None, timeout: float = 5.0):
+    def __init__(self, *, number: int = 0, file: FilePath | None = None, timeout: float = 5.0):
         super().__init__(timeout)
         number, path = check_count("number", number, minimum=0), recording_path(file)
         k4a = self._driver = import_driver("pyk4a", "an Azure Kinect", "azure-kinect")

@@ -18,7 +18,7 @@ from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrin
 from ...cameras.pose_text import parse_floats, pose_or_gap, read_lines, read_pose_or_gap, timed_poses
 from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_name, check_positive
-from ...core.errors import DatasetError, FileError
+from ...core.errors import DatasetError, FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
 from ...core.paths import is_file, path_of
@@ -290,7 +290,7 @@ class RGBDDataset(Assessed):
 
 
 def open_dataset(
-    folder: str | os.PathLike[str],
+    folder: FilePath,
     *,
     layout: str = "auto",
     intrinsic: PinholeCameraIntrinsic | None = None,
@@ -344,7 +344,7 @@ def open_dataset(
 
 
 def open_frames(
-    folder: str | os.PathLike[str],
+    folder: FilePath,
     *,
     layout: str = "auto",
     intrinsic: PinholeCameraIntrinsic | None = None,
@@ -396,7 +396,7 @@ def open_frames(
     return _open(folder, chosen, intrinsic, scale, every, demand, bool(resize_color))
 
 
-def _check_folder(folder: str | os.PathLike[str]) -> Path:
+def _check_folder(folder: FilePath) -> Path:
     folder = path_of(folder, "folder")
     restore_folder(folder)
     if not folder.is_dir():
@@ -407,7 +407,7 @@ def _check_folder(folder: str | os.PathLike[str]) -> Path:
     return folder
 
 
-def _check_every(folder: str | os.PathLike[str], every: int) -> int:
+def _check_every(folder: FilePath, every: int) -> int:
     try:
         return check_count("every", every)
     except (TypeError, ValueError) as error:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from types import ModuleType
 from typing import Any
 
@@ -10,7 +9,7 @@ import numpy as np
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_name
-from ...core.errors import CameraError
+from ...core.errors import CameraError, FilePath
 from .depth_cameras import DepthCamera, import_driver, recording_path
 
 MAX_TIME_DIFFERENCE = 0.017  # [s] maximum difference of depth and color: half the frame time
@@ -52,7 +51,7 @@ class RealSenseCamera(DepthCamera):
         self,
         *,
         serial: str | None = None,
-        file: str | os.PathLike[str] | None = None,
+        file: FilePath | None = None,
         width: int = 640,
         height: int = 480,
         rate: int = 30,

@@ -7,7 +7,6 @@ valid.
 from __future__ import annotations
 
 import json
-import os
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +16,7 @@ from ...cameras.camera import PinholeCameraIntrinsic, intrinsic_to_json
 from ...cameras.depth_range import DEPTH_SCALE
 from ...core.atomic import atomic_write
 from ...core.checks import check_positive, check_progress
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
@@ -61,9 +60,7 @@ class FrameRecorder(Serialized):
         [0.5]
     """
 
-    def __init__(
-        self, folder: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = DEPTH_SCALE
-    ):
+    def __init__(self, folder: FilePath, intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = DEPTH_SCALE):
         self.folder = path_of(folder, "folder")
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
@@ -112,7 +109,7 @@ class FrameRecorder(Serialized):
         self._colored, self.count = colored, self.count + 1
 
 
-def record_frames(source: RGBDSource, folder: str | os.PathLike[str], *, progress: ReportProgress | None = None) -> int:
+def record_frames(source: RGBDSource, folder: FilePath, *, progress: ReportProgress | None = None) -> int:
     """Write all frames of a source to a new folder in the 7-Scenes layout, readable at any time.
 
     Args:

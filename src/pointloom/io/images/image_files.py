@@ -11,7 +11,6 @@ from __future__ import annotations
 import dataclasses
 import io
 import itertools
-import os
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -185,7 +184,7 @@ class ImageHeader:
     bits: int
 
 
-def read_depth(path: str | os.PathLike[str]) -> NDArray[np.uint16] | NDArray[np.float32]:
+def read_depth(path: FilePath) -> NDArray[np.uint16] | NDArray[np.float32]:
     """Read a depth map as stored, without scaling.
 
     A 16-bit gray PNG gives uint16, a .npy file of a 2-D float32 array gives float32.
@@ -206,14 +205,14 @@ def read_depth(path: str | os.PathLike[str]) -> NDArray[np.uint16] | NDArray[np.
     return _decode_npy(path, data) if data.startswith(_NPY_MAGIC) else decode_depth(path, data)
 
 
-def decode_depth(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint16]:
+def decode_depth(path: FilePath, data: bytes) -> NDArray[np.uint16]:
     """Decode a 16-bit gray PNG to a depth map, shape (h, w); `path` is for errors."""
     header = _parse_header(path, io.BytesIO(data))
     check_depth_header(path, header)
     return _decode(path, data, header, "I;16")
 
 
-def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
+def read_color(path: FilePath) -> NDArray[np.uint8]:
     """Read a PNG or JPEG image as RGB. Gray is replicated, transparency is dropped.
 
     Returns:
@@ -235,7 +234,7 @@ def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
     return _decode(path, data, header, "RGB")
 
 
-def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint8]:
+def decode_texture(path: FilePath, data: bytes) -> NDArray[np.uint8]:
     """Decode a PNG, JPEG, TIFF, BMP or TGA image (8 bits per channel) to uint8 (h, w, 3 or 4); `path` is for errors."""
     if plugin := _plugin_of(path, data):
         return _decode_other(path, data, plugin)
@@ -251,7 +250,7 @@ def encode_png(array: NDArray[np.uint8] | NDArray[np.uint16]) -> bytes:
     return file.getvalue()
 
 
-def read_image_header(path: str | os.PathLike[str]) -> ImageHeader:
+def read_image_header(path: FilePath) -> ImageHeader:
     try:
         with input_path(path).open("rb") as file:
             return _parse_header(path, file)
@@ -259,7 +258,7 @@ def read_image_header(path: str | os.PathLike[str]) -> ImageHeader:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
 
 
-def texture_size(path: str | os.PathLike[str], data: bytes | memoryview) -> tuple[int, int]:
+def texture_size(path: FilePath, data: bytes | memoryview) -> tuple[int, int]:
     """Width and height of an image that `decode_texture` accepts, without decoding it."""
     plugin = _plugin_of(path, data)
     if plugin is None:
@@ -272,19 +271,19 @@ def texture_size(path: str | os.PathLike[str], data: bytes | memoryview) -> tupl
     return width, height
 
 
-def check_depth_header(path: str | os.PathLike[str], header: ImageHeader) -> None:
+def check_depth_header(path: FilePath, header: ImageHeader) -> None:
     if header.kind != "png" or header.channels != 1 or header.bits != 16:
         given = f"{header.kind.upper()} with {header.channels} x {header.bits} bits a pixel"
         remedy = "Store depth as 16-bit gray PNG (or float32 .npy); images colored for viewing contain no depth"
         raise FileError(path, f"expected a depth map, got a {given}", remedy=remedy)
 
 
-def check_color_header(path: str | os.PathLike[str], header: ImageHeader) -> None:
+def check_color_header(path: FilePath, header: ImageHeader) -> None:
     if header.channels == 1 and header.bits == 16:
         raise FileError(path, "expected a color image, got 16-bit gray", remedy="Read depth maps with read_depth")
 
 
-def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[np.uint16]) -> None:
+def write_png(path: FilePath, image: NDArray[np.uint8] | NDArray[np.uint16]) -> None:
     """Write uint8 (h, w) or (h, w, 3), or uint16 (h, w), as PNG atomically. No type is converted silently."""
     if not isinstance(image, np.ndarray) or image.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
         kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
@@ -303,14 +302,14 @@ def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[n
         Image.fromarray(pixels).save(file, "PNG", compress_level=_PNG_LEVEL)
 
 
-def _read_bytes(path: str | os.PathLike[str]) -> bytes:
+def _read_bytes(path: FilePath) -> bytes:
     try:
         return input_path(path).read_bytes()
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
 
 
-def _parse_header(path: str | os.PathLike[str], file: IO[bytes]) -> ImageHeader:
+def _parse_header(path: FilePath, file: IO[bytes]) -> ImageHeader:
     start = file.read(33)  # PNG: magic 8, chunk head 8, IHDR 13, checksum 4
     if start.startswith(PNG_MAGIC):
         png = parse_png_header(path, start)
@@ -329,7 +328,7 @@ def _parse_header(path: str | os.PathLike[str], file: IO[bytes]) -> ImageHeader:
     return header
 
 
-def _decode(path: str | os.PathLike[str], data: bytes, header: ImageHeader, mode: str) -> NDArray:
+def _decode(path: FilePath, data: bytes, header: ImageHeader, mode: str) -> NDArray:
     if header.kind == "png":
         return _decode_pixels(path, checked_png(path, data), header, mode)
     _check_truncation_setting(path)
@@ -340,7 +339,7 @@ def _decode(path: str | os.PathLike[str], data: bytes, header: ImageHeader, mode
     return pixels
 
 
-def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: ImageHeader, mode: str) -> NDArray:
+def _decode_pixels(path: FilePath, data: bytes, header: ImageHeader, mode: str) -> NDArray:
     plugin = PngImagePlugin.PngImageFile if header.kind == "png" else JpegImagePlugin.JpegImageFile
     with _open_image(path, io.BytesIO(data), plugin) as image, foreign_errors(path, "damaged image"):
         image.load()
@@ -356,15 +355,13 @@ def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: ImageHeade
     return pixels
 
 
-def _open_image(
-    path: str | os.PathLike[str], file: IO[bytes], plugin: type[ImageFile.ImageFile]
-) -> ImageFile.ImageFile:
+def _open_image(path: FilePath, file: IO[bytes], plugin: type[ImageFile.ImageFile]) -> ImageFile.ImageFile:
     """Open an image by its format class: `Image.open` would guess and warn of sizes that are allowed here."""
     with foreign_errors(path, "damaged image"):
         return plugin(file)
 
 
-def _plugin_of(path: str | os.PathLike[str], data: bytes | memoryview) -> type[ImageFile.ImageFile] | None:
+def _plugin_of(path: FilePath, data: bytes | memoryview) -> type[ImageFile.ImageFile] | None:
     """Pillow's class for a TIFF, BMP or TGA file (TGA by its extension only). None for other formats."""
     start = bytes(data[:4])
     if start in (b"II*\0", b"MM\0*"):
@@ -375,7 +372,7 @@ def _plugin_of(path: str | os.PathLike[str], data: bytes | memoryview) -> type[I
     return TgaImagePlugin.TgaImageFile if is_targa else None
 
 
-def _decode_other(path: str | os.PathLike[str], data: bytes, plugin: type[ImageFile.ImageFile]) -> NDArray[np.uint8]:
+def _decode_other(path: FilePath, data: bytes, plugin: type[ImageFile.ImageFile]) -> NDArray[np.uint8]:
     texture_size(path, data)  # which bounds the memory
     _check_truncation_setting(path)
     with _open_image(path, io.BytesIO(data), plugin) as image, foreign_errors(path, "damaged image"):
@@ -386,14 +383,14 @@ def _decode_other(path: str | os.PathLike[str], data: bytes, plugin: type[ImageF
         return np.array(image.convert("RGBA" if has_alpha else "RGB"))
 
 
-def _check_truncation_setting(path: str | os.PathLike[str]) -> None:
+def _check_truncation_setting(path: FilePath) -> None:
     """Raise an error if Pillow fills in missing pixels."""
     if ImageFile.LOAD_TRUNCATED_IMAGES:
         remedy = "Set PIL.ImageFile.LOAD_TRUNCATED_IMAGES = False before reading images"
         raise FileError(path, "Pillow is configured to fill in missing pixels", remedy=remedy)
 
 
-def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32]:
+def _decode_npy(path: FilePath, data: bytes) -> NDArray[np.float32]:
     file = io.BytesIO(data)
     with foreign_errors(path, "damaged .npy header", remedy="Save the array again"):
         shape, fortran_order, dtype = read_npy_header(file)

@@ -25,21 +25,8 @@ from ..optional_imports import foreign_errors, ignored_errors, import_for
 from .image_files import PIXEL_LIMIT, ImageHeader
 
 _MAGIC = {b"II*\0": "<", b"MM\0*": ">"}
-_TIFF_SIZES = {
-    1: 1,
-    2: 1,
-    3: 2,
-    4: 4,
-    5: 8,
-    6: 1,
-    7: 1,
-    8: 2,
-    9: 4,
-    10: 8,
-    11: 4,
-    12: 8,
-    13: 4,
-}  # bytes of each TIFF type
+# Bytes of each type.
+_TIFF_SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4}
 _TIFF_INTEGERS = {1: "B", 3: "H", 4: "I", 13: "I"}
 _TIFF_PARTS = ((273, 279), (324, 325))  # offsets and lengths of strips, of tiles
 _TIFF_SUB_IFDS = 330  # directories below one

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import re
 import warnings
 from collections.abc import Iterator, Mapping
@@ -39,7 +38,7 @@ def leads_outside(name: str) -> bool:
     return False
 
 
-def find_beside(path: str | os.PathLike[str], name: str, *, outside_files: bool = False) -> Path | None:
+def find_beside(path: FilePath, name: str, *, outside_files: bool = False) -> Path | None:
     """A file named relative to a mesh file, or None. Names outside its folder require `outside_files`."""
     if not name or (leads_outside(name) and not outside_files):
         return None
@@ -55,9 +54,7 @@ def why_missing(name: str, *, outside_files: bool) -> str:
     return OUTSIDE if leads_outside(name) and not outside_files else "is not beside it"
 
 
-def read_textures(
-    path: str | os.PathLike[str], names: list[str], *, outside_files: bool = False
-) -> tuple[NDArray[np.uint8], ...]:
+def read_textures(path: FilePath, names: list[str], *, outside_files: bool = False) -> tuple[NDArray[np.uint8], ...]:
     """Read textures beside a mesh file, each once. None, with a warning, if one is unreadable or all are too large."""
     texture_paths = [find_beside(path, name, outside_files=outside_files) for name in names]
     missing = [name for name, texture_path in zip(names, texture_paths, strict=True) if texture_path is None]
@@ -76,7 +73,7 @@ def read_textures(
 
 
 def decode_textures(
-    path: str | os.PathLike[str], given: Mapping[_Key, tuple[str | os.PathLike[str], bytes | memoryview]]
+    path: FilePath, given: Mapping[_Key, tuple[FilePath, bytes | memoryview]]
 ) -> dict[_Key, NDArray[np.uint8]]:
     """Decode images by key, each once, read-only. Raises `FileError` before decoding if the total is too large."""
     sizes = [texture_size(name, data) for name, data in given.values()]
@@ -113,19 +110,17 @@ def warn_left_behind(path: FilePath, reason: str) -> None:
     warnings.warn(escaped(f"{path}: the textures are dropped, because {reason}"), UserWarning, stacklevel=5)
 
 
-def derived_name(path: str | os.PathLike[str], ending: str) -> str:
+def derived_name(path: FilePath, ending: str) -> str:
     """A file name derived from a mesh file, without characters that separate names in lists."""
     return re.sub(r"[^A-Za-z0-9._-]", "_", Path(path).stem) + ending
 
 
-def image_names(path: str | os.PathLike[str], count: int) -> list[str]:
+def image_names(path: FilePath, count: int) -> list[str]:
     return [derived_name(path, f"_{k}.png") for k in range(count)]
 
 
 @contextlib.contextmanager
-def write_with(
-    path: str | os.PathLike[str], beside: dict[str, bytes | NDArray[np.uint8]], *, overwrite: bool
-) -> Iterator[IO[bytes]]:
+def write_with(path: FilePath, beside: dict[str, bytes | NDArray[np.uint8]], *, overwrite: bool) -> Iterator[IO[bytes]]:
     """A binary file with dependent files (bytes, or images as PNG) that appear before it, each atomically."""
     with contextlib.ExitStack() as files:
         main = files.enter_context(atomic_write(path, overwrite=overwrite))

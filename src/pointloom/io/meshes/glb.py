@@ -7,7 +7,6 @@ dropped. Khronos, "glTF 2.0 Specification", section 3.9. KHR_texture_transform. 
 
 from __future__ import annotations
 
-import os
 from collections.abc import Hashable, Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -15,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..color_space import linear_to_srgb
 from ..images.texture_files import decode_textures, drop_alpha
 from ..source import open_source
@@ -168,7 +167,7 @@ def _pixel(linear: tuple[float, ...]) -> NDArray[np.uint8]:
     return np.rint(np.array(values) * 255).astype(np.uint8).reshape(1, 1, -1)
 
 
-def read_glb(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
+def read_glb(path: FilePath, *, outside_files: bool = False) -> MeshTable:
     """Read the triangles of a .glb or .gltf file, with axes as stored (y is up by the standard).
     Vertices are float32 if no node transforms them, else float64."""
     file = GltfFile(path, outside_files=outside_files)

@@ -5,15 +5,14 @@ Khronos, "glTF 2.0 Specification", section 4.
 
 from __future__ import annotations
 
-import os
 import struct
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 
 GLB_MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 
 
-def split_chunks(path: str | os.PathLike[str], data: memoryview) -> tuple[memoryview, memoryview | None]:
+def split_chunks(path: FilePath, data: memoryview) -> tuple[memoryview, memoryview | None]:
     if data[:4] != GLB_MAGIC:
         raise FileError(path, "is not a GLB: it does not begin with glTF", where="byte 0", remedy="Is it a .gltf?")
     if len(data) < 20:

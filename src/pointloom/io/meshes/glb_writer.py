@@ -8,7 +8,6 @@ its type is exact in glTF. Images with alpha use MASK for 0 and 255, else BLEND.
 from __future__ import annotations
 
 import json
-import os
 import struct
 import warnings
 from dataclasses import dataclass, replace
@@ -21,7 +20,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet, split_origin
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ..color_space import srgb_to_linear
 from ..images.image_files import encode_png
@@ -36,7 +35,7 @@ _CODES = {np.dtype(code): number for number, code in COMPONENT_TYPES.items()}
 _MAX_WIDTH = 4
 
 
-def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
+def write_glb(path: FilePath, mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a triangle mesh as GLB (up to 4 GiB) atomically. Unsupported attributes are dropped with a warning."""
     path = check_writable(path, overwrite=overwrite)
     scene = _scene_of(path, mesh)
@@ -53,7 +52,7 @@ def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         file.write(body)
 
 
-def write_gltf(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
+def write_gltf(path: FilePath, mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a triangle mesh as glTF text with m.bin and m_0.png, ... beside m.gltf, each file atomically."""
     path = check_writable(path, overwrite=overwrite)
     scene, name = _scene_of(path, mesh), derived_name(path, ".bin")

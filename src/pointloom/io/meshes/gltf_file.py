@@ -8,7 +8,6 @@ from __future__ import annotations
 import base64
 import binascii
 import json
-import os
 import re
 from pathlib import Path
 from typing import Any
@@ -17,7 +16,7 @@ from urllib.parse import unquote, unquote_to_bytes
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..images.texture_files import find_beside, why_missing
 from ..source import open_source
 from .glb_container import GLB_MAGIC, split_chunks
@@ -33,7 +32,7 @@ _BAD_ESCAPE = re.compile(r"%(?![0-9A-Fa-f]{2})")
 class GltfFile:
     """A glTF file with a valid container and JSON (`content`); `size` includes referenced files."""
 
-    def __init__(self, path: str | os.PathLike[str], *, outside_files: bool = False):
+    def __init__(self, path: FilePath, *, outside_files: bool = False):
         self.path, self.outside_files = Path(path), outside_files
         data = memoryview(open_source(path)[:])
         self.size = len(data)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import shown
+from ...core.errors import FilePath
 from ..attribute_names import rename
 from ..points.header_units import PLY, in_metres, is_metric, unit_comment, warn_of_lost_unit, with_header_unit
 from ..points.ply import name_rules, read_ply_mesh, write_ply_mesh
@@ -66,7 +66,7 @@ UPRIGHT = tuple(extension for extension, format in MESH_FORMATS.items() if forma
 UPS = ("y", "z")
 
 
-def read_mesh(path: str | os.PathLike[str], *, up: str = "y", outside_files: bool = False) -> MeshTable:
+def read_mesh(path: FilePath, *, up: str = "y", outside_files: bool = False) -> MeshTable:
     """Read a mesh by extension (one of MESH_READERS); `up` is the up axis of the result for .glb and .gltf."""
     format = MESH_FORMATS[Path(path).suffix.lower()]
     check_up(path, up)
@@ -74,7 +74,7 @@ def read_mesh(path: str | os.PathLike[str], *, up: str = "y", outside_files: boo
     return rotated_to_z_up(mesh) if up == "z" else mesh
 
 
-def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, overwrite: bool, up: str = "y") -> None:
+def write_mesh(path: FilePath, mesh: MeshTable, *, ascii: bool, overwrite: bool, up: str = "y") -> None:
     """Write a mesh by extension (one of MESH_READERS).
     `ascii` is for .ply; `up` is the up axis of the mesh, converted to y in .glb and .gltf."""
     suffix = Path(path).suffix.lower()
@@ -90,7 +90,7 @@ def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, ov
         format.write(path, mesh, overwrite=overwrite)
 
 
-def _with_fitting_names(path: str | os.PathLike[str], mesh: MeshTable) -> MeshTable:
+def _with_fitting_names(path: FilePath, mesh: MeshTable) -> MeshTable:
     rules = name_rules(mesh.vertex_normals, mesh.vertex_colors)
     of_vertices = rename(path, "PLY", mesh.attributes, rules, stacklevel=5)
     colors = mesh.triangle_attributes.get("colors")
@@ -101,7 +101,7 @@ def _with_fitting_names(path: str | os.PathLike[str], mesh: MeshTable) -> MeshTa
     return replace(mesh, attributes=of_vertices, triangle_attributes=of_triangles)
 
 
-def check_up(path: str | os.PathLike[str], up: Any) -> None:
+def check_up(path: FilePath, up: Any) -> None:
     """Raise `ValueError` for an axis other than y, or z if the format defines the up axis."""
     if not isinstance(up, str) or up not in UPS:
         raise ValueError(f"up: expected one of {', '.join(UPS)}, got {shown(up)}")

@@ -7,7 +7,6 @@ Wavefront, "Object Files (.obj)" and "MTL material format" (1995), with the vert
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -19,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import check_writable
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
@@ -65,7 +64,7 @@ class Material:
     offset: tuple[float, float] = (0.0, 0.0)
 
 
-def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
+def read_mtl(path: FilePath) -> list[Material]:
     """Read the materials of an MTL file in file order. Faults are dropped or clamped with a warning."""
     text = bytes(open_source(path)[:]).decode("utf-8", "surrogateescape").removeprefix("\ufeff")
     materials: dict[str, Material] = {}
@@ -208,9 +207,7 @@ def material_name(number: int) -> str:
     return f"material_{number}"
 
 
-def mtl_of(
-    path: str | os.PathLike[str], textures: Sequence[NDArray[np.uint8]]
-) -> tuple[bytes, dict[str, NDArray[np.uint8]]]:
+def mtl_of(path: FilePath, textures: Sequence[NDArray[np.uint8]]) -> tuple[bytes, dict[str, NDArray[np.uint8]]]:
     """The MTL text for these images and the image files it names, each once. An image of one pixel becomes a color."""
     lines, named, first = [], {}, {}
     for number, (name, image) in enumerate(zip(image_names(path, len(textures)), textures, strict=True)):
@@ -234,7 +231,7 @@ _NAMELESS = frozenset(("", "default", "Default", "off", "(null)", "None"))
 _MAX_NAMES = 5
 
 
-def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
+def read_obj(path: FilePath, *, outside_files: bool = False) -> MeshTable:
     """Read a triangle mesh from OBJ, with float64 vertices and one texture per used material."""
     path = path_of(path)
     statements = _read_statements(path)
@@ -462,7 +459,7 @@ def _normals_of(
     return normals[of_vertex]
 
 
-def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
+def write_obj(path: FilePath, mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a triangle mesh as OBJ. Textures go to m.mtl and m_0.png, m_1.png, .. beside m.obj. Files are atomic."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = storable_in_obj(mesh.checked())

@@ -7,7 +7,6 @@ Geomview, "OFF Files".
 
 from __future__ import annotations
 
-import os
 import re
 import warnings
 from dataclasses import replace
@@ -19,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_extent, color_scale, colors_to_bytes, fit_colors, stack_normals, warn_left_out, warn_of_loss
@@ -31,7 +30,7 @@ _COMMENT = re.compile(rb"#[^\n]*")
 _HEAD = re.compile(rb"\s*(ST)?(C)?(N)?(4)?(n)?OFF(?=[\s\d]|$)([ \t]+BINARY)?")
 
 
-def read_off(path: str | os.PathLike[str]) -> MeshTable:
+def read_off(path: FilePath) -> MeshTable:
     """Read a triangle mesh from OFF, with float64 vertices. Polygons are triangulated."""
     path = Path(path)
     body = unix_lines(bytes(open_source(path)[:]))
@@ -181,7 +180,7 @@ def storable_in_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
     return replace(mesh.without_texture(), attributes=storable, triangle_attributes=of_triangles), names
 
 
-def write_off(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
+def write_off(path: FilePath, mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a mesh as OFF atomically, with 8-bit colors. Textures and other attributes are dropped with a warning."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = storable_in_off(mesh.checked())

@@ -7,7 +7,6 @@ Systems, "StereoLithography Interface Specification" (1989). Wikipedia, "STL (fi
 
 from __future__ import annotations
 
-import os
 import warnings
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, unix_lines
 from ..columns import check_extent, colors_or_loss, warn_left_out, warn_of_loss
@@ -39,7 +38,7 @@ _FACET_LINES = (
 )  # fmt: skip
 
 
-def read_stl(path: str | os.PathLike[str]) -> MeshTable:
+def read_stl(path: FilePath) -> MeshTable:
     """Read a triangle mesh from STL. Vertices are float32 (binary) or float64 (text), in order of first use.
     Degenerate facets are kept. `triangle_attributes["colors"]` exists if any facet has a color."""
     path = Path(path)
@@ -193,7 +192,7 @@ def _is_colors(values: NDArray[Any]) -> bool:
     return is_float and bool(((values >= 0) & (values <= 1)).all())
 
 
-def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
+def write_stl(path: FilePath, mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a triangle mesh as binary STL atomically. Degenerate triangles get the normal (0, 0, 0)."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = storable_in_stl(mesh.checked())

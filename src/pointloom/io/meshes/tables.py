@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..columns import warn_of_loss
 from ..points.e57 import read_frames
 from ..points.formats import FORMATS, READERS, WriteOptions, read_points, write_table
@@ -23,7 +22,7 @@ MESHES = tuple(MESH_READERS)
 LAS = (".las", ".laz")
 
 
-def is_mesh_file(path: str | os.PathLike[str]) -> bool:
+def is_mesh_file(path: FilePath) -> bool:
     """True if a file has triangles: for .ply, faces or triangle strips in its header."""
     if Path(path).suffix.lower() != ".ply":
         return False
@@ -31,7 +30,7 @@ def is_mesh_file(path: str | os.PathLike[str]) -> bool:
     return any(element.name in ("face", STRIPS) and element.count > 0 for element in header.elements)
 
 
-def read_table(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable | MeshTable:
+def read_table(path: FilePath, columns: Sequence[str] | None = None) -> PointTable | MeshTable:
     """Read a file as a mesh if it has faces, else as a cloud; `columns` as in `read_point_cloud`."""
     suffix = Path(path).suffix.lower()
     if columns is None and suffix in MESH_READERS and (suffix != ".ply" or is_mesh_file(path)):
@@ -43,12 +42,12 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[str] | None = Non
 
 
 def write_cloud_table(
-    path: str | os.PathLike[str],
+    path: FilePath,
     table: PointTable,
     *,
     as_text: bool = False,
     overwrite: bool = True,
-    source: str | os.PathLike[str] | None = None,
+    source: FilePath | None = None,
     system_only: bool = False,
 ) -> list[str]:
     """Write a cloud without what the format cannot store. Returns the dropped names.
@@ -71,9 +70,7 @@ def write_cloud_table(
     return left_out + lost
 
 
-def write_mesh_table(
-    path: str | os.PathLike[str], mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True
-) -> list[str]:
+def write_mesh_table(path: FilePath, mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True) -> list[str]:
     """Write a mesh without what the format cannot store. Returns the dropped names."""
     storable, left_out = MESH_FORMATS[Path(path).suffix.lower()].storable(mesh)
     write_mesh(path, storable, ascii=as_text, overwrite=overwrite)

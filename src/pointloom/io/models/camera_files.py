@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,7 +15,7 @@ from ...cameras.camera_models import CameraModel
 from ...cameras.image_names import number_of
 from ...cameras.trajectory import Trajectory, read_poses_and_gaps
 from ...core.checks import check_list, check_name
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
 from ...core.paths import path_of
@@ -36,10 +35,7 @@ _KNOWN = (
 
 
 def read_cameras(
-    path: str | os.PathLike[str],
-    *,
-    images: Sequence[str] | None = None,
-    intrinsic: PinholeCameraIntrinsic | None = None,
+    path: FilePath, *, images: Sequence[str] | None = None, intrinsic: PinholeCameraIntrinsic | None = None
 ) -> SfmModel:
     """Read cameras and poses of images in any supported format.
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from types import ModuleType
 
 from ...cameras.camera_models import MODELS
 from ...core.atomic import atomic_files, atomic_write, finish_files
 from ...core.checks import check_name
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from . import colmap_binary, colmap_text
 from .colmap_records import assemble, records_of
@@ -23,7 +22,7 @@ _KNOWN = tuple(f"{name}.{form}" for name in ("cameras", "points3D", *BESIDE, "im
 MODEL_FOLDERS = ("sparse/0", "sparse", "0", "dense/sparse")  # usual model folders of a project
 
 
-def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
+def read_colmap_model(folder: FilePath) -> SfmModel:
     """Read a COLMAP model.
 
     Args:
@@ -59,7 +58,7 @@ def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
     return assemble(paths, cameras, images, read.read_points(paths["points3D"]), poses)
 
 
-def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
+def find_colmap_model(folder: FilePath) -> tuple[Path, str]:
     """The folder of the model files, and "bin" or "txt". Raises `FileError` if there is none, a part or several."""
     folder = path_of(folder, "folder")
     if not folder.is_dir():
@@ -77,7 +76,7 @@ def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
     raise FileError(folder, "contains no COLMAP model", remedy="Give the folder of cameras, images and points3D")
 
 
-def is_colmap_model(folder: str | os.PathLike[str]) -> bool:
+def is_colmap_model(folder: FilePath) -> bool:
     folder = path_of(folder, "folder")
     below = [p for candidate in (folder, folder / "sparse") for p in _numbered(candidate)]
     return any(_files_of(candidate) for candidate in [folder, *below, *(folder / name for name in MODEL_FOLDERS)])
@@ -113,9 +112,7 @@ def _size_of(folder: Path) -> str:
         return "damaged"
 
 
-def write_colmap_model(
-    folder: str | os.PathLike[str], model: SfmModel, *, format: str = "bin", overwrite: bool = True
-) -> None:
+def write_colmap_model(folder: FilePath, model: SfmModel, *, format: str = "bin", overwrite: bool = True) -> None:
     """Write a model for COLMAP 3 and 4.
 
     Args:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera_models import CameraModel
 from ...core.checks import check_rigid
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.json_files import read_json_object
 from ...kernels.linear_algebra import inv
 from ..images.image_files import read_image_header
@@ -33,7 +33,7 @@ IMAGES = (".jpg", ".jpeg", ".png")
 _EXPORTED = "Give transforms.json, Polycam's keyframes/cameras, or the folder of frames of the 3D Scanner App"
 
 
-def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
+def read_transforms(path: FilePath) -> SfmModel:
     """Read the transforms.json of nerfstudio or instant-ngp as a model without points.
     Without `w` and `h` the size is that of the image. `camera_angle_x` and `camera_angle_y` [rad] replace missing focal
     lengths. `is_fisheye` without `camera_model` is OPENCV_FISHEYE, as in instant-ngp."""
@@ -61,7 +61,7 @@ def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
     return _model(path, names, cameras, poses)
 
 
-def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
+def read_frame_cameras(folder: FilePath) -> SfmModel:
     """Read the cameras of Polycam (keyframes/cameras or corrected_cameras) or the 3D Scanner App, without points.
     Image sizes are read from the images. Frames without an image are listed in `left_out`."""
     folder = Path(folder)
@@ -93,7 +93,7 @@ def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
     return _model(folder, names, cameras, poses, left_out)
 
 
-def contains_frame_cameras(folder: str | os.PathLike[str]) -> bool:
+def contains_frame_cameras(folder: FilePath) -> bool:
     return any(True for _ in _camera_files(Path(folder)))
 
 

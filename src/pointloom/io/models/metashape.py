@@ -6,7 +6,6 @@ and P2 are swapped relative to OpenCV. The principal point is relative to the im
 
 from __future__ import annotations
 
-import os
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera_models import CameraModel
 from ...core.checks import check_rigid
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...kernels.linear_algebra import cube_root, det, matmul
 from ..source import open_source
@@ -33,7 +32,7 @@ NOT_READ = ("p3", "p4", "fx", "fy", "skew")  # parameters of other lens versions
 _EXPORT = "In Metashape: File > Export > Export Cameras, format Agisoft XML"
 
 
-def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
+def read_metashape_cameras(path: FilePath) -> SfmModel:
     """Read poses and lenses exported by Agisoft Metashape.
 
     Args:

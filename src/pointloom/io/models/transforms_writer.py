@@ -11,6 +11,7 @@ from typing import Any
 from ...cameras.camera_models import MODELS, CameraModel
 from ...core.atomic import atomic_write
 from ...core.checks import check_name
+from ...core.errors import FilePath
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from ..points.point_cloud import write_point_cloud
@@ -22,7 +23,7 @@ WRITTEN = ("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OP
 _SINGLE = {"f": ("fl_x", "fl_y"), "fx": ("fl_x",), "fy": ("fl_y",), "k": ("k1",)}
 
 
-def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, images: str = "") -> None:
+def write_transforms(path: FilePath, model: SfmModel, *, images: str = "") -> None:
     """Write a model as nerfstudio's transforms.json, with its points in a PLY file beside it.
 
     Args:
@@ -58,7 +59,7 @@ def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, images: s
 
 
 def write_content(
-    path: str | os.PathLike[str],
+    path: FilePath,
     model: SfmModel,
     *,
     images: str,

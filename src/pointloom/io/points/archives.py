@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import input_path
 from ..optional_imports import foreign_errors
@@ -22,14 +22,14 @@ Arrays = dict[str, NDArray[Any]]
 Expected = Mapping[str, tuple[Any, tuple[int, ...]]]  # type and shape of each array
 
 
-def write_archive(path: str | os.PathLike[str], form: bytes, arrays: Arrays, *, overwrite: bool) -> None:
+def write_archive(path: FilePath, form: bytes, arrays: Arrays, *, overwrite: bool) -> None:
     members: dict[str, Any] = {"format": np.frombuffer(form, np.uint8)} | arrays
     with atomic_write(path, overwrite=overwrite) as file:
         np.savez_compressed(file, **members)
 
 
 def read_archive(
-    path: str | os.PathLike[str],
+    path: FilePath,
     form: bytes,
     what: str,
     writer: str,
@@ -88,7 +88,7 @@ def rows_of(arrays: Arrays, name: str) -> int:
     return len(arrays[name]) if name in arrays and arrays[name].ndim else 0
 
 
-def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
+def _read_members(path: FilePath, what: str) -> Arrays:
     """The arrays of an NPZ archive, allocated only after their sizes are validated."""
     remedy = "The file may be truncated"
     try:

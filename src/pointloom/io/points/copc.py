@@ -5,7 +5,6 @@ Hobu Inc., "COPC: Cloud Optimized Point Cloud specification 1.0" (2021).
 
 from __future__ import annotations
 
-import os
 import struct
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..optional_imports import foreign_errors, import_for
 from ..source import SourceFile
 from ..table import PointTable
@@ -108,7 +107,7 @@ def is_copc(file: LasFile) -> bool:
     return file.header.is_compressed and file.header.find(*COPC_INFO) is not None
 
 
-def open_copc(path: str | os.PathLike[str]) -> CopcFile:
+def open_copc(path: FilePath) -> CopcFile:
     """Open a file and check its octree against its chunks, without decompressing points."""
     return octree_of(open_las(path))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import threading
 from pathlib import Path
 from typing import Any
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.units import LengthUnit
 from ...kernels.lru_cache import LruCache
 from ..optional_imports import foreign_errors, import_for
@@ -32,7 +31,7 @@ class CopcNodes:
     `memory` is the size of the LRU cache of unpacked nodes [B]. A larger node is cached alone. `nodes_read` and
     `bytes_read` count unpacked nodes and compressed bytes."""
 
-    def __init__(self, path: str | os.PathLike[str], *, memory: int = CACHE_BYTES):
+    def __init__(self, path: FilePath, *, memory: int = CACHE_BYTES):
         self._rows: LruCache[NDArray[Any]] = LruCache(check_count("memory", memory, minimum=0))
         self.octree = _open(Path(path))
         self.path, self._header = self.octree.path, self.octree.file.header
@@ -104,7 +103,7 @@ def _open(path: Path) -> CopcFile:
     return octree_of(open_las(path, layers_too=False), strict=False)
 
 
-def declares_copc(path: str | os.PathLike[str], *, more_than: int = 0) -> bool:
+def declares_copc(path: FilePath, *, more_than: int = 0) -> bool:
     """True if the header of a LAZ file declares COPC and more than `more_than` points."""
     path = Path(path)
     header = parse_las_header(path, open_source(path))

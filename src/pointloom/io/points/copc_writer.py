@@ -43,7 +43,7 @@ _ENTRIES_PER_PAGE = 1 << 12  # maximum entries of the first page
 
 
 def write_copc(
-    path: str | os.PathLike[str],
+    path: FilePath,
     table: PointTable,
     *,
     scale: ArrayLike | None = None,

@@ -59,7 +59,7 @@ class ScanFrame(NamedTuple):
     pose: NDArray[np.float64] | None
 
 
-def read_e57(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:
+def read_e57(path: FilePath, *, scan: int | None = None) -> PointTable:
     """Read the points of one scan, or of all with `scan_index` if `scan` is None.
     Needs memory for the result and twice the largest scan."""
     with open_e57(path) as (image, scans):
@@ -74,7 +74,7 @@ def read_e57(path: str | os.PathLike[str], *, scan: int | None = None) -> PointT
     return merged
 
 
-def describe_e57(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
+def describe_e57(path: FilePath) -> list[dict[str, Any]]:
     """Name, point count, fields and position [m] of each scan."""
     with open_e57(path) as (_, scans), foreign_errors(path, "a scan is damaged"):
         return [
@@ -88,7 +88,7 @@ def describe_e57(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
         ]
 
 
-def read_frames(path: str | os.PathLike[str]) -> tuple[list[ScanFrame], list[str]]:
+def read_frames(path: FilePath) -> tuple[list[ScanFrame], list[str]]:
     with open_e57(path) as (image, scans), foreign_errors(path, "a scan is damaged"):
         frames = []
         for node in scans:
@@ -104,7 +104,7 @@ def read_frames(path: str | os.PathLike[str]) -> tuple[list[ScanFrame], list[str
 
 
 @contextlib.contextmanager
-def open_e57(path: str | os.PathLike[str]) -> Iterator[tuple[Any, list[Any]]]:
+def open_e57(path: FilePath) -> Iterator[tuple[Any, list[Any]]]:
     source = open_source(path)
     if source[:8] != b"ASTM-E57":
         raise FileError(path, "is not an E57 file: its first eight bytes are not ASTM-E57", where="byte 0")

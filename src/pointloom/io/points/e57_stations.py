@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -13,7 +12,7 @@ from ...core.array_libraries import library_for
 from ...core.atomic import check_writable
 from ...core.checks import check_list, check_rigid
 from ...core.devices import DeviceLike
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
@@ -49,7 +48,7 @@ class Stations:
     posed: NDArray[np.bool_]
 
 
-def read_stations(path: str | os.PathLike[str], *, device: DeviceLike = "auto", arrays: str | None = None) -> Stations:
+def read_stations(path: FilePath, *, device: DeviceLike = "auto", arrays: str | None = None) -> Stations:
     """Read the scans of an E57 or PTX file in scanner coordinates, with their poses.
 
     `read_point_cloud` reads them as one cloud in world coordinates.
@@ -86,7 +85,7 @@ _read_ptx = netted(lambda path: [*iterate_ptx(path)])
 _Scans = tuple[list[PointTable], list[str], NDArray[np.float64], NDArray[np.bool_]]
 
 
-def _e57_scans(path: str | os.PathLike[str]) -> _Scans:
+def _e57_scans(path: FilePath) -> _Scans:
     with open_e57(path) as (image, scans):
         tables = [read_scan(path, image, node, in_world=False) for node in scans]
         with foreign_errors(path, "its list of scans is damaged"):
@@ -98,13 +97,13 @@ def _e57_scans(path: str | os.PathLike[str]) -> _Scans:
     return tables, names, poses, posed
 
 
-def _ptx_scans(path: str | os.PathLike[str]) -> _Scans:
+def _ptx_scans(path: FilePath) -> _Scans:
     tables, poses = zip(*_read_ptx(path), strict=True)
     return [*tables], [""] * len(tables), np.stack(poses), np.ones(len(tables), bool)
 
 
 def write_stations(
-    path: str | os.PathLike[str],
+    path: FilePath,
     clouds: Sequence[PointCloud],
     poses: ArrayLike,
     *,

@@ -6,7 +6,6 @@ Only the attributes of e57.py can be stored. ASTM E2807-11. The extension "nor" 
 from __future__ import annotations
 
 import hashlib
-import os
 import shutil
 import uuid
 from collections.abc import Sequence
@@ -33,9 +32,7 @@ Scan = tuple[str, dict[str, NDArray[Any]], NDArray[np.float64] | None]  # name, 
 
 
 @quiet()
-def write_e57(
-    path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True, frames: Sequence[ScanFrame] = ()
-) -> None:
+def write_e57(path: FilePath, table: PointTable, *, overwrite: bool = True, frames: Sequence[ScanFrame] = ()) -> None:
     """Write points in world coordinates as E57 atomically; `frames` are names and poses of scans by `scan_index`.
     Points of scans with a pose are stored in scan coordinates."""
     path = check_writable(path, overwrite=overwrite)

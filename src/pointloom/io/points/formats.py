@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -170,7 +169,7 @@ WRITTEN = tuple(extension for extension, format in FORMATS.items() if format.wri
 _NAMED_COLUMNS = (*SUFFIXES, ".bin")
 
 
-def columns_of(paths: Sequence[str | os.PathLike[str]], columns: Sequence[str] | None) -> list[Sequence[str] | None]:
+def columns_of(paths: Sequence[FilePath], columns: Sequence[str] | None) -> list[Sequence[str] | None]:
     """The column names for each file: `columns` if its format supports them, else None. Raises if none does."""
     takes = [Path(path).suffix.lower() in _NAMED_COLUMNS for path in paths]
     if columns is not None and not any(takes):
@@ -178,7 +177,7 @@ def columns_of(paths: Sequence[str | os.PathLike[str]], columns: Sequence[str] |
     return [columns if is_taken else None for is_taken in takes]
 
 
-def read_points(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
+def read_points(path: FilePath, columns: Sequence[str] | None = None) -> PointTable:
     format = FORMATS[Path(path).suffix.lower()]
     if columns is None:
         return format.read(path)

@@ -6,7 +6,6 @@ Unknown names and contradictory comments are ignored.
 from __future__ import annotations
 
 import functools
-import os
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, TypeVar
@@ -30,7 +29,7 @@ def with_header_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Call
 
     def decorate(reader: Callable[..., T]) -> Callable[..., T]:
         @functools.wraps(reader)
-        def read(path: str | os.PathLike[str], **options: Any) -> T:
+        def read(path: FilePath, **options: Any) -> T:
             source = open_source(path)
             unit = unit_in_header(source, form)
             return replace(reader(path, source=source, **options), unit=unit)
@@ -44,7 +43,7 @@ def is_metric(reader: Callable[..., T]) -> Callable[..., T]:
     """Decorator: the reader's format is always in meters."""
 
     @functools.wraps(reader)
-    def read(path: str | os.PathLike[str], **options: Any) -> T:
+    def read(path: FilePath, **options: Any) -> T:
         return replace(reader(path, **options), unit=METRE)
 
     return read

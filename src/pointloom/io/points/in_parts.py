@@ -5,7 +5,6 @@ Files are validated first. Text, compressed PCD and rows of variable length must
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import choose_origin
+from ...core.errors import FilePath
 from ...core.paths import path_of
 from ...core.units import LengthUnit
 from ..fixed_rows import FixedRows
@@ -80,7 +80,7 @@ class LasInParts:
         return choose_origin(self.sample(_SAMPLE_POINTS).points, np.array(self._file.header.scales, np.float64))
 
 
-def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | None:
+def open_in_parts(path: FilePath) -> RowsInParts | LasInParts | None:
     """Open a file for reading in parts, without reading points. None if its format must be read whole."""
     path = path_of(path)
     suffix = path.suffix.lower()

@@ -8,7 +8,6 @@ benchmark). Caesar et al. 2020 (nuScenes).
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections.abc import Sequence
 from pathlib import Path
@@ -17,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ..source import open_source
 from ..table import PointTable
@@ -41,7 +40,7 @@ PERIOD_MARGIN = 0.1  # minimum gain in explained variance of another number of c
 
 
 @quiet()
-def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
+def read_kitti_bin(path: FilePath, columns: Sequence[str] | None = None) -> PointTable:
     """Read one scan of float32 columns, including non-finite points; `columns` None means x, y, z, intensity.
     Warns if the layout cannot be verified."""
     names = [*KITTI] if columns is None else check_columns(columns)
@@ -80,7 +79,7 @@ def _fitting(size: int) -> str:
     return f"; give columns= with all names. The size fits {'; '.join(layouts)}" if layouts else ""
 
 
-def _check_intensities(path: str | os.PathLike[str], intensities: NDArray[np.float32]) -> None:
+def _check_intensities(path: FilePath, intensities: NDArray[np.float32]) -> None:
     below = np.flatnonzero(intensities < 0)
     if len(below):
         row = int(below[0])
@@ -99,7 +98,7 @@ def _is_evident(rows: NDArray[np.float32]) -> bool:
     return float(_explained(values, 4).max()) > best_other + PERIOD_MARGIN
 
 
-def _warn_of_layout(path: str | os.PathLike[str], size: int) -> None:
+def _warn_of_layout(path: FilePath, size: int) -> None:
     fitting = ", ".join(layout for width, layout in COLUMN_LAYOUTS.items() if width != 4 and not size % (4 * width))
     message = (
         f"{path}: assumed {COLUMN_LAYOUTS[4]}, but the numbers do not show it, and the size also fits {fitting}. "
@@ -108,7 +107,7 @@ def _warn_of_layout(path: str | os.PathLike[str], size: int) -> None:
     warnings.warn(escaped(message), UserWarning, stacklevel=5)
 
 
-def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> None:
+def _check_layout(path: FilePath, rows: NDArray[np.float32]) -> None:
     """Raise `FileError` if the numbers repeat with another period than four.
     In the right layout the column explains a part of the variance. For any other number of columns it explains no more
     than that."""

@@ -7,7 +7,6 @@ are normals. Waveforms are not read. ASPRS, LAS Specification 1.4-R15.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -103,7 +102,7 @@ class LasFile:
         return columns
 
 
-def open_las(path: str | os.PathLike[str], *, layers_too: bool = True) -> LasFile:
+def open_las(path: FilePath, *, layers_too: bool = True) -> LasFile:
     """Open a file and check its header and chunk table without reading points.
     `layers_too` also checks the layers of compressed chunks, see `check_laszip`."""
     path = Path(path)
@@ -115,7 +114,7 @@ def open_las(path: str | os.PathLike[str], *, layers_too: bool = True) -> LasFil
     return LasFile(path, source, header, layout)
 
 
-def read_las(path: str | os.PathLike[str]) -> PointTable:
+def read_las(path: FilePath) -> PointTable:
     """Read a LAS or LAZ file. Needs memory for the result and about 20 MB. Up to 1.5 times the result for LAZ."""
     file = open_las(path)
     warn_of_wide_integers(path, file.layout)

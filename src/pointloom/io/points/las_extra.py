@@ -154,12 +154,8 @@ def record_of(columns: dict[str, ExtraColumn], *, with_ranges: bool) -> bytes:
     for name, column in columns.items():
         kind, options = column.values.dtype, 0
         ends = _range_of(column) if with_ranges else None
-        for bit, value in (
-            (_NO_DATA_BIT, column.no_data),
-            (_MIN_BIT, ends),
-            (_MAX_BIT, ends),
-            (_SCALE_BIT | _OFFSET_BIT, column.scale),
-        ):
+        scaled = _SCALE_BIT | _OFFSET_BIT
+        for bit, value in ((_NO_DATA_BIT, column.no_data), (_MIN_BIT | _MAX_BIT, ends), (scaled, column.scale)):
             options |= bit if value is not None else 0
         low, high = (0, 0) if ends is None else ends
         no_data = 0 if column.no_data is None else column.no_data

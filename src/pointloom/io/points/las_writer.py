@@ -7,7 +7,6 @@ else to extra dimensions (shape (n, c) as a_0 .. a_{c-1}). ASPRS, LAS Specificat
 from __future__ import annotations
 
 import math
-import os
 from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
@@ -47,7 +46,7 @@ _NEW_FORMAT_ONLY = {"scan_angle", "overlap", "scanner_channel", "nir"}
 
 
 def write_las(
-    path: str | os.PathLike[str],
+    path: FilePath,
     table: PointTable,
     *,
     scale: ArrayLike | None = None,

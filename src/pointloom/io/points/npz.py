@@ -7,7 +7,6 @@ Pickles are never loaded. Sizes are validated against the stored bytes before al
 from __future__ import annotations
 
 import math
-import os
 import zipfile
 from collections.abc import Collection
 from pathlib import Path
@@ -46,7 +45,7 @@ _LONGEST_UNIT = 200  # letters
 _NOT_NUMERIC = "expected real numbers or booleans"
 
 
-def read_npz(path: str | os.PathLike[str]) -> PointTable:
+def read_npz(path: FilePath) -> PointTable:
     """Read points from an NPZ file, float32 if stored so, else float64."""
     path = Path(path)
     return _table(path, read_arrays(path))
@@ -82,7 +81,7 @@ def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, 
     return arrays
 
 
-def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+def write_npz(path: FilePath, table: PointTable, *, overwrite: bool = True) -> None:
     """Write points as uncompressed NPZ, lossless and atomically."""
     path = check_writable(path, overwrite=overwrite)
     table = table.checked()
@@ -126,7 +125,7 @@ def read_member(path: FilePath, archive: zipfile.ZipFile, info: zipfile.ZipInfo,
         return _read_array(path, stream, name, info.file_size, f"byte {info.header_offset}")
 
 
-def read_npy(path: str | os.PathLike[str]) -> NDArray[Any]:
+def read_npy(path: FilePath) -> NDArray[Any]:
     """Read an array of numbers from a .npy file. Raises `FileError`."""
     file = input_path(path)
     try:

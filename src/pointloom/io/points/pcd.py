@@ -6,7 +6,6 @@ of shape (n, COUNT). VIEWPOINT is stored but not applied, as in PCL. PCL's forma
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections.abc import Container, Mapping, Sequence
 from pathlib import Path
@@ -186,7 +185,7 @@ _TYPES = "i1 u1 i2 u2 i4 u4 i8 u8 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer, float32 or float64, or write NPZ"
 
 
-def read_pcd(path: str | os.PathLike[str], *, source: SourceFile | None = None) -> PointTable:
+def read_pcd(path: FilePath, *, source: SourceFile | None = None) -> PointTable:
     """Read a PCD file in any encoding, as float32 or float64 as stored, with the grid of an organized cloud. `source`:
     the open file.
     Warns if WIDTH x HEIGHT is 0 and POINTS is not. Compressed files are unpacked in Python at about 10 to 20 MB/s."""
@@ -241,7 +240,7 @@ def warn_of_viewpoint(path: FilePath, viewpoint: tuple[float, ...] | None, stack
 
 
 def write_pcd(
-    path: str | os.PathLike[str],
+    path: FilePath,
     table: PointTable,
     *,
     encoding: Literal["binary", "ascii", "binary_compressed"] = "binary",

@@ -7,7 +7,6 @@ of vertices. Greg Turk, "The PLY Polygon File Format" (1994). VCGlib for texture
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any
@@ -138,7 +137,7 @@ _TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or float64, or write NPZ"
 
 
-def read_ply(path: str | os.PathLike[str], *, source: SourceFile | None = None) -> PointTable:
+def read_ply(path: FilePath, *, source: SourceFile | None = None) -> PointTable:
     """Read the vertices of a PLY file, as float32 if x, y and z are float, else float64. `source`: the open file.
     Text files need about 25 bytes of memory per number in addition to the result."""
     path = Path(path)
@@ -175,9 +174,7 @@ def _table_of(
     return PointTable(points, normals, colors, attributes)
 
 
-def read_ply_mesh(
-    path: str | os.PathLike[str], *, outside_files: bool = False, source: SourceFile | None = None
-) -> MeshTable:
+def read_ply_mesh(path: FilePath, *, outside_files: bool = False, source: SourceFile | None = None) -> MeshTable:
     """Read a PLY file as a triangle mesh, with values of faces as triangle attributes. Polygons are triangulated.
     `source`: the open file."""
     path = Path(path)
@@ -231,12 +228,7 @@ def _add_strips(path: Path, mesh: MeshTable, strips: Column) -> None:
 
 
 def write_ply(
-    path: str | os.PathLike[str],
-    table: PointTable,
-    *,
-    ascii: bool = False,
-    overwrite: bool = True,
-    comments: Sequence[str] = (),
+    path: FilePath, table: PointTable, *, ascii: bool = False, overwrite: bool = True, comments: Sequence[str] = ()
 ) -> None:
     """Write points as PLY, binary little-endian or text, atomically; lossless except for 8-bit colors."""
     path = check_writable(path, overwrite=overwrite)
@@ -249,12 +241,7 @@ def write_ply(
 
 
 def write_ply_mesh(
-    path: str | os.PathLike[str],
-    mesh: MeshTable,
-    *,
-    ascii: bool = False,
-    overwrite: bool = True,
-    comments: Sequence[str] = (),
+    path: FilePath, mesh: MeshTable, *, ascii: bool = False, overwrite: bool = True, comments: Sequence[str] = ()
 ) -> None:
     """Write a mesh as PLY, binary little-endian or text, with textures in m_0.png, m_1.png, .. beside m.ply."""
     path = check_writable(path, overwrite=overwrite)
@@ -282,11 +269,7 @@ def write_ply_mesh(
 
 
 def write_ply_mesh_parts(
-    path: str | os.PathLike[str],
-    parts: Callable[[], Iterable[MeshTable]],
-    counts: tuple[int, int],
-    *,
-    overwrite: bool = True,
+    path: FilePath, parts: Callable[[], Iterable[MeshTable]], counts: tuple[int, int], *, overwrite: bool = True
 ) -> None:
     """Write a mesh that is generated in parts as one binary PLY, with one part in memory at a time.
     `parts` is called twice. Its triangles index the vertices of all parts. `counts` are all vertices and triangles."""

@@ -14,7 +14,7 @@ from ...core.array_libraries import library_for
 from ...core.checks import check_count, check_positive
 from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
 from ...core.devices import DeviceLike, resolve_device
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.units import LengthUnit, warn_of_units
@@ -32,7 +32,7 @@ from .pcd import warn_of_viewpoint
 
 
 def read_point_cloud(
-    path: str | os.PathLike[str],
+    path: FilePath,
     *,
     device: DeviceLike = None,
     scan: int | None = None,
@@ -92,7 +92,7 @@ def read_point_cloud(
 
 
 def read_las_chunks(
-    path: str | os.PathLike[str], chunk_size: int = 1_000_000, *, device: DeviceLike = None, arrays: str | None = None
+    path: FilePath, chunk_size: int = 1_000_000, *, device: DeviceLike = None, arrays: str | None = None
 ) -> Iterator[PointCloud]:
     """Read a LAS or LAZ file in chunks, for files larger than the memory.
 
@@ -128,7 +128,7 @@ def read_las_chunks(
 
 
 def read_copc(
-    path: str | os.PathLike[str],
+    path: FilePath,
     *,
     within: AxisAlignedBoundingBox | None = None,
     spacing: float = 0.0,
@@ -195,7 +195,7 @@ def _chunks(file: LasFile, chunk_size: int, device: DeviceLike, arrays: str) -> 
 
 def cloud_of(
     table: PointTable,
-    path: str | os.PathLike[str],
+    path: FilePath,
     *,
     device: DeviceLike = None,
     origin: ArrayLike | None = None,
@@ -219,27 +219,27 @@ def cloud_of(
     return cloud
 
 
-def unit_with_warnings(table: PointTable, path: str | os.PathLike[str]) -> LengthUnit | None:
+def unit_with_warnings(table: PointTable, path: FilePath) -> LengthUnit | None:
     """The unit of the coordinates. Warns if the file contradicts itself."""
     for warning in table.warnings:
         warn_of_units(f"{path}: {warning}")
     return table.unit
 
 
-def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: int = 3) -> NDArray[np.float64]:
+def origin_of(table: PointTable, path: FilePath, *, stacklevel: int = 3) -> NDArray[np.float64]:
     """Choose the origin of a cloud so that points distinct in the file stay distinct. Warns if the file has degrees."""
     warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
     return choose_origin(table.points, written_steps(table.points) if table.steps is None else table.steps)
 
 
 def write_point_cloud(
-    path: str | os.PathLike[str],
+    path: FilePath,
     cloud: PointCloud,
     *,
     ascii: bool = False,
     overwrite: bool = True,
     scale: ArrayLike | None = None,
-    like: str | os.PathLike[str] | None = None,
+    like: FilePath | None = None,
 ) -> None:
     """Write a point cloud with all its attributes atomically. The extension selects the format.
 
@@ -308,7 +308,7 @@ def table_of(cloud: PointCloud) -> PointTable:
     )
 
 
-def _extension(path: str | os.PathLike[str]) -> str:
+def _extension(path: FilePath) -> str:
     extension = path_of(path).suffix.lower()
     if extension not in READERS:
         if extension in (".obj", ".stl", ".off", ".glb", ".gltf"):

@@ -7,7 +7,6 @@ dropped; `row_index` and `column_index` identify the others.
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -18,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_rigid
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.quaternions import nearest_rotations
 from ...core.units import METRE
@@ -86,7 +85,7 @@ def _bytes_of(body: Source, begin: int) -> NDArray[np.uint8]:
     return np.frombuffer(body[begin : begin + _BYTES_PER_SEARCH], np.uint8)
 
 
-def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:
+def read_ptx(path: FilePath, *, scan: int | None = None) -> PointTable:
     """Read the points of a PTX file in world coordinates. All scans (with `scan_index`) if `scan` is None.
     Needs memory for the result and twice the largest scan."""
     if scan is not None:
@@ -97,32 +96,32 @@ def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointT
     return merge_scans([*iterate_world_scans(path)])
 
 
-def iterate_ptx(path: str | os.PathLike[str]) -> Iterator[tuple[PointTable, NDArray[np.float64]]]:
+def iterate_ptx(path: FilePath) -> Iterator[tuple[PointTable, NDArray[np.float64]]]:
     """Yield the points of each scan in scanner coordinates, with the pose T_world_scan."""
     lines, scans = _open(path)
     for scan in scans:
         yield _read_scan(lines, scan), scan.pose
 
 
-def iterate_world_scans(path: str | os.PathLike[str]) -> Iterator[PointTable]:
+def iterate_world_scans(path: FilePath) -> Iterator[PointTable]:
     """Yield the points of each scan in world coordinates, with `scan_index`."""
     for number, (table, pose) in enumerate(iterate_ptx(path)):
         table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
         yield _in_world(table, pose)
 
 
-def read_ptx_frames(path: str | os.PathLike[str]) -> list[ScanFrame]:
+def read_ptx_frames(path: FilePath) -> list[ScanFrame]:
     """The pose of each scan. PTX has no names."""
     return [ScanFrame("", scan.pose) for scan in _open(path)[1]]
 
 
-def describe_ptx(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
+def describe_ptx(path: FilePath) -> list[dict[str, Any]]:
     """Name, point count and position [m] of each scan, as `describe_e57`."""
     scans = iterate_ptx(path)
     return [{"name": "", "points": len(table.points), "position": pose[:3, 3].tolist()} for table, pose in scans]
 
 
-def _open(path: str | os.PathLike[str]) -> tuple[_Lines, list[_Scan]]:
+def _open(path: FilePath) -> tuple[_Lines, list[_Scan]]:
     """The lines of a file and its scan headers, checked against the number of lines."""
     lines, scans, at = _Lines(Path(path), open_source(path)), [], 0
     while at < lines.count:

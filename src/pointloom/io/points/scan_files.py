@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ...core.atomic import restore_folder
 from ...core.devices import DeviceLike
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from .formats import READERS
@@ -22,7 +22,7 @@ _TABLES = (".csv", ".txt")
 Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
 
 
-def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
+def list_scans(folder: FilePath) -> list[Path]:
     """The scans of a folder in natural order: scan2 precedes scan10.
 
     All formats of `read_point_cloud`. Files .csv and .txt are used only if there is nothing else: they often contain

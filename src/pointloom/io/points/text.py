@@ -6,7 +6,6 @@ XYZ may have other separators and named columns (text_table.py). PTS starts with
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 from typing import Any
@@ -15,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..ascii_rows import AsciiRows, unix_lines, write_rows
 from ..columns import colors_to_bytes, stack_colors, stack_normals
 from ..source import open_source, parse_count
@@ -28,7 +27,7 @@ _VALUES_PER_LINE = {".xyz": (3,), ".xyzn": (6,), ".xyzrgb": (6,), ".pts": (3, 4,
 _COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
 
 
-def read_text(path: str | os.PathLike[str]) -> PointTable:
+def read_text(path: FilePath) -> PointTable:
     path = Path(path)
     kind = _kind(path)
     if kind == ".xyz":
@@ -50,7 +49,7 @@ def read_text(path: str | os.PathLike[str]) -> PointTable:
     return PointTable(points, colors=stack_colors(path, extra))
 
 
-def write_text(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+def write_text(path: FilePath, table: PointTable, *, overwrite: bool = True) -> None:
     """Write an .xyz, .xyzn, .xyzrgb or .pts file atomically. Raises if the format cannot store the table."""
     path = check_writable(path, overwrite=overwrite)
     kind = _kind(path)

@@ -5,14 +5,13 @@ A first pass finds the number of points and the color range.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ..ascii_rows import AsciiRows, unix_lines
 from ..source import SourceFile, open_source, parse_count
 from ..table import PointTable
@@ -38,7 +37,7 @@ _PTS_COLUMNS = {3: POSITION, 4: (*POSITION, "intensity"), 6: (*POSITION, *COLOR)
 class TextInParts:
     """A text file validated by one pass; `count` is the number of points."""
 
-    def __init__(self, path: str | os.PathLike[str]):
+    def __init__(self, path: FilePath):
         self.path = Path(path)
         self._kind, source = self.path.suffix.lower(), open_source(path)
         self._source = source

@@ -6,7 +6,6 @@ A header (also after '#' or '//') names the columns. Without one, only x y z are
 
 from __future__ import annotations
 
-import os
 import re
 from collections import Counter
 from collections.abc import Sequence
@@ -57,7 +56,7 @@ def full_of(names: Sequence[str]) -> float | None:
     return 1.0 if any(name.strip().lower() in _FRACTIONS for name in names) else None
 
 
-def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
+def read_text_table(path: FilePath, columns: Sequence[str] | None = None) -> PointTable:
     """Read a .csv, .txt, .asc or .xyz file; `columns` replaces the names in the file."""
     given = None if columns is None else check_columns(columns)
     path = Path(path)

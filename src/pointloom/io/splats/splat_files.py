@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import warnings
 from pathlib import Path
 
@@ -29,7 +28,7 @@ EXTENSIONS = tuple(_READERS)
 
 
 def read_splats(
-    path: str | os.PathLike[str], *, drop_invalid: bool = False, device: DeviceLike = None, arrays: str | None = None
+    path: FilePath, *, drop_invalid: bool = False, device: DeviceLike = None, arrays: str | None = None
 ) -> GaussianSplats:
     """Read 3D Gaussian splats: .ply (from training or SuperSplat, compressed), .splat, .spz versions 2 to 4.
 
@@ -65,7 +64,7 @@ def read_splats(
     return GaussianSplats.from_cloud(cloud_of(table, path, device=device, arrays=library))
 
 
-def write_splats(path: str | os.PathLike[str], splats: GaussianSplats, *, overwrite: bool = True) -> None:
+def write_splats(path: FilePath, splats: GaussianSplats, *, overwrite: bool = True) -> None:
     """Write 3D Gaussian splats atomically. The extension selects the format.
 
     .ply is lossless (with a moved origin, coordinates are doubles). .splat has 32 B per splat: float32 centers and
@@ -101,7 +100,7 @@ def write_splats(path: str | os.PathLike[str], splats: GaussianSplats, *, overwr
     (write_splat if extension == ".splat" else write_spz)(path, table, overwrite=overwrite)
 
 
-def _extension(path: str | os.PathLike[str]) -> str:
+def _extension(path: FilePath) -> str:
     extension = path_of(path).suffix.lower()
     if extension not in _READERS:
         remedy = f"Splats are {', '.join(EXTENSIONS)}"

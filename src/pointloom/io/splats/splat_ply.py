@@ -7,7 +7,6 @@ harmonics in steps of 8 / 255 from -4. PlayCanvas Engine, "gsplat-compressed-dat
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...pcd.harmonics import degree_of
 from ..columns import own, stack_points
 from ..points.ply import vertex_columns
@@ -144,7 +143,7 @@ _NUMBERED = re.compile(r"(f_dc|f_rest|scale|rot)_(\d+)")
 _KNOWN = {"x", "y", "z", "nx", "ny", "nz"}
 
 
-def read_splat_ply(path: str | os.PathLike[str]) -> PointTable:
+def read_splat_ply(path: FilePath) -> PointTable:
     """Read splats as columns `f_dc`, `f_rest`, `opacity`, `scale`, `rot`, and others by name."""
     path = Path(path)
     source = open_source(path)

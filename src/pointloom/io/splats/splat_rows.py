@@ -6,7 +6,6 @@ float32 x, y, z; float32 standard deviations; uint8 red, green, blue, opacity; u
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 import numpy as np
@@ -24,7 +23,7 @@ _ROW_TYPE = np.dtype([("point", "<f4", 3), ("scale", "<f4", 3), ("color", "u1", 
 _MAX_SCALE = 1e6  # larger than any splat. Other data read as float32 nearly always has larger numbers
 
 
-def read_splat(path: str | os.PathLike[str]) -> PointTable:
+def read_splat(path: FilePath) -> PointTable:
     """Read splats of degree 0 as columns `f_dc`, `opacity`, `scale`, `rot`. Raises `FileError` for implausible data."""
     source = open_source(path)
     if len(source) % _ROW_TYPE.itemsize:
@@ -52,7 +51,7 @@ def read_splat(path: str | os.PathLike[str]) -> PointTable:
     return PointTable(np.ascontiguousarray(rows["point"], np.float32), attributes=attributes)
 
 
-def write_splat(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+def write_splat(path: FilePath, table: PointTable, *, overwrite: bool = True) -> None:
     """Write splats as rows of 32 bytes. Higher harmonics and other attributes are dropped with a warning."""
     columns = table.attributes
     spare = [name for name in columns if name not in ("f_dc", "opacity", "scale", "rot")]

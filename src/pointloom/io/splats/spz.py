@@ -6,7 +6,6 @@ index of the largest of x, y, z, w, and 10 bits for each other. nianticlabs/spz,
 
 from __future__ import annotations
 
-import os
 import struct
 import zlib
 from pathlib import Path
@@ -15,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...pcd.harmonics import MAX_DEGREE, signs_of_flip
 from ...pcd.splats import logits_of
 from ..optional_imports import foreign_errors, import_for
@@ -50,7 +49,7 @@ class SpzHeader(NamedTuple):
         return {name: size for name, size in sizes.items() if size}
 
 
-def read_spz(path: str | os.PathLike[str]) -> PointTable:
+def read_spz(path: FilePath) -> PointTable:
     """Read splats as columns `f_dc`, `f_rest`, `opacity`, `scale`, `rot`, in PLY axes."""
     path = Path(path)
     source = open_source(path)

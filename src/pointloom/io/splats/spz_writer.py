@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gzip
-import os
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,7 @@ _MAX_BITS = 12  # fractional bits: steps of 0.24 mm, up to 2 km
 _SPZ_VERSION = 3
 
 
-def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
+def write_spz(path: FilePath, table: PointTable, *, overwrite: bool = True) -> None:
     """Write splats deterministically. Raises `FileError` if 24 bits would round centers by more than 2 mm."""
     columns = table.attributes
     rest = columns.get("f_rest")

@@ -17,7 +17,7 @@ from ...cameras.depth_range import DEPTH_SCALE
 from ...cameras.images import RGBDImage, check_intrinsic
 from ...core.checks import check_count, check_name, check_numeric, check_positive, check_progress, check_seed, shown
 from ...core.devices import DeviceLike, resolve_device
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import input_path
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, failed
@@ -79,7 +79,7 @@ def _read(path: Path) -> Any:
     raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
 
 
-def read_distances(path: str | os.PathLike[str]) -> NDArray[np.float64]:
+def read_distances(path: FilePath) -> NDArray[np.float64]:
     """Read lines of column, row and meters, separated by spaces or commas; skips a header line and # comments."""
     try:
         lines = input_path(path).read_text("utf-8").splitlines()
@@ -304,7 +304,7 @@ class DepthEstimate(Assessed):
 
 def estimate_depth(
     image: Any,
-    model: str | os.PathLike[str] | DepthModel,
+    model: FilePath | DepthModel,
     *,
     preset: str | None = None,
     intrinsic: PinholeCameraIntrinsic | None = None,

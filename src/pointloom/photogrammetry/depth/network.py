@@ -7,7 +7,6 @@ cannot be classified (heads.py) is accepted with a note, since quantized exports
 from __future__ import annotations
 
 import dataclasses
-import os
 import sys
 from types import ModuleType
 from typing import Any
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, shown
 from ...core.devices import DeviceLike, resolve_device
-from ...core.errors import DeviceError, FileError
+from ...core.errors import DeviceError, FileError, FilePath
 from ...core.interrupts import signal_exception
 from ...core.paths import path_of
 from ...io.optional_imports import import_for
@@ -268,14 +267,7 @@ class DepthModel:
         pointloom.core.errors.FileError: missing.onnx: does not exist
     """
 
-    def __init__(
-        self,
-        path: str | os.PathLike[str],
-        preset: str = DEFAULT,
-        *,
-        device: DeviceLike = None,
-        threads: int | None = None,
-    ):
+    def __init__(self, path: FilePath, preset: str = DEFAULT, *, device: DeviceLike = None, threads: int | None = None):
         self._preset = find_preset(preset)
         self.path = str(path_of(path))
         count = 0 if threads is None else check_count("threads", threads, maximum=MAX_THREADS, because="of one CPU")

@@ -68,7 +68,7 @@ def _three_colors(array: NDArray[Any]) -> NDArray[np.uint8]:
     return np.ascontiguousarray(color, np.uint8)
 
 
-def _read_photo(path: str | os.PathLike[str]) -> Photo:
+def _read_photo(path: FilePath) -> Photo:
     header = read_image_header(path)
     is_deep_gray = header.channels == 1 and header.bits == 16
     color = _three_colors(read_depth(path)) if is_deep_gray else read_color(path)

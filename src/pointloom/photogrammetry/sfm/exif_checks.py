@@ -42,11 +42,8 @@ def focal_problem(path: FilePath, size: tuple[int, int]) -> str | None:
         return None if by_film is not None else f"the sensor would be {sensor:.3g} mm wide"
     by_sensor = focal / sensor * longer
     if by_film is None:
-        return (
-            None
-            if MIN_RELATIVE_FOCAL <= by_sensor / longer <= MAX_RELATIVE_FOCAL
-            else f"{focal:g} mm over a sensor of {sensor:.3g} mm"
-        )
+        is_plausible = MIN_RELATIVE_FOCAL <= by_sensor / longer <= MAX_RELATIVE_FOCAL
+        return None if is_plausible else f"{focal:g} mm over a sensor of {sensor:.3g} mm"
     apart = by_film / (by_sensor * max(zoom or 1.0, 1.0))
     if not 1 / MAX_APART <= apart <= MAX_APART:
         return f"its 35 mm equivalent is {by_film:.0f} px, but by the sensor size it is {by_sensor:.0f} px"
@@ -54,11 +51,7 @@ def focal_problem(path: FilePath, size: tuple[int, int]) -> str | None:
 
 
 def _sensor_of(inner: dict[int, Any]) -> float | None:
-    across, width, unit = (
-        _number(inner, _X_RESOLUTION_TAG),
-        _number(inner, _WIDTH_TAG),
-        _number(inner, _RESOLUTION_UNIT_TAG),
-    )
+    across, width, unit = (_number(inner, tag) for tag in (_X_RESOLUTION_TAG, _WIDTH_TAG, _RESOLUTION_UNIT_TAG))
     step = _MILLIMETERS_PER_UNIT.get(int(unit)) if unit is not None else 25.4
     return None if across is None or width is None or step is None else width / across * step
 

@@ -22,15 +22,7 @@ from ...kernels.language.cpu_pool import usable_cores
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
 from .exif_checks import focal_problem
 from .frames import check_option
-from .image_folder import (
-    UPRIGHT_ORIENTATION,
-    check_path,
-    is_gray_16,
-    list_images,
-    read_lens,
-    read_orientation,
-    scaled_size,
-)
+from .image_folder import EXIF_UPRIGHT, check_path, is_gray_16, list_images, read_lens, read_orientation, scaled_size
 from .image_writing import some_of
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
@@ -270,7 +262,7 @@ def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
     for path in paths:
         header = read_image_header(path)
         fault = "is 16-bit gray" if is_gray_16(header) else ""
-        if read_orientation(path) != UPRIGHT_ORIENTATION:
+        if read_orientation(path) != EXIF_UPRIGHT:
             fault = "has an EXIF orientation that is not upright"
         if fault:
             raise FileError(path, fault, remedy="photogrammetry.choose_frames writes upright 8-bit images of a folder")

@@ -21,8 +21,8 @@ from .exif_checks import orientation_warnings
 from .frame_choice import FrameChoice
 from .frame_picker import is_blank, spaced, thumbnail
 from .image_folder import (
+    EXIF_UPRIGHT,
     ORIENTATION_TAG,
-    UPRIGHT_ORIENTATION,
     list_photographs,
     ordered_names,
     read_header,
@@ -112,7 +112,7 @@ def _write(
     before = (pixels.shape[1], pixels.shape[0])
     size = scaled_size(before, wanted.max_size)
     is_plain = not is_photo(path) and header.bits == _CHANNEL_BITS and header.channels in (1, 3)
-    if size == before and is_plain and read_orientation(path) == UPRIGHT_ORIENTATION:
+    if size == before and is_plain and read_orientation(path) == EXIF_UPRIGHT:
         name = stem + _SUFFIXES[header.kind]
         write_bytes(wanted.folder / name, path.read_bytes())
         return name, size

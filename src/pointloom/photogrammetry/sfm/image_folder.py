@@ -36,7 +36,7 @@ PHOTO_SUFFIXES = (*SUFFIXES, *KINDS)  # accepted input formats
 OTHER_SUFFIXES = (".bmp", ".gif", ".jp2", ".avif", ".cr2", ".cr3", ".nef", ".arw", ".raf", ".orf", ".rw2")
 
 ORIENTATION_TAG = 0x0112  # EXIF tag
-UPRIGHT_ORIENTATION = 1
+EXIF_UPRIGHT = 1
 _MAKE_TAG, _MODEL_TAG, _EXIF_IFD, _FOCAL_TAG, _FOCAL_35, _DIGITAL_ZOOM = 0x010F, 0x0110, 0x8769, 0x920A, 0xA405, 0xA404
 _LARGEST_12_BIT = 4095
 _LARGEST_8_BIT = 255

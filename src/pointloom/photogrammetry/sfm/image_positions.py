@@ -23,7 +23,7 @@ from ...core.checks import check_list
 from ...core.errors import FileError, FilePath
 from ...io.optional_imports import ignored_errors
 from ...pcd.geodesy import WorldFrame
-from .image_folder import ORIENTATION_TAG, UPRIGHT_ORIENTATION, check_path, list_images
+from .image_folder import EXIF_UPRIGHT, ORIENTATION_TAG, check_path, list_images
 from .image_writing import counted, some_of
 
 MAX_BYTES = 1 << 20  # searched part of XMP
@@ -245,7 +245,7 @@ def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
         gps: dict[int, Any] = {}
         with ignored_errors():
             gps = dict(exif.get_ifd(_GPS_IFD))
-        return gps, parse_xmp(xmp), exif.get(ORIENTATION_TAG, UPRIGHT_ORIENTATION) not in (UPRIGHT_ORIENTATION, 0, None)
+        return gps, parse_xmp(xmp), exif.get(ORIENTATION_TAG, EXIF_UPRIGHT) not in (EXIF_UPRIGHT, 0, None)
     return {}, Xmp(), False
 
 

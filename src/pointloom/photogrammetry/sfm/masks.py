@@ -17,7 +17,7 @@ from ...core.masked_arrays import unmasked
 from ...io.images.image_files import decode_texture, read_color, read_image_header, write_png
 from ...io.images.photo_files import is_photo, read_alpha
 from .frame_choice import FrameChoice
-from .image_folder import UPRIGHT_ORIENTATION, list_photographs, read_orientation, read_stored, upright
+from .image_folder import EXIF_UPRIGHT, list_photographs, read_orientation, read_stored, upright
 from .image_writing import counted, some_of
 
 ALPHA = "alpha"
@@ -189,7 +189,7 @@ def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
 
 def _fitted(path: Path, mask: NDArray[np.bool_], origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_]:
     """Rotate and scale a mask like its image. One that only fits the upright shape is taken as upright."""
-    orientation = UPRIGHT_ORIENTATION if origin is None else read_orientation(origin)
+    orientation = EXIF_UPRIGHT if origin is None else read_orientation(origin)
     rotated = upright(mask, orientation)
     for each in (rotated, mask):
         height, width = each.shape

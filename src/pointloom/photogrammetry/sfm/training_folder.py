@@ -27,7 +27,7 @@ from ...io.images.photo_files import is_photo
 from ...io.models.colmap import write_colmap_model
 from ...io.models.sfm_model import SfmModel
 from ...io.models.transforms_writer import write_content
-from .image_folder import UPRIGHT_ORIENTATION, check_path, is_gray_16, read_header, read_orientation, read_stored
+from .image_folder import EXIF_UPRIGHT, check_path, is_gray_16, read_header, read_orientation, read_stored
 from .image_writing import write_bytes
 from .masks import MASK_THRESHOLD, masks_in, read_mask, write_mask
 from .straightened import straightened_model
@@ -111,7 +111,7 @@ def is_copied(image: Path | Pixels, camera: CameraModel, lens: Undistortion) -> 
         return False
     header = read_header(image)
     known = image.suffix.lower() in _SUFFIXES.get(header.kind, ())
-    return known and header.bits == 8 and header.channels in (1, 3) and read_orientation(image) == UPRIGHT_ORIENTATION
+    return known and header.bits == 8 and header.channels in (1, 3) and read_orientation(image) == EXIF_UPRIGHT
 
 
 def new_names(names: Sequence[str], copied: Sequence[bool]) -> list[str]:

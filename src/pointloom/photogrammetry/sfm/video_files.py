@@ -22,7 +22,7 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from .limited_process import LimitedProcess, python_command
 
@@ -109,7 +109,7 @@ class VideoFile:
     pixel_aspect: float = 1.0
 
 
-def open_video(path: str | os.PathLike[str], *, reader: str = "auto") -> VideoFile:
+def open_video(path: FilePath, *, reader: str = "auto") -> VideoFile:
     file = path_of(path)
     if not file.is_file():
         reason = "is not a file" if file.exists() else "does not exist"

@@ -22,7 +22,7 @@ from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
 from ..sfm.image_choice import duplicate_notes
-from ..sfm.image_folder import UPRIGHT_ORIENTATION, list_photographs, read_header, read_orientation, read_stored
+from ..sfm.image_folder import EXIF_UPRIGHT, list_photographs, read_header, read_orientation, read_stored
 from ..sfm.image_writing import write_bytes, write_image
 from ..sfm.masks import MASK_THRESHOLD, MakeMask, check_some_left, hides_all, mask_as_stored, mask_notes, write_mask
 from ..sfm.model_quality import assess_model
@@ -124,12 +124,7 @@ def _write(
         lens = lenses.setdefault(camera, Undistortion(camera))
         write_image(images / f"{path.stem}.png", lens.apply(read_stored(path)))
         return f"{path.stem}.png", CameraModel.from_intrinsic(lens.intrinsic)
-    if (
-        header.bits == 8
-        and header.channels in (1, 3)
-        and not is_photo(path)
-        and read_orientation(path) == UPRIGHT_ORIENTATION
-    ):
+    if header.bits == 8 and header.channels in (1, 3) and not is_photo(path) and read_orientation(path) == EXIF_UPRIGHT:
         write_bytes(images / path.name, path.read_bytes())
         return path.name, camera
     write_image(images / f"{path.stem}.png", read_stored(path))
