@@ -46,7 +46,7 @@ def read_colmap_model(folder: FilePath) -> SfmModel:
         >>> camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
         >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None], points=[[0, 0, 2.0]])
         >>> loom.write_colmap_model("sparse", model)
-        >>> loom.read_colmap_model("sparse")
+        >>> loom.read_cameras("sparse")
         SfmModel(1 image, 1 camera, 1 points, 0 observations)
     """
     root, form = find_colmap_model(folder)

@@ -69,7 +69,7 @@ def texture_from_images(
         mesh: In the frame of the poses, triangles facing the cameras.
         images: uint8 (h, w, 3), RGBDImages with colors, or files, one per pose. For an SfmModel also their folder.
         cameras: One PinholeCameraIntrinsic, or one per image; or cameras with poses, such as
-            `photogrammetry.PosedCamera`; or an SfmModel, as of `read_colmap_model`, whose images are undistorted if
+            `photogrammetry.PosedCamera`; or an SfmModel, as of `read_cameras`, whose images are undistorted if
             necessary.
         extrinsics: Poses (n, 4, 4), world to camera. If None: those of the cameras.
         size: Texels per side. If None: as many as the images have pixels, up to 8192. Charts are scaled to fit.

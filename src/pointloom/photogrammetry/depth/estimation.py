@@ -323,7 +323,7 @@ def estimate_depth(
         preset: Type of network, see docs/depth.md; None: "depth-anything-v2", or that of the `DepthModel`.
         intrinsic: Camera of the upright image; None: that of the sparse model, else the EXIF focal length, else a field
             of view of 60 degrees across the longer side.
-        align: Known depths for scale and shift: a sparse model (from `read_colmap_model`, its folder, or (model, name))
+        align: Known depths for scale and shift: a sparse model (from `read_cameras`, its folder, or (model, name))
             that contains the image. A depth map [h, w] of any size, 0 where unknown (.png, .npy); or distances [n, 3]
             of column, row and meters (.txt, .csv), of which two suffice without a check.
         depth_scale: Units per meter of integer depth maps.

@@ -221,7 +221,7 @@ def write_training_folder(
 
     Args:
         folder: A new folder, or one of this kind with `overwrite`.
-        model: Cameras, poses and points: `result.model` of a video, `read_colmap_model`, `read_cameras`, or your own.
+        model: Cameras, poses and points: `result.model` of a video, `read_cameras`, or your own.
         images: Folder of the original images; or for each of `model.names` a path or uint8 [h, w, 3] or [h, w].
         masks: Folder of gray masks, IMG_1.jpg.png for IMG_1.jpg, black where excluded; or for each image a path, an
             array [h, w], bool or uint8, or None.
@@ -250,7 +250,7 @@ def write_training_folder(
         >>> camera = loom.CameraModel("SIMPLE_RADIAL", 64, 48, [50, 32, 24, -0.1])
         >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None], points=[[0.1, 0.2, 2.0]])
         >>> written = loom.photogrammetry.write_training_folder("scene", model, [np.full((48, 64, 3), 90, np.uint8)])
-        >>> written.sizes, loom.read_colmap_model("scene/sparse/0").cameras[0].model
+        >>> written.sizes, loom.read_cameras("scene/sparse/0").cameras[0].model
         (((65, 48),), 'PINHOLE')
     """
     path = check_path("folder", folder)

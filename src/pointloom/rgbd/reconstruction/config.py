@@ -73,7 +73,7 @@ class ReconstructionConfig:
         n_keyframes_per_n_frame: Frames between keyframes, which are used for loop closures.
         preference_loop_closure_odometry: For the pose graph of a fragment, as `GlobalOptimizationOption`.
         voxel_size: Voxel edge of the fragment registration [m]; refined at a half and a quarter of it.
-        global_registration: Open3D's choices are accepted. All mean `registration.register_fragments`.
+        global_registration: Open3D's choices are accepted. All mean `registration.register_multiway`.
         icp_method: "point_to_point", "point_to_plane", "color" (point-to-plane without color) or "generalized".
         preference_loop_closure_registration: For the pose graph of the fragments.
         tsdf_cubic_size: 512 voxels [m]: defines the scene's voxel edge if `tsdf_voxel_size` does not.

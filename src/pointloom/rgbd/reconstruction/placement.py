@@ -67,7 +67,7 @@ def register_fragments(
     """Register the fragments in a job's folder.
 
     Odometry links are refined, and all other pairs are registered globally. A pose graph removes contradicting loops
-    (`registration.register_fragments`).
+    (`registration.register_multiway`).
 
     Args:
         config: As of `make_fragments`.

@@ -1,4 +1,4 @@
-"""Camera of an image (`View`) and views fitted to an object (`fit_view`)."""
+"""Camera of an image (`View`) and views fitted to an object."""
 
 from __future__ import annotations
 
