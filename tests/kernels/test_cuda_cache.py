@@ -25,7 +25,7 @@ from pointloom.kernels.language.compiled_ahead import choose
 from ..sigint import sigint_enabled
 
 SRC = str(Path(__file__).parents[2] / "src")
-ALL = [f"sm{a}.cubin" for a in cuda_cache.ARCHITECTURES]
+ALL = [f"sm{a}.cubin" for a in cuda_cache.ALL_ARCHITECTURES]
 SELECT = "pointloom.kernels.arrays.select"
 
 

@@ -1,6 +1,6 @@
 """Compile every kernel for CUDA without a GPU: python -m pointloom.kernels.check_cuda [90] [module ...].
 
-A number is an architecture (90 for sm_90), by default all of ARCHITECTURES. Prints one line per module with kernels,
+A number is an architecture (90 for sm_90), by default all of CI_ARCHITECTURES. Prints one line per module with kernels,
 cubin sizes and seconds. Then lists the kernels that use local memory or many registers. Warp ships NVRTC.
 """
 
@@ -25,7 +25,7 @@ from .language.warp_compiler import modules_for_cuda
 
 import warp as wp  # isort: skip
 
-ARCHITECTURES = (75, 90, 120)  # the oldest tested by CI, the current data center, the newest
+CI_ARCHITECTURES = (75, 90, 120)  # the oldest tested by CI, the current data center, the newest
 MANY_REGISTERS = 128  # above, at most half of an SM's threads are in flight
 
 EIATTR_REGISTERS, EIATTR_FRAME = 0x2F, 0x11
@@ -73,7 +73,7 @@ def read_usage(cubin: bytes) -> dict[str, Usage]:
     return usage
 
 
-def compile_module(name: str, architectures: tuple[int, ...] = ARCHITECTURES) -> Compiled:
+def compile_module(name: str, architectures: tuple[int, ...] = CI_ARCHITECTURES) -> Compiled:
     start = time.perf_counter()
     sizes = dict.fromkeys(architectures, 0)
     usage: dict[int, dict[str, Usage]] = {architecture: {} for architecture in architectures}
@@ -101,7 +101,7 @@ def report_heavy(compiled: Compiled) -> list[str]:
 
 
 def check_module(
-    name: str, *, architectures: tuple[int, ...] = ARCHITECTURES, may_be_empty: bool = False
+    name: str, *, architectures: tuple[int, ...] = CI_ARCHITECTURES, may_be_empty: bool = False
 ) -> tuple[int, list[str], str]:
     """Compile one module. Return its kernel count, report lines and errors. No lines for a module without kernels."""
     try:
@@ -131,7 +131,7 @@ def check_package(architectures: tuple[int, ...]) -> Iterator[tuple[int, list[st
 
 def main(words: list[str]) -> int:
     names = [word for word in words if not word.isdecimal()]
-    architectures = tuple(int(word) for word in words if word.isdecimal()) or ARCHITECTURES
+    architectures = tuple(int(word) for word in words if word.isdecimal()) or CI_ARCHITECTURES
     failures, kernels, start = 0, 0, time.perf_counter()
     for count, lines, failure in (
         (check_module(name, architectures=architectures) for name in names) if names else check_package(architectures)

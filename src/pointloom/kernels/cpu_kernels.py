@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from . import lang  # before Warp: it silences the banner
-from .cuda_cache import INTERRUPTED, find_files, in_processes
+from .cuda_cache import INTERRUPTED_STATUS, find_files, in_processes
 from .language import cpu_archive, cpu_code, pool_code
 from .language.kernel_cache import machine_code_of
 from .language.module_loading import load_module
@@ -106,7 +106,7 @@ def main(arguments: Sequence[str]) -> int:
         for level in parsed.levels:
             compile_level(parsed.only or files, level, parsed.output)
     except KeyboardInterrupt:
-        return INTERRUPTED
+        return INTERRUPTED_STATUS
     except (RuntimeError, OSError) as error:
         print(error, file=sys.stderr)
         return 1

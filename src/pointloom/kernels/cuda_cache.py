@@ -36,10 +36,10 @@ from .language.warp_compiler import modules_for_cuda
 import warp as wp  # isort: skip
 
 # Turing, Ampere (server, desktop), Ada, Hopper, Blackwell (server, desktop)
-ARCHITECTURES = (75, 80, 86, 89, 90, 100, 120)
+ALL_ARCHITECTURES = (75, 80, 86, 89, 90, 100, 120)
 CASTS = casts.__name__
 Result = TypeVar("Result")
-INTERRUPTED = 130  # exit status of shells after Ctrl-C
+INTERRUPTED_STATUS = 130  # exit status of shells after Ctrl-C
 
 
 class Code(NamedTuple):
@@ -77,7 +77,7 @@ def _drop_outdated(module: wp.Module, folder: Path) -> None:
     """Remove outdated compilations: Warp's hash in the folder name covers only the low 32 bits of integer constants."""
     source = folder / f"{folder.name}.cu"
     if source.exists():
-        options = module.resolve_options(wp.config) | {"output_arch": max(ARCHITECTURES)}
+        options = module.resolve_options(wp.config) | {"output_arch": max(ALL_ARCHITECTURES)}
         module.get_module_hash()
         if module._run_codegen(options, False)[0] != source.read_text(encoding="utf-8"):
             shutil.rmtree(folder)
@@ -208,7 +208,14 @@ def _parsed(arguments: list[str]) -> argparse.Namespace:
     summary = (__doc__ or "").split("\n")[0]
     parser = argparse.ArgumentParser(prog="python -m pointloom.kernels.cuda_cache", description=summary)
     add = parser.add_argument
-    add("--architectures", type=int, nargs="*", default=list(ARCHITECTURES), metavar="90", help="of GPUs, as in sm_90")
+    add(
+        "--architectures",
+        type=int,
+        nargs="*",
+        default=list(ALL_ARCHITECTURES),
+        metavar="90",
+        help="of GPUs, as in sm_90",
+    )
     add("--ptx", type=int, nargs="*", default=[], metavar="90", help="PTX too, for GPUs later than these")
     add("--work", type=Path, default=Path("build/cuda-kernels"), help="where what is compiled is kept")
     add("--output", type=Path, default=Path("dist"), help="where archive and wheel go")
@@ -234,7 +241,7 @@ def main(arguments: list[str]) -> int:
         build(parsed.only or files, targets, parsed.work, parsed.output)
     except KeyboardInterrupt:
         print("interrupted: what is compiled is kept, run it again to go on", file=sys.stderr)
-        return INTERRUPTED
+        return INTERRUPTED_STATUS
     except (RuntimeError, OSError) as error:
         print(error, file=sys.stderr)
         return 1

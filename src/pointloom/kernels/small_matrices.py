@@ -3,10 +3,10 @@
 from .lang import array, float64, func, int32, isfinite, kernel, sqrt, struct, tid
 from .memory import empty
 
-EPSILON = 2.220446049250313e-16
-NEGLIGIBLE = 1e-30  # off-diagonal entry, relative to the largest entry
+FLOAT64_EPSILON = 2.220446049250313e-16
+NEGLIGIBLE_ENTRY = 1e-30  # off-diagonal entry, relative to the largest entry
 MAX_STEPS = 60  # per eigenvalue. Two or three are usual
-SEPARATED = 1e-6  # relative difference above which eigenvalues have individual eigenvectors
+MIN_EIGENVALUE_SEPARATION = 1e-6  # relative difference above which eigenvalues have individual eigenvectors
 
 
 @struct
@@ -185,7 +185,7 @@ def rotate(b: int, first: int, last: int, p: Eigenproblems) -> int:
 @func
 def is_divided(b: int, i: int, p: Eigenproblems) -> bool:
     """True if the off-diagonal entry below row i is negligible."""
-    limit = max(float64(EPSILON) * (abs(p.values[b, i]) + abs(p.values[b, i + 1])), float64(NEGLIGIBLE))
+    limit = max(float64(FLOAT64_EPSILON) * (abs(p.values[b, i]) + abs(p.values[b, i + 1])), float64(NEGLIGIBLE_ENTRY))
     return not abs(p.beside[b, i]) > limit
 
 
@@ -239,7 +239,7 @@ def sort_pairs(b: int, n: int, p: Eigenproblems) -> int:
 def sign_of_row(b: int, j: int, n: int, largest: float64, p: Eigenproblems) -> float64:
     """LAPACK's sign of an eigenvector. For a repeated eigenvalue the largest entry is positive."""
     value = p.values[b, j]
-    limit = float64(SEPARATED) * largest
+    limit = float64(MIN_EIGENVALUE_SEPARATION) * largest
     is_single = (j == 0 or value - p.values[b, max(j - 1, 0)] > limit) and (
         j == n - 1 or p.values[b, min(j + 1, n - 1)] - value > limit
     )

@@ -19,14 +19,14 @@ import warp as wp
 from . import warp_parts
 from .device_arrays import kind_of
 from .prepared_launches import FORMATS, UNFIT, Flat, Flattener, Parameter, flattener
-from .warp_compiler import LANES as WARP
+from .warp_compiler import LANE_COUNT as WARP
 from .warp_compiler import REDUCTION_BLOCK
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
 
 _BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
-_ALIGNMENT = 8
+_ALIGNMENT_BYTES = 8
 
 
 class _Buffer:
@@ -58,7 +58,7 @@ class CudaLaunch:
         parameters = [Parameter.of(argument.type) for argument in self._kernel.adj.args]
         parts = [_BOUNDS, *(_format(parameter) for parameter in parameters)]
         sizes = [struct.calcsize("=" + part) for part in parts]
-        padded = [size + -size % _ALIGNMENT for size in sizes]
+        padded = [size + -size % _ALIGNMENT_BYTES for size in sizes]
         self._sizes, self._offsets = sizes, [0, *itertools.accumulate(padded)][:-1]
         gaps = [f"{room - size}x" for size, room in zip(sizes, padded, strict=True)]
         self._layout = struct.Struct("=" + "".join(map("".join, zip(parts, gaps, strict=True))))
