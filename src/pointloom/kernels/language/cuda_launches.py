@@ -23,7 +23,7 @@ from .warp_compiler import LANE_COUNT as WARP
 from .warp_compiler import REDUCTION_BLOCK
 
 if TYPE_CHECKING:
-    from ..lang import Kernel, Reduction
+    from .launched import Launched, LaunchedReduction
 
 _BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
 _ALIGNMENT_BYTES = 8
@@ -122,7 +122,7 @@ class PreparedKernel:
         self.flatten, self.launch = flatten, launch
 
     @classmethod
-    def of(cls, kernel: Kernel, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
+    def of(cls, kernel: Launched, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
         """Prepare from launch arguments. None if Warp must launch it. Raises one of UNFIT as `prepared_launch`."""
         launch = prepared_launch(kernel.cuda, thread_count, values, device)
         if not launch.is_known:
@@ -132,13 +132,13 @@ class PreparedKernel:
 
 
 class PreparedSum:
-    def __init__(self, reduction: Reduction, tiles: CudaLaunch, device: Any) -> None:
+    def __init__(self, reduction: LaunchedReduction, tiles: CudaLaunch, device: Any) -> None:
         self.flatten = flattener(reduction.types, device, reduction.field_paths, len(reduction.takes))
         self.sums = kind_of(reduction.vector, 1, device)
         self._tiles = tiles
 
     @classmethod
-    def of(cls, reduction: Reduction, given: Sequence[Any], device: Any) -> PreparedSum | None:
+    def of(cls, reduction: LaunchedReduction, given: Sequence[Any], device: Any) -> PreparedSum | None:
         """Prepare from the kernel's arguments. None if Warp must launch it. Raises one of UNFIT."""
         tiles = prepared_launch(reduction.cuda.tiles, REDUCTION_BLOCK, given, device, block_dim=REDUCTION_BLOCK)
         return cls(reduction, tiles, device) if tiles.is_known else None
