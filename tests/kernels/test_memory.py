@@ -184,7 +184,7 @@ def test_tables_uploaded_together_equal_single_uploads(device):
 
 
 def test_a_large_array_is_downloaded_into_pages_that_were_mapped_before(device, rng):
-    values = rng.integers(0, 2**31, huge_pages.MAPPED // 4 + 5).astype(np.int32)
+    values = rng.integers(0, 2**31, huge_pages.MIN_MAPPED_BYTES // 4 + 5).astype(np.int32)
     assert (download(upload(values, wp.int32, resolve_device(device))) == values).all()
 
 

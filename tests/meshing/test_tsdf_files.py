@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.kernels.arrays.block_keys import BIAS
+from pointloom.kernels.arrays.block_keys import CELL_BIAS
 
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 31.0, 29.0, 15.3, 11.7)
 
@@ -141,7 +141,7 @@ EDITS = {
     "keys: negative": lambda a: {"keys": value(a["keys"], 0, -1)},
     "keys: repeated": lambda a: {"keys": value(a["keys"], 0, a["keys"][1])},
     "keys: the sentinel": lambda a: {"keys": value(a["keys"], 0, (1 << 63) - 1)},
-    "keys: beyond the limit": lambda a: {"keys": value(a["keys"], 0, (2 * BIAS - 1) << 42)},
+    "keys: beyond the limit": lambda a: {"keys": value(a["keys"], 0, (2 * CELL_BIAS - 1) << 42)},
     "keys: one less": lambda a: {"keys": a["keys"][1:]},
     "keys: big-endian garbage": lambda a: {"keys": a["keys"].view(">i8")},
     "distances: NaN": lambda a: {"distances": value(a["distances"], 7, np.nan)},

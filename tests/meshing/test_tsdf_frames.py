@@ -23,7 +23,7 @@ FILES = (
 @pytest.fixture(autouse=True)
 def large(monkeypatch):
     """Small images are uploaded like large ones."""
-    monkeypatch.setattr(pinned_uploads, "SMALLEST", 8)
+    monkeypatch.setattr(pinned_uploads, "MIN_PINNED_BYTES", 8)
 
 
 def scene(count):

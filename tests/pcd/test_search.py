@@ -16,7 +16,7 @@ from pointloom.kernels.arrays.fingerprint import fingerprint
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search import group_scratch, tree_search
-from pointloom.kernels.search.hilbert_order import FEW
+from pointloom.kernels.search.hilbert_order import MAX_FEW_POINTS
 from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
@@ -138,8 +138,8 @@ def open3d_neighbors(o3d, points, queries, radii):
     return search.knn_search(o3d.core.Tensor(queries), min(8, len(points)))[1].numpy(), within
 
 
-@pytest.mark.parametrize("count", [1, tree_search.SLOTS, tree_search.SLOTS + 1])
-@pytest.mark.parametrize("query_count", [1, 50, FEW + 1])
+@pytest.mark.parametrize("count", [1, tree_search.COUNTED_NEIGHBORS, tree_search.COUNTED_NEIGHBORS + 1])
+@pytest.mark.parametrize("query_count", [1, 50, MAX_FEW_POINTS + 1])
 def test_a_radius_that_contains_all_points_lists_them_as_the_k_nearest(device, count, query_count, rng):
     points, queries = rng.random((count, 3)), rng.random((query_count, 3))
     queries[1::9] = np.nan

@@ -29,8 +29,9 @@ from ..core.exchange import hand_back, on_host
 from .camera import MAX_IN_ALL, MAX_PIXELS, PinholeCameraIntrinsic, check_pixels
 from .lens_projection import DIVISION, EQUIDISTANT, FIELD_OF_VIEW, PERSPECTIVE, UNIFIED, Lens
 
-HALF = 0.5  # COLMAP's principal point minus pointloom's [px]
-SMALLEST, LARGEST = 0.2, 2.0  # limits of an undistorted side as a fraction of the original, as in COLMAP
+PIXEL_OFFSET = 0.5  # COLMAP's principal point minus pointloom's [px]
+MIN_SIDE_FRACTION = 0.2  # of an undistorted side as a fraction of the original, as in COLMAP
+MAX_SIDE_FRACTION = 2.0
 
 
 class _Model(NamedTuple):
@@ -158,7 +159,7 @@ class CameraModel:
         terms = numbers[at + 2 :]
         if names[-1] == "b2":
             fx, skew, terms = fx + numbers[-2], numbers[-1], terms[:-2]
-        center = (numbers[at] - HALF, numbers[at + 1] - HALF)
+        center = (numbers[at] - PIXEL_OFFSET, numbers[at + 1] - PIXEL_OFFSET)
         across = max(abs(center[0]), abs(self.width - 1 - center[0])) / max(fx, 1e-300)
         down = max(abs(center[1]), abs(self.height - 1 - center[1])) / max(fy, 1e-300)
         given = {"kind": PERSPECTIVE, **MODELS[self.model].terms(terms)}
@@ -190,7 +191,7 @@ class CameraModel:
         """
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
-        params = (intrinsic.fx, intrinsic.fy, intrinsic.cx + HALF, intrinsic.cy + HALF)
+        params = (intrinsic.fx, intrinsic.fy, intrinsic.cx + PIXEL_OFFSET, intrinsic.cy + PIXEL_OFFSET)
         return cls("PINHOLE", intrinsic.width, intrinsic.height, params)
 
     def project(self, points: ArrayLike) -> NDArray[np.float64]:
@@ -279,7 +280,8 @@ class CameraModel:
         (fx, fy), center = self._lens.focal, self._lens.center
         straight = PinholeCameraIntrinsic(self.width, self.height, fx, fy, *center)
         if (width, height) != (self.width, self.height):  # unchanged values stay bitwise equal
-            cx, cy = (center[0] + HALF) * width / self.width - HALF, (center[1] + HALF) * height / self.height - HALF
+            cx = (center[0] + PIXEL_OFFSET) * width / self.width - PIXEL_OFFSET
+            cy = (center[1] + PIXEL_OFFSET) * height / self.height - PIXEL_OFFSET
             straight = PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
         if longest is not None and longest < max(width, height):
             factor = longest / max(width, height)  # rounded down to whole pixels, as in COLMAP's Rescale
@@ -290,7 +292,8 @@ class CameraModel:
 def _straight_size(camera: CameraModel, blank_fraction: float) -> tuple[int, int]:
     """Width and height of the undistorted image at the lens's focal length."""
     width, height = camera.width, camera.height
-    center = [value + HALF for value in camera._lens.center]  # in COLMAP's convention, for borders at 0 and width
+    # in COLMAP's convention, for borders at 0 and width
+    center = [value + PIXEL_OFFSET for value in camera._lens.center]
     rows, columns = np.arange(height, dtype=np.float64), np.arange(width, dtype=np.float64)
     lengths = []
     for axis, side, along in ((0, width, rows), (1, height, columns)):
@@ -301,7 +304,7 @@ def _straight_size(camera: CameraModel, blank_fraction: float) -> tuple[int, int
         if not np.isfinite(border_pixels).any(axis=1).all():
             name = ("left or right", "upper or lower")[axis]
             raise ValueError(f"params: {camera.model} has no inverse at the {name} border. Check the calibration")
-        before, after = center[axis], side - HALF - center[axis]
+        before, after = center[axis], side - PIXEL_OFFSET - center[axis]
         with np.errstate(all="ignore"):
             low, high = before / (before - np.nanmin(border_pixels[0])), after / (np.nanmax(border_pixels[1]) - before)
             min_ratio = min(low, high)
@@ -309,14 +312,14 @@ def _straight_size(camera: CameraModel, blank_fraction: float) -> tuple[int, int
                 before / (before - np.nanmax(border_pixels[0])), after / (np.nanmin(border_pixels[1]) - before)
             )
             scale = 1.0 / (min_ratio * blank_fraction + max_ratio * (1.0 - blank_fraction))
-        scale = min(max(scale, SMALLEST), LARGEST) if scale == scale else 1.0
+        scale = min(max(scale, MIN_SIDE_FRACTION), MAX_SIDE_FRACTION) if scale == scale else 1.0
         lengths.append(max(int(scale * side), 1))
     return lengths[0], lengths[1]
 
 
 def _resized(camera: PinholeCameraIntrinsic, width: int, height: int) -> PinholeCameraIntrinsic:
     sx, sy = width / camera.width, height / camera.height
-    cx, cy = (camera.cx + HALF) * sx - HALF, (camera.cy + HALF) * sy - HALF
+    cx, cy = (camera.cx + PIXEL_OFFSET) * sx - PIXEL_OFFSET, (camera.cy + PIXEL_OFFSET) * sy - PIXEL_OFFSET
     return PinholeCameraIntrinsic(width, height, camera.fx * sx, camera.fy * sy, cx, cy)
 
 

@@ -21,11 +21,12 @@ PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = range(5)
 Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 100  # Newton iterations: a few suffice. Bisection of the rest takes about fifty
-ROUNDED = 4e-15  # relative residual of a solved equation, from rounding
-NEGLIGIBLE = 1e-15  # fraction of a polynomial's largest term over the image
-DIRECTIONS, STEPS = 64, 128  # directions and steps of the search for `max_radius` of an asymmetric lens
-FARTHEST = 1e8  # maximum x / z of a ray
-THIN = 1e-4  # omega^2 below which a FOV lens is a series, as its formula is 0 / 0
+MIN_RESIDUAL = 4e-15  # relative residual of a solved equation, from rounding
+NEGLIGIBLE_TERM = 1e-15  # fraction of a polynomial's largest term over the image
+SEARCH_DIRECTIONS = 64  # of the search for `max_radius` of an asymmetric lens
+SEARCH_STEPS = 128  # along a direction
+MAX_RAY_SLOPE = 1e8  # x / z of a ray
+MIN_SQUARED_OMEGA = 1e-4  # omega^2 below which a FOV lens is a series, as its formula is 0 / 0
 
 
 @dataclasses.dataclass(frozen=True)
@@ -114,7 +115,7 @@ def _shortening(lens: Lens, r: Array) -> Array:
         return np.where(below > 0, 1.0 / below, np.nan)
     if lens.kind == EQUIDISTANT:
         return np.where(r > 0, np.arctan(r) / r, 1.0)
-    if first * first < THIN:
+    if first * first < MIN_SQUARED_OMEGA:
         return first * first * (r * r / 3.0 - 1.0 / 12.0) + 1.0
     wide = 2.0 * math.tan(first / 2.0)
     return np.where(r > 0, np.arctan(r * wide) / (r * first), wide / first)
@@ -134,7 +135,7 @@ def _lengthening(lens: Lens, r: Array) -> Array:
         return np.where(z > 0, 1.0 / z, np.nan)
     if lens.kind == EQUIDISTANT:
         return np.where(r < math.pi / 2, np.where(r > 0, np.tan(r) / r, 1.0), np.nan)
-    if first * first < THIN:
+    if first * first < MIN_SQUARED_OMEGA:
         return _thin_lengthening(first * first, r)
     wide, angle = 2.0 * math.tan(first / 2.0), r * first
     return np.where(angle < math.pi / 2, np.where(r > 0, np.tan(angle) / (r * wide), first / wide), np.nan)
@@ -147,7 +148,7 @@ def _thin_lengthening(square: float, r: Array) -> Array:
         value = far * (square * (far * far / 3.0 - 1.0 / 12.0) + 1.0) - r
         step = value / (square * (far * far - 1.0 / 12.0) + 1.0)
         far = far - step
-        if not (np.abs(step) > ROUNDED * np.abs(far)).any():
+        if not (np.abs(step) > MIN_RESIDUAL * np.abs(far)).any():
             break
     return np.where(r > 0, far / r, 1.0 / (1.0 - square / 12.0))
 
@@ -216,7 +217,7 @@ def _smallest_root(coefficients: NDArray[np.floating]) -> float:
     """Smallest positive root of a polynomial (constant first), infinite if none, 0 for infinite coefficients."""
     if not np.isfinite(coefficients).all():
         return 0.0
-    significant = np.flatnonzero(np.abs(coefficients) > NEGLIGIBLE * np.abs(coefficients).max())
+    significant = np.flatnonzero(np.abs(coefficients) > NEGLIGIBLE_TERM * np.abs(coefficients).max())
     roots = polynomial.polyroots(coefficients[: significant[-1] + 1])
     real = roots.real[(np.abs(roots.imag) <= 1e-9 * np.abs(roots)) & (roots.real > 0)]
     return float(real.min()) if len(real) else math.inf
@@ -224,15 +225,15 @@ def _smallest_root(coefficients: NDArray[np.floating]) -> float:
 
 def _narrowed(lens: Lens, radius: float) -> float:
     """Largest radius up to `radius` within which the Jacobian determinant is positive."""
-    angles = np.arange(DIRECTIONS) * (2.0 * math.pi / DIRECTIONS)
+    angles = np.arange(SEARCH_DIRECTIONS) * (2.0 * math.pi / SEARCH_DIRECTIONS)
     across = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     limit = min(radius, max(8.0 * lens.extent, 8.0))
-    radii = np.linspace(0.0, limit, STEPS + 1)
-    grid = _orientation(lens, (across[:, None] * radii[None, :, None]).reshape(-1, 2)).reshape(DIRECTIONS, -1)
+    radii = np.linspace(0.0, limit, SEARCH_STEPS + 1)
+    grid = _orientation(lens, (across[:, None] * radii[None, :, None]).reshape(-1, 2)).reshape(SEARCH_DIRECTIONS, -1)
     is_folded = ~(grid[:, :-1] > 0)  # the last is the fold of the radial part itself
     if not is_folded.any():
         return radius
-    first = np.where(is_folded.any(axis=1), np.argmax(is_folded, axis=1), STEPS)
+    first = np.where(is_folded.any(axis=1), np.argmax(is_folded, axis=1), SEARCH_STEPS)
     nearest = first == first.min()
     low, high = radii[np.maximum(first[nearest] - 1, 0)], radii[first[nearest]]
     for _ in range(60):
@@ -260,7 +261,7 @@ def _straighten(lens: Lens, bent: Array) -> Array:
         step = np.stack([d * error[:, 0] - b * error[:, 1], a * error[:, 1] - c * error[:, 0]], axis=1)
         step /= (a * d - b * c)[:, None]
         points = points - step
-        if not (np.abs(step) > ROUNDED * (1.0 + np.abs(points))).any():
+        if not (np.abs(step) > MIN_RESIDUAL * (1.0 + np.abs(points))).any():
             break
     size = 1e-12 * (1.0 + np.hypot(bent[:, 0], bent[:, 1]))
     is_solved = (np.abs(bend(lens, points) - bent).max(axis=1) <= size) & (_orientation(lens, points) > 0)
@@ -273,7 +274,7 @@ def _straighten_radially(lens: Lens, bent: Array) -> Array:
     wanted = np.hypot(bent[:, 0], bent[:, 1])
     low = np.zeros_like(wanted)
     max_radius = _turning_radius(lens)
-    high = np.full_like(wanted, max_radius if max_radius < FARTHEST else FARTHEST)
+    high = np.full_like(wanted, max_radius if max_radius < MAX_RAY_SLOPE else MAX_RAY_SLOPE)
     r = np.minimum(wanted, high)
     solution = np.where(wanted == 0, 0.0, np.nan)
     active = np.flatnonzero((wanted > 0) & (high * _factor(lens, high * high) >= wanted))
@@ -290,7 +291,7 @@ def _straighten_radially(lens: Lens, bent: Array) -> Array:
         low[active] = np.where(is_above, low[active], at)
         middle = (low[active] + high[active]) / 2.0
         r[active] = np.where((step > low[active]) & (step < high[active]), step, middle)
-        done = (np.abs(value) <= ROUNDED * wanted[active]) | (np.abs(r[active] - at) <= ROUNDED * at)
+        done = (np.abs(value) <= MIN_RESIDUAL * wanted[active]) | (np.abs(r[active] - at) <= MIN_RESIDUAL * at)
         solution[active[done]] = at[done]
         active = active[~done]
     return bent * np.where(wanted > 0, solution / wanted, 1.0)[:, None]

@@ -22,7 +22,8 @@ from ..kernels.memory import empty, upload
 from .camera import PinholeCameraIntrinsic
 
 FACES = ("front", "right", "back", "left", "up", "down")
-SMALLEST, LARGEST = 8, 16384  # limits of a face's side [px]
+MIN_FACE_PIXELS = 8  # side of a face [px]
+MAX_FACE_PIXELS = 16384
 # The axes of each face's camera (x right, y down, z forward) as columns, in the front camera's frame.
 ROTATIONS = np.array(
     [
@@ -69,15 +70,15 @@ class Panorama:
     names = FACES
 
     def __init__(self, width: int, height: int, *, side: int | None = None, device: Any = None):
-        check_count("width", width, minimum=SMALLEST)
-        check_count("height", height, minimum=SMALLEST // 2)
+        check_count("width", width, minimum=MIN_FACE_PIXELS)
+        check_count("height", height, minimum=MIN_FACE_PIXELS // 2)
         if abs(width - 2 * height) > 2:
             raise ValueError(
                 f"width: expected twice the height of {height}, as equirectangular images have, got {width}"
             )
         if side is None:
-            side = min(max(round(width / math.pi), SMALLEST), LARGEST)
-        check_count("side", side, minimum=SMALLEST, maximum=LARGEST, because="no sphere has more pixels")
+            side = min(max(round(width / math.pi), MIN_FACE_PIXELS), MAX_FACE_PIXELS)
+        check_count("side", side, minimum=MIN_FACE_PIXELS, maximum=MAX_FACE_PIXELS, because="no sphere has more pixels")
         self.width, self.height, self.side = int(width), int(height), int(side)
         self.device, self.turns = resolve_device(device), ROTATIONS.copy()
         middle = (self.side - 1) / 2

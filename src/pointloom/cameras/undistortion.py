@@ -18,7 +18,7 @@ from ..kernels.lang import uint8
 from ..kernels.memory import download, upload
 from .camera import PinholeCameraIntrinsic
 from .camera_models import CameraModel
-from .lens_projection import FIELD_OF_VIEW, THIN
+from .lens_projection import FIELD_OF_VIEW, MIN_SQUARED_OMEGA
 
 MAX_SIDE = 1024  # maximum side of averaged squares [px]: their sums stay within 32 bits
 
@@ -69,7 +69,7 @@ class Undistortion:
         self.camera, self.device = camera, resolve_device(device)
         self.intrinsic = camera.undistorted(blank_fraction=blank_fraction, max_size=max_size, size=size)
         lens, (width, height) = camera._lens, (camera.width, camera.height)
-        thin = lens.kind == FIELD_OF_VIEW and lens.shape[0] ** 2 < THIN
+        thin = lens.kind == FIELD_OF_VIEW and lens.shape[0] ** 2 < MIN_SQUARED_OMEGA
         wide = 2.0 * math.tan(lens.shape[0] / 2.0) if lens.kind == FIELD_OF_VIEW and not thin else 0.0
         optics = LensOptics(lens, width, height, lens.max_radius, wide, int(thin))
         self._source_pixels = find_lens_positions(optics, self.intrinsic, self.device)

@@ -13,7 +13,7 @@ from .open3d_names import ARGUMENTS, hint, row_of
 P = ParamSpec("P")
 R = TypeVar("R")
 
-SHORT = 24  # maximum characters of a value in the suggested call
+MAX_CHARACTERS = 24  # of a value in the suggested call
 
 
 def explain_argument_errors(operation: Callable[P, R]) -> Callable[P, R]:
@@ -78,7 +78,10 @@ def _too_many(call_name: str, positional: list[str], keywords: list[str], given:
     extra = given[len(positional) :]
     if len(extra) > len(only):
         return f"{call_name}() takes at most {len(keywords)} arguments ({', '.join(keywords)}), got {len(given)}"
-    first = [name if len(repr(value)) > SHORT else repr(value) for name, value in zip(positional, given, strict=False)]
+    first = [
+        name if len(repr(value)) > MAX_CHARACTERS else repr(value)
+        for name, value in zip(positional, given, strict=False)
+    ]
     rest = [f"{name}={_short(value)}" for name, value in zip(only, extra, strict=False)]
     call = f"{call_name.rpartition('.')[2]}({', '.join(first + rest)})"
     begins = f"after {', '.join(positional)}" if positional else "from the first one on"
@@ -87,4 +90,4 @@ def _too_many(call_name: str, positional: list[str], keywords: list[str], given:
 
 def _short(value: Any) -> str:
     text = repr(value)
-    return text if len(text) <= SHORT else "..."
+    return text if len(text) <= MAX_CHARACTERS else "..."

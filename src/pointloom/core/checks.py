@@ -19,10 +19,10 @@ MAX_SEED = 2**31 - 1
 MAX_COUNT = 2**31 - 1  # device code counts in 32 bits
 LARGEST_NUMBER = 1e100  # larger than any length in pixels or meters; products of three larger numbers overflow
 RIGID_TOLERANCE = 0.02  # tolerance of R R^T - I: rotations of real data sets are rounded to a few digits
-FEW = 16  # numbers that Python checks faster than NumPy
+FEW_NUMBERS = 16  # numbers that Python checks faster than NumPy
 CLEARLY_REGULAR = 1e-12  # determinant over the cubed norm: 1,500 times the limit of `matrix_rank`
 SMALLEST_ENTRY = 1e-90  # of a clearly invertible matrix
-SHOWN = 80  # maximum characters of a quoted value
+MAX_SHOWN_CHARACTERS = 80  # of a quoted value
 DLPACK_GPUS = (2, 13)  # kDLCUDA, kDLCUDAManaged
 
 
@@ -30,7 +30,7 @@ def shown(value: Any) -> str:
     if isinstance(value, int) and value.bit_length() > 128:
         return f"an integer of {value.bit_length()} bits"
     text = repr(value)
-    return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."
+    return text if len(text) <= MAX_SHOWN_CHARACTERS else text[: MAX_SHOWN_CHARACTERS - 3] + "..."
 
 
 def is_on_gpu(values: Any) -> bool:
@@ -117,7 +117,9 @@ def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = 
 
 def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
     """Raise if a number is NaN, infinite or beyond 1e100."""
-    if array.size <= FEW and all(-LARGEST_NUMBER <= number <= LARGEST_NUMBER for number in array.ravel().tolist()):
+    if array.size <= FEW_NUMBERS and all(
+        -LARGEST_NUMBER <= number <= LARGEST_NUMBER for number in array.ravel().tolist()
+    ):
         return array
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: expected finite numbers, got {shown(array.tolist())}")

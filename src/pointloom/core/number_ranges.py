@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-_SHOWN = 5  # runs, by number
+_MAX_SHOWN_RUNS = 5  # runs, by number
 
 
 def some_frames(numbers: Sequence[int]) -> str:
@@ -25,5 +25,5 @@ def some_runs(numbers: Sequence[int]) -> str:
             runs[-1][1] = number
         else:
             runs.append([number, number])
-    listed = ", ".join(f"{first}" if first == last else f"{first}-{last}" for first, last in runs[:_SHOWN])
-    return listed + (" and more" if len(runs) > _SHOWN else "")
+    listed = ", ".join(f"{first}" if first == last else f"{first}-{last}" for first, last in runs[:_MAX_SHOWN_RUNS])
+    return listed + (" and more" if len(runs) > _MAX_SHOWN_RUNS else "")

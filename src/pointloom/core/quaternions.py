@@ -10,8 +10,8 @@ from ..kernels.linear_algebra import det, eigh
 NEARLY_SINGULAR = 1e-3  # a determinant, as a fraction of the cube of the Frobenius norm. A rotation's is 0.19
 MAX_NEWTON_STEPS = 20
 NEARLY_ONE = 0.1
-ROUNDING = 1e-15  # smaller steps count as zero, so a rotation is unchanged bitwise
-CONVERGED = 1e-9  # change of a step. Convergence is quadratic, so only rounding remains
+ROUNDING_STEP = 1e-15  # smaller steps count as zero, so a rotation is unchanged bitwise
+CONVERGED_STEP = 1e-9  # change of a step. Convergence is quadratic, so only rounding remains
 
 
 def quaternions_to_rotations(quaternions: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -64,8 +64,8 @@ def _polar_factors(R: NDArray[np.float64]) -> NDArray[np.float64]:
         roots = np.sqrt(np.where(np.abs(scales - 1) < NEARLY_ONE, 1.0, scales))
         steps = (inverses / roots - R * roots) / 2
         lengths = np.abs(steps).max(axis=(1, 2), keepdims=True, initial=0.0)
-        R = R * roots + np.where(lengths < ROUNDING, 0.0, steps)
-        if not (lengths > CONVERGED).any():
+        R = R * roots + np.where(lengths < ROUNDING_STEP, 0.0, steps)
+        if not (lengths > CONVERGED_STEP).any():
             break
     return R
 

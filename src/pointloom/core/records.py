@@ -17,9 +17,9 @@ from .json_files import read_json_object
 from .paths import input_path
 
 RECORDS = "records"  # name of the subfolder of a job
-VERSION = 1  # incremented if a stage's output for equal inputs changes
+RECORD_VERSION = 1  # incremented if a stage's output for equal inputs changes
 DIGEST_BYTES = 16
-CHUNK = 1 << 20  # [B]
+CHUNK_BYTES = 1 << 20  # [B]
 _DIGEST = "digest"  # of all other entries of a record
 
 
@@ -37,7 +37,7 @@ def digest_of_bytes(parts: Iterable[Any]) -> str:
 
 def digest_of_file(path: FilePath) -> str:
     with input_path(path).open("rb") as file:
-        return digest_of_bytes(iter(lambda: file.read(CHUNK), b""))
+        return digest_of_bytes(iter(lambda: file.read(CHUNK_BYTES), b""))
 
 
 def record_file(root: Path, stage: str, number: int | None = None) -> Path:
@@ -51,7 +51,7 @@ def write_record(
         digests = {file.relative_to(root).as_posix(): digest_of_file(file) for file in files}
     except OSError as error:
         raise FileError(error.filename or path, f"cannot be read: {error.strerror or error}") from error
-    content = {"version": VERSION, "stage": stage, "made_from": made_from, "files": digests, "result": result}
+    content = {"version": RECORD_VERSION, "stage": stage, "made_from": made_from, "files": digests, "result": result}
     content = json.loads(json.dumps(content, allow_nan=False))  # tuples become lists, as when it is read
     text = json.dumps(content | {_DIGEST: digest_of(content)}, indent=1) + "\n"
     with atomic_write(path) as file:
@@ -66,7 +66,7 @@ def read_record(path: Path, stage: str, root: Path, made_from: str | None = None
         return None
     if content.pop(_DIGEST, None) != digest_of(content):  # changed after it was written
         return None
-    expected = {"version": VERSION, "stage": stage} | ({} if made_from is None else {"made_from": made_from})
+    expected = {"version": RECORD_VERSION, "stage": stage} | ({} if made_from is None else {"made_from": made_from})
     if any(content.get(key) != value for key, value in expected.items()):
         return None
     files, result = content.get("files"), content.get("result")

@@ -12,7 +12,7 @@ from typing import Any
 
 from .errors import FileError
 
-_STEPS = 10_000  # SQLite VM instructions between two checks
+_CHECK_STEPS = 10_000  # SQLite VM instructions between two checks
 _STEPS_PER_BYTE = 20  # steps per byte of a file: a query that needs more rereads pages
 _PLAIN = re.compile(r"\s*CREATE\s+(TABLE|(UNIQUE\s+)?INDEX)\b", re.IGNORECASE)
 _PLAIN_TABLE = re.compile(r"\s*CREATE\s+TABLE\b", re.IGNORECASE)
@@ -27,7 +27,9 @@ def protect(base: sqlite3.Connection, path: str | os.PathLike[str], *, is_bounde
         size = max(1 << 20, Path(path).stat().st_size)
         base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, min(size, 2**31 - 1))
         # Ctrl-C could interrupt a Python function, which SQLite would hide.
-        base.set_progress_handler(itertools.repeat(0, 1000 + size * _STEPS_PER_BYTE // _STEPS).__next__, _STEPS)
+        base.set_progress_handler(
+            itertools.repeat(0, 1000 + size * _STEPS_PER_BYTE // _CHECK_STEPS).__next__, _CHECK_STEPS
+        )
 
 
 def check_tables(base: sqlite3.Connection, path: str | os.PathLike[str], names: Collection[str]) -> None:

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from .checks import check_number
 
-COARSEST = 0.01  # [s] a third of a frame at 30 Hz. The step of float32 is larger from 2^17 s on
-LATEST = 1e11  # [s] since 1970: the year 5138. Milliseconds exceed it since 1973
+MAX_TIME_STEP = 0.01  # [s] a third of a frame at 30 Hz. The step of float32 is larger from 2^17 s on
+MAX_TIME = 1e11  # [s] since 1970: the year 5138. Milliseconds exceed it since 1973
 _UNITS = (("milliseconds", 1e3), ("microseconds", 1e6), ("nanoseconds", 1e9))
 _FIX = "Pass float64, or subtract the first time before the conversion to float32"
 
@@ -32,7 +32,7 @@ def check_seconds(name: str, times: NDArray[Any]) -> None:
     if not is_single(times.dtype):
         return
     finite = np.abs(times[np.isfinite(times)].astype(np.float64))
-    if finite.size and float32_step(finite.max()) > COARSEST:
+    if finite.size and float32_step(finite.max()) > MAX_TIME_STEP:
         largest = float(finite.max())
         raise ValueError(f"{name}: {_reason(largest)}. {_FIX}")
 
@@ -40,8 +40,8 @@ def check_seconds(name: str, times: NDArray[Any]) -> None:
 def check_unit_of_seconds(name: str, times: NDArray[np.float64]) -> None:
     """Raise ValueError for times so large that they are milliseconds, microseconds or nanoseconds since 1970."""
     largest = float(np.abs(times).max(initial=0.0))
-    if largest > LATEST:
-        unit, factor = next((unit, factor) for unit, factor in _UNITS if largest / factor <= LATEST or factor == 1e9)
+    if largest > MAX_TIME:
+        unit, factor = next((unit, factor) for unit, factor in _UNITS if largest / factor <= MAX_TIME or factor == 1e9)
         raise ValueError(f"{name}: expected timestamps in seconds, got {largest:.6g}. Divide {unit} by {factor:,.0f}")
 
 

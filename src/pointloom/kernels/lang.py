@@ -68,7 +68,7 @@ from .launches import (  # noqa: F401  handed on
 
 array, struct, callback = wp.array, struct, callback
 INFINITY, NAN = math.inf, math.nan
-WARP, BLOCK_THREADS = warp_compiler.LANES, warp_compiler.REDUCTION_BLOCK  # lanes per warp, threads per block
+WARP, BLOCK_THREADS = warp_compiler.LANE_COUNT, warp_compiler.REDUCTION_BLOCK  # lanes per warp, threads per block
 
 
 def vector(length: int, dtype: Any = float32) -> Any:

@@ -29,7 +29,7 @@ from .memory import empty, rows_of, zeros
 
 if TYPE_CHECKING:
     from .array_types import Array1, Integers
-    from .lang import Kernel, Reduction
+    from .language.launched import Launched, LaunchedReduction
 
 HAS_CUDA = wp.is_cuda_available()
 ELEMENTS_PER_BLOCK = 1024  # of a CPU partial sum: many blocks per core at 100k elements, few to fold
@@ -83,7 +83,7 @@ def _run_on_cuda(kernel: Any, thread_count: int, values: Sequence[Any], device: 
         wp.launch(kernel, thread_count, values, device=device, **options)
 
 
-def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence[Any], device: Device) -> bool:
+def _is_launched_prepared(kernel: Launched, thread_count: int, arguments: Sequence[Any], device: Device) -> bool:
     """Use a prepared GPU launch. False, without effect, if there is none or the arguments need conversion."""
     prepared: PreparedKernel | None = kernel.prepared.get(device.alias)
     if prepared is None or not 0 < thread_count <= MAX_THREADS or not launches_plainly():
@@ -97,9 +97,7 @@ def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence
     return True
 
 
-def _prepare_flat(
-    what: Kernel | Reduction, arguments: Sequence[Any], values: Sequence[Any], rest: Sequence[Any] = ()
-) -> None:
+def _prepare_flat(what: Launched, arguments: Sequence[Any], values: Sequence[Any], rest: Sequence[Any] = ()) -> None:
     """Prepare later CPU launches from these arguments, or none if they do not show that it is equivalent. `rest`:
     further arguments."""
     if "cpu" in what.prepared:
@@ -112,14 +110,14 @@ def _prepare_flat(
     what.prepared["cpu"] = made
 
 
-def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
+def _run_on_cpu(what: Launched, values: Sequence[Any], thread_count: int, last_count: int = 0) -> None:
     again = _prepared_on_cpu(what, values).bound(values, thread_count, last_count)
     again()
     if (sequence := prepared_launches.sequence) is not None:
         sequence.launches.append(again)
 
 
-def _prepared_on_cpu(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:
+def _prepared_on_cpu(what: Launched, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:
     prepared = _by_warp.get(what)
     if prepared is None:
         with announced(what.name):
@@ -127,7 +125,7 @@ def _prepared_on_cpu(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLau
     return prepared
 
 
-def bind(kernel: Kernel, arguments: Sequence[Any]) -> Callable[[], None]:
+def bind(kernel: Launched, arguments: Sequence[Any]) -> Callable[[], None]:
     """A repeatable launch of one thread on the CPU, for the host's own algebra: 1 us instead of 10. The code is Warp's,
     also inside `cpu_compiler("taichi")`. Different threads need different arrays. Raises as `launch`.
     """
@@ -150,7 +148,7 @@ class PlainLaunch:
         return self.bound(values, 1)
 
 
-def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:
+def _prepare(what: Launched, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:
     """Load the machine code of an earlier process, or compile with Warp and store it."""
     cached = what.cached
     if cached is not None and (address := kernel_cache.address_of(cached)):
@@ -188,7 +186,7 @@ def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]]
         sequence.program = taichi.program
 
 
-def _run_taichi_sum(reduction: Reduction, values: Sequence[Any]) -> None:
+def _run_taichi_sum(reduction: LaunchedReduction, values: Sequence[Any]) -> None:
     def annotations() -> list[Any]:
         ends = taichi_compiler.sum_types(reduction.vector, segmented=reduction.segmented)
         return [*reduction.types, *ends.values()]
@@ -196,7 +194,7 @@ def _run_taichi_sum(reduction: Reduction, values: Sequence[Any]) -> None:
     _run_taichi(reduction.taichi, reduction.name, annotations, values)
 
 
-def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
+def launch(kernel: Launched, thread_count: int, arguments: Sequence[Any]) -> None:
     """Run `thread_count` threads of a kernel on the device of its arrays. Asynchronous on CUDA, and thread-safe.
 
     Args:
@@ -235,7 +233,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
 
 
 def compute(
-    kernel: Kernel, count: int, arguments: Sequence[Any], dtype: type[Element], device: Device
+    kernel: Launched, count: int, arguments: Sequence[Any], dtype: type[Element], device: Device
 ) -> Array1[Element]:
     """Launch one thread for each of `count` elements of a new array, the kernel's last parameter. Return the array."""
     out = empty(count, dtype, device)
@@ -243,7 +241,7 @@ def compute(
     return out
 
 
-def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any]:
+def reduce(reduction: LaunchedReduction, count: int, arguments: Sequence[Any]) -> Array1[Any]:
     """Sum a reduction over `count` elements in two stages of fixed order: an array (1). Raises as `launch`."""
     if HAS_CUDA and (home := reduction.first_device(arguments)).is_cuda:
         total = _prepared_sum(reduction, count, arguments, home)
@@ -275,7 +273,9 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
     return out
 
 
-def _arrays_of_sum(reduction: Reduction, count: int, device: Device) -> tuple[tuple[int, int, int], wp.array, Any]:
+def _arrays_of_sum(
+    reduction: LaunchedReduction, count: int, device: Device
+) -> tuple[tuple[int, int, int], wp.array, Any]:
     """Numbers of elements, of those of a block, and of blocks; the partial sums and the total, in one allocation."""
     if device.is_cuda:
         size = warp_compiler.REDUCTION_BLOCK
@@ -288,7 +288,9 @@ def _arrays_of_sum(reduction: Reduction, count: int, device: Device) -> tuple[tu
     return (count, size, blocks), rows_of(sums, 1, sums.size), rows_of(sums, 0, 1)
 
 
-def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], device: Device) -> Array1[Any] | None:
+def _prepared_sum(
+    reduction: LaunchedReduction, count: int, arguments: Sequence[Any], device: Device
+) -> Array1[Any] | None:
     """The sum by a prepared GPU launch. None, without effect, if there is none or the arguments need conversion."""
     prepared: PreparedSum | None = reduction.prepared.get(device.alias)
     if prepared is None or not 0 < count <= MAX_THREADS or not launches_plainly():
@@ -304,7 +306,12 @@ def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], de
 
 
 def reduce_segments(
-    reduction: Reduction, blocks: Any, live: Integers, arguments: Sequence[Any], partials: wp.array, out: wp.array
+    reduction: LaunchedReduction,
+    blocks: Any,
+    live: Integers,
+    arguments: Sequence[Any],
+    partials: wp.array,
+    out: wp.array,
 ) -> None:
     """Sum a reduction's vectors over segments, each in a fixed order, without allocation. `blocks` is a SegmentBlocks;
     `out` is undefined where `live` (segments) is 0; `partials` is scratch of `blocks.partials`. Raises as `launch`.

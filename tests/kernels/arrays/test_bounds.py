@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from pointloom.kernels.arrays.bounds import RUN, bound_points, find_box
+from pointloom.kernels.arrays.bounds import RUN_POINTS, bound_points, find_box
 from pointloom.kernels.arrays.origins import add_origin, has_far_points, shift_rays, subtract_origin
 from pointloom.kernels.lang import float64, vec3, vec3d
 from pointloom.kernels.memory import download, upload
 
 
-@pytest.mark.parametrize("size", [1, RUN - 1, RUN, RUN + 1, 2 * RUN + 1])
+@pytest.mark.parametrize("size", [1, RUN_POINTS - 1, RUN_POINTS, RUN_POINTS + 1, 2 * RUN_POINTS + 1])
 def test_the_box_contains_the_finite_points(device, size, rng):
     points = rng.normal(size=(size, 3)).astype(np.float32)
     points[rng.integers(0, size, size // 10)] = [np.nan, 99, -99]
@@ -21,7 +21,7 @@ def test_the_box_contains_the_finite_points(device, size, rng):
     np.testing.assert_array_equal(high, points[finite].max(axis=0))
 
 
-@pytest.mark.parametrize("size", [1, RUN + 1, 40_003])
+@pytest.mark.parametrize("size", [1, RUN_POINTS + 1, 40_003])
 def test_the_box_that_stays_on_the_device_is_the_same(device, size, rng):
     points = -np.abs(rng.normal(size=(size, 3)))
     points[::3], points[1::7] = -0.0, np.nan

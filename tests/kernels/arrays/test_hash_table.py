@@ -8,8 +8,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from pointloom.kernels.arrays import hash_table
-from pointloom.kernels.arrays.block_keys import BIAS, block_key, key_block
-from pointloom.kernels.arrays.hash_table import EMPTY, HashTable
+from pointloom.kernels.arrays.block_keys import CELL_BIAS, block_key, key_block
+from pointloom.kernels.arrays.hash_table import EMPTY_KEY, HashTable
 from pointloom.kernels.arrays.union_find import flatten_sets_kernel
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3i
 from pointloom.kernels.memory import download, empty, upload
@@ -69,7 +69,7 @@ def test_keys_ascend_along_each_probe_sequence_for_any_order_of_insertion(device
     keys = random_keys(rng, count)
     slots, *others = (fill(order, device).keys.numpy() for order in (keys, keys[::-1], np.sort(keys)))
     assert all(other.tobytes() == slots.tobytes() for other in others)
-    taken = np.flatnonzero(slots != EMPTY)
+    taken = np.flatnonzero(slots != EMPTY_KEY)
     assert len(taken) == count
     for at in taken:
         key = int(slots[at])
@@ -89,7 +89,7 @@ def test_a_table_grows_and_keeps_its_contents(device, rng):
         assert 2 * count <= table.capacity
         np.testing.assert_array_equal(find(table, keys, device), np.where(np.arange(6000) < count, np.arange(6000), -1))
     assert len(capacities) > 2
-    assert (table.keys.numpy() != EMPTY).sum() == 6000
+    assert (table.keys.numpy() != EMPTY_KEY).sum() == 6000
 
 
 @pytest.mark.parametrize("key", [0, 1, (1 << 63) - 2])
@@ -103,7 +103,7 @@ def test_an_empty_table_finds_nothing_and_takes_empty_questions(device):
     assert find(table, [0, 1, 17], device).tolist() == [-1, -1, -1]
     assert find(table, [], device).tolist() == []
     table.append(empty(0, int64, device), 0, 0)
-    assert (table.keys.numpy() == EMPTY).all()
+    assert (table.keys.numpy() == EMPTY_KEY).all()
 
 
 def test_asking_again_for_keys_that_are_there_changes_nothing(device, rng):
@@ -116,14 +116,14 @@ def test_asking_again_for_keys_that_are_there_changes_nothing(device, rng):
 
 
 def test_blocks_survive_their_keys_and_keys_ascend_with_x_then_y_then_z(device, rng):
-    corners = [[-BIAS] * 3, [BIAS - 1, BIAS - 1, -BIAS]]
-    blocks = np.concatenate([rng.integers(-BIAS, BIAS, (1000, 3)), rng.integers(-3, 3, (1000, 3)), corners])
+    corners = [[-CELL_BIAS] * 3, [CELL_BIAS - 1, CELL_BIAS - 1, -CELL_BIAS]]
+    blocks = np.concatenate([rng.integers(-CELL_BIAS, CELL_BIAS, (1000, 3)), rng.integers(-3, 3, (1000, 3)), corners])
     encoded, out = empty(len(blocks), int64, device), empty(len(blocks), vec3i, device)
     launch(encode_blocks_kernel, len(blocks), [upload(blocks, vec3i, device), encoded])
     launch(decode_blocks_kernel, len(blocks), [encoded, out])
     np.testing.assert_array_equal(out.numpy(), blocks)
     keys = encoded.numpy()
-    np.testing.assert_array_equal(keys, (blocks + BIAS) @ [1 << 42, 1 << 21, 1])
+    np.testing.assert_array_equal(keys, (blocks + CELL_BIAS) @ [1 << 42, 1 << 21, 1])
     np.testing.assert_array_equal(block_box(keys), blocks)
 
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from pointloom.core.devices import resolve_device
 from pointloom.kernels import lang
-from pointloom.kernels.arrays.open_rows import CHECKED_ROUNDS, ROUNDS, resolve_in_rounds
+from pointloom.kernels.arrays.open_rows import CHECKED_ROUNDS, MAX_ROUNDS, resolve_in_rounds
 from pointloom.kernels.arrays.runs import CUDA_MIN_LENGTH, CUDA_THREADS, Runs, elements_of, row_of
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
 from pointloom.kernels.lang import (
@@ -238,7 +238,7 @@ def wait_some_rounds_kernel(rows: array(dtype=int32), left: array(dtype=int32), 
     open_rows[i] = uint8(1 if left[rows[i]] > 0 else 0)
 
 
-@pytest.mark.parametrize("max_rounds", [1, 3, 5, ROUNDS, ROUNDS + 3])
+@pytest.mark.parametrize("max_rounds", [1, 3, 5, MAX_ROUNDS, MAX_ROUNDS + 3])
 def test_remaining_rows_are_those_that_need_more_rounds(device, rng, max_rounds):
     round_counts = rng.integers(1, max_rounds + 1, 200)
     round_counts[17] = max_rounds
@@ -250,7 +250,7 @@ def test_remaining_rows_are_those_that_need_more_rounds(device, rng, max_rounds)
         launch(wait_some_rounds_kernel, rows.size, [rows, left, open_rows])
 
     remaining = resolve_in_rounds(attempt, len(round_counts), warp_device)
-    assert download(remaining).tolist() == np.flatnonzero(round_counts > ROUNDS).tolist()
-    looks = range(1, ROUNDS + 1) if warp_device.is_cpu else CHECKED_ROUNDS
-    assert len(sizes) == next(look for look in looks if look >= min(max_rounds, ROUNDS))
+    assert download(remaining).tolist() == np.flatnonzero(round_counts > MAX_ROUNDS).tolist()
+    looks = range(1, MAX_ROUNDS + 1) if warp_device.is_cpu else CHECKED_ROUNDS
+    assert len(sizes) == next(look for look in looks if look >= min(max_rounds, MAX_ROUNDS))
     assert sizes[0] == 200 and sizes[-1] == (round_counts > max([0, *(n for n in looks if n < len(sizes))])).sum()

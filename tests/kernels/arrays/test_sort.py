@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from pointloom.kernels.arrays import sort
-from pointloom.kernels.arrays.pair_sort import LONGEST, MIN_PAIRS, argsort_pairs
+from pointloom.kernels.arrays.pair_sort import MAX_BUCKET_PAIRS, MIN_PAIRS, argsort_pairs
 from pointloom.kernels.arrays.sort import MIN_RUN, argsort_keys
 from pointloom.kernels.arrays.unique import UniqueKeys, cut_together
 from pointloom.kernels.lang import int32, int64
@@ -70,7 +70,7 @@ def test_the_order_is_that_of_a_stable_sort(rng, device, size, bits):
 @pytest.mark.parametrize("more", [0, 1])
 def test_many_pairs_of_one_first_number_are_ordered_too(rng, device, more):
     keys = np.repeat(np.arange(MIN_PAIRS // 4, dtype=np.int64), 4)
-    keys = np.concatenate([keys, np.full(LONGEST - 4 + more, 7)])
+    keys = np.concatenate([keys, np.full(MAX_BUCKET_PAIRS - 4 + more, 7)])
     keys = (rng.permutation(keys) << 3) | rng.integers(0, 8, len(keys))
     _, order = argsort_pairs(upload(keys, int64, device), 3, MIN_PAIRS)
     np.testing.assert_array_equal(download(order), np.argsort(keys, kind="stable"))

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.arrays.loop_scan import TILE, LoopList, LoopScan
+from pointloom.kernels.arrays.loop_scan import TILE_COUNTS, LoopList, LoopScan
 from pointloom.kernels.arrays.prefix_sum import (
-    FEW,
-    RUN,
+    FEW_COUNTS,
+    RUN_COUNTS,
     exclusive_scan,
     offsets_of,
     scan_together,
@@ -24,7 +24,7 @@ from pointloom.kernels.lang import float64, int32, uint8, vec3
 from pointloom.kernels.memory import download, empty, upload, zeros
 
 
-@pytest.mark.parametrize("size", [0, 1, 2, RUN - 1, RUN, RUN + 1, 3 * RUN + 7])
+@pytest.mark.parametrize("size", [0, 1, 2, RUN_COUNTS - 1, RUN_COUNTS, RUN_COUNTS + 1, 3 * RUN_COUNTS + 7])
 def test_offsets_are_the_exclusive_sums(device, size, rng):
     counts = rng.integers(0, 50, size).astype(np.int32)
     offsets, total = exclusive_scan(upload(counts, int32, device))
@@ -42,7 +42,9 @@ SCANS = {
 }
 
 
-@pytest.mark.parametrize("counts", [[2**31 - 1, 1], [2**31 - 1] * 3, [2**30] * 4, [2**20] * 2**12, [2**14] * (FEW + 1)])
+@pytest.mark.parametrize(
+    "counts", [[2**31 - 1, 1], [2**31 - 1] * 3, [2**30] * 4, [2**20] * 2**12, [2**14] * (FEW_COUNTS + 1)]
+)
 def test_an_overflow_of_32_bits_is_an_error(device, counts):
     """Three times 2^31 - 1 wraps round to a positive number, and four times 2^30 to zero."""
     array = upload(np.array(counts, np.int32), int32, device)
@@ -55,7 +57,7 @@ def test_an_overflow_of_32_bits_is_an_error(device, counts):
 @pytest.mark.parametrize("largest", [49, 2**31 - 1])
 @pytest.mark.parametrize("at", [[1.0], [0.0, 0.5, 1.0]])
 def test_several_arrays_are_scanned_and_read_together(device, rng, at, largest):
-    parts = [rng.integers(0, 50, size) for size in (0, 1, RUN + 1)]
+    parts = [rng.integers(0, 50, size) for size in (0, 1, RUN_COUNTS + 1)]
     positions = [[int(k * part.size) for k in at] for part in parts]
     given = [(upload(part, int32, device), ends) for part, ends in zip(parts, positions, strict=True)]
     *scans, (_, values) = scan_together(given, upload(np.array([7, -1]), int32, device), largest=largest)
@@ -71,7 +73,7 @@ def test_a_sum_of_exactly_the_largest_number_is_taken(device):
     assert total == 2**31 - 1 and offsets.numpy().tolist() == [0, 2**31 - 2, 2**31 - 2, 2**31 - 1]
 
 
-@pytest.mark.parametrize("half", [0, 1, 37, RUN, 100_003])
+@pytest.mark.parametrize("half", [0, 1, 37, RUN_COUNTS, 100_003])
 def test_counts_of_two_kinds_are_scanned_together(device, rng, half):
     counts = rng.integers(0, 9, 2 * half).astype(np.int32)
     offsets, first, total = scan_two(upload(counts, int32, device))
@@ -81,7 +83,10 @@ def test_counts_of_two_kinds_are_scanned_together(device, rng, half):
     assert sums == [first, total] and bounded.numpy().tobytes() == offsets.numpy().tobytes()
 
 
-@pytest.mark.parametrize("size", [0, 1, 31, 33, TILE - 1, TILE, TILE + 1, 3 * TILE + 7, TILE * TILE + 1])
+@pytest.mark.parametrize(
+    "size",
+    [0, 1, 31, 33, TILE_COUNTS - 1, TILE_COUNTS, TILE_COUNTS + 1, 3 * TILE_COUNTS + 7, TILE_COUNTS * TILE_COUNTS + 1],
+)
 def test_sums_run_through_all_tiles(device, size, rng):
     warp_device = resolve_device(device)
     counts = rng.integers(0, 50, size).astype(np.int32)
@@ -94,7 +99,7 @@ def test_sums_run_through_all_tiles(device, size, rng):
 
 
 def test_fewer_counts_than_the_capacity(device, rng):
-    warp_device, size, capacity = resolve_device(device), TILE + 5, 3 * TILE
+    warp_device, size, capacity = resolve_device(device), TILE_COUNTS + 5, 3 * TILE_COUNTS
     counts = rng.integers(0, 50, capacity).astype(np.int32)
     sums = upload(np.full(capacity, -7, np.int32), int32, warp_device)
     LoopScan(capacity, warp_device).run(upload(counts, int32, warp_device), sums, size)
@@ -103,7 +108,7 @@ def test_fewer_counts_than_the_capacity(device, rng):
 
 @pytest.mark.parametrize("fraction", [0.0, 0.3, 1.0])
 def test_marks_are_listed_in_their_order(device, rng, fraction):
-    warp_device, size = resolve_device(device), 2 * TILE + 77
+    warp_device, size = resolve_device(device), 2 * TILE_COUNTS + 77
     mask = (rng.random(size) < fraction).astype(np.uint8)
     counts, marks = zeros(3, int32, warp_device), LoopList(size, warp_device)
     marks.find(upload(mask, uint8, warp_device), size, counts, 1)

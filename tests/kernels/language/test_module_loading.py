@@ -90,7 +90,7 @@ def holder(monkeypatch, tmp_path):
 
 def test_a_lock_is_awaited_until_its_process_ends_or_a_timeout(holder, monkeypatch):
     with monkeypatch.context() as patched:
-        patched.setattr(module_loading, "PAUSE", 1e6)  # a waiting process would sleep
+        patched.setattr(module_loading, "POLL_SECONDS", 1e6)  # a waiting process would sleep
         with module_loading.locked("another module"):
             pass
     monkeypatch.setattr(module_loading, "LONGEST_WAIT", 0.2)

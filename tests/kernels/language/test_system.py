@@ -55,15 +55,15 @@ def test_the_request_covers_the_whole_pages_of_a_block(asked, address, size, beg
 
 def test_large_arrays_ask_and_small_ones_do_not(asked):
     where = wp.get_device("cpu")
-    large = memory.zeros(huge_pages.MAPPED, wp.uint8, where)
-    memory.zeros(huge_pages.MAPPED - 1, wp.uint8, where)
+    large = memory.zeros(huge_pages.MIN_MAPPED_BYTES, wp.uint8, where)
+    memory.zeros(huge_pages.MIN_MAPPED_BYTES - 1, wp.uint8, where)
     ((begin, length, _),) = asked
     assert large.ptr <= begin < begin + length <= large.ptr + large.capacity and not large.numpy().any()
 
 
 def test_a_system_without_huge_pages_changes_nothing(monkeypatch):
     monkeypatch.setattr(huge_pages, "_system", None)
-    assert not memory.zeros(huge_pages.MAPPED, wp.uint8, wp.get_device("cpu")).numpy().any()
+    assert not memory.zeros(huge_pages.MIN_MAPPED_BYTES, wp.uint8, wp.get_device("cpu")).numpy().any()
 
 
 def test_without_users_digests_alone_protect_files(tmp_path, monkeypatch):

@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.arrays.block_keys import AXIS_BITS, BIAS
+from pointloom.kernels.arrays.block_keys import AXIS_BITS, CELL_BIAS
 from pointloom.kernels.lang import int32, launch, vec3
 from pointloom.kernels.memory import download, empty, upload, write
 from pointloom.kernels.poses import control_lattice
@@ -19,7 +19,7 @@ SIZE = 0.375
 def corners_of(lattice):
     """The cells of the anchors, [anchors, 3]."""
     keys, low = download(lattice.anchor_keys), (1 << AXIS_BITS) - 1
-    return np.stack([(keys >> shift) & low for shift in (2 * AXIS_BITS, AXIS_BITS, 0)], axis=1) - BIAS
+    return np.stack([(keys >> shift) & low for shift in (2 * AXIS_BITS, AXIS_BITS, 0)], axis=1) - CELL_BIAS
 
 
 def bend_in_numpy(points, lattice, shifts):

@@ -82,7 +82,7 @@ def test_first_occurrences_do_not_depend_on_the_size_of_the_table(device, slots,
         if np.isnan(point).any() or tuple(point) not in visited:
             expected.append(row)
         visited.add(tuple(point))
-    monkeypatch.setattr(first_rows, "SLOTS", slots)
+    monkeypatch.setattr(first_rows, "MIN_SLOTS_PER_ROW", slots)
     assert first_occurrences(upload(points, vec3, device)).numpy().tolist() == expected
 
 

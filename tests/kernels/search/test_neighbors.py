@@ -117,7 +117,7 @@ def test_the_nearest_point_is_the_first_that_the_search_finds(device, name, radi
     tree = PointTree(target)
     indices, sqdists, counts = (part.numpy() for part in search_nearest(tree, queries, 1, radius))
     for sparse in (0, 10**9):  # each query alone; all in groups
-        monkeypatch.setattr(nearest_point, "SPARSE", sparse)
+        monkeypatch.setattr(nearest_point, "MAX_POINTS_PER_QUERY", sparse)
         keys = find_nearest(tree, queries, radius=radius).numpy()
         np.testing.assert_array_equal(keys >= 0, counts == 1)
         assert (keys[counts == 0] == NO_POINT).all()
@@ -141,7 +141,7 @@ def test_a_point_is_not_the_nearest_other_one(device, name, rng, monkeypatch):
             best = np.nanargmin(sqdists)
             expected[row] = (int(sqdists[best : best + 1].view(np.int32)[0]) << 32) | best
     for sparse in (0, 10**9):
-        monkeypatch.setattr(nearest_point, "SPARSE", sparse)
+        monkeypatch.setattr(nearest_point, "MAX_POINTS_PER_QUERY", sparse)
         np.testing.assert_array_equal(find_nearest(tree, array, others=True).numpy(), expected)
 
 

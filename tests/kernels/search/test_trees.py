@@ -155,7 +155,7 @@ SPREADS = {
 
 
 @pytest.mark.parametrize("spread", SPREADS)
-@pytest.mark.parametrize("count", [1, LEAF + 1, BUCKET, FAN * BUCKET + 1, hilbert.FEW])
+@pytest.mark.parametrize("count", [1, LEAF + 1, BUCKET, FAN * BUCKET + 1, hilbert.MAX_FEW_POINTS])
 def test_the_tree_of_few_points_is_that_of_parallel_launches(device, count, spread, rng, monkeypatch):
     points = upload(SPREADS[spread](rng, count).astype(np.float32), vec3, device)
     curve = hilbert.HilbertCurve(np.zeros(3, np.float32), np.ones(3, np.float32), 9)
@@ -170,7 +170,7 @@ def test_the_tree_of_few_points_is_that_of_parallel_launches(device, count, spre
         assert (some and some.most) == (others and others.most)
 
 
-@pytest.mark.parametrize("count", [1, 2, 1_000, hilbert.FEW, hilbert.FEW + 1])
+@pytest.mark.parametrize("count", [1, 2, 1_000, hilbert.MAX_FEW_POINTS, hilbert.MAX_FEW_POINTS + 1])
 def test_the_order_of_queries_has_each_once_and_the_rest_at_the_end(device, count, rng):
     queries = rng.normal(size=(count, 3)).astype(np.float32)
     queries[::7, 1] = np.nan

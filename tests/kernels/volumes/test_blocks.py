@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.kernels.algebra.camera import Camera
-from pointloom.kernels.arrays.block_keys import BIAS
+from pointloom.kernels.arrays.block_keys import CELL_BIAS
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import upload
 from pointloom.kernels.volumes import tsdf_blocks
@@ -165,7 +165,7 @@ def test_rays_begin_at_the_camera_if_the_truncation_extends_behind_it(device):
 
 def test_a_frame_beyond_the_limit_is_refused_with_figures(device):
     depth, voxel_size = np.full((HEIGHT, WIDTH), 1.0), 0.001
-    limit = BIAS * BLOCK_SIDE * voxel_size
+    limit = CELL_BIAS * BLOCK_SIDE * voxel_size
     for axis in range(3):
         for sign in (-1, 1):
             T = np.eye(4)
@@ -173,7 +173,7 @@ def test_a_frame_beyond_the_limit_is_refused_with_figures(device):
             with pytest.raises(ValueError, match="extrinsic:"):
                 touched(depth, T, 0.01, voxel_size, device)
             T[axis, 3] = sign * (limit - 2)
-            assert np.abs(touched(depth, T, 0.01, voxel_size, device)).max() > BIAS * 0.999
+            assert np.abs(touched(depth, T, 0.01, voxel_size, device)).max() > CELL_BIAS * 0.999
 
 
 def volumes_of_frames(device, rng, count=5):

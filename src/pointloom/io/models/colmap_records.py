@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera_models import HALF, CameraModel
+from ...cameras.camera_models import PIXEL_OFFSET, CameraModel
 from ...core.errors import FileError
 from ...core.quaternions import nearest_rotations, quaternions_to_rotations, rotations_to_quaternions
 from .sfm_model import SfmModel
@@ -97,7 +97,7 @@ def assemble(
     if len(observed) != len(points.tracks):
         reason = f"{len(observed)} keypoints belong to points, but the tracks have {len(points.tracks)}"
         raise FileError(sparse, reason, remedy=MIXED)
-    pixels = keypoints[observed] - HALF
+    pixels = keypoints[observed] - PIXEL_OFFSET
     wrong = np.flatnonzero(~(np.abs(pixels) <= MAX_COORDINATE).all(axis=1))
     if len(wrong):
         image = images[observers[wrong[0]]]
@@ -246,7 +246,7 @@ def records_of(model: SfmModel) -> Records:
         [numbers[camera] for camera in model.cameras],
         rotations_to_quaternions(nearest_rotations(model.T_camera_world[:, :3, :3]))[:, [3, 0, 1, 2]],
         starts,
-        model.pixels + HALF,
+        model.pixels + PIXEL_OFFSET,
         np.concatenate([[0], np.cumsum(model.view_counts)]),
         tracks,
         np.where(np.isnan(model.errors), -1.0, model.errors),

@@ -5,7 +5,7 @@ from ..lang import bits_float, float64, float_bits, floor, func, int64, mat33d, 
 moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
 integer_moments = vector(10, int64)  # the same of differences in integer steps
 MAX_EXACT_POINTS = 131072  # points whose integer moments fit into 64 bits: products have 46
-COARSER = 2.0**-8  # step factor for up to 2^33 points
+STEP_FACTOR = 2.0**-8  # step factor for up to 2^33 points
 
 
 @func
@@ -14,7 +14,7 @@ def steps_for(sqdist: float, count: int) -> float:
     power = ((float_bits(sqdist) >> 23) - 125) >> 1  # sqdist < 4^power
     steps = bits_float((150 - power) << 23)
     if count > MAX_EXACT_POINTS:
-        steps = steps * COARSER
+        steps = steps * STEP_FACTOR
     return steps
 
 

@@ -16,7 +16,7 @@ from ..lang import array, float_bits, func, int64, struct, vector
 from ..memory import upload
 
 PRIME_BITS = 30  # six products of two remainders fit into 63 bits
-FIELDS = 256  # exponents of a float32
+EXPONENT_VALUES = 256  # exponents of a float32
 EXPONENT_SHIFT = 150  # a float32 is its mantissa of 24 bits times 2^(field - 150)
 MANTISSA_BITS = 23
 MANTISSA_MASK = 0x7FFFFF
@@ -39,7 +39,7 @@ class Residues:
         self.count = max(1, *self.counts)
         self.unit, self.device = unit, device
         self.moduli = [large_prime(k) for k in range(self.count)]
-        powers = [[pow(2, field - EXPONENT_SHIFT - unit, p) for field in range(FIELDS)] for p in self.moduli]
+        powers = [[pow(2, field - EXPONENT_SHIFT - unit, p) for field in range(EXPONENT_VALUES)] for p in self.moduli]
         inverses = [[pow(q, -1, p) if p != q else 0 for p in self.moduli] for q in self.moduli]
         self.primes = upload(np.array(self.moduli, np.int64), int64, device)
         self.powers = upload(np.array(powers, np.int64).ravel(), int64, device)
@@ -79,14 +79,14 @@ def primes_for(bound: int) -> int:
 def residue_of(x: float, k: int, exact: Residues) -> int64:
     """A coordinate in units modulo prime k."""
     bits = float_bits(x)
-    field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
+    field = (bits >> MANTISSA_BITS) & (EXPONENT_VALUES - 1)
     mantissa = int64(bits & MANTISSA_MASK)
     if field > 0:
         mantissa += int64(MANTISSA_MASK + 1)
     else:
         field = 1
     p = exact.primes[k]
-    left = mantissa * exact.powers[k * FIELDS + field] % p
+    left = mantissa * exact.powers[k * EXPONENT_VALUES + field] % p
     if bits < 0 and left > 0:
         left = p - left
     return left

@@ -5,9 +5,9 @@ translation). 6x6 upper triangles are row-major.
 
 from ..lang import cos, float64, func, mat33d, mat44d, sin, sqrt, vec2d, vec3d, vec4d, vector
 
-UNKNOWNS = 6
-TRIANGLE = 21
-SWEEPS = 10  # Jacobi sweeps: 6x6 matrices converge to rounding after 6 to 8
+UNKNOWN_COUNT = 6
+TRIANGLE_NUMBERS = 21
+JACOBI_SWEEPS = 10  # Jacobi sweeps: 6x6 matrices converge to rounding after 6 to 8
 vec6d = vector(6, float64)
 triangle = vector(21, float64)
 square = vector(36, float64)  # an n x n matrix, n up to 6, row by row in the first n * n
@@ -21,7 +21,7 @@ pair_sums = vector(18, float64)  # of weighted pairs (p, q): w, wp, wq, wp q^T, 
 @func
 def triangle_index(row: int, column: int) -> int:
     """Index of entry (row, column), row <= column, in the upper triangle of a 6x6 matrix."""
-    return row * UNKNOWNS - (row * (row - 1)) // 2 + column - row
+    return row * UNKNOWN_COUNT - (row * (row - 1)) // 2 + column - row
 
 
 @func
@@ -30,8 +30,8 @@ def full_matrix(h: triangle) -> square:
     for i in range(6):  # unrolled: constant indices
         for j in range(6):
             if j >= i:
-                a[i * UNKNOWNS + j] = h[triangle_index(i, j)]
-                a[j * UNKNOWNS + i] = h[triangle_index(i, j)]
+                a[i * UNKNOWN_COUNT + j] = h[triangle_index(i, j)]
+                a[j * UNKNOWN_COUNT + i] = h[triangle_index(i, j)]
     return a
 
 
@@ -42,7 +42,7 @@ def diagonalize(matrix: square, n: int) -> eigensystem:
     system = eigensystem(0.0)
     for i in range(n):
         system[i * n + i] = 1.0
-    sweeps = int(SWEEPS)
+    sweeps = int(JACOBI_SWEEPS)
     for _ in range(sweeps):
         for p in range(n - 1):
             for q in range(p + 1, n):
@@ -96,7 +96,7 @@ def diagonalize_four(matrix: four_square) -> four_system:
         v[i * 5] = 1.0
     rotated = 1
     sweep = 0
-    while rotated == 1 and sweep < SWEEPS:  # a sweep without rotations is the last
+    while rotated == 1 and sweep < JACOBI_SWEEPS:  # a sweep without rotations is the last
         rotated = 0
         sweep += 1
         for pair in range(6):
@@ -154,7 +154,7 @@ def diagonalize_three(matrix: mat33d) -> three_system:
     )  # fmt: skip
     rotated = 1
     sweep = 0
-    while rotated == 1 and sweep < SWEEPS:
+    while rotated == 1 and sweep < JACOBI_SWEEPS:
         rotated = 0
         sweep += 1
         for pair in range(3):
@@ -192,11 +192,11 @@ def factor_system(h: triangle) -> square:
     a = full_matrix(h)
     largest = float64(0.0)
     for j in range(6):
-        largest = max(largest, abs(a[j * UNKNOWNS + j]))
+        largest = max(largest, abs(a[j * UNKNOWN_COUNT + j]))
     for j in range(6):
-        d = a[j * UNKNOWNS + j]
+        d = a[j * UNKNOWN_COUNT + j]
         for k in range(j):
-            d -= a[j * UNKNOWNS + k] * a[j * UNKNOWNS + k] * a[k * UNKNOWNS + k]
+            d -= a[j * UNKNOWN_COUNT + k] * a[j * UNKNOWN_COUNT + k] * a[k * UNKNOWN_COUNT + k]
         inverse = float64(0.0)
         if d > 1.0e-15 * largest:
             inverse = 1.0 / d
@@ -204,13 +204,13 @@ def factor_system(h: triangle) -> square:
             d = 0.0
         else:
             inverse = d  # a step of zeros would be taken for convergence
-        a[j * UNKNOWNS + j] = d
+        a[j * UNKNOWN_COUNT + j] = d
         for i in range(6):
             if i > j:
-                v = a[i * UNKNOWNS + j]
+                v = a[i * UNKNOWN_COUNT + j]
                 for k in range(j):
-                    v -= a[i * UNKNOWNS + k] * a[j * UNKNOWNS + k] * a[k * UNKNOWNS + k]
-                a[i * UNKNOWNS + j] = v * inverse
+                    v -= a[i * UNKNOWN_COUNT + k] * a[j * UNKNOWN_COUNT + k] * a[k * UNKNOWN_COUNT + k]
+                a[i * UNKNOWN_COUNT + j] = v * inverse
     return a
 
 
@@ -221,10 +221,10 @@ def solve_factored(a: square, b: vec6d) -> vec6d:
     for j in range(6):
         v = b[j]
         for k in range(j):
-            v -= a[j * UNKNOWNS + k] * x[k]
+            v -= a[j * UNKNOWN_COUNT + k] * x[k]
         x[j] = v
     for j in range(6):
-        pivot = a[j * UNKNOWNS + j]
+        pivot = a[j * UNKNOWN_COUNT + j]
         if pivot > 0.0:
             x[j] = x[j] / pivot
         elif pivot - pivot == 0.0:
@@ -232,11 +232,11 @@ def solve_factored(a: square, b: vec6d) -> vec6d:
         else:
             x[j] = pivot
     for step in range(6):
-        j = UNKNOWNS - 1 - step
+        j = UNKNOWN_COUNT - 1 - step
         v = x[j]
         for k in range(6):
             if k > j:
-                v -= a[k * UNKNOWNS + j] * x[k]
+                v -= a[k * UNKNOWN_COUNT + j] * x[k]
         x[j] = v
     return x
 

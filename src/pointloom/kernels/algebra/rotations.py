@@ -6,7 +6,7 @@ from ..lang import float64, func, isfinite, mat33d
 from .eigen import largest_entry
 from .rigid_solve import diagonalize_four, four_square, largest_of_four, rotation_about
 
-LIKING = 1.0e-12  # small weight on no rotation, relative to the largest entry, decides between equal fits
+IDENTITY_WEIGHT = 1.0e-12  # small weight on no rotation, relative to the largest entry, decides between equal fits
 
 
 @func
@@ -25,7 +25,7 @@ def best_rotation(S: mat33d) -> mat33d:
         xz = s[2, 0] + s[0, 2]
         yz = s[1, 2] + s[2, 1]
         a = four_square(
-            s[0, 0] + s[1, 1] + s[2, 2] + float64(LIKING), x, y, z,
+            s[0, 0] + s[1, 1] + s[2, 2] + float64(IDENTITY_WEIGHT), x, y, z,
             x, s[0, 0] - s[1, 1] - s[2, 2], xy, xz,
             y, xy, s[1, 1] - s[0, 0] - s[2, 2], yz,
             z, xz, yz, s[2, 2] - s[0, 0] - s[1, 1],

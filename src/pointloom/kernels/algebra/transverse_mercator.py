@@ -26,8 +26,8 @@ from ..lang import (
 from ..memory import empty
 from .angles import arctangent
 
-RADIANS = 0.017453292519943295  # per degree
-ORDER = 6  # of Krueger's series
+RADIANS_PER_DEGREE = 0.017453292519943295  # per degree
+SERIES_ORDER = 6  # of Krueger's series
 
 
 @struct
@@ -45,7 +45,7 @@ class Mercator:
         self, meridian: float, eccentricity: float, radius: float, series: tuple[float, ...], start: tuple[float, float]
     ) -> None:
         self.meridian, self.eccentricity, self.radius = meridian, eccentricity, radius
-        self.low, self.high = vec3d(*series[:3]), vec3d(*series[3:ORDER])
+        self.low, self.high = vec3d(*series[:3]), vec3d(*series[3:SERIES_ORDER])
         self.start = vec3d(*start, 0.0)
 
 
@@ -107,8 +107,8 @@ def wrapped(degrees: float64) -> float64:
 @func
 def project(longitude: float64, latitude: float64, to: Mercator) -> vec2d:
     """Easting and northing [m] of degrees, longitude relative to the meridian."""
-    along = sine_and_cosine(latitude * float64(RADIANS))
-    across = sine_and_cosine(longitude * float64(RADIANS))
+    along = sine_and_cosine(latitude * float64(RADIANS_PER_DEGREE))
+    across = sine_and_cosine(longitude * float64(RADIANS_PER_DEGREE))
     tangent = along[0] / along[1]
     sigma = small_sinh(to.eccentricity * inverse_tanh(to.eccentricity * along[0]))
     t = tangent * sqrt(1.0 + sigma * sigma) - sigma * sqrt(1.0 + tangent * tangent)

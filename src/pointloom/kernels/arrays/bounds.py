@@ -27,24 +27,24 @@ from ..memory import download, empty, full, host_view, zeros
 from .lanes import high_of_lanes, low_of_lanes, sum_int_of_lanes
 from .runs import Runs, elements_of, row_of
 
-RUN = 4096  # points per thread on the CPU: atomics cost less than 1 % of the reads
-MAGNITUDE = 0x7FFF_FFFF  # bits of a float32 without the sign
-NOTHING = -0x8000_0000  # below all float keys, and the initial count
-WIDTH = 7  # columns of a result: the largest -x, -y, -z, x, y, z, and the count
+RUN_POINTS = 4096  # points per thread on the CPU: atomics cost less than 1 % of the reads
+MAGNITUDE_BITS = 0x7FFF_FFFF  # bits of a float32 without the sign
+EMPTY_EXTREME = -0x8000_0000  # below all float keys, and the initial count
+COLUMN_COUNT = 7  # columns of a result: the largest -x, -y, -z, x, y, z, and the count
 
 
 @func
 def ordered_bits(x: float) -> int:
     """Integer with the order of the float."""
     bits = float_bits(x)
-    return bits ^ ((bits >> 31) & MAGNITUDE)
+    return bits ^ ((bits >> 31) & MAGNITUDE_BITS)
 
 
 @func
 def merge_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
     """Widen a row's box by a thread's box with `count` points."""
     if count > 0:
-        at = row_of(i, runs) * WIDTH
+        at = row_of(i, runs) * COLUMN_COUNT
         for axis in range(3):
             atomic_max(extremes, at + axis, ordered_bits(-low[axis]))
             atomic_max(extremes, at + 3 + axis, ordered_bits(high[axis]))
@@ -54,7 +54,7 @@ def merge_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: a
 @merge_box.on_cuda
 def merge_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
     """CUDA variant: one atomic per warp."""
-    at = row_of(i, runs) * WIDTH
+    at = row_of(i, runs) * COLUMN_COUNT
     total = sum_int_of_lanes(count)
     a = low_of_lanes(low)
     b = high_of_lanes(high)
@@ -92,23 +92,23 @@ def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(d
 def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
     """Box coordinate over all rows, low corner first. 0 if no point is finite."""
     i = tid()
-    largest = int(NOTHING)
-    count = int(NOTHING)
-    for row in range(extremes.shape[0] // WIDTH):
-        largest = max(largest, extremes[row * WIDTH + i])
-        count = max(count, extremes[row * WIDTH + 6])
-    end = bits_float(largest ^ ((largest >> 31) & MAGNITUDE))
+    largest = int(EMPTY_EXTREME)
+    count = int(EMPTY_EXTREME)
+    for row in range(extremes.shape[0] // COLUMN_COUNT):
+        largest = max(largest, extremes[row * COLUMN_COUNT + i])
+        count = max(count, extremes[row * COLUMN_COUNT + 6])
+    end = bits_float(largest ^ ((largest >> 31) & MAGNITUDE_BITS))
     if i < 3:
         end = -end
-    if count == NOTHING or end == 0.0:  # atomics keep either zero or minus zero; `+ 0` would be optimized away
+    if count == EMPTY_EXTREME or end == 0.0:  # atomics keep either zero or minus zero; `+ 0` would be optimized away
         end = 0.0
     box[i] = end
 
 
 def find_extremes(points: Points) -> Integers:
-    """Partial boxes, int32, WIDTH numbers per row, for `box_of` on the host. No sync."""
-    runs = Runs(points.size, points.device, RUN)
-    extremes = full(runs.rows * WIDTH, NOTHING, int32, points.device)
+    """Partial boxes, int32, COLUMN_COUNT numbers per row, for `box_of` on the host. No sync."""
+    runs = Runs(points.size, points.device, RUN_POINTS)
+    extremes = full(runs.rows * COLUMN_COUNT, EMPTY_EXTREME, int32, points.device)
     launch(bound_points_kernel, runs.threads, [points, runs, extremes])
     return extremes
 
@@ -122,9 +122,9 @@ def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
     """Box of the finite points: (low, high, count) on the host, infinite if none is finite. One sync."""
     if points.device.is_cuda:
         return bound_each([points])[0]
-    runs, extremes = Runs(points.size, points.device, RUN), empty(WIDTH, int32, points.device)
+    runs, extremes = Runs(points.size, points.device, RUN_POINTS), empty(COLUMN_COUNT, int32, points.device)
     host = host_view(extremes)
-    host[:] = NOTHING
+    host[:] = EMPTY_EXTREME
     launch(bound_points_kernel, runs.threads, [points, runs, extremes])
     return box_of(host)
 
@@ -132,22 +132,22 @@ def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
 def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, int]]:
     """As `bound_points` for several arrays on one device. One sync."""
     device = clouds[0].device
-    runs = [Runs(points.size, device, RUN) for points in clouds]
-    ends = np.cumsum([run.rows * WIDTH for run in runs]).tolist()
-    extremes = full(ends[-1], NOTHING, int32, device)
+    runs = [Runs(points.size, device, RUN_POINTS) for points in clouds]
+    ends = np.cumsum([run.rows * COLUMN_COUNT for run in runs]).tolist()
+    extremes = full(ends[-1], EMPTY_EXTREME, int32, device)
     for points, run, end in zip(clouds, runs, ends, strict=True):
-        launch(bound_points_kernel, run.threads, [points, run, extremes[end - run.rows * WIDTH : end]])
+        launch(bound_points_kernel, run.threads, [points, run, extremes[end - run.rows * COLUMN_COUNT : end]])
     extremes_of_all = download(extremes)  # sync
-    return [box_of(extremes_of_all[end - run.rows * WIDTH : end]) for run, end in zip(runs, ends, strict=True)]
+    return [box_of(extremes_of_all[end - run.rows * COLUMN_COUNT : end]) for run, end in zip(runs, ends, strict=True)]
 
 
 def box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    rows = extremes.reshape(-1, WIDTH)
-    count = sum(rows[:, 6].tolist()) - NOTHING * len(rows)
+    rows = extremes.reshape(-1, COLUMN_COUNT)
+    count = sum(rows[:, 6].tolist()) - EMPTY_EXTREME * len(rows)
     if not count:
         return np.full(3, np.inf, np.float32), np.full(3, -np.inf, np.float32), 0
     bits = rows[0, :6] if len(rows) == 1 else rows[:, :6].max(axis=0)
-    ends = (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32)
+    ends = (bits ^ ((bits >> 31) & np.int32(MAGNITUDE_BITS))).view(np.float32)
     # + 0: normalizes minus zero
     return np.float32(0) - ends[:3], ends[3:] + np.float32(0), count
 

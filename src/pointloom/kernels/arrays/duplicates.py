@@ -7,8 +7,8 @@ from .select import positions_of
 
 LOW_WORD = 0xFFFFFFFF
 MINUS_ZERO = 0x80000000
-MAGNITUDE = 0x7FFFFFFF
-INFINITE = 0x7F800000  # bits of infinity. NaN is above
+MAGNITUDE_BITS = 0x7FFFFFFF
+INFINITY_BITS = 0x7F800000  # bits of infinity. NaN is above
 
 
 @func
@@ -22,7 +22,7 @@ def coordinate_bits(x: float) -> int64:
 def is_nan(p: vec3) -> int:
     result = 0
     for axis in range(3):
-        if (int64(float_bits(p[axis])) & int64(MAGNITUDE)) > int64(INFINITE):
+        if (int64(float_bits(p[axis])) & int64(MAGNITUDE_BITS)) > int64(INFINITY_BITS):
             result = 1
     return result
 
@@ -43,7 +43,7 @@ def list_words_kernel(points: array(dtype=vec3), words: array(dtype=vec3i)):
     p = points[i]
     row = vec3i(int(coordinate_bits(p[0])), int(coordinate_bits(p[1])), int(coordinate_bits(p[2])))
     if is_nan(p) == 1:
-        row = vec3i(MAGNITUDE, i, 0)
+        row = vec3i(MAGNITUDE_BITS, i, 0)
     words[i] = row
 
 

@@ -7,7 +7,7 @@ from .hash_table import mix_bits
 from .row_atomics import add_long
 from .runs import Runs, elements_of, row_of
 
-RUN = 256  # points per thread on the CPU: one atomic each
+RUN_POINTS = 256  # points per thread on the CPU: one atomic each
 LOW_WORD = 0xFFFF_FFFF
 
 
@@ -30,7 +30,7 @@ def sum_words_kernel(points: array(dtype=vec3), runs: Runs, totals: array(dtype=
 
 def fingerprint(points: Points) -> int:
     """Fingerprint of a device array of vec3, an int (one sync)."""
-    runs = Runs(points.size, points.device, RUN)
+    runs = Runs(points.size, points.device, RUN_POINTS)
     totals = zeros(runs.rows, int64, points.device)
     launch(sum_words_kernel, runs.threads, [points, runs, totals])
     return int(download(totals).sum())  # sync

@@ -9,8 +9,8 @@ from ..lang import array, atomic_min, compute, func, int32, int64, kernel, launc
 from ..memory import full
 from .hash_table import mix_bits
 
-FREE = 0x7FFFFFFF  # an empty slot, larger than any row number
-SLOTS = 2  # minimum number of slots per row
+EMPTY_SLOT = 0x7FFFFFFF  # an empty slot, larger than any row number
+MIN_SLOTS_PER_ROW = 2  # minimum number of slots per row
 LOW_WORD = 0xFFFFFFFF
 
 
@@ -36,7 +36,7 @@ def insert_rows_kernel(rows: array(dtype=vec3i), mask: int64, slots: array(dtype
     slot = hash_row(rows[i]) & mask
     while carried >= 0:
         old = atomic_min(slots, int(slot), carried)  # resolves the race for the slot: the lower number stays
-        if old == FREE:
+        if old == EMPTY_SLOT:
             carried = -1
         elif same_row(rows[old], rows[carried]) == 1:
             carried = -1
@@ -73,8 +73,8 @@ def mask_first_rows_kernel(
 
 def _slots_of(rows: Cells) -> tuple[Indices, int]:
     """The hash table, and the mask of its slot numbers."""
-    mask = (1 << (SLOTS * max(1, rows.size) - 1).bit_length()) - 1
-    slots = full(mask + 1, FREE, int32, rows.device)
+    mask = (1 << (MIN_SLOTS_PER_ROW * max(1, rows.size) - 1).bit_length()) - 1
+    slots = full(mask + 1, EMPTY_SLOT, int32, rows.device)
     launch(insert_rows_kernel, rows.size, [rows, mask, slots])
     return slots, mask
 

@@ -9,7 +9,7 @@ from ..lang import array, atomic_min, func, int32, int64, kernel, launch, struct
 from ..memory import empty, full
 
 MAX_SEQUENTIAL = 4096  # keys that one CPU core inserts faster than a parallel launch
-EMPTY = 0x7FFF_FFFF_FFFF_FFFF  # larger than any key
+EMPTY_KEY = 0x7FFF_FFFF_FFFF_FFFF  # larger than any key
 
 
 @func
@@ -22,7 +22,7 @@ def mix_bits(key: int64) -> int64:
 
 @struct
 class HashTable:
-    """Positions of distinct non-negative keys: `keys` per slot or EMPTY, `positions`, `mask` = `capacity` - 1."""
+    """Positions of distinct non-negative keys: `keys` per slot or EMPTY_KEY, `positions`, `mask` = `capacity` - 1."""
 
     keys: array(dtype=int64)
     positions: array(dtype=int32)
@@ -34,7 +34,7 @@ class HashTable:
         self._allocate(max(1024, 1 << (2 * room - 1).bit_length()))
 
     def _allocate(self, capacity: int) -> None:
-        self.keys, self.positions = full(capacity, EMPTY, int64, self.device), empty(capacity, int32, self.device)
+        self.keys, self.positions = full(capacity, EMPTY_KEY, int64, self.device), empty(capacity, int32, self.device)
         self.capacity, self.mask = capacity, capacity - 1
 
     def append(self, all_keys: Keys, count: int, new_count: int) -> None:
@@ -91,7 +91,7 @@ def insert_entry(entry: int64, low_bits: int, entries: array(dtype=int64), mask:
     carrying = 1
     while carrying == 1:
         old = atomic_min(entries, int(slot), carried)  # resolves the race for the slot: the smaller entry stays
-        if old == int64(EMPTY) or (old >> int64(low_bits)) == (carried >> int64(low_bits)):
+        if old == int64(EMPTY_KEY) or (old >> int64(low_bits)) == (carried >> int64(low_bits)):
             carrying = 0
         else:
             if old > carried:
@@ -125,7 +125,7 @@ def insert_sequentially_kernel(keys: array(dtype=int64), first: int, count: int,
                 moved = table.positions[slot]
                 table.keys[slot] = key
                 table.positions[slot] = position
-                if old == key or old == int64(EMPTY):
+                if old == key or old == int64(EMPTY_KEY):
                     carrying = 0
                 key = old
                 position = moved

@@ -10,7 +10,7 @@ from ..memory import empty, host_view
 from .lanes import LANE_BITS, sum_int_of_lanes
 from .select import count_mask_kernel
 
-TILE = 1024  # counts per warp: 32 per lane
+TILE_COUNTS = 1024  # counts per warp: 32 per lane
 
 
 @kernel
@@ -20,7 +20,7 @@ def sum_tiles_kernel(counts: array(dtype=int32), count: int, sums: array(dtype=i
     tile = i // WARP
     if i % WARP == 0:
         total = 0
-        for j in range(tile * TILE, min((tile + 1) * TILE, count)):
+        for j in range(tile * TILE_COUNTS, min((tile + 1) * TILE_COUNTS, count)):
             total += counts[j]
         sums[tile] = total
 
@@ -33,7 +33,7 @@ def sum_tiles_of_lanes_kernel(counts: array(dtype=int32), count: int, sums: arra
     total = 0
     n = int(WARP)
     for step in range(n):
-        j = tile * TILE + step * WARP + lane
+        j = tile * TILE_COUNTS + step * WARP + lane
         if j < count:
             total += counts[j]
     total = sum_int_of_lanes(total)
@@ -50,7 +50,7 @@ def scan_tiles_kernel(counts: array(dtype=int32), count: int, before: array(dtyp
         total = 0
         if tile > 0:
             total = before[tile - 1]
-        for j in range(tile * TILE, min((tile + 1) * TILE, count)):
+        for j in range(tile * TILE_COUNTS, min((tile + 1) * TILE_COUNTS, count)):
             total += counts[j]
             sums[j] = total
 
@@ -68,7 +68,7 @@ def scan_tiles_of_lanes_kernel(
         start = before[tile - 1]
     n = int(WARP)
     for step in range(n):
-        j = tile * TILE + step * WARP + lane
+        j = tile * TILE_COUNTS + step * WARP + lane
         total = 0
         if j < count:
             total = counts[j]
@@ -86,21 +86,21 @@ class LoopScan:
 
     def __init__(self, size: int, device: Device) -> None:
         self.levels: list[Integers] = []
-        while size > TILE:
-            size = -(-size // TILE)
+        while size > TILE_COUNTS:
+            size = -(-size // TILE_COUNTS)
             self.levels.append(empty(size, int32, device))
 
     def run(self, counts: Integers, sums: Integers, count: int) -> None:
         """sums[i] = counts[0] + ... + counts[i] for the first `count` of int32 arrays, which may be the same."""
         rows, sizes = [counts, *self.levels], [count]
         for lower, upper in itertools.pairwise(rows):
-            tiles = -(-sizes[-1] // TILE)
+            tiles = -(-sizes[-1] // TILE_COUNTS)
             launch(sum_tiles_kernel, tiles * WARP, [lower, sizes[-1], upper])
             sizes.append(tiles)
         above = rows[-1]  # not read: there is one tile
         for row, size in zip(reversed(rows), reversed(sizes), strict=True):
             out = sums if row is counts else row
-            launch(scan_tiles_kernel, -(-size // TILE) * WARP, [row, size, above, out])
+            launch(scan_tiles_kernel, -(-size // TILE_COUNTS) * WARP, [row, size, above, out])
             above = out
 
 

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from ..algebra.residues import EXPONENT_SHIFT, FIELDS, MANTISSA_BITS, MANTISSA_MASK
+from ..algebra.residues import EXPONENT_SHIFT, EXPONENT_VALUES, MANTISSA_BITS, MANTISSA_MASK
 from ..array_types import Integers, Points
 from ..lang import array, bit_count, float_bits, func, int32, kernel, launch, tid, vec3
 from ..memory import download, full
 from .row_atomics import lower_int
 from .runs import Runs, elements_of, row_of
 
-RUN = 1024  # points per thread on the CPU: one atomic each
+RUN_POINTS = 1024  # points per thread on the CPU: one atomic each
 NO_BIT = 1000
 
 
@@ -17,7 +17,7 @@ NO_BIT = 1000
 def lowest_bit_of(x: float) -> int:
     """Exponent of the lowest bit of a coordinate. NO_BIT for zero."""
     bits = float_bits(x)
-    field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
+    field = (bits >> MANTISSA_BITS) & (EXPONENT_VALUES - 1)
     mantissa = bits & MANTISSA_MASK
     if field > 0:
         mantissa = mantissa + (MANTISSA_MASK + 1)
@@ -39,7 +39,7 @@ def find_lowest_bit_kernel(points: array(dtype=vec3), runs: Runs, lowest: array(
 
 def find_lowest_bits(points: Points) -> Integers:
     """Partial results, int32, for `bit_of` on the host. No sync."""
-    runs = Runs(points.size, points.device, RUN)
+    runs = Runs(points.size, points.device, RUN_POINTS)
     lowest = full(runs.rows, NO_BIT, int32, points.device)
     launch(find_lowest_bit_kernel, runs.threads, [points, runs, lowest])
     return lowest

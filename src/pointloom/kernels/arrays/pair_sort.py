@@ -9,7 +9,7 @@ from .prefix_sum import offsets_of
 from .sort import argsort_keys
 
 MIN_PAIRS = 1 << 15  # pairs: below, launches cost more than the sort
-LONGEST = 64  # pairs of a bucket: insertion sort is quadratic
+MAX_BUCKET_PAIRS = 64  # pairs of a bucket: insertion sort is quadratic
 
 
 @kernel(for_cpu=True)
@@ -63,7 +63,7 @@ def argsort_pairs(keys: Keys, bits: int, count: int) -> tuple[LongIntegers, Inte
         return argsort_keys(keys, bits + max(1, count.bit_length()))
     counts = zeros(count + 1, int32, device)
     launch(count_runs_of_pairs_kernel, keys.size, [keys, bits, counts])
-    if download(counts).max() > LONGEST:
+    if download(counts).max() > MAX_BUCKET_PAIRS:
         return argsort_keys(keys, bits + max(1, count.bit_length()))
     starts = offsets_of(counts)
     order, ordered = empty(keys.size, int32, device), empty(keys.size, int64, device)

@@ -20,7 +20,7 @@ from ..language.driver import driver
 from ..language.pinned_results import Buffer, pool
 from ..memory import on_give_back, write
 
-SMALLEST = 1 << 16  # [B] CUDA itself stages smaller copies, without a wait
+MIN_PINNED_BYTES = 1 << 16  # [B] CUDA itself stages smaller copies, without a wait
 
 
 class _Slot:
@@ -58,7 +58,7 @@ def write_pinned(targets: Sequence[AnyArray], sources: Sequence[NDArray[Any]]) -
     """Overwrite arrays of a GPU as `memory.write` does, but without a wait for its earlier work."""
     device, size = targets[0].device, sum(values.nbytes for values in sources)
     with lock_for(device):
-        slot = _next_slot(device) if size > SMALLEST and not device.captures else None
+        slot = _next_slot(device) if size > MIN_PINNED_BYTES and not device.captures else None
         memory = None if slot is None else slot.take(size)
         if slot is None or memory is None:
             for target, values in zip(targets, sources, strict=True):

@@ -16,8 +16,8 @@ from .runs import Runs, elements_of, row_of
 from .side_by_side import read_together
 
 MAX_COUNT = 2**31 - 1
-RUN = 4096  # counts per thread on the CPU: one atomic per run
-FEW = 1 << 17  # counts that NumPy adds up as fast as two cores (0.05 ms, random flags, 2026-11-28)
+RUN_COUNTS = 4096  # counts per thread on the CPU: one atomic per run
+FEW_COUNTS = 1 << 17  # counts that NumPy adds up as fast as two cores (0.05 ms, random flags, 2026-11-28)
 
 
 @func
@@ -83,7 +83,7 @@ def scan_unread(counts: Integers, largest: int = MAX_COUNT) -> tuple[Integers, I
         return offsets, rows_of(offsets, n, n + 1)
     if device.is_cpu:
         return offsets_of(counts), upload(download(counts).sum(dtype=np.int64, keepdims=True), int64, device)
-    runs, offsets = Runs(n, device, RUN), empty(n + 1, int32, device)
+    runs, offsets = Runs(n, device, RUN_COUNTS), empty(n + 1, int32, device)
     parts = zeros(runs.rows, int64, device)
     launch(start_offsets_kernel, runs.threads, [counts, runs, parts, offsets])
     inclusive_scan(counts, rows_of(offsets, 1, n + 1))
@@ -183,9 +183,9 @@ def sum_counts(counts: Integers) -> int:
 def sum_each(*counts: Integers) -> list[int]:
     """As `sum_counts` of several arrays of one size. One sync for all."""
     device = counts[0].device
-    if device.is_cpu and counts[0].size <= FEW:
+    if device.is_cpu and counts[0].size <= FEW_COUNTS:
         return [int(download(part).sum(dtype=np.int64)) for part in counts]
-    runs = Runs(counts[0].size, device, RUN)
+    runs = Runs(counts[0].size, device, RUN_COUNTS)
     totals = zeros(len(counts) * runs.rows, int64, device)
     for k, part in enumerate(counts):
         launch(sum_counts_kernel, runs.threads, [part, runs, totals[k * runs.rows : (k + 1) * runs.rows]])

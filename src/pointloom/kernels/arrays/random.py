@@ -13,10 +13,10 @@ MULTIPLIER_1 = 0xCD9E8D57
 WEYL_0 = 0x9E3779B9
 WEYL_1 = 0xBB67AE85
 LOW_WORD = 0xFFFFFFFF
-ROUNDS = 10
+PHILOX_ROUNDS = 10
 UPPER_HALF = 0xFFFF0000
 
-UNIT = 1.0 / 16777216.0  # 2^-24: float32 represents the upper 24 bits of a word exactly
+WORD_STEP = 1.0 / 16777216.0  # 2^-24: float32 represents the upper 24 bits of a word exactly
 TWO_PI = 6.283185307179586
 
 
@@ -29,7 +29,7 @@ def philox(x0: uint64, x1: uint64, x2: uint64, x3: uint64, k0: uint64, k1: uint6
     c3 = x3
     key0 = k0
     key1 = k1
-    for _ in range(ROUNDS):
+    for _ in range(PHILOX_ROUNDS):
         p0 = uint64(MULTIPLIER_0) * c0
         p1 = uint64(MULTIPLIER_1) * c2
         c0 = (p1 >> 32) ^ c1 ^ key0
@@ -60,7 +60,7 @@ def random_below(words: vec4u, count: int) -> int:
 @func
 def unit_float(word: uint32) -> float:
     """A word as a number in [0, 1), a multiple of 2^-24."""
-    return float32(word >> 8) * UNIT
+    return float32(word >> 8) * WORD_STEP
 
 
 @func

@@ -8,8 +8,8 @@ from ..memory import download, empty, fill_column, upload, zeros
 from .select import positions_of
 from .unique import UniqueKeys, count_runs_kernel
 
-NOTHING = (2**63 - 1, -(2**63))  # limits of an empty array
-ABOVE = 2**32  # factor of the first number of a pair in a 64-bit key
+EMPTY_LIMITS = (2**63 - 1, -(2**63))  # limits of an empty array
+FIRST_NUMBER_FACTOR = 2**32  # factor of the first number of a pair in a 64-bit key
 
 
 @kernel
@@ -71,14 +71,14 @@ def scatter_partners_kernel(
 def pack_pairs_kernel(pairs: array(dtype=int32, ndim=2), keys: array(dtype=int64)):
     """Pack a pair of non-negative numbers into one key, the first above the second."""
     i = tid()
-    keys[i] = int64(pairs[i, 0]) * int64(ABOVE) + int64(pairs[i, 1])
+    keys[i] = int64(pairs[i, 0]) * int64(FIRST_NUMBER_FACTOR) + int64(pairs[i, 1])
 
 
 @kernel
 def unpack_pairs_kernel(keys: array(dtype=int64), pairs: array(dtype=int32, ndim=2)):
     i = tid()
-    pairs[i, 0] = int(keys[i] // int64(ABOVE))
-    pairs[i, 1] = int(keys[i] % int64(ABOVE))
+    pairs[i, 0] = int(keys[i] // int64(FIRST_NUMBER_FACTOR))
+    pairs[i, 1] = int(keys[i] % int64(FIRST_NUMBER_FACTOR))
 
 
 @kernel
@@ -91,7 +91,7 @@ def write_partners_kernel(rows: array(dtype=int32), partners: array(dtype=int32)
 
 def limits_of(numbers: LongIntegers, first: int = 0, step: int = 1) -> tuple[int, int]:
     """Minimum and maximum of every step-th int64 device number (one sync). At least one is needed."""
-    limits = upload(np.array(NOTHING, np.int64), int64, numbers.device)
+    limits = upload(np.array(EMPTY_LIMITS, np.int64), int64, numbers.device)
     launch(find_limits_kernel, (numbers.size - first + step - 1) // step, [numbers, first, step, limits])
     low, high = download(limits)  # sync
     return int(low), int(high)

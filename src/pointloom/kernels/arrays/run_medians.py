@@ -7,8 +7,8 @@ from ..lang import array, bits_float, float32, float_bits, func, int32, int64, k
 from ..memory import download, empty
 from .sort import SortKeys, put_key
 
-MAGNITUDE = 0x7FFF_FFFF  # the bits below the sign
-LOWEST = 0x8000_0000  # converts signed to unsigned order
+MAGNITUDE_BITS = 0x7FFF_FFFF  # the bits below the sign
+SIGN_BIT = 0x8000_0000  # converts signed to unsigned order
 LOW_WORD = 0xFFFF_FFFF
 KEY_BITS = 32  # bits of a number
 
@@ -18,7 +18,7 @@ def flip_bits(bits: int) -> int:
     """Bits of a float as an integer of the same order, and back."""
     flipped = bits
     if bits < 0:
-        flipped = bits ^ MAGNITUDE
+        flipped = bits ^ MAGNITUDE_BITS
     return flipped
 
 
@@ -27,13 +27,13 @@ def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32)
     i = tid()
     quantity = i // runs.shape[0]
     run = quantity * run_count + runs[i - quantity * runs.shape[0]]
-    number = int64(flip_bits(float_bits(values[i]))) + int64(LOWEST)
+    number = int64(flip_bits(float_bits(values[i]))) + int64(SIGN_BIT)
     put_key(i, (int64(run) << int64(KEY_BITS)) | number, keys)
 
 
 @func
 def number_of(key: int64) -> float:
-    return bits_float(flip_bits(int((key & int64(LOW_WORD)) - int64(LOWEST))))
+    return bits_float(flip_bits(int((key & int64(LOW_WORD)) - int64(SIGN_BIT))))
 
 
 @kernel

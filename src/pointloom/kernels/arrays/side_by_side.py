@@ -13,7 +13,7 @@ from ..language.device_arrays import element_kind, reinterpreted
 from ..language.device_lock import lock_for
 from ..memory import contiguous, copy, download, empty, upload, write
 
-ALIGNMENT = 256  # bytes, as of separate allocations
+ALIGNMENT_BYTES = 256  # bytes, as of separate allocations
 
 
 def part_of(
@@ -57,7 +57,7 @@ class SideBySide:
         self._size = 0
         for name, host in hosts.items():
             self._layout[name] = (self._size, host.nbytes, host.shape, host.dtype)
-            self._size += -(-max(host.nbytes, 1) // ALIGNMENT) * ALIGNMENT
+            self._size += -(-max(host.nbytes, 1) // ALIGNMENT_BYTES) * ALIGNMENT_BYTES
         self._buffer = upload(self._content(hosts), uint8, device)
         self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
 

@@ -21,7 +21,7 @@ from ..memory import download, empty, host_view, rows_of
 # there, and 4 ns on processors with fast compressing stores: only on one to three cores of those NumPy would be faster.
 MIN_RADIX_KEYS = 1 << 14
 DIGIT_BITS = 8  # more places than pages of a small TLB would be slower
-DIGITS = 1 << DIGIT_BITS
+DIGIT_VALUES = 1 << DIGIT_BITS
 MIN_BLOCK_KEYS, MAX_BLOCKS = 1 << 14, 64  # of a pass
 MIN_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
 
@@ -92,11 +92,11 @@ def pack_keys_kernel(keys: array(dtype=int64), index_bits: int, packed: array(dt
 @kernel(for_cpu=True)
 def count_digits_kernel(packed: array(dtype=int64), shift: int, size: int, places: array(dtype=int32)):
     b = tid()
-    row = b * DIGITS
-    for d in range(row, row + DIGITS):
+    row = b * DIGIT_VALUES
+    for d in range(row, row + DIGIT_VALUES):
         places[d] = 0
     for i in range(b * size, min((b + 1) * size, packed.shape[0])):
-        d = row + int((packed[i] >> int64(shift)) & int64(DIGITS - 1))
+        d = row + int((packed[i] >> int64(shift)) & int64(DIGIT_VALUES - 1))
         places[d] = places[d] + 1
 
 
@@ -105,10 +105,10 @@ def scan_digits_kernel(blocks: int, places: array(dtype=int32)):
     """One thread: replace counts by the places of the first key of each digit and block."""
     i = tid()
     place = i
-    for d in range(DIGITS):
+    for d in range(DIGIT_VALUES):
         for b in range(blocks):
-            count = places[b * DIGITS + d]
-            places[b * DIGITS + d] = place
+            count = places[b * DIGIT_VALUES + d]
+            places[b * DIGIT_VALUES + d] = place
             place += count
 
 
@@ -117,10 +117,10 @@ def move_keys_kernel(
     packed: array(dtype=int64), shift: int, size: int, places: array(dtype=int32), moved: array(dtype=int64)
 ):
     b = tid()
-    row = b * DIGITS
+    row = b * DIGIT_VALUES
     for i in range(b * size, min((b + 1) * size, packed.shape[0])):
         key = packed[i]
-        d = row + int((key >> int64(shift)) & int64(DIGITS - 1))
+        d = row + int((key >> int64(shift)) & int64(DIGIT_VALUES - 1))
         place = places[d]
         places[d] = place + 1
         moved[place] = key
@@ -142,7 +142,7 @@ def radix_argsort(keys: Keys, bit_count: int, index_bits: int) -> tuple[LongInte
     size = max(MIN_BLOCK_KEYS, -(-count // MAX_BLOCKS))
     blocks = -(-count // size)
     packed, moved = empty(count, int64, device), empty(count, int64, device)
-    places = empty(blocks * DIGITS, int32, device)
+    places = empty(blocks * DIGIT_VALUES, int32, device)
     launch(pack_keys_kernel, count, [keys, index_bits, packed])
     for shift in range(index_bits, index_bits + bit_count, DIGIT_BITS):
         launch(count_digits_kernel, blocks, [packed, shift, size, places])

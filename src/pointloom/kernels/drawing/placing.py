@@ -4,7 +4,7 @@ import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Indices, Integers, Points, Vectors
-from ..arrays.bounds import MAGNITUDE, NOTHING, RUN, ordered_bits
+from ..arrays.bounds import EMPTY_EXTREME, MAGNITUDE_BITS, RUN_POINTS, ordered_bits
 from ..arrays.row_atomics import raise_int
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import INFINITY, array, dot, int32, isfinite, kernel, launch, length, mat33d, tid, vec3, vec3d
@@ -38,11 +38,11 @@ def find_extremes_kernel(
             max4 = max(max4, dot(p, d4))
     is_any = 1 if max0 > -float(INFINITY) else 0
     first = row_of(i, runs) * NUM_DIRECTIONS
-    raise_int(extremes, first, ordered_bits(max0) if is_any == 1 else NOTHING)
-    raise_int(extremes, first + 1, ordered_bits(max1) if is_any == 1 else NOTHING)
-    raise_int(extremes, first + 2, ordered_bits(max2) if is_any == 1 else NOTHING)
-    raise_int(extremes, first + 3, ordered_bits(max3) if is_any == 1 else NOTHING)
-    raise_int(extremes, first + 4, ordered_bits(max4) if is_any == 1 else NOTHING)
+    raise_int(extremes, first, ordered_bits(max0) if is_any == 1 else EMPTY_EXTREME)
+    raise_int(extremes, first + 1, ordered_bits(max1) if is_any == 1 else EMPTY_EXTREME)
+    raise_int(extremes, first + 2, ordered_bits(max2) if is_any == 1 else EMPTY_EXTREME)
+    raise_int(extremes, first + 3, ordered_bits(max3) if is_any == 1 else EMPTY_EXTREME)
+    raise_int(extremes, first + 4, ordered_bits(max4) if is_any == 1 else EMPTY_EXTREME)
 
 
 @kernel
@@ -80,11 +80,11 @@ def shift_indices_kernel(indices: array(dtype=int32), step: int, start: int, out
 
 def find_extremes(points: Points, directions: Vectors) -> np.ndarray:
     """Largest products of the finite points (at least one) with directions vec3 (5): float64 (5) on the host."""
-    runs = Runs(points.size, points.device, RUN)
-    extremes = full(runs.rows * NUM_DIRECTIONS, NOTHING, int32, points.device)
+    runs = Runs(points.size, points.device, RUN_POINTS)
+    extremes = full(runs.rows * NUM_DIRECTIONS, EMPTY_EXTREME, int32, points.device)
     launch(find_extremes_kernel, runs.threads, [points, directions, runs, extremes])
     bits = download(extremes).reshape(runs.rows, NUM_DIRECTIONS).max(axis=0)  # sync
-    return (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32).astype(np.float64)
+    return (bits ^ ((bits >> 31) & np.int32(MAGNITUDE_BITS))).view(np.float32).astype(np.float64)
 
 
 def make_normal_lines(points: Points, normals: Vectors, size: float) -> tuple[Points, Indices]:

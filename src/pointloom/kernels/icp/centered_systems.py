@@ -1,6 +1,6 @@
 """Gauss-Newton systems of six unknowns about a center, rotations in units of length, in float64."""
 
-from ..algebra.rigid_solve import UNKNOWNS, full_matrix, square, triangle, vec6d
+from ..algebra.rigid_solve import UNKNOWN_COUNT, full_matrix, square, triangle, vec6d
 from ..lang import cross, float64, func, vec3d
 
 
@@ -11,18 +11,18 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
     c = square(0.0)
     for i in range(6):  # C = A B
         for j in range(3):
-            c[i * UNKNOWNS + 3 + j] = a[i * UNKNOWNS + 3 + j]
-        v = vec3d(a[i * UNKNOWNS + 3], a[i * UNKNOWNS + 4], a[i * UNKNOWNS + 5])
+            c[i * UNKNOWN_COUNT + 3 + j] = a[i * UNKNOWN_COUNT + 3 + j]
+        v = vec3d(a[i * UNKNOWN_COUNT + 3], a[i * UNKNOWN_COUNT + 4], a[i * UNKNOWN_COUNT + 5])
         w = cross(v, center)  # v^T [c]x
         for j in range(3):
-            c[i * UNKNOWNS + j] = (a[i * UNKNOWNS + j] + w[j]) / size
+            c[i * UNKNOWN_COUNT + j] = (a[i * UNKNOWN_COUNT + j] + w[j]) / size
     out = square(0.0)
     for j in range(6):  # B^T C
-        v = vec3d(c[3 * UNKNOWNS + j], c[4 * UNKNOWNS + j], c[5 * UNKNOWNS + j])
+        v = vec3d(c[3 * UNKNOWN_COUNT + j], c[4 * UNKNOWN_COUNT + j], c[5 * UNKNOWN_COUNT + j])
         w = cross(v, center)
         for i in range(3):
-            out[i * UNKNOWNS + j] = (c[i * UNKNOWNS + j] + w[i]) / size
-            out[(3 + i) * UNKNOWNS + j] = v[i]
+            out[i * UNKNOWN_COUNT + j] = (c[i * UNKNOWN_COUNT + j] + w[i]) / size
+            out[(3 + i) * UNKNOWN_COUNT + j] = v[i]
     return out
 
 

@@ -8,7 +8,7 @@ beforehand. One float64 thread per job. Loops run over a variable so that Warp d
 
 from ..algebra.matrices import multiply33
 from ..algebra.rigid_solve import (
-    UNKNOWNS,
+    UNKNOWN_COUNT,
     diagonalize,
     rotation_about,
     solve_system,
@@ -48,7 +48,7 @@ def free_basis(
     """Basis Q of the free motions (arc length at `size`, translation at `arm` from the pivot) and R with Q R = them."""
     q = square(0.0)
     r = square(0.0)
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     for k in range(n):
         if free[k] != 0:
             u = vec6d(0.0)
@@ -63,14 +63,14 @@ def free_basis(
                 for j in range(k):
                     fraction = float64(0.0)
                     for i in range(n):
-                        fraction += q[i * UNKNOWNS + j] * u[i]
+                        fraction += q[i * UNKNOWN_COUNT + j] * u[i]
                     for i in range(n):
-                        u[i] = u[i] - fraction * q[i * UNKNOWNS + j]
-                    r[j * UNKNOWNS + k] = r[j * UNKNOWNS + k] + fraction
+                        u[i] = u[i] - fraction * q[i * UNKNOWN_COUNT + j]
+                    r[j * UNKNOWN_COUNT + k] = r[j * UNKNOWN_COUNT + k] + fraction
             length = sqrt(dot(u, u))
-            r[k * UNKNOWNS + k] = length
+            r[k * UNKNOWN_COUNT + k] = length
             for i in range(n):
-                q[i * UNKNOWNS + k] = u[i] / length
+                q[i * UNKNOWN_COUNT + k] = u[i] / length
     return q, r
 
 
@@ -78,30 +78,30 @@ def free_basis(
 def between(left: square, matrix: square, right: square) -> square:
     half = square(0.0)
     out = square(0.0)
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     for i in range(n):
         for j in range(n):
             total = float64(0.0)
             for k in range(n):
-                total += matrix[i * UNKNOWNS + k] * right[k * UNKNOWNS + j]
-            half[i * UNKNOWNS + j] = total
+                total += matrix[i * UNKNOWN_COUNT + k] * right[k * UNKNOWN_COUNT + j]
+            half[i * UNKNOWN_COUNT + j] = total
     for i in range(n):
         for j in range(n):
             total = float64(0.0)
             for k in range(n):
-                total += left[k * UNKNOWNS + i] * half[k * UNKNOWNS + j]
-            out[i * UNKNOWNS + j] = total
+                total += left[k * UNKNOWN_COUNT + i] * half[k * UNKNOWN_COUNT + j]
+            out[i * UNKNOWN_COUNT + j] = total
     return out
 
 
 @func
 def along_columns(q: square, v: vec6d) -> vec6d:
     out = vec6d(0.0)
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     for j in range(n):
         total = float64(0.0)
         for i in range(n):
-            total += q[i * UNKNOWNS + j] * v[i]
+            total += q[i * UNKNOWN_COUNT + j] * v[i]
         out[j] = total
     return out
 
@@ -109,11 +109,11 @@ def along_columns(q: square, v: vec6d) -> vec6d:
 @func
 def times(q: square, v: vec6d) -> vec6d:
     out = vec6d(0.0)
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     for i in range(n):
         total = float64(0.0)
         for j in range(n):
-            total += q[i * UNKNOWNS + j] * v[j]
+            total += q[i * UNKNOWN_COUNT + j] * v[j]
         out[i] = total
     return out
 
@@ -121,14 +121,14 @@ def times(q: square, v: vec6d) -> vec6d:
 @func
 def parameters_of(r: square, y: vec6d) -> vec6d:
     x = vec6d(0.0)
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     for step in range(n):
         k = n - 1 - step
-        if r[k * UNKNOWNS + k] > 0.0:
+        if r[k * UNKNOWN_COUNT + k] > 0.0:
             rest = y[k]
             for j in range(k + 1, n):
-                rest -= r[k * UNKNOWNS + j] * x[j]
-            x[k] = rest / r[k * UNKNOWNS + k]
+                rest -= r[k * UNKNOWN_COUNT + j] * x[j]
+            x[k] = rest / r[k * UNKNOWN_COUNT + k]
     return x
 
 
@@ -137,13 +137,13 @@ def solve_scaled(matrix: square, b: vec6d) -> vec6d:
     """Solve M x = b with M scaled to a unit diagonal. Unknowns with an empty row stay 0."""
     scales = vec6d(0.0)
     scaled = square(0.0)
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     for i in range(n):
-        if matrix[i * UNKNOWNS + i] > 0.0:
-            scales[i] = 1.0 / sqrt(matrix[i * UNKNOWNS + i])
+        if matrix[i * UNKNOWN_COUNT + i] > 0.0:
+            scales[i] = 1.0 / sqrt(matrix[i * UNKNOWN_COUNT + i])
     for i in range(n):
         for j in range(n):
-            scaled[i * UNKNOWNS + j] = matrix[i * UNKNOWNS + j] * scales[i] * scales[j]
+            scaled[i * UNKNOWN_COUNT + j] = matrix[i * UNKNOWN_COUNT + j] * scales[i] * scales[j]
     right = vec6d(0.0)
     for i in range(n):
         right[i] = b[i] * scales[i]
@@ -218,14 +218,14 @@ def scale_system(sums: row_sums, arm: vec3d, center: vec3d, size: float64) -> sc
 def prior_columns(q: square, moved: vec3d, arm: vec3d, size: float64) -> square:
     """Derivative of xi along a basis; `moved` is the rotation so far, `arm` leads from the pivot to the center."""
     out = square(0.0)
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     for k in range(n):
-        w = vec3d(q[k], q[UNKNOWNS + k], q[2 * UNKNOWNS + k]) / size
+        w = vec3d(q[k], q[UNKNOWN_COUNT + k], q[2 * UNKNOWN_COUNT + k]) / size
         shift = cross(w, arm)
         change = change_of_logarithm(moved, w)
         for i in range(3):
-            out[i * UNKNOWNS + k] = change[i]
-            out[(3 + i) * UNKNOWNS + k] = q[(3 + i) * UNKNOWNS + k] - shift[i]
+            out[i * UNKNOWN_COUNT + k] = change[i]
+            out[(3 + i) * UNKNOWN_COUNT + k] = q[(3 + i) * UNKNOWN_COUNT + k] - shift[i]
     return out
 
 
@@ -234,9 +234,9 @@ def undetermined(
     geometry: square, reduced: square, min_eigenvalue: float64, free: array(dtype=int32)
 ) -> tuple[square, vec6d]:
     """Eigenvectors of a reduced system (columns) and kinds of motions. Relative to the largest of all six."""
-    n = int(UNKNOWNS)
-    system = diagonalize(geometry, UNKNOWNS)
-    own = diagonalize(reduced, UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
+    system = diagonalize(geometry, UNKNOWN_COUNT)
+    own = diagonalize(reduced, UNKNOWN_COUNT)
     largest = float64(0.0)
     for k in range(n):
         largest = max(largest, system[36 + k])
@@ -255,15 +255,15 @@ def undetermined(
 @func
 def align_with_prior(basis: square, kinds: vec6d, information: square) -> tuple[square, vec6d]:
     """Align the loose directions with the prior's information. Those it determines become BY_PRIOR."""
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     loose = square(0.0)
     trace = float64(0.0)
     for k in range(n):
-        trace += information[k * UNKNOWNS + k]
+        trace += information[k * UNKNOWN_COUNT + k]
         if kinds[k] == float64(LOOSE_MOTION):
             for i in range(n):
-                loose[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
-    system = diagonalize(between(loose, information, loose), UNKNOWNS)
+                loose[i * UNKNOWN_COUNT + k] = basis[i * UNKNOWN_COUNT + k]
+    system = diagonalize(between(loose, information, loose), UNKNOWN_COUNT)
     aligned = basis
     aligned_kinds = kinds
     for k in range(n):
@@ -273,15 +273,15 @@ def align_with_prior(basis: square, kinds: vec6d, information: square) -> tuple[
             for i in range(n):
                 total = float64(0.0)
                 for j in range(n):
-                    total += loose[i * UNKNOWNS + j] * system[j * UNKNOWNS + k]
-                aligned[i * UNKNOWNS + k] = total
+                    total += loose[i * UNKNOWN_COUNT + j] * system[j * UNKNOWN_COUNT + k]
+                aligned[i * UNKNOWN_COUNT + k] = total
     return aligned, aligned_kinds
 
 
 @func
 def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: Freedom, progress: Progress):
     """Store the motions that the pairs do not determine, prior-determined ones first."""
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     directions = free_directions(0.0)
     count = 0
     steps = int(2)
@@ -294,10 +294,10 @@ def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: F
             if kinds[k] == wanted:
                 v = vec6d(0.0)
                 for i in range(n):
-                    v[i] = basis[i * UNKNOWNS + k]
+                    v[i] = basis[i * UNKNOWN_COUNT + k]
                 u = times(q, v)
                 for i in range(n):
-                    directions[count * UNKNOWNS + i] = u[i]
+                    directions[count * UNKNOWN_COUNT + i] = u[i]
                 count += 1
     progress.free_counts[job] = count
     progress.free[job] = directions
@@ -306,15 +306,15 @@ def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: F
 @func
 def solve_partly(h: square, g: vec6d, information: square, pull: vec6d, basis: square, kinds: vec6d) -> vec6d:
     """Step from the pairs where determined, from the prior where available, else none."""
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     determined = square(0.0)
     paired = square(0.0)
     for k in range(n):
         for i in range(n):
             if kinds[k] == float64(PAIRED_MOTION) or kinds[k] == float64(BY_PRIOR):
-                determined[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
+                determined[i * UNKNOWN_COUNT + k] = basis[i * UNKNOWN_COUNT + k]
             if kinds[k] == float64(PAIRED_MOTION):
-                paired[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
+                paired[i * UNKNOWN_COUNT + k] = basis[i * UNKNOWN_COUNT + k]
     system = between(paired, h, paired) + between(determined, information, determined)
     right = -(along_columns(paired, g) + along_columns(determined, pull))
     return times(determined, solve_scaled(system, right))
@@ -334,19 +334,19 @@ def reduced_step(
     progress: Progress,
 ) -> vec6d:
     """Step in a basis of the free motions from the reduced system and the prior. Stores undetermined motions."""
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     own = between(q, geometry, q)
     padded = own
     trace = float64(0.0)
     for k in range(n):
-        trace += geometry[k * UNKNOWNS + k]
+        trace += geometry[k * UNKNOWN_COUNT + k]
     for k in range(n):
         if freedom.free[k] == 0:
-            padded[k * UNKNOWNS + k] = trace
+            padded[k * UNKNOWN_COUNT + k] = trace
     basis = square(0.0)
     kinds = vec6d(0.0)
     for k in range(n):
-        basis[k * UNKNOWNS + k] = 1.0
+        basis[k * UNKNOWN_COUNT + k] = 1.0
         if freedom.free[k] != 0:
             kinds[k] = float64(PAIRED_MOTION)
     # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
@@ -386,12 +386,12 @@ def without_scale(system: square, right: vec6d, fractions: vec6d, scale: scale_r
     """Eliminate the scale from a reduced system; `fractions` couples it with the basis."""
     matrix = system
     b = right
-    n = int(UNKNOWNS)
+    n = int(UNKNOWN_COUNT)
     if scale[6] > 0.0:
         for k in range(n):
             b[k] = b[k] - fractions[k] * scale[7] / scale[6]
             for j in range(n):
-                at = j * UNKNOWNS + k
+                at = j * UNKNOWN_COUNT + k
                 matrix[at] = matrix[at] - fractions[j] * fractions[k] / scale[6]
     return matrix, b
 

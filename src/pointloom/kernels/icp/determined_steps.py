@@ -5,7 +5,7 @@ lengths (Zhang, Kaess and Singh 2016, "solution remapping"). Float64. On CUDA la
 """
 
 from ..algebra.rigid_solve import (
-    UNKNOWNS,
+    UNKNOWN_COUNT,
     diagonalize,
     diagonalize_three,
     factor_system,
@@ -45,7 +45,7 @@ def triangle_of(matrix: square) -> triangle:
     for i in range(6):
         for j in range(6):
             if j >= i:
-                h[triangle_index(i, j)] = matrix[i * UNKNOWNS + j]
+                h[triangle_index(i, j)] = matrix[i * UNKNOWN_COUNT + j]
     return h
 
 
@@ -62,21 +62,21 @@ def trace_of_inverse(matrix: square) -> float64:
                 v = float64(0.0)
                 for m in range(j):
                     if m >= k:
-                        v -= a[j * UNKNOWNS + m] * x[m]
+                        v -= a[j * UNKNOWN_COUNT + m] * x[m]
                 x[j] = v
         for j in range(6):
             if j >= k:
-                if a[j * UNKNOWNS + j] > 0.0:
-                    x[j] = x[j] / a[j * UNKNOWNS + j]
+                if a[j * UNKNOWN_COUNT + j] > 0.0:
+                    x[j] = x[j] / a[j * UNKNOWN_COUNT + j]
                 else:
                     x[j] = 0.0
         for step in range(6):
-            j = UNKNOWNS - 1 - step
+            j = UNKNOWN_COUNT - 1 - step
             if j >= k:
                 v = x[j]
                 for m in range(6):
                     if m > j:
-                        v -= a[m * UNKNOWNS + j] * x[m]
+                        v -= a[m * UNKNOWN_COUNT + j] * x[m]
                 x[j] = v
         if x[k] > 0.0:
             trace += x[k]
@@ -99,8 +99,8 @@ def determined_step(
 ) -> vec6d:
     """Step along the determined eigenvectors of the geometry about a center. The others are stored as free."""
     directions = free_directions(0.0)
-    n = int(UNKNOWNS)  # loops over a variable are not unrolled: few jobs use this
-    system = diagonalize(geometry, UNKNOWNS)
+    n = int(UNKNOWN_COUNT)  # loops over a variable are not unrolled: few jobs use this
+    system = diagonalize(geometry, UNKNOWN_COUNT)
     largest = float64(0.0)
     for k in range(n):
         largest = max(largest, system[36 + k])
@@ -114,17 +114,17 @@ def determined_step(
         if system[36 + k] > min_eigenvalue * largest:
             product = vec6d(0.0)
             for i in range(n):
-                right[k] = right[k] - b[i] * system[i * UNKNOWNS + k]
+                right[k] = right[k] - b[i] * system[i * UNKNOWN_COUNT + k]
                 for j in range(n):
-                    product[i] = product[i] + a[i * UNKNOWNS + j] * system[j * UNKNOWNS + k]
+                    product[i] = product[i] + a[i * UNKNOWN_COUNT + j] * system[j * UNKNOWN_COUNT + k]
             for other in range(n):
                 if system[36 + other] > min_eigenvalue * largest:
                     for i in range(n):
-                        at = other * UNKNOWNS + k
-                        along[at] = along[at] + product[i] * system[i * UNKNOWNS + other]
+                        at = other * UNKNOWN_COUNT + k
+                        along[at] = along[at] + product[i] * system[i * UNKNOWN_COUNT + other]
         else:
             for i in range(n):
-                directions[free * UNKNOWNS + i] = system[i * UNKNOWNS + k]
+                directions[free * UNKNOWN_COUNT + i] = system[i * UNKNOWN_COUNT + k]
             free += 1
     free_counts[job] = free
     free_ones[job] = directions
@@ -132,7 +132,7 @@ def determined_step(
     y = vec6d(0.0)
     for k in range(n):
         for i in range(n):
-            y[i] = y[i] + x[k] * system[i * UNKNOWNS + k]
+            y[i] = y[i] + x[k] * system[i * UNKNOWN_COUNT + k]
     turning = vec3d(y[0] / size, y[1] / size, y[2] / size)
     shift = cross(center, turning)  # back to the origin: v = v' + c x w
     return vec6d(turning[0], turning[1], turning[2], y[3] + shift[0], y[4] + shift[1], y[5] + shift[2])
@@ -195,7 +195,7 @@ def constrained_step(
     a = about(geometry, center, size)
     trace = float64(0.0)
     for i in range(6):
-        trace += a[i * UNKNOWNS + i]
+        trace += a[i * UNKNOWN_COUNT + i]
     # smallest eigenvalue >= 1 / trace(A^-1), largest <= trace(A): sufficient for most jobs
     if trace_of_inverse(a) * trace * min_eigenvalue < 1.0:
         x = solve_in_lengths(h, g, size)
@@ -229,24 +229,24 @@ def about_of_lanes(h: triangle, center: vec3d, size: float64) -> square:
     a = full_matrix(h)
     rows = eighteen(0.0)
     for i in range(6):
-        w = cross(vec3d(a[i * UNKNOWNS + 3], a[i * UNKNOWNS + 4], a[i * UNKNOWNS + 5]), center)
+        w = cross(vec3d(a[i * UNKNOWN_COUNT + 3], a[i * UNKNOWN_COUNT + 4], a[i * UNKNOWN_COUNT + 5]), center)
         for j in range(3):
-            rows[i * 3 + j] = a[i * UNKNOWNS + j] + w[j]
+            rows[i * 3 + j] = a[i * UNKNOWN_COUNT + j] + w[j]
     rows = quotients(rows, size)
     c = a
     for i in range(6):
         for j in range(3):
-            c[i * UNKNOWNS + j] = rows[i * 3 + j]
+            c[i * UNKNOWN_COUNT + j] = rows[i * 3 + j]
     columns = eighteen(0.0)
     for j in range(6):
-        w = cross(vec3d(c[3 * UNKNOWNS + j], c[4 * UNKNOWNS + j], c[5 * UNKNOWNS + j]), center)
+        w = cross(vec3d(c[3 * UNKNOWN_COUNT + j], c[4 * UNKNOWN_COUNT + j], c[5 * UNKNOWN_COUNT + j]), center)
         for i in range(3):
-            columns[i * 6 + j] = c[i * UNKNOWNS + j] + w[i]
+            columns[i * 6 + j] = c[i * UNKNOWN_COUNT + j] + w[i]
     columns = quotients(columns, size)
     out = c
     for i in range(3):
         for j in range(6):
-            out[i * UNKNOWNS + j] = columns[i * 6 + j]
+            out[i * UNKNOWN_COUNT + j] = columns[i * 6 + j]
     return out
 
 
@@ -257,16 +257,16 @@ def solve_from(a: square, b: vec6d, first: int) -> vec6d:
     for j in range(6):
         v = b[j]
         for k in range(j):
-            v = v - a[j * UNKNOWNS + k] * x[k] if k >= first else v
+            v = v - a[j * UNKNOWN_COUNT + k] * x[k] if k >= first else v
         x[j] = v
     for j in range(6):
-        x[j] = x[j] / a[j * UNKNOWNS + j] if a[j * UNKNOWNS + j] > 0.0 else 0.0
+        x[j] = x[j] / a[j * UNKNOWN_COUNT + j] if a[j * UNKNOWN_COUNT + j] > 0.0 else 0.0
     for step in range(6):
-        j = UNKNOWNS - 1 - step
+        j = UNKNOWN_COUNT - 1 - step
         v = x[j]
         for k in range(6):
             if k > j:
-                v -= a[k * UNKNOWNS + j] * x[k]
+                v -= a[k * UNKNOWN_COUNT + j] * x[k]
         x[j] = v
     return x
 
@@ -290,11 +290,11 @@ def constrained_step_of_lanes(
     b = vec6d(0.0)
     trace = float64(0.0)
     for i in range(6):
-        trace += a[i * UNKNOWNS + i]
+        trace += a[i * UNKNOWN_COUNT + i]
         b[i] = float64(1.0) if own == i else 0.0
     inverse = 1.0 / power_of_two_below(size)
     first = own
-    if own == UNKNOWNS:
+    if own == UNKNOWN_COUNT:
         system = in_lengths(h, inverse)
         b = turning_in_lengths(-g, inverse)
         first = 0
@@ -306,7 +306,7 @@ def constrained_step_of_lanes(
     for k in range(6):
         of_column = shuffle(entry, k)
         inverse_trace += of_column if of_column > 0.0 else 1.0e300
-    solver = int(UNKNOWNS)
+    solver = int(UNKNOWN_COUNT)
     if inverse_trace * trace * min_eigenvalue < 1.0:
         x = turning_in_lengths(x, inverse)
         if own == 0:
@@ -356,6 +356,6 @@ def note_free_rotations(
             if system[9 + k] <= min_eigenvalue:
                 for i in range(3):
                     directions[at + i] = system[i * 3 + k]
-                at += UNKNOWNS
+                at += UNKNOWN_COUNT
         free_ones[job] = directions
     free_counts[job] = free

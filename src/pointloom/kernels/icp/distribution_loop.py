@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import UNKNOWNS, vec6d
+from ..algebra.rigid_solve import UNKNOWN_COUNT, vec6d
 from ..array_types import Points
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
@@ -138,7 +138,7 @@ def judge_sums(job: int, state: DistributionLoop) -> int:
         outcome = NO_PAIRS
     elif total - total != 0.0:
         outcome = NOT_FINITE
-    elif outcome == JOB_RUNNING and sums[RESIDUALS_AT] < float64(UNKNOWNS):
+    elif outcome == JOB_RUNNING and sums[RESIDUALS_AT] < float64(UNKNOWN_COUNT):
         outcome = FEW_PAIRS
     residual = sums[RESIDUAL_AT] / max(sums[RESIDUALS_AT], 1.0)
     if outcome == JOB_RUNNING and state.iterations[job] > 0:

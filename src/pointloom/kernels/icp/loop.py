@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.rigid_solve import TRIANGLE, vec6d
+from ..algebra.rigid_solve import TRIANGLE_NUMBERS, vec6d
 from ..array_types import AnyArray, Array1, Integers
 from ..arrays.side_by_side import SideBySide
 from ..lang import WARP, Reduction, int32, launch, loop_while, reduce_segments, vec3d
@@ -76,7 +76,7 @@ class Matching:
         jobs = self.jobs
         live = full(jobs.count, 1, int32, jobs.device)
         reduce_segments(sum_information, jobs.blocks, live, [self.matches], self.partials, self.totals)
-        return download(self.totals)[:, :TRIANGLE]  # sync
+        return download(self.totals)[:, :TRIANGLE_NUMBERS]  # sync
 
 
 class RegistrationLoop(Matching):

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import (
-    UNKNOWNS,
+    UNKNOWN_COUNT,
     euler_motion,
     fit_pose,
     full_matrix,
@@ -69,26 +69,31 @@ def center_symmetric(sums: row_sums) -> row_sums:
     a = full_matrix(h)
     g = vec6d(0.0)
     for i in range(6):
-        g[i] = sums[21 + i] - a[i * UNKNOWNS + 3] * gap[0] - a[i * UNKNOWNS + 4] * gap[1] - a[i * UNKNOWNS + 5] * gap[2]
+        g[i] = (
+            sums[21 + i]
+            - a[i * UNKNOWN_COUNT + 3] * gap[0]
+            - a[i * UNKNOWN_COUNT + 4] * gap[1]
+            - a[i * UNKNOWN_COUNT + 5] * gap[2]
+        )
     c = square(0.0)
     for j in range(6):  # C A: rotation rows lose s x (translation rows)
-        v = vec3d(a[3 * UNKNOWNS + j], a[4 * UNKNOWNS + j], a[5 * UNKNOWNS + j])
+        v = vec3d(a[3 * UNKNOWN_COUNT + j], a[4 * UNKNOWN_COUNT + j], a[5 * UNKNOWN_COUNT + j])
         w = cross(s, v)
         for i in range(3):
-            c[i * UNKNOWNS + j] = a[i * UNKNOWNS + j] - w[i]
-            c[(3 + i) * UNKNOWNS + j] = v[i]
+            c[i * UNKNOWN_COUNT + j] = a[i * UNKNOWN_COUNT + j] - w[i]
+            c[(3 + i) * UNKNOWN_COUNT + j] = v[i]
     out = square(0.0)
     for i in range(6):  # (C A) C^T
-        v = vec3d(c[i * UNKNOWNS + 3], c[i * UNKNOWNS + 4], c[i * UNKNOWNS + 5])
+        v = vec3d(c[i * UNKNOWN_COUNT + 3], c[i * UNKNOWN_COUNT + 4], c[i * UNKNOWN_COUNT + 5])
         w = cross(s, v)
         for j in range(3):
-            out[i * UNKNOWNS + j] = c[i * UNKNOWNS + j] - w[j]
-            out[i * UNKNOWNS + 3 + j] = v[j]
+            out[i * UNKNOWN_COUNT + j] = c[i * UNKNOWN_COUNT + j] - w[j]
+            out[i * UNKNOWN_COUNT + 3 + j] = v[j]
     centered = sums
     for i in range(6):
         for j in range(6):
             if j >= i:
-                centered[triangle_index(i, j)] = out[i * UNKNOWNS + j]
+                centered[triangle_index(i, j)] = out[i * UNKNOWN_COUNT + j]
     v = vec3d(g[3], g[4], g[5])
     w = cross(s, v)
     for i in range(3):
@@ -103,7 +108,7 @@ def remove_free_motion(x: vec6d, count: int, free: free_directions, gap: vec3d, 
     step = x
     for k in range(6):
         if k < count:
-            at = k * UNKNOWNS
+            at = k * UNKNOWN_COUNT
             along = free[at + 3] * gap[0] + free[at + 4] * gap[1] + free[at + 5] * gap[2]
             for i in range(3):
                 step[i] = step[i] - along * free[at + i] / size

@@ -16,7 +16,7 @@ from .signatures import FLOATS, RANGES, ArrayType, Type
 from .structs import FieldPath, fields_of, leaves_of, type_at
 
 if TYPE_CHECKING:
-    from ..lang import Kernel, Reduction
+    from .launched import Launched
 
 MAX_SCALARS = 2**31 - 1  # of an array: Taichi counts them in 32 bits
 MAX_THREADS = 2**31 - 256  # both compilers count threads in 32 bits, CUDA in complete blocks; hosts split larger jobs
@@ -58,7 +58,7 @@ def array_of(annotation: Any) -> ArrayType | None:
     return ArrayType(element, annotation.ndim) if element else None
 
 
-def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
+def checked_arguments(what: Launched, thread_count: int, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
     """Arguments as Warp takes them, and the device of the arrays."""
     name = what.name
     if len(arguments) != len(what.takes):
@@ -121,7 +121,7 @@ def _reader(annotation: Any) -> Callable[[Any], Any]:
     return functools.partial(_integer, scalar=kind.scalar)
 
 
-def _checked_one_by_one(what: Kernel | Reduction, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
+def _checked_one_by_one(what: Launched, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
     device, values = None, []
     for parameter, annotation, argument in zip(what.source.parameters, what.types, arguments, strict=True):
         try:

@@ -16,7 +16,7 @@ import struct
 import tempfile
 from pathlib import Path
 
-ROOM = 8 << 20  # [B] free space required to compile a module: LLVM ends the process if the disk is full
+MIN_FREE_BYTES = 8 << 20  # [B] free space required to compile a module: LLVM ends the process if the disk is full
 _DIGEST = ".sha256"  # suffix of the file name
 _ELF = struct.Struct("<4s36xQ10xHH")  # of a 64-bit ELF file: magic, offset, size and number of its section headers
 

@@ -29,7 +29,7 @@ VARIABLE = "POINTLOOM_CUDA_KERNELS"  # path of the archive. Empty disables all a
 PACKAGE = "pointloom_cuda_kernels"
 ARCHIVE = "kernels.zip"
 MANIFEST = "manifest.json"
-FORMAT = 1
+ARCHIVE_FORMAT = 1
 ON_BOARDS = {72, 87, 101, 110}  # GPUs of Jetson: their machine code is incompatible with that of others
 
 
@@ -52,7 +52,7 @@ def made_from() -> dict[str, Any]:
     """Versions and sources that machine code depends on, apart from its module."""
     toolkit = wp.get_cuda_toolkit_version() or ()
     return {
-        "format": FORMAT,
+        "format": ARCHIVE_FORMAT,
         "Warp": wp.__version__,
         "CUDA": ".".join(map(str, toolkit)),
         "sources of kernels": digest_of_sources(),

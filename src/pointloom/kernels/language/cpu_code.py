@@ -21,7 +21,7 @@ FLAGS = f"{NATIVE} -mllvm=-inline-threshold=9000 -mllvm=-slp-recursion-max-depth
 # Iterations of a constant loop that Warp unrolls. LLVM vectorizes loops over the eight lanes of a node or a leaf:
 # unrolled, they took 1.5 times as long per ray, and twice as long to compile.
 WRITTEN_OUT = 3
-PART = 1 << 31  # in the extent of a launch: the other bits are the first thread of this part
+PART_FLAG = 1 << 31  # in the extent of a launch: the other bits are the first thread of this part
 
 
 def set_target(level: str) -> None:
@@ -75,5 +75,5 @@ def full_bounds(count: int) -> Any:
 def part(first: int, count: int) -> Any:
     """Bounds of the part of a launch from thread `first` on."""
     bounds = wp._src.types.launch_bounds_t((count,))
-    bounds.shape[0] = PART | first
+    bounds.shape[0] = PART_FLAG | first
     return bounds

@@ -20,13 +20,13 @@ from pathlib import Path
 from typing import Any
 
 from . import cpu_code
-from .pool_code import CLOSED, LINE_BYTES, PoolCode, PoolMemory, WorkerMemory, pool_code
+from .pool_code import CLOSED_FLAG, LINE_BYTES, PoolCode, PoolMemory, WorkerMemory, pool_code
 
 VARIABLE = "POINTLOOM_CPU_THREADS"
 MAX_THREADS = 1024  # each is started, and more threads than cores only wait
 CHUNKS_A_THREAD = 16  # so that one slow chunk, or a busy core, does not prolong a launch much
-SPINS = 1000  # polls for a chunk before a worker sleeps: 10 to 50 us, longer than the host needs between launches
-STACK = 8 << 20  # stack bytes of a worker; macOS gives 512 kB, and kernels with large vectors need a part of it
+MAX_POLLS = 1000  # for a chunk before a worker sleeps: 10 to 50 us, longer than the host needs between launches
+STACK_BYTES = 8 << 20  # of a worker; macOS gives 512 kB, and kernels with large vectors need a part of it
 
 
 def _functions_of_system() -> tuple[list[Any], Any]:
@@ -70,13 +70,13 @@ class Pool:
         self.memory = PoolMemory.from_address(self._address)
         self.workers = (WorkerMemory * workers).from_address(self._address + ctypes.sizeof(PoolMemory))
         functions, make_semaphore = _functions_of_system()
-        self.memory.state, self.memory.workers, self.memory.spins = CLOSED, workers, SPINS
+        self.memory.state, self.memory.workers, self.memory.spins = CLOSED_FLAG, workers, MAX_POLLS
         for name, function in zip(("wait", "post", "give_way"), functions, strict=True):
             setattr(self.memory, name, ctypes.cast(function, ctypes.c_void_p).value or 0)
         self._post = functions[1]
         self._one = cpu_code.full_bounds(1)
         self._threads: list[threading.Thread] = []
-        stack = threading.stack_size(STACK)
+        stack = threading.stack_size(STACK_BYTES)
         try:
             for worker in range(workers):
                 self.workers[worker].semaphore = make_semaphore()

@@ -18,7 +18,7 @@ import warp as wp
 from .warp_parts import TESTED
 
 _HEADER = "extra_build_options"
-_COUNT = 40
+_TRIAL_ROWS = 40
 
 
 @cache
@@ -55,14 +55,14 @@ def _problem(alias: str) -> str:
         module = wp.get_module("pointloom.cuda_trial")
         module.options.update({"enable_backward": False, **options()})
         kernel = wp.kernel(_trial_kernel, enable_backward=False, module=module)
-        points = np.arange(3 * _COUNT, dtype=np.float32).reshape(_COUNT, 3)
+        points = np.arange(3 * _TRIAL_ROWS, dtype=np.float32).reshape(_TRIAL_ROWS, 3)
         given = wp.array(points, dtype=wp.vec3, device=alias)
-        out = wp.zeros(shape=(_COUNT, 2), dtype=wp.float32, device=alias)
-        wp.launch(kernel, _COUNT, [given, out], device=alias)
+        out = wp.zeros(shape=(_TRIAL_ROWS, 2), dtype=wp.float32, device=alias)
+        wp.launch(kernel, _TRIAL_ROWS, [given, out], device=alias)
         result = out.numpy()  # sync
     except Exception as error:  # Warp raises no more specific type
         return str(error).strip().splitlines()[-1][:200]
-    expected = np.column_stack([points.sum(axis=1), np.ones(_COUNT)])
+    expected = np.column_stack([points.sum(axis=1), np.ones(_TRIAL_ROWS)])
     return "" if np.array_equal(result, expected) else "wrong results"
 
 

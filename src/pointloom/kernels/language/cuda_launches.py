@@ -19,14 +19,14 @@ import warp as wp
 from . import warp_parts
 from .device_arrays import kind_of
 from .prepared_launches import FORMATS, UNFIT, Flat, Flattener, Parameter, flattener
-from .warp_compiler import LANES as WARP
+from .warp_compiler import LANE_COUNT as WARP
 from .warp_compiler import REDUCTION_BLOCK
 
 if TYPE_CHECKING:
-    from ..lang import Kernel, Reduction
+    from .launched import Launched, LaunchedReduction
 
 _BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
-_ALIGNMENT = 8
+_ALIGNMENT_BYTES = 8
 
 
 class _Buffer:
@@ -58,7 +58,7 @@ class CudaLaunch:
         parameters = [Parameter.of(argument.type) for argument in self._kernel.adj.args]
         parts = [_BOUNDS, *(_format(parameter) for parameter in parameters)]
         sizes = [struct.calcsize("=" + part) for part in parts]
-        padded = [size + -size % _ALIGNMENT for size in sizes]
+        padded = [size + -size % _ALIGNMENT_BYTES for size in sizes]
         self._sizes, self._offsets = sizes, [0, *itertools.accumulate(padded)][:-1]
         gaps = [f"{room - size}x" for size, room in zip(sizes, padded, strict=True)]
         self._layout = struct.Struct("=" + "".join(map("".join, zip(parts, gaps, strict=True))))
@@ -122,7 +122,7 @@ class PreparedKernel:
         self.flatten, self.launch = flatten, launch
 
     @classmethod
-    def of(cls, kernel: Kernel, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
+    def of(cls, kernel: Launched, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
         """Prepare from launch arguments. None if Warp must launch it. Raises one of UNFIT as `prepared_launch`."""
         launch = prepared_launch(kernel.cuda, thread_count, values, device)
         if not launch.is_known:
@@ -132,13 +132,13 @@ class PreparedKernel:
 
 
 class PreparedSum:
-    def __init__(self, reduction: Reduction, tiles: CudaLaunch, device: Any) -> None:
+    def __init__(self, reduction: LaunchedReduction, tiles: CudaLaunch, device: Any) -> None:
         self.flatten = flattener(reduction.types, device, reduction.field_paths, len(reduction.takes))
         self.sums = kind_of(reduction.vector, 1, device)
         self._tiles = tiles
 
     @classmethod
-    def of(cls, reduction: Reduction, given: Sequence[Any], device: Any) -> PreparedSum | None:
+    def of(cls, reduction: LaunchedReduction, given: Sequence[Any], device: Any) -> PreparedSum | None:
         """Prepare from the kernel's arguments. None if Warp must launch it. Raises one of UNFIT."""
         tiles = prepared_launch(reduction.cuda.tiles, REDUCTION_BLOCK, given, device, block_dim=REDUCTION_BLOCK)
         return cls(reduction, tiles, device) if tiles.is_known else None

@@ -17,12 +17,12 @@ import warp as wp
 
 from . import device_lock, warp_parts
 from .device_lock import lock, waiting
-from .huge_pages import MAPPED, request_huge_pages
+from .huge_pages import MIN_MAPPED_BYTES, request_huge_pages
 from .streams import note_use
 
 Shape = tuple[int, ...]
 MAX_EXTENT = 2**31
-ALIGNMENT = 256  # bytes between addresses of arrays in a block, as of cudaMalloc
+ALIGNMENT_BYTES = 256  # bytes between addresses of arrays in a block, as of cudaMalloc
 # (largest array in a block, bytes of the block). One array keeps its block, so sizes are apart.
 BLOCKS = ((1 << 14, 1 << 17), (1 << 18, 1 << 21))
 blocks: tuple[tuple[int, int], ...] = BLOCKS  # a test may set another
@@ -137,7 +137,7 @@ def new(shape: int | Shape, dtype: Any, device: Any, *, in_block: bool = True) -
         state = kind.like.copy()
         if size:
             address = core.wp_alloc_host(size, None)
-        if address and size >= MAPPED:
+        if address and size >= MIN_MAPPED_BYTES:
             request_huge_pages(address, size)
     else:
         with lock:
@@ -182,7 +182,7 @@ def _place_for(device: Any, stream: Any, size: int) -> tuple[int, Any] | None:
             if block is None or block.first + size > block.end:
                 block = current[room] = Block(device, room)
             address = block.first
-            block.first += -(-size // ALIGNMENT) * ALIGNMENT
+            block.first += -(-size // ALIGNMENT_BYTES) * ALIGNMENT_BYTES
             return address, block.array
     return None
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from . import warp_parts
 from .device_arrays import Kind, kind_of, makes_arrays_plainly
-from .huge_pages import MAPPED, populate
-from .pinned_results import SMALLEST, fill_pinned
+from .huge_pages import MIN_MAPPED_BYTES, populate
+from .pinned_results import MIN_PINNED_BYTES, fill_pinned
 
 _WAIT_FAILED = "Failed to synchronize stream on device"
 
@@ -89,11 +89,11 @@ def fetched(values: Any) -> NDArray[Any] | None:
         return None
     kind = _kind(values)
     shape, size = (*values.shape, *kind.inner), values.size * kind.element_bytes
-    out = fill_pinned(shape, kind.scalar, device, partial(_fill, values)) if size >= SMALLEST else None
+    out = fill_pinned(shape, kind.scalar, device, partial(_fill, values)) if size >= MIN_PINNED_BYTES else None
     if out is None:
         out = np.empty(shape, kind.scalar)
         address = out.__array_interface__["data"][0]
-        if size >= MAPPED:
+        if size >= MIN_MAPPED_BYTES:
             populate(address, size)  # while the device works
         core, stream = warp_parts.core(), device.stream.cuda_stream  # as _fill, whose call would take longer
         _checked(core.wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)

@@ -10,10 +10,10 @@ import mmap
 import sys
 import threading
 
-MAPPED = 32 << 20  # bytes from which glibc maps each block anew; smaller blocks may be used again
+MIN_MAPPED_BYTES = 32 << 20  # bytes from which glibc maps each block anew; smaller blocks may be used again
 ADVICE = getattr(mmap, "MADV_HUGEPAGE", None)  # Linux alone has it
-_POPULATE = 23  # MADV_POPULATE_WRITE, from Linux 5.14
-_THREADS = 8
+_POPULATE_WRITE = 23  # MADV_POPULATE_WRITE, from Linux 5.14
+_MAX_THREADS = 8
 _system = ctypes.CDLL(None) if sys.platform == "linux" and ADVICE is not None else None
 
 
@@ -31,10 +31,11 @@ def populate(address: int, size: int) -> None:
         return
     begin = -(-address // mmap.PAGESIZE) * mmap.PAGESIZE
     end = (address + size) // mmap.PAGESIZE * mmap.PAGESIZE
-    step = max(-(-(end - begin) // (_THREADS * mmap.PAGESIZE)), 1) * mmap.PAGESIZE
+    step = max(-(-(end - begin) // (_MAX_THREADS * mmap.PAGESIZE)), 1) * mmap.PAGESIZE
     threads = [
         threading.Thread(
-            target=_system.madvise, args=(ctypes.c_void_p(first), ctypes.c_size_t(min(step, end - first)), _POPULATE)
+            target=_system.madvise,
+            args=(ctypes.c_void_p(first), ctypes.c_size_t(min(step, end - first)), _POPULATE_WRITE),
         )
         for first in range(begin, end, step)
     ]

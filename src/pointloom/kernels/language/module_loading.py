@@ -19,7 +19,7 @@ import warp as wp
 
 from ..array_types import Device
 from . import compiled_ahead, cuda_code
-from .cache_folders import ROOM, CacheError, discard, is_intact, is_writable, seal, temporary_cache
+from .cache_folders import MIN_FREE_BYTES, CacheError, discard, is_intact, is_writable, seal, temporary_cache
 from .compile_notices import compiling
 
 try:
@@ -29,7 +29,7 @@ except ImportError:  # not a POSIX system: no locks
 
 LOCKS = "pointloom.lock"  # in Warp's cache. A byte per module
 LONGEST_WAIT = 300.0  # [s] before a process compiles itself: the lock's owner may have been stopped
-PAUSE = 0.01  # [s] between polls
+POLL_SECONDS = 0.01  # [s] between polls
 
 
 def load_module(module: Any, device: Device) -> None:
@@ -66,7 +66,7 @@ def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
             if type(error) is not Exception:  # Warp raises no more specific type
                 raise
     named = wp.config.kernel_cache_dir
-    if not discard(*files) or not is_writable(named or ".", ROOM):
+    if not discard(*files) or not is_writable(named or ".", MIN_FREE_BYTES):
         wp.config.kernel_cache_dir = temporary_cache()
     compiling()
     try:
@@ -131,4 +131,4 @@ def _wait_for_lock(descriptor: int, position: int) -> None:
         except (BlockingIOError, PermissionError):  # locked by another process. The error code depends on the system
             if time.monotonic() > end:
                 return
-            time.sleep(PAUSE)
+            time.sleep(POLL_SECONDS)

@@ -27,10 +27,10 @@ from .device_lock import lock, why_no_cuda_here
 from .driver import driver
 from .huge_pages import populate, request_huge_pages
 
-SMALLEST = 1 << 20  # [B] smaller results take less than 0.1 ms in other memory
-STEPS = 8  # sizes per power of two, so that at most an eighth of a buffer is unused
+MIN_PINNED_BYTES = 1 << 20  # [B] smaller results take less than 0.1 ms in other memory
+SIZES_PER_POWER_OF_TWO = 8  # sizes per power of two, so that at most an eighth of a buffer is unused
 FRACTION_OF_MEMORY = 1 / 16  # of the host's memory, as locked pages cannot be swapped out or moved for other programs
-_PORTABLE = 1  # CU_MEMHOSTREGISTER_PORTABLE: page-locked for all GPUs
+_REGISTER_PORTABLE = 1  # CU_MEMHOSTREGISTER_PORTABLE: page-locked for all GPUs
 _PRIVATE: Any = {"flags": mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS} if hasattr(mmap, "MAP_PRIVATE") else {}
 
 
@@ -43,7 +43,7 @@ class Buffer:
         self.address = ctypes.addressof(ctypes.c_char.from_buffer(self._memory))
         request_huge_pages(self.address, size)
         populate(self.address, size)  # while the device works
-        arguments = ctypes.c_void_p(self.address), ctypes.c_size_t(size), ctypes.c_uint(_PORTABLE)
+        arguments = ctypes.c_void_p(self.address), ctypes.c_size_t(size), ctypes.c_uint(_REGISTER_PORTABLE)
         with context:
             if driver().cuMemHostRegister_v2(*arguments):
                 raise MemoryError(f"the driver locks no {size:,} bytes of host memory")
@@ -171,7 +171,7 @@ def release_pinned() -> None:
 
 def rounded_up(size: int) -> int:
     """The size of a buffer: a multiple of an eighth of the next lower power of two."""
-    step = (1 << (size.bit_length() - 1)) // STEPS
+    step = (1 << (size.bit_length() - 1)) // SIZES_PER_POWER_OF_TWO
     return -(-size // step) * step
 
 

@@ -22,7 +22,7 @@ from .device_lock import lock
 from .module_loading import load_module
 from .warp_parts import TESTED
 
-CLOSED = 1 << 32  # as in cpu_pool.h
+CLOSED_FLAG = 1 << 32  # as in cpu_pool.h
 WORD, LINE_BYTES = ctypes.c_uint64, 64  # a cache line
 
 

@@ -10,7 +10,8 @@ import warp as wp
 from .device_lock import lock, release_all
 from .driver import driver
 
-_RESERVED, _USED = 5, 7  # CU_MEMPOOL_ATTR_RESERVED_MEM_CURRENT, CU_MEMPOOL_ATTR_USED_MEM_CURRENT
+_RESERVED_BYTES = 5  # CU_MEMPOOL_ATTR_RESERVED_MEM_CURRENT
+_USED_BYTES = 7  # CU_MEMPOOL_ATTR_USED_MEM_CURRENT
 
 
 def reserved_bytes(device: Any) -> int:
@@ -19,7 +20,7 @@ def reserved_bytes(device: Any) -> int:
         return 0
     with lock:
         pool = _pool(device)
-        return max(0, _attribute(device, pool, _RESERVED) - _attribute(device, pool, _USED))
+        return max(0, _attribute(device, pool, _RESERVED_BYTES) - _attribute(device, pool, _USED_BYTES))
 
 
 def trim(device: Any) -> int:
@@ -31,9 +32,9 @@ def trim(device: Any) -> int:
         if not device.is_mempool_enabled:
             return 0
         pool = _pool(device)
-        before = _attribute(device, pool, _RESERVED)
+        before = _attribute(device, pool, _RESERVED_BYTES)
         _check(device, driver().cuMemPoolTrimTo(pool, ctypes.c_size_t(0)))
-        return max(0, before - _attribute(device, pool, _RESERVED))
+        return max(0, before - _attribute(device, pool, _RESERVED_BYTES))
 
 
 def _pool(device: Any) -> ctypes.c_void_p:

@@ -19,7 +19,7 @@ from .prepared_launches import UNFIT, flattener
 from .warp_compiler import REDUCTION_BLOCK, CudaSegmentReduction
 
 if TYPE_CHECKING:
-    from ..lang import Reduction
+    from .launched import LaunchedReduction
 
 MAX_BLOCKS = MAX_THREADS // REDUCTION_BLOCK  # of a launch
 
@@ -48,14 +48,20 @@ def _tables(blocks: Any) -> tuple[Integers, ...]:
 class PreparedSegmentSum:
     """Prepared segmented reduction on a GPU, for sizes that fit in one launch."""
 
-    def __init__(self, reduction: Reduction, tiles: CudaLaunch, device: Any) -> None:
+    def __init__(self, reduction: LaunchedReduction, tiles: CudaLaunch, device: Any) -> None:
         self._flatten = flattener(reduction.types, device, reduction.field_paths, len(reduction.takes))
         self._sums, self._table = kind_of(reduction.vector, 1, device), kind_of(wp.int32, 1, device)
         self._tiles = tiles
 
     @classmethod
     def of(
-        cls, reduction: Reduction, values: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
+        cls,
+        reduction: LaunchedReduction,
+        values: Sequence[Any],
+        blocks: Any,
+        live: Integers,
+        partials: AnyArray,
+        out: AnyArray,
     ) -> PreparedSegmentSum | None:
         """Prepare from the arguments of a launch. None if Warp must launch it. Raises one of UNFIT."""
         device, size = out.device, REDUCTION_BLOCK

@@ -25,7 +25,7 @@ import warp as wp
 from . import cpu_archive, cuda_code, pool_code
 from .cache_folders import cache_folder, can_be_written, is_writable, other_writers, temporary_cache
 
-STDERR = 2
+STDERR_DESCRIPTOR = 2
 
 
 @contextlib.contextmanager
@@ -39,33 +39,33 @@ def lines_removed_from_stderr(phrase: str) -> Iterator[None]:
     try:
         yield
     finally:
-        os.dup2(stderr, STDERR)
+        os.dup2(stderr, STDERR_DESCRIPTOR)
         os.close(stderr)
         with file:
             file.seek(0)
             remaining = b"".join(line for line in file if phrase.encode() not in line)
         with contextlib.suppress(OSError):
-            os.write(STDERR, remaining)
+            os.write(STDERR_DESCRIPTOR, remaining)
 
 
 def _redirected() -> tuple[IO[bytes], int] | None:
     """A temporary file in place of descriptor 2, and a copy of the descriptor. None if impossible."""
     try:
-        os.fstat(STDERR)
+        os.fstat(STDERR_DESCRIPTOR)
         file = tempfile.TemporaryFile()
     except OSError:
         return None
     try:
-        stderr = os.dup(STDERR)
+        stderr = os.dup(STDERR_DESCRIPTOR)
     except OSError:
         file.close()
         return None
-    os.dup2(file.fileno(), STDERR)
+    os.dup2(file.fileno(), STDERR_DESCRIPTOR)
     return file, stderr
 
 
 VARIABLE = "POINTLOOM_MAX_REGISTERS"
-HIGHEST = 255  # maximum that an instruction can encode
+MAX_REGISTERS = 255  # maximum that an instruction can encode
 
 
 def max_registers_of(name: str, own: int) -> int:
@@ -78,9 +78,10 @@ def _tried(text: str) -> dict[str, int]:
     limits = {}
     for part in filter(None, text.split(",")):
         name, _, number = (word.strip() for word in part.partition("="))
-        if not name.isidentifier() or not number.isdecimal() or int(number) > HIGHEST:
+        if not name.isidentifier() or not number.isdecimal() or int(number) > MAX_REGISTERS:
             raise ValueError(
-                f"{VARIABLE}: expected KERNEL=NUMBER,KERNEL=NUMBER,... with numbers from 0 to {HIGHEST}, got {text!r}"
+                f"{VARIABLE}: expected KERNEL=NUMBER,KERNEL=NUMBER,... with numbers from 0 to {MAX_REGISTERS}, "
+                f"got {text!r}"
             )
         limits[name] = int(number)
     return limits
@@ -132,7 +133,7 @@ _start_quietly()
 
 REDUCTION_BLOCK = 256  # threads of a CUDA block
 MAX_REDUCTION_BLOCKS = 512  # of a sum: they fill 132 multiprocessors, and the last one reads few rows
-LANES = 32
+LANE_COUNT = 32
 
 # One block size per module, since its tiles are compiled for it. No fused multiply-add: the search tree is exact only
 # if the distances of a box and a point round alike. CUDA is then bitwise identical to the CPU, except for
@@ -454,7 +455,7 @@ def _sum_of_blocks(name: str, vector: Any) -> Any:
     """
     length = vector._length_
     assert length <= REDUCTION_BLOCK
-    lanes = "".join(_sum_of_lanes(first, min(length - first, LANES)) for first in range(0, length, LANES))
+    lanes = "".join(_sum_of_lanes(first, min(length - first, LANE_COUNT)) for first in range(0, length, LANE_COUNT))
     scalar = _SCALARS[vector._wp_scalar_type_]
     snippet = _SUM_OF_BLOCKS.format(scalar=scalar, length=length, threads=REDUCTION_BLOCK, lanes=lanes)
 
@@ -495,7 +496,7 @@ def _sum_of_lanes(first: int, width: int) -> str:
     """Source lines for the sums of elements over the lanes of a warp, each in one lane."""
     steps = (width - 1).bit_length()
     halves = [_HALF.format(half=1 << k) for k in reversed(range(steps))]
-    halves += [_WHOLE.format(mask=1 << k) for k in range(steps, LANES.bit_length() - 1)]
+    halves += [_WHOLE.format(mask=1 << k) for k in range(steps, LANE_COUNT.bit_length() - 1)]
     return _SUM_OF_LANES.format(first=first, width=width, padded=1 << steps, halves="".join(halves))
 
 

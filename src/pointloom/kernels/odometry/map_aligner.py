@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.rigid_solve import TRIANGLE, UNKNOWNS
+from ..algebra.rigid_solve import TRIANGLE_NUMBERS, UNKNOWN_COUNT
 from ..array_types import Device, Points
 from ..lang import DeviceLoop, float64, launch
 from ..memory import download, empty, write
@@ -113,22 +113,22 @@ class MapAligner:
             launch(step_pose_kernel, 1, [per_row, course, folded])
 
         self._course, self._loop = course, DeviceLoop(course.running, iterate)
-        self._plane_rows = empty((-(-room // PLANE_RUN), TRIANGLE), float64, device)
+        self._plane_rows = empty((-(-room // PLANE_RUN), TRIANGLE_NUMBERS), float64, device)
 
     def run(self, legs: Sequence[Leg], regularization: np.ndarray | None = None) -> tuple[list[Reached], np.ndarray]:
         """Run at most MAX_LEGS legs (else ValueError): (results, information of the planes (6, 6) over rotation [rad]
         about the sensor and translation [m]). `regularization` is in units of the trace over translations. One sync.
         """
-        course, corner = self._course, np.triu_indices(UNKNOWNS)
+        course, corner = self._course, np.triu_indices(UNKNOWN_COUNT)
         assert course is not None
         write(course.options.buffer, self._options(legs, None if regularization is None else regularization[corner]))
         launch(begin_course_kernel, len(legs), [course])
         self._loop.run()
         if legs[-1].to_planes:
             launch(sum_planes_kernel, self._plane_rows.shape[0], [course, self._plane_rows])
-            launch(add_planes_kernel, TRIANGLE, [self._plane_rows, course])
+            launch(add_planes_kernel, TRIANGLE_NUMBERS, [self._plane_rows, course])
         results = LegResults.in_host(download(course.results.buffer))  # sync
-        information = np.zeros((UNKNOWNS, UNKNOWNS))
+        information = np.zeros((UNKNOWN_COUNT, UNKNOWN_COUNT))
         if legs[-1].to_planes:
             information[corner] = results["plane_information"]
             information += np.triu(information, 1).T

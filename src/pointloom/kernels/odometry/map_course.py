@@ -11,8 +11,8 @@ import numpy as np
 
 from ..algebra.matrices import multiply44
 from ..algebra.rigid_solve import (
-    TRIANGLE,
-    UNKNOWNS,
+    TRIANGLE_NUMBERS,
+    UNKNOWN_COUNT,
     rotate,
     rotation_about,
     solve_system,
@@ -45,7 +45,12 @@ LEG_RUNNING, LEG_CONVERGED, LEG_EXHAUSTED, LEG_LOST = 0, 1, 2, 3  # states of a 
 FROM_GIVEN, FROM_FIRST, FROM_CHEAPEST = 0, 1, 2  # starts of a leg
 
 
-FIELD_SIZES = {"poses": 16 * MAX_LEGS, "regularization": TRIANGLE, "leg_count": 1, "plane_information": TRIANGLE}
+FIELD_SIZES = {
+    "poses": 16 * MAX_LEGS,
+    "regularization": TRIANGLE_NUMBERS,
+    "leg_count": 1,
+    "plane_information": TRIANGLE_NUMBERS,
+}
 
 
 class OneBuffer:
@@ -290,16 +295,16 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
     else:
         h = triangle(0.0)
         trace = total[triangle_index(3, 3)] + total[triangle_index(4, 4)] + total[triangle_index(5, 5)]
-        for k in range(TRIANGLE):
+        for k in range(TRIANGLE_NUMBERS):
             h[k] = total[k]
             if course.options.regularized[leg] == 1.0:
                 h[k] = h[k] + course.options.regularization[k] * trace
         b = vec6d(0.0)
-        for k in range(UNKNOWNS):
-            b[k] = total[TRIANGLE + k]
+        for k in range(UNKNOWN_COUNT):
+            b[k] = total[TRIANGLE_NUMBERS + k]
         x = solve_system(h, b)
         size = float64(0.0)
-        for k in range(UNKNOWNS):
+        for k in range(UNKNOWN_COUNT):
             size += x[k] * x[k]
         if size - size == 0.0:
             course.poses[i] = moved_by(x, course.poses[i])
@@ -331,10 +336,10 @@ def sum_planes_kernel(course: Course, rows: array(dtype=float64, ndim=2)):
                 n = vec3d(float64(at[0]), float64(at[1]), float64(at[2]))
                 m = cross(rotate(pose, widen(course.points[j])), n)
                 row = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
-                for a in range(UNKNOWNS):
-                    for b in range(a, UNKNOWNS):
+                for a in range(UNKNOWN_COUNT):
+                    for b in range(a, UNKNOWN_COUNT):
                         total[triangle_index(a, b)] = total[triangle_index(a, b)] + row[a] * row[b]
-    for column in range(TRIANGLE):
+    for column in range(TRIANGLE_NUMBERS):
         rows[i, column] = total[column]
 
 

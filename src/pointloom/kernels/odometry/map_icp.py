@@ -9,7 +9,7 @@ weight. Chen and Medioni 1991 for planes.
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.matrices import multiply33
-from ..algebra.rigid_solve import TRIANGLE, triangle_index
+from ..algebra.rigid_solve import TRIANGLE_NUMBERS, triangle_index
 from ..lang import float32, float64, func, mat33d, outer, transpose, vec3d, vector
 from .voxel_map import VoxelMap
 from .voxel_map_search import covariance_of, map_moments, mean_of, moments_in_map
@@ -84,10 +84,10 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
             result[triangle_index(i + 3, j + 3)] = result[triangle_index(i + 3, j + 3)] + A[i, j]
         for j in range(3):
             result[triangle_index(i, j + 3)] = result[triangle_index(i, j + 3)] + turning[i, j]
-        result[TRIANGLE + 3 + i] = result[TRIANGLE + 3 + i] - f[i]
-    result[TRIANGLE] = result[TRIANGLE] - (y[1] * f[2] - y[2] * f[1])
-    result[TRIANGLE + 1] = result[TRIANGLE + 1] - (y[2] * f[0] - y[0] * f[2])
-    result[TRIANGLE + 2] = result[TRIANGLE + 2] - (y[0] * f[1] - y[1] * f[0])
+        result[TRIANGLE_NUMBERS + 3 + i] = result[TRIANGLE_NUMBERS + 3 + i] - f[i]
+    result[TRIANGLE_NUMBERS] = result[TRIANGLE_NUMBERS] - (y[1] * f[2] - y[2] * f[1])
+    result[TRIANGLE_NUMBERS + 1] = result[TRIANGLE_NUMBERS + 1] - (y[2] * f[0] - y[0] * f[2])
+    result[TRIANGLE_NUMBERS + 2] = result[TRIANGLE_NUMBERS + 2] - (y[0] * f[1] - y[1] * f[0])
     result[SQUARED_SUM_AT] = result[SQUARED_SUM_AT] + sqdist
     result[PAIR_COUNT_AT] = result[PAIR_COUNT_AT] + 1.0
     if at[3] == 1.0 or at[4] > 2.0 * WEAK_WEIGHT:

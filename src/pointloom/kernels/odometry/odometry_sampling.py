@@ -9,7 +9,7 @@ import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Mask, Points
-from ..arrays.hash_table import EMPTY, insert_entry
+from ..arrays.hash_table import EMPTY_KEY, insert_entry
 from ..arrays.prefix_sum import inclusive_scan
 from ..arrays.select import gather_rows, positions_of
 from ..arrays.unique import UniqueKeys
@@ -58,7 +58,7 @@ def enter_points_kernel(
 def mark_entries_kernel(entries: array(dtype=int64), index_bits: int, marks: array(dtype=uint8)):
     i = tid()
     entry = entries[i]
-    if entry != int64(EMPTY):
+    if entry != int64(EMPTY_KEY):
         marks[int(entry & ((1 << int64(index_bits)) - 1))] = 1
 
 
@@ -80,7 +80,7 @@ def mark_firsts_kernel(groups: UniqueKeys, marks: array(dtype=uint8)):
 def count_entries_kernel(entries: array(dtype=int64), index_bits: int, ranks: array(dtype=int32)):
     i = tid()
     entry = entries[i]
-    if entry != int64(EMPTY):
+    if entry != int64(EMPTY_KEY):
         ranks[int(entry & ((1 << int64(index_bits)) - 1))] = 1
 
 
@@ -122,7 +122,7 @@ def first_in_voxels(points: Points, voxel_size: float, min_range: float, max_ran
     index_bits = (points.size - 1).bit_length()
     if cells.key_bits + index_bits <= ENTRY_BITS:
         capacity = 1 << (2 * points.size - 1).bit_length()
-        entries = full(capacity, EMPTY, int64, points.device)
+        entries = full(capacity, EMPTY_KEY, int64, points.device)
         entered = [points, min_range, max_range, cells, index_bits, capacity - 1, entries]
         launch(enter_points_kernel, points.size, entered)
         launch(mark_entries_kernel, capacity, [entries, index_bits, marks])
@@ -145,7 +145,7 @@ def thin_successively(points: Points, voxel_sizes: Sequence[float], min_range: f
     capacity = 1 << (2 * n - 1).bit_length()
     counts, levels = empty(len(chain), int32, device), []
     for level, cells in enumerate(chain):  # launched over the maximum count, to avoid a sync
-        ranks, entries = zeros(n, int32, device), full(capacity, EMPTY, int64, device)
+        ranks, entries = zeros(n, int32, device), full(capacity, EMPTY_KEY, int64, device)
         launch(enter_points_kernel, n, [points, min_range, max_range, cells, index_bits, capacity - 1, entries])
         launch(count_entries_kernel, capacity, [entries, index_bits, ranks])
         inclusive_scan(ranks, ranks)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..algebra.transform import narrow, widen
 from ..array_types import AnyArray, Points, Triangles
-from ..arrays.bounds import NOTHING, WIDTH, box_of, merge_box
+from ..arrays.bounds import COLUMN_COUNT, EMPTY_EXTREME, box_of, merge_box
 from ..arrays.runs import Runs, elements_of
 from ..arrays.select import positions_of
 from ..arrays.side_by_side import read_together
@@ -53,7 +53,7 @@ class Extent:
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
         device, runs = vertices.device, Runs(triangles.size, vertices.device, TRIANGLES_PER_THREAD)
         self.middles, self.mask = empty(triangles.size, vec3, device), empty(triangles.size, uint8, device)
-        self.extremes = full(runs.rows * WIDTH, NOTHING, int32, device)
+        self.extremes = full(runs.rows * COLUMN_COUNT, EMPTY_EXTREME, int32, device)
         results = [self.middles, self.mask, self.extremes]
         launch(bound_triangles_kernel, runs.threads, [vertices, triangles, runs, *results])
 

@@ -43,7 +43,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, upload, zeros
-from ..search.bucket_walk import BYTE, byte_shift
+from ..search.bucket_walk import BYTE_MASK, byte_shift
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, SIDES, PointTree, measure_boxes, square_distance
 from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius, offset_of, side_of_sphere, sphere_through
@@ -345,7 +345,7 @@ def grow_star(
             above = min(level, 1)
             leaves = leaves | (inside * (1 - above))
             pending = pending | (int64(inside * above) << byte_shift(level))
-            left = leaves if above == 0 else int(pending >> byte_shift(level)) & BYTE
+            left = leaves if above == 0 else int(pending >> byte_shift(level)) & BYTE_MASK
             lowest = left & (-left)
             child = bit_count(lowest - 1)
             found = min(left, 1)

@@ -4,7 +4,7 @@ from ..arrays.packed_keys import pack_key
 from ..lang import array, bit_count, callback, cuda_func, float32, func, int32, int64, loop, partial, vec3, vector
 from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_point, measure_box, measure_boxes, square_distance
 
-BYTE = 255
+BYTE_MASK = 255
 traversal = vector(4, int64)  # height, level, node, and pending children, one byte per level
 
 
@@ -55,7 +55,7 @@ def next_step(step: traversal, root: int, children: callback) -> traversal:
         node = node // FAN
     searching = 1
     while searching == 1:
-        left = int(pending >> byte_shift(level)) & BYTE
+        left = int(pending >> byte_shift(level)) & BYTE_MASK
         if left != 0:
             lowest = left & (-left)
             pending = pending ^ (int64(lowest) << byte_shift(level))
@@ -75,7 +75,7 @@ def next_step(step: traversal, root: int, children: callback) -> traversal:
                     own = 1 << (node % FAN)
                     node = node // FAN
                     level = level + 1
-                    others = children(level, node) & (BYTE - own)
+                    others = children(level, node) & (BYTE_MASK - own)
                     pending = pending | (int64(others) << byte_shift(level))
             else:
                 node = node // FAN
@@ -148,7 +148,7 @@ def pass_over_equal(
     buckets = 1  # buckets per child
     for above in range(int(step[0])):
         node = node // FAN
-        left = int(pending >> byte_shift(above + 1)) & BYTE
+        left = int(pending >> byte_shift(above + 1)) & BYTE_MASK
         if left != 0:
             record = tree.levels[above + 1] + node
             distances = measure_boxes(tree.boxes, record, a, b)
@@ -173,7 +173,7 @@ def pass_over_equal_one_by_one(
     children = int(FAN)
     for above in range(int(step[0])):
         node = node // FAN
-        left = int(pending >> byte_shift(above + 1)) & BYTE
+        left = int(pending >> byte_shift(above + 1)) & BYTE_MASK
         record = tree.levels[above + 1] + node
         for j in range(children):
             if ((left >> j) & 1) == 1:

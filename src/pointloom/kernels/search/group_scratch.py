@@ -13,7 +13,7 @@ from ..memory import empty
 from .point_tree import BUCKET, LEAF
 
 CPU_RUN = 32  # groups per CPU thread. Queries of the first have no previous group and traverse the tree
-SCRATCH = 2**25  # scratch numbers of one kind per CPU launch
+MAX_SCRATCH_NUMBERS = 2**25  # scratch numbers of one kind per CPU launch
 SM_THREADS = 768  # per CUDA launch: a multiprocessor's capacity at 80 registers per thread
 MAX_LEAVES = 512  # measured by a warp, besides two per neighbor
 MAX_KEYS = 2**28  # per CUDA launch, 2 GB
@@ -60,7 +60,7 @@ class GroupScratch:
         if device.is_cuda:
             self._allocate_for_warps(device, row)
             return
-        self.run, self.max_threads = CPU_RUN, max(1, SCRATCH // row)
+        self.run, self.max_threads = CPU_RUN, max(1, MAX_SCRATCH_NUMBERS // row)
         self.stride = max(1, min(-(-self.groups // self.run), self.max_threads))
         size = self.stride * self.gather
         self.xs, self.ys = empty(size, float32, device), empty(size, float32, device)

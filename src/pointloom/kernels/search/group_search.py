@@ -15,20 +15,20 @@ from .bucket_walk import leaves_within
 from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .k_nearest import search_k_nearest
 from .lane_search import search_lanes
-from .neighbor_keys import BOUNDLESS, keep_nearest, sort_keys, thin_keys
+from .neighbor_keys import UNLIMITED_SQRADIUS, keep_nearest, sort_keys, thin_keys
 from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, positions_in, square_distance
 
-SLACK = 1.00001  # covers the float32 rounding of two square roots, a sum and a product
-TINY = 1.0e-37  # [m^2] covers the rounding of subnormal products, which is not relative
-FEW = 8  # up to this many excess keys are dropped one by one, without a sort
-GUESS = 1.2  # times the previous group's largest k-th squared distance: 3 % of queries then find fewer than k
+ROUNDING_FACTOR = 1.00001  # covers the float32 rounding of two square roots, a sum and a product
+SUBNORMAL_MARGIN = 1.0e-37  # [m^2] covers the rounding of subnormal products, which is not relative
+MAX_DROPPED_KEYS = 8  # up to this many excess keys are dropped one by one, without a sort
+SQDIST_GROWTH = 1.2  # times the previous group's largest k-th squared distance: 3 % of queries then find fewer than k
 
 
 @func
 def grown_sqradius(bound: float, sqdist: float) -> float:
     """Squared radius of a ball that contains the ball of squared radius `bound` with its center sqrt(sqdist) away."""
     hint = sqrt(bound) + sqrt(sqdist)
-    return hint * hint * SLACK + TINY
+    return hint * hint * ROUNDING_FACTOR + SUBNORMAL_MARGIN
 
 
 @func
@@ -37,7 +37,7 @@ def is_repeated(p: vec3, before: vec3, bound: float) -> int:
 
     The scans of some LiDARs contain thousands of missing returns at zero.
     """
-    return 1 if p[0] == before[0] and p[1] == before[1] and p[2] == before[2] and bound < BOUNDLESS else 0
+    return 1 if p[0] == before[0] and p[1] == before[1] and p[2] == before[2] and bound < UNLIMITED_SQRADIUS else 0
 
 
 @func
@@ -80,7 +80,7 @@ def gather_around_leaf(
 ) -> int:
     """gather_candidates for a leaf. None if there is no room or the radius is infinite."""
     gathered = scratch.gather + 1
-    if scratch.gather > 0 and max_sqdist < BOUNDLESS:
+    if scratch.gather > 0 and max_sqdist < UNLIMITED_SQRADIUS:
         at = (leaf // FAN) * SIDES + leaf % FAN
         a = vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN])
         b = vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN])
@@ -152,7 +152,7 @@ def search_member(
             size = -1  # its k nearest may be farther than the gathered leaves
         else:
             size = thin_keys(scratch.keys, base, 1, size, scratch.k, near)
-            if sort == 0 and size <= scratch.k + FEW:
+            if sort == 0 and size <= scratch.k + MAX_DROPPED_KEYS:
                 size = drop_farthest(scratch.keys, base, size, scratch.k)
             else:
                 size = keep_nearest(scratch.keys, base, 1, size, scratch.k, scratch.room)
@@ -188,7 +188,7 @@ def nearest_of_leaves(
     widest = float(INFINITY)
     size = 0
     for leaf in range(part.first + thread * part.run, min(part.first + (thread + 1) * part.run, part.last)):
-        covered = min(max_sqdist, widest * GUESS)
+        covered = min(max_sqdist, widest * SQDIST_GROWTH)
         gathered = gather_around_leaf(leaf, covered, tree, labels, scratch, listing)
         widest = 0.0
         for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
@@ -225,7 +225,7 @@ def nearest_of_lanes(
         p = tree.points[rank]
         start = (group * WARP) // BUCKET
         result = search_lanes(p, is_query, start, guess, tree, labels, scratch, thread, max_sqdist, 1)
-        guess = max_of_lanes(bits_float(result[1])) * GUESS
+        guess = max_of_lanes(bits_float(result[1])) * SQDIST_GROWTH
         size = result[0]
         if sort == 1:
             sort_keys(scratch.keys, thread, scratch.stride, size)

@@ -10,17 +10,19 @@ from ..arrays.sort import SortKeys, positions, put_key
 from ..lang import array, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
 from ..memory import empty, rows_of
 
-LANES = 8  # points per thread, vectorized
+VECTOR_LANES = 8  # points per thread, vectorized
 lanes = vector(8, int32)
 lane_codes = vector(8, int64)
 SMALLEST_EXTENT = 1e-33  # [m] below, the scale overflows float32
 MAX_LEVELS = 16  # 65,536 cells per axis: a millimeter in a city block
-FEW = 2048  # points for one thread and launch of the CPU: their tree takes 0.15 ms, 0.30 ms in parallel (2026-11-28)
-FEW_BITS = 11  # bits of an index below FEW
+MAX_FEW_POINTS = (
+    2048  # points for one thread and launch of the CPU: their tree takes 0.15 ms, 0.30 ms in parallel (2026-11-28)
+)
+FEW_BITS = 11  # bits of an index below MAX_FEW_POINTS
 MAX_MOVES = 8  # of a key by insertion, on average: more take longer than all digits
 FEW_LEVELS = 5  # of the curve for few queries: 32,768 cells, and a code of two digits
-DIGIT = 8  # bits of a digit of the radix sort
-DIGITS = 1 << DIGIT
+DIGIT_BITS = 8  # bits of a digit of the radix sort
+DIGIT_VALUES = 1 << DIGIT_BITS
 
 
 @struct
@@ -73,7 +75,7 @@ def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
     for level in range(1, levels):
         shift = levels - level
         low = (1 << shift) - 1
-        for j in range(LANES):
+        for j in range(VECTOR_LANES):
             x[j] = x[j] ^ (low & -((x[j] >> shift) & 1))
             set_y = -((y[j] >> shift) & 1)
             swapped = (x[j] ^ y[j]) & low & ~set_y
@@ -84,7 +86,7 @@ def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
             x[j] = x[j] ^ ((low & set_z) | exchanged)
             z[j] = z[j] ^ exchanged
     codes = lane_codes(0)
-    for j in range(LANES):
+    for j in range(VECTOR_LANES):
         y[j] = y[j] ^ x[j]
         z[j] = z[j] ^ y[j]
         # the parity of the bits above each bit of z
@@ -122,13 +124,13 @@ def put_eight(head: int, step: int, points: array(dtype=vec3), low: vec3, scale:
     x = lanes(0)
     y = lanes(0)
     z = lanes(0)
-    for j in range(LANES):
+    for j in range(VECTOR_LANES):
         p = points[min(head + j * step, last)]
         x[j] = cell_on_axis(p[0], low[0], scale, levels)
         y[j] = cell_on_axis(p[1], low[1], scale, levels)
         z[j] = cell_on_axis(p[2], low[2], scale, levels)
     indices = hilbert_codes(x, y, z, levels)
-    for j in range(LANES):
+    for j in range(VECTOR_LANES):
         position = head + j * step
         if position <= last:
             p = points[position]
@@ -154,19 +156,19 @@ def scale_of_box(low: vec3, high: vec3, levels: int) -> float:
 def sort_digit(keys: array(dtype=int64), source: int, count: int, shift: int):
     """Move `count` keys from `source`, 0 or `count`, to the other half in the order of a digit. Counts follow them."""
     counts = 2 * count
-    for d in range(counts, counts + DIGITS):
+    for d in range(counts, counts + DIGIT_VALUES):
         keys[d] = int64(0)
     for i in range(source, source + count):
-        d = counts + (int(keys[i] >> int64(shift)) & (DIGITS - 1))
+        d = counts + (int(keys[i] >> int64(shift)) & (DIGIT_VALUES - 1))
         keys[d] = keys[d] + 1
     place = int64(count - source)
-    for d in range(counts, counts + DIGITS):
+    for d in range(counts, counts + DIGIT_VALUES):
         size = keys[d]
         keys[d] = place
         place += size
     for i in range(source, source + count):
         key = keys[i]
-        d = counts + (int(key >> int64(shift)) & (DIGITS - 1))
+        d = counts + (int(key >> int64(shift)) & (DIGIT_VALUES - 1))
         to = keys[d]
         keys[d] = to + 1
         keys[int(to)] = key
@@ -177,9 +179,9 @@ def sort_few_keys(keys: array(dtype=int64), count: int, bits: int) -> int:
     """Sort by the two highest digits, then by insertion, or by all digits if that takes many moves. Return the start of
     the sorted keys.
     """
-    top = max(bits - 2 * DIGIT, 0)
+    top = max(bits - 2 * DIGIT_BITS, 0)
     sort_digit(keys, 0, count, top)
-    sort_digit(keys, count, count, top + DIGIT)
+    sort_digit(keys, count, count, top + DIGIT_BITS)
     moves = 0
     i = 1
     while i < count and moves <= MAX_MOVES * count:
@@ -197,18 +199,18 @@ def sort_few_keys(keys: array(dtype=int64), count: int, bits: int) -> int:
         while shift < bits:
             sort_digit(keys, source, count, shift)
             source = count - source
-            shift += DIGIT
+            shift += DIGIT_BITS
     return source
 
 
 @func
 def sort_few(points: array(dtype=vec3), low: vec3, scale: float, levels: int, codes: SortKeys) -> int:
-    """Sort the codes of up to FEW points by one thread. Return where in `codes.keys` the sorted keys start: codes above
-    FEW_BITS of the index. Room is needed for each key twice, and for DIGITS counts.
+    """Sort the codes of up to MAX_FEW_POINTS points by one thread. Return where in `codes.keys` the sorted keys start:
+    codes above FEW_BITS of the index. Room is needed for each key twice, and for DIGIT_VALUES counts.
     """
     count = points.shape[0]
-    for group in range((count + LANES - 1) // LANES):
-        put_eight(group * LANES, 1, points, low, scale, levels, codes)
+    for group in range((count + VECTOR_LANES - 1) // VECTOR_LANES):
+        put_eight(group * VECTOR_LANES, 1, points, low, scale, levels, codes)
     index_bits = int(FEW_BITS)
     for i in range(count):
         codes.keys[i] = (codes.keys[i] << int64(index_bits)) | int64(i)
@@ -217,7 +219,7 @@ def sort_few(points: array(dtype=vec3), low: vec3, scale: float, levels: int, co
 
 @func
 def index_of_few(key: int64) -> int:
-    return int(key & int64(FEW - 1))
+    return int(key & int64(MAX_FEW_POINTS - 1))
 
 
 @kernel(for_cpu=True)
@@ -230,22 +232,22 @@ def order_few_kernel(points: array(dtype=vec3), curve: HilbertCurve, codes: Sort
 
 def few_keys(points: Points) -> SortKeys:
     """Room for `sort_few`."""
-    return SortKeys(2 * points.size + DIGITS, points.device)
+    return SortKeys(2 * points.size + DIGIT_VALUES, points.device)
 
 
-_positions: list[Indices] = []  # 0 .. FEW - 1
+_positions: list[Indices] = []  # 0 .. MAX_FEW_POINTS - 1
 
 
 def few_positions(count: int, device: Device) -> Indices:
-    """0 .. count - 1 on the CPU, read only, for 1 .. FEW."""
+    """0 .. count - 1 on the CPU, read only, for 1 .. MAX_FEW_POINTS."""
     if not _positions:
-        _positions.append(positions(FEW, device))
+        _positions.append(positions(MAX_FEW_POINTS, device))
     return rows_of(_positions[0], 0, count)
 
 
 def is_few(points: Points) -> bool:
     """True if one thread of the CPU orders the points."""
-    return 0 < points.size <= FEW and points.device.is_cpu
+    return 0 < points.size <= MAX_FEW_POINTS and points.device.is_cpu
 
 
 @kernel
@@ -267,17 +269,17 @@ def encode_in_box_kernel(
 
 def order_in_box(points: Points, levels: int) -> Integers:
     """Order along the curve through the points' box, int32 (n), as of `argsort_along`. No sync."""
-    codes, threads = SortKeys(points.size, points.device), -(-points.size // LANES)
-    apart, step = (1, threads) if points.device.is_cuda else (LANES, 1)
+    codes, threads = SortKeys(points.size, points.device), -(-points.size // VECTOR_LANES)
+    apart, step = (1, threads) if points.device.is_cuda else (VECTOR_LANES, 1)
     launch(encode_in_box_kernel, threads, [points, find_box(points), levels, apart, step, codes])
     return codes.sort(3 * levels + 1)[1]
 
 
 def encode_points(points: Points, curve: HilbertCurve) -> SortKeys:
     """Codes of points on a curve, as SortKeys. 8^levels for non-finite points."""
-    codes, threads = SortKeys(points.size, points.device), -(-points.size // LANES)
+    codes, threads = SortKeys(points.size, points.device), -(-points.size // VECTOR_LANES)
     # eight consecutive points per thread on the CPU, coalesced across threads on CUDA
-    apart, step = (1, threads) if points.device.is_cuda else (LANES, 1)
+    apart, step = (1, threads) if points.device.is_cuda else (VECTOR_LANES, 1)
     launch(encode_points_kernel, threads, [points, curve, apart, step, codes])
     return codes
 

@@ -3,7 +3,7 @@
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import array, func, int32, int64, vec3
 from .bucket_walk import next_bucket_of_point, pass_over_equal, start_traversal
-from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
+from .neighbor_keys import UNLIMITED_SQRADIUS, keep_nearest, thin_keys
 from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_point, measure_box, measure_boxes, square_distance
 
 
@@ -102,7 +102,7 @@ def search_k_nearest(
         if size == previous_size:
             if is_one_point(tree.boxes, bucket, 0) == 1:
                 step = pass_over_equal(step, p, p, limit, tree, labels)
-        if size > crowd or (size >= k and bound >= BOUNDLESS):
+        if size > crowd or (size >= k and bound >= UNLIMITED_SQRADIUS):
             size = keep_nearest(keys, base, stride, size, k, room)
             if size == k:
                 limit = min(limit, keys[base + (k - 1) * stride])
@@ -141,7 +141,7 @@ def search_with_one_pick(
                     step = pass_over_equal(step, p, p, limit, tree, labels)
         else:
             is_active = 0
-        if is_active == 0 or size > crowd or (size >= k and bound >= BOUNDLESS):
+        if is_active == 0 or size > crowd or (size >= k and bound >= UNLIMITED_SQRADIUS):
             size = keep_nearest(keys, base, stride, size, k, room)
             if size == k:
                 limit = min(limit, keys[base + (k - 1) * stride])

@@ -3,7 +3,7 @@
 from ..algebra.plain_min_max import larger
 from ..arrays.lanes import high_of_eight, low_of_eight, max_of_eight
 from ..lang import INFINITY, WARP, array, ballot, cuda_func, float32, int32, lane, shuffle, vec3, vector
-from .bucket_walk import BYTE
+from .bucket_walk import BYTE_MASK
 from .point_tree import FAN, SIDES, measure_box, square_distance
 from .tree_walk import lowest_bit
 
@@ -57,7 +57,7 @@ def is_child_near(boxes: array(dtype=float32), node: int, around: two_boxes, bou
 def flags_of_eight(flag: int) -> int:
     """Flags of the own eight lanes as bits."""
     own = lane() & (FAN - 1)
-    return (ballot(flag) >> (lane() - own)) & BYTE
+    return (ballot(flag) >> (lane() - own)) & BYTE_MASK
 
 
 @cuda_func
@@ -65,7 +65,7 @@ def flags_of_any_eight(flag: int) -> int:
     """Bit j is set if lane j of any eight lanes has the flag."""
     bits = ballot(flag)
     bits = bits | (bits >> (2 * FAN))
-    return (bits | (bits >> FAN)) & BYTE
+    return (bits | (bits >> FAN)) & BYTE_MASK
 
 
 @cuda_func

@@ -32,15 +32,17 @@ from .bucket_walk import next_step, start_traversal, traversal
 from .group_scratch import GroupScratch
 from .k_nearest import search_k_nearest
 from .lane_boxes import boxes_of_eight, nearby_children, nearby_nodes, two_boxes
-from .neighbor_keys import GUESSES, keep_up_to, limit_nearest
+from .neighbor_keys import MAX_INTERPOLATIONS, keep_up_to, limit_nearest
 from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, square_distance
 
 eight_points = vector(24, float32)
-SURFACE = 0.0025  # [1] a bucket's squared diagonal times k times this is the squared radius of k points on a plane
-SPARE = 1.5  # safety factor of the expected squared radius
+PLANE_FRACTION = (
+    0.0025  # [1] a bucket's squared diagonal times k times this is the squared radius of k points on a plane
+)
+SQRADIUS_MARGIN = 1.5  # safety factor of the expected squared radius
 MAX_GROWTH = 8.0  # maximum growth of a squared radius per step
-SHRUNK = 0.25  # shrink factor of a squared radius with too many leaves
-TINY = 1.0e-37  # [m^2] minimum of a growing squared radius
+SQRADIUS_SHRINKAGE = 0.25  # shrink factor of a squared radius with too many leaves
+MIN_SQRADIUS = 1.0e-37  # [m^2] minimum of a growing squared radius
 MAX_ATTEMPTS = 12  # attempts before each lane traverses the tree
 
 
@@ -128,9 +130,9 @@ def keep_nearer(
     capacity = scratch.room - LEAF
     middle = (scratch.k + capacity) // 2
     iteration = 0
-    while above > capacity and iteration < 2 * GUESSES:
+    while above > capacity and iteration < 2 * MAX_INTERPOLATIONS:
         guess = low + (high - low) * (float(middle) / float(above))
-        if iteration >= GUESSES:
+        if iteration >= MAX_INTERPOLATIONS:
             guess = low + (high - low) * 0.5
         count = keep_near(p, guess, tree, scratch, listing, size, base)
         if count < scratch.k:
@@ -153,7 +155,7 @@ def guess_sqradius(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
     x = larger(larger(low[0] - b[0], a[0] - high[0]), 0.0)
     y = larger(larger(low[1] - b[1], a[1] - high[1]), 0.0)
     z = larger(larger(low[2] - b[2], a[2] - high[2]), 0.0)
-    near = sqrt(square_distance(low, high) * (SURFACE * float(k))) + sqrt(x * x + y * y + z * z)
+    near = sqrt(square_distance(low, high) * (PLANE_FRACTION * float(k))) + sqrt(x * x + y * y + z * z)
     return near * near
 
 
@@ -182,17 +184,17 @@ def keep_for_lanes(
         attempt += 1
         if listed > scratch.gather:
             beyond = covered
-            covered = covered * SHRUNK
+            covered = covered * SQRADIUS_SHRINKAGE
         else:
             count = keep_near(p, covered, tree, scratch, listing, listed, base)
             min_count = min_of_lanes(float(count))
             if min_count >= float(scratch.k) or covered >= max_sqdist or attempt >= MAX_ATTEMPTS:
                 attempt = MAX_ATTEMPTS + 1
             else:
-                grown = covered * min(SPARE * float(scratch.k) / max(min_count, 1.0), MAX_GROWTH)
+                grown = covered * min(SQRADIUS_MARGIN * float(scratch.k) / max(min_count, 1.0), MAX_GROWTH)
                 if listed * LEAF >= tree.count:
                     grown = max_sqdist
-                covered = min(min(max_sqdist, 0.5 * (covered + beyond)), max(grown, TINY))
+                covered = min(min(max_sqdist, 0.5 * (covered + beyond)), max(grown, MIN_SQRADIUS))
     return vec3(covered, float(listed), float(count))
 
 

@@ -45,7 +45,7 @@ from .tree_search import order_along_curve, search_nearest, squared_radius
 lane_numbers = vector(8, float32)
 lane_labels = vector(8, int32)
 lane_results = vector(16, int32)  # bits of eight squared distances, then eight indices
-SPARSE = 16  # cloud points per query, above which groups are too wide
+MAX_POINTS_PER_QUERY = 16  # cloud points per query, above which groups are too wide
 NO_POINT = -1  # key without a result
 NO_LABEL = -1  # label without a point
 
@@ -305,7 +305,7 @@ def find_nearest(
     """
     nearest = empty(queries.size, int64, queries.device) if nearest is None else nearest
     is_separate = queries.device.is_cuda
-    if tree.count > SPARSE * queries.size and not is_separate:
+    if tree.count > MAX_POINTS_PER_QUERY * queries.size and not is_separate:
         result = search_nearest(tree, queries, 2 if others else 1, radius)
         launch(pack_neighbor_kernel, queries.size, [*result, int(others), nearest])
         return nearest

@@ -7,17 +7,19 @@ Key j of a row is at `base` + j * `stride`: contiguous on the CPU, interleaved a
 from ..arrays.packed_keys import key_limit, key_number
 from ..lang import array, bits_float, float_bits, func, int64, vector
 
-LANES = 8  # keys ranked together, in vector registers
+VECTOR_LANES = 8  # keys ranked together, in vector registers
 key_lanes = vector(8, int64)
 
-CLOSE = 1.05  # times the expected squared distance of the k-th neighbor: sufficient in more than half of the cases
-MIDDLE = 1.15  # ... in most
-WIDE = 1.3  # ... in nearly all
+FIRST_SQDIST_FACTOR = (
+    1.05  # times the expected squared distance of the k-th neighbor: sufficient in more than half of the cases
+)
+SECOND_SQDIST_FACTOR = 1.15  # ... in most
+THIRD_SQDIST_FACTOR = 1.3  # ... in nearly all
 BY_INSERTION = 96  # keys up to which insertion is faster than a heap: a fifth at 80 (CPU, 2026-11-28)
-MANY = 400  # keys up to which comparing all pairs beats a heap sort
-SLIGHT = 8  # an excess of up to k / 8 is not worth a pass
-GUESSES = 6  # interpolations before bisection: about four are needed
-BOUNDLESS = 3.0e38  # [m^2] larger squared radii are unlimited
+MAX_COMPARED_KEYS = 400  # keys up to which comparing all pairs beats a heap sort
+MIN_EXCESS_DIVISOR = 8  # an excess of up to k / 8 is not worth a pass
+MAX_INTERPOLATIONS = 6  # interpolations before bisection: about four are needed
+UNLIMITED_SQRADIUS = 3.0e38  # [m^2] larger squared radii are unlimited
 
 
 @func
@@ -106,7 +108,7 @@ def limit_nearest(keys: array(dtype=int64), base: int, stride: int, key_count: i
     iteration = 0
     while above > k:
         guess = low + (high - low) // 2
-        if iteration < GUESSES:
+        if iteration < MAX_INTERPOLATIONS:
             near = key_number(max(low, 0))
             fraction = (float(k - below) + 0.5) / float(above - below)
             likely = key_limit(near + (key_number(high) - near) * fraction)
@@ -182,21 +184,21 @@ def keep_up_to(keys: array(dtype=int64), base: int, stride: int, key_count: int,
 
 @func
 def keep_nearest(keys: array(dtype=int64), base: int, stride: int, key_count: int, k: int, room: int) -> int:
-    """Sort and keep the k smallest keys by counting smaller ones, fast up to MANY keys. Return the count."""
+    """Sort and keep the k smallest keys by counting smaller ones, fast up to MAX_COMPARED_KEYS. Return the count."""
     left = min(key_count, k)
-    if key_count > MANY:
+    if key_count > MAX_COMPARED_KEYS:
         sort_keys(keys, base, stride, key_count)
     else:
-        for block in range((key_count + LANES - 1) // LANES):
+        for block in range((key_count + VECTOR_LANES - 1) // VECTOR_LANES):
             own = key_lanes(0)
             ranks = key_lanes(0)  # as wide as the keys, to share vector registers
-            for j in range(LANES):
-                own[j] = keys[base + min(block * LANES + j, key_count - 1) * stride]
+            for j in range(VECTOR_LANES):
+                own[j] = keys[base + min(block * VECTOR_LANES + j, key_count - 1) * stride]
             for b in range(key_count):
                 key = keys[base + b * stride]
-                for j in range(LANES):
+                for j in range(VECTOR_LANES):
                     ranks[j] = ranks[j] + (int64(1) if key < own[j] else int64(0))
-            for j in range(min(LANES, key_count - block * LANES)):
+            for j in range(min(VECTOR_LANES, key_count - block * VECTOR_LANES)):
                 if int(ranks[j]) < k:
                     keys[base + (room + int(ranks[j])) * stride] = own[j]
         for a in range(left):
@@ -222,11 +224,11 @@ def pick_nearest(keys: array(dtype=int64), base: int, stride: int, key_count: in
 def thin_keys(keys: array(dtype=int64), base: int, stride: int, key_count: int, k: int, max_sqdist: float) -> int:
     """Drop far keys, keeping at least k, by three guesses of the k-th distance. Return the count."""
     left = key_count
-    if key_count > k + k // SLIGHT and max_sqdist < BOUNDLESS:
+    if key_count > k + k // MIN_EXCESS_DIVISOR and max_sqdist < UNLIMITED_SQRADIUS:
         fraction = max_sqdist * (float(k) / float(key_count))
-        close = (int64(float_bits(fraction * CLOSE)) + 1) << 32
-        middle = (int64(float_bits(fraction * MIDDLE)) + 1) << 32
-        wide = (int64(float_bits(fraction * WIDE)) + 1) << 32
+        close = (int64(float_bits(fraction * FIRST_SQDIST_FACTOR)) + 1) << 32
+        middle = (int64(float_bits(fraction * SECOND_SQDIST_FACTOR)) + 1) << 32
+        wide = (int64(float_bits(fraction * THIRD_SQDIST_FACTOR)) + 1) << 32
         in_close = 0
         in_middle = 0
         in_wide = 0

@@ -35,7 +35,7 @@ from ..lang import (
 from ..memory import empty, full, zeros
 from .bucket_walk import points_within
 from .group_scratch import GroupScratch, LaunchPart
-from .group_search import GUESS, gather_candidates, grown_sqradius, pick_within
+from .group_search import SQDIST_GROWTH, gather_candidates, grown_sqradius, pick_within
 from .k_nearest import search_k_nearest
 from .lane_search import keep_up_to_limit, list_leaves, search_lanes
 from .neighbor_keys import limit_nearest
@@ -163,7 +163,7 @@ def find_limits_of_lanes_kernel(
         is_query = 1 if j < ranks.shape[0] else 0
         start = ranks[group * WARP] // BUCKET
         result = search_lanes(tree.points[rank], is_query, start, guess, tree, labels, scratch, i, max_sqdist, 1)
-        guess = max_of_lanes(bits_float(result[1])) * GUESS
+        guess = max_of_lanes(bits_float(result[1])) * SQDIST_GROWTH
         if is_query == 1:
             limit = key_limit(max_sqdist)
             if result[0] == scratch.k:

@@ -35,8 +35,8 @@ from ..lang import (
 )
 from ..memory import empty, host_view, upload
 from .hilbert_order import (
-    FEW,
     FEW_BITS,
+    MAX_FEW_POINTS,
     HilbertCurve,
     HilbertOrder,
     few_keys,
@@ -52,7 +52,7 @@ from .hilbert_order import (
 LEAF = 8  # points per leaf
 FAN = 8  # leaves per bucket
 BUCKET = LEAF * FAN  # points per bucket
-WINDOW = 5  # points along the curve searched for copies: a cell of it may contain several positions
+COPY_WINDOW = 5  # points along the curve searched for copies: a cell of it may contain several positions
 ROUNDED_UP = 1.000001  # factor above the float32 rounding of a square
 LARGEST_SQDIST = 3.4028234663852886e38  # [m^2] the largest float32: limit of a traversal without a radius
 SIDES = 6 * FAN  # numbers per node: low x, y, z, high x, y, z of all its children
@@ -122,7 +122,7 @@ _OWN_CURVE = HilbertCurve(_ZERO, _ZERO, 0)  # stands for the curve through the p
 
 def positions_in(tree: PointTree) -> Indices:
     """0 .. count - 1, read only: int32 (count)."""
-    is_small = tree.device.is_cpu and 0 < tree.count <= FEW
+    is_small = tree.device.is_cpu and 0 < tree.count <= MAX_FEW_POINTS
     return few_positions(tree.count, tree.device) if is_small else positions(tree.count, tree.device)
 
 
@@ -308,7 +308,7 @@ def copies_after(i: int, tree: PointTree) -> int:
     """How many of the next points along the curve equal point i."""
     p = tree.points[i]
     copies = 0
-    for j in range(i + 1, min(i + WINDOW, tree.count)):
+    for j in range(i + 1, min(i + COPY_WINDOW, tree.count)):
         if tree.points[j][0] == p[0]:
             copies += same_point(p, tree.points[j])
     return copies

@@ -29,16 +29,16 @@ from ..lang import (
 from ..memory import download, empty, flat, rows_of
 from .bucket_walk import points_within
 from .group_scratch import GroupScratch, LaunchPart
-from .group_search import GUESS, gather_candidates, grown_sqradius, is_repeated, search_member
+from .group_search import SQDIST_GROWTH, gather_candidates, grown_sqradius, is_repeated, search_member
 from .hilbert_order import is_few, order_queries
 from .lane_boxes import point_of_lane
 from .lane_search import search_lanes
-from .neighbor_keys import BOUNDLESS, sort_keys
+from .neighbor_keys import UNLIMITED_SQRADIUS, sort_keys
 from .point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucket, square_distance
 from .tree_walk import lowest_bit
 
-SLOTS = 64  # neighbors of each of few queries that the count keeps, so that there is one traversal
-SAMPLE = 64  # points used to estimate the number of neighbors
+COUNTED_NEIGHBORS = 64  # neighbors of each of few queries that the count keeps, so that there is one traversal
+SAMPLE_POINTS = 64  # points used to estimate the number of neighbors
 MAX_ROWS = 2**31 - 1  # element limit of arrays in a launch
 
 
@@ -97,12 +97,12 @@ def search_nearest_kernel(
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = group // FAN
         gathered = scratch.gather + 1
-        covered = min(max_sqdist, widest * GUESS)
+        covered = min(max_sqdist, widest * SQDIST_GROWTH)
         widest = 0.0
         if tree.count > 0 and isfinite(a):  # otherwise no query of the group is finite
             if self_query == 0:
                 start = find_bucket(a, tree)
-            if scratch.gather > 0 and covered < BOUNDLESS:
+            if scratch.gather > 0 and covered < UNLIMITED_SQRADIUS:
                 gathered = gather_candidates(a, b, start, covered, tree, tree.order, scratch, listing)
         for rank in range(head, tail):
             row = query_order[rank]
@@ -154,7 +154,7 @@ def search_nearest_of_lanes_kernel(
             if self_query == 0:
                 start = find_bucket(leader, tree)
             result = search_lanes(p, is_query, start, guess, tree, tree.order, scratch, i, max_sqdist, 0)
-            guess = max_of_lanes(bits_float(result[1])) * GUESS
+            guess = max_of_lanes(bits_float(result[1])) * SQDIST_GROWTH
             size = result[0] * is_query
             sort_keys(scratch.keys, i, scratch.stride, size)
         if is_row == 1:
@@ -214,14 +214,14 @@ def keep_within_kernel(
     counts: array(dtype=int32),
     kept: array(dtype=int64),
 ):
-    """Count as `count_within_kernel`, and keep the keys of up to SLOTS neighbors of each query."""
+    """Count as `count_within_kernel`, and keep the keys of up to COUNTED_NEIGHBORS neighbors of each query."""
     i = tid()
     q = query_order[i]
     p = queries[q]
     count = 0
     if tree.count > 0 and isfinite(p):
         for j, sqdist in points_within(find_bucket(p, tree), p, max_sqdist, tree):
-            kept[q * SLOTS + min(count, SLOTS - 1)] = pack_key(sqdist, tree.order[j])
+            kept[q * COUNTED_NEIGHBORS + min(count, COUNTED_NEIGHBORS - 1)] = pack_key(sqdist, tree.order[j])
             count += 1
     counts[q] = count
 
@@ -235,10 +235,10 @@ def list_kept_kernel(
     sqdists: array(dtype=float32),
 ):
     i = tid()
-    sort_keys(kept, i * SLOTS, 1, counts[i])
+    sort_keys(kept, i * COUNTED_NEIGHBORS, 1, counts[i])
     for j in range(counts[i]):
-        indices[offsets[i] + j] = key_index(kept[i * SLOTS + j])
-        sqdists[offsets[i] + j] = key_number(kept[i * SLOTS + j])
+        indices[offsets[i] + j] = key_index(kept[i * COUNTED_NEIGHBORS + j])
+        sqdists[offsets[i] + j] = key_number(kept[i * COUNTED_NEIGHBORS + j])
 
 
 def squared_radius(radius: float) -> float:
@@ -282,14 +282,14 @@ def search_within(tree: PointTree, queries: Points, radius: float) -> tuple[Inte
     order = order_along_curve(tree, queries)
     counts = empty(total, int32, device)
     common = [queries, order, tree]
-    kept = empty(total * SLOTS, int64, device) if is_few(queries) else None
+    kept = empty(total * COUNTED_NEIGHBORS, int64, device) if is_few(queries) else None
     if kept is None:
         launch(count_within_kernel, total, [*common, max_sqdist, counts])
     else:
         launch(keep_within_kernel, total, [*common, max_sqdist, counts, kept])
     offsets, neighbor_count = exclusive_scan(counts, largest=tree.count)  # sync
     indices, sqdists = empty(neighbor_count, int32, device), empty(neighbor_count, float32, device)
-    if kept is not None and download(counts).max() <= SLOTS:
+    if kept is not None and download(counts).max() <= COUNTED_NEIGHBORS:
         launch(list_kept_kernel, total, [offsets, counts, kept, indices, sqdists])
         return indices, sqdists, offsets
     keys = empty(neighbor_count, int64, device)
@@ -304,8 +304,8 @@ def sample_points_kernel(points: array(dtype=vec3), indices: array(dtype=int32),
 
 
 def count_around(tree: PointTree, indices: Indices, radius: float) -> float:
-    """Mean number of points within a radius [m] of at most SAMPLE of some points of a tree."""
-    step = -(-indices.size // SAMPLE)
+    """Mean number of points within a radius [m] of at most SAMPLE_POINTS of some points of a tree."""
+    step = -(-indices.size // SAMPLE_POINTS)
     size = -(-indices.size // step)
     sample, counts = empty(size, vec3, tree.device), empty(size, int32, tree.device)
     launch(sample_points_kernel, size, [tree.points, indices, step, sample])

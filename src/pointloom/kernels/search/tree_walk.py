@@ -8,7 +8,7 @@ the buckets. A node's box and number are in its parent's record (`record_of`).
 from ..algebra.plain_min_max import larger
 from ..lang import WARP, array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
 from ..memory import download, empty, fill
-from .bucket_walk import BYTE, byte_shift, traversal
+from .bucket_walk import BYTE_MASK, byte_shift, traversal
 from .point_tree import FAN, LEAF, SIDES, PointTree, box_distances
 
 FAN_BITS = 3  # FAN and LEAF are 2^3
@@ -66,7 +66,7 @@ def next_node(step: traversal, top: int) -> traversal:
     while searching == 1:
         left = 0
         if level > 1:
-            left = int(pending >> pending_shift(level)) & BYTE
+            left = int(pending >> pending_shift(level)) & BYTE_MASK
         if left != 0:
             child = lowest_bit(left)
             pending = pending ^ (1 << (pending_shift(level) + int64(child)))
@@ -91,18 +91,18 @@ def own_child(leaf: int, level: int) -> int:
 @func
 def other_children(leaf: int, height: int, level: int) -> int:
     """Bit mask of the children of a node that the traversal did not come from. For its own bucket all."""
-    others = int(BYTE)
+    others = int(BYTE_MASK)
     if level > 1 and level == height:
-        others = BYTE - (1 << own_child(leaf, level))
+        others = BYTE_MASK - (1 << own_child(leaf, level))
     return others
 
 
 @func
 def following_children(leaf: int, height: int, level: int) -> int:
     """Bit mask of the children of a node whose points come after the start of the traversal."""
-    children = int(BYTE)
+    children = int(BYTE_MASK)
     if level == height:
-        children = BYTE - ((2 << own_child(leaf, level)) - 1)
+        children = BYTE_MASK - ((2 << own_child(leaf, level)) - 1)
     return children
 
 

@@ -25,7 +25,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty
-from ..search.bucket_walk import BYTE
+from ..search.bucket_walk import BYTE_MASK
 from ..search.lane_boxes import boxes_of_eight, flags_of_eight, is_child_inside, is_child_near, two_boxes
 from ..search.lane_search import sqdist_of
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes
@@ -257,7 +257,7 @@ def sift_children(around: two_boxes, root: int, level: int, record: int, later: 
     near = flags_of_eight(is_child_near(cores.tree.boxes, record, around, cores.max_sqdist)) & later
     is_dense = 1 if measure_diagonal(cores.tree.boxes, record, child) <= cores.max_sqdist else 0
     first = cores.lowest[record * FAN + child]
-    mixed = ballot(1 if first != NO_NUMBER and is_dense == 0 else 0) & BYTE
+    mixed = ballot(1 if first != NO_NUMBER and is_dense == 0 else 0) & BYTE_MASK
     others = find_other(first if is_dense == 1 else NO_NUMBER, cores.owners)
     roots = vec2i(root, others)
     if level > 1:

@@ -25,7 +25,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import full
-from ..search.bucket_walk import BYTE
+from ..search.bucket_walk import BYTE_MASK
 from ..search.lane_boxes import (
     boxes_of_eight,
     flags_of_any_eight,
@@ -189,7 +189,7 @@ def count_lacking(p: vec3, needed: int, bucket: int, tree: PointTree, max_sqdist
         is_near = is_child_near(tree.boxes, record, around, max_sqdist)
         is_inside = is_near & is_child_inside(tree.boxes, record, around, max_sqdist)
         near = flags_of_any_eight(is_near ^ is_inside) & others
-        lacking -= point_sum(flags_of_eight(is_inside) & others & (BYTE - near), level, node, tree.count)
+        lacking -= point_sum(flags_of_eight(is_inside) & others & (BYTE_MASK - near), level, node, tree.count)
         if level == 1:
             measured += bit_count(near)
             for first, _ in leaves_of(node, near, tree):

@@ -7,7 +7,7 @@ set for negative distances of its voxels and the first voxel above, bits 16..24 
 from typing import TYPE_CHECKING
 
 from ..array_types import Device, Indices, Integers
-from ..arrays.block_keys import BIAS, block_key, key_block
+from ..arrays.block_keys import CELL_BIAS, block_key, key_block
 from ..arrays.hash_table import find_position
 from ..lang import array, compute, func, int32, kernel, launch, struct, tid
 from ..memory import copy, empty
@@ -74,7 +74,7 @@ def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtyp
     y = block[1] + side // 3 % 3 - 1
     z = block[2] + side % 3 - 1
     neighbor = -1
-    if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last possible block means an empty slot
+    if max(max(abs(x), abs(y)), abs(z)) < CELL_BIAS - 1:  # the key of the last possible block means an empty slot
         neighbor = find_position(block_key(x, y, z), blocks.table)
     neighbors[position * BLOCKS_AROUND + side] = neighbor
     if neighbor >= 0 and neighbor < known:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import narrow
-from ..arrays.block_keys import BIAS, key_block
+from ..arrays.block_keys import CELL_BIAS, key_block
 from ..lang import (
     array,
     atomic_max,
@@ -65,10 +65,10 @@ class CameraRays:
     ) -> None:
         self.camera, self.nearest, self.farthest = camera, nearest, farthest  # type: ignore[assignment]  # like a Camera
         position = T_volume_camera[:3, 3] / blocks.voxel_size
-        if np.abs(position).max() >= BIAS * BLOCK_SIDE:
+        if np.abs(position).max() >= CELL_BIAS * BLOCK_SIDE:
             raise ValueError(
                 f"extrinsic: the camera is {np.abs(T_volume_camera[:3, 3]).max():.0f} m from the volume's origin; "
-                f"at {blocks.voxel_size} m a voxel the limit is {BIAS * BLOCK_SIDE * blocks.voxel_size:.0f} m"
+                f"at {blocks.voxel_size} m a voxel the limit is {CELL_BIAS * BLOCK_SIDE * blocks.voxel_size:.0f} m"
             )
         base = np.floor(position)
         self.R, self.base = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int))

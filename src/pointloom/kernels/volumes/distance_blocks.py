@@ -9,7 +9,7 @@ import math
 from typing import NamedTuple
 
 from ..array_types import Cells, Device, Indices, Integers, Keys
-from ..arrays.block_keys import BIAS, block_key, key_block
+from ..arrays.block_keys import CELL_BIAS, block_key, key_block
 from ..arrays.hash_table import HashTable, find_position, list_keys
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import gather_rows, positions_of
@@ -39,7 +39,7 @@ class DistanceLimits(NamedTuple):
     @property
     def largest_coordinate(self) -> int:
         """Upper bound of occupied coordinates."""
-        return BLOCK_SIDE * (BIAS - 2 - self.blocks)
+        return BLOCK_SIDE * (CELL_BIAS - 2 - self.blocks)
 
 
 def limits_for(distance: float) -> DistanceLimits:

@@ -9,7 +9,7 @@ import math
 from typing import Any, NamedTuple
 
 from ..array_types import Device, Keys, Mask, Points, Positions
-from ..arrays.block_keys import BIAS, block_key
+from ..arrays.block_keys import CELL_BIAS, block_key
 from ..arrays.hash_table import find_position
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import gather_rows, positions_of
@@ -167,7 +167,7 @@ def mark_passed_blocks_kernel(rays: ScanRays, blocks: VoxelBlocks, passed: array
 
 
 def find_faults(rays: ScanRays) -> Faults:
-    limit = (BIAS - 2) * BLOCK_SIDE * rays.voxel_size - rays.truncation - rays.voxel_size
+    limit = (CELL_BIAS - 2) * BLOCK_SIDE * rays.voxel_size - rays.truncation - rays.voxel_size
     faults = full(2, rays.points.size, int32, rays.points.device)
     launch(find_faults_kernel, rays.points.size, [rays, limit, faults])
     infinite, far = download(faults).tolist()  # sync

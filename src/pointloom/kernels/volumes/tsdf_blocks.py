@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..algebra.camera import Camera, CameraLike, pixel_ray
 from ..algebra.transform import Transform, transform_point
 from ..array_types import Device, LongIntegers, Scalars
-from ..arrays.block_keys import AXIS_BITS, BIAS, block_key, key_block
+from ..arrays.block_keys import AXIS_BITS, CELL_BIAS, block_key, key_block
 from ..arrays.packed_keys import NO_KEY
 from ..arrays.select import positions_of
 from ..arrays.unique import UniqueKeys
@@ -243,7 +243,7 @@ def _corner_rays(
 
 
 def is_out_of_range(low: np.ndarray, size: np.ndarray) -> bool:
-    return not max(np.abs(low).max(), np.abs(low + size).max()) < BIAS
+    return not max(np.abs(low).max(), np.abs(low + size).max()) < CELL_BIAS
 
 
 def touched_blocks(
@@ -263,7 +263,7 @@ def touched_blocks(
         far = np.abs(np.concatenate([low, low + size])).max() * block_size
         raise ValueError(
             f"depth, extrinsic: the frame reaches {far:.0f} m from the volume's origin; "
-            f"at {voxel_size} m a voxel the limit is {BIAS * block_size:.0f} m"
+            f"at {voxel_size} m a voxel the limit is {CELL_BIAS * block_size:.0f} m"
         )
     marks = BlockMarks(low, size, columns * rows, slots, depth.device)
     frame = [depth, columns, stride, camera, Transform(T_volume_camera), truncation, block_size]
@@ -272,9 +272,9 @@ def touched_blocks(
 
 
 def box_keys(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
-    return (((x + BIAS) << AXIS_BITS | (y + BIAS)) << AXIS_BITS) | (z + BIAS)
+    return (((x + CELL_BIAS) << AXIS_BITS | (y + CELL_BIAS)) << AXIS_BITS) | (z + CELL_BIAS)
 
 
 def block_box(keys: np.ndarray) -> np.ndarray:
     mask = (1 << AXIS_BITS) - 1
-    return np.stack([keys >> (2 * AXIS_BITS), (keys >> AXIS_BITS) & mask, keys & mask], axis=1) - BIAS
+    return np.stack([keys >> (2 * AXIS_BITS), (keys >> AXIS_BITS) & mask, keys & mask], axis=1) - CELL_BIAS

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..array_types import Device, Keys
 from ..arrays.atomic_changes import Changes
-from ..arrays.block_keys import BIAS, block_key, key_block
+from ..arrays.block_keys import CELL_BIAS, block_key, key_block
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.hash_table import find_position, list_keys
 from ..arrays.packed_keys import NO_KEY
@@ -91,7 +91,7 @@ def block_at(a: float64) -> int:
 @func
 def block_around(b: vec3i, moved: MovedVolume) -> int:
     block = -1
-    if max(max(abs(b[0]), abs(b[1])), abs(b[2])) < BIAS - 1:
+    if max(max(abs(b[0]), abs(b[1])), abs(b[2])) < CELL_BIAS - 1:
         block = find_position(block_key(b[0], b[1], b[2]), moved.seen.blocks.table)
     return block
 
@@ -165,7 +165,7 @@ def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume
     x = corner[0] * BLOCK_SIDE + first // BLOCK_ROWS % BLOCK_SIDE
     y = corner[1] * BLOCK_SIDE + first // BLOCK_SIDE % BLOCK_SIDE
     z = corner[2] * BLOCK_SIDE + first % BLOCK_SIDE
-    last = vec3i(BIAS, BIAS, BIAS)
+    last = vec3i(CELL_BIAS, CELL_BIAS, CELL_BIAS)
     block = -1
     for j in range(run):
         q = position_in(x, y, z + j, moved)
@@ -272,7 +272,7 @@ def check_range(keys: np.ndarray, back: np.ndarray) -> None:
     low = np.floor(moved.min(axis=0)) - 2
     if is_out_of_range(low, np.ceil(moved.max(axis=0)) + 2 - low):
         far = np.abs(moved).max()
-        message = f"poses: a volume reaches {far:.3g} blocks from the result's origin; the limit is {BIAS:,}"
+        message = f"poses: a volume reaches {far:.3g} blocks from the result's origin; the limit is {CELL_BIAS:,}"
         raise ValueError(f"{message}; bring the poses nearer or take a larger voxel_size")
 
 

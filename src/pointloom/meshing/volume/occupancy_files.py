@@ -12,7 +12,7 @@ import os
 import numpy as np
 
 from ...io.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
-from ...kernels.arrays.block_keys import BIAS
+from ...kernels.arrays.block_keys import CELL_BIAS
 from ...kernels.volumes.occupancy_blocks import UNKNOWN_LOG_ODDS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, block_box
 from .voxel_boxes import find_fault_of_voxel_size
@@ -72,7 +72,7 @@ def _find_fault(arrays: Arrays) -> str:
         return f"scan_count: {scans}"
     if blocks > MAX_BLOCKS:
         return f"keys: {blocks:,} blocks, more than {MAX_BLOCKS:,}"
-    if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != blocks):
+    if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > CELL_BIAS - 2 or len(np.unique(keys)) != blocks):
         return "keys: blocks out of range or repeated"
     if not ((odds == UNKNOWN_LOG_ODDS) | ((odds >= log_odds_of(low)) & (odds <= log_odds_of(high)))).all():
         return "odds: outside the clamping range"

@@ -20,7 +20,7 @@ from ...core.errors import FileError, FilePath
 from ...core.paths import path_of, refuse_links
 from ...core.work_folder import locked
 from ...io.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
-from ...kernels.arrays.block_keys import BIAS
+from ...kernels.arrays.block_keys import CELL_BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box, box_keys
 from .tsdf_files import find_fault_of_sizes
 
@@ -186,7 +186,9 @@ def _fault_of_list(arrays: Arrays) -> str:
         return "side, counts: out of range"
     if len(np.unique(arrays["numbers"])) != len(counts) or (arrays["numbers"] < 1).any():
         return "numbers: repeated, or below 1"
-    if len(keys) and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != len(keys)):
+    if len(keys) and (
+        keys.min() < 0 or np.abs(block_box(keys)).max() > CELL_BIAS - 2 or len(np.unique(keys)) != len(keys)
+    ):
         return "keys: blocks out of range or repeated"
     if not np.array_equal(np.repeat(arrays["cubes"], counts), cubes_of(keys, side)):
         return "cubes: do not match the blocks"

@@ -20,7 +20,7 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath, values_of_file
 from ...core.paths import path_of
 from ...core.serialized import Serialized
-from ...kernels.arrays.block_keys import BIAS
+from ...kernels.arrays.block_keys import CELL_BIAS
 from ...kernels.lang import vec3, vec3i
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import upload
@@ -289,7 +289,7 @@ class PagedTSDFVolume(Serialized, HintedNames):
         """
         volume = self._volume
         _, far, _ = check_view(intrinsic, depth_min, depth_max, weight_threshold)
-        far = min(far, 4 * BIAS * BLOCK_SIDE * volume.voxel_size)  # beyond it blocks have no key
+        far = min(far, 4 * CELL_BIAS * BLOCK_SIDE * volume.voxel_size)  # beyond it blocks have no key
         T = inv(check_rigid("extrinsic", extrinsic))
         T[:3, 3] -= volume.origin
         low, size, _ = frame_box(far, intrinsic, T, volume.truncation, volume.voxel_size)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ...io.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
-from ...kernels.arrays.block_keys import BIAS
+from ...kernels.arrays.block_keys import CELL_BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, block_box
 from .voxel_boxes import find_fault_of_voxel_size
 
@@ -75,7 +75,7 @@ def _find_fault(arrays: Arrays) -> str:
         return "has_color: colors in a volume without color"
     if blocks > MAX_BLOCKS:
         return f"keys: {blocks:,} blocks, more than {MAX_BLOCKS:,}"
-    if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != blocks):
+    if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > CELL_BIAS - 2 or len(np.unique(keys)) != blocks):
         return "keys: blocks out of range or repeated"
     if not (np.abs(arrays["distances"]) <= 1).all():
         return "distances: not all in -1..1"

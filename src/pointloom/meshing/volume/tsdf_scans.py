@@ -19,7 +19,7 @@ from ...core.gpu_arrays import take_rows
 from ...core.observers import report
 from ...core.serialized import Serialized
 from ...kernels.array_types import Device
-from ...kernels.arrays.block_keys import BIAS
+from ...kernels.arrays.block_keys import CELL_BIAS
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float32, vec3, vec3d
 from ...kernels.memory import download, upload
@@ -134,7 +134,7 @@ class ScanIntegration(Serialized):
                 "cloud.remove_non_finite_points()"
             )
         if faults.far < count:
-            extent = BIAS * BLOCK_SIDE * rays.voxel_size
+            extent = CELL_BIAS * BLOCK_SIDE * rays.voxel_size
             raise ValueError(
                 f"points, origin: point {faults.far} or its scanner is beyond {extent:.0f} m from the volume's "
                 f"origin, the range of {rays.voxel_size} m voxels. Use max_range to ignore outliers"
