@@ -278,7 +278,6 @@ scene.create_rays_pinhole(60, [0, 0, 0]) | create_rays_pinhole: expected
 loom.meshing.fuse_splats(ball, voxel_size=0.1) | splats:
 volume.ray_cast("prime sense", eye) | intrinsic:
 loom.meshing.fuse_volumes([volume, None], [eye, eye]) | volumes[1]:
-loom.meshing.optimize_color_map(s.mesh, s.frames, s.path(), rigid, intrinsic=s.camera, method="bent") | method:
 color_map(camera_trajectory=poses) | camera_trajectory:
 color_map(images_rgbd=[np.zeros((24, 32, 3))] * 5) | images_rgbd[0]:
 """

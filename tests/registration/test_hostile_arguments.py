@@ -90,6 +90,9 @@ INSIDE = {
     f"TransformationEstimation{kind}.{method}"
     for kind in ("", "ForDopplerICP")
     for method in ("arguments", "geometry", "prepare", "_source_columns", "_target_columns")
+} | {
+    f"TransformationEstimationForDopplerICP.{maker}"
+    for maker in ("point_to_point", "point_to_plane", "symmetric", "generalized", "colored")
 }
 MAY_BE_INFINITE = {("RobustKernel.general", "shape"), ("PoseGraphEdge", "confidence")}  # the latter is checked later
 TABLE = hostile.read_table(CALLS, HOMES)
