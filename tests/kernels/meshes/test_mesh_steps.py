@@ -176,11 +176,11 @@ def test_more_pairs_than_fit_are_counted_and_refused(device, rng, monkeypatch):
 @pytest.mark.parametrize(
     ("module", "limit", "value", "operation"),
     [
-        (boundary_loops, "FEW", -1, lambda mesh: mesh.fill_holes()),
-        (holes, "SHORT", 0, lambda mesh: mesh.fill_holes()),
-        (crowded_edges, "FEW", 0, lambda mesh: mesh.remove_non_manifold_edges()),
-        (subdivision, "FEW", 0, lambda mesh: mesh.subdivide_midpoint()),
-        (subdivision, "FEW", 0, lambda mesh: mesh.subdivide_loop(2)),
+        (boundary_loops, "MAX_SERIAL_HALF_EDGES", -1, lambda mesh: mesh.fill_holes()),
+        (holes, "SHORT_LOOP_VERTICES", 0, lambda mesh: mesh.fill_holes()),
+        (crowded_edges, "MAX_SERIAL_TRIANGLES", 0, lambda mesh: mesh.remove_non_manifold_edges()),
+        (subdivision, "MAX_SERIAL_HALF_EDGES", 0, lambda mesh: mesh.subdivide_midpoint()),
+        (subdivision, "MAX_SERIAL_HALF_EDGES", 0, lambda mesh: mesh.subdivide_loop(2)),
         (mesh_filters, "MIN_REPEATED", 100, lambda mesh: mesh.filter_smooth_taubin(7)),
         (mesh_filters, "MIN_REPEATED", 100, lambda mesh: mesh.filter_smooth_simple(7)),
         (mesh_filters, "MIN_REPEATED", 100, lambda mesh: mesh.filter_sharpen(8, 0.01, "color")),

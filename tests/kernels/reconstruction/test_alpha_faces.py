@@ -150,7 +150,15 @@ def test_a_star_that_exceeds_its_memory_is_rebuilt(device):
     ("seed", "count", "alpha", "limits"),
     [
         (3, 60, 0.3, {"FACES_A_POINT": 0, "TETRAHEDRA_A_POINT": 0}),
-        (4, 300, 0.2, {"SCRATCH": alpha_faces.STAR_TRIANGLES * alpha_faces.NUMBERS_PER_TRIANGLE, "RUN": 7}),
+        (
+            4,
+            300,
+            0.2,
+            {
+                "SCRATCH_NUMBERS": alpha_faces.STAR_TRIANGLES * alpha_faces.NUMBERS_PER_TRIANGLE,
+                "CPU_POINTS_PER_THREAD": 7,
+            },
+        ),
     ],
     ids=["tables that are made again", "launches in parts"],
 )
