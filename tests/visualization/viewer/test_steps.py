@@ -29,7 +29,7 @@ RED = (1.0, 0.0, 0.0)
 @pytest.fixture
 def small_steps(monkeypatch):
     """Steps of a few hundred points, for pages that send no acknowledgement."""
-    for name, value in {"FIRST": 100, "STEP": 300, "AT_ONCE": 200}.items():
+    for name, value in {"POINTS_IN_FIRST_STEP": 100, "POINTS_PER_STEP": 300, "AT_ONCE": 200}.items():
         monkeypatch.setattr(point_transfer, name, value)
     monkeypatch.setattr(scene, "POINTS_IN_FIRST_STEP", 100)
     monkeypatch.setattr(sessions, "SIGNAL_TIMEOUT", 0.01)

@@ -1,29 +1,27 @@
-"""Notebook output of a recording: `recorder_output`."""
+"""Notebook output of a recording: `recording_output`."""
 
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import Any
 
 from ...core.wording import format_bytes
 from ..notebook_output import MAX_PAGE_BYTES, MAX_WIDTH, media_output, page_output, still_output
 from .film import Film
 
-if TYPE_CHECKING:
-    from ..render.view import View
-    from .recorder import Recorder
-
 MEDIA = {".gif": "image/gif", ".mp4": "video/mp4"}
 PAGE_MARGIN = 120  # [px] of a page's height around the image
 
 
-def recorder_output(recorder: Recorder, view: View) -> dict[str, Any]:
+def notebook_size(size: tuple[int, int]) -> tuple[int, int]:
+    """Size of an image in a notebook [px]."""
+    width = min(size[0], MAX_WIDTH)
+    return width, max(1, round(size[1] * width / size[0]))
+
+
+def recording_output(path: Path, text: str, film: Film) -> dict[str, Any]:
     """MIME bundle of a written recording of at most 4 MB, else of its last frame and the path."""
-    path, text = recorder.path, repr(recorder)
-    width = min(recorder._size[0], MAX_WIDTH)
-    height = max(1, round(recorder._size[1] * width / recorder._size[0]))
-    timeline = recorder.timeline
-    film = Film(timeline, view, width, height, recorder._background, recorder._device)
     picture, shown = film.draw(len(film) - 1), os.fspath(path)
     try:
         size = path.stat().st_size
@@ -37,4 +35,4 @@ def recorder_output(recorder: Recorder, view: View) -> dict[str, Any]:
     notes, kind = [f"{shown}, {format_bytes(size)}"], MEDIA.get(path.suffix.lower())
     if kind is not None:
         return media_output(text, kind, data, notes, picture)
-    return page_output(text, data.decode("utf-8"), notes, picture, height * 2 // 3 + PAGE_MARGIN)
+    return page_output(text, data.decode("utf-8"), notes, picture, film.height * 2 // 3 + PAGE_MARGIN)

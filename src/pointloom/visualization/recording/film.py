@@ -46,7 +46,7 @@ def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) 
     return dataclasses.replace(view, T_world_camera=T)
 
 
-def find_view(view: View | dict[str, Any] | None, timeline: Timeline, look: Any, width: int, height: int) -> View:
+def find_view(view: View | Mapping[str, Any] | None, timeline: Timeline, look: Any, width: int, height: int) -> View:
     """The view of a recording: as given, from Open3D's parameters, or showing all frames."""
     if view is None:
         return view_frames(timeline, look, width, height)
@@ -66,7 +66,7 @@ def check_look(view: object) -> View | dict[str, Any] | None:
     return given
 
 
-def _view_by_parameters(timeline: Timeline, given: dict[str, Any], width: int, height: int) -> View:
+def _view_by_parameters(timeline: Timeline, given: Mapping[str, Any], width: int, height: int) -> View:
     """The view with Open3D's parameters for the bounds of all frames."""
     points = _seen_points(timeline, lambda shape: shape.positions.astype(np.float64))
     bounds = (points.min(axis=0), points.max(axis=0)) if len(points) else (np.zeros(3), np.zeros(3))

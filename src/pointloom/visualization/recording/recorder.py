@@ -7,13 +7,14 @@ import dataclasses
 import os
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from types import TracebackType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_name, check_number, check_positive, check_progress, check_transformation
+from ...core.checks import check_name, check_number, check_progress, check_transformation
 from ...core.escaped_text import escaped
 from ...core.observers import watch
 from ...core.paths import path_of
@@ -23,14 +24,14 @@ from ..render.parts import Matrix, Triple
 from ..render.styles import STYLE_KEYS, Style
 from ..render.up_axis import direction_under, up_of_geometry
 from ..render.view import View
-from .film import check_look, find_view
+from .film import Film, find_view
+from .options import MAX_FRAMES, MAX_POINTS, RecordingOptions
 from .script import Stage
 from .scripts import Scripts
 from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
 from .timeline import Frame, Placement, Timeline
 from .writers import check_recording, write_recording
 
-MAX_POINTS, MAX_FRAMES, MAX_FPS = 200_000, 600, 100.0
 MAX_BYTES = 2**29  # of shapes; beyond it every second frame is dropped
 NOTHING = (
     "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called. Those that do "
@@ -97,19 +98,8 @@ def record(
         ...     os.listdir(folder), len(r.timeline.frames) == result.iterations + 1
         (['icp.html'], True)
     """
-    return Recorder(
-        path,
-        fps=fps,
-        size=size,
-        max_points=max_points,
-        max_frames=max_frames,
-        title=title,
-        view=view,
-        background=background,
-        automatic=automatic,
-        overwrite=overwrite,
-        progress=progress,
-    )
+    options = RecordingOptions(fps, size, max_points, max_frames, title, view, background, overwrite)
+    return Recorder(path_of(path), options, automatic=automatic, progress=progress)
 
 
 class NothingRecordedError(ValueError):
@@ -122,28 +112,11 @@ class Recorder(Serialized):
     _up: Triple | None = None  # up axis of the first geometry that defines one
 
     def __init__(
-        self,
-        path: str | os.PathLike[str],
-        *,
-        fps: float,
-        size: tuple[int, int],
-        max_points: int,
-        max_frames: int,
-        title: str,
-        view: View | Mapping[str, Any] | None,
-        background: Triple,
-        automatic: bool,
-        overwrite: bool,
-        progress: ReportProgress | None,
-    ):
-        self.path = path_of(path)
-        self.max_points = check_count("max_points", max_points)
-        self._max_frames = check_count("max_frames", max_frames, minimum=2)
-        self._fps = check_positive("fps", fps, maximum=MAX_FPS)
-        self._title, self._view, self._overwrite = check_name("title", title), check_look(view), bool(overwrite)
-        self._size, self._background = check_picture_size(size), background
+        self, path: Path, options: RecordingOptions, *, automatic: bool, progress: ReportProgress | None
+    ) -> None:
+        self.path, self._options, self.max_points = path, options, options.max_points
         self._report_progress = check_progress(progress)
-        check_recording(self.path, fps=self._fps, background=background, overwrite=self._overwrite)
+        check_recording(path, fps=options.fps, background=options.background, overwrite=options.overwrite)
         self._store, self._max_bytes = ShapeStore(), MAX_BYTES
         self._origin: NDArray[np.float64] | None = None
         self._device: Any = None
@@ -153,7 +126,7 @@ class Recorder(Serialized):
         self._frames: list[Frame] = []
         self._last: Frame | None = None  # the last frame, if it was dropped
         self._seen, self._stride, self._is_dirty, self._is_discarded = 0, 1, False, False
-        self._scripts = Scripts(self) if automatic else None
+        self._scripts = Scripts(self, self._show) if automatic else None
         self._owner: Stage | None = None
         self._owners: dict[str, Stage] = {}
         self._watching = contextlib.ExitStack()
@@ -164,9 +137,13 @@ class Recorder(Serialized):
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
         """For notebooks: the recording, once it is written."""
-        from .cell_output import recorder_output
+        from .cell_output import notebook_size, recording_output
 
-        return {"text/plain": repr(self)} if self._seen_from is None else recorder_output(self, self._seen_from)
+        if self._seen_from is None:
+            return {"text/plain": repr(self)}
+        width, height = notebook_size(self._options.size)
+        film = Film(self.timeline, self._seen_from, width, height, self._options.background, self._device)
+        return recording_output(self.path, repr(self), film)
 
     def __enter__(self) -> Recorder:
         if self._scripts is not None:
@@ -244,7 +221,7 @@ class Recorder(Serialized):
         else:
             self._frames.append(frame)
         self._seen += 1
-        if len(self._frames) > self._max_frames:
+        if len(self._frames) > self._options.max_frames:
             self._thin()
         if self._store.size > self._max_bytes:
             self._forget()
@@ -266,8 +243,8 @@ class Recorder(Serialized):
     @property
     def timeline(self) -> Timeline:
         frames = [*self._frames, *([] if self._last is None else [self._last])]
-        name = self._title or self.path.stem
-        return Timeline(self.origin, self._store.shapes, frames, self._title_of(frames), self._fps, name)
+        name = self._options.title or self.path.stem
+        return Timeline(self.origin, self._store.shapes, frames, self._title_of(frames), self._options.fps, name)
 
     def discard(self) -> None:
         """Do not write a file at the end of the block."""
@@ -291,10 +268,11 @@ class Recorder(Serialized):
             timeline.title = ", ".join([timeline.title, note] if timeline.title else [note])
         look = None if self._scripts is None else self._scripts.look
         look = look if self._up is None else (direction_under(self._up), self._up)
-        view = find_view(self._view, timeline, look, *self._size)
-        options: dict[str, Any] = {"view": view, "background": self._background, "overwrite": self._overwrite}
+        options = self._options
+        view = find_view(options.view, timeline, look, *options.size)
+        looks: dict[str, Any] = {"view": view, "background": options.background, "overwrite": options.overwrite}
         write_recording(
-            self.path, timeline, size=self._size, report_progress=self._report_progress, device=self._device, **options
+            self.path, timeline, size=options.size, report_progress=self._report_progress, device=self._device, **looks
         )
         self._seen_from = view
 
@@ -358,15 +336,7 @@ class Recorder(Serialized):
         ]
         if self._stride > 1:
             notes.append(f"one of {self._stride} steps")
-        return ", ".join([self._title, *notes] if self._title else notes)
-
-
-def check_picture_size(size: object) -> tuple[int, int]:
-    if not isinstance(size, tuple | list) or len(size) != 2:
-        raise ValueError(f"size: expected width and height, got {size!r}")
-    limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are kept in memory"}
-    width, height = (check_count("size", side, **limits) for side in size)
-    return width, height
+        return ", ".join([self._options.title, *notes] if self._options.title else notes)
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

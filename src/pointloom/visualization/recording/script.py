@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -12,9 +12,6 @@ from ..render.pair_picture import usual_look
 from ..render.parts import Matrix, Triple
 from .shapes import spread_rows
 
-if TYPE_CHECKING:
-    from .recorder import Recorder
-
 Look = tuple[Triple, Triple]  # view direction and up
 Data = dict[str, Any]
 
@@ -22,11 +19,26 @@ PLAIN_COLOR = (0.6, 0.6, 0.6)
 LOOKED_AT = 20_000  # points for choosing the view
 
 
+class FrameTarget(Protocol):
+    """The part of a recorder that algorithms use."""
+
+    max_points: int
+
+    @property
+    def names(self) -> list[str]: ...
+
+    def set_pose(self, name: str, pose: Matrix) -> None: ...
+
+    def plot(self, name: str, value: float) -> None: ...
+
+    def step(self, label: str) -> None: ...
+
+
 class Stage:
     """A recorder for one type of algorithm. Its geometries are removed when another type starts."""
 
-    def __init__(self, recorder: Recorder):
-        self.recorder, self.prefix = recorder, ""
+    def __init__(self, recorder: FrameTarget, show: Callable[..., None]):
+        self.recorder, self._show, self.prefix = recorder, show, ""
 
     @property
     def max_points(self) -> int:
@@ -34,11 +46,11 @@ class Stage:
 
     def show(self, name: str, geometry: object, *, fraction: int = 1, **style: Any) -> None:
         """Show a geometry with a fraction 1 / `fraction` of the points."""
-        self.recorder._show(name, [(geometry, style)], max(self.max_points // fraction, 1), self)
+        self._show(name, [(geometry, style)], max(self.max_points // fraction, 1), self)
 
     def show_all(self, name: str, drawn: Sequence[tuple[Any, Data]], total: int) -> None:
         """Show several geometries under one name, sampled from `total` points."""
-        self.recorder._show(name, drawn, self.max_points, self, total)
+        self._show(name, drawn, self.max_points, self, total)
 
     def set_pose(self, name: str, pose: Matrix) -> None:
         """Move a geometry, unless the user removed it."""

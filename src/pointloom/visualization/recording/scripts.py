@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,19 +17,16 @@ from ..render.coloring import label_color
 from ..render.frustum import CameraFrustum
 from ..render.pair_picture import SOURCE_COLOR, TARGET_COLOR
 from ..render.parts import Matrix
-from .script import PLAIN_COLOR, Data, Look, Script, Stage, look_at
+from .script import PLAIN_COLOR, Data, FrameTarget, Look, Script, Stage, look_at
 from .shapes import spread_rows
-
-if TYPE_CHECKING:
-    from .recorder import Recorder
 
 
 class Scripts:
     """Converts events into steps of a recorder."""
 
-    def __init__(self, recorder: Recorder):
+    def __init__(self, recorder: FrameTarget, show: Callable[..., None]):
         self._stage = ""
-        scripts = [kind(Stage(recorder)) for kind in (Registration, Fusion, Drive, Clusters, Planes, Fragments)]
+        scripts = [kind(Stage(recorder, show)) for kind in (Registration, Fusion, Drive, Clusters, Planes, Fragments)]
         self._shown_by = {event: (script, show) for script in scripts for event, show in script.events().items()}
         self._first: Script | None = None
         self._active: Script | None = None

@@ -11,7 +11,7 @@ import numpy as np
 from ...core.checks import check_count, check_name, check_positive
 from ...core.paths import path_of
 from ..recording.film import find_view
-from ..recording.recorder import MAX_FPS, MAX_FRAMES, MAX_POINTS, check_picture_size
+from ..recording.options import MAX_FPS, MAX_FRAMES, MAX_POINTS, check_picture_size
 from ..recording.shapes import ShapeStore, Sketch, pose_about, sketch, spread_rows
 from ..recording.timeline import Frame, Placement, Timeline
 from ..recording.writers import check_recording, write_recording
