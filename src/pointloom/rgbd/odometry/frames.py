@@ -107,10 +107,9 @@ class OdometryFrame:
         max_pixels: int = MAX_PIXELS,
         normals: wp.array | None = None,
     ) -> None:
-        lens = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
+        size, lens = (intrinsic.width, intrinsic.height), (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
         self.intrinsic, self.device, self.has_color = intrinsic, depth.device, brightness is not None
         limits = {"max_pixels": max_pixels, "min_side": MIN_SIDE, "radius": PLANE_RADIUS}
-        size = intrinsic.width, intrinsic.height
         self.levels: FrameLevels = make_levels(depth, brightness, size, lens, normals=normals, **limits)
         self.blur = 0.0
         self._coarsest: tuple[NDArray[np.float32], NDArray[np.float32]] | None = None

@@ -24,6 +24,7 @@ from ...core.records import digest_of, read_record, write_record
 from ...io.frames.frames import FrameSource
 from ...io.points.point_cloud import read_point_cloud, write_point_cloud
 from ...kernels.linear_algebra import matmul
+from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
 from ...registration.pose_graphs.pose_graph_files import write_pose_graph
@@ -35,7 +36,7 @@ from ..odometry.results import OdometryResult
 from .config import ReconstructionConfig
 from .frames import Frames, LostFrame, ReadFrame
 from .job_files import JobFiles
-from .volumes import cloud_of, fuse_frames, make_volume
+from .volumes import cloud_of, fuse_frames
 
 Matrix = NDArray[np.float64]
 
@@ -175,7 +176,7 @@ def _finish(draft: Draft, frames: Frames, job: JobFiles, device: DeviceLike, los
     aligned = sum(edge.uncertain for edge in graph.edges)
     loops = tried, aligned, sum(edge.uncertain for edge in solved.edges)
     poses = np.array([node.pose for node in solved.nodes])
-    volume = make_volume(frames.config.fragment_voxel, None, draft.colored, device)
+    volume = TSDFVolume(voxel_size=frames.config.fragment_voxel, color=draft.colored, device=device)
     fuse_frames(frames, draft.indices, poses, volume)  # frames that are now unreadable: their neighbors saw the same
     cloud, number = cloud_of(volume), draft.number
     paths = job.fragment_graph(number), job.fragment_graph_optimized(number), job.fragment_cloud(number)

@@ -32,7 +32,7 @@ from .job_files import JobFiles
 from .nonrigid import placement_with_slac
 from .placement import Placement
 from .refinement import latest_placement
-from .volumes import Straightener, fuse_frames, make_volume
+from .volumes import Straightener, fuse_frames
 
 Matrix = NDArray[np.float64]
 
@@ -109,7 +109,7 @@ def integrate_scene(
     if resume and (done := _read_scene(job, made_from)) is not None:
         return done
     colored = all(fragments[i].colored for i in placement.members)
-    volume = make_volume(config.volume_voxel_size, config.truncation, colored, where)
+    volume = TSDFVolume(voxel_size=config.volume_voxel_size, truncation=config.truncation, color=colored, device=where)
     truths: list[Any] = []
 
     def see(frame: ReadFrame) -> None:

@@ -12,7 +12,6 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.checks import check_positive, check_rigid
-from ...core.devices import DeviceLike
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.surface_weights import min_weights
 from ...meshing.volume.tsdf import TSDFVolume
@@ -74,10 +73,6 @@ def cloud_of(volume: TSDFVolume) -> PointCloud:
         if len(cloud):
             return cloud
     return PointCloud()
-
-
-def make_volume(voxel_size: float, truncation: float | None, colored: bool, device: DeviceLike) -> TSDFVolume:
-    return TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=colored, device=device)
 
 
 __all__ = [

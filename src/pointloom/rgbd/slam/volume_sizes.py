@@ -12,6 +12,4 @@ def check_sizes(voxel_size: object, truncation: object = None) -> tuple[float, f
     edge = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER)
     if edge < MIN_VOXEL:
         raise ValueError(f"voxel_size: expected at least {MIN_VOXEL:g} m, got {shown(voxel_size)}")
-    if truncation is None:
-        return edge, None
-    return edge, check_positive("truncation", truncation, maximum=MAX_VOXELS * edge)
+    return edge, None if truncation is None else check_positive("truncation", truncation, maximum=MAX_VOXELS * edge)
