@@ -10,7 +10,7 @@ from .cuda_driver import why_no_gpu
 from .errors import DeviceError
 
 
-def resolve_device(device: Any = None) -> Any:
+def resolve_device(device: object = None) -> Any:
     """The Warp device for "cpu", "cuda", "cuda:N", "auto" (first GPU, else CPU), a Warp device, or None ("cpu").
 
     Raises:
@@ -49,6 +49,6 @@ def _cpu() -> Any:
     return wp.get_device("cpu")
 
 
-def check_same_device(name: str, left: Any, right: Any) -> None:
+def check_same_device(name: str, left: object, right: object) -> None:
     if left != right:
         raise DeviceError(f"{name}: operands on {left} and {right}; move one with .to({str(right)!r})")
