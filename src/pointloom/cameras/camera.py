@@ -37,7 +37,7 @@ MAX_PIXELS = 2**16  # maximum side: wider than any camera or panorama
 MAX_IN_ALL = 2**28  # maximum pixels: 2 GB at 8 B per pixel
 
 
-def check_pixels(name: str, value: Any) -> int:
+def check_pixels(name: str, value: object) -> int:
     return check_count(name, value, maximum=MAX_PIXELS, because="no camera or panorama is larger; scale it")
 
 
@@ -224,7 +224,7 @@ class PinholeCameraIntrinsic(HintedNames):
         write_pinhole_camera_intrinsic(path, self)
 
     @classmethod
-    def from_matrix(cls, K: Any, width: int, height: int) -> PinholeCameraIntrinsic:
+    def from_matrix(cls, K: object, width: int, height: int) -> PinholeCameraIntrinsic:
         """The camera with calibration matrix K, shape (3, 3) [px].
 
         Raises:
@@ -274,7 +274,7 @@ def intrinsic_to_json(intrinsic: PinholeCameraIntrinsic) -> dict[str, Any]:
     return {"width": intrinsic.width, "height": intrinsic.height, "intrinsic_matrix": columns}
 
 
-def read_json_matrix(path: str | os.PathLike[str], values: Any, side: int, *, where: str) -> NDArray[np.float64]:
+def read_json_matrix(path: str | os.PathLike[str], values: object, side: int, *, where: str) -> NDArray[np.float64]:
     """The square matrix of a column-major JSON list."""
     numbers = json_numbers(path, values, side * side, where=where)
     return np.array(numbers, np.float64).reshape(side, side).T

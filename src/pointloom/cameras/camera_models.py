@@ -323,14 +323,14 @@ def _resized(camera: PinholeCameraIntrinsic, width: int, height: int) -> Pinhole
     return PinholeCameraIntrinsic(width, height, camera.fx * sx, camera.fy * sy, cx, cy)
 
 
-def _check_size(size: Any) -> tuple[int, int]:
+def _check_size(size: object) -> tuple[int, int]:
     sides = [check_pixels("size", side) for side in check_list("size", size, "two sides [px]")]
     if len(sides) != 2:
         raise ValueError(f"size: expected width and height, got {len(sides)} numbers")
     return sides[0], sides[1]
 
 
-def _check_columns(name: str, values: Any, width: int) -> NDArray[np.float64]:
+def _check_columns(name: str, values: object, width: int) -> NDArray[np.float64]:
     array = check_numeric(name, on_host(name, values))
     if array.size == 0 and len(array.shape) and array.shape[0] == 0:
         array = array.reshape(0, width)

@@ -33,7 +33,7 @@ def filter_depth_bilateral(
     dist_sigma: float = 2.0,
     *,
     depth_scale: float | None = None,
-    device: Any = None,
+    device: object = None,
 ) -> Depth:
     """Smooth depth with a bilateral filter, which preserves edges.
 
@@ -71,7 +71,12 @@ def filter_depth_bilateral(
 
 
 def erode_depth_edges(
-    depth: Depth, radius: int = 3, depth_threshold: float = 0.1, *, depth_scale: float | None = None, device: Any = None
+    depth: Depth,
+    radius: int = 3,
+    depth_threshold: float = 0.1,
+    *,
+    depth_scale: float | None = None,
+    device: object = None,
 ) -> Depth:
     """Remove pixels near depth edges and holes, where sensors mix foreground and background.
 
@@ -106,7 +111,7 @@ def create_normal_map(
     invalid_fill: float = 0.0,
     *,
     depth_scale: float | None = None,
-    device: Any = None,
+    device: object = None,
 ) -> NDArray[np.float32]:
     """Estimate a normal for each pixel from the differences to the points on the right and below.
 
@@ -143,7 +148,7 @@ def create_normal_map(
 
 
 def pyrdown_depth(
-    depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float | None = None, device: Any = None
+    depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float | None = None, device: object = None
 ) -> Depth:
     """Halve a depth image: the next level of `create_depth_pyramid`, of shape (h // 2, w // 2)."""
     jump = check_positive("diff_threshold", diff_threshold)
@@ -156,7 +161,7 @@ def pyrdown_depth(
     return _like(depth, halved, height // 2, width // 2)
 
 
-def pyrdown_color(color: ArrayLike, *, device: Any = None) -> NDArray[np.uint8]:
+def pyrdown_color(color: ArrayLike, *, device: object = None) -> NDArray[np.uint8]:
     """Halve a color image: every second pixel after a 5 x 5 Gaussian filter with a standard deviation of 1.
 
     Args:
@@ -193,7 +198,7 @@ def create_depth_pyramid(
     diff_threshold: float = DEPTH_DIFF,
     *,
     depth_scale: float | None = None,
-    device: Any = None,
+    device: object = None,
 ) -> list[Depth]:
     """A pyramid of depth images, the largest first. Each level has every second pixel of the previous one.
 
@@ -231,14 +236,14 @@ def create_depth_pyramid(
     return cast("list[Depth]", images)
 
 
-def _metric(depth: Any, depth_scale: float | None, device: Any) -> tuple[wp.array, int, int]:
+def _metric(depth: object, depth_scale: float | None, device: object) -> tuple[wp.array, int, int]:
     if isinstance(depth, RGBDImage):
         return depth.depth_array, depth.height, depth.width
     metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device_for(depth, device))
     return metric, height, width
 
 
-def _like(depth: Any, metric: wp.array, height: int, width: int) -> Any:
+def _like(depth: object, metric: wp.array, height: int, width: int) -> Any:
     if isinstance(depth, RGBDImage):
         return RGBDImage.from_device_arrays(depth.color_array, metric, height, width, depth.array_library)
     return form_of(depth).hand_out(metric, shape=(height, width))

@@ -6,7 +6,6 @@ One default for each meaning: images of depth cameras, operations that Open3D ha
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -21,7 +20,7 @@ MIN_FARTHEST_DEPTH = 0.05  # [m] no depth camera measures all pixels closer
 
 
 def warn_of_scale(
-    depth: Any, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
+    depth: object, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
 ) -> None:
     """Warn if scale and limit [m] leave no depth of a host image, or float depth is implausibly small.
     `limit` is the argument's name in the message; `times` is a factor of all depths."""

@@ -76,7 +76,7 @@ class RGBDImage(HintedNames):
         *,
         depth_scale: float | None = None,
         depth_trunc: float = OPEN3D_DEPTH_MAX,
-        device: Any = None,
+        device: object = None,
     ):
         where = device_for(depth, device)
         self.depth_array, scale, self.height, self.width = upload_depth(
@@ -97,7 +97,7 @@ class RGBDImage(HintedNames):
         depth_trunc: float = OPEN3D_DEPTH_MAX,
         convert_rgb_to_intensity: bool = True,
         *,
-        device: Any = None,
+        device: object = None,
     ) -> Self:
         """An RGB-D image with Open3D's defaults: colors become intensities.
 
@@ -129,21 +129,21 @@ class RGBDImage(HintedNames):
 
     @classmethod
     def create_from_redwood_format(
-        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: object = None
     ) -> Self:
         """A frame of the Redwood data sets: millimeters, truncated at 4 m. See `create_from_color_and_depth`."""
         return cls.create_from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
     def create_from_tum_format(
-        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: object = None
     ) -> Self:
         """A frame of the TUM RGB-D data sets: 5000 units per meter, cut at 4 m. See `create_from_color_and_depth`."""
         return cls.create_from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
     def create_from_sun_format(
-        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: object = None
     ) -> Self:
         """A frame of SUN3D: 16-bit millimeters rotated left by three bits, truncated at 7 m.
 
@@ -153,7 +153,7 @@ class RGBDImage(HintedNames):
 
     @classmethod
     def create_from_nyu_format(
-        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: object = None
     ) -> Self:
         """A raw frame of NYU Depth v2: 351.3 / (1092.5 - d) meters, truncated at 7 m.
 
@@ -204,7 +204,7 @@ class RGBDImage(HintedNames):
         vars(self).update(vars(made))
 
     @classmethod
-    def _from_raw(cls, layout: str, color: Any, depth: Any, to_intensity: bool, device: Any) -> Self:
+    def _from_raw(cls, layout: str, color: object, depth: object, to_intensity: bool, device: object) -> Self:
         where = device_for(depth, device)
         raw, height, width = _upload_raw(depth, where)
         metric, _ = metric_depth(decode_depth(raw, layout), 1000.0, RAW_TRUNC)
@@ -228,7 +228,7 @@ class RGBDImage(HintedNames):
 
 
 def upload_depth(
-    depth: Any, depth_scale: float | None, depth_max: float, device: Any, *, limit: str = "depth_max"
+    depth: object, depth_scale: float | None, depth_max: float, device: object, *, limit: str = "depth_max"
 ) -> tuple[wp.array, float, int, int]:
     """Upload depth as flat float32 [m]. Returns the array, the scale, height and width.
     Zero, negative, NaN and infinite depths, and those beyond `depth_max`, become 0. `limit` is its name in errors."""
@@ -264,7 +264,7 @@ def upload_raw_depth(
     return raw, scale, farthest, image.shape[0], image.shape[1]
 
 
-def integer_scale(depth: Any, depth_scale: float) -> float | None:
+def integer_scale(depth: object, depth_scale: float) -> float | None:
     """The depth scale of a source of integers. None for floats, which are in meters."""
     if isinstance(depth, RGBDImage):
         return None
@@ -273,7 +273,7 @@ def integer_scale(depth: Any, depth_scale: float) -> float | None:
     return None if _as_array("depth", depth).dtype.kind == "f" else depth_scale
 
 
-def _as_array(name: str, values: Any) -> NDArray[Any]:
+def _as_array(name: str, values: object) -> NDArray[Any]:
     if type(values) is np.ndarray:
         return values
     if isinstance(values, str | os.PathLike):
@@ -362,7 +362,7 @@ def _repeated(gray: wp.array) -> wp.array:
     return view_as(pixels, uint8, (*gray.shape, 3))
 
 
-def check_intrinsic(intrinsic: Any, width: int, height: int) -> PinholeCameraIntrinsic:
+def check_intrinsic(intrinsic: object, width: int, height: int) -> PinholeCameraIntrinsic:
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(
             f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}; "

@@ -69,7 +69,7 @@ class Panorama:
 
     names = FACES
 
-    def __init__(self, width: int, height: int, *, side: int | None = None, device: Any = None):
+    def __init__(self, width: int, height: int, *, side: int | None = None, device: object = None):
         check_count("width", width, minimum=MIN_FACE_PIXELS)
         check_count("height", height, minimum=MIN_FACE_PIXELS // 2)
         if abs(width - 2 * height) > 2:

@@ -102,7 +102,7 @@ def _matrix(path: str | os.PathLike[str], rows: Any, line: int) -> NDArray[np.fl
     return check_pose(path, rows, f"line {line}")
 
 
-def check_pose(path: str | os.PathLike[str], rows: Any, where: str) -> NDArray[np.float64]:
+def check_pose(path: str | os.PathLike[str], rows: object, where: str) -> NDArray[np.float64]:
     try:
         return check_rigid("pose", rows)
     except ValueError as error:

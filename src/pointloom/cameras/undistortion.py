@@ -62,7 +62,7 @@ class Undistortion:
         blank_fraction: float = 0.0,
         max_size: int | None = None,
         size: tuple[int, int] | None = None,
-        device: Any = None,
+        device: object = None,
     ):
         if not isinstance(camera, CameraModel):
             raise TypeError(f"camera: expected a CameraModel, got {type(camera).__name__}; see its from_intrinsic")
@@ -128,7 +128,7 @@ def undistort_image(
     blank_fraction: float = 0.0,
     max_size: int | None = None,
     size: tuple[int, int] | None = None,
-    device: Any = None,
+    device: object = None,
 ) -> tuple[Any, PinholeCameraIntrinsic]:
     """Undistort an image to a pinhole camera.
 

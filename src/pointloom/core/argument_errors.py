@@ -59,7 +59,7 @@ def mismatch(
     return TypeError(str(error).replace(operation.__qualname__, call_name))
 
 
-def _unknown(call_name: str, name: str, value: Any, keywords: list[str]) -> str:
+def _unknown(call_name: str, name: str, value: object, keywords: list[str]) -> str:
     message = f"{call_name}() has no argument {name!r}"
     if "radius" in keywords and type(value).__name__.startswith("KDTreeSearchParam"):
         return f"{message}; here: {call_name.rpartition('.')[2]}({_search(value)})"
@@ -67,7 +67,7 @@ def _unknown(call_name: str, name: str, value: Any, keywords: list[str]) -> str:
     return message + (row or nearest_name(name, keywords)) + f"; it takes {', '.join(keywords) or 'none'}"
 
 
-def _search(value: Any) -> str:
+def _search(value: object) -> str:
     radius = getattr(value, "radius", None)
     max_nn = getattr(value, "max_nn", getattr(value, "knn", None))
     return ", ".join(([f"radius={radius:g}"] if radius is not None else []) + [f"max_nn={max_nn}"])
@@ -88,6 +88,6 @@ def _too_many(call_name: str, positional: list[str], keywords: list[str], given:
     return f"{call_name}() takes its arguments by name {begins}: write {call}; it takes {', '.join(keywords)}"
 
 
-def _short(value: Any) -> str:
+def _short(value: object) -> str:
     text = repr(value)
     return text if len(text) <= MAX_CHARACTERS else "..."

@@ -26,7 +26,7 @@ LIBRARIES = (NUMPY, WARP, "torch", "cupy", "jax")
 _OTHER_NAMES = {"jaxlib": "jax"}  # packages whose classes are arrays of another library
 
 
-def library_of(values: Any) -> str:
+def library_of(values: object) -> str:
     """The library of an array, one of LIBRARIES. Unknown ones count as NumPy, on a GPU as Warp."""
     for kind in type(values).__mro__:
         package = kind.__module__.partition(".")[0]
@@ -36,7 +36,7 @@ def library_of(values: Any) -> str:
     return WARP if is_on_gpu(values) else NUMPY
 
 
-def check_library(name: str, value: Any) -> str:
+def check_library(name: str, value: object) -> str:
     """A library name. Raises `ValueError` if unknown and `ImportError` if not installed."""
     if not isinstance(value, str) or value not in LIBRARIES:
         raise ValueError(f"{name}: expected one of {', '.join(LIBRARIES)}, got {shown(value)}")
@@ -44,7 +44,7 @@ def check_library(name: str, value: Any) -> str:
     return value
 
 
-def library_for(arrays: str | None, values: Any = None) -> str:
+def library_for(arrays: str | None, values: object = None) -> str:
     """The requested library of results (`arrays`). If None: that of an array."""
     if arrays is None:
         return NUMPY if type(values) is np.ndarray else library_of(values)
@@ -122,7 +122,7 @@ class Form(NamedTuple):
         return hand_out_host(values, self.library, resolve_device("cpu") if self.on_host else device)
 
 
-def form_of(values: Any) -> Form:
+def form_of(values: object) -> Form:
     return Form(library_of(values), not is_on_gpu(values))
 
 

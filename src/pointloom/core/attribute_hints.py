@@ -47,7 +47,7 @@ class HintedNames(metaclass=HintedClass):
 
     if not TYPE_CHECKING:
 
-        def __setattr__(self, name: str, value: Any) -> None:
+        def __setattr__(self, name: str, value: object) -> None:
             if name in self._fixed and name in vars(self):
                 raise AttributeError(
                     f"{name}: cannot be changed in an existing {type(self).__name__}; create another one"
@@ -65,7 +65,7 @@ class KnownNames(HintedNames):
 
     if not TYPE_CHECKING:
 
-        def __setattr__(self, name: str, value: Any) -> None:
+        def __setattr__(self, name: str, value: object) -> None:
             if (type(self), name) not in _declared and not name.startswith("_") and not _declares(type(self), name):
                 raise AttributeError(_message(type(self), name, self._how_to_add.format(name=name)))
             if self._fixed:

@@ -26,14 +26,14 @@ MAX_SHOWN_CHARACTERS = 80  # of a quoted value
 DLPACK_GPUS = (2, 13)  # kDLCUDA, kDLCUDAManaged
 
 
-def shown(value: Any) -> str:
+def shown(value: object) -> str:
     if isinstance(value, int) and value.bit_length() > 128:
         return f"an integer of {value.bit_length()} bits"
     text = repr(value)
     return text if len(text) <= MAX_SHOWN_CHARACTERS else text[: MAX_SHOWN_CHARACTERS - 3] + "..."
 
 
-def is_on_gpu(values: Any) -> bool:
+def is_on_gpu(values: object) -> bool:
     if isinstance(values, np.ndarray | list | tuple | int | float | type):
         return False
     where = getattr(values, "__dlpack_device__", None)
@@ -46,7 +46,7 @@ def is_on_gpu(values: Any) -> bool:
     return int(getattr(kind, "value", kind)) in DLPACK_GPUS
 
 
-def unreadable(values: Any) -> str:
+def unreadable(values: object) -> str:
     """Why an array of torch, jax or Warp cannot be used, with a remedy. "" if there is no known reason."""
     kind, dtype, layout = type(values).__name__, getattr(values, "dtype", ""), str(getattr(values, "layout", ""))
     type_name = getattr(dtype, "__name__", str(dtype)).removeprefix("torch.")
@@ -67,7 +67,7 @@ def unreadable(values: Any) -> str:
     return ""
 
 
-def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
+def check_rows(name: str, values: object, width: int, *, rows: int | None = None, dtype: object = None) -> NDArray[Any]:
     """Convert to a numeric array (n, width), copied only if needed. Raises `TypeError` or `ValueError`."""
     array = check_numeric(name, values)
     if array.ndim != 2 or array.shape[1] != width:
@@ -108,7 +108,7 @@ def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
     return cast
 
 
-def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = np.float64) -> NDArray[Any]:
+def check_shape(name: str, values: object, shape: tuple[int, ...], *, dtype: Any = np.float64) -> NDArray[Any]:
     array = check_numeric(name, values)
     if array.shape != shape:
         raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}")
@@ -128,7 +128,7 @@ def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
-def check_direction(name: str, direction: Any) -> NDArray[np.float64]:
+def check_direction(name: str, direction: object) -> NDArray[np.float64]:
     """A nonzero direction as a unit vector (3,)."""
     vector = check_finite(name, check_shape(name, direction, (3,)))
     if not vector.any():
@@ -137,7 +137,7 @@ def check_direction(name: str, direction: Any) -> NDArray[np.float64]:
     return vector / norm(vector)
 
 
-def check_color(name: str, color: Any) -> NDArray[np.float64]:
+def check_color(name: str, color: object) -> NDArray[np.float64]:
     """Red, green and blue in 0..1."""
     has_four = len(color) == 4 if isinstance(color, list | tuple) else getattr(color, "shape", None) == (4,)
     if isinstance(color, str) or has_four:
@@ -161,7 +161,7 @@ def check_colors(name: str, colors: NDArray[Any]) -> NDArray[np.float32]:
     return colors.astype(np.float32)
 
 
-def check_numeric(name: str, values: Any) -> NDArray[Any]:
+def check_numeric(name: str, values: object) -> NDArray[Any]:
     """Convert real numbers or booleans to a NumPy array. Masked floats become NaN.
     Raises `ValueError` for masked integers and `TypeError` for GPU memory, which is never copied to the host silently.
     """
@@ -202,7 +202,7 @@ def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infini
 
 
 def check_positive(
-    name: str, value: Any, *, allow_zero: bool = False, allow_infinite: bool = False, maximum: float = math.inf
+    name: str, value: object, *, allow_zero: bool = False, allow_infinite: bool = False, maximum: float = math.inf
 ) -> float:
     """A finite number > 0 and <= `maximum`. Zero or infinity if allowed."""
     if type(value) is float and 0 < value <= maximum and value < math.inf:
@@ -216,7 +216,7 @@ def check_positive(
     return number
 
 
-def check_fraction(name: str, value: Any) -> float:
+def check_fraction(name: str, value: object) -> float:
     fraction = check_number(name, value, allow_nan=True, allow_infinite=True)
     if not 0 <= fraction <= 1:
         raise ValueError(f"{name}: expected a fraction from 0 to 1, got {shown(value)}")
@@ -242,7 +242,7 @@ def check_count(
     return number
 
 
-def check_indices(name: str, values: Any, count: int, *, of: str, hint: str = "") -> NDArray[Any]:
+def check_indices(name: str, values: object, count: int, *, of: str, hint: str = "") -> NDArray[Any]:
     """Indices of `count` rows as a flat array (k,) from 0. Negative ones count from the end.
     `of` names the container and `hint` a remedy in the message of `TypeError` or `IndexError`."""
     rows = check_numeric(name, values).reshape(-1)
@@ -265,7 +265,7 @@ def check_list(name: str, values: Any, of: str) -> list[Any]:
         raise TypeError(f"{name}: expected a list of {of}, got {type(values).__name__}") from error
 
 
-def check_textures(name: str, values: Any) -> tuple[NDArray[np.uint8], ...]:
+def check_textures(name: str, values: object) -> tuple[NDArray[np.uint8], ...]:
     """Texture images, uint8 (height, width, 3 or 4), read-only; copied unless immutable, duplicates are shared."""
     given = check_list(name, values, "images")
     taken: dict[int, NDArray[np.uint8]] = {}
@@ -284,24 +284,24 @@ def check_textures(name: str, values: Any) -> tuple[NDArray[np.uint8], ...]:
     return tuple(taken[id(value)] for value in given)
 
 
-def check_name(name: str, value: Any) -> str:
+def check_name(name: str, value: object) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {type(value).__name__}")
     return value
 
 
-def check_callback(name: str, value: Any) -> Any:
+def check_callback(name: str, value: object) -> Any:
     if value is not None and not callable(value):
         raise TypeError(f"{name}: expected a function or None, got {type(value).__name__}")
     return value
 
 
-def check_progress(value: Any) -> ReportProgress:
+def check_progress(value: object) -> ReportProgress:
     """The progress callback. None gives one that logs long jobs."""
     return check_callback("progress", value) or LoggedProgress()
 
 
-def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
+def check_search(radius: object, max_nn: object) -> tuple[float, int | None]:
     """Limits of a neighbor search: radius [m] (infinite if None) and count (None: all). Raises if both are None."""
     if radius is None and max_nn is None:
         raise ValueError("radius, max_nn: give at least one of them")
@@ -309,7 +309,7 @@ def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
     return search_radius, None if max_nn is None else check_count("max_nn", max_nn)
 
 
-def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
+def check_angle(name: str, value: object, *, allow_zero: bool = False) -> float:
     """An angle up to a full turn [rad]. Larger values are probably degrees and raise."""
     angle = check_positive(name, value, allow_zero=allow_zero)
     if angle > 2 * math.pi:
@@ -319,14 +319,14 @@ def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
     return angle
 
 
-def check_seed(seed: Any) -> int:
+def check_seed(seed: object) -> int:
     """An integer from 0 to 2^31 - 1, for counter-based random numbers."""
     if isinstance(seed, int) and seed > MAX_SEED:
         raise ValueError(f"seed: expected an integer below 2^31, got {shown(seed)}")
     return check_count("seed", seed, minimum=0, maximum=MAX_SEED)
 
 
-def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -> NDArray[np.float64]:
+def check_rigid(name: str, matrix: object, *, tolerance: float = RIGID_TOLERANCE) -> NDArray[np.float64]:
     """A rigid 4x4 transformation in float64, its rotation within `tolerance` of orthonormal.
     The tolerance admits poses of real data sets, rounded to a few digits."""
     T = check_shape(name, matrix, (4, 4))
@@ -359,7 +359,7 @@ def is_plainly_rigid(rows: list[list[float]], tolerance: float) -> bool:
     return is_bounded and a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) > 0.5
 
 
-def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
+def check_transformation(name: str, matrix: object) -> NDArray[np.float64]:
     if check_numeric(name, matrix).shape == (3, 3):
         raise ValueError(f"{name}: expected shape [4, 4], got [3, 3]; use rotate(R) for a rotation")
     T = check_shape(name, matrix, (4, 4))

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import gc
-from typing import Any
 
 from .devices import resolve_device
 
 
-def free_memory(device: Any = None) -> int:
+def free_memory(device: object = None) -> int:
     """Return unused GPU memory to the system, for other programs and libraries.
 
     A GPU caches up to half of its memory (docs/gpu.md). This releases the cache and the streams and graphs of

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 DeviceLike: TypeAlias = "str | wp.Device | None"
 
 
-def resolve_device(device: Any = None) -> Any:
+def resolve_device(device: object = None) -> Any:
     """The Warp device for "cpu", "cuda", "cuda:N", "auto" (first GPU, else CPU), a Warp device, or None ("cpu").
 
     Raises:
@@ -55,6 +55,6 @@ def _cpu() -> Any:
     return wp.get_device("cpu")
 
 
-def check_same_device(name: str, left: Any, right: Any) -> None:
+def check_same_device(name: str, left: object, right: object) -> None:
     if left != right:
         raise DeviceError(f"{name}: operands on {left} and {right}; move one with .to({str(right)!r})")

@@ -67,7 +67,7 @@ def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
     return call
 
 
-def _message(operation: Callable[..., Any], args: tuple[Any, ...], result: Any) -> str:
+def _message(operation: Callable[..., Any], args: tuple[Any, ...], result: object) -> str:
     name = operation.__name__
     call_name, target, call = name, "result", name
     if "." in operation.__qualname__:

@@ -42,7 +42,7 @@ def plain_device(device: tuple[Any, int]) -> tuple[int, int]:
     return int(getattr(kind, "value", kind)), int(index)
 
 
-def share_vectors(name: str, source: Any) -> wp.array:
+def share_vectors(name: str, source: object) -> wp.array:
     """A float32 array (n, 3) of another library as vec3."""
     array = share(name, source)
     if array.dtype == vec3 and array.ndim == 1:
@@ -57,14 +57,14 @@ def share_vectors(name: str, source: Any) -> wp.array:
     return _over(_contiguous(name, array), vec3, array.shape[:1])
 
 
-def share_numbers(name: str, source: Any) -> wp.array:
+def share_numbers(name: str, source: object) -> wp.array:
     array = share(name, source)
     if array.ndim not in (1, 2) or getattr(array.dtype, "_shape_", ()):
         raise ValueError(f"{name}: expected shape [n] or [n, c], got {list(array.shape)} of {array.dtype.__name__}")
     return _contiguous(name, array) if array.size else empty(array.shape, array.dtype, array.device)
 
 
-def share(name: str, source: Any) -> wp.array:
+def share(name: str, source: object) -> wp.array:
     """Share an array of another library as it is, ordered after that library's queued work."""
     if getattr(source, "shape", None) == ():
         raise ValueError(f"{name}: expected an array, got a single number")
@@ -115,7 +115,7 @@ def asnumpy(array: Any) -> NDArray[Any]:
     return host
 
 
-def hand_back(result: NDArray[Any], argument: Any) -> Any:
+def hand_back(result: NDArray[Any], argument: object) -> Any:
     """A result of work on the host in the form of an argument: an array of its library, on its device."""
     form = form_of(argument)
     if form.library == NUMPY:
@@ -123,12 +123,12 @@ def hand_back(result: NDArray[Any], argument: Any) -> Any:
     return form.hand_out_host(result, resolve_device("cpu") if form.on_host else share("array", argument).device)
 
 
-def on_host(name: str, values: Any) -> Any:
+def on_host(name: str, values: object) -> Any:
     """An argument of work on the host: arrays on a GPU are downloaded (sync), others are unchanged."""
     return download(contiguous(share(name, values))) if is_on_gpu(values) else values
 
 
-def _shared(name: str, source: Any) -> wp.array:
+def _shared(name: str, source: object) -> wp.array:
     try:
         if hasattr(source, "__dlpack__"):
             with lock:  # our stream waits for the source's stream

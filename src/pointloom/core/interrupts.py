@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import signal
 from types import CodeType
-from typing import Any
 
 
 def signal_exception(error: BaseException, handled: BaseException | None = None) -> BaseException | None:
@@ -33,7 +32,7 @@ def _handler_codes() -> set[CodeType]:
     return {code for code in codes if code is not None}
 
 
-def _code_of(handler: Any) -> CodeType | None:
+def _code_of(handler: object) -> CodeType | None:
     while isinstance(handler, functools.partial):
         handler = handler.func
     for function in (handler, getattr(handler, "__func__", None), vars(type(handler)).get("__call__")):

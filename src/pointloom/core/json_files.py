@@ -64,7 +64,7 @@ def check_version(path: str | os.PathLike[str], content: dict[str, Any], class_n
             raise FileError(path, f"expected {expected!r}, got {str(value)[:40]!r}", where=f"key {key}")
 
 
-def json_numbers(path: str | os.PathLike[str], values: Any, count: int, *, where: str) -> list[float]:
+def json_numbers(path: str | os.PathLike[str], values: object, count: int, *, where: str) -> list[float]:
     """A JSON list of numbers. Raises `FileError` unless there are `count` finite ones up to 1e100."""
     if not isinstance(values, list) or len(values) != count:
         given = f"{len(values)}" if isinstance(values, list) else f"a {type(values).__name__}"
@@ -75,7 +75,7 @@ def json_numbers(path: str | os.PathLike[str], values: Any, count: int, *, where
     return [float(value) for value in values]
 
 
-def json_count(path: str | os.PathLike[str], value: Any, maximum: int, *, where: str) -> int:
+def json_count(path: str | os.PathLike[str], value: object, maximum: int, *, where: str) -> int:
     """A JSON integer from 0 to `maximum`. Raises `FileError`; 1.0 and true are no integers."""
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= maximum:
         raise FileError(path, f"expected an integer from 0 to {maximum:,}, got {str(value)[:40]!r}", where=where)

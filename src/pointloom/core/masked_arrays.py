@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 
-def unmasked(name: str, values: Any, *, missing: float | None = None) -> Any:
+def unmasked(name: str, values: object, *, missing: float | None = None) -> Any:
     """A masked array, or list of them, as a plain array with `missing` (None: NaN). Other values are unchanged.
     Raises `ValueError` for masked integers or booleans without `missing`."""
     if "numpy.ma" not in sys.modules:  # slow import, needed to make a masked array

@@ -12,7 +12,7 @@ from typing import Any
 from .errors import FileError
 
 
-def path_of(path: Any, name: str = "path") -> Path:
+def path_of(path: object, name: str = "path") -> Path:
     """A path with `~` and `~name` expanded. Raises `TypeError`, naming the argument, for other types."""
     text = path.__fspath__() if isinstance(path, os.PathLike) else path
     if not isinstance(text, str):
@@ -73,7 +73,7 @@ def job_file(path: Path, root: Path | None = None) -> Path:
     return path
 
 
-def plain_name(path: Path, name: Any, *, remedy: str = "") -> str:
+def plain_name(path: Path, name: object, *, remedy: str = "") -> str:
     """A file name read from `path`. Raises `FileError` if it is not a plain name in the same folder."""
     if not isinstance(name, str) or name in ("", ".", "..") or any(sign in name for sign in "/\\\0"):
         raise FileError(path, f"expected a plain file name, got {name!r}", remedy=remedy)

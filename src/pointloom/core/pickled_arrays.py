@@ -25,7 +25,7 @@ def pickled(arrays: dict[str, wp.array]) -> dict[str, tuple[NDArray[Any], str]]:
     return {name: (download(array).copy(), VECTORS.get(array.dtype, "")) for name, array in arrays.items()}
 
 
-def unpickled(state: dict[str, tuple[NDArray[Any], str]], device: Any) -> dict[str, wp.array]:
+def unpickled(state: dict[str, tuple[NDArray[Any], str]], device: object) -> dict[str, wp.array]:
     """The arrays on a device. Raises for entries of a wrong type."""
     return {name: _upload_checked(name, *entry, device) for name, entry in state.items()}
 

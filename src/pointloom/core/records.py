@@ -23,7 +23,7 @@ CHUNK_BYTES = 1 << 20  # [B]
 _DIGEST = "digest"  # of all other entries of a record
 
 
-def digest_of(values: Any) -> str:
+def digest_of(values: object) -> str:
     text = json.dumps(values, sort_keys=True, allow_nan=False)
     return hashlib.blake2b(text.encode(), digest_size=DIGEST_BYTES).hexdigest()
 

@@ -45,7 +45,7 @@ def check_unit_of_seconds(name: str, times: NDArray[np.float64]) -> None:
         raise ValueError(f"{name}: expected timestamps in seconds, got {largest:.6g}. Divide {unit} by {factor:,.0f}")
 
 
-def check_time(name: str, time: Any) -> float:
+def check_time(name: str, time: object) -> float:
     """A finite time [s]. Raises ValueError as `check_seconds`."""
     value = check_number(name, time)
     check_seconds(name, np.asarray(time))

@@ -7,7 +7,6 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
 
 from .progress import ReportProgress, ignore_progress
 
@@ -96,7 +95,7 @@ def _cpu_now() -> float:
     return sum(os.times()[:4])
 
 
-def check_clock(clock: Any) -> Clock:
+def check_clock(clock: object) -> Clock:
     if clock is not None and not isinstance(clock, Clock):
         raise TypeError(f"clock: expected a Clock or None, got {type(clock).__name__}")
     return clock or Clock()

@@ -13,7 +13,6 @@ import sys
 import warnings
 from collections.abc import Iterable, Iterator
 from contextvars import ContextVar
-from typing import Any
 
 from .checks import check_positive, shown
 from .escaped_text import escaped
@@ -135,7 +134,7 @@ def unit_by_name(name: str) -> LengthUnit | None:
     return _BY_NAME.get(" ".join(name.lower().replace("_", " ").replace("-", " ").split()))
 
 
-def check_unit(name: str, value: Any) -> LengthUnit | None:
+def check_unit(name: str, value: object) -> LengthUnit | None:
     if value is None or isinstance(value, LengthUnit):
         return value
     if not isinstance(value, str):

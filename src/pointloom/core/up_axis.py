@@ -16,7 +16,7 @@ UP: Direction = (0.0, 0.0, 1.0)  # default
 AXES: dict[str, Direction] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": UP}
 
 
-def check_up(up: Any) -> Direction:
+def check_up(up: object) -> Direction:
     """The up direction as a unit vector, from "x", "y", "z" or a vector."""
     if isinstance(up, str):
         if up not in AXES:

@@ -68,7 +68,7 @@ _by_warp: dict[Any, WarpLaunch | PlainLaunch] = {}  # on the CPU, by the kernel 
 _by_taichi: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
 
 
-def _announced(kernel: Any, name: str, target: str) -> contextlib.AbstractContextManager[bool]:
+def _announced(kernel: object, name: str, target: str) -> contextlib.AbstractContextManager[bool]:
     """Announce the first launch of a kernel in this process. True if it was the first."""
     if (id(kernel), target) in _launched:
         return contextlib.nullcontext(False)
@@ -137,7 +137,7 @@ def bind(kernel: Launched, arguments: Sequence[Any]) -> Callable[[], None]:
 class PlainLaunch:
     """A launch by Warp on one core, for a Warp without the parts that WarpLaunch uses."""
 
-    def __init__(self, kernel: Any) -> None:
+    def __init__(self, kernel: object) -> None:
         self._kernel = kernel
 
     def bound(self, values: Sequence[Any], thread_count: int, last_count: int = 0) -> Callable[[], None]:
@@ -167,7 +167,7 @@ def _prepare(what: Launched, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:
     return made
 
 
-def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]], values: Sequence[Any]) -> None:
+def _run_taichi(kernel: object, name: str, annotations: Callable[[], Sequence[Any]], values: Sequence[Any]) -> None:
     taichi, sequence = taichi_compiler.start(), prepared_launches.sequence
     prepared = _by_taichi.get(kernel)
     if prepared is None or prepared.program() is not taichi.program:

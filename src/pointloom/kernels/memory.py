@@ -120,7 +120,7 @@ def empty(shape: tuple[int, int], dtype: type[Element], device: Device | str) ->
 def empty(shape: tuple[int, int, int], dtype: type[Element], device: Device | str) -> Array3[Element]: ...
 @overload
 def empty(shape: tuple[int, ...], dtype: type[Element], device: Device | str) -> DeviceArray[Element, Any]: ...
-def empty(shape: int | tuple[int, ...], dtype: Any, device: Device | str) -> Any:
+def empty(shape: int | tuple[int, ...], dtype: object, device: Device | str) -> Any:
     """Uninitialized array. Raises MemoryError, as all functions here that allocate."""
     home: Any = device if isinstance(device, Device) else wp.get_device(device)
     if home.is_cuda:
@@ -171,7 +171,7 @@ def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -
     return created
 
 
-def fill(values: wp.array, value: Any) -> None:
+def fill(values: wp.array, value: object) -> None:
     with lock_for(values.device):
         values.fill_(value)
 

@@ -51,7 +51,7 @@ def type_of(t: Any) -> Type | None:
     return Type(scalar.__name__, tuple(getattr(t, "_shape_", ())))
 
 
-def array_of(annotation: Any) -> ArrayType | None:
+def array_of(annotation: object) -> ArrayType | None:
     if not isinstance(annotation, wp.array):
         return None
     element = type_of(annotation.dtype)
@@ -192,7 +192,7 @@ def struct_unpacker(
     return unpack_structs
 
 
-def _check_array(annotation: wp.array, argument: Any) -> None:
+def _check_array(annotation: wp.array, argument: object) -> None:
     if not isinstance(argument, wp.array):
         raise TypeError(f"expected a Warp array, got {type(argument).__name__}")
     if argument.dtype != annotation.dtype or argument.ndim != annotation.ndim:

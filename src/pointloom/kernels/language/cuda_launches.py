@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import warp as wp
 
+from ..array_types import Device
 from . import warp_parts
 from .device_arrays import kind_of
 from .prepared_launches import FORMATS, UNFIT, Flat, Flattener, Parameter, flattener
@@ -39,7 +40,7 @@ class _Buffer:
 class CudaLaunch:
     """A loaded Warp kernel on a GPU. `is_known` is True if its arguments are packed as Warp does."""
 
-    def __init__(self, kernel: Any, device: Any, command: Any, flat: Flat) -> None:
+    def __init__(self, kernel: Any, device: Device, command: Any, flat: Flat) -> None:
         """Prepare from a recorded Warp launch and its flattened arguments."""
         self._kernel, self._device = kernel, device
         self._idle: _Buffer | None = None
@@ -110,7 +111,9 @@ class CudaLaunch:
             warp_parts.raise_launch_error(self._kernel, device, self._hooks)
 
 
-def prepared_launch(kernel: Any, thread_count: int, values: Sequence[Any], device: Any, **options: Any) -> CudaLaunch:
+def prepared_launch(
+    kernel: Any, thread_count: int, values: Sequence[Any], device: Device, **options: Any
+) -> CudaLaunch:
     """Prepare a launch from `wp.launch` arguments. Raises one of UNFIT if they cannot show whether it is equivalent."""
     flat = flattener([argument.type for argument in kernel.adj.args], device)(values)
     command = wp.launch(kernel, thread_count, values, device=device, record_cmd=True, **options)
@@ -122,7 +125,7 @@ class PreparedKernel:
         self.flatten, self.launch = flatten, launch
 
     @classmethod
-    def of(cls, kernel: Launched, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
+    def of(cls, kernel: Launched, thread_count: int, values: Sequence[Any], device: Device) -> PreparedKernel | None:
         """Prepare from launch arguments. None if Warp must launch it. Raises one of UNFIT as `prepared_launch`."""
         launch = prepared_launch(kernel.cuda, thread_count, values, device)
         if not launch.is_known:
@@ -132,13 +135,13 @@ class PreparedKernel:
 
 
 class PreparedSum:
-    def __init__(self, reduction: LaunchedReduction, tiles: CudaLaunch, device: Any) -> None:
+    def __init__(self, reduction: LaunchedReduction, tiles: CudaLaunch, device: Device) -> None:
         self.flatten = flattener(reduction.types, device, reduction.field_paths, len(reduction.takes))
         self.sums = kind_of(reduction.vector, 1, device)
         self._tiles = tiles
 
     @classmethod
-    def of(cls, reduction: LaunchedReduction, given: Sequence[Any], device: Any) -> PreparedSum | None:
+    def of(cls, reduction: LaunchedReduction, given: Sequence[Any], device: Device) -> PreparedSum | None:
         """Prepare from the kernel's arguments. None if Warp must launch it. Raises one of UNFIT."""
         tiles = prepared_launch(reduction.cuda.tiles, REDUCTION_BLOCK, given, device, block_dim=REDUCTION_BLOCK)
         return cls(reduction, tiles, device) if tiles.is_known else None

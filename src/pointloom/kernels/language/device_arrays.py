@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from ..array_types import Device
 from . import device_lock, warp_parts
 from .device_lock import lock, waiting
 from .huge_pages import MIN_MAPPED_BYTES, request_huge_pages
@@ -36,7 +37,7 @@ class Unfit(TypeError):  # noqa: N818  not an error yet: a slower check decides
     ...
 
 
-def makes_arrays_plainly(device: Any) -> bool:
+def makes_arrays_plainly(device: Device) -> bool:
     """True if an array is plain memory of the host, or of Warp's pool on a GPU."""
     try:
         if device.is_cpu:
@@ -59,8 +60,9 @@ def makes_arrays_plainly(device: Any) -> bool:
 class Kind:
     """Arrays of a device, type and number of axes. Checked arrays cache it as `kind_`, launch bytes as `packed_`."""
 
-    def __init__(self, dtype: Any, axes: int, device: Any) -> None:
-        self.dtype, self.axes, self.device = dtype, axes, device
+    def __init__(self, dtype: object, axes: int, device: Device | None) -> None:
+        self.dtype, self.axes = dtype, axes
+        self.device: Any = device  # None for the properties of the elements alone
         self.element_bytes = wp.types.type_size_in_bytes(dtype)
         self.scalar = np.dtype(wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype)))  # of NumPy
         self.inner = tuple(getattr(dtype, "_shape_", ()))  # of an element
@@ -104,7 +106,7 @@ class Kind:
 
 
 @functools.cache
-def element_kind(dtype: Any) -> Kind:
+def element_kind(dtype: object) -> Kind:
     """Kind of an element type, for its properties that do not depend on axes and device."""
     return Kind(dtype, 1, None)
 
@@ -112,14 +114,14 @@ def element_kind(dtype: Any) -> Kind:
 _kinds: dict[tuple[Any, int, str], Kind] = {}
 
 
-def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
+def kind_of(dtype: object, axes: int, device: Device) -> Kind:
     kind = _kinds.get((dtype, axes, device.alias))
     if kind is None:
         kind = _kinds.setdefault((dtype, axes, device.alias), Kind(dtype, axes, device))
     return kind
 
 
-def new(shape: int | Shape, dtype: Any, device: Any, *, in_block: bool = True) -> Any:
+def new(shape: int | Shape, dtype: object, device: Device, *, in_block: bool = True) -> Any:
     """An uninitialized array; a small one of a GPU is a zeroed part of a block unless `in_block` is False. None if Warp
     has to create it. Raises RuntimeError if device memory is exhausted."""
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
@@ -163,13 +165,13 @@ class Block:
     """Memory for the next small arrays of a stream: an allocation with its release takes four times as long as a part
     of a block. It is zero, no part is used twice, and it is released with the last of them."""
 
-    def __init__(self, device: Any, size: int) -> None:
+    def __init__(self, device: Device, size: int) -> None:
         self.array = new(size, wp.uint8, device, in_block=False)
         self.first, self.end = self.array.ptr, self.array.ptr + size
         warp_parts.core().wp_memset_device(device.context, self.first, 0, size, warp_parts.CURRENT_STREAM)
 
 
-def _place_for(device: Any, stream: Any, size: int) -> tuple[int, Any] | None:
+def _place_for(device: Device, stream: Any, size: int) -> tuple[int, Any] | None:
     """The address of an array in a block of the current stream, and the block's array. None for large arrays, if the
     stream is not Warp's own, or if Warp records one of the device: a graph must allocate its arrays itself. Take the
     lock."""
@@ -187,17 +189,17 @@ def _place_for(device: Any, stream: Any, size: int) -> tuple[int, Any] | None:
     return None
 
 
-def is_zero(values: Any) -> bool:
+def is_zero(values: object) -> bool:
     """True if a new array is part of a block."""
     return "block_" in values.__dict__
 
 
-def drop_blocks(device: Any) -> None:
+def drop_blocks(device: Device) -> None:
     """Start new blocks with the next arrays of the current stream. Take the lock."""
     device.stream.__dict__.pop("blocks_", None)
 
 
-def over(values: np.ndarray, dtype: Any, device: Any) -> Any:
+def over(values: np.ndarray, dtype: object, device: Device) -> Any:
     """A CPU array over the memory of a contiguous NumPy array (n, ..., *element), which it keeps alive. None if Warp
     has to create it."""
     axes = values.ndim - len(element_kind(dtype).inner)
@@ -259,7 +261,7 @@ class _Releases:
     deallocate_requires_context_guard = False  # the release function sets the context itself
     memory_kind = warp_parts.MEMORY_OF_POOL
 
-    def __init__(self, device: Any) -> None:
+    def __init__(self, device: Device) -> None:
         self._device = device
 
     def deallocate(self, address: int, size: int) -> None:
@@ -273,5 +275,5 @@ class _Releases:
 _by_device: dict[str, _Releases] = {}
 
 
-def _releases_of(device: Any) -> _Releases:
+def _releases_of(device: Device) -> _Releases:
     return _by_device.setdefault(device.alias, _Releases(device))

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..array_types import Device
 from . import warp_parts
 from .device_arrays import Kind, kind_of, makes_arrays_plainly
 from .huge_pages import MIN_MAPPED_BYTES, populate
@@ -29,7 +30,7 @@ def _is_plain(values: Any) -> bool:
     return is_plain and makes_arrays_plainly(values.device)
 
 
-def _has_numbers(values: Any, scalar: Any) -> bool:
+def _has_numbers(values: object, scalar: object) -> bool:
     """True for an array of numbers of a type, not of vectors."""
     kind = _kind(values)
     return kind.scalar == scalar and not kind.inner
@@ -131,7 +132,7 @@ def is_sorted(keys: Any, values: Any, count: int, bit_count: int) -> bool:
     return True
 
 
-def _checked(done: Any, device: Any) -> bool:
+def _checked(done: object, device: Device) -> bool:
     if not done:
         raise RuntimeError(f"Warp copy error: {device.runtime.get_error_string()}")
     return True

@@ -112,7 +112,7 @@ class Recording:
     """Capture the launches of `body` as one CUDA graph. Its arrays must stay where they are. Take the lock. The stream
     is non-blocking (streams.py), so that other libraries can use the legacy stream meanwhile."""
 
-    def __init__(self, device: Any, body: Callable[[], None]) -> None:
+    def __init__(self, device: Device, body: Callable[[], None]) -> None:
         self._device, self._graphs = device, []
         note_use(device)
         order_releases()  # Warp defers releases until the recording ends

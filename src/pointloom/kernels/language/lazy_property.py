@@ -33,7 +33,7 @@ class once(Generic[Value]):  # noqa: N801  a decorator, as `property` is
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
 
-    def __get__(self, owner: Any, kind: type | None = None) -> Value:
+    def __get__(self, owner: object, kind: type | None = None) -> Value:
         if owner is None:
             return self  # type: ignore[return-value]
         with lock, without_collections():

@@ -104,7 +104,7 @@ class Writer(ast.NodeTransformer):
     def look_up(self, name: str) -> Any:
         return None if name in self.taken else self.names.get(name, self.scope.get(name))
 
-    def alias(self, node: ast.AST, name: str, value: Any, owner: str) -> str:
+    def alias(self, node: ast.AST, name: str, value: object, owner: str) -> str:
         """Name in this function for the value of `name` in another."""
         if self.words.is_builtin(value):
             if self.scope.get(name) is not value or name in self.taken:

@@ -51,11 +51,11 @@ def load_module(module: Any, device: Device) -> None:
             _load_or_compile(module, device, block_dim)
 
 
-def _load(module: Any, device: Device, block_dim: int) -> None:
+def _load(module: object, device: Device, block_dim: int) -> None:
     wp.load_module(module, device, block_dim=block_dim, max_workers=0)
 
 
-def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
+def _load_or_compile(module: object, device: Device, block_dim: int) -> None:
     """Load an intact cached module, or compile it. Raises CacheError if the cache is not writable."""
     files = _files_of(module, device, block_dim)
     if is_intact(*files):

@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..array_types import Device
 from .device_lock import lock, why_no_cuda_here
 from .driver import driver
 from .huge_pages import populate, request_huge_pages
@@ -68,7 +69,7 @@ class Pool:
         """Bytes in use and idle."""
         return sum(buffer.size for buffer in self.buffers)
 
-    def take(self, size: int, context: Any) -> Buffer | None:
+    def take(self, size: int, context: object) -> Buffer | None:
         """Memory for a result. None if the limit is reached, or no more pages can be locked."""
         self._collect()
         fitting = [buffer for buffer in self.idle if size <= buffer.size <= 2 * size]
@@ -144,7 +145,7 @@ pool = Pool()
 
 
 def fill_pinned(
-    shape: tuple[int, ...], scalar: np.dtype, device: Any, fill: Callable[[int, int], None]
+    shape: tuple[int, ...], scalar: np.dtype, device: Device, fill: Callable[[int, int], None]
 ) -> NDArray[Any] | None:
     """A NumPy array in page-locked memory. `fill(address, bytes)` lets the device write to it and waits. None if there
     is no such memory. Take the lock."""

@@ -93,7 +93,7 @@ class PoolCode:
         if not np.array_equal(out.numpy(), expected):
             raise RuntimeError("a part of a launch begins elsewhere, or arrays lie otherwise")
 
-    def _load(self, given: Any, out: Any) -> Any:
+    def _load(self, given: object, out: object) -> Any:
         """Take code that was compiled ahead. Returns the arguments of the trial, or None if there is no code."""
         entries = [kernel_cache.find(__name__, function.__name__) for function in _FUNCTIONS]
         addresses = [kernel_cache.address_of(entry) for entry in entries if entry is not None]
@@ -103,7 +103,7 @@ class PoolCode:
         plan, layout = entries[-1].plan, struct.Struct(entries[-1].layout)  # type: ignore[union-attr]
         return ctypes.create_string_buffer(cpu_code.packed(plan, layout, [given, 3, out]))
 
-    def _compile(self, given: Any, out: Any) -> Any:
+    def _compile(self, given: object, out: object) -> Any:
         """Compile the code. Returns the arguments of the trial."""
         module = wp.get_module("pointloom.cpu_pool")
         headers = wp.ModuleBuildOptions(extra_cpu_preamble=cpu_code.header() + cpu_code.pool_header())

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any
 
 import warp as wp
 
+from ..array_types import Device
 from .device_lock import lock, release_all
 from .driver import driver
 
@@ -14,7 +14,7 @@ _RESERVED_BYTES = 5  # CU_MEMPOOL_ATTR_RESERVED_MEM_CURRENT
 _USED_BYTES = 7  # CU_MEMPOOL_ATTR_USED_MEM_CURRENT
 
 
-def reserved_bytes(device: Any) -> int:
+def reserved_bytes(device: Device) -> int:
     """Bytes that the pool of a GPU reserves beyond its arrays."""
     if not device.is_mempool_enabled:
         return 0
@@ -23,7 +23,7 @@ def reserved_bytes(device: Any) -> int:
         return max(0, _attribute(device, pool, _RESERVED_BYTES) - _attribute(device, pool, _USED_BYTES))
 
 
-def trim(device: Any) -> int:
+def trim(device: Device) -> int:
     """Release unused memory of the pool and of graphs (sync). Return the pool's bytes."""
     with lock:
         release_all()
@@ -37,24 +37,24 @@ def trim(device: Any) -> int:
         return max(0, before - _attribute(device, pool, _RESERVED_BYTES))
 
 
-def _pool(device: Any) -> ctypes.c_void_p:
+def _pool(device: Device) -> ctypes.c_void_p:
     pool = ctypes.c_void_p()
     _check(device, driver().cuDeviceGetDefaultMemPool(ctypes.byref(pool), _number(device)))
     return pool
 
 
-def _number(device: Any) -> ctypes.c_int:
+def _number(device: Device) -> ctypes.c_int:
     number = ctypes.c_int()
     _check(device, driver().cuDeviceGet(ctypes.byref(number), ctypes.c_int(device.ordinal)))
     return number
 
 
-def _attribute(device: Any, pool: ctypes.c_void_p, name: int) -> int:
+def _attribute(device: Device, pool: ctypes.c_void_p, name: int) -> int:
     value = ctypes.c_uint64()
     _check(device, driver().cuMemPoolGetAttribute(pool, ctypes.c_int(name), ctypes.byref(value)))
     return value.value
 
 
-def _check(device: Any, error: int) -> None:
+def _check(device: Device, error: int) -> None:
     if error:
         raise RuntimeError(f"{device}: its pool of memory does not answer (CUDA error {error})")

@@ -47,7 +47,7 @@ class Parameter(NamedTuple):
     length: int  # numbers in it, or in an element
 
     @staticmethod
-    def of(annotation: Any) -> Parameter:
+    def of(annotation: object) -> Parameter:
         array = array_of(annotation)
         element = array.element if array else type_of(annotation)
         assert isinstance(element, Type)
@@ -105,7 +105,7 @@ def _vector_reader(annotation: Any) -> Callable[[Any], bytes]:
     scalar, shape = wp.dtype_to_numpy(annotation._wp_scalar_type_), tuple(annotation._shape_)
     flat = (annotation._length_,)
 
-    def read(argument: Any) -> bytes:
+    def read(argument: object) -> bytes:
         parts = np.asarray(argument, scalar)
         if parts.shape not in (shape, flat):
             raise Unfit

@@ -182,7 +182,7 @@ def _check_annotations(source: Source, role: str, vocabulary: Vocabulary) -> Non
         source.fail(source.definition, "a reduction names the type of its vector: `-> vec4`")
 
 
-def _declared(annotation: Any, vocabulary: Vocabulary) -> Inferred:
+def _declared(annotation: object, vocabulary: Vocabulary) -> Inferred:
     if get_origin(annotation) is tuple:
         return tuple(vocabulary.type_of(part) for part in get_args(annotation))
     return vocabulary.type_of(annotation)

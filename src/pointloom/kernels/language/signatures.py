@@ -52,7 +52,7 @@ def _constructor(kind: Type) -> str:
     return {"int32": "int", "float32": "float"}.get(kind.scalar, kind.scalar)
 
 
-def words(kind: Any) -> str:
+def words(kind: object) -> str:
     if isinstance(kind, tuple) and not isinstance(kind, Type | ArrayType):
         return "(" + ", ".join(words(part) for part in kind) + ")"
     return "an unknown type" if kind is None else str(kind)

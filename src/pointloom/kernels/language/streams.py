@@ -15,6 +15,7 @@ from typing import Any
 
 import warp as wp
 
+from ..array_types import Device
 from .driver import driver
 
 _NON_BLOCKING = 1  # CU_STREAM_NON_BLOCKING
@@ -27,7 +28,7 @@ used: dict[int, tuple[Any, Callable[[], Any]]] = {}
 class NonBlockingStream(wp.Stream):
     """A GPU stream that does not synchronize with the legacy stream. Raises RuntimeError if the driver has none."""
 
-    def __init__(self, device: Any) -> None:
+    def __init__(self, device: Device) -> None:
         handle = ctypes.c_void_p()
         with device.context_guard:
             error = driver().cuStreamCreate(ctypes.byref(handle), ctypes.c_uint(_NON_BLOCKING))
@@ -45,7 +46,7 @@ class NonBlockingStream(wp.Stream):
             driver().cuStreamDestroy_v2(ctypes.c_void_p(handle))
 
 
-def note_use(device: Any) -> Any:
+def note_use(device: Device) -> Any:
     """Note that the current stream may have to be waited for before a release, and return it."""
     stream = device.stream
     if getattr(stream, "_is_blocking", None) is True:  # known to Warp
@@ -82,7 +83,7 @@ def order_releases() -> None:
     used.update(remaining)
 
 
-def wait_for(stream: int | None, other: int, device: Any) -> None:
+def wait_for(stream: int | None, other: int, device: Device) -> None:
     """Make a stream wait for another (CUDA handles, None: legacy), without a `wp.Stream`, which would unregister it."""
     with device.context_guard:
         event = _event(device.alias)
@@ -99,12 +100,12 @@ def _event(_: str) -> ctypes.c_void_p:
     return event
 
 
-def _is_recorded(handle: int, device: Any) -> bool:
+def _is_recorded(handle: int, device: Device) -> bool:
     status = ctypes.c_int()
     _check(device, driver().cuStreamIsCapturing(ctypes.c_void_p(handle), ctypes.byref(status)))
     return status.value != 0
 
 
-def _check(device: Any, error: int) -> None:
+def _check(device: Device, error: int) -> None:
     if error:
         raise RuntimeError(f"{device}: the driver does not order its streams (CUDA error {error})")

@@ -32,17 +32,17 @@ def struct(kind: Class) -> Class:
     return kind
 
 
-def fields_of(annotation: Any) -> dict[str, Any] | None:
+def fields_of(annotation: object) -> dict[str, Any] | None:
     return vars(annotation).get("kernel_fields_") if isinstance(annotation, type) else None
 
 
-def leaves_of(kind: Any) -> list[Path]:
+def leaves_of(kind: object) -> list[Path]:
     """Paths to all numbers and arrays of a structure in order. Otherwise the empty path."""
     fields = fields_of(kind)
     return [()] if fields is None else [(name, *rest) for name, part in fields.items() for rest in leaves_of(part)]
 
 
-def type_at(kind: Any, path: Path) -> Any:
+def type_at(kind: object, path: Path) -> Any:
     for name in path:
         kind = (fields_of(kind) or {}).get(name)
     return kind

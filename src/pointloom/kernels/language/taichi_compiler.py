@@ -475,7 +475,7 @@ class Taichi:
         scalar = self.scalars[t._wp_scalar_type_]
         return (self.ti.types.vector if len(t._shape_) == 1 else self.ti.types.matrix)(*t._shape_, scalar)
 
-    def argument(self, annotation: Any) -> Any:
+    def argument(self, annotation: object) -> Any:
         if isinstance(annotation, wp.array):
             return self.ti.types.ndarray(dtype=self.type_of(annotation.dtype), ndim=annotation.ndim)
         return self.type_of(annotation)

@@ -102,7 +102,7 @@ def _setter(k: int, parameter: Parameter) -> tuple[Callable[[Any], Any] | None, 
     slots, name = [(k, c) for c in range(parameter.length)], f"set_struct_arg_{kind}"
     numbers = struct.Struct(f"{parameter.length}{FORMATS[parameter.scalar]}")
 
-    def put_vector(made: Any, vector: bytes) -> None:
+    def put_vector(made: object, vector: bytes) -> None:
         put = getattr(made, name)
         for slot, number in zip(slots, numbers.unpack(vector), strict=True):
             put(slot, number)

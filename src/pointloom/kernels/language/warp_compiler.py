@@ -310,7 +310,7 @@ def modules_for_cuda(module: str) -> list[Any]:
     return [warp_module for warp_module in (wp.get_module(module), cuda_module(module)) if warp_module.kernels]
 
 
-def partial_rows(vector: Any, blocks: int, segments: int) -> int:
+def partial_rows(vector: object, blocks: int, segments: int) -> int:
     """Rows of scratch of a sum on CUDA: the blocks' sums, then counters of ended blocks, one per segment, zeros."""
     return blocks - (-4 * segments // wp.types.type_size_in_bytes(vector))
 

@@ -98,7 +98,7 @@ def is_known() -> bool:
         return False
 
 
-def raise_launch_error(kernel: Any, device: Any, hooks: Any) -> NoReturn:
+def raise_launch_error(kernel: object, device: object, hooks: object) -> NoReturn:
     """Raise the launch error in Warp's wording."""
     context._raise_cuda_launch_error(kernel, device, hooks, False)
     raise AssertionError("it raises")
