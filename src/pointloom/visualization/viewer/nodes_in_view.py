@@ -88,7 +88,7 @@ class NodesInView:
         distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _MIN_DISTANCE_RATIO * halves)
         return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
 
-    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
+    def _are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
         """For each drawn node, True if the next level within it is drawn, too; bool (k,)."""
         names = self._names[self._check_nodes(nodes)]
         return np.isin(names, names >> 3)
