@@ -27,12 +27,12 @@ KERNEL_LINES = 80  # of device code, whose state must stay in the registers of o
 MAX_PARAMETERS = 8
 
 LIMITS = {
-    "code lines": 137_600,  # without docstrings, comments, blank lines and imports
-    "private members of other objects": 960,
-    "parameters annotated Any": 2_610,
-    f"host functions with more than {MAX_PARAMETERS} parameters": 92,
-    "numeric constants named by one word": 1_930,
-    "modules in import cycles with type imports": 48,
+    "code lines": 136_500,  # without docstrings, comments, blank lines and imports
+    "private members of other objects": 66,
+    "parameters annotated Any": 815,
+    f"host functions with more than {MAX_PARAMETERS} parameters": 62,
+    "numeric constants named by one word": 44,
+    "modules in import cycles with type imports": 18,
 }
 SLACK = 0.01  # of the limit
 
