@@ -13,7 +13,7 @@ import os
 import re
 import sqlite3
 import uuid
-from collections.abc import Container, Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -47,7 +47,7 @@ UNSORTED_COLOR = -1  # instead of a full color: a file far from all tiles
 FINAL_STATES = ("done", "empty", "failed", "aside")  # final states, reset only by `retry`
 
 
-def canonical(plan: Mapping[str, Any]) -> str:
+def canonical(plan: object) -> str:
     """Canonical text of a plan or a part of it."""
     return json.dumps(plan, sort_keys=True, separators=(",", ":"), allow_nan=False)
 
