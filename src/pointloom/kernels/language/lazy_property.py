@@ -5,11 +5,9 @@ from __future__ import annotations
 import contextlib
 import gc
 from collections.abc import Callable, Iterator
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from .device_lock import lock
-
-Value = TypeVar("Value")
 
 
 @contextlib.contextmanager
@@ -24,23 +22,27 @@ def without_collections() -> Iterator[None]:
             gc.enable()
 
 
-class once(Generic[Value]):  # noqa: N801  a decorator, as `property` is
-    """Cached property stored in `__dict__`. It uses the launch lock, since a second lock could cause a deadlock."""
+if TYPE_CHECKING:
+    once = property  # protocols accept this type only
+else:
 
-    def __init__(self, method: Callable[[Any], Value]) -> None:
-        self.method, self.__doc__ = method, method.__doc__
+    class once:  # noqa: N801  a decorator, as `property` is
+        """Cached property stored in `__dict__`. It uses the launch lock, since a second lock could cause a deadlock."""
 
-    def __set_name__(self, owner: type, name: str) -> None:
-        self.name = name
+        def __init__(self, method: Callable[[Any], Any]) -> None:
+            self.method, self.__doc__ = method, method.__doc__
 
-    def __get__(self, owner: object, kind: type | None = None) -> Value:
-        if owner is None:
-            return self  # type: ignore[return-value]
-        with lock, without_collections():
-            values = vars(owner)
-            if self.name not in values:
-                try:
-                    values[self.name] = self.method(owner)
-                except AttributeError as error:  # which getattr(..., None) would interpret as absence
-                    raise RuntimeError(f"{self.name}: {error}") from error
-            return values[self.name]
+        def __set_name__(self, owner: type, name: str) -> None:
+            self.name = name
+
+        def __get__(self, owner: object, kind: type | None = None) -> Any:
+            if owner is None:
+                return self
+            with lock, without_collections():
+                values = vars(owner)
+                if self.name not in values:
+                    try:
+                        values[self.name] = self.method(owner)
+                    except AttributeError as error:  # which getattr(..., None) would interpret as absence
+                        raise RuntimeError(f"{self.name}: {error}") from error
+                return values[self.name]

@@ -14,6 +14,7 @@ from ...core.checks import check_positive, check_rigid
 from ...core.devices import DeviceLike
 from ...core.observers import report
 from ...core.serialized import Serialized
+from ...kernels.array_types import AnyArray
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.rgbd.model_maps import colors_of, hide_unseen
 from ...meshing.mesh.mesh import TriangleMesh
@@ -115,7 +116,7 @@ class SlamModel(Serialized):
         """Replace the volume, and that of the surface if it is another one."""
         self.volume, self._without, self.movers = volume, surface, Movers()
 
-    def _withdraw(self, depth: object, pixels: object, pose: Pose) -> None:
+    def _withdraw(self, depth: AnyArray, pixels: AnyArray | None, pose: Pose) -> None:
         """Remove what `fuse` returned for a frame from the surface. Tracking continues with the complete volume."""
         if self._without is None:
             self._without = self.volume.copy()

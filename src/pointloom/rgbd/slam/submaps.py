@@ -15,6 +15,7 @@ from ...cameras.images import integer_scale
 from ...core.checks import check_count, check_fraction, check_list, check_numeric, check_positive, check_rigid
 from ...core.devices import DeviceLike
 from ...core.serialized import Serialized
+from ...kernels.array_types import AnyArray
 from ...kernels.linear_algebra import inv, matmul, norm
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
@@ -242,7 +243,7 @@ class SubmapRecorder(Serialized):
         recording.numbers.append(number)
         recording.poses.append(pose)
 
-    def _withdraw(self, number: int, depth: object, pose: Matrix, pixels: object) -> None:
+    def _withdraw(self, number: int, depth: AnyArray, pose: Matrix, pixels: AnyArray | None) -> None:
         """Remove a frame from the volumes that contain it. Its pose remains, to connect the submaps.
 
         `depth` [m] and `pixels` are those of `add`, on the device. The submaps have the poses that they had then.

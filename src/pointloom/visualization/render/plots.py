@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_name, check_positive, shown
+from ...core.errors import FilePath
 from ...core.exchange import asnumpy
 from ...io.optional_imports import import_for
 from ...meshing.volume.distance_field_views import FieldSlice
@@ -46,7 +47,7 @@ MM_PER_METER = 1000.0
 OCCUPIED_COLOR, UNKNOWN_COLOR = (26, 26, 26), (153, 153, 153)  # of 255
 
 
-def check_plot(path: object, *, overwrite: bool) -> None:
+def check_plot(path: FilePath, *, overwrite: bool) -> None:
     """Check matplotlib, extension and path before any work. Raises FileError."""
     check_picture(path, overwrite=overwrite)
     import_for(path, "matplotlib.figure", "plot")

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_indices, check_list, check_name, check_progress
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.progress import ReportProgress
 from ...io.growing_columns import GrowingColumns
 from ...io.points.in_parts import open_in_parts
@@ -148,7 +148,7 @@ class DetailTree(NodesInView):
         path: str | os.PathLike[str],
         *,
         attributes: Sequence[str] = (),
-        device: object = None,
+        device: DeviceLike = None,
         progress: ReportProgress | None = None,
     ) -> DetailTree:
         """Build the tree of a file. Binary PLY and PCD, LAS and LAZ are read in parts, other formats at once.

@@ -12,7 +12,7 @@ from typing import Any
 from ...cameras.pose_text import read_lines
 from ...cameras.trajectory import read_trajectory
 from ...core.atomic import restore_folder
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
 from ...core.paths import input_path, path_of
@@ -45,7 +45,7 @@ def read_scene(
     max_points: int,
     color_by: str | None = None,
     progress: ReportProgress | None = None,
-    device: object = None,
+    device: DeviceLike = None,
     in_parts: bool = False,
     topic: str | None = None,
     frame: str | None = None,
@@ -100,7 +100,9 @@ def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Name
     return samples
 
 
-def read_geometry(path: str | os.PathLike[str], *, device: object = None, columns: Sequence[str] | None = None) -> Any:
+def read_geometry(
+    path: str | os.PathLike[str], *, device: DeviceLike = None, columns: Sequence[str] | None = None
+) -> Any:
     """Read a file by its name and content. A cloud if `columns` is given. Raises FileError."""
     path, suffix = path_of(path), Path(path).suffix.lower()
     restore_folder(path)
@@ -124,7 +126,7 @@ def read_geometry(path: str | os.PathLike[str], *, device: object = None, column
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Supported: {known}")
 
 
-def read_recording(path: Path, topic: str | None, frame: str | None, *, device: object = None) -> PointCloud:
+def read_recording(path: Path, topic: str | None, frame: str | None, *, device: DeviceLike = None) -> PointCloud:
     scans = open_recording(path).scans(topic, frame=frame, device=device)
     return next(scans) if frame is None else PointCloud.concatenate(list(scans))
 
@@ -153,7 +155,7 @@ def _open_large(path: Path, max_points: int) -> Any:
 
 
 def _read_large(
-    path: Path, max_points: int, color_by: str | None, progress: ReportProgress | None, device: object
+    path: Path, max_points: int, color_by: str | None, progress: ReportProgress | None, device: DeviceLike
 ) -> DetailTree | None:
     """Levels of detail of a cloud with more points. None for other files."""
     if _open_large(path, max_points) is None:
