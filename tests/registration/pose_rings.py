@@ -57,6 +57,9 @@ def ring(count, seed, *, noise=0.003, loops=None, outliers=0, certain=False) -> 
     return SimpleNamespace(true=np.array(true), poses=np.array(poses), edges=edges, wrong=list(wrong))
 
 
+METHODS = {"LevenbergMarquardt": "levenberg-marquardt", "GaussNewton": "gauss-newton"}  # by Open3D's name
+
+
 def to_graph(scene) -> reg.PoseGraph:
     edges = [reg.PoseGraphEdge(*edge[:4], uncertain=edge[4]) for edge in scene.edges]
     return reg.PoseGraph([reg.PoseGraphNode(T) for T in scene.poses], edges)
@@ -65,7 +68,7 @@ def to_graph(scene) -> reg.PoseGraph:
 def solve(scene, method="LevenbergMarquardt", distance=0.05, reference=0, **criteria) -> reg.PoseGraph:
     option = reg.GlobalOptimizationOption(distance, reference_node=reference)
     rules = reg.GlobalOptimizationConvergenceCriteria(**criteria)
-    return reg.global_optimization(to_graph(scene), getattr(reg, f"GlobalOptimization{method}")(), rules, option)
+    return reg.global_optimization(to_graph(scene), METHODS[method], rules, option)
 
 
 def poses_of(graph) -> np.ndarray:

@@ -1,58 +1,11 @@
-"""Units and limits of depth images: defaults of functions that take them, and a warning if they do not fit.
+"""Defaults of functions that take depth images: the unit of stored depth and the largest depth that is used.
 
 One default for each meaning: images of depth cameras, operations that Open3D has, and depth without sensor noise.
 """
 
-from __future__ import annotations
-
 import math
-
-import numpy as np
-
-from ..core.units import called_by_user, warn_of_units
 
 DEPTH_SCALE = 1000.0  # stored depth of one meter, for integers whose scale is not given: millimeters
 DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras exceeds 2 cm
 OPEN3D_DEPTH_MAX = 3.0  # [m] of operations that Open3D has with this default
 UNLIMITED_DEPTH = math.inf  # [m] of depth that is rendered, or triangulated from photographs or by a scanner
-MIN_SCALE_OF_INTEGERS = 100.0  # units per meter: floats with a larger scale are probably integers in other units
-MIN_FARTHEST_DEPTH = 0.05  # [m] no depth camera measures all pixels closer
-
-
-def warn_of_scale(
-    depth: object, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
-) -> None:
-    """Warn if scale and limit [m] leave no depth of a host image, or float depth is implausibly small.
-    `limit` is the argument's name in the message; `times` is a factor of all depths."""
-    if not isinstance(depth, np.ndarray) or not called_by_user():
-        return
-    is_scaled_float = depth.dtype.kind == "f" and depth_scale >= MIN_SCALE_OF_INTEGERS
-    min_depth = MIN_FARTHEST_DEPTH if is_scaled_float else 0.0
-    for part in (depth[::8, ::8], depth):
-        with np.errstate(invalid="ignore"):
-            measured = part[(part > 0) & np.isfinite(part)]
-        if not measured.size:
-            continue
-        low, high = float(measured.min()) / depth_scale, float(measured.max()) / depth_scale
-        if low <= depth_trunc * times and high >= min_depth:
-            return
-    if not measured.size:
-        return
-    given = f"{measured.size:,} of {measured.dtype} {measured.min()}..{measured.max()}"
-    if high < min_depth:
-        warn_of_units(
-            f"depth_scale: all depths are within {MIN_FARTHEST_DEPTH:g} m: {given}, divided by {depth_scale:g}. Leave "
-            "depth_scale out if the floats are meters"
-        )
-        return
-    unit_text = "meters" if depth.dtype.kind == "f" and depth_scale == 1 else f"{depth_scale:g} units per meter"
-    if depth.dtype.kind == "f":
-        remedy = "for floats in millimeters, pass depth_scale=1000"
-    elif depth_scale < 1000:
-        remedy = "for integers in millimeters, pass depth_scale=1000"
-    else:
-        remedy = "for TUM images, pass depth_scale=5000" if depth_scale < 5000 else "pass a larger depth_scale"
-    warn_of_units(
-        f"depth_scale, {limit}: no depth remains: {given}, read as {unit_text}, are beyond {depth_trunc:g} m; "
-        f"{remedy}. If the scene is that far away, pass a larger {limit}"
-    )

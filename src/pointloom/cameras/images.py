@@ -21,7 +21,8 @@ from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
 from ..kernels.memory import cast, clone, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
-from .depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX, warn_of_scale
+from .depth_checks import warn_of_scale
+from .depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX
 
 MAX_RAW = 65535  # maximum integer depth
 FLOATS = (wp.float16, float32, float64)

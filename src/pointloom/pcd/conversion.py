@@ -9,7 +9,8 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic, check_pixels
-from ..cameras.depth_range import OPEN3D_DEPTH_MAX, warn_of_scale
+from ..cameras.depth_checks import warn_of_scale
+from ..cameras.depth_range import OPEN3D_DEPTH_MAX
 from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
 from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import check_library, hand_out, library_for, library_of

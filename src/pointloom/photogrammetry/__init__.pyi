@@ -4,6 +4,7 @@ from .depth.estimation import estimate_depth as estimate_depth
 from .depth.evaluation import evaluate_depth as evaluate_depth
 from .depth.network import DepthModel as DepthModel
 from .mvs.depth_bundles import read_depth_bundle as read_depth_bundle
+from .mvs.depth_maps import DepthMaps as DepthMaps
 from .mvs.estimation import estimate_depth_maps as estimate_depth_maps
 from .mvs.filtering import filter_depth_maps as filter_depth_maps
 from .mvs.fusion import fuse_depth_maps as fuse_depth_maps
@@ -32,7 +33,6 @@ from .depth.estimation import DepthEstimate as DepthEstimate
 from .depth.evaluation import DepthErrors as DepthErrors
 from .mvs.depth_bundles import DepthBundle as DepthBundle
 from .mvs.depth_maps import DepthMap as DepthMap
-from .mvs.depth_maps import DepthMaps as DepthMaps
 from .sfm.features import FeatureReport as FeatureReport
 from .sfm.frame_choice import FrameChoice as FrameChoice
 from .sfm.image_positions import ImagePositions as ImagePositions

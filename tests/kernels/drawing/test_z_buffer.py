@@ -156,7 +156,7 @@ def test_a_triangle_larger_than_the_image_covers_it(device):
 
 
 @pytest.mark.parametrize("cull", [False, True])
-def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
+def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull, monkeypatch):
     rng = np.random.default_rng(3)
     sizes = np.repeat([0.02, 0.2, 1.0, 4.0], 20)[:, None, None]
     middles = rng.normal(size=(80, 1, 3)) * [0.5, 0.4, 0.6] + [0, 0, 1.5]
@@ -165,10 +165,12 @@ def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
     points, behind = vectors(device, vertices), None
     for _ in range(3):  # layer behind layer
         words = []
-        in_tiles = ((tri.draw_in_tiles, {"threads": 3 * tri.TILE_SIDE}), (tri.draw_in_tiles, {}))
-        for draw_them, options in ((tri.draw_triangles, {}), *in_tiles):
+        in_tiles = ((tri.draw_in_tiles, 3 * tri.TILE_SIDE), (tri.draw_in_tiles, tri.NUM_THREADS))
+        for draw_them, threads in ((tri.draw_triangles, tri.NUM_THREADS), *in_tiles):
             buffer = DepthBuffer(WIDTH, HEIGHT, device, behind=behind)
-            draw_them(points, triangles, VIEW, buffer, cull=cull, start=7, **options)
+            with monkeypatch.context() as patch:
+                patch.setattr(tri, "NUM_THREADS", threads)
+                draw_them(points, triangles, VIEW, buffer, cull=cull, start=7)
             words.append(memory.download(buffer.words))
         assert np.unique(words[0]).size > 20 and (words[0] == words[1]).all() and (words[0] == words[2]).all()
         behind = buffer.words

@@ -178,10 +178,10 @@ def columns_of(paths: Sequence[FilePath], columns: Sequence[str] | None) -> list
 
 
 def read_points(path: FilePath, columns: Sequence[str] | None = None) -> PointTable:
-    format = FORMATS[Path(path).suffix.lower()]
-    if columns is None:
+    format = FORMATS.get(Path(path).suffix.lower())
+    if format is not None and columns is None:
         return format.read(path)
-    if format.read_columns is None:
+    if format is None or format.read_columns is None or columns is None:
         raise _columns_error(Path(path).suffix)
     return format.read_columns(path, check_columns(columns))
 

@@ -12,7 +12,8 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
-from ...cameras.depth_range import OPEN3D_DEPTH_MAX, UNLIMITED_DEPTH, warn_of_scale
+from ...cameras.depth_checks import warn_of_scale
+from ...cameras.depth_range import OPEN3D_DEPTH_MAX, UNLIMITED_DEPTH
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth, upload_taken
 from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import NUMPY, library_of

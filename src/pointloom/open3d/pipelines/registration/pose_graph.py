@@ -172,7 +172,7 @@ class GlobalOptimizationMethod(Settings):
     _name = ""
 
     @property
-    def _native(self) -> str:
+    def native(self) -> str:
         return self._name
 
     def OptimizePoseGraph(
