@@ -9,7 +9,8 @@ from pointloom import registration as reg
 
 from .poses import as_pose
 
-METHODS = ("LevenbergMarquardt", "GaussNewton")
+METHODS = ("LevenbergMarquardt", "GaussNewton")  # of Open3D
+NAMES = dict(zip(METHODS, ("levenberg-marquardt", "gauss-newton"), strict=True))
 TIGHT = {"min_relative_increment": 1e-10, "min_relative_residual_increment": 1e-13}
 TIGHT |= {"min_right_term": 1e-12, "min_residual": 1e-14}
 CORRESPONDENCES = (100, 400)
@@ -57,9 +58,6 @@ def ring(count, seed, *, noise=0.003, loops=None, outliers=0, certain=False) -> 
     return SimpleNamespace(true=np.array(true), poses=np.array(poses), edges=edges, wrong=list(wrong))
 
 
-METHODS = {"LevenbergMarquardt": "levenberg-marquardt", "GaussNewton": "gauss-newton"}  # by Open3D's name
-
-
 def to_graph(scene) -> reg.PoseGraph:
     edges = [reg.PoseGraphEdge(*edge[:4], uncertain=edge[4]) for edge in scene.edges]
     return reg.PoseGraph([reg.PoseGraphNode(T) for T in scene.poses], edges)
@@ -68,7 +66,7 @@ def to_graph(scene) -> reg.PoseGraph:
 def solve(scene, method="LevenbergMarquardt", distance=0.05, reference=0, **criteria) -> reg.PoseGraph:
     option = reg.GlobalOptimizationOption(distance, reference_node=reference)
     rules = reg.GlobalOptimizationConvergenceCriteria(**criteria)
-    return reg.global_optimization(to_graph(scene), METHODS[method], rules, option)
+    return reg.global_optimization(to_graph(scene), NAMES[method], rules, option)
 
 
 def poses_of(graph) -> np.ndarray:

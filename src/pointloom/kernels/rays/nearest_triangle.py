@@ -48,6 +48,7 @@ from .triangle_bounds import MIN_SQDIST, bound_distance, load_corners, sqdist_at
 from .triangle_tree import LEAF_NUMBERS, LEAF_SIZE, MAX_LEVEL, TriangleTree, level_keys
 
 BYTE_MASK = 255
+BYTE_MASK_64 = 255  # in 64 bits
 CHILD_MASK = 7  # the bits of a child's index
 NO_CHILD = 0x7FFFFFFF  # above the bits of any distance
 SQDIST_ENLARGEMENT = 1.000002  # as triangle_bounds.BOX_SQDIST_FACTOR, plus the rounding of this product
@@ -125,7 +126,7 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
     sqdist = float64(-1.0)  # and the exact one if it was needed
     level = tree.root
     node = 0
-    pending = int64(BYTE_MASK) << byte_shift(level)  # one byte per level from 1 on: pending children
+    pending = int64(BYTE_MASK_64) << byte_shift(level)  # one byte per level from 1 on: pending children
     distance = distance_of_child(tree, level, node, BYTE_MASK, q, searching, INFINITY)
     above = float(INFINITY)  # distances of the node of level 1
     while ballot(searching) != 0:

@@ -63,7 +63,9 @@ class TransformationEstimation:
                 )
 
     @staticmethod
-    def point_to_point(with_scaling: bool = False, kernel: RobustKernel = MIN_SQUARES) -> TransformationEstimation:
+    def point_to_point(
+        with_scaling: bool = False, kernel: RobustKernel = MIN_SQUARES
+    ) -> TransformationEstimationPointToPoint:
         """Minimize squared point distances in closed form (Horn 1987). With scale as Umeyama 1991.
 
         Args:
