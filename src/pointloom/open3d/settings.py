@@ -19,6 +19,8 @@ class Settings(Wrapper):
     the class in place of the first field is copied.
     """
 
+    _internal = ("native_keywords",)
+
     def __post_init__(self) -> None:
         first = next(iter(dataclasses.fields(self)), None)
         other = getattr(self, first.name) if first else None

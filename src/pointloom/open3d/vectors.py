@@ -18,6 +18,8 @@ class Vector(HintedNames):
     As in Open3D, an array taken before the length changed keeps the old rows.
     """
 
+    _internal = ("refill",)
+
     _row: ClassVar[tuple[int, ...]] = ()  # shape of an element
     _dtype: ClassVar[Any] = np.float64
     _element: ClassVar[str] = ""  # name printed by Open3D

@@ -70,6 +70,8 @@ class _SharedVector:
 class Wrapper(KnownNames):
     """An Open3D object around a pointloom object."""
 
+    _internal = ("native_kind", "vector", "assign")
+
     _kind: ClassVar[Any] = None  # the pointloom class
     _wrapped: Any
     _shared: dict[str, _SharedVector]

@@ -10,6 +10,8 @@ from .geometry import Geometry3D
 
 
 class BoundedByBoxes(Geometry3D):
+    _internal = ("assigned_points",)
+
     def assigned_points(self) -> NDArray[np.float64] | None:
         """The memory of the points if they were assigned or handed out, with their float64 coordinates."""
         shared = self._shared.get(next(iter(self._arrays)))

@@ -43,6 +43,8 @@ class Lengths(Value):
 
 
 class BoundingBox(Geometry3D):
+    _internal = ("parts", "set_parts")
+
     _fields: tuple[str, ...] = ()
     _edited: dict[str, Row] | None = None  # assigned since the last conversion
 

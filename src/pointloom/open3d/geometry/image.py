@@ -27,6 +27,8 @@ GRAY_WEIGHTS = np.array([0.2990, 0.5870, 0.1140], np.float32)
 class Image(HintedNames):
     """An image, uint8, uint16 or float32, (h, w) or (h, w, c); `np.asarray(image)` is its memory."""
 
+    _internal = ("refill", "gray_floats")
+
     Type = GeometryType
 
     def __init__(self, image: ArrayLike | Image | None = None):

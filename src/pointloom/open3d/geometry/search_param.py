@@ -17,6 +17,8 @@ class SearchType(enum.IntEnum):
 class KDTreeSearchParam(HintedNames):
     """Base class: search by number, by radius, or by both."""
 
+    _internal = ("native_keywords",)
+
     Type = SearchType
     _fields: tuple[str, ...] = ()
     _type = SearchType.KNNSearch
@@ -35,6 +37,8 @@ class KDTreeSearchParam(HintedNames):
 class KDTreeSearchParamKNN(KDTreeSearchParam):
     """The nearest `knn`: pointloom's `max_nn=knn`."""
 
+    _internal = ("native_keywords",)
+
     _fields = ("knn",)
 
     def __init__(self, knn: int = 30):
@@ -47,6 +51,8 @@ class KDTreeSearchParamKNN(KDTreeSearchParam):
 class KDTreeSearchParamRadius(KDTreeSearchParam):
     """All within a radius: pointloom's `radius=radius, max_nn=None`."""
 
+    _internal = ("native_keywords",)
+
     _fields, _type = ("radius",), SearchType.RadiusSearch
 
     def __init__(self, radius: float):
@@ -58,6 +64,8 @@ class KDTreeSearchParamRadius(KDTreeSearchParam):
 
 class KDTreeSearchParamHybrid(KDTreeSearchParam):
     """The nearest `max_nn` within a radius: pointloom's `radius=radius, max_nn=max_nn`."""
+
+    _internal = ("native_keywords",)
 
     _fields, _type = ("radius", "max_nn"), SearchType.HybridSearch
 

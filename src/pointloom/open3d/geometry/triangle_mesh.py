@@ -155,6 +155,8 @@ class TriangleNormals(MeshFactories):
     follow the mesh until its arrays are written to.
     """
 
+    _internal = ("face_rows",)
+
     _arrays: ClassVar = {"vertices": "points", "vertex_normals": "normals", "triangle_normals": "normals"}
     _faces: Any = None
 

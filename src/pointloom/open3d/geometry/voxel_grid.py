@@ -53,6 +53,8 @@ class Voxel(KnownNames):
 class VoxelGrid(PlainWrapper, Geometry3D):
     """Occupied voxels with colors, sorted by index. Voxel (0, 0, 0) begins at `origin`, its axes are `rotation`."""
 
+    _internal = ("from_cells", "cells_and_colors")
+
     VoxelPoolingMode = VoxelPoolingMode
     _kind = voxel_grid.VoxelGrid
 

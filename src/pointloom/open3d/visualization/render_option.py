@@ -58,6 +58,8 @@ IGNORED = OTHER_KEYS.keys() | FILE_VERSION.keys()  # keys of a file that are not
 
 @dataclass(eq=False, repr=False)
 class RenderOption(KnownNames):
+    _internal = ("state",)
+
     background_color: Any = field(default_factory=lambda: np.ones(3))
     point_size: float = 5.0
     line_width: float = 1.0

@@ -34,6 +34,8 @@ class ViewControl(HintedNames):
     continue from the view last set by the program.
     """
 
+    _internal = ("show_box", "view", "configured_view", "look_from")
+
     def __init__(self):
         self.size, self.page_view = (1920, 1080), _no_view
         self.show_box(EMPTY_SCENE_BOUNDS)

@@ -46,6 +46,8 @@ class Visualizer(KnownNames):
     rendered, and `run` and `poll_events` end after 60 frames. Without a display an image is written, as by `loom.draw`.
     """
 
+    _internal = ("on_opened", "style_of")
+
     viewer: Viewer | None  # the page, if one is open
     geometries: dict[str, Any]  # displayed ones by name
     styles: dict[str, dict[str, Any]]  # of some geometries by name

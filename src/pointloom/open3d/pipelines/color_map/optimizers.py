@@ -22,6 +22,8 @@ from ...wrapper import unwrap
 class RigidOptimizerOption(Settings):
     """Options of `run_rigid_optimizer`. Nothing is written to `debug_output_dir`."""
 
+    _internal = ("native_keywords",)
+
     _kind = options.ColorMapOption
     maximum_iteration: Any = 0
     maximum_allowable_depth: float = 2.5

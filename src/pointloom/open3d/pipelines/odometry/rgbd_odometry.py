@@ -19,6 +19,8 @@ from ...wrapper import IDENTITY_POSE, unwrap
 
 @dataclass(eq=False, repr=False)
 class OdometryOption(Settings):
+    _internal = ("native_keywords",)
+
     _kind = options.OdometryOption
     iteration_number_per_pyramid_level: Any = field(default_factory=lambda: IntVector([20, 10, 5]))
     depth_diff_max: float = 0.03

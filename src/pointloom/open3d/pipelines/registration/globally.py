@@ -48,6 +48,8 @@ class RANSACLimits(NamedTuple):
 class RANSACConvergenceCriteria(Settings):
     """Limits of RANSAC. A confidence outside 0 to 1 is clipped, as in Open3D: before 0.12 it was a count."""
 
+    _internal = ("native_keywords",)
+
     _kind = RANSACLimits
     max_iteration: Any = 100000
     confidence: float = 0.999
@@ -306,6 +308,8 @@ def get_information_matrix_from_point_clouds(
 
 class Feature(KnownNames):
     """Features of the points of a cloud: `data` has one column per point, float64 (dimension, n)."""
+
+    _internal = ("from_rows",)
 
     _data: NDArray[np.float64]
 

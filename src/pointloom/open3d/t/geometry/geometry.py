@@ -22,6 +22,8 @@ class Geometry(KnownNames):
     attributes in `_fixed`.
     """
 
+    _internal = ("map_tensors",)
+
     _parts: ClassVar[tuple[str, ...]] = ()
     _home: Device
 

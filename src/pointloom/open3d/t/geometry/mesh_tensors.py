@@ -32,6 +32,8 @@ class MeshTensors(Geometry):
     The names "normals" and "colors" of vertices and "texture_uvs" of triangles have a meaning. Others are attributes.
     """
 
+    _internal = ("surface", "texture", "set_texture", "textured", "map_tensors", "set_native")
+
     _parts: ClassVar = ("vertex", "triangle")
     _fixed = ("vertex", "triangle")
     vertex: TensorMap

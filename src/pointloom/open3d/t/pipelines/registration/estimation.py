@@ -123,6 +123,8 @@ class TransformationEstimationForDopplerICP(_DopplerFields):
     The source needs the attribute "dopplers" [m/s]; "directions" are those of its points without it.
     """
 
+    _internal = ("native_keywords",)
+
     _kind = estimation.TransformationEstimationForDopplerICP
 
     def __init__(self, *fields: Any, **named: Any):
