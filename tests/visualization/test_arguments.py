@@ -25,7 +25,7 @@ loom.record(path="a.html", fps=10.0, size=(32, 24), max_points=100, max_frames=1
 loom.DetailTree.from_cloud(cloud=cloud)
 loom.DetailTree.from_file(path="scan.ply", attributes=["label"], device="cpu", progress=None)
 loom.DetailTree.sample(path="scan.ply", count=10)
-tree._are_refined(nodes=[0])
+tree.are_refined(nodes=[0])
 tree.colors_of(indices=[0, 1])
 tree.indices_of(i=0)
 tree.node(i=0)

@@ -320,7 +320,7 @@ def test_coarse_ends_of_what_is_drawn_have_larger_points(client, stream, tree):
     tree_numbers = numbers_of(stream)
     sizes = {tree_numbers[node.id]: node.size for node in client.seen()}
     nodes = sorted(sizes)
-    refined = dict(zip(nodes, tree._are_refined(nodes), strict=True))
+    refined = dict(zip(nodes, tree.are_refined(nodes), strict=True))
     assert any(refined.values())
     for i in nodes:
         assert sizes[i] == (stream.point_size if refined[i] else max(stream.point_size, 1.5 * tree.spacings[i]))

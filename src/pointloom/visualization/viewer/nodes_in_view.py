@@ -26,6 +26,8 @@ class NodesInView:
         middles, halves: Center and half side of each node's cube [m], float64 (m, 3) and (m,).
     """
 
+    _internal = ("are_refined",)
+
     counts: NDArray[np.int64]
     spacings: NDArray[np.float64]
     levels: NDArray[Any]
@@ -88,7 +90,7 @@ class NodesInView:
         distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _MIN_DISTANCE_RATIO * halves)
         return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
 
-    def _are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
+    def are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
         """For each drawn node, True if the next level within it is drawn, too; bool (k,)."""
         names = self._names[self._check_nodes(nodes)]
         return np.isin(names, names >> 3)

@@ -342,7 +342,7 @@ class CloudStream:
             self._size = request.size or self._size
             return dict.fromkeys(nodes, self._size)
         self._size = self._fitting_size(nodes, view)
-        wide = np.where(self._tree._are_refined(nodes), 0.0, _DISC_SPACINGS * self._tree.spacings[nodes])
+        wide = np.where(self._tree.are_refined(nodes), 0.0, _DISC_SPACINGS * self._tree.spacings[nodes])
         return dict(zip(nodes, np.maximum(wide, self._size).tolist(), strict=True))
 
     def _fitting_size(self, nodes: list[int], view: View) -> float:
