@@ -329,10 +329,11 @@ class Readback:
         """Discard the sent values, which are outdated."""
         self._is_sent = False
 
-    def read(self) -> NDArray[Any]:
-        """The values at the time of `send` (sync), or the current ones."""
+    def read(self, *, has_waited: bool = False) -> NDArray[Any]:
+        """The values at the time of `send`, or the current ones. Sync unless the stream `has_waited` since."""
         if not self._is_sent:
             return download(self.values)
         with lock_for(self.values.device):
-            wp.synchronize_event(self._event)
+            if not has_waited:
+                wp.synchronize_event(self._event)
             return self._host_view.copy()

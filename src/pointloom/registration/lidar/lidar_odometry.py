@@ -21,9 +21,10 @@ from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.observers import report
 from ...core.serialized import Serialized
+from ...core.time_checks import check_time
 from ...core.units import METRE, common_unit
 from ...kernels.linear_algebra import elementwise, matmul, norm
-from ...kernels.memory import clone, contiguous, download
+from ...kernels.memory import Readback, clone, contiguous, download
 from ...kernels.odometry.deskewing import bound_times, deskew_points
 from ...kernels.odometry.map_aligner import MapAligner
 from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points, thin_successively
@@ -34,6 +35,7 @@ from ...pcd.point_arrays import check_cloud
 from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose, pose_of
 from .deskewing import MIN_TIMES, are_single, check_resolution, point_times, twist_of, warn_of_coarse_times
+from .gaps import ScanClock, costs_more, intervals_between, is_doubtful, loses_overlap, motion_in, poses_on_path
 from .lidar_steps import (
     FIRST_SCAN,
     MAX_REST,
@@ -54,6 +56,7 @@ from .scan_matching import (
     headings,
     match_scan,
     rotated_guesses,
+    search_poses,
     start_guesses,
 )
 
@@ -68,7 +71,9 @@ START_ITERATIONS = 2  # repeated registrations of the second scan, each with a b
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
 MIN_OVERLAP = 0.75  # fitness relative to the previous scan, below which all headings are tried
 UNMATCHED_VOXELS = 0.75  # voxels: farther points of a stationary scan are new
+SEARCH_VOXELS = 1.5  # voxels between the poses of a search along the path; ICP covers two
 PRUNE_FRACTION = 0.1  # of max_range: travel between two prunings of the map
+GAP_FRACTION = 0.5  # of max_range: the longest distance of a search after a gap, as scans must overlap
 
 
 class LidarOdometry(Serialized):
@@ -112,6 +117,8 @@ class LidarOdometry(Serialized):
           headings, also if its overlap drops. If not found, it is reported and keeps the predicted pose. It is added
           only if the next scan fits it and not the map.
         - Undetermined motion, such as along a bare corridor, keeps constant velocity and is reported.
+        - After a gap in the times of the scans, and if a scan fits the map much worse than the last one, the path is
+          searched ahead and behind. Equally good poses, and scans that still fit badly, are reported.
         - While the motion is unknown, an equally good pose along poorly determined directions is reported too.
 
     Example:
@@ -206,14 +213,21 @@ class LidarOdometry(Serialized):
         return summarize_steps(self.steps)
 
     def register(
-        self, scan: PointCloud, timestamps: ArrayLike | None = None, *, prior: ArrayLike | None = None
+        self,
+        scan: PointCloud,
+        timestamps: ArrayLike | None = None,
+        *,
+        time: float | None = None,
+        prior: ArrayLike | None = None,
     ) -> Matrix:
         """Estimate the pose of the next scan.
 
         Args:
-            scan: Points in the sensor's frame. Scans must come at a constant rate.
+            scan: Points in the sensor's frame. Scans should come at a constant rate.
             timestamps: Time of each point, shape [n], in any unit and from any origin. None: the scan's attribute
                 "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time", if any.
+            time: Time of the scan, in the unit of the other scans' times and from any origin: it shows missing
+                scans. None: the first of its point times, if these grow from scan to scan.
             prior: Motion since the last scan, T_last_sensor, shape [4, 4], from wheels or an IMU: the initial pose,
                 kept along undetermined directions. None: constant velocity.
 
@@ -235,15 +249,22 @@ class LidarOdometry(Serialized):
         state = self._known
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
         points = scan.arrays["points"]
+        time = None if time is None else check_time("time", time)
         if self.deskew and times is not None and self._part is None and len(scan) > MIN_POINTS:
             self._part = part_of_interval(points, times, scan.origin, self.interval, are_single(scan, timestamps))
         raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0)
         voxel_map = self._empty_map(scan.device) if state.map is None else state.map
-        motion, has_prior = (state.motion, False) if motion is None else (motion, True)
-        predicted = matmul(self._last_pose(), motion)
-        downsampled = self._downsample(raw, motion)
-        step = self._match(voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion)
-        if raw.times is not None and step.is_sound and step.iterations:
+        has_prior, motion = motion is not None, state.motion if motion is None else motion
+        span = None if time is not None else raw.sent_span()
+        downsampled = self._downsample(raw, motion)  # sync
+        clock, gap = state.clock.next(time, None if span is None else tuple(span.read(has_waited=True)))
+        way = motion if gap <= 1 or has_prior else motion_in(gap, motion, self._max_gap())
+        predicted = matmul(self._last_pose(), way)
+        step = self._match(
+            voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion,
+            path=PathSearch(motion, gap),
+        )  # fmt: skip
+        if raw.times is not None and step.is_sound and step.iterations and step.gap == 1.0:
             if state.first is not None:
                 step, downsampled, voxel_map = self._deskew_start(state.first, raw, step, voxel_map)
             elif state.threshold.error_of(matmul(invert_pose(predicted), step.pose)) > state.threshold.min_motion:
@@ -256,7 +277,7 @@ class LidarOdometry(Serialized):
                 alone = state.rest.scan.map_like(voxel_map, self.max_range)
                 near, beyond = unmatched_by_range(downsampled.dense, alone, step.pose, distance)
                 step = replace(step, rest_change=beyond - near)
-        self._next = self._next_state(step, downsampled, voxel_map, predicted, raw)
+        self._next = self._next_state(step, downsampled, voxel_map, predicted, raw, clock)
         self._next.join(self.max_range)
         self._adopt(self._next)
         report("scan", odometry=self, scan=scan, step=self._steps[-1])
@@ -298,6 +319,7 @@ class LidarOdometry(Serialized):
         *,
         has_prior: bool = False,
         is_start: bool = False,
+        path: PathSearch | None = None,
     ) -> OdometryStep:
         threshold = self._known.threshold
         ends = np.array([step.pose for step in (*self._steps[:1], *self._steps[-1:])])
@@ -310,6 +332,14 @@ class LidarOdometry(Serialized):
         search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
         match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further, search_range)
         step = self._step_of(match, predicted, sigma, has_prior)
+        known = self._last_matched()
+        if path is not None and known is not None and (path.gap != 1.0 or is_doubtful(step, known)):
+            spacing = SEARCH_VOXELS * self.voxel_size
+            poses = path.poses(self._last_pose(), self._max_gap(), spacing)
+            other = search_poses(self._aligner, scan, voxel_map, match, poses) if len(poses) else match
+            found = self._step_of(other, predicted, sigma, has_prior)
+            if found.is_sound or not step.is_sound:
+                step, match = replace(found, gap=path.intervals_to(found.pose, self._last_pose())), other
         searches = (
             WiderSearch(partial(rotated_guesses, predicted, self._last_pose()), disagrees, attrgetter("disagreement")),
             WiderSearch(partial(headings, predicted), self._loses_overlap, attrgetter("cost")),
@@ -319,8 +349,19 @@ class LidarOdometry(Serialized):
                 other = match_scan(self._aligner, scan, voxel_map, predicted, sigma, search.guesses())
                 candidate = self._step_of(other, predicted, sigma, has_prior)
                 if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
-                    step, match = candidate, other
-        return step
+                    step, match = replace(candidate, gap=step.gap), other
+        if path is None or known is None:
+            return step
+        return replace(step, is_doubtful=loses_overlap(step, known) and costs_more(step, known))
+
+    def _last_matched(self) -> OdometryStep | None:
+        """The last step of a scan that was matched with the map."""
+        sound = self._known.sound
+        step = None if sound is None else self._steps[sound[0]]
+        return step if step is not None and step.iterations else None
+
+    def _max_gap(self) -> float:
+        return GAP_FRACTION * self.max_range
 
     def _loses_overlap(self, step: OdometryStep) -> bool:
         """True if the overlap with the map is much less than before, as after a fast rotation."""
@@ -344,7 +385,13 @@ class LidarOdometry(Serialized):
         return replace(step, pose=match.pose, match_error=error)
 
     def _next_state(
-        self, step: OdometryStep, scan: DownsampledScan, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan
+        self,
+        step: OdometryStep,
+        scan: DownsampledScan,
+        voxel_map: VoxelMap,
+        predicted: Matrix,
+        raw: RawScan,
+        clock: ScanClock,
     ) -> MapUpdate:
         """Decide whether a scan is added to the map: it must agree with the map or with the previous scan."""
         state, last_pose, dense = self._known, self._last_pose(), scan.dense
@@ -361,7 +408,7 @@ class LidarOdometry(Serialized):
         if step.status == NO_POINTS:
             parts, pending = (), state.pending
         threshold, first = state.threshold, state.first
-        if step.iterations and step.is_sound:
+        if step.iterations and step.is_sound and step.gap == 1.0:
             threshold = threshold.updated(matmul(invert_pose(predicted), step.pose))
         voxels, position = voxel_map.count, step.pose[:3, 3]
         if step.is_sound:
@@ -373,7 +420,9 @@ class LidarOdometry(Serialized):
         map_error = state.map_error.after(voxels, scan.sparse.size, position, step.match_error)
         if step.status != NO_POINTS:  # without points so far, the next scan is the first
             first = raw.copy() if step.status == FIRST_SCAN else None
-        after = replace(state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first)
+        after = replace(
+            state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first, clock=clock
+        )
         rest = state.rest
         if step.is_sound and (rest is None or not rest.lasts_to(step)):
             rest = Rest(PendingScan(dense, step.pose), step)
@@ -434,6 +483,19 @@ def disagrees(step: OdometryStep) -> bool:
     return step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted
 
 
+class PathSearch(NamedTuple):
+    """A search along the path for a scan after a `gap` in intervals (1.0: none is known) of this `motion` each."""
+
+    motion: Matrix
+    gap: float
+
+    def poses(self, last: Matrix, max_distance: float, spacing: float) -> Matrix:
+        return poses_on_path(last, twist_of(self.motion), self.gap, max_distance, spacing)
+
+    def intervals_to(self, pose: Matrix, last: Matrix) -> float:
+        return intervals_between(last, pose, self.motion) if self.gap == 1.0 else self.gap
+
+
 class WiderSearch(NamedTuple):
     """A search from more guesses for scans that do not fit. It must lower this cost of the match."""
 
@@ -485,11 +547,14 @@ class OdometryState:
     pending: PendingScan | None = None
     map_error: MapError = field(default_factory=MapError)
     rest: Rest | None = None
+    clock: ScanClock = field(default_factory=ScanClock)
 
     def after(self, step: OdometryStep, last_pose: Matrix, pending: PendingScan | None) -> OdometryState:
-        if not step.is_sound:
-            return replace(self, motion=matmul(invert_pose(last_pose), step.pose), pending=pending)
         motion = matmul(invert_pose(last_pose), step.pose)
+        if step.gap > 1:
+            motion = pose_of(twist_of(motion) / step.gap)
+        if not step.is_sound:
+            return replace(self, motion=motion, pending=pending)
         if self.sound is not None and step.index - self.sound[0] > 1 and not step.has_joined:
             gap = step.index - self.sound[0]
             motion = pose_of(twist_of(matmul(invert_pose(self.sound[1]), step.pose)) / gap)
@@ -549,6 +614,14 @@ class RawScan:
         if not np.array_equal(motion, np.eye(4)) and self.times is not None and self._span is not None:
             return deskew_points(self.points, self.times, self.origin, self._span, self.part * twist_of(motion))
         return shift_points(self.points, self.origin)
+
+    def sent_span(self) -> Readback | None:
+        """The first and the last time, being copied to the host; None without times."""
+        if self._span is None:
+            return None
+        readback = Readback(self._span)
+        readback.send()
+        return readback
 
     @cached_property
     def _span(self) -> wp.array | None:

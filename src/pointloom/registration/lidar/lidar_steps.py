@@ -70,6 +70,10 @@ class OdometryStep(AssessedRecord):
         rivals: Translations [m] to equally good poses; searched while the motion is unknown.
         has_prior: True if the prediction was passed to `register`.
         has_joined: True if the scan fits the previous one, which did not fit the map, and both were added.
+        gap: Scan intervals since the last scan by the times of the scans: 1.0 without a gap or if unknown, at most zero
+            if the time does not grow.
+        is_doubtful: True if the scan fits the map much worse than the last one, also where it was searched for along
+            the path.
         far_change: Fraction of unmatched points of the scan's farther half, minus that of its nearer half. Computed
             while the scanner appears stationary.
         rest_change: The same relative to the scan since which the scanner appears stationary.
@@ -95,6 +99,8 @@ class OdometryStep(AssessedRecord):
     rivals: tuple[Direction, ...] = ()
     has_prior: bool = False
     has_joined: bool = False
+    gap: float = 1.0
+    is_doubtful: bool = False
     far_change: float = 0.0
     rest_change: float = 0.0
     covariance: PoseCovariance = field(default_factory=lambda: PoseCovariance(np.zeros((6, 6)), np.zeros(3)))
@@ -109,6 +115,8 @@ class OdometryStep(AssessedRecord):
             f"ICP did not converge within {self.iterations} iterations" if self.is_unsettled else None,
             "the scan does not determine all motions" if self.is_undetermined else None,
             "other poses fit equally well" if self.rivals else None,
+            "the scan fits the map much worse than the last one" if self.is_doubtful and self.is_sound else None,
+            "its time is not after that of the last scan" if self.gap <= 0 else None,
         )
 
     @property
@@ -156,10 +164,13 @@ class OdometrySummary(Report, Assessed):
         undetermined: Scans with an undetermined motion, where the path assumes constant velocity.
         open_motions: That motion, such as "along x". Empty if none.
         undetermined_distance: Path length [m] of these scans.
-        ambiguous: Scans with equally good poses while the motion was unknown.
+        ambiguous: Scans with equally good poses while the motion was unknown, or after a gap.
         rival: Translation [m] from the first of them to the nearest such pose. Empty if none.
         contradicted: Scans that appear stationary with much new content: moving objects may be taken for static.
         resting: Number of scans that appear stationary.
+        gaps: Scans after a gap, by their times.
+        doubtful: Scans that fit the map much worse than those before, which may be off after an unknown gap.
+        out_of_order: Scans whose time is not after that of the scan before.
         sigmas: Standard deviations of the last pose relative to the first scan: rotation [rad] about x, y, z and
             position [m]. Empty without scans.
     """
@@ -180,6 +191,9 @@ class OdometrySummary(Report, Assessed):
     contradicted: tuple[int, ...] = ()
     resting: int = 0
     sigmas: tuple[float, ...] = ()
+    gaps: tuple[int, ...] = ()
+    doubtful: tuple[int, ...] = ()
+    out_of_order: tuple[int, ...] = ()
 
     @property
     def is_contradicted(self) -> bool:
@@ -221,9 +235,20 @@ class OdometrySummary(Report, Assessed):
             length = math.hypot(*self.rival)
             way = _direction(np.array(self.rival) / length)
             reasons.append(
-                f"{len(self.ambiguous)} of the first scans fit equally well {length:.2f} m away along {way} "
-                f"({_scans(self.ambiguous)}), so each motion may be off by that. Start at rest with a smaller "
+                f"{len(self.ambiguous)} of the first scans, or after gaps, fit equally well {length:.2f} m away along "
+                f"{way} ({_scans(self.ambiguous)}), so each motion may be off by that. Start at rest with a smaller "
                 "initial_threshold, or pass priors"
+            )
+        if self.doubtful:
+            reasons.append(
+                f"{len(self.doubtful)} of {count} scans fit the map much worse than those before "
+                f"({_scans(self.doubtful)}): scans may be missing there, and the path may be off. Pass the times of "
+                "the scans, or priors"
+            )
+        if self.out_of_order:
+            reasons.append(
+                f"the times of {len(self.out_of_order)} of {count} scans are not after those before "
+                f"({_scans(self.out_of_order)}). Sort the scans by time, and use one sensor"
             )
         if self.is_contradicted:
             reasons.append(
@@ -257,6 +282,9 @@ class OdometrySummary(Report, Assessed):
                 "ambiguous": self.ambiguous,
                 "rival_m": self.rival or None,
                 "contradicted": self.contradicted,
+                "gaps": self.gaps,
+                "doubtful": self.doubtful,
+                "out_of_order": self.out_of_order,
                 "last_rotation_sigma_deg": [math.degrees(sigma) for sigma in self.sigmas[:3]],
                 "last_position_sigma_m": list(self.sigmas[3:]),
                 **quality(self),
@@ -270,7 +298,10 @@ class OdometrySummary(Report, Assessed):
             fields.append(("fit", fit))
         rows = ("predicted", self.predicted), ("beside map", self.strayed), ("not converged", self.unsettled)
         fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
-        rows = ("fit elsewhere", self.ambiguous), ("contradicted", self.contradicted if self.is_contradicted else ())
+        rows = (
+            ("fit elsewhere", self.ambiguous), ("contradicted", self.contradicted if self.is_contradicted else ()),
+            ("after gaps", self.gaps), ("doubtful", self.doubtful), ("out of order", self.out_of_order),
+        )  # fmt: skip
         fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
         if self.undetermined:
             where = f"{self.open_motions}, {_scans(self.undetermined)}"
@@ -317,6 +348,9 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         tuple(step.index for step in resting if _is_contradicted(step)),
         len(resting),
         tuple(steps[-1].covariance.sigmas.tolist()) if steps else (),
+        tuple(step.index for step in steps if step.gap > 1),
+        tuple(step.index for step in steps if step.is_doubtful and step.is_sound),
+        tuple(step.index for step in steps if step.gap <= 0),
     )
 
 

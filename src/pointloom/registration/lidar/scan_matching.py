@@ -148,6 +148,34 @@ def match_scan(
     )
 
 
+def search_poses(
+    aligner: MapAligner, scan: DownsampledScan, voxel_map: VoxelMap, first: ScanMatch, poses: Matrix
+) -> ScanMatch:
+    """The match of least cost from `first` and from further `poses` [n, 4, 4], with its rivals."""
+    size, count, few = voxel_map.voxel_size, scan.sparse.size, scan.few()
+    rough = _leg(first.pose, few.size, JUDGED_VOXELS * size, COARSE_KERNEL * size**2, ROUGH_TOLERANCE)
+    legs = [replace(rough, few=True, pose=T) for T in (first.pose, *poses)]
+    aligner.load(scan.sparse, few, voxel_map)
+    reached = [_match_of(*pair, few.size, first.information) for pair in zip(aligner.run(legs)[0], legs, strict=True)]
+    costs = np.array([match.cost if match.is_matched else math.inf for match in reached])  # sync
+    best = reached[int(costs.argmin())]
+    if not best.is_matched:
+        return first
+    leg = _leg(best.pose, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, FINE_TOLERANCE)
+    match = _align(aligner, leg, count)  # sync
+    if not match.is_matched:
+        return first
+    limit = costs.min() + RIVAL_RISE * (costs[np.isfinite(costs)].max() - costs.min())
+    rivals: list[Matrix] = []
+    for k in np.argsort(costs, kind="stable"):
+        is_apart = all(_distance(reached[k].pose, T) > RIVAL_VOXELS * size for T in (best.pose, *rivals))
+        if costs[k] < limit and is_apart:
+            rivals.append(reached[k].pose)
+    free, rows = directions_without_surfaces(scan.dense, voxel_map, match.pose)
+    iterations = first.iterations + sum(tried.iterations for tried in reached) + match.iterations
+    return replace(match, iterations=iterations, rivals=tuple(rivals), open=free, rows=rows)
+
+
 def _search_along(
     aligner: MapAligner,
     points: wp.array,
