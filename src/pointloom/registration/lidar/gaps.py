@@ -19,16 +19,18 @@ KNOWN_STEPS = 9  # last time steps, whose median is the interval
 MIN_STEPS = 2  # minimum number of time steps that define an interval
 MIN_GAP = 1.5  # intervals: shorter steps are jitter of the times
 MIN_PART = 0.5  # of the time that a scan spans: point times of the next scan that start earlier begin anew
+SEARCH_VOXELS = 1.5  # voxels between the poses of a search; ICP covers two
 MAX_MISSING = 32  # scans: the longest gap that is searched without times, 3 s of a sensor at 10 Hz
 RANGE_FACTOR = 2.0  # of the predicted distance: the speed may have doubled during a gap
 BACKWARD_FRACTION = 0.25  # of the search distance: the sensor may have turned back
 MAX_SAMPLES = 60  # poses along the path
+AROUND_VOXELS = 15.0  # voxels: radius of the search around a sensor that was at rest
 # Ratio of the mean plane cost to that of the last scan in the map, above which a scan is searched for along the path.
 # Of 16 scans of a real street (64 beams, 0.8 m apart) it is up to 1.1, up to 1.5 if 2 to 4 scans are left out and the
 # pose is right, and 2.8 to 3.6 at wrong poses; 3 to 5 at wrong poses of a synthetic street. 2026-11-29.
 MAX_COST_RATIO = 2.0
 MIN_COST = 0.02  # mean plane cost of a noise-free scan in its map, below which ratios mean little
-MIN_OVERLAP = 0.75  # fitness relative to that scan, likewise
+GAP_OVERLAP = 0.75  # fitness relative to that scan, likewise
 
 
 @dataclass(frozen=True)
@@ -70,25 +72,37 @@ def is_doubtful(step: OdometryStep, known: OdometryStep) -> bool:
 
 
 def loses_overlap(step: OdometryStep, known: OdometryStep) -> bool:
-    return step.fitness < MIN_OVERLAP * known.fitness
+    return step.fitness < GAP_OVERLAP * known.fitness
 
 
 def costs_more(step: OdometryStep, known: OdometryStep) -> bool:
     return step.disagreement > MAX_COST_RATIO * max(known.disagreement, MIN_COST)
 
 
-def poses_on_path(last: Matrix, twist: Matrix, gap: float, max_distance: float, spacing: float) -> Matrix:
-    """Poses [n, 4, 4] `spacing` [m] apart, which the sensor may have reached with the `twist` of one interval.
+def poses_after(last: Matrix, twist: Matrix, gap: float, max_distance: float, spacing: float) -> Matrix:
+    """Poses [n, 4, 4] about `spacing` [m] apart, which the sensor may have reached with the `twist` of one interval.
 
-    Without a known gap, up to MAX_MISSING scans may be missing. Empty if the sensor was at rest.
+    Along the path, or around a sensor at rest. Without a known gap, up to MAX_MISSING scans may be missing.
     """
     speed = float(norm(twist[3:]))  # of one interval
     distance = min((RANGE_FACTOR * gap if gap > 1.0 else MAX_MISSING) * speed, max_distance)
-    if distance < spacing:
-        return np.empty((0, 4, 4))
+    if distance < 2 * spacing:
+        return _poses_around(last, spacing)
     count = math.ceil((1 + BACKWARD_FRACTION) * distance / spacing)
     ways = np.linspace(-BACKWARD_FRACTION * distance, distance, min(count, MAX_SAMPLES)) / speed
     return np.array([matmul(last, pose_of(way * twist)) for way in ways])
+
+
+def _poses_around(last: Matrix, spacing: float) -> Matrix:
+    """A pose moved in the plane of its x and y axes, on a grid within a circle."""
+    radius = math.ceil(AROUND_VOXELS / SEARCH_VOXELS)
+    steps = np.arange(-radius, radius + 1)
+    x, y = (grid.ravel() for grid in np.meshgrid(steps, steps, indexing="ij"))
+    inside = x * x + y * y <= radius * radius
+    poses = np.repeat(last[None], int(inside.sum()), axis=0)
+    shifts = spacing * np.column_stack([x[inside], y[inside], np.zeros(len(poses))])
+    poses[:, :3, 3] += matmul(shifts, last[:3, :3].T)
+    return poses
 
 
 def intervals_between(last: Matrix, pose: Matrix, motion: Matrix) -> float:

@@ -35,7 +35,17 @@ from ...pcd.point_arrays import check_cloud
 from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose, pose_of
 from .deskewing import MIN_TIMES, are_single, check_resolution, point_times, twist_of, warn_of_coarse_times
-from .gaps import ScanClock, costs_more, intervals_between, is_doubtful, loses_overlap, motion_in, poses_on_path
+from .gaps import (
+    GAP_OVERLAP,
+    SEARCH_VOXELS,
+    ScanClock,
+    costs_more,
+    intervals_between,
+    is_doubtful,
+    loses_overlap,
+    motion_in,
+    poses_after,
+)
 from .lidar_steps import (
     FIRST_SCAN,
     MAX_REST,
@@ -71,7 +81,6 @@ START_ITERATIONS = 2  # repeated registrations of the second scan, each with a b
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
 MIN_OVERLAP = 0.75  # fitness relative to the previous scan, below which all headings are tried
 UNMATCHED_VOXELS = 0.75  # voxels: farther points of a stationary scan are new
-SEARCH_VOXELS = 1.5  # voxels between the poses of a search along the path; ICP covers two
 PRUNE_FRACTION = 0.1  # of max_range: travel between two prunings of the map
 GAP_FRACTION = 0.5  # of max_range: the longest distance of a search after a gap, as scans must overlap
 
@@ -332,14 +341,16 @@ class LidarOdometry(Serialized):
         search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
         match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further, search_range)
         step = self._step_of(match, predicted, sigma, has_prior)
-        known = self._last_matched()
+        known = None if path is None or self._known.is_starting(index) else self._last_matched()
         if path is not None and known is not None and (path.gap != 1.0 or is_doubtful(step, known)):
-            spacing = SEARCH_VOXELS * self.voxel_size
-            poses = path.poses(self._last_pose(), self._max_gap(), spacing)
-            other = search_poses(self._aligner, scan, voxel_map, match, poses) if len(poses) else match
+            poses = path.poses(self._last_pose(), self._max_gap(), SEARCH_VOXELS * self.voxel_size)
+            guess, min_fitness = predicted if path.gap > 1 else None, GAP_OVERLAP * known.fitness
+            other = search_poses(self._aligner, scan, voxel_map, match, poses, guess, min_fitness)
             found = self._step_of(other, predicted, sigma, has_prior)
-            if found.is_sound or not step.is_sound:
+            if found.is_sound:
                 step, match = replace(found, gap=path.intervals_to(found.pose, self._last_pose())), other
+                if not is_doubtful(step, known):
+                    return step
         searches = (
             WiderSearch(partial(rotated_guesses, predicted, self._last_pose()), disagrees, attrgetter("disagreement")),
             WiderSearch(partial(headings, predicted), self._loses_overlap, attrgetter("cost")),
@@ -350,7 +361,7 @@ class LidarOdometry(Serialized):
                 candidate = self._step_of(other, predicted, sigma, has_prior)
                 if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
                     step, match = replace(candidate, gap=step.gap), other
-        if path is None or known is None:
+        if known is None:
             return step
         return replace(step, is_doubtful=loses_overlap(step, known) and costs_more(step, known))
 
@@ -490,7 +501,7 @@ class PathSearch(NamedTuple):
     gap: float
 
     def poses(self, last: Matrix, max_distance: float, spacing: float) -> Matrix:
-        return poses_on_path(last, twist_of(self.motion), self.gap, max_distance, spacing)
+        return poses_after(last, twist_of(self.motion), self.gap, max_distance, spacing)
 
     def intervals_to(self, pose: Matrix, last: Matrix) -> float:
         return intervals_between(last, pose, self.motion) if self.gap == 1.0 else self.gap

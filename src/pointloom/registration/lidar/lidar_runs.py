@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_callback, check_numeric, check_shape
@@ -18,12 +18,18 @@ from .lidar_steps import OdometryStep
 
 
 def iterate_odometry(
-    scans: Scans, *, device: DeviceLike = None, columns: Sequence[str] | None = None, **options: Any
+    scans: Scans,
+    *,
+    timestamps: NDArray[np.float64] | None = None,
+    device: DeviceLike = None,
+    columns: Sequence[str] | None = None,
+    **options: Any,
 ) -> Iterator[OdometryStep]:
     """Register scans one by one, and yield each step. Arguments and errors as of `run_odometry`."""
     odometry = LidarOdometry(device=device, **options)
-    for scan in read_scans(scans, device=device, columns=columns):
-        odometry.register(scan)
+    for k, scan in enumerate(read_scans(scans, device=device, columns=columns)):
+        time = None if timestamps is None or k >= len(timestamps) else timestamps[k]  # too few: an error at the end
+        odometry.register(scan, time=time)
         yield odometry.steps[-1]
 
 
@@ -41,7 +47,7 @@ def run_odometry(
     Args:
         scans: A folder in natural order (scan2 before scan10); or files (KITTI's .bin, .ply, .pcd, .las, ...); or
             clouds.
-        timestamps: Time of each scan [s] for the trajectory.
+        timestamps: Time of each scan [s], for gaps between scans and for the trajectory.
         progress: Called with the OdometryStep of each scan.
         device: Device of files and map; None: the CPU, or that of the first cloud.
         columns: Column names of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
@@ -59,12 +65,13 @@ def run_odometry(
         >>> loom.registration.run_odometry([wall, wall], timestamps=[0.0, 0.1]).poses.shape
         (2, 4, 4)
     """
-    if timestamps is not None:
-        check_seconds("timestamps", check_numeric("timestamps", timestamps))
+    times = None if timestamps is None else check_numeric("timestamps", timestamps)
+    if times is not None:
+        check_seconds("timestamps", times)
     poses, report_step = [], check_callback("progress", progress)
-    for step in iterate_odometry(scans, device=device, columns=columns, **options):
+    for step in iterate_odometry(scans, timestamps=times, device=device, columns=columns, **options):
         poses.append(step.pose)
         if report_step is not None:
             report_step(step)
-    times = None if timestamps is None else check_shape("timestamps", timestamps, (len(poses),))
+    times = None if times is None else check_shape("timestamps", times, (len(poses),))
     return Trajectory(np.array(poses).reshape(-1, 4, 4), times)

@@ -234,10 +234,12 @@ class OdometrySummary(Report, Assessed):
         if self.ambiguous:
             length = math.hypot(*self.rival)
             way = _direction(np.array(self.rival) / length)
+            is_later = any(index in self.gaps for index in self.ambiguous)
+            scans = f"{len(self.ambiguous)} of the " + ("scans after gaps" if is_later else "first scans")
+            remedy = "Pass" if is_later else "Start at rest with a smaller initial_threshold, or pass"
             reasons.append(
-                f"{len(self.ambiguous)} of the first scans, or after gaps, fit equally well {length:.2f} m away along "
-                f"{way} ({_scans(self.ambiguous)}), so each motion may be off by that. Start at rest with a smaller "
-                "initial_threshold, or pass priors"
+                f"{scans} fit equally well {length:.2f} m away along {way} ({_scans(self.ambiguous)}), so each motion "
+                f"may be off by that. {remedy} priors"
             )
         if self.doubtful:
             reasons.append(

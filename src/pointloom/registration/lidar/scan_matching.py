@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
-from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, LEG_CONVERGED, LEG_LOST
+from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, LEG_CONVERGED, LEG_LOST, MAX_LEGS
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.surface_patches import compare_surfaces
 from ...kernels.odometry.voxel_map import VoxelMap
@@ -149,31 +149,59 @@ def match_scan(
 
 
 def search_poses(
-    aligner: MapAligner, scan: DownsampledScan, voxel_map: VoxelMap, first: ScanMatch, poses: Matrix
+    aligner: MapAligner,
+    scan: DownsampledScan,
+    voxel_map: VoxelMap,
+    first: ScanMatch,
+    poses: Matrix,
+    guess: Matrix | None,
+    min_fitness: float,
 ) -> ScanMatch:
-    """The match of least cost from `first` and from further `poses` [n, 4, 4], with its rivals."""
+    """The best match from `first` and from further `poses` [n, 4, 4], with its rivals.
+
+    Of about equal ones that is the nearest to a guess, or without one the match of least cost. Rivals have at least
+    this fitness: areas that are new to the map lower it.
+    """
     size, count, few = voxel_map.voxel_size, scan.sparse.size, scan.few()
     rough = _leg(first.pose, few.size, JUDGED_VOXELS * size, COARSE_KERNEL * size**2, ROUGH_TOLERANCE)
-    legs = [replace(rough, few=True, pose=T) for T in (first.pose, *poses)]
     aligner.load(scan.sparse, few, voxel_map)
-    reached = [_match_of(*pair, few.size, first.information) for pair in zip(aligner.run(legs)[0], legs, strict=True)]
-    costs = np.array([match.cost if match.is_matched else math.inf for match in reached])  # sync
-    best = reached[int(costs.argmin())]
-    if not best.is_matched:
+    starts = [replace(rough, few=True, pose=T) for T in (first.pose, *poses)]
+    batches = [starts[k : k + MAX_LEGS] for k in range(0, len(starts), MAX_LEGS)]
+    tried = _distinct([match for legs in batches for match in _matches(aligner, legs, few.size)], size)  # syncs
+    if not tried:
         return first
-    leg = _leg(best.pose, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, FINE_TOLERANCE)
-    match = _align(aligner, leg, count)  # sync
-    if not match.is_matched:
+    leg = _leg(first.pose, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, FINE_TOLERANCE)
+    chances = [match.pose for match in tried[: 1 + MAX_RIVALS]]
+    if guess is not None:
+        chances.append(min(tried, key=lambda match: _distance(match.pose, guess)).pose)
+    finals = _matches(aligner, [replace(leg, pose=T) for T in chances], count)  # sync
+    finals = _distinct(finals, size)
+    if not finals:
         return first
-    limit = costs.min() + RIVAL_RISE * (costs[np.isfinite(costs)].max() - costs.min())
-    rivals: list[Matrix] = []
-    for k in np.argsort(costs, kind="stable"):
-        is_apart = all(_distance(reached[k].pose, T) > RIVAL_VOXELS * size for T in (best.pose, *rivals))
-        if costs[k] < limit and is_apart:
-            rivals.append(reached[k].pose)
-    free, rows = directions_without_surfaces(scan.dense, voxel_map, match.pose)
-    iterations = first.iterations + sum(tried.iterations for tried in reached) + match.iterations
-    return replace(match, iterations=iterations, rivals=tuple(rivals), open=free, rows=rows)
+    limit = RIVAL_COST_RATIOS[guess is not None] * max(finals[0].disagreement, MIN_RIVAL_COST)
+    alike = [match for match in finals if match.disagreement <= limit and match.fitness >= min_fitness] or finals[:1]
+    chosen = alike[0] if guess is None else min(alike, key=lambda match: _distance(match.pose, guess))
+    chosen = _align(aligner, replace(leg, pose=chosen.pose), count)  # sync, for its information
+    free, rows = directions_without_surfaces(scan.dense, voxel_map, chosen.pose)
+    rivals = tuple(match.pose for match in alike if _distance(match.pose, chosen.pose) > RIVAL_VOXELS * size)
+    return replace(chosen, iterations=first.iterations + chosen.iterations, rivals=rivals, open=free, rows=rows)
+
+
+def _matches(aligner: MapAligner, legs: Sequence[Leg], count: int) -> list[ScanMatch]:
+    if not legs:
+        return []
+    reached, information = aligner.run(legs)  # sync
+    matches = [_match_of(*pair, count, information) for pair in zip(reached, legs, strict=True)]
+    return [match for match in matches if match.is_matched]
+
+
+def _distinct(matches: Sequence[ScanMatch], size: float) -> list[ScanMatch]:
+    """The matches by ascending cost, without those at about the same pose as a better one."""
+    kept: list[ScanMatch] = []
+    for match in sorted(matches, key=lambda match: match.cost):
+        if all(_distance(match.pose, other.pose) > RIVAL_VOXELS * size for other in kept):
+            kept.append(match)
+    return kept
 
 
 def _search_along(
@@ -309,6 +337,10 @@ MAX_RIVALS = 4  # examined in detail
 # Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
 # 0.1 to 0.2, since moving scan rings fit better without motion.
 RIVAL_RISE = 0.25
+# Ratios of plane costs up to which poses after an unknown and a known gap are equally good. In streets of equal houses
+# it is up to 1.8. Elsewhere wrong poses had 1.6 to 3.5, or too little fitness (24 to 64 beams, synthetic streets and a
+# real one, 2026-11-29). A known gap proposes the pose, so that others need not be as likely to be reported.
+RIVAL_COST_RATIOS, MIN_RIVAL_COST = (1.5, 2.0), 0.02
 RIVAL_SEEN = 0.75  # minimum ratio of points with a plane, compared with the best pose: floors may be out of range
 MIN_SEEN = 0.5  # minimum ratio to the maximum over all poses: few points match well at the map border
 ROUNDING_MARGIN = 1e-6  # relative margin for rounding: undecided matrices are decided by their eigenvalues

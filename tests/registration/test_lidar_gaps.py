@@ -1,0 +1,184 @@
+"""LiDAR odometry after missing scans: the path is right, or reported."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.registration import LidarOdometry
+from pointloom.registration.lidar.deskewing import twist_of
+from pointloom.registration.lidar.gaps import MIN_GAP, ScanClock, intervals_between, motion_in, poses_after
+from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
+
+from .poses import as_pose
+
+SPEED = 0.5  # [m] per scan
+BEFORE, AFTER = 7, 4  # scans before and after a gap
+
+
+def sensor_rays(beams=24, azimuths=300):
+    rise, angle = np.radians(np.linspace(-22, 14, beams)), np.radians(np.arange(azimuths) * 360 / azimuths)
+    e, a = (grid.ravel() for grid in np.meshgrid(rise, angle, indexing="ij"))
+    return np.column_stack([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+
+
+def street_of(boxes):
+    """A scene of boxes (two corners each) beside a road along x."""
+    unit = loom.TriangleMesh.create_box(1, 1, 1)
+    corners, triangles = np.asarray(unit.vertices), np.asarray(unit.triangles)
+    boxes = [((-200, -40, -2), (200, 40, -1.8)), *boxes]
+    vertices = np.vstack([np.array(low) + corners * (np.array(high, float) - low) for low, high in boxes])
+    scene = loom.RaycastingScene()
+    scene.add_triangles(loom.TriangleMesh(vertices, np.vstack([triangles + 8 * k for k in range(len(boxes))])))
+    return scene
+
+
+def random_street(seed):
+    rng, boxes = np.random.default_rng(seed), []
+    for i in range(26):
+        x = -60 + 6 * i + rng.uniform(0, 2)
+        for side in (-1, 1):
+            y, (w, d, h) = side * rng.uniform(7, 12), rng.uniform((2, 2, 2), (4.5, 6, 8))
+            boxes.append(((x, min(y, y + side * d), -1.8), (x + w, max(y, y + side * d), -1.8 + h)))
+    return street_of(boxes)
+
+
+def street_of_equal_houses(period):
+    return street_of(
+        ((x, min(9 * side, 13 * side), -1.8), (x + period / 2, max(9 * side, 13 * side), 4.0))
+        for x in np.arange(-120, 200, period)
+        for side in (-1, 1)
+    )
+
+
+def scan_at(scene, x, device, seed):
+    rays = sensor_rays()
+    origins = np.tile([x, 0.0, 0.0], (len(rays), 1))
+    t = np.asarray(scene.cast_rays(np.hstack([origins, rays]).astype(np.float32))["t_hit"])
+    seen = np.isfinite(t) & (t < 40)
+    noise = np.random.default_rng(seed).normal(0, 0.01, seen.sum())
+    return loom.PointCloud(rays[seen] * (t[seen] + noise)[:, None], device=device)
+
+
+def drive(scene, device, missing, *, has_times=False, speed_before=SPEED):
+    """Odometry of a drive that lacks scans, and its largest error [m]."""
+    odometry = LidarOdometry(max_range=40.0, min_range=0.5)
+    numbers = [*range(BEFORE), *range(BEFORE + missing, BEFORE + missing + AFTER)]
+    way = np.array([speed_before * min(k, BEFORE - 1) + SPEED * max(k - BEFORE + 1, 0) for k in numbers])
+    for number, x in zip(numbers, way, strict=True):
+        odometry.register(scan_at(scene, x, device, number), time=100 + 0.1 * number if has_times else None)
+    return odometry, np.abs(odometry.poses[:, 0, 3] - way).max()
+
+
+@pytest.mark.parametrize("has_times", [False, True])
+@pytest.mark.parametrize("missing", [8, 20])
+def test_the_path_is_right_after_missing_scans(device, missing, has_times):
+    odometry, error = drive(random_street(7), device, missing, has_times=has_times)
+    assert error < 0.1 and odometry.summary.reliable
+    assert odometry.summary.gaps == (BEFORE,)
+    assert odometry.steps[BEFORE].gap == pytest.approx(missing + 1, rel=0.02)
+
+
+def test_a_drive_that_began_in_a_gap_is_found(device):
+    odometry, error = drive(random_street(3), device, 5, speed_before=0.0)
+    assert error < 0.1 or not odometry.summary.reliable
+    assert error < 0.1
+
+
+def test_a_gap_too_long_to_be_searched_is_reported(device):
+    odometry, error = drive(random_street(1), device, 70)
+    assert error > 5 and not odometry.summary.reliable
+
+
+def test_equal_houses_after_a_known_gap_are_reported_as_ambiguous(device):
+    odometry, error = drive(street_of_equal_houses(6.0), device, 8, has_times=True)
+    summary = odometry.summary
+    assert summary.ambiguous == (BEFORE,) and not summary.reliable
+    assert "1 of the scans after gaps fit equally well 6.0" in summary.warnings[0]
+    assert error < 0.1  # of equal poses, the nearest to that of constant velocity
+
+
+def test_a_drive_without_gaps_is_not_changed_by_times(device):
+    scene = random_street(0)
+    timed, untimed = (drive(scene, device, 0, has_times=has_times)[0] for has_times in (True, False))
+    np.testing.assert_array_equal(timed.poses, untimed.poses)
+    assert timed.summary.gaps == timed.summary.doubtful == ()
+
+
+def test_times_that_run_backward_or_repeat_are_reported(device):
+    scene = random_street(0)
+    odometry = LidarOdometry(max_range=40.0, min_range=0.5)
+    for k, time in enumerate((0.0, 0.1, 0.2, 0.3, 0.25, 0.5, 0.5)):
+        odometry.register(scan_at(scene, SPEED * k, device, k), time=time)
+    summary = odometry.summary
+    assert summary.out_of_order == (4, 6) and not summary.reliable
+    assert "the times of 2 of 7 scans are not after those before (scan 4, 6)" in str(summary.warnings)
+    assert "its time is not after that of the last scan" in odometry.steps[4].warnings
+
+
+def test_point_times_show_gaps_if_they_grow_from_scan_to_scan(device):
+    scene = random_street(7)
+    for is_absolute in (True, False):
+        odometry = LidarOdometry(max_range=40.0, min_range=0.5, interval=0.1)
+        for number in (0, 1, 2, 3, 4, 5, 14, 15):
+            scan = scan_at(scene, SPEED * number, device, number)
+            times = np.linspace(0, 1e-6, len(scan)) + 0.1 * number * is_absolute  # at once: no motion in a scan
+            odometry.register(scan, times)
+        assert odometry.steps[6].gap == pytest.approx(9.0, rel=0.02)  # by its times, else by its motion
+        assert abs(odometry.poses[-1, 0, 3] - 15 * SPEED) < 0.1 and odometry.summary.reliable
+
+
+@pytest.mark.parametrize("time", [np.nan, np.inf, "noon", [0.0, 1.0]])
+def test_a_time_is_a_finite_number(device, time):
+    with pytest.raises((ValueError, TypeError), match="time"):
+        LidarOdometry().register(loom.PointCloud([[10.0, 0, 0]], device=device), time=time)
+
+
+def test_the_clock_learns_the_interval():
+    clock, gaps = ScanClock(), []
+    for time in (0.0, 0.1, 0.21, 0.3, 0.4, 0.9, 1.0):
+        clock, gap = clock.next(time, None)
+        gaps.append(gap)
+    assert gaps[:5] == [1.0] * 5 and gaps[5] == pytest.approx(5.0, rel=0.1) and gaps[6] == 1.0
+    same, gap = clock.next(0.5, None)
+    assert same is clock and gap < 0
+    assert clock.next(None, None) == (clock, 1.0)
+
+
+def test_point_times_from_the_start_of_each_scan_are_no_clock():
+    clock = ScanClock()
+    for start in (0.0, 0.0, 1e-4, 2e-4, -1e-4):
+        clock, gap = clock.next(None, (start, 0.1))
+        assert gap == 1.0
+    assert clock.steps == ()
+    assert ScanClock().next(None, (np.inf, -np.inf)) == (ScanClock(), 1.0)  # no measured points
+
+
+def test_poses_after_a_gap_follow_the_screw_of_the_motion():
+    motion = as_pose([0, 0, 0.02], [1.0, 0, 0])
+    poses = poses_after(np.eye(4), twist_of(motion), 1.0, 50.0, 1.5)
+    nearest = np.abs(poses - motion_in(10.0, motion, 50.0)).max(axis=(1, 2)).min()
+    assert nearest < 0.8  # half a spacing
+    assert poses[:, 0, 3].min() < -5 and np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1).max() < 1.6
+    around = poses_after(np.eye(4), np.zeros(6), 1.0, 50.0, 1.5)
+    assert len(around) > 100 and np.ptp(around[:, 1, 3]) > 20 and not np.ptp(around[:, 2, 3])
+
+
+def test_intervals_of_a_motion():
+    motion = as_pose(shift=[0.5, 0, 0])
+    assert intervals_between(np.eye(4), as_pose(shift=[4.5, 0, 0]), motion) == pytest.approx(9.0)
+    assert intervals_between(np.eye(4), as_pose(shift=[0.5 * MIN_GAP - 0.01, 0, 0]), motion) == 1.0
+    assert intervals_between(np.eye(4), as_pose(shift=[4.5, 0, 0]), np.eye(4)) == 1.0
+
+
+def test_a_scan_that_fits_much_worse_is_reported():
+    steps = [
+        OdometryStep(
+            index=k, pose=np.eye(4), threshold=1.0, inliers=10, fitness=0.9, inlier_rmse=0.1, iterations=3,
+            converged=True, is_predicted=False, status="converged", is_doubtful=k == 1,
+        )
+        for k in range(3)
+    ]  # fmt: skip
+    summary = summarize_steps(steps)
+    assert summary.doubtful == (1,) and not summary.reliable
+    assert "1 of 3 scans fit the map much worse than those before (scan 1)" in summary.warnings[0]
+    assert summary.to_dict()["doubtful"] == [1] and ("doubtful", "1: scan 1") in summary.fields()
