@@ -10,7 +10,7 @@ import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE, refuse
+from .options import FILE, option, refuse
 from .toolbox import Number
 
 METHODS = ("poisson", "ball", "alpha")
@@ -55,21 +55,18 @@ QUANTILE_TYPE = Number("a fraction from 0 and below 1", lambda number: 0 <= numb
 
 
 @click.command(short_help="Reconstruct a surface from a cloud.")
-@click.option("--method", type=click.Choice(METHODS), default="poisson", show_default=True, help="Method, see above.")
-@click.option("--depth", type=click.IntRange(2, 20), metavar="N", help="poisson: octree depth. Default: 8.")
-@click.option(
-    "--density-quantile",
-    type=QUANTILE_TYPE,
-    metavar="Q",
-    help="poisson: remove this fraction of the vertices, with the lowest density. Default: 0.01 if the surface "
+@option("--method", click.Choice(METHODS), "Method, see above.", default="poisson")
+@option("--depth=N", click.IntRange(2, 20), "poisson: octree depth. Default: 8.")
+@option(
+    "--density-quantile=Q",
+    QUANTILE_TYPE,
+    "poisson: remove this fraction of the vertices, with the lowest density. Default: 0.01 if the surface "
     "extends beyond the points, else 0.",
 )
-@click.option("--radii", type=Lengths(), metavar="A,B,...", help="ball: radii [m]. Default: from the point spacing.")
-@click.option(
-    "--alpha", type=LengthOrAuto(), metavar="M|auto", help="alpha: radius [m]. Default: from the point spacing."
-)
-@click.option("--new-normals", is_flag=True, help="Estimate new normals even if IN has normals.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Also render the mesh.")
+@option("--radii=A,B,...", Lengths(), "ball: radii [m]. Default: from the point spacing.")
+@option("--alpha=M|auto", LengthOrAuto(), "alpha: radius [m]. Default: from the point spacing.")
+@option("--new-normals", bool, "Estimate new normals even if IN has normals.")
+@option("--picture=PNG", FILE, "Also render the mesh.")
 @from_cloud_to_cloud()
 def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: Any) -> Answer:
     """Reconstruct a surface from the cloud IN, and write it to OUT (.ply .obj .stl .off .glb .gltf).
