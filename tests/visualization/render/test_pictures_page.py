@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-PAGE = Path(__file__).parents[3] / "docs" / "images.md"
+PAGE = Path(__file__).parents[3] / "docs" / "pictures.md"
 
 
 @pytest.mark.slow
