@@ -10,8 +10,7 @@ import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE, option, refuse
-from .toolbox import Number
+from .options import FILE, Number, is_positive, option, refuse
 
 METHODS = ("poisson", "ball", "alpha")
 
@@ -34,21 +33,11 @@ class Lengths(click.ParamType):
         return lengths
 
 
-class LengthOrAuto(click.ParamType):
+class LengthOrAuto(Number):
     """A length [m], or auto."""
 
-    name = "meters"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
-        if value == "auto":
-            return value
-        try:
-            number = float(value)
-        except ValueError:
-            number = math.nan
-        if not (math.isfinite(number) and number > 0):
-            self.fail(f"expected a length in meters above 0, or auto, got {value!r}", param, ctx)
-        return number
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        return value if value == "auto" else super().convert(value, param, ctx)
 
 
 QUANTILE_TYPE = Number("a fraction from 0 and below 1", lambda number: 0 <= number < 1)
@@ -64,7 +53,11 @@ QUANTILE_TYPE = Number("a fraction from 0 and below 1", lambda number: 0 <= numb
     "extends beyond the points, else 0.",
 )
 @option("--radii=A,B,...", Lengths(), "ball: radii [m]. Default: from the point spacing.")
-@option("--alpha=M|auto", LengthOrAuto(), "alpha: radius [m]. Default: from the point spacing.")
+@option(
+    "--alpha=M|auto",
+    LengthOrAuto("a length in meters above 0, or auto", is_positive),
+    "alpha: radius [m]. Default: from the point spacing.",
+)
 @option("--new-normals", bool, "Estimate new normals even if IN has normals.")
 @option("--picture=PNG", FILE, "Also render the mesh.")
 @from_cloud_to_cloud()

@@ -12,8 +12,8 @@ from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .mesh_command import Lengths
-from .options import DEVICE, FILE, FORCE, JSON, LENGTH, UP, check_up, in_order, option, refuse, refuse_same
-from .toolbox import COUNT_TYPE, FACTOR_TYPE, FRACTION_TYPE, SEED_TYPE, Number
+from .options import DEVICE, FILE, FORCE, JSON, LENGTH, UP, Number, check_up, in_order, option, refuse, refuse_same
+from .toolbox import COUNT_TYPE, FACTOR_TYPE, FRACTION_TYPE, SEED_TYPE
 
 AREA_TYPE = Number("an area in square meters above 0", lambda number: 0 < number < math.inf)
 ANY = Number("a finite number", math.isfinite)

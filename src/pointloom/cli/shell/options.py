@@ -18,35 +18,33 @@ from ...visualization.recording.extensions import RECORDINGS
 Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 
-class Length(click.ParamType):
-    """A length [m]: a finite number above 0."""
+class Number(click.ParamType):
+    """A number that fulfills a condition; never NaN."""
 
-    name = "meters"
-    what = "a length in meters above 0"
+    name = "number"
+
+    def __init__(self, expected: str, accepts: Callable[[float], bool], kind: type[int] | type[float] = float):
+        self._expected, self._accepts, self._kind = expected, accepts, kind
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         try:
-            number = float(value)
+            number = self._kind(value)
         except ValueError:
             number = math.nan
-        if not (math.isfinite(number) and number > 0):
-            self.fail(f"expected {self.what}, got {value!r}", param, ctx)
+        if math.isnan(number) or not self._accepts(number):
+            self.fail(f"expected {self._expected}, got {value!r}", param, ctx)
         return number
 
 
-class Scale(Length):
-    name = "number"
-    what = "a number above 0"
+class Word(click.ParamType):
+    """A word that matches a pattern. The existence of what it names is checked later."""
 
-
-class DeviceName(click.ParamType):
-    """The name of a device. Its existence is checked later."""
-
-    name = "device"
+    def __init__(self, name: str, pattern: str, expected: str):
+        self.name, self._pattern, self._expected = name, pattern, expected
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        if not re.fullmatch(r"auto|cpu|cuda(:\d+)?", value):
-            self.fail(f"expected auto, cpu or cuda:N (such as cuda:0), got {value!r}", param, ctx)
+        if not re.fullmatch(self._pattern, value):
+            self.fail(f"expected {self._expected}, got {value!r}", param, ctx)
         return value
 
 
@@ -118,13 +116,18 @@ def in_order(*options: Decorator) -> Decorator:
     return lambda command: functools.reduce(lambda inner, option: option(inner), reversed(options), command)
 
 
-LENGTH = Length()
-SCALE = Scale()
+def is_positive(number: float) -> bool:
+    return 0 < number < math.inf
+
+
+LENGTH = Number("a length in meters above 0", is_positive)
+SCALE = Number("a number above 0", is_positive)
+DEVICE_NAME = Word("device", r"auto|cpu|cuda(:\d+)?", "auto, cpu or cuda:N (such as cuda:0)")
 FILE = CompletedPath(path_type=Path)
 POSES = "The poses: .txt or .tum (TUM), .log (Open3D)."  # one format per extension, in all commands
 
 DEVICE = option(
-    "--device=auto|cpu|cuda:N", DeviceName(), "Compute device. auto: the first GPU, else the CPU.", default="auto"
+    "--device=auto|cpu|cuda:N", DEVICE_NAME, "Compute device. auto: the first GPU, else the CPU.", default="auto"
 )
 JSON = option("--json as_json", bool, "Print only one JSON object on stdout.")
 FORCE = option("--force", bool, "Overwrite existing outputs.")

@@ -17,6 +17,7 @@ from .options import (
     JSON,
     LENGTH,
     POSES,
+    Number,
     in_order,
     option,
     record_option,
@@ -24,7 +25,7 @@ from .options import (
     refuse_same,
 )
 from .pipes import FROM, open_pipes
-from .toolbox import COUNT_TYPE, FACTOR_TYPE, Number
+from .toolbox import COUNT_TYPE, FACTOR_TYPE
 
 STARTS = ("identity", "global")
 MOTIONS = ("x", "y", "z", "roll", "pitch", "yaw")

@@ -12,7 +12,7 @@ import click
 from .answer import answer_with
 from .console import Progress
 from .group import Commands
-from .options import FILE, FORCE, JSON, LENGTH, DeviceName, in_order, option, refuse
+from .options import DEVICE_NAME, FILE, FORCE, JSON, LENGTH, Word, in_order, option, refuse
 
 # Names of src/pointloom/tiling/plan.py, which would import NumPy. A test compares them.
 OUTPUTS = ("laz", "copc")
@@ -56,17 +56,7 @@ class Part(click.ParamType):
         return which, of
 
 
-class TileName(click.ParamType):
-    """3_4: column and row of a tile. Its existence is checked later."""
-
-    name = "tile"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        if not re.fullmatch(r"\d{1,9}_\d{1,9}", value):
-            self.fail(f"expected COLUMN_ROW such as 3_4, got {value!r}", param, ctx)
-        return value
-
-
+TILE_NAME = Word("tile", r"\d{1,9}_\d{1,9}", "COLUMN_ROW such as 3_4")
 FOLDER = click.argument("folder", type=FILE, metavar="DIR")
 COUNT_TYPE = click.IntRange(min=1)
 
@@ -152,8 +142,8 @@ def plan(
 @option("--workers=N", COUNT_TYPE, "Run in N local processes (dask.distributed).")
 @option("--scheduler=ADDRESS", str, "Run on the workers of a dask scheduler, such as tcp://host:8786.")
 @option("--part=K/N", Part(), "Only the K-th of N parts of the tiles, for array jobs.")
-@option("--tile name=X_Y", TileName(), "Only this tile, also if it failed.")
-@option("--device=cpu|cuda|cuda:N", DeviceName(), "Device. With cuda, one GPU per worker.", default="cpu")
+@option("--tile name=X_Y", TILE_NAME, "Only this tile, also if it failed.")
+@option("--device=cpu|cuda|cuda:N", DEVICE_NAME, "Device. With cuda, one GPU per worker.", default="cpu")
 @JSON
 def run(
     folder: Path,

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -11,34 +9,16 @@ import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE, LENGTH, option, refuse
+from .options import FILE, LENGTH, Number, is_positive, option, refuse
 
 DEFAULT_NEIGHBORS, DEFAULT_DEVIATIONS = 20, 2.0  # defaults of the statistical filter: Open3D's example
 MAX_POINTS = 2**31 - 2
 MAX_SEED = 2**31 - 1
 
 
-class Number(click.ParamType):
-    """A number that fulfills a condition; never NaN."""
-
-    name = "number"
-
-    def __init__(self, expected: str, accepts: Callable[[float], bool], kind: type[int] | type[float] = float):
-        self._expected, self._accepts, self._kind = expected, accepts, kind
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        try:
-            number = self._kind(value)
-        except ValueError:
-            number = math.nan
-        if math.isnan(number) or not self._accepts(number):
-            self.fail(f"expected {self._expected}, got {value!r}", param, ctx)
-        return number
-
-
 COUNT_TYPE = Number(f"a whole number from 1 to {MAX_POINTS}", lambda number: 1 <= number <= MAX_POINTS, int)
 SEED_TYPE = Number(f"a whole number from 0 to {MAX_SEED}", lambda number: 0 <= number <= MAX_SEED, int)
-FACTOR_TYPE = Number("a finite number above 0", lambda number: 0 < number < math.inf)
+FACTOR_TYPE = Number("a finite number above 0", is_positive)
 FRACTION_TYPE = Number("a fraction above 0 and up to 1", lambda number: 0 < number <= 1)
 COORDINATE = Number("a coordinate in meters, -inf or inf", lambda number: True)
 
