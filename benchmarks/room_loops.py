@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.core.checks import check_count, check_name, check_number
 from pointloom.core.devices import resolve_device
-from pointloom.datasets.scenes.furniture import ROOM_SIZE, furnished_room
+from pointloom.datasets.scenes.furniture import ROOM_SIZE, Paint, furnished_room
 from pointloom.datasets.scenes.room import (
     RoomFrame,
     RoomSequence,
@@ -134,10 +134,10 @@ def person_in(room: Room, T_world_camera: NDArray[np.float64], fraction: float) 
     x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), ROOM_SIZE[0] - 0.35)
     y = min(max(eye[1] + PERSON_AWAY * math.sin(angle), 0.35), ROOM_SIZE[1] - 0.35)
     parts.set_frame(x, y, angle=math.degrees(angle))
-    shirt = {"second": (0.90, 0.86, 0.80), "pattern": (STRIPES_PATTERN, 0.05)}
-    parts.cylinder((0, 0, 1.1), 0.21, 0.72, (0.20, 0.30, 0.55), rounding=0.1, **shirt)
+    shirt = Paint((0.20, 0.30, 0.55), (0.90, 0.86, 0.80), STRIPES_PATTERN, 0.05)
+    parts.cylinder((0, 0, 1.1), 0.21, 0.72, shirt, rounding=0.1)
     parts.cylinder((0, 0, 0.4), 0.16, 0.8, (0.16, 0.17, 0.22), rounding=0.05)
-    parts.sphere((0, 0, 1.6), 0.12, (0.85, 0.66, 0.52), second=(0.30, 0.20, 0.15), pattern=(CHECKER_PATTERN, 0.12))
+    parts.sphere((0, 0, 1.6), 0.12, Paint((0.85, 0.66, 0.52), (0.30, 0.20, 0.15), CHECKER_PATTERN, 0.12))
     return Room(parts.solids(room.device), np.array(parts.paints), np.array(parts.patterns), light=room.light)
 
 

@@ -70,9 +70,9 @@ def test_every_file_of_the_package_in_the_wheel_is_in_the_tree(wheel):
     assert [name for name in inside if not (PACKAGE / name).is_file()] == []
 
 
-def test_the_wheel_contains_types_the_font_with_its_license_and_the_assistant_guide_with_its_chapters(wheel):
+def test_the_wheel_contains_types_colormaps_the_font_with_its_license_and_the_assistant_guide_with_its_chapters(wheel):
     types = ("py.typed", "__init__.pyi", "registration/__init__.pyi")
-    font = ("visualization/render/glyphs.npz", "visualization/render/glyphs.md")
+    font = ("visualization/render/glyphs.npz", "visualization/render/glyphs.md", "visualization/render/colormaps.txt")
     files = (*types, *font, "cli/shell/SKILL.md", "cli/shell/chapters.toml")
     assert {f"pointloom/{name}" for name in files} <= set(wheel.namelist())
 

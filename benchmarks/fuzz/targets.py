@@ -267,6 +267,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "visualization/recording/cell_output.py": OF_PAGE,
     "visualization/recording/shared_player.py": OF_PAGE,
     "visualization/recording/writers.py": OF_PAGE,
+    "visualization/render/colormaps.py": OF_PACKAGE,
     "visualization/render/lettering.py": OF_PACKAGE,
     "visualization/render/open3d_views.py": ("view",),
     "visualization/viewer/draw.py": OF_PAGE,

@@ -403,6 +403,7 @@ TRACK = loom.Trajectory(np.eye(4)[None], [0.0])
 SPHERE = loom.TriangleMesh.create_sphere(1.0, 6)
 BRIDGE = o3d.geometry.TriangleMesh.create_box()
 TENSOR = o3d.core.Tensor(np.arange(3))
+TENSOR_CLOUD = o3d.t.geometry.PointCloud(o3d.core.Tensor(np.eye(3)))
 # Name of a file -> a function that writes it.
 WRITERS = {
     **dict.fromkeys(
@@ -426,6 +427,8 @@ WRITERS = {
     "record.gif": record,
     "o.ply": lambda path: o3d.io.write_triangle_mesh(path, BRIDGE),
     "o.pcd": lambda path: o3d.io.write_point_cloud(path, BRIDGE.sample_points_uniformly(20)),
+    **dict.fromkeys(("tensor.ply", "tensor.xyz"), lambda path: o3d.t.io.write_point_cloud(path, TENSOR_CLOUD)),
+    "tensor.stl": lambda path: o3d.t.io.write_triangle_mesh(path, o3d.t.geometry.TriangleMesh.from_legacy(BRIDGE)),
     "o.jpg": lambda path: o3d.io.write_image(path, o3d.geometry.Image(PIXELS)),
     "o.npy": lambda path: TENSOR.save(path),
     "lines.ply": lambda path: o3d.io.write_line_set(path, o3d.geometry.LineSet.create_from_triangle_mesh(BRIDGE)),
@@ -499,3 +502,21 @@ def test_every_writer_follows_the_rules_of_open(name, tmp_path, access):
         assert reader.communicate()[0]
     assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert not [path for path in tmp_path.rglob("*") if path.name.startswith(".")]
+
+
+@pytest.mark.parametrize("exists", [False, True])
+@pytest.mark.parametrize("name", WRITERS)
+def test_a_name_without_extension_is_written_or_the_error_lists_the_extensions(name, exists, tmp_path):
+    """A writer either accepts any name, or names the extension that the format has in WRITERS."""
+    if name.endswith(".tif"):
+        pytest.importorskip("rasterio")
+    path = tmp_path / "output"
+    if exists:
+        path.write_bytes(b"old")
+    try:
+        WRITERS[name](path)
+    except ValueError as error:
+        assert Path(name).suffix.removeprefix(".") in str(error) and "exist" not in str(error)
+        assert (path.read_bytes() == b"old") if exists else not path.exists()
+    else:
+        assert path.stat().st_size

@@ -108,8 +108,11 @@ def test_unknown_and_missing_files_and_other_objects_are_named(tmp_path):
             call(tmp_path / "cloud.abc")
         with pytest.raises(loom.FileError, match=r"cloud\.stl"):
             call(tmp_path / "cloud.stl")
-    with pytest.raises(loom.FileError, match=r"missing\.ply"):
-        loom.read_point_cloud(tmp_path / "missing.ply")
+    with pytest.raises(loom.FileError, match=r"\.xyz .*\.e57$"):  # not .csv and .ptx, which are only read
+        loom.write_point_cloud(tmp_path / "cloud", loom.PointCloud())
+    for missing in ("missing", "missing.ply"):
+        with pytest.raises(loom.FileError, match=f"{missing}: (does not exist|cannot be read)"):
+            loom.read_point_cloud(tmp_path / missing)
     with pytest.raises(loom.FileError):
         loom.write_point_cloud(tmp_path / "no" / "folder" / "cloud.ply", loom.PointCloud())
     with pytest.raises(TypeError, match="cloud:"):

@@ -29,6 +29,15 @@ def is_number(word: bytes) -> bool:
     return _NUMBER.fullmatch(word) is not None
 
 
+def is_float(word: str) -> bool:
+    """True if Python reads the word as a number."""
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
 class AsciiRows:
     """The non-blank lines of a text and their numbers; `first_line` is the line number of the first line, from 1."""
 

@@ -4,22 +4,29 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-from typing import Any, Self
+from types import ModuleType
+from typing import Any, Self, dataclass_transform
 
 import numpy as np
 
 from .wrapper import Wrapper, unwrap
 
 
+@dataclass_transform(eq_default=False, field_specifiers=(dataclasses.field,))
 @dataclasses.dataclass(eq=False, repr=False)
 class Settings(Wrapper):
     """A `Wrapper` of plain fields: the pointloom object is made and validated from them on demand.
 
-    Subclasses set `_kind` and are dataclasses with Open3D's fields and defaults under pointloom's names. An object of
-    the class in place of the first field is copied.
+    Subclasses are dataclasses with Open3D's fields and defaults under pointloom's names. Their pointloom class has the
+    same name, in the module `of`. An object of the class in place of the first field is copied.
     """
 
     _internal = ("native_keywords",)
+
+    def __init_subclass__(cls, of: ModuleType | None = None):
+        super().__init_subclass__()
+        cls._kind = cls._kind if of is None else getattr(of, cls.__name__)
+        dataclasses.dataclass(eq=False, repr=False)(cls)
 
     def __post_init__(self) -> None:
         first = next(iter(dataclasses.fields(self)), None)

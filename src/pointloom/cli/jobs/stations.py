@@ -21,6 +21,7 @@ from ...core.errors import FileError, FilePath
 from ...core.paths import input_path
 from ...core.reports import Fields
 from ...core.wording import few_of
+from ...io.ascii_rows import is_float
 from ...io.optional_imports import import_for
 from ...io.points.e57_stations import Stations, read_stations, write_stations
 from ...registration.stations.observations import ControlPoint, TargetObservation
@@ -204,7 +205,7 @@ def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tupl
         if len(fields) - words not in numbers:
             expected = " or ".join(str(words + n) for n in numbers)
             raise FileError(path, f"expected {expected} fields, got {len(fields)}", where=f"line {line}")
-        if is_first and not any(_is_number(field) for field in fields[words:]):
+        if is_first and not any(is_float(field) for field in fields[words:]):
             is_first = False
             continue
         is_first, empty = False, False
@@ -213,16 +214,8 @@ def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tupl
         raise FileError(path, "contains no rows", remedy="Write one row per target")
 
 
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
 def _numbers(path: FilePath, line: int, fields: Sequence[str]) -> list[float]:
     for field in fields:
-        if not _is_number(field):
+        if not is_float(field):
             raise FileError(path, f"expected a number, got {field!r}", where=f"line {line}")
     return [float(field) for field in fields]

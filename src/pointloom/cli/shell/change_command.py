@@ -11,7 +11,7 @@ from .answer import answer_with
 from .console import Progress
 from .mesh_command import Lengths
 from .mesh_toolbox import ANY
-from .options import FILE, LENGTH, columns_option, device_option, force_option, json_option, refuse, refuse_same
+from .options import COLUMNS, DEVICE, FILE, FORCE, JSON, LENGTH, in_order, option, refuse, refuse_same
 from .registration_commands import RANGE_TYPE
 
 _MEASURE = ("cores", "normal_radii", "cylinder_radius", "max_distance", "registration_error", "orientation")
@@ -20,26 +20,17 @@ _MEASURE = ("cores", "normal_radii", "cylinder_radius", "max_distance", "registr
 @click.command(short_help="Measure change between two surveys.")
 @click.argument("earlier", type=FILE, metavar="A")
 @click.argument("later", type=FILE, metavar="B")
-@click.option("-o", "--output", type=FILE, metavar="OUT", help="Write the core points with their distances.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Render the distances: blue to red, gray if not significant.")
-@click.option("--painted", type=FILE, metavar="FILE", help="Write the points in the colors of --picture.")
-@click.option("--cores", type=LENGTH, metavar="M", help="Cell size of core points [m]. Default: all points.")
-@click.option("--normals", "normal_radii", type=Lengths(), metavar="M,...", help="Radii of normal estimation [m].")
-@click.option("--cylinder", "cylinder_radius", type=LENGTH, metavar="M", help="Radius of the cylinders [m].")
-@click.option("--max-distance", type=LENGTH, metavar="M", help="Length of the cylinders to each side [m].")
-@click.option(
-    "--registration-error", type=RANGE_TYPE, default=0.0, show_default=True, metavar="M",
-    help="Registration error between A and B [m].",
-)  # fmt: skip
-@click.option(
-    "--toward", "orientation", type=ANY, nargs=3, default=(0.0, 0.0, 1.0), show_default=True, metavar="X Y Z",
-    help="Direction of positive distances.",
-)  # fmt: skip
-@click.option("--limit", type=LENGTH, metavar="M", help="Limit of the color scale [m]. Default: from the data.")
-@columns_option()
-@device_option()
-@json_option()
-@force_option()
+@option("-o --output=OUT", FILE, "Write the core points with their distances.")
+@option("--picture=PNG", FILE, "Render the distances: blue to red, gray if not significant.")
+@option("--painted=FILE", FILE, "Write the points in the colors of --picture.")
+@option("--cores=M", LENGTH, "Cell size of core points [m]. Default: all points.")
+@option("--normals normal_radii=M,...", Lengths(), "Radii of normal estimation [m].")
+@option("--cylinder cylinder_radius=M", LENGTH, "Radius of the cylinders [m].")
+@option("--max-distance=M", LENGTH, "Length of the cylinders to each side [m].")
+@option("--registration-error=M", RANGE_TYPE, "Registration error between A and B [m].", default=0.0)
+@option("--toward orientation=X Y Z", ANY, "Direction of positive distances.", nargs=3, default=(0.0, 0.0, 1.0))
+@option("--limit=M", LENGTH, "Limit of the color scale [m]. Default: from the data.")
+@in_order(COLUMNS, DEVICE, JSON, FORCE)
 def change(earlier: Path, later: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Measure the displacement of the surface from A to B, and test its significance.
 

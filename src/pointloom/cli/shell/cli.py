@@ -35,8 +35,8 @@ from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
 from .group import ERROR_CODE, INTERRUPTED_CODE, TERMINATED_CODE, CommandLine, exit_code, report_error
 from .help_commands import VARIABLE
-from .options import FILE, LENGTH, Renamed, columns_option, device_option, force_option, json_option, refuse
-from .pipes import RECORDINGS, from_option, open_pipes
+from .options import COLUMNS, DEVICE, FILE, FORCE, JSON, LENGTH, in_order, option, refuse
+from .pipes import FROM, RECORDINGS, open_pipes
 
 _CONTEXT_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
@@ -110,9 +110,7 @@ for command in (
 
 @cli.command(short_help="Describe the content of files and folders.")
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILE...")
-@from_option()
-@columns_option()
-@json_option()
+@in_order(FROM, COLUMNS, JSON)
 def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] | None, as_json: bool) -> int:
     """Describe the content of each FILE: counts, attributes, bounds, origin, non-finite points.
 
@@ -158,7 +156,7 @@ def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] 
 
 
 @cli.command(short_help="Check this machine: versions, devices, compilers.")
-@json_option()
+@JSON
 def doctor(as_json: bool) -> int:
     """Check this machine: versions, cores, GPUs, and a small kernel of each compiler on each device.
 
@@ -174,11 +172,9 @@ def doctor(as_json: bool) -> int:
 
 
 @cli.command(short_help="Convert a cloud, mesh or recording to another format.")
-@click.option("--topic", metavar="NAME", help="Recordings: topic of the clouds. Default: the only one with clouds.")
-@click.option("--frame", metavar="NAME", help="Recordings: tf frame into which the clouds are transformed.")
-@click.option(
-    "--poses", type=FILE, metavar="POSES", help="Recordings: file with one pose per scan, instead of --frame."
-)
+@option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds.")
+@option("--frame=NAME", str, "Recordings: tf frame into which the clouds are transformed.")
+@option("--poses=POSES", FILE, "Recordings: file with one pose per scan, instead of --frame.")
 @from_cloud_to_cloud(device=False)
 def convert(
     source: Path, output: Path, topic: str | None, frame: str | None, poses: Path | None, **options: Any
@@ -221,22 +217,16 @@ def convert(
 
 
 @cli.command(short_help="Estimate the normals of a cloud.")
-@click.option("--radius", type=LENGTH, metavar="M", help="Maximum distance of neighbors [m]. Default: unlimited.")
-@click.option(
-    "--neighbors",
-    "max_nn",
-    cls=Renamed,
+@option("--radius=M", LENGTH, "Maximum distance of neighbors [m]. Default: unlimited.")
+@option(
+    "--neighbors max_nn=N",
+    click.IntRange(min=3),
+    "Maximum number of neighbors, including the point itself.",
     old="--max-nn",
-    type=click.IntRange(min=3),
     default=30,
-    show_default=True,
-    metavar="N",
-    help="Maximum number of neighbors, including the point itself.",
 )
-@click.option(
-    "--toward", type=float, nargs=3, metavar="X Y Z", help="Orient normals toward this position, such as a scanner."
-)
-@click.option("--direction", type=float, nargs=3, metavar="X Y Z", help="Orient normals along this direction.")
+@option("--toward=X Y Z", float, "Orient normals toward this position, such as a scanner.", nargs=3)
+@option("--direction=X Y Z", float, "Orient normals along this direction.", nargs=3)
 @from_cloud_to_cloud()
 def normals(source: Path, output: Path, **options: Any) -> Answer:
     """Estimate a normal for each point of the cloud IN from its nearest neighbors, and write the cloud to OUT.
@@ -254,35 +244,18 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
 
 
 @cli.command(short_help="Fuse rendered frames of a room. Needs no data.")
-@click.option(
-    "-o",
-    "--output",
-    "folder",
-    type=FILE,
-    default="pointloom-demo",
-    show_default=True,
-    metavar="FOLDER",
-    help="Output folder.",
+@option("-o --output folder=FOLDER", FILE, "Output folder.", default="pointloom-demo")
+@option("--frames frame_count=N", click.IntRange(min=1), "Number of frames.", default=120)
+@option("--voxel voxel_size=M", LENGTH, "Voxel size [m].", default=0.02)
+@option("--seed=N", click.IntRange(min=0), "Random seed of the noise.", default=0)
+@option(
+    "--noise/--no-noise",
+    bool,
+    "Simulate camera noise in depth and color (default), or not.",
+    default=True,
+    show_default=False,
 )
-@click.option(
-    "--frames",
-    "frame_count",
-    type=click.IntRange(min=1),
-    default=120,
-    show_default=True,
-    metavar="N",
-    help="Number of frames.",
-)
-@click.option(
-    "--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Voxel size [m]."
-)
-@click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Random seed of the noise."
-)
-@click.option("--noise/--no-noise", default=True, help="Simulate camera noise in depth and color (default), or not.")
-@device_option()
-@json_option()
-@force_option()
+@in_order(DEVICE, JSON, FORCE)
 def demo(folder: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Render a furnished room as RGB-D frames, fuse them, and compare the mesh with the true surface.
 

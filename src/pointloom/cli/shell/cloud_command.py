@@ -10,19 +10,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from .answer import answer_with
-from .options import (
-    FILE,
-    Decorator,
-    ascii_option,
-    check_up,
-    columns_option,
-    device_option,
-    force_option,
-    json_option,
-    refuse,
-    up_option,
-)
-from .pipes import INPUT, from_option, open_pipes, to_option
+from .options import ASCII, COLUMNS, DEVICE, FILE, FORCE, JSON, UP, check_up, in_order, option, refuse
+from .pipes import FROM, INPUT, TO, open_pipes
 
 if TYPE_CHECKING:
     from ..jobs.job import JobReport
@@ -38,6 +27,15 @@ def from_cloud_to_cloud(
     The function receives source, output, overwrite, as_text, up, `device` and `columns` (if enabled) and its own
     options, and returns its report.
     """
+
+    shared = in_order(
+        click.argument("source", type=FILE, metavar="IN"),
+        click.argument("output", type=FILE, metavar="OUT", required=False),
+        option("-o --output named_output=OUT", FILE, "Output file, instead of the argument OUT."),
+        *([DEVICE] if device else []),
+        *([COLUMNS] if columns else []),
+        *(UP, ASCII, FROM, TO, JSON, FORCE),
+    )
 
     def decorate(function: Callable[..., Answer]) -> Callable[..., int]:
         @functools.wraps(function)
@@ -59,30 +57,7 @@ def from_cloud_to_cloud(
             report = ends.rename(report)
             return answer_with(report, report.title(title), as_json, err=ends.writes_pipe)
 
-        shared: list[Decorator] = [
-            click.argument("source", type=FILE, metavar="IN"),
-            click.argument("output", type=FILE, metavar="OUT", required=False),
-            click.option(
-                "-o",
-                "--output",
-                "named_output",
-                type=FILE,
-                metavar="OUT",
-                help="Output file, instead of the argument OUT.",
-            ),
-            *([device_option()] if device else []),
-            *([columns_option()] if columns else []),
-            up_option(),
-            ascii_option(),
-            from_option(),
-            to_option(),
-            json_option(),
-            force_option(),
-        ]
-        decorated: Callable[..., int] = command
-        for add in reversed(shared):
-            decorated = add(decorated)
-        return decorated
+        return shared(command)
 
     return decorate
 

@@ -10,7 +10,7 @@ import click
 from ...cameras.depth_range import DEPTH_SCALE
 from .answer import answer_with
 from .console import Progress
-from .options import FILE, SCALE, device_option, force_option, json_option, refuse_same
+from .options import DEVICE, FILE, FORCE, JSON, SCALE, in_order, option, refuse_same
 
 # Names of src/pointloom/photogrammetry/depth/presets.py, which would import NumPy. A test compares them.
 PRESETS = (
@@ -22,39 +22,20 @@ PRESETS = (
 
 @click.command(short_help="Convert a photograph to a cloud by a depth network.")
 @click.argument("picture_in", type=FILE, metavar="PICTURE")
-@click.option("--model", type=FILE, required=True, metavar="ONNX", help="ONNX file of the network. Not included.")
-@click.option(
-    "-o", "--output", type=FILE, required=True, metavar="OUT", help="The cloud. A folder if PICTURE is a folder."
+@option("--model=ONNX", FILE, "ONNX file of the network. Not included.", required=True)
+@option("-o --output=OUT", FILE, "The cloud. A folder if PICTURE is a folder.", required=True)
+@option("--preset", click.Choice(PRESETS), "Type of the network.", default=PRESETS[0])
+@option("--intrinsic=JSON", FILE, "The camera. Default: from EXIF, else 60 degrees.")
+@option("--align=FILE", FILE, "Known depth: depth map, distances, or COLMAP model.")
+@option("--depth-scale=N", SCALE, "Stored value of one meter.", default=DEPTH_SCALE)
+@option("--tiles=N", click.IntRange(1, 16), "Number of tiles along the longer side.", default=1)
+@option("--keep-edges", bool, "Keep flying pixels at depth edges.")
+@option("--depth-map=NPY", FILE, "Also write the depth map, float32.")
+@option("--picture=PNG", FILE, "Also render the cloud from the side.")
+@option(
+    "--seed=N", click.IntRange(0, 2**31 - 1), "Random seed of the alignment. Default: 0.", default=0, show_default=False
 )
-@click.option(
-    "--preset", type=click.Choice(PRESETS), default=PRESETS[0], show_default=True, help="Type of the network."
-)
-@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera. Default: from EXIF, else 60 degrees.")
-@click.option("--align", type=FILE, metavar="FILE", help="Known depth: depth map, distances, or COLMAP model.")
-@click.option(
-    "--depth-scale", type=SCALE, default=DEPTH_SCALE, show_default=True, metavar="N", help="Stored value of one meter."
-)
-@click.option(
-    "--tiles",
-    type=click.IntRange(1, 16),
-    default=1,
-    show_default=True,
-    metavar="N",
-    help="Number of tiles along the longer side.",
-)
-@click.option("--keep-edges", is_flag=True, help="Keep flying pixels at depth edges.")
-@click.option("--depth-map", type=FILE, metavar="NPY", help="Also write the depth map, float32.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Also render the cloud from the side.")
-@click.option(
-    "--seed",
-    type=click.IntRange(0, 2**31 - 1),
-    default=0,
-    metavar="N",
-    help="Random seed of the alignment. Default: 0.",
-)
-@device_option()
-@json_option()
-@force_option()
+@in_order(DEVICE, JSON, FORCE)
 def depth(picture_in: Path, model: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Estimate the depth of PICTURE, a PNG or JPEG file or a folder of them, and write colored points to OUT.
 

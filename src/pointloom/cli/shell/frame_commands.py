@@ -10,14 +10,16 @@ import click
 from .answer import answer_with
 from .console import Progress
 from .options import (
+    DEVICE,
     FILE,
+    FORCE,
+    JSON,
     LENGTH,
+    PICTURE,
     POSES,
-    device_option,
-    force_option,
     frame_options,
-    json_option,
-    picture_option,
+    in_order,
+    option,
     record_option,
     refuse,
     refuse_same,
@@ -36,19 +38,15 @@ ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fra
 
 @click.command(short_help="Fuse a folder of posed RGB-D frames into a colored mesh.")
 @click.argument("dataset", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
+@option("-o --output=MESH", FILE, MESH, required=True)
 @frame_options()
-@click.option("--voxel", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Voxel size [m].")
-@click.option("--truncation", type=LENGTH, metavar="M", help="Truncation distance of the TSDF [m]. Default: 4 voxels.")
-@click.option("--refine", is_flag=True, help="Refine each pose against the model of the earlier frames.")
-@click.option(
-    "--trajectory", type=FILE, metavar="POSES", help="Write the poses used: .txt or .tum (TUM), .log (Open3D)."
-)
-@device_option()
-@picture_option()
+@option("--voxel=M", LENGTH, "Voxel size [m].", default=0.02)
+@option("--truncation=M", LENGTH, "Truncation distance of the TSDF [m]. Default: 4 voxels.")
+@option("--refine", bool, "Refine each pose against the model of the earlier frames.")
+@option("--trajectory=POSES", FILE, "Write the poses used: .txt or .tum (TUM), .log (Open3D).")
+@in_order(DEVICE, PICTURE)
 @record_option("the growing surface")
-@json_option()
-@force_option()
+@in_order(JSON, FORCE)
 def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
     """Fuse DATASET, a folder of posed RGB-D frames, into a colored mesh. Without poses use pointloom reconstruct.
 
@@ -85,13 +83,12 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
 
 @click.command(short_help="Estimate the trajectory of an RGB-D camera.")
 @click.argument("frames", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=POSES)
+@option("-o --output=POSES", FILE, POSES, required=True)
 @frame_options(posed=False)
-@click.option("--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help=MODEL_VOXEL)
-@device_option()
+@option("--voxel voxel_size=M", LENGTH, MODEL_VOXEL, default=0.02)
+@DEVICE
 @record_option("the trajectory and the model")
-@json_option()
-@force_option()
+@in_order(JSON, FORCE)
 def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Estimate the camera pose T_world_camera of each of FRAMES, a folder of RGB-D frames. The first frame is the
     world frame.
@@ -123,22 +120,18 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 
 @click.command(short_help="Reconstruct a mesh from RGB-D frames without poses.")
 @click.argument("frames", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
+@option("-o --output=MESH", FILE, MESH, required=True)
 @frame_options(posed=False, depth_max=None)
-@click.option(
-    "--method", type=click.Choice(["slam", "fragments"]), default="slam", show_default=True, help="Method, see above."
-)
-@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help=MESH_VOXEL)
-@click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log (Open3D).")
-@click.option("--work", type=FILE, metavar="DIR", help="Folder for intermediate files. Default: next to the mesh.")
-@click.option("--resume", is_flag=True, help="Reuse the intermediate files of an earlier run.")
-@click.option("--config", type=FILE, metavar="JSON", help="Settings, named as in Open3D's reconstruction system.")
-@click.option("--slac", is_flag=True, help="Also estimate and correct the depth distortion.")
-@device_option()
-@picture_option()
+@option("--method", ["slam", "fragments"], "Method, see above.", default="slam")
+@option("--voxel voxel_size=M", LENGTH, MESH_VOXEL)
+@option("--trajectory=POSES", FILE, "Write the poses: .txt or .tum (TUM), .log (Open3D).")
+@option("--work=DIR", FILE, "Folder for intermediate files. Default: next to the mesh.")
+@option("--resume", bool, "Reuse the intermediate files of an earlier run.")
+@option("--config=JSON", FILE, "Settings, named as in Open3D's reconstruction system.")
+@option("--slac", bool, "Also estimate and correct the depth distortion.")
+@in_order(DEVICE, PICTURE)
 @record_option("the trajectory and the model, or the stages of fragments")
-@json_option()
-@force_option()
+@in_order(JSON, FORCE)
 def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Reconstruct a colored mesh from FRAMES, a folder of RGB-D frames without poses.
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from .console import print_json
-from .options import json_option, refuse
+from .options import JSON, option, refuse
 
 VARIABLE = "_POINTLOOM_COMPLETE"  # by which a shell requests completions
 BUILD = "`make docs` in a checkout builds them"
@@ -16,7 +16,7 @@ BUILD = "`make docs` in a checkout builds them"
 
 @click.command(short_help="Print a script for shell completion.")
 @click.argument("shell", required=False, type=click.Choice(["bash", "zsh", "fish"]), metavar="[bash|zsh|fish]")
-@json_option()
+@JSON
 def completion(shell: str | None, as_json: bool) -> int:
     """Print a script for completion of commands, options, choices, and files by extension with the tab key.
 
@@ -46,9 +46,9 @@ def completion(shell: str | None, as_json: bool) -> int:
 
 @click.command(short_help="Search the documentation.")
 @click.argument("words", nargs=-1, metavar="[WORDS]...")
-@click.option("--open", "opens", is_flag=True, help="Open the first matching page in the browser, if available.")
-@click.option("--skill", is_flag=True, help="Print the guide for coding assistants.")
-@json_option()
+@option("--open opens", bool, "Open the first matching page in the browser, if available.")
+@option("--skill", bool, "Print the guide for coding assistants.")
+@JSON
 def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int:
     """List the chapters of the documentation that contain all WORDS, or have that number. Without words: all chapters.
 

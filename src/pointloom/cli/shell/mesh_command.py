@@ -10,8 +10,7 @@ import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE, refuse
-from .toolbox import Number
+from .options import FILE, Number, is_positive, option, refuse
 
 METHODS = ("poisson", "ball", "alpha")
 
@@ -34,42 +33,33 @@ class Lengths(click.ParamType):
         return lengths
 
 
-class LengthOrAuto(click.ParamType):
+class LengthOrAuto(Number):
     """A length [m], or auto."""
 
-    name = "meters"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
-        if value == "auto":
-            return value
-        try:
-            number = float(value)
-        except ValueError:
-            number = math.nan
-        if not (math.isfinite(number) and number > 0):
-            self.fail(f"expected a length in meters above 0, or auto, got {value!r}", param, ctx)
-        return number
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        return value if value == "auto" else super().convert(value, param, ctx)
 
 
 QUANTILE_TYPE = Number("a fraction from 0 and below 1", lambda number: 0 <= number < 1)
 
 
 @click.command(short_help="Reconstruct a surface from a cloud.")
-@click.option("--method", type=click.Choice(METHODS), default="poisson", show_default=True, help="Method, see above.")
-@click.option("--depth", type=click.IntRange(2, 20), metavar="N", help="poisson: octree depth. Default: 8.")
-@click.option(
-    "--density-quantile",
-    type=QUANTILE_TYPE,
-    metavar="Q",
-    help="poisson: remove this fraction of the vertices, with the lowest density. Default: 0.01 if the surface "
+@option("--method", click.Choice(METHODS), "Method, see above.", default="poisson")
+@option("--depth=N", click.IntRange(2, 20), "poisson: octree depth. Default: 8.")
+@option(
+    "--density-quantile=Q",
+    QUANTILE_TYPE,
+    "poisson: remove this fraction of the vertices, with the lowest density. Default: 0.01 if the surface "
     "extends beyond the points, else 0.",
 )
-@click.option("--radii", type=Lengths(), metavar="A,B,...", help="ball: radii [m]. Default: from the point spacing.")
-@click.option(
-    "--alpha", type=LengthOrAuto(), metavar="M|auto", help="alpha: radius [m]. Default: from the point spacing."
+@option("--radii=A,B,...", Lengths(), "ball: radii [m]. Default: from the point spacing.")
+@option(
+    "--alpha=M|auto",
+    LengthOrAuto("a length in meters above 0, or auto", is_positive),
+    "alpha: radius [m]. Default: from the point spacing.",
 )
-@click.option("--new-normals", is_flag=True, help="Estimate new normals even if IN has normals.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Also render the mesh.")
+@option("--new-normals", bool, "Estimate new normals even if IN has normals.")
+@option("--picture=PNG", FILE, "Also render the mesh.")
 @from_cloud_to_cloud()
 def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: Any) -> Answer:
     """Reconstruct a surface from the cloud IN, and write it to OUT (.ply .obj .stl .off .glb .gltf).

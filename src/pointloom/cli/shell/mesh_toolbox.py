@@ -12,31 +12,20 @@ from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .mesh_command import Lengths
-from .options import (
-    FILE,
-    LENGTH,
-    Renamed,
-    check_up,
-    device_option,
-    force_option,
-    json_option,
-    refuse,
-    refuse_same,
-    up_option,
-)
-from .toolbox import COUNT_TYPE, FACTOR_TYPE, FRACTION_TYPE, SEED_TYPE, Number
+from .options import DEVICE, FILE, FORCE, JSON, LENGTH, UP, Number, check_up, in_order, option, refuse, refuse_same
+from .toolbox import COUNT_TYPE, FACTOR_TYPE, FRACTION_TYPE, SEED_TYPE
 
 AREA_TYPE = Number("an area in square meters above 0", lambda number: 0 < number < math.inf)
 ANY = Number("a finite number", math.isfinite)
 
 
 @click.command("clean-mesh", short_help="Repair a mesh.")
-@click.option("--merge", type=LENGTH, metavar="M", help="Merge vertices closer than this [m].")
-@click.option("--fill", type=LENGTH, metavar="M", help="Fill holes of up to this radius [m].")
-@click.option(
-    "--min-triangles", type=COUNT_TYPE, default=1, metavar="N", help="Remove parts with fewer triangles. Default: 1."
+@option("--merge=M", LENGTH, "Merge vertices closer than this [m].")
+@option("--fill=M", LENGTH, "Fill holes of up to this radius [m].")
+@option(
+    "--min-triangles=N", COUNT_TYPE, "Remove parts with fewer triangles. Default: 1.", default=1, show_default=False
 )
-@click.option("--min-area", type=AREA_TYPE, default=None, metavar="M2", help="Remove parts with a smaller area [m^2].")
+@option("--min-area=M2", AREA_TYPE, "Remove parts with a smaller area [m^2].")
 @from_cloud_to_cloud(columns=False)
 def clean_mesh(source: Path, output: Path, min_area: float | None, **options: Any) -> Answer:
     """Repair the mesh IN, write it to OUT, and report the repairs.
@@ -61,11 +50,11 @@ def clean_mesh(source: Path, output: Path, min_area: float | None, **options: An
 
 
 @click.command(short_help="Reduce the number of triangles of a mesh.")
-@click.option("--triangles", type=COUNT_TYPE, metavar="N", help="Target number of triangles.")
-@click.option("--ratio", type=FRACTION_TYPE, metavar="R", help="Target fraction of the triangles.")
-@click.option("--voxel", type=LENGTH, metavar="M", help="Vertex clustering with this voxel size [m].")
-@click.option("--max-error", type=FACTOR_TYPE, metavar="E", help="Stop if the cost of a step exceeds this.")
-@click.option("--boundary-weight", type=FACTOR_TYPE, metavar="W", help="Weight that preserves borders. Default: 1.")
+@option("--triangles=N", COUNT_TYPE, "Target number of triangles.")
+@option("--ratio=R", FRACTION_TYPE, "Target fraction of the triangles.")
+@option("--voxel=M", LENGTH, "Vertex clustering with this voxel size [m].")
+@option("--max-error=E", FACTOR_TYPE, "Stop if the cost of a step exceeds this.")
+@option("--boundary-weight=W", FACTOR_TYPE, "Weight that preserves borders. Default: 1.")
 @from_cloud_to_cloud(columns=False)
 def simplify(
     source: Path, output: Path, max_error: float | None, boundary_weight: float | None, **options: Any
@@ -97,17 +86,11 @@ def simplify(
 
 
 @click.command("smooth-mesh", short_help="Smooth or sharpen a mesh.")
-@click.option(
-    "--method",
-    type=click.Choice(("taubin", "laplacian", "simple", "sharpen")),
-    default="taubin",
-    show_default=True,
-    help="Method, see above.",
-)
-@click.option("--iterations", type=COUNT_TYPE, default=10, show_default=True, metavar="N", help="Number of iterations.")
-@click.option("--lambda", "lambda_filter", type=FACTOR_TYPE, metavar="L", help="taubin, laplacian: step. Default: 0.5.")
-@click.option("--mu", type=ANY, metavar="MU", help="taubin: inverse step. Default: -0.53.")
-@click.option("--strength", type=FACTOR_TYPE, metavar="S", help="sharpen: strength. Default: 1.")
+@option("--method", ["taubin", "laplacian", "simple", "sharpen"], "Method, see above.", default="taubin")
+@option("--iterations=N", COUNT_TYPE, "Number of iterations.", default=10)
+@option("--lambda lambda_filter=L", FACTOR_TYPE, "taubin, laplacian: step. Default: 0.5.")
+@option("--mu=MU", ANY, "taubin: inverse step. Default: -0.53.")
+@option("--strength=S", FACTOR_TYPE, "sharpen: strength. Default: 1.")
 @from_cloud_to_cloud(columns=False)
 def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answer:
     """Smooth or sharpen the vertices, normals and colors of the mesh IN, and write it to OUT.
@@ -137,10 +120,10 @@ def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answ
 
 
 @click.command("sample-mesh", short_help="Sample points on a mesh.")
-@click.option("--points", "count", type=COUNT_TYPE, required=True, metavar="N", help="Number of points.")
-@click.option("--even", is_flag=True, help="Evenly spaced points (Poisson disk).")
-@click.option("--triangle-normals", is_flag=True, help="Use triangle normals.")
-@click.option("--seed", type=SEED_TYPE, default=0, show_default=True, metavar="N", help="Random seed.")
+@option("--points count=N", COUNT_TYPE, "Number of points.", required=True)
+@option("--even", bool, "Evenly spaced points (Poisson disk).")
+@option("--triangle-normals", bool, "Use triangle normals.")
+@option("--seed=N", SEED_TYPE, "Random seed.", default=0)
 @from_cloud_to_cloud(columns=False)
 def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
     """Sample points uniformly on the surface of the mesh IN, and write them to the cloud OUT.
@@ -160,26 +143,13 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
 @click.command("compare-meshes", short_help="Measure the distances between two meshes.")
 @click.argument("first", type=FILE, metavar="A")
 @click.argument("second", type=FILE, metavar="B")
-@click.option(
-    "--samples",
-    type=COUNT_TYPE,
-    default=100_000,
-    show_default=True,
-    metavar="N",
-    help="Number of samples on each mesh.",
-)
-@click.option("--threshold", "thresholds", type=Lengths(), metavar="A,B,...", help="Thresholds of the F-score [m].")
-@click.option(
-    "--max-distance", "limit", cls=Renamed, old="--max", type=LENGTH, metavar="M",
-    help="Exit code 3 if any distance is larger [m].",
-)  # fmt: skip
-@click.option("--error-map", type=FILE, metavar="OUT", help="Write A, colored by its distance to B.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Render A, colored by its distance to B, with a histogram.")
-@click.option("--seed", type=SEED_TYPE, default=0, show_default=True, metavar="N", help="Random seed.")
-@device_option()
-@up_option()
-@json_option()
-@force_option()
+@option("--samples=N", COUNT_TYPE, "Number of samples on each mesh.", default=100_000)
+@option("--threshold thresholds=A,B,...", Lengths(), "Thresholds of the F-score [m].")
+@option("--max-distance limit=M", LENGTH, "Exit code 3 if any distance is larger [m].", old="--max")
+@option("--error-map=OUT", FILE, "Write A, colored by its distance to B.")
+@option("--picture=PNG", FILE, "Render A, colored by its distance to B, with a histogram.")
+@option("--seed=N", SEED_TYPE, "Random seed.", default=0)
+@in_order(DEVICE, UP, JSON, FORCE)
 def compare_meshes(
     first: Path, second: Path, error_map: Path | None, picture: Path | None, as_json: bool, force: bool, **options: Any
 ) -> int:

@@ -18,35 +18,33 @@ from ...visualization.recording.extensions import RECORDINGS
 Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 
-class Length(click.ParamType):
-    """A length [m]: a finite number above 0."""
+class Number(click.ParamType):
+    """A number that fulfills a condition; never NaN."""
 
-    name = "meters"
-    what = "a length in meters above 0"
+    name = "number"
+
+    def __init__(self, expected: str, accepts: Callable[[float], bool], kind: type[int] | type[float] = float):
+        self._expected, self._accepts, self._kind = expected, accepts, kind
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         try:
-            number = float(value)
+            number = self._kind(value)
         except ValueError:
             number = math.nan
-        if not (math.isfinite(number) and number > 0):
-            self.fail(f"expected {self.what}, got {value!r}", param, ctx)
+        if math.isnan(number) or not self._accepts(number):
+            self.fail(f"expected {self._expected}, got {value!r}", param, ctx)
         return number
 
 
-class Scale(Length):
-    name = "number"
-    what = "a number above 0"
+class Word(click.ParamType):
+    """A word that matches a pattern. The existence of what it names is checked later."""
 
-
-class DeviceName(click.ParamType):
-    """The name of a device. Its existence is checked later."""
-
-    name = "device"
+    def __init__(self, name: str, pattern: str, expected: str):
+        self.name, self._pattern, self._expected = name, pattern, expected
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        if not re.fullmatch(r"auto|cpu|cuda(:\d+)?", value):
-            self.fail(f"expected auto, cpu or cuda:N (such as cuda:0), got {value!r}", param, ctx)
+        if not re.fullmatch(self._pattern, value):
+            self.fail(f"expected {self._expected}, got {value!r}", param, ctx)
         return value
 
 
@@ -87,25 +85,58 @@ class CompletedPath(click.Path):
         return complete_path(metavar, incomplete)
 
 
-LENGTH = Length()
-SCALE = Scale()
+class ColumnNames(click.ParamType):
+    """Column names separated by commas."""
+
+    name = "names"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        return value if isinstance(value, tuple) else tuple(name.strip() for name in value.split(","))
+
+
+def option(names: str, kind: Any, help: str, **attributes: Any) -> Decorator:
+    """An option of a command. Its default, if any, is shown in the help.
+
+    Args:
+        names: The names and the placeholder of the value, such as "-o --output=FILE". A word without dashes is the
+            name of the parameter.
+        kind: Type of the value. `bool`: a flag. A list: the allowed names.
+        help: Help text.
+        attributes: Other parameters of `click.option`. `old` is an earlier name, see `Renamed`.
+    """
+    words, _, metavar = names.partition("=")
+    kind = click.Choice(kind) if isinstance(kind, list) else kind
+    attributes |= {"is_flag": True} if kind is bool else {"type": kind, "metavar": metavar or None}
+    attributes = ({"show_default": True} if "default" in attributes else {}) | attributes
+    return click.option(*words.split(), cls=Renamed if "old" in attributes else None, help=help, **attributes)
+
+
+def in_order(*options: Decorator) -> Decorator:
+    """All options as one decorator, in the order of the help."""
+    return lambda command: functools.reduce(lambda inner, option: option(inner), reversed(options), command)
+
+
+def is_positive(number: float) -> bool:
+    return 0 < number < math.inf
+
+
+LENGTH = Number("a length in meters above 0", is_positive)
+SCALE = Number("a number above 0", is_positive)
+DEVICE_NAME = Word("device", r"auto|cpu|cuda(:\d+)?", "auto, cpu or cuda:N (such as cuda:0)")
 FILE = CompletedPath(path_type=Path)
 POSES = "The poses: .txt or .tum (TUM), .log (Open3D)."  # one format per extension, in all commands
 
-
-def device_option() -> Decorator:
-    text = "Compute device. auto: the first GPU, else the CPU."
-    return click.option(
-        "--device", type=DeviceName(), default="auto", show_default=True, metavar="auto|cpu|cuda:N", help=text
-    )
-
-
-def json_option() -> Decorator:
-    return click.option("--json", "as_json", is_flag=True, help="Print only one JSON object on stdout.")
-
-
-def force_option() -> Decorator:
-    return click.option("--force", is_flag=True, help="Overwrite existing outputs.")
+DEVICE = option(
+    "--device=auto|cpu|cuda:N", DEVICE_NAME, "Compute device. auto: the first GPU, else the CPU.", default="auto"
+)
+JSON = option("--json as_json", bool, "Print only one JSON object on stdout.")
+FORCE = option("--force", bool, "Overwrite existing outputs.")
+PICTURE = option("--picture=PNG", FILE, "Also render the mesh.")
+COLUMNS = option(
+    "--columns=NAMES", ColumnNames(), "Column names of .bin, .csv, .txt, .xyz, such as x,y,z,intensity,ring."
+)
+UP = option("--up", ["y", "z"], "Up axis of the data. .glb and .gltf files are y-up, and z rotates them.", default="y")
+ASCII = option("--ascii as_text", bool, "Write PLY or PCD as text. Default: binary.")
 
 
 def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) -> Decorator:
@@ -114,46 +145,29 @@ def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) ->
     Otherwise also the layout `images` with `--depth-scale`, and recordings with `--topic` and `--color-topic`.
     """
     layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["images"])]
-    scale = click.option(
-        "--depth-scale", type=SCALE, metavar="N", help="Stored value of one meter. Default: that of the data."
-    )
+    scale = option("--depth-scale=N", SCALE, "Stored value of one meter. Default: that of the data.")
     topics = [
-        click.option("--topic", metavar="NAME", help="Recordings: topic of the depth images. Default: the only one."),
-        click.option(
-            "--color-topic", metavar="NAME", help="Recordings: topic of the color images. Default: the only one."
-        ),
+        option("--topic=NAME", str, "Recordings: topic of the depth images. Default: the only one."),
+        option("--color-topic=NAME", str, "Recordings: topic of the color images. Default: the only one."),
     ]
-    missing = click.option(
-        "--skip-missing", is_flag=True, help="Skip frames without an image or with a non-finite pose."
-    )
-    options = [
-        click.option(
-            "--layout", type=click.Choice(layouts), default="auto", show_default=True, help="File layout of the folder."
-        ),
-        click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera. Default: that of the folder."),
+    missing = option("--skip-missing", bool, "Skip frames without an image or with a non-finite pose.")
+    return in_order(
+        option("--layout", click.Choice(layouts), "File layout of the folder.", default="auto"),
+        option("--intrinsic=JSON", FILE, "The camera. Default: that of the folder."),
         *([missing] if posed else [scale, *topics]),
-        click.option(
-            "--every", type=click.IntRange(min=1), default=1, metavar="N", help="Use every N-th frame. Default: 1."
-        ),
-        click.option(
-            "--depth-max",
-            type=LENGTH,
+        option("--every=N", click.IntRange(min=1), "Use every N-th frame. Default: 1.", default=1, show_default=False),
+        option(
+            "--depth-max=M",
+            LENGTH,
+            "Maximum depth [m]." + ("" if depth_max else " Default: from --config, else 4."),
             default=depth_max,
-            show_default=True,
-            metavar="M",
-            help="Maximum depth [m]." + ("" if depth_max else " Default: from --config, else 4."),
         ),
-    ]
-    return lambda command: functools.reduce(lambda inner, option: option(inner), reversed(options), command)
-
-
-def picture_option() -> Decorator:
-    return click.option("--picture", type=FILE, metavar="PNG", help="Also render the mesh.")
+    )
 
 
 def record_option(what: str) -> Decorator:
     text = f"Record {what}: .html (page with player), .gif or .mp4."
-    return click.option("--record", "record_as", type=RecordingFile(), metavar="FILE", help=text)
+    return option("--record record_as=FILE", RecordingFile(), text)
 
 
 def refuse(message: str) -> NoReturn:
@@ -173,30 +187,7 @@ def refuse_same(**files: Path | None) -> None:
             refuse(f"{option} is the same file as {first}, {path}; pass another name")
 
 
-class ColumnNames(click.ParamType):
-    """Column names separated by commas."""
-
-    name = "names"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
-        return value if isinstance(value, tuple) else tuple(name.strip() for name in value.split(","))
-
-
-def columns_option() -> Decorator:
-    text = "Column names of .bin, .csv, .txt, .xyz, such as x,y,z,intensity,ring."
-    return click.option("--columns", type=ColumnNames(), metavar="NAMES", help=text)
-
-
-def up_option() -> Decorator:
-    text = "Up axis of the data. .glb and .gltf files are y-up, and z rotates them."
-    return click.option("--up", type=click.Choice(("y", "z")), default="y", show_default=True, help=text)
-
-
 def check_up(up: str, *paths: Path | None) -> None:
     """Usage error for --up z without effect."""
     if up == "z" and not any(path is not None and path.suffix.lower() in (".glb", ".gltf") for path in paths):
         refuse("--up z requires a .glb or .gltf file")
-
-
-def ascii_option() -> Decorator:
-    return click.option("--ascii", "as_text", is_flag=True, help="Write PLY or PCD as text. Default: binary.")

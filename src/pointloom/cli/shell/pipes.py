@@ -20,7 +20,7 @@ import click
 from ...core.reports import values_of
 from ...core.standard_streams import is_terminal
 from .console import OutputLostError
-from .options import Decorator, refuse
+from .options import option, refuse
 
 INPUT, OUTPUT = "standard input", "standard output"
 
@@ -35,14 +35,8 @@ READ += _MESHES
 WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]
 
 
-def from_option() -> Decorator:
-    text = "Format of standard input, if a file is -."
-    return click.option("--from", "read_as", type=click.Choice(READ), metavar="EXT", help=text)
-
-
-def to_option() -> Decorator:
-    text = "Format of standard output, if OUT is -."
-    return click.option("--to", "write_as", type=click.Choice(WRITTEN), metavar="EXT", help=text)
+FROM = option("--from read_as=EXT", click.Choice(READ), "Format of standard input, if a file is -.")
+TO = option("--to write_as=EXT", click.Choice(WRITTEN), "Format of standard output, if OUT is -.")
 
 
 class Ends(NamedTuple):

@@ -10,20 +10,22 @@ import click
 from .answer import answer_with
 from .console import Progress
 from .options import (
+    COLUMNS,
+    DEVICE,
     FILE,
+    FORCE,
+    JSON,
     LENGTH,
     POSES,
-    Renamed,
-    columns_option,
-    device_option,
-    force_option,
-    json_option,
+    Number,
+    in_order,
+    option,
     record_option,
     refuse,
     refuse_same,
 )
-from .pipes import from_option, open_pipes
-from .toolbox import COUNT_TYPE, FACTOR_TYPE, Number
+from .pipes import FROM, open_pipes
+from .toolbox import COUNT_TYPE, FACTOR_TYPE
 
 STARTS = ("identity", "global")
 MOTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
@@ -33,47 +35,32 @@ RANGE_TYPE = Number("a distance in meters, 0 or above", lambda number: 0 <= numb
 @click.command(short_help="Register one cloud to another.")
 @click.argument("source", type=FILE, metavar="A")
 @click.argument("target", type=FILE, metavar="B")
-@click.option("-o", "--output", type=FILE, metavar="TXT", help="Write the pose as a 4x4 matrix with all digits.")
-@click.option(
-    "--init",
+@option("-o --output=TXT", FILE, "Write the pose as a 4x4 matrix with all digits.")
+@option(
+    "--init=global|identity|FILE",
+    str,
+    "Initial pose: global search, identity, or a file as written by -o.",
     default="global",
-    show_default=True,
-    metavar="global|identity|FILE",
-    help="Initial pose: global search, identity, or a file as written by -o.",
 )
-@click.option(
+@option(
     "--method",
-    type=click.Choice(["point-to-point", "point-to-plane", "symmetric", "generalized", "colored"]),
+    ["point-to-point", "point-to-plane", "symmetric", "generalized", "colored"],
+    "Objective of ICP.",
     default="point-to-plane",
-    show_default=True,
-    help="Objective of ICP.",
 )
-@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size for downsampling both clouds [m].")
-@click.option(
-    "--distance",
-    "max_correspondence_distance",
-    type=LENGTH,
-    metavar="M",
-    help="Maximum correspondence distance [m]. Default: 2 voxels.",
+@option("--voxel voxel_size=M", LENGTH, "Voxel size for downsampling both clouds [m].")
+@option("--distance max_correspondence_distance=M", LENGTH, "Maximum correspondence distance [m]. Default: 2 voxels.")
+@option("--free=LIST", str, "Free motions of A. For example, x,y,z,yaw keeps A level.")
+@option("--prior=FILE", FILE, "Prior pose, in the format of -o.")
+@option(
+    "--prior-sigma=M DEG",
+    (LENGTH, FACTOR_TYPE),
+    "Standard deviations of the prior: translation [m], rotation [degrees].",
 )
-@click.option("--free", metavar="LIST", help="Free motions of A. For example, x,y,z,yaw keeps A level.")
-@click.option("--prior", type=FILE, metavar="FILE", help="Prior pose, in the format of -o.")
-@click.option(
-    "--prior-sigma",
-    type=(LENGTH, FACTOR_TYPE),
-    metavar="M DEG",
-    help="Standard deviations of the prior: translation [m], rotation [degrees].",
-)
-@click.option("--aligned", type=FILE, metavar="FILE", help="Write the aligned cloud A.")
-@click.option(
-    "--picture", type=FILE, metavar="PNG", help="Render A (orange) and B (blue), before (left) and after (right)."
-)
+@option("--aligned=FILE", FILE, "Write the aligned cloud A.")
+@option("--picture=PNG", FILE, "Render A (orange) and B (blue), before (left) and after (right).")
 @record_option("every ICP iteration, A orange and B blue")
-@columns_option()
-@device_option()
-@from_option()
-@json_option()
-@force_option()
+@in_order(COLUMNS, DEVICE, FROM, JSON, FORCE)
 def register(
     source: Path,
     target: Path,
@@ -133,29 +120,20 @@ def _motions(free: str | None, init: str) -> list[str] | None:
 
 @click.command(short_help="Register all clouds of a folder.")
 @click.argument("folder", type=FILE, metavar="DIR")
-@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=POSES)
-@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size for downsampling the clouds [m].")
-@click.option(
-    "--loops",
-    "neighbors",
-    type=COUNT_TYPE,
-    metavar="N",
-    help="Register each cloud with the next N. Default: all if at most 40 clouds, else 5.",
+@option("-o --output=POSES", FILE, POSES, required=True)
+@option("--voxel voxel_size=M", LENGTH, "Voxel size for downsampling the clouds [m].")
+@option(
+    "--loops neighbors=N", COUNT_TYPE, "Register each cloud with the next N. Default: all if at most 40 clouds, else 5."
 )
-@click.option("--level", is_flag=True, help="All clouds are level, as from a leveled scanner.")
-@click.option("--merged", type=FILE, metavar="FILE", help="Write all registered clouds as one.")
-@click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph in Open3D's format.")
-@click.option("--job", type=FILE, metavar="JOB", help="Job folder, which makes the work resumable. See above.")
-@click.option("--workers", type=COUNT_TYPE, metavar="N", help="With --job: number of processes. Default: this process.")
-@click.option(
-    "--places", type=FILE, metavar="FILE", help="With --job: approximate poses for selecting pairs. See above."
-)
-@click.option("--place-error", type=LENGTH, metavar="M", help="Maximum position error of --places [m].")
+@option("--level", bool, "All clouds are level, as from a leveled scanner.")
+@option("--merged=FILE", FILE, "Write all registered clouds as one.")
+@option("--graph=JSON", FILE, "Write the pose graph in Open3D's format.")
+@option("--job=JOB", FILE, "Job folder, which makes the work resumable. See above.")
+@option("--workers=N", COUNT_TYPE, "With --job: number of processes. Default: this process.")
+@option("--places=FILE", FILE, "With --job: approximate poses for selecting pairs. See above.")
+@option("--place-error=M", LENGTH, "Maximum position error of --places [m].")
 @record_option("the pairs and the final poses of the clouds")
-@columns_option()
-@device_option()
-@json_option()
-@force_option()
+@in_order(COLUMNS, DEVICE, JSON, FORCE)
 def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Register the clouds of DIR from any poses, and write T_reference_cloud of each.
 
@@ -207,33 +185,20 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 
 @click.command(short_help="Estimate the trajectory of a LiDAR from its scans.")
 @click.argument("folder", type=FILE, metavar="DIR")
-@click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=f"{POSES[:-1]}, .kitti.")
-@click.option(
+@option("-o --output=POSES", FILE, f"{POSES[:-1]}, .kitti.", required=True)
+@option(
     "--format",
-    type=click.Choice(["kitti", "tum", "log"]),
-    help="Format. Default: by extension, with kitti for .txt. Times of tum are scan numbers.",
+    ["kitti", "tum", "log"],
+    "Format. Default: by extension, with kitti for .txt. Times of tum are scan numbers.",
 )
-@click.option(
-    "--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size of the map [m]. Default: 1% of --max-range."
-)
-@click.option(
-    "--max-range", type=LENGTH, default=100.0, show_default=True, metavar="M", help="Maximum range of used points [m]."
-)
-@click.option(
-    "--min-range",
-    type=RANGE_TYPE,
-    default=5.0,
-    show_default=True,
-    metavar="M",
-    help="Minimum range of used points [m].",
-)
-@click.option("--truth", type=FILE, metavar="FILE", help="True poses of the scanner, for printing the errors.")
-@click.option("--topic", metavar="NAME", help="Recordings: topic of the clouds. Default: the only one with clouds.")
-@columns_option()
+@option("--voxel voxel_size=M", LENGTH, "Voxel size of the map [m]. Default: 1% of --max-range.")
+@option("--max-range=M", LENGTH, "Maximum range of used points [m].", default=100.0)
+@option("--min-range=M", RANGE_TYPE, "Minimum range of used points [m].", default=5.0)
+@option("--truth=FILE", FILE, "True poses of the scanner, for printing the errors.")
+@option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds.")
+@COLUMNS
 @record_option("each scan with the map and the trajectory")
-@device_option()
-@json_option()
-@force_option()
+@in_order(DEVICE, JSON, FORCE)
 def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Register the scans of DIR in sequence, and write the pose of each: T_first_scan.
 
@@ -266,25 +231,18 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @click.command(short_help="Compare a trajectory with the true one.")
 @click.argument("poses", type=FILE, metavar="POSES")
 @click.argument("truth", type=FILE, metavar="TRUTH")
-@click.option(
-    "--alignment",
-    "align",
-    cls=Renamed,
+@option(
+    "--alignment align",
+    ["none", "first", "se3", "sim3"],
+    "Alignment of POSES with TRUTH.",
     old="--align",
-    type=click.Choice(["none", "first", "se3", "sim3"]),
     default="se3",
-    show_default=True,
-    help="Alignment of POSES with TRUTH.",
 )
-@click.option(
-    "--extrinsic",
-    type=FILE,
-    metavar="FILE",
-    help="T_truth_estimate between two sensors of one rig: 4x4 matrix, or KITTI's calib.txt (Tr).",
+@option(
+    "--extrinsic=FILE", FILE, "T_truth_estimate between two sensors of one rig: 4x4 matrix, or KITTI's calib.txt (Tr)."
 )
-@click.option("--picture", type=FILE, metavar="PNG", help="Plot both trajectories and the error along the path.")
-@json_option()
-@force_option()
+@option("--picture=PNG", FILE, "Plot both trajectories and the error along the path.")
+@in_order(JSON, FORCE)
 def evaluate(
     poses: Path, truth: Path, align: str, extrinsic: Path | None, picture: Path | None, as_json: bool, force: bool
 ) -> int:

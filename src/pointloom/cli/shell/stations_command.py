@@ -9,7 +9,7 @@ import click
 
 from .answer import answer_with
 from .console import Progress
-from .options import FILE, LENGTH, device_option, force_option, json_option, refuse, refuse_same
+from .options import DEVICE, FILE, FORCE, JSON, LENGTH, in_order, option, refuse, refuse_same
 from .toolbox import FRACTION_TYPE
 
 LEVEL, ALL = "x,y,z,yaw", "x,y,z,roll,pitch,yaw"
@@ -17,31 +17,16 @@ LEVEL, ALL = "x,y,z,yaw", "x,y,z,roll,pitch,yaw"
 
 @click.command(short_help="Register terrestrial scans, with a survey report.")
 @click.argument("scans", type=FILE, metavar="SCANS.E57")
-@click.option(
-    "-o", "--output", type=FILE, required=True, metavar="E57", help="Write the scans with the estimated poses."
-)
-@click.option("--targets", type=FILE, metavar="CSV", help="Observed targets: station, name, x, y, z, sigma.")
-@click.option(
-    "--control",
-    type=FILE,
-    metavar="CSV",
-    help="Control points: name, x, y, z, sigma. They define the coordinate frame.",
-)
-@click.option("--report", type=FILE, metavar="DIR", help="Folder for report.txt, report.json and plan.png.")
-@click.option(
-    "--free",
-    default=LEVEL,
-    show_default=True,
-    metavar="LIST",
-    help=f"Free motions of each station; {ALL} if scans are not level.",
-)
-@click.option("--no-poses", is_flag=True, help="Ignore the poses of the file, and search all pairs globally.")
-@click.option("--rough", type=LENGTH, metavar="M", help="Maximum error of the poses of the file [m]. Default: 2.")
-@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size for downsampling the scans [m].")
-@click.option("--overlap", type=FRACTION_TYPE, metavar="FRACTION", help="Minimum overlap of a pair. Default: 0.15.")
-@device_option()
-@json_option()
-@force_option()
+@option("-o --output=E57", FILE, "Write the scans with the estimated poses.", required=True)
+@option("--targets=CSV", FILE, "Observed targets: station, name, x, y, z, sigma.")
+@option("--control=CSV", FILE, "Control points: name, x, y, z, sigma. They define the coordinate frame.")
+@option("--report=DIR", FILE, "Folder for report.txt, report.json and plan.png.")
+@option("--free=LIST", str, f"Free motions of each station; {ALL} if scans are not level.", default=LEVEL)
+@option("--no-poses", bool, "Ignore the poses of the file, and search all pairs globally.")
+@option("--rough=M", LENGTH, "Maximum error of the poses of the file [m]. Default: 2.")
+@option("--voxel voxel_size=M", LENGTH, "Voxel size for downsampling the scans [m].")
+@option("--overlap=FRACTION", FRACTION_TYPE, "Minimum overlap of a pair. Default: 0.15.")
+@in_order(DEVICE, JSON, FORCE)
 def stations(scans: Path, free: str, no_poses: bool, as_json: bool, force: bool, **options: Any) -> int:
     """Estimate the poses of the stations of SCANS.E57 (or .ptx) and their accuracy.
 

@@ -10,17 +10,7 @@ from click.core import ParameterSource
 
 from .answer import answer_with
 from .console import Progress
-from .options import (
-    FILE,
-    check_up,
-    device_option,
-    force_option,
-    frame_options,
-    json_option,
-    picture_option,
-    refuse_same,
-    up_option,
-)
+from .options import DEVICE, FILE, FORCE, JSON, PICTURE, UP, check_up, frame_options, in_order, option, refuse_same
 
 METHODS = ("rigid", "non-rigid", "none")
 
@@ -28,28 +18,11 @@ METHODS = ("rigid", "non-rigid", "none")
 @click.command(short_help="Texture a mesh from posed RGB-D frames.")
 @click.argument("mesh", type=FILE)
 @click.argument("frames", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="The colored mesh, .ply .obj .glb .gltf.")
-@click.option(
-    "--method",
-    type=click.Choice(METHODS),
-    default="rigid",
-    show_default=True,
-    help="Optimization of the images, see above.",
-)
-@click.option(
-    "--size",
-    type=click.IntRange(16, 16384),
-    default=2048,
-    show_default=True,
-    metavar="N",
-    help="Texture size [texels].",
-)
+@option("-o --output=OUT", FILE, "The colored mesh, .ply .obj .glb .gltf.", required=True)
+@option("--method", click.Choice(METHODS), "Optimization of the images, see above.", default="rigid")
+@option("--size=N", click.IntRange(16, 16384), "Texture size [texels].", default=2048)
 @frame_options()
-@device_option()
-@up_option()
-@picture_option()
-@json_option()
-@force_option()
+@in_order(DEVICE, UP, PICTURE, JSON, FORCE)
 def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Color MESH from FRAMES, a folder of posed RGB-D frames as of pointloom fuse, and write it to OUT.
 

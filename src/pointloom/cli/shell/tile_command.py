@@ -12,7 +12,7 @@ import click
 from .answer import answer_with
 from .console import Progress
 from .group import Commands
-from .options import FILE, LENGTH, DeviceName, force_option, json_option, refuse
+from .options import DEVICE_NAME, FILE, FORCE, JSON, LENGTH, Word, in_order, option, refuse
 
 # Names of src/pointloom/tiling/plan.py, which would import NumPy. A test compares them.
 OUTPUTS = ("laz", "copc")
@@ -56,17 +56,7 @@ class Part(click.ParamType):
         return which, of
 
 
-class TileName(click.ParamType):
-    """3_4: column and row of a tile. Its existence is checked later."""
-
-    name = "tile"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        if not re.fullmatch(r"\d{1,9}_\d{1,9}", value):
-            self.fail(f"expected COLUMN_ROW such as 3_4, got {value!r}", param, ctx)
-        return value
-
-
+TILE_NAME = Word("tile", r"\d{1,9}_\d{1,9}", "COLUMN_ROW such as 3_4")
 FOLDER = click.argument("folder", type=FILE, metavar="DIR")
 COUNT_TYPE = click.IntRange(min=1)
 
@@ -100,30 +90,16 @@ def tile() -> None:
 
 @tile.command("plan", short_help="Plan the tiles.")
 @click.argument("sources", nargs=-1, required=True, type=FILE, metavar="SOURCES...")
-@click.option("--steps", type=FILE, required=True, metavar="TOML", help="Processing steps: one [[step]] table each.")
-@click.option(
-    "-o", "--folder", "folder", type=FILE, required=True, metavar="DIR", help="Job folder. Created if missing."
-)
-@click.option("--size", type=LENGTH, metavar="M", help="Tile size [m].")
-@click.option(
-    "--points", type=COUNT_TYPE, metavar="N", help="Approximate points per tile. Default without --size: 2 million."
-)
-@click.option(
-    "--only", type=Area(), metavar="AREA", help="Only tiles that intersect X0,Y0,X1,Y1 or a .geojson or .wkt file."
-)
-@click.option(
-    "--only-crs", metavar="CRS", help="CRS of the polygons of --only, such as EPSG:4326. Default: that of the files."
-)
-@click.option("--to-crs", metavar="CRS", help="Reproject points to this projected CRS, such as EPSG:25832.")
-@click.option("--from-crs", metavar="CRS", help="With --to-crs: CRS of the files. Default: from their headers.")
-@click.option(
-    "--output",
-    type=click.Choice(OUTPUTS),
-    default=OUTPUTS[0],
-    show_default=True,
-    help="Output format of `tile finish`.",
-)
-@json_option()
+@option("--steps=TOML", FILE, "Processing steps: one [[step]] table each.", required=True)
+@option("-o --folder folder=DIR", FILE, "Job folder. Created if missing.", required=True)
+@option("--size=M", LENGTH, "Tile size [m].")
+@option("--points=N", COUNT_TYPE, "Approximate points per tile. Default without --size: 2 million.")
+@option("--only=AREA", Area(), "Only tiles that intersect X0,Y0,X1,Y1 or a .geojson or .wkt file.")
+@option("--only-crs=CRS", str, "CRS of the polygons of --only, such as EPSG:4326. Default: that of the files.")
+@option("--to-crs=CRS", str, "Reproject points to this projected CRS, such as EPSG:25832.")
+@option("--from-crs=CRS", str, "With --to-crs: CRS of the files. Default: from their headers.")
+@option("--output", click.Choice(OUTPUTS), "Output format of `tile finish`.", default=OUTPUTS[0])
+@JSON
 def plan(
     sources: tuple[Path, ...],
     folder: Path,
@@ -162,20 +138,13 @@ def plan(
 
 @tile.command("run", short_help="Process the tiles.")
 @FOLDER
-@click.option("--serial", is_flag=True, help="Run in this process (default).")
-@click.option("--workers", type=COUNT_TYPE, metavar="N", help="Run in N local processes (dask.distributed).")
-@click.option("--scheduler", metavar="ADDRESS", help="Run on the workers of a dask scheduler, such as tcp://host:8786.")
-@click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N parts of the tiles, for array jobs.")
-@click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, also if it failed.")
-@click.option(
-    "--device",
-    type=DeviceName(),
-    default="cpu",
-    show_default=True,
-    metavar="cpu|cuda|cuda:N",
-    help="Device. With cuda, one GPU per worker.",
-)
-@json_option()
+@option("--serial", bool, "Run in this process (default).")
+@option("--workers=N", COUNT_TYPE, "Run in N local processes (dask.distributed).")
+@option("--scheduler=ADDRESS", str, "Run on the workers of a dask scheduler, such as tcp://host:8786.")
+@option("--part=K/N", Part(), "Only the K-th of N parts of the tiles, for array jobs.")
+@option("--tile name=X_Y", TILE_NAME, "Only this tile, also if it failed.")
+@option("--device=cpu|cuda|cuda:N", DEVICE_NAME, "Device. With cuda, one GPU per worker.", default="cpu")
+@JSON
 def run(
     folder: Path,
     serial: bool,
@@ -212,8 +181,7 @@ def run(
 
 
 @tile.command("status", short_help="Show the progress of the tiles.")
-@FOLDER
-@json_option()
+@in_order(FOLDER, JSON)
 def status(folder: Path, as_json: bool) -> int:
     """Show the number of waiting, done, failed and quarantined tiles of DIR, also during a run.
 
@@ -229,8 +197,7 @@ def status(folder: Path, as_json: bool) -> int:
 
 
 @tile.command("retry", short_help="Reset failed tiles.")
-@FOLDER
-@json_option()
+@in_order(FOLDER, JSON)
 def retry(folder: Path, as_json: bool) -> int:
     """Reset failed and quarantined tiles and files of DIR to waiting. `tile run` then processes them.
 
@@ -245,11 +212,10 @@ def retry(folder: Path, as_json: bool) -> int:
 
 @tile.command("finish", short_help="Merge all tiles into one file.")
 @FOLDER
-@click.option("-o", "path", type=FILE, metavar="OUT", help="Output file. Default: result.laz in DIR.")
-@click.option("--output", type=click.Choice(FILES), help="Format. Default: by the name of OUT, else the plan.")
-@click.option("--workers", type=COUNT_TYPE, metavar="N", help="Number of processes for copc, 1 GB each.")
-@json_option()
-@force_option()
+@option("-o path=OUT", FILE, "Output file. Default: result.laz in DIR.")
+@option("--output", click.Choice(FILES), "Format. Default: by the name of OUT, else the plan.")
+@option("--workers=N", COUNT_TYPE, "Number of processes for copc, 1 GB each.")
+@in_order(JSON, FORCE)
 def finish(folder: Path, path: Path | None, output: str | None, workers: int | None, as_json: bool, force: bool) -> int:
     """Merge all tiles of DIR into one file after all are done, and remove the intermediate data of the job.
 

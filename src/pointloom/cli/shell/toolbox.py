@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -11,49 +9,33 @@ import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import FILE, LENGTH, Renamed, refuse
+from .options import FILE, LENGTH, Number, is_positive, option, refuse
 
 DEFAULT_NEIGHBORS, DEFAULT_DEVIATIONS = 20, 2.0  # defaults of the statistical filter: Open3D's example
 MAX_POINTS = 2**31 - 2
 MAX_SEED = 2**31 - 1
 
 
-class Number(click.ParamType):
-    """A number that fulfills a condition; never NaN."""
-
-    name = "number"
-
-    def __init__(self, expected: str, accepts: Callable[[float], bool], kind: type[int] | type[float] = float):
-        self._expected, self._accepts, self._kind = expected, accepts, kind
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        try:
-            number = self._kind(value)
-        except ValueError:
-            number = math.nan
-        if math.isnan(number) or not self._accepts(number):
-            self.fail(f"expected {self._expected}, got {value!r}", param, ctx)
-        return number
-
-
 COUNT_TYPE = Number(f"a whole number from 1 to {MAX_POINTS}", lambda number: 1 <= number <= MAX_POINTS, int)
 SEED_TYPE = Number(f"a whole number from 0 to {MAX_SEED}", lambda number: 0 <= number <= MAX_SEED, int)
-FACTOR_TYPE = Number("a finite number above 0", lambda number: 0 < number < math.inf)
+FACTOR_TYPE = Number("a finite number above 0", is_positive)
 FRACTION_TYPE = Number("a fraction above 0 and up to 1", lambda number: 0 < number <= 1)
 COORDINATE = Number("a coordinate in meters, -inf or inf", lambda number: True)
 
 
 @click.command(short_help="Remove outliers, duplicates and non-finite points.")
-@click.option("--non-finite", is_flag=True, help="Remove non-finite points, as every other filter does.")
-@click.option("--duplicates", is_flag=True, help="Remove all but the first point at each position.")
-@click.option("--neighbors", type=COUNT_TYPE, metavar="N", help="Statistical filter: number of neighbors. Default: 20.")
-@click.option(
-    "--deviations", "ratio", cls=Renamed, old="--ratio", type=FACTOR_TYPE, metavar="R",
-    help="Statistical filter: standard deviations above the mean. Default: 2.0.",
-)  # fmt: skip
-@click.option("--radius", type=LENGTH, metavar="M", help="Radius filter: maximum distance of neighbors [m].")
-@click.option("--min-neighbors", type=COUNT_TYPE, metavar="N", help="Radius filter: minimum number of neighbors.")
-@click.option("--removed", type=FILE, metavar="FILE", help="Write the removed points, if any, to this cloud.")
+@option("--non-finite", bool, "Remove non-finite points, as every other filter does.")
+@option("--duplicates", bool, "Remove all but the first point at each position.")
+@option("--neighbors=N", COUNT_TYPE, "Statistical filter: number of neighbors. Default: 20.")
+@option(
+    "--deviations ratio=R",
+    FACTOR_TYPE,
+    "Statistical filter: standard deviations above the mean. Default: 2.0.",
+    old="--ratio",
+)
+@option("--radius=M", LENGTH, "Radius filter: maximum distance of neighbors [m].")
+@option("--min-neighbors=N", COUNT_TYPE, "Radius filter: minimum number of neighbors.")
+@option("--removed=FILE", FILE, "Write the removed points, if any, to this cloud.")
 @from_cloud_to_cloud()
 def clean(
     source: Path,
@@ -100,16 +82,16 @@ def clean(
 
 
 @click.command(short_help="Label the points of a cloud by cluster.")
-@click.option(
-    "--radius", "eps", cls=Renamed, old="--eps", type=LENGTH, required=True, metavar="M",
-    help="Maximum distance of neighbors [m]: eps of DBSCAN.",
-)  # fmt: skip
-@click.option(
-    "--neighbors", "min_points", cls=Renamed, old="--min-points", type=COUNT_TYPE, default=10, show_default=True,
-    metavar="N", help="Minimum neighbors of a core point, including itself.",
-)  # fmt: skip
-@click.option("--largest", type=COUNT_TYPE, metavar="N", help="Keep only the N largest clusters. Default: all points.")
-@click.option("--paint", is_flag=True, help="Color the points by label (tab20, noise black).")
+@option("--radius eps=M", LENGTH, "Maximum distance of neighbors [m]: eps of DBSCAN.", old="--eps", required=True)
+@option(
+    "--neighbors min_points=N",
+    COUNT_TYPE,
+    "Minimum neighbors of a core point, including itself.",
+    old="--min-points",
+    default=10,
+)
+@option("--largest=N", COUNT_TYPE, "Keep only the N largest clusters. Default: all points.")
+@option("--paint", bool, "Color the points by label (tab20, noise black).")
 @from_cloud_to_cloud()
 def cluster(source: Path, output: Path, **options: Any) -> Answer:
     """Cluster the cloud IN by DBSCAN, and write it to OUT with the attribute label (-1 for noise).
@@ -129,18 +111,12 @@ def cluster(source: Path, output: Path, **options: Any) -> Answer:
 
 
 @click.command(short_help="Segment planes of a cloud.")
-@click.option(
-    "--distance", type=LENGTH, required=True, metavar="M", help="Maximum distance of inliers from the plane [m]."
-)
-@click.option(
-    "--iterations", type=COUNT_TYPE, default=1000, show_default=True, metavar="N", help="RANSAC iterations per plane."
-)
-@click.option("--planes", type=COUNT_TYPE, metavar="N", help="Label the points of up to N planes, the largest first.")
-@click.option(
-    "--min-points", type=COUNT_TYPE, metavar="N", help="With --planes: minimum points of a plane. Default: 100."
-)
-@click.option("--invert", is_flag=True, help="Write the points outside the plane.")
-@click.option("--seed", type=SEED_TYPE, default=0, show_default=True, metavar="N", help="Random seed.")
+@option("--distance=M", LENGTH, "Maximum distance of inliers from the plane [m].", required=True)
+@option("--iterations=N", COUNT_TYPE, "RANSAC iterations per plane.", default=1000)
+@option("--planes=N", COUNT_TYPE, "Label the points of up to N planes, the largest first.")
+@option("--min-points=N", COUNT_TYPE, "With --planes: minimum points of a plane. Default: 100.")
+@option("--invert", bool, "Write the points outside the plane.")
+@option("--seed=N", SEED_TYPE, "Random seed.", default=0)
 @from_cloud_to_cloud()
 def plane(
     source: Path, output: Path, planes: int | None, min_points: int | None, invert: bool, **options: Any
@@ -170,11 +146,9 @@ def plane(
 
 
 @click.command(short_help="Keep the points inside a box or polygon.")
-@click.option(
-    "--box", type=COORDINATE, nargs=6, metavar="X0 Y0 Z0 X1 Y1 Z1", help="Minimum and maximum corner [m], inclusive."
-)
-@click.option("--polygon", type=FILE, metavar="JSON", help="Polygon volume in the format of Open3D's viewer.")
-@click.option("--invert", is_flag=True, help="Keep the points outside instead.")
+@option("--box=X0 Y0 Z0 X1 Y1 Z1", COORDINATE, "Minimum and maximum corner [m], inclusive.", nargs=6)
+@option("--polygon=JSON", FILE, "Polygon volume in the format of Open3D's viewer.")
+@option("--invert", bool, "Keep the points outside instead.")
 @from_cloud_to_cloud()
 def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Path | None, **options: Any) -> Answer:
     """Write the points of the cloud IN inside a box or a polygon volume to OUT.
@@ -199,12 +173,12 @@ def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Pat
 
 
 @click.command(short_help="Downsample a cloud.")
-@click.option("--every", type=COUNT_TYPE, metavar="K", help="Keep every K-th point.")
-@click.option("--ratio", type=FRACTION_TYPE, metavar="R", help="Keep this fraction of the points, selected at random.")
-@click.option("--farthest", type=COUNT_TYPE, metavar="N", help="Keep N points by farthest point sampling.")
-@click.option("--voxel", type=LENGTH, metavar="M", help="Keep the mean of the points of each voxel of this size [m].")
-@click.option("--nearest", is_flag=True, help="With --voxel: keep the point nearest to the mean instead.")
-@click.option("--seed", type=SEED_TYPE, metavar="N", help="With --ratio: random seed. Default: 0.")
+@option("--every=K", COUNT_TYPE, "Keep every K-th point.")
+@option("--ratio=R", FRACTION_TYPE, "Keep this fraction of the points, selected at random.")
+@option("--farthest=N", COUNT_TYPE, "Keep N points by farthest point sampling.")
+@option("--voxel=M", LENGTH, "Keep the mean of the points of each voxel of this size [m].")
+@option("--nearest", bool, "With --voxel: keep the point nearest to the mean instead.")
+@option("--seed=N", SEED_TYPE, "With --ratio: random seed. Default: 0.")
 @from_cloud_to_cloud()
 def downsample(source: Path, output: Path, nearest: bool, seed: int | None, **options: Any) -> Answer:
     """Downsample the cloud IN by one of --every, --ratio, --farthest and --voxel, and write it to OUT.

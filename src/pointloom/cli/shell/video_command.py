@@ -10,17 +10,7 @@ import click
 
 from .answer import answer_with
 from .console import Progress
-from .options import (
-    FILE,
-    SCALE,
-    CompletedPath,
-    device_option,
-    force_option,
-    json_option,
-    picture_option,
-    refuse,
-    refuse_same,
-)
+from .options import DEVICE, FILE, FORCE, JSON, PICTURE, SCALE, CompletedPath, in_order, option, refuse, refuse_same
 
 
 class KnownDistance(click.ParamType):
@@ -57,70 +47,42 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 
 @click.command(short_help="Reconstruct a mesh from a video or a folder of images.")
 @click.argument("source", type=FILE, metavar="VIDEO|FOLDER")
-@click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
-@click.option("--work", type=FILE, metavar="DIR", help="Folder for intermediate files and report.json.")
-@click.option("--resume", is_flag=True, help="Reuse the intermediate files of an earlier run.")
-@click.option(
-    "--max-frames",
-    type=click.IntRange(min=2),
-    default=150,
-    show_default=True,
-    metavar="N",
-    help="Maximum number of images.",
-)
-@click.option(
-    "--max-size",
-    type=click.IntRange(min=64),
-    default=960,
-    show_default=True,
-    metavar="PX",
-    help="Longest side of the images for depth estimation.",
-)
-@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera (Open3D's JSON). Default: estimated.")
-@click.option("--cameras", type=FILE, metavar="FILE", help=CAMERAS)
-@click.option("--scale", type=SCALE, metavar="F", help="Meters per unit of the model.")
-@click.option(
-    "--known", type=KnownDistance(), metavar="A,B,M", help="Distance M [m] between the cameras of images A and B."
-)
-@click.option("--align", type=Alignment(path_type=Path), metavar="FILE|exif|none", help=ALIGN)
-@click.option("--control", type=FILE, metavar="FILE", help=CONTROL)
-@click.option("--scale-bars", type=FILE, metavar="FILE", help=BARS)
-@click.option("--masks", metavar="DIR|alpha", help="Ignore black pixels of masks, or transparent pixels of the images.")
-@click.option("--camera-model", metavar="NAME", default="SIMPLE_RADIAL", show_default=True, help=CAMERA_MODEL)
-@click.option(
+@option("-o --output=MESH", FILE, MESH, required=True)
+@option("--work=DIR", FILE, "Folder for intermediate files and report.json.")
+@option("--resume", bool, "Reuse the intermediate files of an earlier run.")
+@option("--max-frames=N", click.IntRange(min=2), "Maximum number of images.", default=150)
+@option("--max-size=PX", click.IntRange(min=64), "Longest side of the images for depth estimation.", default=960)
+@option("--intrinsic=JSON", FILE, "The camera (Open3D's JSON). Default: estimated.")
+@option("--cameras=FILE", FILE, CAMERAS)
+@option("--scale=F", SCALE, "Meters per unit of the model.")
+@option("--known=A,B,M", KnownDistance(), "Distance M [m] between the cameras of images A and B.")
+@option("--align=FILE|exif|none", Alignment(path_type=Path), ALIGN)
+@option("--control=FILE", FILE, CONTROL)
+@option("--scale-bars=FILE", FILE, BARS)
+@option("--masks=DIR|alpha", str, "Ignore black pixels of masks, or transparent pixels of the images.")
+@option("--camera-model=NAME", str, CAMERA_MODEL, default="SIMPLE_RADIAL")
+@option(
     "--pairs",
-    type=click.Choice(("auto", "sequential", "exhaustive", "retrieval")),
+    ["auto", "sequential", "exhaustive", "retrieval"],
+    "Selection of image pairs for matching.",
     default="auto",
-    show_default=True,
-    help="Selection of image pairs for matching.",
 )
-@click.option(
+@option(
     "--mapper",
-    type=click.Choice(("auto", "incremental", "global")),
+    ["auto", "incremental", "global"],
+    "Incremental (one image at a time) or global structure from motion.",
     default="auto",
-    show_default=True,
-    help="Incremental (one image at a time) or global structure from motion.",
 )
-@click.option(
-    "--max-features",
-    type=click.IntRange(min=64),
-    default=4096,
-    show_default=True,
-    metavar="N",
-    help="Maximum number of features per image.",
-)
-@click.option("--panorama", is_flag=True, help="The images are 360-degree panoramas.")
-@click.option("--cloud", type=FILE, metavar="FILE", help="Also write the fused points.")
-@click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
-@click.option("--training", type=FILE, metavar="DIR", help=TRAINING)
-@click.option("--ortho", type=FILE, metavar="TIF", help="Write an orthophoto in UTM. Requires GPS and --cell.")
-@click.option("--dem", type=FILE, metavar="TIF", help="Write an elevation model in UTM, likewise.")
-@click.option("--cell", type=SCALE, metavar="M", help="Cell size of --ortho and --dem [m].")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Random seed.")
-@device_option()
-@picture_option()
-@json_option()
-@force_option()
+@option("--max-features=N", click.IntRange(min=64), "Maximum number of features per image.", default=4096)
+@option("--panorama", bool, "The images are 360-degree panoramas.")
+@option("--cloud=FILE", FILE, "Also write the fused points.")
+@option("--trajectory=POSES", FILE, "Write the poses: .txt or .tum (TUM), .log.")
+@option("--training=DIR", FILE, TRAINING)
+@option("--ortho=TIF", FILE, "Write an orthophoto in UTM. Requires GPS and --cell.")
+@option("--dem=TIF", FILE, "Write an elevation model in UTM, likewise.")
+@option("--cell=M", SCALE, "Cell size of --ortho and --dem [m].")
+@option("--seed=N", click.IntRange(min=0), "Random seed.", default=0)
+@in_order(DEVICE, PICTURE, JSON, FORCE)
 def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Reconstruct a colored mesh from VIDEO, or from the images in FOLDER. No other input is required.
 

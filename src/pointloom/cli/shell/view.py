@@ -7,44 +7,49 @@ from typing import Any
 
 import click
 
-from .options import FILE, SCALE, columns_option, force_option, json_option, refuse, refuse_same
-from .pipes import from_option, open_pipes
+from .options import COLUMNS, FILE, FORCE, JSON, SCALE, in_order, option, refuse, refuse_same
+from .pipes import FROM, open_pipes
 
 _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm", "jet")
 
 
 @click.command(short_help="Show files in the browser, or render an image.")
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILES...")
-@click.option(
-    "--port", type=click.IntRange(0, 65535), default=8080, show_default=True, metavar="N",
-    help="Port of the page. If in use: the next free one. 0: any free port.",
-)  # fmt: skip
-@click.option(
-    "--host", default="127.0.0.1", show_default=True, metavar="ADDRESS",
-    help="Address to listen on. With another address, anyone with the URL and its token can see the files.",
-)  # fmt: skip
-@click.option(
-    "--max-points", type=click.IntRange(min=1), default=2_000_000, show_default=True, metavar="N",
-    help="Maximum points on the page. Larger clouds use levels of detail.",
-)  # fmt: skip
-@click.option("--screenshot", type=FILE, metavar="PNG", help="Render an image and exit. Needs no browser.")
-@click.option("--save-html", type=FILE, metavar="HTML", help="Write a page that needs no server, and exit.")
-@click.option("--no-open", is_flag=True, help="Do not open a browser.")
-@click.option(
-    "--keep-alive", type=click.FloatRange(min=0), default=60, show_default=True, metavar="S",
-    help="Time until the command exits after the last page closed [s]. inf: never.",
-)  # fmt: skip
-@click.option("--color-by", metavar="NAME", help="Color by rgb, height, normal, label, or an attribute of the clouds.")
-@click.option("--colormap", type=click.Choice(_COLORMAPS), help="Colormap of values. Default: viridis.")
-@click.option("--view", "view_file", type=FILE, metavar="JSON", help="Camera view, as copied from Open3D (Ctrl+C).")
-@click.option("--up", type=click.Choice(("y", "z")), help="Up axis. Default: that of the files, else z.")
-@click.option("--point-size", type=SCALE, metavar="PX", help="Diameter of points [px].")
-@click.option("--topic", metavar="NAME", help="Recordings: topic of the clouds. Default: the only one with clouds.")
-@click.option("--frame", metavar="NAME", help="Recordings: tf frame in which all clouds are merged.")
-@columns_option()
-@from_option()
-@json_option()
-@force_option()
+@option(
+    "--port=N",
+    click.IntRange(0, 65535),
+    "Port of the page. If in use: the next free one. 0: any free port.",
+    default=8080,
+)
+@option(
+    "--host=ADDRESS",
+    str,
+    "Address to listen on. With another address, anyone with the URL and its token can see the files.",
+    default="127.0.0.1",
+)
+@option(
+    "--max-points=N",
+    click.IntRange(min=1),
+    "Maximum points on the page. Larger clouds use levels of detail.",
+    default=2_000_000,
+)
+@option("--screenshot=PNG", FILE, "Render an image and exit. Needs no browser.")
+@option("--save-html=HTML", FILE, "Write a page that needs no server, and exit.")
+@option("--no-open", bool, "Do not open a browser.")
+@option(
+    "--keep-alive=S",
+    click.FloatRange(min=0),
+    "Time until the command exits after the last page closed [s]. inf: never.",
+    default=60,
+)
+@option("--color-by=NAME", str, "Color by rgb, height, normal, label, or an attribute of the clouds.")
+@option("--colormap", click.Choice(_COLORMAPS), "Colormap of values. Default: viridis.")
+@option("--view view_file=JSON", FILE, "Camera view, as copied from Open3D (Ctrl+C).")
+@option("--up", ["y", "z"], "Up axis. Default: that of the files, else z.")
+@option("--point-size=PX", SCALE, "Diameter of points [px].")
+@option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds.")
+@option("--frame=NAME", str, "Recordings: tf frame in which all clouds are merged.")
+@in_order(COLUMNS, FROM, JSON, FORCE)
 def view(
     files: tuple[Path, ...],
     screenshot: Path | None,

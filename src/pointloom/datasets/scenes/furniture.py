@@ -6,6 +6,7 @@ x is right along the long wall, y into the room, z up [m], origin in a floor cor
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,20 @@ from ...kernels.scenes.room import CHECKER_PATTERN, GLOW_PATTERN, PLAIN_PATTERN,
 ROOM_SIZE = (5.0, 4.0, 2.6)  # [m]
 LAMP_POSITION = (2.5, 2.0, 2.2)  # [m] position of the light below the ceiling
 WALL_THICKNESS = 0.2  # [m] thickness of the walls, and depth of the window's recess
+
+Triple = tuple[float, float, float]
+Color = Triple  # red, green, blue, 0 to 1
+Tilt = tuple[int, float]  # axis, angle [degrees]
+
+
+class Paint(NamedTuple):
+    """Two colors that alternate in a pattern of some period [m]."""
+
+    first: Color
+    second: Color
+    pattern: int = PLAIN_PATTERN
+    period: float = 1.0
+
 
 _WHITE_RGB: Color = (0.93, 0.92, 0.89)
 _OAK_RGB: Color = (0.74, 0.55, 0.35)
@@ -53,11 +68,7 @@ def _shell(room: SolidBuilder) -> None:
     w = WALL_THICKNESS
     long, wide = x + 2 * w, y + 2 * w
     room.box(
-        (x / 2, y / 2, -w / 2),
-        (long, wide, w),
-        (0.72, 0.53, 0.36),
-        second=(0.50, 0.34, 0.22),
-        pattern=(PLANKS_PATTERN, 0.14),
+        (x / 2, y / 2, -w / 2), (long, wide, w), Paint((0.72, 0.53, 0.36), (0.50, 0.34, 0.22), PLANKS_PATTERN, 0.14)
     )
     room.box((x / 2, y / 2, z + w / 2), (long, wide, w), _WHITE_RGB)
     room.box((-w / 2, y / 2, z / 2), (w, wide, z), (0.56, 0.68, 0.70))
@@ -81,9 +92,7 @@ def _shell(room: SolidBuilder) -> None:
 
 def _window(room: SolidBuilder) -> None:
     x, y, z, frame = 2.5, ROOM_SIZE[1] + WALL_THICKNESS, 1.5, (0.97, 0.97, 0.97)
-    room.box(
-        (x, y + 0.05, z), (1.9, 0.1, 1.4), (0.62, 0.80, 0.95), second=(0.70, 0.86, 0.97), pattern=(STRIPES_PATTERN, 0.3)
-    )
+    room.box((x, y + 0.05, z), (1.9, 0.1, 1.4), Paint((0.62, 0.80, 0.95), (0.70, 0.86, 0.97), STRIPES_PATTERN, 0.3))
     for side in (-0.87, 0.0, 0.87):
         room.box((x + side, y - 0.03, z), (0.06, 0.06, 1.2), frame)
     for height in (-0.57, 0.57):
@@ -93,12 +102,7 @@ def _window(room: SolidBuilder) -> None:
         for fold in range(5):
             at = x + side * (0.98 + 0.09 * fold)
             room.cylinder(
-                (at, 3.93, 1.2),
-                0.05,
-                2.3,
-                (0.80, 0.46, 0.33),
-                second=(0.72, 0.38, 0.27),
-                pattern=(STRIPES_PATTERN, 0.06),
+                (at, 3.93, 1.2), 0.05, 2.3, Paint((0.80, 0.46, 0.33), (0.72, 0.38, 0.27), STRIPES_PATTERN, 0.06)
             )
     room.cylinder((x, 3.93, 2.38), 0.014, 3.1, _STEEL_RGB, tilt=(1, 90))
     for rib in range(11):
@@ -116,24 +120,19 @@ def _sofa(room: SolidBuilder) -> None:
         for depth in (-0.34, 0.34):
             room.cylinder((side * 0.88, depth, 0.06), 0.025, 0.12, _WALNUT_RGB)
     mustard, rose = (0.88, 0.66, 0.22), (0.78, 0.36, 0.34)
-    stripes = (STRIPES_PATTERN, 0.06)
     room.box(
         (-0.66, -0.14, 0.68),
         (0.42, 0.15, 0.42),
-        mustard,
+        Paint(mustard, (0.95, 0.88, 0.7), STRIPES_PATTERN, 0.06),
         radius=0.07,
         tilt=(0, 22),
-        second=(0.95, 0.88, 0.7),
-        pattern=stripes,
     )
     room.box(
         (0.62, -0.14, 0.68),
         (0.42, 0.15, 0.42),
-        rose,
+        Paint(rose, (0.9, 0.75, 0.68), CHECKER_PATTERN, 0.07),
         radius=0.07,
         tilt=(0, 24),
-        second=(0.9, 0.75, 0.68),
-        pattern=(CHECKER_PATTERN, 0.07),
     )
 
 
@@ -143,19 +142,11 @@ def _rug(room: SolidBuilder) -> None:
     room.box(
         (0, 0, 0.01),
         (1.7, 2.3, 0.02),
-        (0.72, 0.25, 0.22),
+        Paint((0.72, 0.25, 0.22), (0.88, 0.80, 0.66), CHECKER_PATTERN, 0.19),
         radius=0.009,
-        second=(0.88, 0.80, 0.66),
-        pattern=(CHECKER_PATTERN, 0.19),
     )
     room.cylinder(
-        (-0.05, 0.05, 0.40),
-        0.40,
-        0.035,
-        _OAK_RGB,
-        rounding=0.012,
-        second=(0.66, 0.47, 0.29),
-        pattern=(STRIPES_PATTERN, 0.05),
+        (-0.05, 0.05, 0.40), 0.40, 0.035, Paint(_OAK_RGB, (0.66, 0.47, 0.29), STRIPES_PATTERN, 0.05), rounding=0.012
     )
     for corner in range(3):
         angle = math.radians(120 * corner + 20)
@@ -165,10 +156,8 @@ def _rug(room: SolidBuilder) -> None:
         (-0.2, 0.1, 0.465),
         0.042,
         0.095,
-        (0.90, 0.90, 0.92),
+        Paint((0.90, 0.90, 0.92), (0.2, 0.4, 0.7), CHECKER_PATTERN, 0.04),
         rounding=0.006,
-        second=(0.2, 0.4, 0.7),
-        pattern=(CHECKER_PATTERN, 0.04),
     )
     room.box((0.12, 0.16, 0.43), (0.21, 0.28, 0.022), (0.15, 0.35, 0.60), tilt=(2, 25))
     room.box((0.12, 0.15, 0.452), (0.19, 0.25, 0.022), (0.85, 0.80, 0.70), tilt=(2, 12))
@@ -176,14 +165,7 @@ def _rug(room: SolidBuilder) -> None:
 
 def _table(room: SolidBuilder) -> None:
     room.set_frame(3.75, 1.75, angle=8)
-    room.box(
-        (0, 0, 0.735),
-        (0.85, 1.4, 0.04),
-        _OAK_RGB,
-        radius=0.012,
-        second=(0.64, 0.45, 0.28),
-        pattern=(PLANKS_PATTERN, 0.12),
-    )
+    room.box((0, 0, 0.735), (0.85, 1.4, 0.04), Paint(_OAK_RGB, (0.64, 0.45, 0.28), PLANKS_PATTERN, 0.12), radius=0.012)
     for x in (-0.36, 0.36):
         for y in (-0.63, 0.63):
             room.cylinder((x, y, 0.36), 0.032, 0.72, _OAK_RGB)
@@ -196,19 +178,15 @@ def _table(room: SolidBuilder) -> None:
     room.box(
         (0.08, -0.32, 0.763),
         (0.25, 0.35, 0.016),
-        _STEEL_RGB,
+        Paint(_STEEL_RGB, (0.2, 0.2, 0.22), CHECKER_PATTERN, 0.03),
         radius=0.006,
-        second=(0.2, 0.2, 0.22),
-        pattern=(CHECKER_PATTERN, 0.03),
     )
     room.box(
         (-0.075, -0.32, 0.875),
         (0.012, 0.35, 0.23),
-        (0.22, 0.24, 0.28),
+        Paint((0.22, 0.24, 0.28), (0.3, 0.55, 0.75), CHECKER_PATTERN, 0.08),
         radius=0.005,
         tilt=(1, -14),
-        second=(0.3, 0.55, 0.75),
-        pattern=(CHECKER_PATTERN, 0.08),
     )
     room.cylinder((0.28, 0.02, 0.80), 0.04, 0.09, (0.80, 0.30, 0.25), rounding=0.006)
     for x, y, angle in ((-0.72, 0.28, -85), (0.76, -0.28, 97)):
@@ -219,9 +197,7 @@ def _chair(room: SolidBuilder, x: float, y: float, angle: float) -> None:
     """A chair whose front faces its own y axis."""
     wood, seat = _WALNUT_RGB, (0.86, 0.80, 0.68)
     room.set_frame(x, y, angle=angle)
-    room.box(
-        (0, 0, 0.45), (0.42, 0.42, 0.05), seat, radius=0.022, second=(0.75, 0.66, 0.52), pattern=(STRIPES_PATTERN, 0.05)
-    )
+    room.box((0, 0, 0.45), (0.42, 0.42, 0.05), Paint(seat, (0.75, 0.66, 0.52), STRIPES_PATTERN, 0.05), radius=0.022)
     for side in (-0.18, 0.18):
         room.cylinder((side, 0.18, 0.215), 0.02, 0.43, wood)
         room.cylinder((side, -0.19, 0.46), 0.02, 0.92, wood)
@@ -256,9 +232,7 @@ def _shelf(room: SolidBuilder) -> None:
     room.sphere(
         (-0.46, 0.0, 0.09 + 0.362 * 2 + 0.11),
         0.11,
-        (0.25, 0.50, 0.75),
-        second=(0.35, 0.62, 0.35),
-        pattern=(CHECKER_PATTERN, 0.07),
+        Paint((0.25, 0.50, 0.75), (0.35, 0.62, 0.35), CHECKER_PATTERN, 0.07),
     )
     room.box((0.02, 0.0, 0.09 + 0.362 * 3 + 0.1), (0.2, 0.14, 0.2), (0.72, 0.56, 0.60), radius=0.02)
     room.cylinder((-0.40, 0, 0.09 + 0.362 * 4 + 0.11), 0.075, 0.22, (0.35, 0.55, 0.52), rounding=0.03)
@@ -266,9 +240,7 @@ def _shelf(room: SolidBuilder) -> None:
         (0.0, 0, 0.09 + 0.362 * 4 + 0.06),
         0.10,
         0.12,
-        (0.90, 0.86, 0.80),
-        second=(0.75, 0.42, 0.3),
-        pattern=(CHECKER_PATTERN, 0.06),
+        Paint((0.90, 0.86, 0.80), (0.75, 0.42, 0.3), CHECKER_PATTERN, 0.06),
     )
     room.sphere((0.36, 0, 0.09 + 0.362 * 4 + 0.09), 0.09, (0.85, 0.80, 0.30))
 
@@ -279,14 +251,13 @@ def _lamps(room: SolidBuilder) -> None:
         (LAMP_POSITION[0], LAMP_POSITION[1], 2.55),
         0.24,
         0.10,
-        (0.98, 0.95, 0.88),
+        Paint((0.98, 0.95, 0.88), (0.98, 0.95, 0.88), GLOW_PATTERN, 1.0),
         rounding=0.04,
-        pattern=(GLOW_PATTERN, 1.0),
     )
     room.set_frame(0.45, 3.45)
     room.cylinder((0, 0, 0.015), 0.15, 0.03, _STEEL_RGB, rounding=0.01)
     room.cylinder((0, 0, 0.72), 0.014, 1.4, _STEEL_RGB)
-    room.cylinder((0, 0, 1.55), 0.19, 0.30, shade, second=(0.92, 0.82, 0.62), pattern=(STRIPES_PATTERN, 0.05))
+    room.cylinder((0, 0, 1.55), 0.19, 0.30, Paint(shade, (0.92, 0.82, 0.62), STRIPES_PATTERN, 0.05))
     room.sphere((0, 0, 1.72), 0.035, _STEEL_RGB)
 
 
@@ -298,12 +269,10 @@ def _images(room: SolidBuilder) -> None:
         (0.25, 0.50, 0.66, (0.90, 0.86, 0.78), (0.65, 0.20, 0.22), (PLANKS_PATTERN, 0.07)),
     ):
         room.box((0.015, y, 0), (0.03, wide, high), frame)
-        room.box((0.03, y, 0), (0.012, wide - 0.08, high - 0.08), first, second=second, pattern=kind)
+        room.box((0.03, y, 0), (0.012, wide - 0.08, high - 0.08), Paint(first, second, *kind))
     room.set_frame(3.7, 0, 1.5)
     room.box((0, 0.015, 0), (1.0, 0.03, 0.7), frame)
-    room.box(
-        (0, 0.03, 0), (0.9, 0.012, 0.6), (0.25, 0.42, 0.55), second=(0.92, 0.72, 0.42), pattern=(CHECKER_PATTERN, 0.15)
-    )
+    room.box((0, 0.03, 0), (0.9, 0.012, 0.6), Paint((0.25, 0.42, 0.55), (0.92, 0.72, 0.42), CHECKER_PATTERN, 0.15))
     room.set_frame(5.0, 1.3, 1.6)
     room.cylinder((-0.02, 0, 0), 0.17, 0.04, (0.95, 0.95, 0.95), rounding=0.008, tilt=(1, 90))
     room.box((-0.045, 0.03, 0.045), (0.008, 0.014, 0.13), frame, tilt=(0, -35))
@@ -323,36 +292,20 @@ def _small_things(room: SolidBuilder) -> None:
         room.box((0.19 * c, 0, 0.19 * s), (0.36, 0.11, 0.03), green, radius=0.015, tilt=(1, -lift))
     room.set_frame(0, 0)
     room.sphere(
-        (2.45, 0.62, 0.13),
-        0.13,
-        (0.92, 0.92, 0.90),
-        second=(0.85, 0.22, 0.20),
-        pattern=(CHECKER_PATTERN, 0.11),
-        tilt=(0, 30),
+        (2.45, 0.62, 0.13), 0.13, Paint((0.92, 0.92, 0.90), (0.85, 0.22, 0.20), CHECKER_PATTERN, 0.11), tilt=(0, 30)
     )
     room.set_frame(2.9, 3.2, angle=20)  # a pouf and a toy box below the window
     room.cylinder(
-        (0, 0, 0.2),
-        0.27,
-        0.4,
-        (0.55, 0.42, 0.62),
-        rounding=0.09,
-        second=(0.64, 0.52, 0.70),
-        pattern=(STRIPES_PATTERN, 0.07),
+        (0, 0, 0.2), 0.27, 0.4, Paint((0.55, 0.42, 0.62), (0.64, 0.52, 0.70), STRIPES_PATTERN, 0.07), rounding=0.09
     )
     room.set_frame(4.35, 3.0, angle=-12)
     room.box(
         (-0.25, 0.45, 0.14),
         (0.42, 0.3, 0.28),
-        (0.30, 0.55, 0.70),
+        Paint((0.30, 0.55, 0.70), (0.92, 0.90, 0.85), CHECKER_PATTERN, 0.09),
         radius=0.02,
-        second=(0.92, 0.90, 0.85),
-        pattern=(CHECKER_PATTERN, 0.09),
     )
     room.box((-0.25, 0.45, 0.35), (0.28, 0.22, 0.14), (0.85, 0.72, 0.25), radius=0.02, tilt=(2, 30))
-
-
-Color = tuple[float, float, float]
 
 
 class SolidBuilder:
@@ -372,75 +325,44 @@ class SolidBuilder:
         self.frame, self.offset = _rotation_about(2, angle), np.array([x, y, z])
 
     def box(
-        self,
-        center: tuple[float, float, float],
-        size: tuple[float, float, float],
-        color: Color,
-        *,
-        radius: float = 0.0,
-        second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN_PATTERN, 1.0),
-        tilt: tuple[int, float] = (0, 0.0),
+        self, center: Triple, size: Triple, paint: Color | Paint, *, radius: float = 0.0, tilt: Tilt = (0, 0.0)
     ) -> None:
         """A box of full `size` [m], its edges rounded by `radius` [m], tilted about an axis [degrees]."""
         half = [s / 2 - radius for s in size]
         if min(half) < 0:
             raise ValueError(f"radius: {radius} m is more than half of {min(size)} m")
-        self._add(BOX_KIND, center, (half[0], half[1], half[2], radius), color, second, pattern, tilt)
+        self._add(BOX_KIND, center, (half[0], half[1], half[2], radius), paint, tilt)
 
     def cylinder(
         self,
-        center: tuple[float, float, float],
+        center: Triple,
         radius: float,
         height: float,
-        color: Color,
+        paint: Color | Paint,
         *,
         rounding: float = 0.0,
-        second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN_PATTERN, 1.0),
-        tilt: tuple[int, float] = (0, 0.0),
+        tilt: Tilt = (0, 0.0),
     ) -> None:
         """A cylinder along z with `radius` and full `height` [m], its edges rounded by `rounding` [m]."""
-        extent = (radius - rounding, 0.0, height / 2 - rounding, rounding)
-        self._add(CYLINDER_KIND, center, extent, color, second, pattern, tilt)
+        self._add(CYLINDER_KIND, center, (radius - rounding, 0.0, height / 2 - rounding, rounding), paint, tilt)
 
-    def sphere(
-        self,
-        center: tuple[float, float, float],
-        radius: float,
-        color: Color,
-        *,
-        second: Color | None = None,
-        pattern: tuple[int, float] = (PLAIN_PATTERN, 1.0),
-        tilt: tuple[int, float] = (0, 0.0),
-    ) -> None:
-        self._add(BOX_KIND, center, (0.0, 0.0, 0.0, radius), color, second, pattern, tilt)
+    def sphere(self, center: Triple, radius: float, paint: Color | Paint, *, tilt: Tilt = (0, 0.0)) -> None:
+        self._add(BOX_KIND, center, (0.0, 0.0, 0.0, radius), paint, tilt)
 
     def _add(
-        self,
-        kind: int,
-        center: tuple[float, float, float],
-        extent: tuple[float, float, float, float],
-        color: Color,
-        second: Color | None,
-        pattern: tuple[int, float],
-        tilt: tuple[int, float],
+        self, kind: int, center: Triple, extent: tuple[float, float, float, float], paint: Color | Paint, tilt: Tilt
     ) -> None:
+        paint = paint if isinstance(paint, Paint) else Paint(paint, paint)
         self.kinds.append(kind)
         self.centers.append(self.offset + matmul(self.frame, center))
         self.rotations.append(matmul(self.frame, _rotation_about(*tilt)).T)
         self.extents.append(extent)
-        self.paints.append((color, second or color))
-        self.patterns.append(pattern)
+        self.paints.append((paint.first, paint.second))
+        self.patterns.append((paint.pattern, paint.period))
 
     def solids(self, device: Device) -> Solids:
-        return Solids(
-            np.array(self.kinds, np.int32),
-            np.array(self.rotations),
-            np.array(self.centers),
-            np.array(self.extents),
-            device,
-        )
+        kinds = np.array(self.kinds, np.int32)
+        return Solids(kinds, np.array(self.rotations), np.array(self.centers), np.array(self.extents), device)
 
 
 def _rotation_about(axis: int, degrees: float) -> NDArray[np.float64]:

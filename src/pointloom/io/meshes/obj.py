@@ -21,7 +21,7 @@ from ...core.coordinates import quiet
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
-from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
+from ..ascii_rows import AsciiRows, is_float, row_format, unix_lines, write_rows
 from ..columns import check_extent, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
 from ..images.texture_files import (
     alpha_mode,
@@ -99,7 +99,7 @@ def _take(material: Material, kind: str, rest: str) -> str:
         material.opacity, material.is_opaque = rest, False
         return ""
     words = rest.partition("#")[0].split()
-    values = [float(word) for word in words if _is_number(word)]
+    values = [float(word) for word in words if is_float(word)]
     if kind == "d":
         material.is_opaque = material.is_opaque and not (values and values[-1] < 1)
         return ""
@@ -121,7 +121,7 @@ def _take_map(material: Material, text: str) -> str:
         values: list[str] = []
         while len(values) < _MAP_OPTION_WORDS[option]:
             word, _, after = rest.lstrip().partition(" ")
-            if option in _MAP_TRANSFORM_DEFAULTS and not _is_number(word):
+            if option in _MAP_TRANSFORM_DEFAULTS and not is_float(word):
                 break
             values.append(word)
             rest = after
@@ -136,14 +136,6 @@ def _take_map(material: Material, text: str) -> str:
     if not text:
         lost.append("map_Kd, which names no image")
     return f"{', '.join(lost)} is ignored" if lost else ""
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
 
 
 def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = False) -> list[Material] | None:

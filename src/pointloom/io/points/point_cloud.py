@@ -278,7 +278,7 @@ def write_point_cloud(
         >>> len(loom.read_point_cloud("scan.pcd"))
         2
     """
-    extension = _extension(path)
+    extension = _extension(path, write=True)
     if extension not in WRITTEN:
         remedy = f"Use one of {' '.join(WRITTEN)}"
         raise FileError(path, f"clouds are read from {Path(path).suffix}, but not written to it", remedy=remedy)
@@ -308,15 +308,16 @@ def table_of(cloud: PointCloud) -> PointTable:
     )
 
 
-def _extension(path: FilePath) -> str:
+def _extension(path: FilePath, *, write: bool = False) -> str:
+    """The extension of a file to read or write. Raises FileError for one that is in no list of formats."""
     extension = path_of(path).suffix.lower()
     if extension not in READERS:
         if extension in (".obj", ".stl", ".off", ".glb", ".gltf"):
             raise FileError(
                 path, f"{extension} files contain meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
             )
-        known = " ".join(READERS)
-        if not extension and not path_of(path).exists():
+        known = " ".join(WRITTEN if write else READERS)
+        if not write and not extension and not path_of(path).exists():
             raise FileError(path, "does not exist")
         if path_of(path).is_dir():
             raise FileError(path, "is a folder", remedy=f"Give the name of a file: {known}")

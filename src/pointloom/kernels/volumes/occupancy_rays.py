@@ -180,21 +180,31 @@ def prepare_rays_kernel(
     rays.kinds[i] = uint8(kind)
 
 
-@kernel
-def mark_blocks_kernel(rays: ScanRays, marks: BlockMarks):
-    i = tid()
+@loop
+def voxels_by_block(a: vec3, b: vec3, lattice: Lattice):
+    """Voxels on a ray, and 1 for the first one in each block, else 0."""
     bx = int(1 << 30)
     by = int(0)
     bz = int(0)
+    for x, y, z, _t in voxels_on_ray(a, b, 0, lattice):
+        is_entry = int(0)
+        if (x >> 3) != bx or (y >> 3) != by or (z >> 3) != bz:
+            bx = x >> 3
+            by = y >> 3
+            bz = z >> 3
+            is_entry = 1
+        yield x, y, z, is_entry
+
+
+@kernel
+def mark_blocks_kernel(rays: ScanRays, marks: BlockMarks):
+    i = tid()
     if int(rays.kinds[i]) != NO_RAY:
         a = start_of(i, rays)
         b = rays.ends[i]
-        for x, y, z, _t in voxels_on_ray(a, b, 0, rays.lattice):
-            if (x >> 3) != bx or (y >> 3) != by or (z >> 3) != bz:
-                bx = x >> 3
-                by = y >> 3
-                bz = z >> 3
-                leave_mark(bx, by, bz, 0, 0, marks)
+        for x, y, z, is_entry in voxels_by_block(a, b, rays.lattice):
+            if is_entry == 1:
+                leave_mark(x >> 3, y >> 3, z >> 3, 0, 0, marks)
     if int(rays.kinds[i]) == HIT_RAY:
         q = rays.ends[i]
         ex = voxel_of(q[0], rays.lattice) >> 3
@@ -206,19 +216,13 @@ def mark_blocks_kernel(rays: ScanRays, marks: BlockMarks):
 @kernel
 def mark_passed_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32), flags: array(dtype=uint8)):
     i = tid()
-    bx = int(1 << 30)
-    by = int(0)
-    bz = int(0)
     base = int(0)
     if int(rays.kinds[i]) != NO_RAY:
         a = start_of(i, rays)
         b = rays.ends[i]
-        for x, y, z, _t in voxels_on_ray(a, b, 0, rays.lattice):
-            if (x >> 3) != bx or (y >> 3) != by or (z >> 3) != bz:
-                bx = x >> 3
-                by = y >> 3
-                bz = z >> 3
-                base = rows[find_position(block_key(bx, by, bz), table)] * BLOCK_VOXELS
+        for x, y, z, is_entry in voxels_by_block(a, b, rays.lattice):
+            if is_entry == 1:
+                base = rows[find_position(block_key(x >> 3, y >> 3, z >> 3), table)] * BLOCK_VOXELS
             flags[base + voxel_in_block(x, y, z)] = 1  # all threads write the same
 
 

@@ -82,7 +82,10 @@ class Dataset(KnownNames):
 
 
 class SampleDataset(Dataset):
-    """A data set whose name is that of its class."""
+    """A data set whose name is that of its class; `similar` and `public` of subclasses are those of `Dataset`."""
+
+    def __init_subclass__(cls, similar: str = "", public: str = ""):
+        cls._similar, cls._public = similar or cls._similar, public or cls._public
 
     def __init__(self, data_root: str | os.PathLike[str] = ""):
         super().__init__(type(self).__name__, data_root)

@@ -7,57 +7,43 @@ from typing import ClassVar
 from .dataset import SampleDataset, file, files, files_in, path_map
 
 
-class ArmadilloMesh(SampleDataset):
-    _similar = "object_mesh()"
-    _public = "armadillo"
+class ArmadilloMesh(SampleDataset, similar="object_mesh()", public="armadillo"):
     path = file("ArmadilloMesh.ply")
 
 
-class BunnyMesh(SampleDataset):
-    _similar = "object_mesh()"
-    _public = "bunny"
+class BunnyMesh(SampleDataset, similar="object_mesh()", public="bunny"):
     path = file("BunnyMesh.ply")
 
 
-class KnotMesh(SampleDataset):
-    _similar = "object_mesh()"
+class KnotMesh(SampleDataset, similar="object_mesh()"):
     path = file("KnotMesh.ply")
 
 
-class EaglePointCloud(SampleDataset):
-    _similar = "room_cloud()"
+class EaglePointCloud(SampleDataset, similar="room_cloud()"):
     path = file("EaglePointCloud.ply")
 
 
-class PCDPointCloud(SampleDataset):
-    _similar = "room_cloud()"
-    _public = "indoor-fragment"
+class PCDPointCloud(SampleDataset, similar="room_cloud()", public="indoor-fragment"):
     path = file("fragment.pcd")
 
 
-class PLYPointCloud(SampleDataset):
-    _similar = "room_cloud()"
-    _public = "indoor-fragment"
+class PLYPointCloud(SampleDataset, similar="room_cloud()", public="indoor-fragment"):
     path = file("fragment.ply")
 
 
-class AvocadoModel(SampleDataset):
-    _similar = "object_mesh()"
+class AvocadoModel(SampleDataset, similar="object_mesh()"):
     path = file("AvocadoModel.glb")
 
 
-class DamagedHelmetModel(SampleDataset):
-    _similar = "object_mesh()"
+class DamagedHelmetModel(SampleDataset, similar="object_mesh()"):
     path = file("DamagedHelmetModel.glb")
 
 
-class JackJackL515Bag(SampleDataset):
-    _similar = "room_frames(24)"
+class JackJackL515Bag(SampleDataset, similar="room_frames(24)"):
     path = file("JackJackL515Bag.bag")
 
 
-class SampleL515Bag(SampleDataset):
-    _similar = "room_frames(24)"
+class SampleL515Bag(SampleDataset, similar="room_frames(24)"):
     path = file("L515_test_s.bag")
 
 
@@ -65,40 +51,33 @@ class JuneauImage(SampleDataset):
     path = file("JuneauImage.jpg")
 
 
-class DemoICPPointClouds(SampleDataset):
-    _similar = "object_scans()"
-    _public = "icp-clouds"
+class DemoICPPointClouds(SampleDataset, similar="object_scans()", public="icp-clouds"):
     paths = files("cloud_bin_{}.pcd", range(3))
     transformation_log_path = file("init.log")
 
 
-class DemoColoredICPPointClouds(SampleDataset):
-    _similar = "object_scans()"
+class DemoColoredICPPointClouds(SampleDataset, similar="object_scans()"):
     paths = files("frag_{}.ply", (115, 116))
 
 
-class DemoCropPointCloud(SampleDataset):
-    _similar = "room_cloud()"
+class DemoCropPointCloud(SampleDataset, similar="room_cloud()"):
     point_cloud_path = file("fragment.ply")
     cropped_json_path = file("cropped.json")
 
 
-class DemoCustomVisualization(SampleDataset):
-    _similar = "room_cloud()"
+class DemoCustomVisualization(SampleDataset, similar="room_cloud()"):
     point_cloud_path = file("fragment.ply")
     camera_trajectory_path = file("camera_trajectory.json")
     render_option_path = file("renderoption.json")
 
 
-class DemoDopplerICPSequence(SampleDataset):
-    _similar = "street_scans()"
+class DemoDopplerICPSequence(SampleDataset, similar="street_scans()"):
     paths = files("xyzd_sequence/{:05d}.xyzd", range(1, 101))
     calibration_path = file("calibration.json")
     trajectory_path = file("ground_truth_poses.txt")
 
 
-class DemoFeatureMatchingPointClouds(SampleDataset):
-    _similar = "object_scans()"
+class DemoFeatureMatchingPointClouds(SampleDataset, similar="object_scans()"):
     point_cloud_paths = files("cloud_bin_{}.pcd", range(2))
     fpfh_feature_paths = files("cloud_bin_{}.fpfh.bin", range(2))
     l32d_feature_paths = files("cloud_bin_{}.d32.bin", range(2))
@@ -109,39 +88,30 @@ class DemoPoseGraphOptimization(SampleDataset):
     pose_graph_global_path = file("pose_graph_example_global.json")
 
 
-class LivingRoomPointClouds(SampleDataset):
-    _similar = "object_scans()"
-    _public = "living-room-fragments"
+class LivingRoomPointClouds(SampleDataset, similar="object_scans()", public="living-room-fragments"):
     paths = files("cloud_bin_{}.ply", range(57))
 
 
-class OfficePointClouds(SampleDataset):
-    _similar = "object_scans()"
+class OfficePointClouds(SampleDataset, similar="object_scans()"):
     paths = files("cloud_bin_{}.ply", range(53))
 
 
-class SampleNYURGBDImage(SampleDataset):
-    _similar = "room_frames(1)"
+class SampleNYURGBDImage(SampleDataset, similar="room_frames(1)"):
     color_path = file("NYU_color.ppm")
     depth_path = file("NYU_depth.pgm")
 
 
-class SampleSUNRGBDImage(SampleDataset):
-    _similar = "room_frames(1)"
+class SampleSUNRGBDImage(SampleDataset, similar="room_frames(1)"):
     color_path = file("SUN_color.jpg")
     depth_path = file("SUN_depth.png")
 
 
-class SampleTUMRGBDImage(SampleDataset):
-    _similar = "room_frames(1)"
-    _public = "tum-frame"
+class SampleTUMRGBDImage(SampleDataset, similar="room_frames(1)", public="tum-frame"):
     color_path = file("TUM_color.png")
     depth_path = file("TUM_depth.png")
 
 
-class SampleRedwoodRGBDImages(SampleDataset):
-    _similar = "room_frames(5)"
-    _public = "redwood-frames"
+class SampleRedwoodRGBDImages(SampleDataset, similar="room_frames(5)", public="redwood-frames"):
     color_paths = files("color/{:05d}.jpg", range(5))
     depth_paths = files("depth/{:05d}.png", range(5))
     trajectory_log_path = file("trajectory.log")
@@ -151,35 +121,30 @@ class SampleRedwoodRGBDImages(SampleDataset):
     camera_intrinsic_path = file("camera_primesense.json")
 
 
-class SampleFountainRGBDImages(SampleDataset):
-    _similar = "room_frames(33)"
+class SampleFountainRGBDImages(SampleDataset, similar="room_frames(33)"):
     color_paths = files_in("image", ".jpg")
     depth_paths = files_in("depth", ".png")
     keyframe_poses_log_path = file("scene/key.log")
     reconstruction_path = file("scene/integrated.ply")
 
 
-class BedroomRGBDImages(SampleDataset):
-    _similar = "room_frames(100)"
+class BedroomRGBDImages(SampleDataset, similar="room_frames(100)"):
     color_paths = files("image/{:06d}.jpg", range(1, 21931))
     depth_paths = files("depth/{:06d}.png", range(1, 21931))
     trajectory_log_path = file("bedroom.log")
     reconstruction_path = file("bedroom.ply")
 
 
-class LoungeRGBDImages(SampleDataset):
-    _similar = "room_frames(100)"
-    _public = "lounge"
+class LoungeRGBDImages(SampleDataset, similar="room_frames(100)", public="lounge"):
     color_paths = files("color/{:06d}.png", range(1, 3000))
     depth_paths = files("depth/{:06d}.png", range(1, 3000))
     trajectory_log_path = file("lounge_trajectory.log")
     reconstruction_path = file("lounge.ply")
 
 
-class RedwoodRoom(SampleDataset):
+class RedwoodRoom(SampleDataset, similar="room_frames(100)"):
     """Frames of a synthetic room, and its points and camera poses."""
 
-    _similar = "room_frames(100)"
     _scene: ClassVar[str]
     _numbers: ClassVar[range]
     point_cloud_path = property(lambda self: self._path(f"{self._scene.rstrip('12')}.ply"))
@@ -191,9 +156,8 @@ class RedwoodRoom(SampleDataset):
     noise_model_path = file("dist-model.txt")
 
 
-class RedwoodIndoorLivingRoom1(RedwoodRoom):
+class RedwoodIndoorLivingRoom1(RedwoodRoom, public="living-room"):
     _scene, _numbers = "livingroom1", range(2870)
-    _public = "living-room"
 
 
 class RedwoodIndoorLivingRoom2(RedwoodRoom):
@@ -208,14 +172,12 @@ class RedwoodIndoorOffice2(RedwoodRoom):
     _scene, _numbers = "office2", range(2538)
 
 
-class CrateModel(SampleDataset):
-    _similar = "object_mesh()"
+class CrateModel(SampleDataset, similar="object_mesh()"):
     path = file("crate.obj")
     path_map = path_map(crate_material="crate.mtl", crate_model="crate.obj", texture_image="crate.jpg")
 
 
-class MonkeyModel(SampleDataset):
-    _similar = "object_mesh()"
+class MonkeyModel(SampleDataset, similar="object_mesh()"):
     path = file("monkey.obj")
     path_map = path_map(
         albedo="albedo.png",
@@ -230,8 +192,7 @@ class MonkeyModel(SampleDataset):
     )
 
 
-class SwordModel(SampleDataset):
-    _similar = "object_mesh()"
+class SwordModel(SampleDataset, similar="object_mesh()"):
     path = file("UV.obj")
     path_map = path_map(
         sword_material="UV.mtl",
@@ -253,8 +214,7 @@ _HELMET_PARTS = {
 _HELMET_MAPS = {"base": "BaseColor", "normal": "Normal", "occlusion_rough_metal": "OcclusionRoughMetal"}
 
 
-class FlightHelmetModel(SampleDataset):
-    _similar = "object_mesh()"
+class FlightHelmetModel(SampleDataset, similar="object_mesh()"):
     path = file("FlightHelmet.gltf")
     path_map = path_map(
         flight_helmet="FlightHelmet.gltf",

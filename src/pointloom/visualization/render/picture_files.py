@@ -23,9 +23,8 @@ MAX_WEBP = 16383  # [px] per side
 def check_picture(path: Any, *, overwrite: bool) -> None:
     """Check that an image can be written, before any work. Raises FileError."""
     if path_of(path).suffix.lower() not in KINDS:
-        raise FileError(
-            path, "unknown image format: expected .png or .webp", remedy="Use a file name that ends in .png"
-        )
+        reason = "unknown image format: expected .png or .webp"
+        raise FileError(path, reason, remedy="Use a file name that ends in .png")
     check_writable(path, overwrite=overwrite)
 
 
@@ -53,12 +52,11 @@ def write_image(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite:
     if has_opacity and kind in OPAQUE:
         remedy = "Write .png or .webp, or render with an opaque background"
         raise FileError(path, f"{kind} does not support transparency", remedy=remedy)
-    check_writable(path, overwrite=overwrite)
+    check_picture(path, overwrite=overwrite)
     if not (has_opacity or kind == ".webp"):
         write_png(path, image)
         return
     pixels = _check_bytes(image)
-    check_picture(path, overwrite=overwrite)
     if kind == ".png":
         data = encode_png(pixels)
     else:

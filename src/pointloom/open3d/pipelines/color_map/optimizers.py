@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,13 +17,12 @@ from ...settings import Settings
 from ...wrapper import unwrap
 
 
-@dataclass(eq=False, repr=False)
 class RigidOptimizerOption(Settings):
     """Options of `run_rigid_optimizer`. Nothing is written to `debug_output_dir`."""
 
+    _kind = options.ColorMapOption
     _internal = ("native_keywords",)
 
-    _kind = options.ColorMapOption
     maximum_iteration: Any = 0
     maximum_allowable_depth: float = 2.5
     depth_threshold_for_visibility_check: float = 0.03
@@ -41,7 +39,6 @@ class RigidOptimizerOption(Settings):
         return values
 
 
-@dataclass(eq=False, repr=False, init=False)
 class NonRigidOptimizerOption(RigidOptimizerOption):
     number_of_vertical_anchors: int = 16
     non_rigid_anchor_point_weight: float = 0.316

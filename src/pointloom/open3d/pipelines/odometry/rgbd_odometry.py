@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -17,11 +17,9 @@ from ...vectors import IntVector
 from ...wrapper import IDENTITY_POSE, unwrap
 
 
-@dataclass(eq=False, repr=False)
-class OdometryOption(Settings):
+class OdometryOption(Settings, of=options):
     _internal = ("native_keywords",)
 
-    _kind = options.OdometryOption
     iteration_number_per_pyramid_level: Any = field(default_factory=lambda: IntVector([20, 10, 5]))
     depth_diff_max: float = 0.03
     depth_min: float = 0.0
@@ -47,18 +45,12 @@ class RGBDOdometryJacobian(Settings):
     """Base class of the two terms."""
 
 
-@dataclass(eq=False, repr=False)
-class RGBDOdometryJacobianFromColorTerm(RGBDOdometryJacobian):
+class RGBDOdometryJacobianFromColorTerm(RGBDOdometryJacobian, of=options):
     """Intensity only."""
 
-    _kind = options.RGBDOdometryJacobianFromColorTerm
 
-
-@dataclass(eq=False, repr=False)
-class RGBDOdometryJacobianFromHybridTerm(RGBDOdometryJacobian):
+class RGBDOdometryJacobianFromHybridTerm(RGBDOdometryJacobian, of=options):
     """Intensity and depth."""
-
-    _kind = options.RGBDOdometryJacobianFromHybridTerm
 
 
 def compute_rgbd_odometry(

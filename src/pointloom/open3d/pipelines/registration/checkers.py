@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -14,8 +13,9 @@ from ...wrapper import as_array, column
 from .estimation import clouds_of
 
 
-class CorrespondenceChecker(Settings):
-    _kind = checkers.CorrespondenceChecker
+class CorrespondenceChecker(Settings, of=checkers):
+    """Base class of the checks."""
+
     require_pointcloud_alignment_ = True  # the check uses the pose
 
     def Check(self, source: CloudLike, target: CloudLike, corres: VectorLike, transformation: ArrayLike) -> bool:
@@ -27,36 +27,28 @@ class CorrespondenceChecker(Settings):
         return f"{type(self).__name__} with {name.replace('normal_angle', 'normal')}={value:f}"
 
 
-@dataclass(eq=False, repr=False)
-class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
+class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker, of=checkers):
     """Distances between the sampled points are similar in both clouds."""
 
-    _kind = checkers.CorrespondenceCheckerBasedOnEdgeLength
     require_pointcloud_alignment_ = False
     similarity_threshold: Any = 0.9
 
 
-@dataclass(eq=False, repr=False)
-class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
+class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker, of=checkers):
     """The sampled points are close under the pose."""
 
-    _kind = checkers.CorrespondenceCheckerBasedOnDistance
     distance_threshold: Any
 
 
-@dataclass(eq=False, repr=False)
-class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
+class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker, of=checkers):
     """Normals at the sampled points agree under the pose."""
 
-    _kind = checkers.CorrespondenceCheckerBasedOnNormal
     normal_angle_threshold: Any
 
 
-@dataclass(eq=False, repr=False)
-class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
+class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker, of=checkers):
     """The rotation angles of the pose are limited."""
 
-    _kind = checkers.CorrespondenceCheckerBasedOnSourceRotation
     rotation_threshold: Any
 
     def __setattr__(self, name: str, value: Any) -> None:

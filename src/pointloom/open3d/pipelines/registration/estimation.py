@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -19,10 +19,8 @@ from ...wrapper import as_array, unwrap
 from .pairs import fit_step, residual_rmse
 
 
-class RobustKernel(Settings):
+class RobustKernel(Settings, of=robust_kernels):
     """Base class of robust kernels: weight as a function of the residual."""
-
-    _kind = robust_kernels.RobustKernel
 
     def weight(self, residual: float) -> float:
         return float(self.native.weight(residual))
@@ -32,50 +30,38 @@ class RobustKernel(Settings):
         return f"RobustKernel::{type(self).__name__}{scale}"
 
 
-@dataclass(eq=False, repr=False)
-class L2Loss(RobustKernel):
-    _kind = robust_kernels.L2Loss
+class L2Loss(RobustKernel, of=robust_kernels):
+    pass
 
 
-@dataclass(eq=False, repr=False)
-class L1Loss(RobustKernel):
-    _kind = robust_kernels.L1Loss
+class L1Loss(RobustKernel, of=robust_kernels):
+    pass
 
 
-@dataclass(eq=False, repr=False)
-class HuberLoss(RobustKernel):
-    _kind = robust_kernels.HuberLoss
+class HuberLoss(RobustKernel, of=robust_kernels):
     k: float
 
 
-@dataclass(eq=False, repr=False)
-class CauchyLoss(RobustKernel):
+class CauchyLoss(RobustKernel, of=robust_kernels):
     """1 / (1 + (r / k)^2)."""
 
-    _kind = robust_kernels.CauchyLoss
     k: float
 
 
-@dataclass(eq=False, repr=False)
-class GMLoss(RobustKernel):
+class GMLoss(RobustKernel, of=robust_kernels):
     """Geman-McClure; k is a squared residual."""
 
-    _kind = robust_kernels.GMLoss
     k: float
 
 
-@dataclass(eq=False, repr=False)
-class TukeyLoss(RobustKernel):
+class TukeyLoss(RobustKernel, of=robust_kernels):
     """(1 - (r / k)^2)^2 up to k, zero beyond."""
 
-    _kind = robust_kernels.TukeyLoss
     k: float
 
 
-class TransformationEstimation(Settings):
+class TransformationEstimation(Settings, of=estimation):
     """Base class of the estimators."""
-
-    _kind = estimation.TransformationEstimation
 
     @as_runtime_errors
     def compute_transformation(self, source: CloudLike, target: CloudLike, corres: VectorLike) -> NDArray[np.float64]:
@@ -95,9 +81,7 @@ class TransformationEstimation(Settings):
             setattr(self, first, default)
 
 
-@dataclass(eq=False, repr=False)
-class TransformationEstimationPointToPoint(TransformationEstimation):
-    _kind = estimation.TransformationEstimationPointToPoint
+class TransformationEstimationPointToPoint(TransformationEstimation, of=estimation):
     with_scaling: bool = False
 
     @as_runtime_errors
@@ -115,25 +99,19 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
         return f"TransformationEstimationPointToPoint(with_scaling={bool(self.with_scaling)})"
 
 
-@dataclass(eq=False, repr=False)
-class TransformationEstimationPointToPlane(TransformationEstimation):
-    _kind = estimation.TransformationEstimationPointToPlane
+class TransformationEstimationPointToPlane(TransformationEstimation, of=estimation):
     kernel: RobustKernel = field(default_factory=L2Loss)
 
 
-@dataclass(eq=False, repr=False)
-class TransformationEstimationSymmetric(TransformationEstimation):
+class TransformationEstimationSymmetric(TransformationEstimation, of=estimation):
     """Point to plane with the normals of both clouds."""
 
-    _kind = estimation.TransformationEstimationSymmetric
     kernel: RobustKernel = field(default_factory=L2Loss)
 
 
-@dataclass(eq=False, repr=False)
-class TransformationEstimationForColoredICP(TransformationEstimation):
+class TransformationEstimationForColoredICP(TransformationEstimation, of=estimation):
     """Planes and colors; `(lambda_geometric)`, `(kernel)` or both."""
 
-    _kind = estimation.TransformationEstimationForColoredICP
     lambda_geometric: Any = 0.968
     kernel: RobustKernel = field(default_factory=L2Loss)
 
@@ -145,11 +123,9 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
         return f"TransformationEstimationForColoredICP(lambda_geometric={self.lambda_geometric:g})"
 
 
-@dataclass(eq=False, repr=False)
-class TransformationEstimationForGeneralizedICP(TransformationEstimation):
+class TransformationEstimationForGeneralizedICP(TransformationEstimation, of=estimation):
     """Planes of both clouds as flat Gaussians; `(epsilon)`, `(kernel)` or both."""
 
-    _kind = estimation.TransformationEstimationForGeneralizedICP
     epsilon: Any = 0.001
     kernel: RobustKernel = field(default_factory=L2Loss)
 

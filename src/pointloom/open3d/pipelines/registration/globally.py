@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -44,13 +43,12 @@ class RANSACLimits(NamedTuple):
     confidence: float = ransac.CONFIDENCE
 
 
-@dataclass(eq=False, repr=False)
 class RANSACConvergenceCriteria(Settings):
     """Limits of RANSAC. A confidence outside 0 to 1 is clipped, as in Open3D: before 0.12 it was a count."""
 
+    _kind = RANSACLimits
     _internal = ("native_keywords",)
 
-    _kind = RANSACLimits
     max_iteration: Any = 100000
     confidence: float = 0.999
 
@@ -65,11 +63,9 @@ class RANSACConvergenceCriteria(Settings):
         return f"RANSACConvergenceCriteria(max_iteration={self.max_iteration}, confidence={self.confidence:e})"
 
 
-@dataclass(eq=False, repr=False)
-class FastGlobalRegistrationOption(Settings):
+class FastGlobalRegistrationOption(Settings, of=fast_global):
     """Options of fast global registration. `decrease_mu` is False here, but True if no option is given."""
 
-    _kind = fast_global.FastGlobalRegistrationOption
     division_factor: Any = 1.4
     use_absolute_scale: bool = False
     decrease_mu: bool = False
@@ -183,11 +179,9 @@ def _limits(criteria: Any) -> dict[str, Any]:
     return {"num_iterations": limits.max_iteration, "confidence": limits.confidence}
 
 
-@dataclass(eq=False, repr=False)
-class ICPConvergenceCriteria(Settings):
+class ICPConvergenceCriteria(Settings, of=icp):
     """ICP ends if both changes are below their limits, or after `max_iteration`."""
 
-    _kind = icp.ICPConvergenceCriteria
     relative_fitness: Any = 1e-6
     relative_rmse: float = 1e-6
     max_iteration: int = 30
@@ -250,11 +244,9 @@ registration_symmetric_icp = _icp(
 )
 
 
-@dataclass(eq=False, repr=False)
-class NormalDistributionsTransformOption(Settings):
+class NormalDistributionsTransformOption(Settings, of=ndt):
     """Options of NDT. Invalid ones are rejected here, and on use after an assignment."""
 
-    _kind = ndt.NormalDistributionsTransformOption
     voxel_size: Any = 1.0
     min_points_per_voxel: int = 6
     covariance_regularization: float = 1e-3

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar, SupportsIndex
 
 import numpy as np
@@ -14,22 +14,18 @@ from ...settings import Settings
 from ...wrapper import Wrapper, unwrap
 
 
-@dataclass(eq=False, repr=False)
-class PoseGraphNode(Settings):
+class PoseGraphNode(Settings, of=pose_graph):
     """A node: `pose` is T_world_node, shape (4, 4)."""
 
-    _kind = pose_graph.PoseGraphNode
     pose: Any = field(default_factory=lambda: np.eye(4))
 
     def __repr__(self) -> str:
         return "PoseGraphNode, access pose to get its current pose."
 
 
-@dataclass(eq=False, repr=False)
-class PoseGraphEdge(Settings):
+class PoseGraphEdge(Settings, of=pose_graph):
     """A measured transformation between two nodes, T_target_source, and its information (6, 6)."""
 
-    _kind = pose_graph.PoseGraphEdge
     source_node_id: Any = -1
     target_node_id: int = -1
     transformation: Any = field(default_factory=lambda: np.eye(4))
@@ -127,11 +123,9 @@ class PoseGraph(Wrapper):
         return f"PoseGraph with {len(self._nodes)} nodes and {len(self._edges)} edges."
 
 
-@dataclass(eq=False, repr=False)
-class GlobalOptimizationOption(Settings):
+class GlobalOptimizationOption(Settings, of=pose_graph_optimization):
     """Options. As in Open3D, the distance is 0.075 without arguments and 0.03 if any argument is given."""
 
-    _kind = pose_graph_optimization.GlobalOptimizationOption
     max_correspondence_distance: Any = None
     edge_prune_threshold: float | None = None
     preference_loop_closure: float | None = None
@@ -149,9 +143,7 @@ class GlobalOptimizationOption(Settings):
         return _listed(self)
 
 
-@dataclass(eq=False, repr=False)
-class GlobalOptimizationConvergenceCriteria(Settings):
-    _kind = pose_graph_optimization.GlobalOptimizationConvergenceCriteria
+class GlobalOptimizationConvergenceCriteria(Settings, of=pose_graph_optimization):
     max_iteration: Any = 100
     min_relative_increment: float = 1e-6
     min_relative_residual_increment: float = 1e-6
@@ -181,12 +173,10 @@ class GlobalOptimizationMethod(Settings):
         global_optimization(pose_graph, self, criteria, option)
 
 
-@dataclass(eq=False, repr=False)
 class GlobalOptimizationGaussNewton(GlobalOptimizationMethod):
     _name = pose_graph_optimization.GAUSS_NEWTON
 
 
-@dataclass(eq=False, repr=False)
 class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
     _name = pose_graph_optimization.LEVENBERG_MARQUARDT
 

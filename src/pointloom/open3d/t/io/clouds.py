@@ -33,14 +33,12 @@ def read_point_cloud(
 
     Attributes of one column have shape (n, 1). Colors are uint8 if the file has bytes, else float32 in 0..1.
     """
-    suffix = Path(filename).suffix.lower().lstrip(".")
-    if format not in ("auto", suffix, *COLUMNS):
+    suffix = Path(filename).suffix.lower()
+    if format not in ("auto", suffix.lstrip("."), *COLUMNS):
         raise ValueError(f"format: expected a file that ends in .{format}, got {escaped(filename)}; rename it")
-    if f".{suffix}" not in READERS:
-        raise FileError(
-            filename, f"unknown extension {f'.{suffix}'!r}", remedy=f"Clouds are read from {' '.join(READERS)}"
-        )
-    table = read_points(filename, None if format in ("auto", suffix) else COLUMNS[format])
+    if suffix not in READERS:
+        raise FileError(filename, f"unknown extension {suffix!r}", remedy=f"Clouds are read from {' '.join(READERS)}")
+    table = read_points(filename, None if format in ("auto", suffix.lstrip(".")) else COLUMNS[format])
     warn_of_viewpoint(filename, table.viewpoint, stacklevel=3)
     cloud = PointCloud(Tensor(table.points))
     if table.normals is not None:

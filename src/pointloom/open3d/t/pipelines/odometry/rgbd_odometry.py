@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -21,11 +21,9 @@ from .images import plane_of, rgbd_of
 PointToPlane, Intensity, Hybrid = Method
 
 
-@dataclass(eq=False, repr=False)
-class OdometryConvergenceCriteria(Settings):
+class OdometryConvergenceCriteria(Settings, of=options):
     """A level ends if both relative changes are below their limits, or after `max_iteration`."""
 
-    _kind = options.OdometryConvergenceCriteria
     max_iteration: Any
     relative_rmse: float = 1e-6
     relative_fitness: float = 1e-6
@@ -35,11 +33,9 @@ class OdometryConvergenceCriteria(Settings):
         return f"OdometryConvergenceCriteria(max_iteration={self.max_iteration}, {limits})"
 
 
-@dataclass(eq=False, repr=False)
-class OdometryLossParams(Settings):
+class OdometryLossParams(Settings, of=options):
     """Largest depth difference of a pair [m], and Huber limits of depth [m] and intensity (0..1)."""
 
-    _kind = options.OdometryLossParams
     depth_outlier_trunc: Any = 0.07
     depth_huber_delta: float = 0.05
     intensity_huber_delta: float = 0.1
@@ -50,7 +46,6 @@ class OdometryLossParams(Settings):
         )
 
 
-@dataclass(eq=False, repr=False)
 class OdometryResult(Settings):
     """T_target_source (4, 4), float64 on the CPU. As in Open3D, `inlier_rmse` is the mean Huber loss of the pairs."""
 

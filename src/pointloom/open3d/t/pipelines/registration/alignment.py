@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from typing import Any
 
@@ -32,7 +32,6 @@ from .estimation import (
 Callback = Callable[[dict[str, Tensor]], Any]
 
 
-@dataclass(eq=False, repr=False)
 class ICPConvergenceCriteria(globally.ICPConvergenceCriteria):
     """A scale ends if both absolute changes are below their limits, or after `max_iteration`."""
 
@@ -41,7 +40,6 @@ class ICPConvergenceCriteria(globally.ICPConvergenceCriteria):
         return f"ICPConvergenceCriteria[{limits}, max_iteration_={self.max_iteration}]."
 
 
-@dataclass(eq=False, repr=False)
 class RegistrationResult(Settings):
     """T_target_source (4, 4), float64 on the CPU, and its quality.
 

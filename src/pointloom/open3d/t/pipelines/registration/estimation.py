@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -22,10 +22,8 @@ from .robust_kernel import RobustKernel
 Points = NDArray[np.float64]
 
 
-class TransformationEstimation(Settings):
+class TransformationEstimation(Settings, of=estimation):
     """Base class of the estimators. `correspondences`: target index of each source point, or -1, int64 (n,)."""
-
-    _kind = estimation.TransformationEstimation
 
     def __setattr__(self, name: str, value: Any) -> None:
         super().__setattr__(name, RobustKernel(value) if isinstance(value, RobustKernel) else value)
@@ -48,10 +46,7 @@ class TransformationEstimation(Settings):
         return residual_rmse(*clouds, pairs_of(correspondences, len(clouds[0])), self.native)
 
 
-@dataclass(eq=False, repr=False, init=False)
-class TransformationEstimationPointToPoint(TransformationEstimation):
-    _kind = estimation.TransformationEstimationPointToPoint
-
+class TransformationEstimationPointToPoint(TransformationEstimation, of=estimation):
     def __init__(self, other: object = None):
         """`other` is one to copy."""
 
@@ -72,25 +67,19 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
         return float(np.sqrt(((p - q) ** 2).sum(axis=1).mean())) if len(p) else 0.0
 
 
-@dataclass(eq=False, repr=False)
-class TransformationEstimationPointToPlane(TransformationEstimation):
-    _kind = estimation.TransformationEstimationPointToPlane
+class TransformationEstimationPointToPlane(TransformationEstimation, of=estimation):
     kernel: Any = field(default_factory=RobustKernel)
 
 
-@dataclass(eq=False, repr=False)
-class TransformationEstimationSymmetric(TransformationEstimation):
+class TransformationEstimationSymmetric(TransformationEstimation, of=estimation):
     """Point to plane with the normals of both clouds."""
 
-    _kind = estimation.TransformationEstimationSymmetric
     kernel: Any = field(default_factory=RobustKernel)
 
 
-@dataclass(eq=False, repr=False)
-class TransformationEstimationForColoredICP(TransformationEstimation):
+class TransformationEstimationForColoredICP(TransformationEstimation, of=estimation):
     """Planes and colors; `(lambda_geometric)`, `(kernel)` or both."""
 
-    _kind = estimation.TransformationEstimationForColoredICP
     lambda_geometric: Any = 0.968
     kernel: Any = field(default_factory=RobustKernel)
 
@@ -103,7 +92,6 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
         return f"TransformationEstimationForColoredICP with lambda_geometric: {self.lambda_geometric:f}"
 
 
-@dataclass(eq=False, repr=False)
 class _DopplerFields(TransformationEstimation):
     period: Any = 0.1
     lambda_doppler: float = 0.01
@@ -117,15 +105,13 @@ class _DopplerFields(TransformationEstimation):
     transform_vehicle_to_sensor: Any = field(default_factory=lambda: as_matrix(IDENTITY_POSE))
 
 
-class TransformationEstimationForDopplerICP(_DopplerFields):
+class TransformationEstimationForDopplerICP(_DopplerFields, of=estimation):
     """Planes and radial velocities: all fields, or `(lambda_doppler)` alone.
 
     The source needs the attribute "dopplers" [m/s]; "directions" are those of its points without it.
     """
 
     _internal = ("native_keywords",)
-
-    _kind = estimation.TransformationEstimationForDopplerICP
 
     def __init__(self, *fields: Any, **named: Any):
         if len(fields) == 1 and not named and not isinstance(fields[0], TransformationEstimation):

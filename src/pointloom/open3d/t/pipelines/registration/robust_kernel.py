@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 from typing import Any
 
 from .....registration import robust_kernels
@@ -19,7 +18,6 @@ class RobustKernelMethod(enum.Enum):
 L2Loss, L1Loss, HuberLoss, CauchyLoss, GMLoss, TukeyLoss, GeneralizedLoss = RobustKernelMethod
 
 
-@dataclass(eq=False, repr=False)
 class RobustKernel(Settings):
     """A kernel of pointloom by its name, with its scale `k`. The shape is that of GeneralizedLoss."""
 
