@@ -16,7 +16,7 @@ from ...kernels.arrays.sort import positions
 from ...kernels.memory import check_room, download
 from ...kernels.meshes.merge_vertices import rename_corners
 from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
-from ...kernels.textures.charts import compute_uvs, cut_charts, find_twins
+from ...kernels.textures.charts import Packing, compute_uvs, cut_charts, find_twins
 from ...kernels.textures.color_outliers import keep_likely
 from ...kernels.textures.exposures import Exposures, find_exposures, plain_exposures
 from ...kernels.textures.face_views import FaceViews, FaceVisibility, keep_views
@@ -28,7 +28,7 @@ from ...kernels.textures.stacked_images import StackedImages
 from ...kernels.textures.view_labels import MAX_IMAGE_COST, LabelGraph, choose_labels, cost_views, energy_of, name_views
 from ..mesh.mesh import TriangleMesh
 from ..mesh.posed_images import PosedImages
-from .chart_packing import Packing, pack_charts
+from .chart_packing import pack_charts
 from .image_sources import take_images
 from .image_texture_result import ImageTextureResult
 from .results import NothingSeenError
@@ -198,13 +198,12 @@ def _paint(
     packing = pack_charts(charts.boxes(), blind, colors is not None, CHART_PADDING, size, MAX_TEXTURE_SIZE)
     side = packing.size
     check_room(mesh.device, side * side * TEXEL_BYTES, f"size: a texture of {side} x {side} texels")
-    where = (packing.positions, packing.scale, packing.cells, side)
-    uvs = compute_uvs(vertices, seams.triangles, seams.views, images, charts, *where)
+    uvs = compute_uvs(vertices, seams.triangles, seams.views, images, charts, packing)
     texels = ChartTexels(uvs, side)
-    paint_texels(texels, vertices, seams, images, choice.exposures, levels.shifts, packing.scale, colors, plain)
+    paint_texels(texels, levels, packing.scale, colors, plain)
     seam_samples = SeamSamples(texels, seams)
     if blend:
-        blend_strips(texels, vertices, seams, images, choice.exposures, levels.shifts)
+        blend_strips(texels, levels)
         join_seams(seam_samples, texels.colors)
     pixels = finish_texels(texels, CHART_PADDING)
     steps = drawn_steps(seam_samples, pixels)
