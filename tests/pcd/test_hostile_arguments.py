@@ -433,7 +433,7 @@ LEFT_OUT = {
     # tests/files, tests/meshing, tests/kernels
     "read_cameras", "draw_slice", "set_num_threads", "draw_change", "paint_change",
     # tests/meshing
-    "ColorMapOption", "optimize_color_map",
+    "ColorMapOption", "ImageTextureOption", "optimize_color_map",
     "texture_from_images", "texture_mesh",
 }  # fmt: skip
 LEFT_OUT |= {

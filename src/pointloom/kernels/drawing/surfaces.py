@@ -23,7 +23,7 @@ from .z_buffer import DepthBuffer, View, ray_through, to_camera
 EDGE_WIDTH = 0.5  # [px] half width of an edge inside a triangle
 PIXEL_MIDDLE = 0.5 * (CELLS_PER_PIXEL - 1)  # of a pixel, from the center of its first cell [cells]
 EDGE_SHADE = 0.12  # brightness factor of edges
-BLACK = vec3(0.0, 0.0, 0.0)
+NO_COLOR = vec3(0.0, 0.0, 0.0)
 
 
 class Texture(NamedTuple):
@@ -57,7 +57,7 @@ class Surface:
         normals: Vectors,
         colors: Vectors,
         texture: Texture | None = None,
-        plain: vec3 = BLACK,
+        plain: vec3 = NO_COLOR,
         lit: bool = False,
         edges: bool = False,
     ) -> None:
