@@ -377,7 +377,10 @@ def estimate_depth(
             seed=seed, report=lambda done, total: report("tiles", done, total),
         )  # fmt: skip
     alignment = None if references is None else _align(inverse, references, kind, seed)
-    scale, shift, farthest = _default_units(inverse, kind) if alignment is None else _units_of(alignment)
+    if alignment is None:
+        scale, shift, farthest = _default_units(inverse, kind)
+    else:
+        scale, shift, farthest = alignment.scale, alignment.shift, MAX_DEPTH_RATIO * alignment.farthest
     unit = _unit(kind, references, source, reading.is_metric)
     return DepthEstimate(
         depth=_depth(inverse, scale, shift, farthest),
@@ -465,10 +468,6 @@ def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Ali
     if references.are_few and len(d) <= MAX_DISTANCES:
         return align_to_distances(d, y, with_shift=not kind.gives_scale)
     return align_inverse_depth(d, y, seed=seed, with_shift=not kind.gives_scale)
-
-
-def _units_of(alignment: Alignment) -> tuple[float, float, float]:
-    return alignment.scale, alignment.shift, MAX_DEPTH_RATIO * alignment.farthest
 
 
 def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:

@@ -137,12 +137,9 @@ def find_features(
         names, counts = _features_of(part)
     report("features", count, count)
     clock.stop("features")
-    stats = clock.seconds["features"], peak, len(groups), done["gpu"], _focal_warnings(problems)
+    notes = tuple(f"EXIF's focal length of {name} is rejected: {reason}" for name, reason in problems.items())
+    stats = clock.seconds["features"], peak, len(groups), done["gpu"], notes
     return FeatureReport(os.fspath(target), names, counts, _counted_sizes(groups), *stats)
-
-
-def _focal_warnings(problems: dict[str, str]) -> tuple[str, ...]:
-    return tuple(f"EXIF's focal length of {name} is rejected: {reason}" for name, reason in problems.items())
 
 
 def _focal_problems(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:

@@ -98,8 +98,9 @@ def map_images(
         raise DatasetError(images, "is not a folder", remedy="Give the folder of the images")
     names = _names_of(database)
     job: dict[str, Any] = {"stage": "model", "images": os.fspath(source.resolve()), "threads": 1}
-    chosen = settings.mapper if settings.mapper != "auto" else choose_mapper(len(names))
-    job |= {"seed": int(settings.seed), "fixed_camera": settings.keeps_intrinsic, "mapper": chosen}
+    usual = "global" if len(names) > MANY_IMAGES else "incremental"
+    job |= {"mapper": usual if settings.mapper == "auto" else settings.mapper, "seed": int(settings.seed)}
+    job |= {"fixed_camera": settings.keeps_intrinsic}
     limits = check_limits(settings.max_seconds, settings.max_memory)
     report("model", 0, len(names))
     with new_folder(target):
@@ -111,10 +112,6 @@ def map_images(
     missing = tuple(sorted(set(names) - set(model.names if model else ())))
     clock.stop("model")
     return SfmResult(model, os.fspath(target), assessed, missing, clock.seconds, {"model": peak})
-
-
-def choose_mapper(image_count: int) -> str:
-    return "global" if image_count > MANY_IMAGES else "incremental"
 
 
 def _names_of(database: Path) -> list[str]:
