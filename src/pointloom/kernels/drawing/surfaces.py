@@ -63,10 +63,15 @@ class Surface:
     ) -> None:
         device = vertices.device
         self.vertices, self.triangles, self.normals, self.colors = vertices, triangles, normals, colors
-        pixels = np.empty((0, 0, 3), np.uint8) if texture is None else texture.pixels[:, :, :3]
-        self.texture_height, self.texture_width, _ = pixels.shape
-        self.texture = upload(np.ascontiguousarray(pixels).ravel(), uint8, device)
-        self.uvs = empty(0, vec2, device) if texture is None else texture.uvs
+        if texture is None:
+            self.texture, self.uvs = empty(0, uint8, device), empty(0, vec2, device)
+            self.texture_height = self.texture_width = 0
+        else:
+            pixels, self.uvs = np.ascontiguousarray(texture.pixels[:, :, :3]), texture.uvs
+            self.texture, (self.texture_height, self.texture_width, _) = (
+                upload(pixels.ravel(), uint8, device),
+                pixels.shape,
+            )
         self.plain, self.lit, self.edges = plain, int(lit), int(edges)
 
 

@@ -285,7 +285,9 @@ class Drawing:
         return PartView(camera, R @ A / self.unit, offset)
 
     def _surface(self, part: Triangles) -> Surface:
-        texture = Texture(np.asarray(part.texture, np.uint8), part.uvs) if part.is_textured else None
+        texture = None
+        if part.texture is not None and part.is_textured:
+            texture = Texture(np.asarray(part.texture, np.uint8), part.uvs)
         arrays: dict[str, Any] = {"normals": part.normals, "colors": part.colors, "texture": texture}
         looks = {"plain": vec3(*part.plain), "lit": part.is_lit, "edges": part.wireframe}
         return Surface(part.positions, part.indices, **looks, **arrays)
