@@ -326,7 +326,7 @@ def image_texture(d: Scenes) -> list[Any]:
     camera, images, poses = posed_images(d)
     exposed = [(image * gain).astype(np.uint8) for image, gain in zip(images, (0.9, 1.0, 0.8), strict=True)]
     given = (imaged_grid(d), exposed, camera, [scenes.inverse(pose) for pose in poses])
-    result = loom().meshing.texture_from_images(*given, smoothness=0.2)
+    result = loom().meshing.texture_from_images(*given, loom().meshing.ImageTextureOption(smoothness=0.2))
     return [result.mesh.textures[0], result.mesh.triangle_uvs, result.views, result.energy, result.step_before]
 
 
@@ -535,8 +535,9 @@ def reconstructed(d: Scenes) -> list[Any]:
     config, source = loom().rgbd.ReconstructionConfig(**names), Decoded(first_frames(5, 3, 80)["frames"])
     results: list[Any] = []
     with tempfile.TemporaryDirectory() as folder:
-        for slac in (False, True):
-            loom().rgbd.run_reconstruction_system(source, config, folder, slac=slac, resume=slac, device=d.device)
+        for stages in (("refine", "integrate"), ("refine", "slac", "integrate")):
+            how = {"stages": stages, "resume": "slac" in stages, "device": d.device}
+            loom().rgbd.run_reconstruction_system(source, config, folder, **how)
             path = loom().read_trajectory(Path(folder) / "scene" / "trajectory.log")
             results += [path.poses, loom().read_triangle_mesh(Path(folder) / "scene" / "integrated.ply")]
         return results

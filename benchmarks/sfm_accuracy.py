@@ -127,7 +127,9 @@ def main() -> None:
     given = arguments.parse_args()
     given.work.mkdir(parents=True)
     images, truth, options, report = SETS[given.set](given.work, given.data)
-    result = loom.photogrammetry.reconstruct_images(images, given.work / "sfm", **options)
+    result = loom.photogrammetry.reconstruct_images(
+        images, given.work / "sfm", loom.photogrammetry.SfmSettings(**options)
+    )
     report |= {"set": given.set, **result.to_dict()}
     if result.model is not None:
         report |= {"errors": camera_errors(result.model, truth), "camera": list(result.model.cameras[0].params)}

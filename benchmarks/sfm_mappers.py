@@ -11,6 +11,7 @@ Sceaux has no ground truth, so the cameras of both mappers are compared.
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import resource
 import shutil
 from pathlib import Path
@@ -23,6 +24,7 @@ from real_data import real_data
 from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.mapping import map_images
 from pointloom.photogrammetry.sfm.matches import match_features
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 sfm_accuracy.ROOM_FRAMES, sfm_accuracy.STRIDE = 18, 10
 
@@ -64,12 +66,12 @@ def compare(name: str, work: Path) -> None:
     data = None if folder is None else real_data(folder)
     images, truth, options, _ = make(work, data)
     intrinsic = None if "unknown" in name else options.get("intrinsic")
-    find_features(images, work / "f.db", intrinsic=intrinsic, max_size=1000, max_features=2048)
-    match_features(work / "f.db", work / "m.db", pairs="auto")
+    settings = SfmSettings(intrinsic=intrinsic, max_size=1000, max_features=2048)
+    find_features(images, work / "f.db", settings)
+    match_features(work / "f.db", work / "m.db", settings)
     for mapper in ("incremental", "global"):
         before = cpu_seconds()
-        fixed = {"fix_intrinsic": intrinsic is not None, "mapper": mapper}
-        result = map_images(images, work / "m.db", work / mapper, **fixed)
+        result = map_images(images, work / "m.db", work / mapper, dataclasses.replace(settings, mapper=mapper))
         seconds, model = cpu_seconds() - before, result.model
         if model is None:
             print(f"| {name} | {mapper} | none | | | | {seconds:.0f} |", flush=True)

@@ -18,7 +18,8 @@ import numpy as np
 from real_data import real_data
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm.matches import SEQUENCE_OVERLAP, pairs_of, pairs_that_look_alike
+from pointloom.photogrammetry.sfm.matches import pairs_of, pairs_that_look_alike
+from pointloom.photogrammetry.sfm.settings import SEQUENCE_OVERLAP, SfmSettings
 
 STRIDE, FEATURES, MIN_MATCHES = 5, 1000, 30
 PAIR = 2147483647  # COLMAP's id of the pair (a, b) is PAIR a + b
@@ -33,8 +34,9 @@ def main() -> None:
     order = np.random.default_rng(0).permutation(len(files))
     for number, k in enumerate(order):
         shutil.copy(files[k], work / "images" / f"{number:03d}.jpg")
-    loom.photogrammetry.find_features(work / "images", work / "f.db", max_features=FEATURES)
-    loom.photogrammetry.match_features(work / "f.db", work / "m.db", pairs="exhaustive")
+    settings = SfmSettings(max_features=FEATURES, pairs="exhaustive")
+    loom.photogrammetry.find_features(work / "images", work / "f.db", settings)
+    loom.photogrammetry.match_features(work / "f.db", work / "m.db", settings)
     with sqlite3.connect(work / "m.db") as connection:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries").fetchall()
     same = {divmod(pair, PAIR): count for pair, count in rows if count >= MIN_MATCHES}

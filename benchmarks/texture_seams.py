@@ -236,7 +236,7 @@ def measure(scene: Scene, device: str) -> dict[str, Any]:
     print(f"{'':28}{'charts':>8}{figures}")
     for name, how in variants.items():
         begin = time.process_time()
-        result = maps.texture_from_images(mesh, *given, size=SIZE, **how)
+        result = maps.texture_from_images(mesh, *given, maps.ImageTextureOption(**how), size=SIZE)
         seconds = time.process_time() - begin
         views, meshes[name] = result.views, result.mesh
         _print(name, result.chart_count, result.mesh, scene, views, seconds)

@@ -41,7 +41,9 @@ def system(folder: Path) -> None:
 
 def run_reconstruction_system(folder: Path) -> Any:
     source = loom.open_frames(made(frames))
-    loom.rgbd.run_reconstruction_system(source, _CONFIG, folder, resume=folder.exists(), slac=True)
+    loom.rgbd.run_reconstruction_system(
+        source, _CONFIG, folder, resume=folder.exists(), stages=("refine", "slac", "integrate")
+    )
     return (folder / "scene" / "integrated.ply").read_bytes()
 
 
@@ -83,19 +85,21 @@ def resumed(name: str, make: Callable[[Path], Any], file: str, mutate: mutations
 
 def features(folder: Path) -> None:
     folder.mkdir()
-    loom.photogrammetry.find_features(made(images), folder / "x.db", max_features=300)
+    loom.photogrammetry.find_features(made(images), folder / "x.db", loom.photogrammetry.SfmSettings(max_features=300))
 
 
 def matches(folder: Path) -> None:
     folder.mkdir()
-    loom.photogrammetry.match_features(made(features) / "x.db", folder / "x.db", pairs="exhaustive")
+    settings = loom.photogrammetry.SfmSettings(pairs="exhaustive")
+    loom.photogrammetry.match_features(made(features) / "x.db", folder / "x.db", settings)
 
 
 def read_features(path: Path) -> Any:
     """Match the images of a damaged database, half of them by retrieval."""
     pairs = "retrieval" if zlib.crc32(path.read_bytes()) % 2 else "exhaustive"
     try:
-        return loom.photogrammetry.match_features(path, path.with_name("out.db"), pairs=pairs)
+        settings = loom.photogrammetry.SfmSettings(pairs=pairs)
+        return loom.photogrammetry.match_features(path, path.with_name("out.db"), settings)
     except ValueError as error:
         if str(error).startswith("pairs:"):  # the features are of another kind by the database
             raise loom.FileError(path, str(error)) from error

@@ -37,6 +37,7 @@ if str(ROOT) not in sys.path:
 import pointloom as loom  # noqa: E402
 from pointloom.photogrammetry.depth import network  # noqa: E402
 from pointloom.photogrammetry.depth.heads import RECIPROCAL, UNKNOWN, Head  # noqa: E402
+from pointloom.photogrammetry.depth.network import DepthModel  # noqa: E402
 from pointloom.photogrammetry.depth.presets import NETWORK_PRESETS  # noqa: E402
 from tests.photogrammetry.depth.published_networks import FILES, FOCAL, depth_of, image_of, published  # noqa: E402
 
@@ -103,7 +104,7 @@ def _count(case: str, chosen: set[str], wrong: set[str], refusals: dict[str, str
 def _refusal(path: Path, preset: str) -> str | None:
     """The error message if the file is rejected under a preset."""
     try:
-        loom.photogrammetry.estimate_depth(image_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())
+        loom.photogrammetry.estimate_depth(image_of(ROWS, COLUMNS), DepthModel(path, preset), intrinsic=_camera())
     except (loom.FileError, ValueError) as error:
         return str(error)
     return None
@@ -117,7 +118,9 @@ def _answer(path: Path, preset: str) -> DepthEstimate | None:
 
     with mock.patch.object(network, "check_head", accept), mock.patch.object(network, "_check_names", lambda *_: None):
         try:
-            return loom.photogrammetry.estimate_depth(image_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())
+            return loom.photogrammetry.estimate_depth(
+                image_of(ROWS, COLUMNS), DepthModel(path, preset), intrinsic=_camera()
+            )
         except (loom.FileError, ValueError):
             return None
 

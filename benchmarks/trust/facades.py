@@ -36,7 +36,7 @@ def judge_seed(seed: int) -> Judged:
         images = Path(name) / "images"
         truth = {each: pose for each, (pose, _) in scenes.render(facade).write(images).items()}
         result = loom.photogrammetry.reconstruct_images(
-            images, Path(name) / "work", intrinsic=camera, max_features=FEATURES
+            images, Path(name) / "work", loom.photogrammetry.SfmSettings(intrinsic=camera, max_features=FEATURES)
         )
     return judged(facade, result.model, truth, result.warnings, held_out=seed in HELD_OUT)
 

@@ -425,9 +425,8 @@ def _judge_album(case: str, site: Site, shots: list[tuple[Array, float]], given:
             camera = cameras[1.0]
             f, K = given * camera.focal, camera.intrinsic
             options["intrinsic"] = loom.PinholeCameraIntrinsic(K.width, K.height, f, f, K.cx, K.cy)
-        result = loom.photogrammetry.reconstruct_images(
-            images, Path(folder, "work"), max_features=2000, seed=0, **options
-        )
+        settings = loom.photogrammetry.SfmSettings(max_features=2000, seed=0, **options)
+        result = loom.photogrammetry.reconstruct_images(images, Path(folder, "work"), settings)
     if result.model is None:
         return Judged(
             "images, held out", case, int(known), 0, 0, int(known), "; ".join(result.warnings) or "", "no model"

@@ -41,7 +41,7 @@ class Case:
     Attributes:
         name: A short description.
         make: Writes the images into a folder and returns their ground truth.
-        options: Options of `loom.photogrammetry.reconstruct_images`.
+        options: Fields of `loom.photogrammetry.SfmSettings`.
         held_out: True if no constant was chosen on it.
     """
 
@@ -157,8 +157,8 @@ def judge_case(case: Case) -> Judged:
     """Create the images of a case, reconstruct them, and compare with the ground truth."""
     with tempfile.TemporaryDirectory() as name:
         truth = case.make(Path(name) / "images")
-        options = {"max_features": FEATURES} | case.options
-        result = loom.photogrammetry.reconstruct_images(Path(name) / "images", Path(name) / "work", **options)
+        settings = loom.photogrammetry.SfmSettings(**{"max_features": FEATURES} | case.options)
+        result = loom.photogrammetry.reconstruct_images(Path(name) / "images", Path(name) / "work", settings)
     wrong, error = errors_of(result.model, truth)
     refused = not result.reliable
     notes = "; ".join(filter(None, ["; ".join(result.warnings), *result.quality.notes]))

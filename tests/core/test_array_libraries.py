@@ -552,9 +552,6 @@ def test_asnumpy_returns_numpy_arrays_and_lists_and_rejects_others(library, clou
             loom.asnumpy(wrong)
 
 
-SHAPES = ("box", "plane", "tetrahedron", "octahedron", "icosahedron", "sphere", "ellipsoid", "cylinder", "cone")
-SHAPES += ("torus", "arrow", "coordinate_frame", "mobius")
-SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
 # Constructors and readers of clouds and meshes. They get the keywords `device` and `arrays`, and a folder with files.
 MADE = {
     "cloud": lambda f, **k: loom.PointCloud(np.eye(3), **k),
@@ -562,18 +559,13 @@ MADE = {
     "mesh": lambda f, **k: loom.TriangleMesh(np.eye(3), [[0, 1, 2]], **k),
     "isosurfaces": lambda f, **k: loom.TriangleMesh.create_isosurfaces(CUBE, [20.0], **k),
     "marching cubes": lambda f, **k: loom.meshing.marching_cubes(CUBE, 20.0, **k),
-    "polygon": lambda f, **k: loom.TriangleMesh.from_polygon(SQUARE, **k),
-    "revolved": lambda f, **k: loom.TriangleMesh.revolve([[1, 0], [1, 1]], resolution=4, **k),
     "splats": lambda f, **k: loom.GaussianSplats(np.eye(3), np.ones((3, 3)), np.eye(4)[:3], [0.5] * 3, np.eye(3), **k),
     "cloud of a file": lambda f, **k: loom.read_point_cloud(f / "cloud.ply", **k),
     "scan of a file": lambda f, **k: loom.read_point_cloud(f / "scan.ptx", scan=0, **k),
     "stations": lambda f, **k: loom.read_stations(f / "scan.ptx", **k).clouds[0],
     "mesh of a file": lambda f, **k: loom.read_triangle_mesh(f / "mesh.ply", **k),
     "splats of a file": lambda f, **k: loom.read_splats(f / "splats.ply", **k),
-    **{
-        name: lambda f, name=name, **k: getattr(loom.TriangleMesh, f"create_{name}")(**k)
-        for name in SHAPES
-    },
+    "shape": lambda f, device, **k: loom.TriangleMesh.create_box().to(device, **k),
 }  # fmt: skip
 PINHOLE = loom.PinholeCameraIntrinsic(4, 4, 4.0, 4.0, 1.5, 1.5)
 PTX = "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n4 5 6 0.5\n"

@@ -67,7 +67,8 @@ def values_of(accessor: dict[str, Any], view: dict[str, Any], binary: bytes) -> 
 
 texture = loom.meshing.texture_from_images
 GAINS = (0.8, 1.2, 0.95)
-NO_LEVELLING = {"exposures": False, "seam_leveling": False, "local_leveling": False}
+Option = loom.meshing.ImageTextureOption
+NO_LEVELING = Option(exposures=False, seam_leveling=False, local_leveling=False)
 MIDDLE = np.full(3, 1 / 3)
 
 
@@ -97,10 +98,10 @@ def test_a_triangle_has_the_colors_of_its_position(device):
 def test_each_leveling_takes_seams_away(device, options, mean, maximum):
     scene = wall_scene(GAINS, device)
     given = (scene.mesh, scene.images, CAMERA, scene.extrinsics)
-    plain = texture(*given, **NO_LEVELLING)
+    plain = texture(*given, NO_LEVELING)
     before = steps_of(plain.mesh, plain.views)
     assert before.mean() > 15 and abs(plain.step - plain.step_before) < 0.1 * plain.step_before
-    result = texture(*given, **options)
+    result = texture(*given, Option(**options))
     steps = steps_of(result.mesh, result.views)
     assert len(steps) == len(before) and steps.mean() < mean and steps.max() < maximum
 
@@ -109,8 +110,8 @@ def test_seam_statistics_describe_the_finished_texture(device):
     scene = wall_scene(GAINS, device)
     tinted = [np.clip(image * (1.0, 1.0, 1.0 + 0.2 * k), 0, 255) for k, image in enumerate(scene.images)]
     images = [image.astype(np.uint8) for image in tinted]
-    for options in (NO_LEVELLING, {}):
-        result = texture(scene.mesh, images, CAMERA, scene.extrinsics, **options)
+    for option in (NO_LEVELING, None):
+        result = texture(scene.mesh, images, CAMERA, scene.extrinsics, option)
         steps = steps_of(result.mesh, result.views)
         assert abs(result.step - steps.mean()) < 0.05 * steps.mean() + 0.05
         assert result.step_95 > result.step and result.to_dict()["step_95"] == result.step_95
@@ -120,7 +121,7 @@ def test_seam_statistics_describe_the_finished_texture(device):
 def test_exposure_correction_restores_the_surface_colors(device):
     scene = wall_scene(GAINS, device)
     result = texture(scene.mesh, scene.images, CAMERA, scene.extrinsics)
-    without = texture(scene.mesh, scene.images, CAMERA, scene.extrinsics, exposures=False)
+    without = texture(scene.mesh, scene.images, CAMERA, scene.extrinsics, Option(exposures=False))
     assert errors_of(result).mean() < 0.5 * errors_of(without).mean()
 
 
@@ -130,9 +131,9 @@ def test_an_image_with_other_content_is_excluded(device):
     images = [scene.images[2]] * 4 + [scene.images[2].copy()]
     images[4][:, :, :] = (255, 0, 0)
     images[4][np.arange(72) % 8 < 4] = (120, 0, 0)  # with larger gradients than the others
-    result = texture(scene.mesh, images, CAMERA, poses, exposures=False)
+    result = texture(scene.mesh, images, CAMERA, poses, Option(exposures=False))
     assert 4 not in result.views and result.outlier_count == result.pair_count // 5
-    unfiltered = texture(scene.mesh, images, CAMERA, poses, exposures=False, outliers=False)
+    unfiltered = texture(scene.mesh, images, CAMERA, poses, Option(exposures=False, outliers=False))
     assert (unfiltered.views[unfiltered.views >= 0] == 4).all() and unfiltered.outlier_count == 0
 
 
@@ -159,7 +160,7 @@ def test_triangles_without_an_image_take_vertex_colors_or_are_plain(device):
     colored = scene.mesh.with_arrays()
     colored.vertex_colors = np.tile((0.2, 0.6, 0.4), (len(np.asarray(scene.mesh.vertices)), 1))
     for mesh, color, drew in ((colored, (51, 153, 102), True), (scene.mesh, (255, 0, 255), False)):
-        result = texture(mesh, scene.images, CAMERA, scene.extrinsics, plain=(1, 0, 1))
+        result = texture(mesh, scene.images, CAMERA, scene.extrinsics, Option(plain=(1, 0, 1)))
         blind = np.flatnonzero(result.views < 0)
         assert len(blind) and result.drew_colors is drew
         assert all(np.abs(sampled(result.mesh, row, MIDDLE) - color).max() <= 1 for row in blind)
@@ -172,7 +173,7 @@ def test_a_small_texture_contains_all_charts_at_a_smaller_scale():
     assert result.scale == 1.0 and small.scale < 0.6 and small.mesh.textures[0].shape == (64, 64, 3)
     assert errors_of(small).mean() < 2
     with pytest.raises(ValueError, match="size:"):
-        texture(*given, size=16, smoothness=0.0)
+        texture(*given, Option(smoothness=0.0), size=16)
 
 
 def test_an_sfm_model_provides_cameras_and_files(tmp_path):
@@ -211,19 +212,24 @@ def test_files_contain_the_texture_for_other_programs(tmp_path, ending):
 def test_surfaces_beyond_depth_max_are_not_visible():
     scene = wall_scene()
     with pytest.raises(NothingSeenError):
-        texture(scene.mesh, scene.images, CAMERA, scene.extrinsics, depth_max=0.5)
+        texture(scene.mesh, scene.images, CAMERA, scene.extrinsics, Option(depth_max=0.5))
 
 
-ARGUMENTS = {"size": 256, "smoothness": 1.0, "depth_max": 4.0, "plain": (0.5, 0.5, 0.5)}
-FLAGS = {"outliers": True, "exposures": True, "seam_leveling": True, "local_leveling": True, "progress": None}
-SLOW = [pytest.param(flag, marks=pytest.mark.slow) for flag in FLAGS]
+ARGUMENTS = {"option": Option(), "size": 256, "progress": None}
+FIELDS = {"smoothness": 1.0, "depth_max": 4.0, "plain": (0.5, 0.5, 0.5)}
 
 
-@pytest.mark.parametrize("argument", ["mesh", "images", "cameras", "extrinsics", *ARGUMENTS, *SLOW])
+@pytest.mark.parametrize("field", FIELDS)
+def test_a_hostile_value_of_an_option_is_rejected_by_name(field):
+    faults = faults_of(Option, FIELDS, field)
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize("argument", ["mesh", "images", "cameras", "extrinsics", *ARGUMENTS])
 def test_a_hostile_value_is_rejected_by_name(argument):
     scene = wall_scene()
     given = {"mesh": wall_mesh(5), "images": scene.images, "cameras": CAMERA, "extrinsics": scene.extrinsics}
-    faults = faults_of(texture, {**given, **ARGUMENTS, **FLAGS}, argument)
+    faults = faults_of(texture, {**given, **ARGUMENTS}, argument)
     assert not faults, "\n".join(faults)
 
 

@@ -173,19 +173,19 @@ distance_field.to_array(bounds=points[:2].copy() * 0 + [[0.0], [1.0]], values="s
 loom.Trajectory(poses=poses, timestamps=times, ids=ids)
 loom.TriangleMesh.create_from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5, envelope=shell)
 loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, triangle_uvs=corner_uvs, triangle_material_ids=material_ids, textures=[image], vertex_attributes={"a": row}, triangle_attributes={"b": material_ids}, device="cpu", origin=three, arrays="numpy")
-loom.TriangleMesh.create_arrow(cylinder_radius=1.0, cone_radius=1.5, cylinder_height=5.0, cone_height=4.0, resolution=20, cylinder_split=4, cone_split=1, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_box(width=1.0, height=1.0, depth=1.0, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_cone(radius=1.0, height=2.0, resolution=20, split=1, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_coordinate_frame(size=1.0, origin=three, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_cylinder(radius=1.0, height=2.0, resolution=20, split=4, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_ellipsoid(radius_x=1.0, radius_y=1.0, radius_z=1.0, resolution=20, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_icosahedron(radius=1.0, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_mobius(length_split=70, width_split=15, twists=1, radius=1.0, flatness=1.0, width=1.0, scale=1.0, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_octahedron(radius=1.0, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_plane(width=1.0, height=1.0, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_sphere(radius=1.0, resolution=20, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_tetrahedron(radius=1.0, device="cpu", arrays="numpy")
-loom.TriangleMesh.create_torus(torus_radius=1.0, tube_radius=0.5, radial_resolution=30, tubular_resolution=20, device="cpu", arrays="numpy")
+loom.TriangleMesh.create_arrow(cylinder_radius=1.0, cone_radius=1.5, cylinder_height=5.0, cone_height=4.0, resolution=20, cylinder_split=4, cone_split=1, device="cpu")
+loom.TriangleMesh.create_box(width=1.0, height=1.0, depth=1.0, device="cpu")
+loom.TriangleMesh.create_cone(radius=1.0, height=2.0, resolution=20, split=1, device="cpu")
+loom.TriangleMesh.create_coordinate_frame(size=1.0, origin=three, device="cpu")
+loom.TriangleMesh.create_cylinder(radius=1.0, height=2.0, resolution=20, split=4, device="cpu")
+loom.TriangleMesh.create_ellipsoid(radius_x=1.0, radius_y=1.0, radius_z=1.0, resolution=20, device="cpu")
+loom.TriangleMesh.create_icosahedron(radius=1.0, device="cpu")
+loom.TriangleMesh.create_mobius(length_split=70, width_split=15, twists=1, radius=1.0, flatness=1.0, width=1.0, scale=1.0, device="cpu")
+loom.TriangleMesh.create_octahedron(radius=1.0, device="cpu")
+loom.TriangleMesh.create_plane(width=1.0, height=1.0, device="cpu")
+loom.TriangleMesh.create_sphere(radius=1.0, resolution=20, device="cpu")
+loom.TriangleMesh.create_tetrahedron(radius=1.0, device="cpu")
+loom.TriangleMesh.create_torus(torus_radius=1.0, tube_radius=0.5, radial_resolution=30, tubular_resolution=20, device="cpu")
 loom.TriangleMesh.create_from_point_cloud_alpha_shape(cloud=cloud, alpha=[0.5, 0.3])
 loom.TriangleMesh.create_from_point_cloud_ball_pivoting(cloud=cloud, radii=[0.1, 0.2])
 mesh.array(name="triangles")
@@ -202,8 +202,8 @@ mesh.extrude_rotation(angle=90.0, axis=three, resolution=4, translation=0.0)
 mesh.remesh_isotropic(edge_length=0.5, iterations=1, feature_angle=30.0)
 loom.TriangleMesh.concatenate(meshes=[mesh])
 loom.TriangleMesh.create_isosurfaces(volume=field, contour_values=[0.0], device="cpu", arrays="numpy")
-loom.TriangleMesh.from_polygon(outline=outline, holes=[], device="cpu", arrays="numpy")
-loom.TriangleMesh.revolve(profile=outline, angle=360.0, resolution=8, device="cpu", arrays="numpy")
+loom.TriangleMesh.from_polygon(outline=outline, holes=[], device="cpu")
+loom.TriangleMesh.revolve(profile=outline, angle=360.0, resolution=8, device="cpu")
 mesh.fill_holes(hole_size=0.1)
 mesh.merge_close_vertices(eps=0.1)
 mesh.remove_triangles_by_index(triangle_indices=[0])
@@ -433,7 +433,7 @@ LEFT_OUT = {
     # tests/files, tests/meshing, tests/kernels
     "read_cameras", "draw_slice", "set_num_threads", "draw_change", "paint_change",
     # tests/meshing
-    "ColorMapOption", "optimize_color_map",
+    "ColorMapOption", "ImageTextureOption", "optimize_color_map",
     "texture_from_images", "texture_mesh",
 }  # fmt: skip
 LEFT_OUT |= {

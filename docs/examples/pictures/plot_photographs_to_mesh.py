@@ -40,7 +40,8 @@ known = loom.SfmModel(names, [lens] * len(names), T_camera_world)
 # Poses stay as they are. ``warnings`` reports poses that do not fit the images: a wrong lens, another order,
 # mirrored axes.
 
-result = loom.photogrammetry.triangulate(folder, known, max_size=480, max_features=1000)
+settings = loom.photogrammetry.SfmSettings(max_size=480, max_features=1000)
+result = loom.photogrammetry.triangulate(folder, known, settings)
 model = result.model
 print(model, "|", "; ".join(result.warnings) or "the poses fit")
 scene = loom.RaycastingScene()

@@ -35,10 +35,10 @@ config = system.ReconstructionConfig(n_frames_per_fragment=12, tsdf_voxel_size=0
 # --------------
 #
 # Each stage writes its result and a record of its inputs to the job's folder. A pair of frames whose odometry is
-# unreliable ends a fragment: no motion is assumed. Without ``refine`` and ``integrate``, the run ends with registered
+# unreliable ends a fragment: no motion is assumed. Without the optional ``stages``, the run ends with registered
 # fragments.
 
-registered = system.run_reconstruction_system(frames, config, job, refine=False, integrate=False)
+registered = system.run_reconstruction_system(frames, config, job, stages=())
 for fragment in registered.fragments:
     print(fragment)
 assert registered.reliable and not registered.lost and not registered.files

@@ -3,6 +3,7 @@
 from .color_map.image_texturing import texture_from_images as texture_from_images
 from .color_map.optimizers import optimize_color_map as optimize_color_map
 from .color_map.options import ColorMapOption as ColorMapOption
+from .color_map.options import ImageTextureOption as ImageTextureOption
 from .color_map.texturing import texture_mesh as texture_mesh
 from .mesh.cleaned_mesh import clean_mesh as clean_mesh
 from .mesh.cloud_surface import create_surface as create_surface

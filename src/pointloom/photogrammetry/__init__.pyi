@@ -3,6 +3,7 @@
 from .depth.estimation import estimate_depth as estimate_depth
 from .depth.evaluation import evaluate_depth as evaluate_depth
 from .depth.network import DepthModel as DepthModel
+from .mvs.agreement import DepthAgreement as DepthAgreement
 from .mvs.depth_bundles import read_depth_bundle as read_depth_bundle
 from .mvs.depth_maps import DepthMaps as DepthMaps
 from .mvs.estimation import estimate_depth_maps as estimate_depth_maps
@@ -11,12 +12,14 @@ from .mvs.fusion import fuse_depth_maps as fuse_depth_maps
 from .mvs.posed_images import PosedCamera as PosedCamera
 from .mvs.sources import choose_sources as choose_sources
 from .sfm.features import find_features as find_features
+from .sfm.frames import VideoSampling as VideoSampling
 from .sfm.frames import choose_frames as choose_frames
 from .sfm.image_positions import read_image_positions as read_image_positions
 from .sfm.mapping import map_images as map_images
 from .sfm.matches import match_features as match_features
 from .sfm.model_quality import assess_model as assess_model
 from .sfm.reconstruction import reconstruct_images as reconstruct_images
+from .sfm.settings import SfmSettings as SfmSettings
 from .sfm.training_folder import write_training_folder as write_training_folder
 from .sfm.triangulation import triangulate as triangulate
 from .video.ground_control import ControlMark as ControlMark

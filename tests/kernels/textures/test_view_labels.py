@@ -80,7 +80,7 @@ def test_triangles_without_an_image_stay_without_and_cost_nothing(device):
     assert download(labels)[1] == -1 and energy_of(graph, labels) <= 5 + 9 + 5
 
 
-texture = loom.meshing.texture_from_images
+texture, Option = loom.meshing.texture_from_images, loom.meshing.ImageTextureOption
 POSITIONS = np.linspace(0.02, 0.98, 9)
 HOW = {"exposures": False, "seam_leveling": False, "smoothness": 0.0, "outliers": False}
 
@@ -119,9 +119,9 @@ def steps_at(result, positions):
 
 def test_three_adjacent_images_have_one_color_at_their_corner(device):
     mesh, images, poses = wedges(device)
-    plain = texture(mesh, images, CAMERA, poses, local_leveling=False, **HOW)
+    plain = texture(mesh, images, CAMERA, poses, Option(local_leveling=False, **HOW))
     assert len(set(plain.views.tolist())) == 3 and steps_at(plain, POSITIONS).min() > 15
-    result = texture(mesh, images, CAMERA, poses, **HOW)
+    result = texture(mesh, images, CAMERA, poses, Option(**HOW))
     assert steps_at(result, POSITIONS).max() < 1.5
     middle = [sampled(result.mesh, row, np.asarray(result.mesh.triangles)[row] == 0).mean() for row in range(3)]
     assert np.ptp(middle) < 1.5
@@ -132,8 +132,8 @@ def test_far_from_seams_nothing_changes(device):
     mesh, images, poses = wedges(device)
     large = loom.PinholeCameraIntrinsic(CAMERA.width * 4, CAMERA.height * 4, 360.0, 360.0, 191.5, 143.5)
     finer = [np.repeat(np.repeat(image, 4, 0), 4, 1) for image in images]
-    plain = texture(mesh, finer, large, poses, local_leveling=False, **HOW)
-    result = texture(mesh, finer, large, poses, **HOW)
+    plain = texture(mesh, finer, large, poses, Option(local_leveling=False, **HOW))
+    result = texture(mesh, finer, large, poses, Option(**HOW))
     for row in range(3):
         outer = np.where(np.asarray(mesh.triangles)[row] == 0, 0.2, 0.4)
         assert np.array_equal(sampled(result.mesh, row, outer), sampled(plain.mesh, row, outer))

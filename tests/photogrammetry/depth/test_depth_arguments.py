@@ -15,7 +15,7 @@ from .tiny_networks import linear
 CALLS = """
 loom.photogrammetry.DepthModel(path=path, preset="depth-anything-v2", device="cpu", threads=1)
 model().run(image=image)
-loom.photogrammetry.estimate_depth(image=image, model=path, preset="depth-anything-v2", intrinsic=camera, align=depth, depth_scale=1000.0, tiles=1, seed=0, device="cpu", progress=None)
+loom.photogrammetry.estimate_depth(image=image, model=path, intrinsic=camera, align=depth, depth_scale=1000.0, tiles=1, seed=0, progress=None)
 estimate().to_point_cloud(stride=1, device="cpu")
 """  # noqa: E501
 TABLE = read_table(CALLS, {"model()": "DepthModel", "estimate()": "DepthEstimate"})

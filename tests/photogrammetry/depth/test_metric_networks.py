@@ -7,6 +7,7 @@ import pytest
 from onnx import TensorProto, helper, numpy_helper
 
 import pointloom as loom
+from pointloom.photogrammetry import DepthModel
 from pointloom.photogrammetry.depth import heads
 from pointloom.photogrammetry.depth.graph import load_graph, read_graph
 from pointloom.photogrammetry.depth.heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head
@@ -45,7 +46,9 @@ def canonical(name, image):
 @pytest.mark.parametrize("name", [name for name in METRIC if not name.startswith("depth pro")])
 def test_a_metric_network_gives_meters(name, files):
     image = image_of()
-    result = loom.photogrammetry.estimate_depth(image, files[name], preset=FILES[name][0], intrinsic=camera_of(image))
+    result = loom.photogrammetry.estimate_depth(
+        image, DepthModel(files[name], FILES[name][0]), intrinsic=camera_of(image)
+    )
     assert (result.unit, result.is_metric, result.intrinsic_source) == ("m", True, "given")
     seen = result.depth > 0
     assert seen.mean() > 0.95
@@ -60,7 +63,7 @@ def test_a_metric_network_gives_meters(name, files):
 )
 def test_the_focal_length_of_the_network_replaces_an_unknown_camera(name, size, files):
     image = image_of(*size)
-    result = loom.photogrammetry.estimate_depth(image, files[name], preset=FILES[name][0])
+    result = loom.photogrammetry.estimate_depth(image, DepthModel(files[name], FILES[name][0]))
     assert (result.unit, result.intrinsic_source) == ("m", "the network")
     wide = 616 / 462 * 80 if name == "unidepth" else size[1]  # of the input with its borders
     assert result.intrinsic.fx == pytest.approx(FOCAL * wide, rel=0.01)
@@ -73,7 +76,7 @@ def test_the_focal_length_of_the_network_replaces_an_unknown_camera(name, size, 
 def test_a_known_focal_length_replaces_depth_pro_s(name, files):
     image = image_of()
     result = loom.photogrammetry.estimate_depth(
-        image, files[name], preset="depth-pro", intrinsic=camera_of(image, 2 * FOCAL)
+        image, DepthModel(files[name], "depth-pro"), intrinsic=camera_of(image, 2 * FOCAL)
     )
     seen = result.depth > 0
     assert np.median(result.depth[seen] / depth_of(image)[seen]) == pytest.approx(2, rel=0.005)
@@ -125,14 +128,14 @@ def test_metric_maps_are_aligned_by_scale_and_contradicting_references_rejected(
     image = image_of()
     truth = 3 * depth_of(image)
     truth[::2] = 0
-    options = {"preset": FILES[name][0], "intrinsic": camera_of(image)}
-    result = loom.photogrammetry.estimate_depth(image, files[name], align=truth, **options)
+    model, camera = DepthModel(files[name], FILES[name][0]), camera_of(image)
+    result = loom.photogrammetry.estimate_depth(image, model, align=truth, intrinsic=camera)
     assert result.shift == 0
     assert result.scale * 3 / canonical(name, image) == pytest.approx(1, rel=0.01)
     assert result.inlier_fraction > 0.9
     with pytest.raises(ValueError, match=r"^align:.*3 distances.*got 1"):
         loom.photogrammetry.estimate_depth(
-            image, files[name], align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], **options
+            image, model, align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], intrinsic=camera
         )
 
 
@@ -147,7 +150,7 @@ def test_an_unlabeled_file_and_depth_anything_3_are_accepted_with_a_note(files, 
 def test_moge_s_sky_is_no_depth(files):
     image = image_of()
     image[:6] = 255
-    result = loom.photogrammetry.estimate_depth(image, files["moge-2"], preset="moge-2")
+    result = loom.photogrammetry.estimate_depth(image, DepthModel(files["moge-2"], "moge-2"))
     assert not result.depth[:5].any()
     assert (result.depth[8:] > 0).all()
 
@@ -159,15 +162,15 @@ def test_points_inconsistent_with_any_camera_are_rejected(tmp_path):
     path, image = save(tmp_path / "m.onnx", nodes, *ends, one=np.array([1], np.int64)), image_of()
     for camera in (None, camera_of(image)):
         with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'points'\):"):
-            loom.photogrammetry.estimate_depth(image, path, preset="moge-2", intrinsic=camera)
+            loom.photogrammetry.estimate_depth(image, DepthModel(path, "moge-2"), intrinsic=camera)
 
 
 def test_moge_gives_no_meters_for_a_frontal_wall_and_an_unknown_camera(files):
     wall = np.full((60, 80, 3), 100, np.uint8)
     wall[::7, ::5] = 101  # 4 cm of 4.5 m
-    result = loom.photogrammetry.estimate_depth(wall, files["moge-2"], preset="moge-2")
+    result = loom.photogrammetry.estimate_depth(wall, DepthModel(files["moge-2"], "moge-2"))
     assert (result.unit, result.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
-    known = loom.photogrammetry.estimate_depth(wall, files["moge-2"], preset="moge-2", intrinsic=camera_of(wall))
+    known = loom.photogrammetry.estimate_depth(wall, DepthModel(files["moge-2"], "moge-2"), intrinsic=camera_of(wall))
     assert known.unit == "m"
     assert np.median(known.depth / depth_of(wall)) == pytest.approx(1, rel=0.02)
 
@@ -189,7 +192,7 @@ def test_an_impossible_field_of_view_is_an_error(tmp_path, value):
     ends = [("x", FLOAT, [1, 3, 1536, 1536])], [("predicted_depth", FLOAT, None), ("field_of_view", FLOAT, None)]
     path = save(tmp_path / "m.onnx", nodes, *ends, zero=np.float32(0), view=np.float32(value))
     with pytest.raises(loom.FileError, match=f"field of view of {value:g} degrees, which no lens has"):
-        loom.photogrammetry.estimate_depth(image_of(), path, preset="depth-pro")
+        loom.photogrammetry.estimate_depth(image_of(), DepthModel(path, "depth-pro"))
 
 
 make = helper.make_node

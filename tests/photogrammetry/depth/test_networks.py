@@ -11,6 +11,7 @@ from PIL import Image, ImageOps
 
 import pointloom as loom
 from pointloom.cli.shell import depth_command
+from pointloom.photogrammetry import DepthModel
 from pointloom.photogrammetry.depth import network
 from pointloom.photogrammetry.depth.photos import camera_of, take_photo
 from pointloom.photogrammetry.depth.presets import IMAGENET_MEAN, IMAGENET_STD, NETWORK_PRESETS, input_size
@@ -154,7 +155,7 @@ def flat_estimate(tmp_path, name, image, focal, **options):
     height, width = image.shape[:2]
     fx, fy = 0.9 * focal, 1.1 * focal  # of mean focal
     camera = loom.PinholeCameraIntrinsic(width, height, fx, fy, (width - 1) / 2, (height - 1) / 2)
-    return loom.photogrammetry.estimate_depth(image, path, preset=name, intrinsic=camera, **options)
+    return loom.photogrammetry.estimate_depth(image, DepthModel(path, name), intrinsic=camera, **options)
 
 
 def two_reds(size, near, far):
@@ -174,7 +175,7 @@ def test_depth_anything_3_metric_divides_by_300(tmp_path):
 
 def test_meters_require_a_known_focal_length(tmp_path):
     path = linear(tmp_path / "m.onnx", offset=1.0)
-    result = loom.photogrammetry.estimate_depth(two_reds((300, 400), 10, 20), path, preset="metric3d-v2")
+    result = loom.photogrammetry.estimate_depth(two_reds((300, 400), 10, 20), DepthModel(path, "metric3d-v2"))
     assert not result.is_metric
     assert (result.unit, result.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
     assert result.intrinsic.fx == pytest.approx(200 / np.tan(np.radians(30)))
@@ -264,7 +265,7 @@ def test_a_map_without_depth_is_an_error(tmp_path, value, reason):
 def test_metric_depth_that_is_never_positive_is_an_error(tmp_path):
     path = linear(tmp_path / "m.onnx", offset=-1e4)
     with pytest.raises(loom.FileError, match=r"/m\.onnx:.*0"):
-        loom.photogrammetry.estimate_depth(image_of((50, 50)), path, preset="depth-anything-3-metric")
+        loom.photogrammetry.estimate_depth(image_of((50, 50)), DepthModel(path, "depth-anything-3-metric"))
 
 
 def test_files_that_are_no_models_are_rejected_with_advice(tmp_path):

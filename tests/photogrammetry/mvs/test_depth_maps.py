@@ -271,8 +271,9 @@ def test_rotations_in_half_precision_are_made_right(tmp_path):
 
 
 CALLS = """
-loom.photogrammetry.filter_depth_maps(maps=maps, min_views=2, max_pixels=1.0, max_relative=0.01, min_confidence=0.0, min_support=0.25, folder=None, device="cpu", progress=None)
-loom.photogrammetry.fuse_depth_maps(maps=maps, images=None, to="points", voxel_size=0.5, min_views=2, max_pixels=2.0, max_relative=0.01, max_angle=30.0, device="cpu", progress=None)
+loom.photogrammetry.DepthAgreement(max_pixels=1.0, max_relative=0.01, max_angle=30.0)
+loom.photogrammetry.filter_depth_maps(maps=maps, min_views=2, agreement=agreement, min_confidence=0.0, min_support=0.25, folder=None, device="cpu", progress=None)
+loom.photogrammetry.fuse_depth_maps(maps=maps, images=None, to="points", voxel_size=0.5, min_views=2, agreement=agreement, device="cpu", progress=None)
 loom.photogrammetry.PosedCamera(intrinsic=lens, T_camera_world=pose)
 loom.photogrammetry.estimate_depth_maps(images=images, cameras=cameras, sparse=sparse, sources=sources, masks=None, method="patch_match", seed=0, device="cpu", folder=None, resume_from=None, device_bytes=1000, progress=None)
 loom.photogrammetry.read_depth_bundle(path=path, names=["a", "b"], device="cpu")
@@ -295,6 +296,7 @@ def things(tmp_path_factory) -> dict[str, Any]:
         "loom": loom, "lens": intrinsic(), "pose": np.eye(4), "points": sparse.points, "sparse": sparse,
         "observations": sparse.observations, "cameras": cameras, "images": images, "sources": [[1], [0]],
         "depth": depth, "normals": normals, "one": DepthMap(depth, normals, depth), "maps": maps,
+        "agreement": loom.photogrammetry.DepthAgreement(),
         "bundle": DepthBundle(maps, None, ("a", "b"), "VGGT"), "path": path,
     }  # fmt: skip
 
@@ -304,6 +306,11 @@ def test_the_table_names_every_argument():
         name: set(inspect.signature(getattr(loom.photogrammetry, name)).parameters) for name in TABLE if "." not in name
     }
     assert missing_from({name: TABLE[name] for name in calls}, calls) == {}
+
+
+def test_a_filter_compares_no_normals():
+    with pytest.raises(ValueError, match=r"^agreement: expected no max_angle"):
+        loom.photogrammetry.filter_depth_maps(true_maps(2), agreement=loom.photogrammetry.DepthAgreement(max_angle=30))
 
 
 test_good_arguments_are_accepted, test_hostile_values_are_rejected_by_name = argument_tests(TABLE)

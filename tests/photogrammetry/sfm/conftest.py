@@ -14,6 +14,7 @@ from PIL import Image
 from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.mapping import map_images
 from pointloom.photogrammetry.sfm.matches import match_features
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 from .scene import camera_path, image
 
@@ -58,7 +59,7 @@ def stages(scene_images, tmp_path_factory) -> SimpleNamespace:
     def progress(*step):
         steps.append(step)
 
-    features = find_features(images, features_db, max_features=FEATURES, progress=progress)
+    features = find_features(images, features_db, SfmSettings(max_features=FEATURES), progress=progress)
     before = features_db.read_bytes()
     matches = match_features(features_db, matches_db, progress=progress)
     assert features_db.read_bytes() == before

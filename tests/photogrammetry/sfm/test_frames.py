@@ -11,6 +11,7 @@ from PIL import Image, ImageOps
 import pointloom as loom
 from pointloom.photogrammetry.sfm import frame_picker, image_writing, video_files
 from pointloom.photogrammetry.sfm.frame_picker import FramePicker, movement
+from pointloom.photogrammetry.sfm.frames import VideoSampling
 from pointloom.photogrammetry.sfm.video_files import VideoFile, VideoFrames, find_container, open_video
 
 from .conftest import write_images
@@ -106,7 +107,7 @@ def test_black_and_blank_frames_are_left_out(panned):
 @READERS
 def test_frames_of_a_video_are_those_of_the_numbers_in_their_names(make_video, panned, tmp_path, reader):
     video, steps = make_video("Küche 1.mp4", panned), []
-    how = {"kind": "png", "reader": reader, "progress": lambda *step: steps.append(step)}
+    how = {"kind": "png", "sampling": VideoSampling(reader=reader), "progress": lambda *step: steps.append(step)}
     choice = loom.photogrammetry.choose_frames(video, tmp_path / "out here", **how)
     assert (choice.kind, choice.reader, choice.frame_count, choice.frames_promised) == ("video", reader, 40, 40)
     assert len(choice.names) >= 8 and choice.sizes == {(160, 120): len(choice.names)} and choice.notes == ()
@@ -130,7 +131,7 @@ def test_a_truncated_video_reports_the_missing_frames(make_video, panned, tmp_pa
     complete = make_video(f"whole.{kind}", panned * 3, *(["-movflags", "+faststart"] if kind == "mp4" else []))
     cut = tmp_path / f"cut.{kind}"
     cut.write_bytes(complete.read_bytes()[: complete.stat().st_size // 2])
-    choice = loom.photogrammetry.choose_frames(cut, tmp_path / "out", reader=reader)
+    choice = loom.photogrammetry.choose_frames(cut, tmp_path / "out", sampling=VideoSampling(reader=reader))
     assert 30 < choice.frame_count < 90 and choice.frames_promised == 120
     assert f"the video is damaged or truncated: {choice.frame_count} of 120 frames were decoded" in choice.warnings[0]
     assert choice.to_dict()["reliable"] is False and choice.notes == ()
@@ -141,7 +142,7 @@ def test_a_video_without_its_index_is_an_error(make_video, panned, tmp_path, rea
     complete, cut = make_video("whole.mp4", panned), tmp_path / "cut.mp4"
     cut.write_bytes(complete.read_bytes()[:-2000])
     with pytest.raises(loom.FileError, match=r"cut\.mp4:"):
-        loom.photogrammetry.choose_frames(cut, tmp_path / "out", reader=reader)
+        loom.photogrammetry.choose_frames(cut, tmp_path / "out", sampling=VideoSampling(reader=reader))
     assert not (tmp_path / "out").exists()
 
 
@@ -150,7 +151,9 @@ def test_a_video_without_its_index_is_an_error(make_video, panned, tmp_path, rea
 def test_files_that_are_no_videos_are_rejected(tmp_path, reader, content):
     (tmp_path / "junk.mp4").write_bytes(content)
     with pytest.raises(loom.FileError, match=r"junk\.mp4:"):
-        loom.photogrammetry.choose_frames(tmp_path / "junk.mp4", tmp_path / "out", reader=reader)
+        loom.photogrammetry.choose_frames(
+            tmp_path / "junk.mp4", tmp_path / "out", sampling=VideoSampling(reader=reader)
+        )
 
 
 HLS = "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:1,\n{}\n#EXT-X-ENDLIST\n"
@@ -207,7 +210,9 @@ def rotated(video: Path) -> Path:
 @READERS
 def test_a_portrait_video_of_a_telephone_is_rotated(make_video, panned, tmp_path, reader):
     video = rotated(make_video("flat.mp4", panned))
-    choice = loom.photogrammetry.choose_frames(video, tmp_path / "out", reader=reader, kind="png")
+    choice = loom.photogrammetry.choose_frames(
+        video, tmp_path / "out", sampling=VideoSampling(reader=reader), kind="png"
+    )
     assert set(choice.sizes) == {(120, 160)}
     written = read(tmp_path / "out" / choice.names[0])[..., 0].astype(int)
     errors = {k: np.abs(np.rot90(written, k) - panned[choice.numbers[0]]).mean() for k in (1, -1)}
@@ -218,7 +223,9 @@ def test_a_portrait_video_of_a_telephone_is_rotated(make_video, panned, tmp_path
 @pytest.mark.parametrize("upright", [pytest.param(False, marks=pytest.mark.slow), True])
 def test_anamorphic_pixels_are_made_square(make_video, panned, tmp_path, reader, upright):
     video = make_video("wide.mp4", [np.ascontiguousarray(frame[:, ::2]) for frame in panned[:12]], "-vf", "setsar=2/1")
-    choice = loom.photogrammetry.choose_frames(rotated(video) if upright else video, tmp_path / "out", reader=reader)
+    choice = loom.photogrammetry.choose_frames(
+        rotated(video) if upright else video, tmp_path / "out", sampling=VideoSampling(reader=reader)
+    )
     assert set(choice.sizes) == {(120, 160) if upright else (160, 120)}
 
 
@@ -234,7 +241,9 @@ def test_variable_frame_rates_neither_duplicate_nor_drop_frames(make_video, pann
 @READERS
 def test_large_frames_are_scaled_while_they_are_decoded(make_video, panned, tmp_path, reader):
     video = make_video("large.mp4", [np.kron(frame, np.ones((4, 4), np.uint8)) for frame in panned[:12]])
-    choice = loom.photogrammetry.choose_frames(video, tmp_path / "out", max_size=160, reader=reader, kind="png")
+    choice = loom.photogrammetry.choose_frames(
+        video, tmp_path / "out", max_size=160, sampling=VideoSampling(reader=reader), kind="png"
+    )
     assert set(choice.sizes) == {(160, 120)}
     written = read(tmp_path / "out" / choice.names[0])[..., 0].astype(int)
     assert np.abs(written - panned[choice.numbers[0]]).mean() < 12
@@ -245,7 +254,7 @@ def test_without_ffmpeg_opencv_reads_videos(make_video, panned, tmp_path, monkey
     monkeypatch.setattr(video_files, "_ffmpeg", lambda: False)
     assert loom.photogrammetry.choose_frames(video, tmp_path / "out").reader == "opencv"
     with pytest.raises(loom.FileError, match=r"/v\.mp4:"):
-        loom.photogrammetry.choose_frames(video, tmp_path / "other", reader="ffmpeg")
+        loom.photogrammetry.choose_frames(video, tmp_path / "other", sampling=VideoSampling(reader="ffmpeg"))
 
 
 def test_a_black_video_is_refused(make_video, tmp_path):
@@ -265,7 +274,7 @@ def test_black_frames_and_too_many_frames_are_reported(make_video, panned, tmp_p
 def test_a_video_that_takes_too_long_is_given_up(make_video, panned, tmp_path):
     video = make_video("v.mp4", panned * 5)
     with pytest.raises(loom.FileError, match=r"/v\.mp4:.*0\.001.*max_seconds"):
-        loom.photogrammetry.choose_frames(video, tmp_path / "out", max_seconds=1e-3)
+        loom.photogrammetry.choose_frames(video, tmp_path / "out", sampling=VideoSampling(max_seconds=1e-3))
     assert not (tmp_path / "out").exists()
 
 

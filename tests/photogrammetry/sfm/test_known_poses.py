@@ -14,6 +14,7 @@ from pointloom.photogrammetry.sfm.guided_matches import essential_of, match_guid
 from pointloom.photogrammetry.sfm.model_quality import ModelQuality, assess_model
 from pointloom.photogrammetry.sfm.pose_check import check_poses
 from pointloom.photogrammetry.sfm.posed_images import with_poses as images_with_poses
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 from .conftest import has_pycolmap, silent, write_images
 from .made_features import FOCAL, POINTS, camera_row, features_of, rays_as, some_looks, with_poses
@@ -211,7 +212,7 @@ def test_points_are_triangulated_with_fixed_poses(model, features, tmp_path, mon
     monkeypatch.setattr(triangulation, "read_feature_rays", lambda *_: features_of(four))
     matches, check = triangulation.match_posed(tmp_path / "db", four, device="cpu", progress=silent)
     given = (tmp_path / "db" / "x", four, matches, check, tmp_path / "p")
-    result, _ = triangulation.points_of(*given, seed=0, max_seconds=60.0, max_memory=None)
+    result, _ = triangulation.points_of(*given, SfmSettings(max_seconds=60.0))
     np.testing.assert_array_equal(result.T_camera_world, four.T_camera_world)
     rng = np.random.default_rng(0)
     truth = rng.uniform(-1, 1, (POINTS, 3)) * (1.2, 0.8, 0.8) + (0, 0, 4.0)
@@ -228,11 +229,12 @@ def test_images_with_poses_become_points_on_the_surface(scene_images, tmp_path):
     folder = write_images(tmp_path / "images", scene_images, names)
     camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [SCENE_FOCAL, SCENE_FOCAL, WIDTH / 2, HEIGHT / 2])
     right = loom.SfmModel([name[:-4] for name in names], [camera] * len(names), np.array(scene_poses(len(names))))
-    result = loom.photogrammetry.triangulate(folder, right, max_features=1200)
+    settings = SfmSettings(max_features=1200)
+    result = loom.photogrammetry.triangulate(folder, right, settings)
     assert result.reliable and len(result.model.points) > 300
-    again = loom.photogrammetry.triangulate(folder, right, max_features=1200)
+    again = loom.photogrammetry.triangulate(folder, right, settings)
     np.testing.assert_array_equal(result.model.points, again.model.points)
     inverted = loom.SfmModel(right.names, right.cameras, right.T_world_camera)
-    wrong = loom.photogrammetry.triangulate(folder, inverted, max_features=1200)
+    wrong = loom.photogrammetry.triangulate(folder, inverted, settings)
     assert "each pose is inverted" in str(wrong.warnings) and not len(wrong.model.points)
     assert wrong.to_dict()["quality"]["poses"]["fraction"] < 0.4

@@ -21,6 +21,7 @@ from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.limited_process import LimitedProcess
 from pointloom.photogrammetry.sfm.mapping import map_images
 from pointloom.photogrammetry.sfm.matches import match_features
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 from ...sigint import sigint_enabled
 from .conftest import write_images
@@ -60,7 +61,7 @@ def test_a_crashed_worker_is_an_error_with_its_last_output(scene_images, tmp_pat
     limits = {"hung": {"max_seconds": 1}, "greedy": {"max_memory": 200 * 2**20}}.get(death, {})
     began = time.monotonic()
     with pytest.raises(loom.FileError, match=message):
-        find_features(images, tmp_path / "f.db", **limits)
+        find_features(images, tmp_path / "f.db", SfmSettings(**limits))
     assert time.monotonic() - began < 30
     assert {path.name for path in tmp_path.iterdir()} == {"images", "worker.py"}
 
@@ -77,7 +78,9 @@ def test_a_missing_package_is_an_error(scene_images, tmp_path, monkeypatch, pack
     else:
         (tmp_path / "video.mp4").write_bytes(b"video")
         with pytest.raises(loom.FileError, match=r"/video\.mp4:"):
-            loom.photogrammetry.choose_frames(tmp_path / "video.mp4", tmp_path / "out", reader="opencv")
+            loom.photogrammetry.choose_frames(
+                tmp_path / "video.mp4", tmp_path / "out", sampling=loom.photogrammetry.VideoSampling(reader="opencv")
+            )
 
 
 def is_alive(pid: int) -> bool:

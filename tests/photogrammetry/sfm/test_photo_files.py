@@ -15,6 +15,7 @@ import pointloom as loom
 from pointloom.io.images import photo_files
 from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.image_folder import read_header, read_image, read_lens, read_orientation
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 from .conftest import has_pycolmap, left_half, write_images
 
@@ -301,7 +302,7 @@ def test_masks_that_do_not_fit_are_named(panned, tmp_path):
 def test_no_feature_is_detected_in_black_mask_pixels(scene_images, tmp_path):
     images = write_images(tmp_path / "in", scene_images[:2], ["a.png", "b.png"])
     masks = write_images(tmp_path / "masks", [left_half(scene_images[0].shape)], ["a.png.png"])
-    features = find_features(images, tmp_path / "f.db", masks=masks, max_features=500)
+    features = find_features(images, tmp_path / "f.db", SfmSettings(max_features=500), masks=masks)
     with sqlite3.connect(tmp_path / "f.db") as database:
         rows = dict(database.execute("SELECT image_id, data FROM keypoints"))
     columns = [np.frombuffer(rows[k + 1], np.float32).reshape(n, -1)[:, 0] for k, n in enumerate(features.counts)]

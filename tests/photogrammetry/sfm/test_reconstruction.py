@@ -15,6 +15,7 @@ from pointloom.photogrammetry.sfm import colmap_jobs, features, matches
 from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.mapping import map_images
 from pointloom.photogrammetry.sfm.matches import match_features
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 from .conftest import COUNT, FEATURES, has_pycolmap, write_images
 from .scene import FOCAL, HEIGHT, WIDTH, camera_path, image
@@ -86,14 +87,14 @@ def test_the_model_is_the_same_from_run_to_run(stages, tmp_path):
 def test_features_and_matches_are_the_same_on_any_number_of_cores(stages, tmp_path, monkeypatch, cores):
     monkeypatch.setattr(features, "usable_cores", lambda: cores)
     monkeypatch.setattr(matches, "usable_cores", lambda: cores)
-    find_features(stages.images, tmp_path / "f.db", max_features=FEATURES)
+    find_features(stages.images, tmp_path / "f.db", SfmSettings(max_features=FEATURES))
     match_features(tmp_path / "f.db", tmp_path / "m.db")
     assert content(tmp_path / "m.db") == content(stages.matches_db)
 
 
 @pytest.mark.slow
 def test_sequential_pairs_are_matched(stages, tmp_path):
-    report = match_features(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=3)
+    report = match_features(stages.features_db, tmp_path / "m.db", SfmSettings(pairs="sequential", overlap=3))
     with sqlite3.connect(tmp_path / "m.db") as connection:
         assert connection.execute("SELECT count(*) FROM matches").fetchone() == (report.pair_count,)
     assert report.pairs == "sequential" and report.pair_count == 7 + 6 + 4  # offsets 1, 2 and 4
@@ -103,7 +104,8 @@ def test_sequential_pairs_are_matched(stages, tmp_path):
 def test_a_known_camera_is_fixed_and_scaled_to_the_images(scene_images, tmp_path):
     images = write_images(tmp_path / "images", scene_images)
     twice = loom.PinholeCameraIntrinsic(2 * WIDTH, 2 * HEIGHT, 2 * FOCAL, 2 * FOCAL, WIDTH - 0.5, HEIGHT - 0.5)
-    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", intrinsic=twice, max_features=500)
+    settings = SfmSettings(intrinsic=twice, max_features=500)
+    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", settings)
     assert len(result.model) == COUNT and result.reliable
     camera = result.model.cameras[0]
     assert (camera.model, camera.params) == ("PINHOLE", (FOCAL, FOCAL, WIDTH / 2, HEIGHT / 2))
@@ -116,14 +118,14 @@ def test_a_camera_of_other_images_is_refused(scene_images, tmp_path):
     other = loom.PinholeCameraIntrinsic(640, 640, 500, 500, 320, 320)
     images = write_images(tmp_path / "in", scene_images[:2])
     with pytest.raises(ValueError, match="intrinsic:"):
-        find_features(images, tmp_path / "f.db", intrinsic=other)
+        find_features(images, tmp_path / "f.db", SfmSettings(intrinsic=other))
 
 
 @pytest.mark.slow
 def test_a_camera_that_only_rotates_is_reported(tmp_path):
     """COLMAP registers all images, with a focal length that imitates motion."""
     images = write_images(tmp_path / "images", [image(T) for T in camera_path(6, rotate_only=True)])
-    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", max_features=500)
+    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", SfmSettings(max_features=500))
     assert "move instead of only rotating" in str(result.warnings)
 
 
@@ -165,8 +167,8 @@ def test_an_image_alone_is_refused(scene_images, tmp_path):
 
 @pytest.mark.slow
 def test_global_and_incremental_mapping_agree(stages, tmp_path):
-    result = map_images(stages.images, stages.matches_db, tmp_path / "g", mapper="global")
-    map_images(stages.images, stages.matches_db, tmp_path / "h", mapper="global")
+    result = map_images(stages.images, stages.matches_db, tmp_path / "g", SfmSettings(mapper="global"))
+    map_images(stages.images, stages.matches_db, tmp_path / "h", SfmSettings(mapper="global"))
     assert result.model is not None and result.model.names == stages.result.model.names
     for name in ("cameras.bin", "images.bin", "points3D.bin"):
         assert (tmp_path / "g" / name).read_bytes() == (tmp_path / "h" / name).read_bytes()
@@ -200,7 +202,7 @@ def test_a_requested_but_missing_gpu_is_an_error(monkeypatch):
 def test_missing_networks_are_a_named_error(scene_images, tmp_path):
     images = write_images(tmp_path / "p", scene_images[:2])
     with pytest.raises(loom.FileError, match="ALIKED and LightGlue require a pycolmap built with ONNX"):
-        find_features(images, tmp_path / "f.db", kind="aliked")
+        find_features(images, tmp_path / "f.db", SfmSettings(kind="aliked"))
     assert not (tmp_path / "f.db").exists()
 
 
@@ -245,7 +247,8 @@ def test_many_images_are_matched_in_sequence_and_by_retrieval(tmp_path, monkeypa
 
     monkeypatch.setattr(matches, "run_job", run_job)
     for pairs in ("retrieval", "auto"):
-        report = match_features(database, tmp_path / "m.db", pairs=pairs, overlap=2, neighbors=3)
+        settings = SfmSettings(pairs=pairs, overlap=2, neighbors=3)
+        report = match_features(database, tmp_path / "m.db", settings)
         with sqlite3.connect(tmp_path / "m.db") as connection:
             assert "an image 07.png" in {name for (name,) in connection.execute("SELECT name FROM images")}
         connection.close()

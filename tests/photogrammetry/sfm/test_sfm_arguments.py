@@ -11,24 +11,27 @@ import pytest
 
 import pointloom as loom
 from pointloom.photogrammetry.sfm import features, mapping, matches
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 from ...hostile import missing_from, public_arguments, read_table
 from ..argument_tests import argument_tests, call_of
 from .conftest import write_images
 
-LIMITS = "seed=0, max_seconds=60.0, max_memory=2**32, progress=None"
-KINDS = "masks=None, kind='sift', use_gpu=None"
-FEATURE_OPTIONS = f"camera_model='PINHOLE', intrinsic=None, max_size=640, max_features=500, {KINDS}, {LIMITS}"
+CAMERA = "camera_model='PINHOLE', intrinsic=None, fix_intrinsic=None"
+FEATURES = "max_size=640, max_features=500, kind='sift', use_gpu=None"
+PAIRS = "pairs='auto', overlap=10, neighbors=5, mapper='auto'"
 CALLS = f"""
-loom.photogrammetry.choose_frames(source=images, folder=new(), max_frames=5, max_size=64, min_movement=0.04, max_gap=30, kind="png", reader="auto", masks=None, max_seconds=60.0, max_memory=2**32, progress=None)
-loom.photogrammetry.find_features(images=images, database=new(), {FEATURE_OPTIONS})
-loom.photogrammetry.match_features(database=database, matches=new(), pairs="auto", overlap=10, neighbors=5, use_gpu=None, {LIMITS})
-loom.photogrammetry.map_images(images=images, matches=database, folder=new(), mapper="auto", {LIMITS})
-loom.photogrammetry.reconstruct_images(images=images, work=new(), pairs="auto", overlap=10, mapper="auto", {FEATURE_OPTIONS})
+loom.photogrammetry.SfmSettings({CAMERA}, {FEATURES}, {PAIRS}, seed=0, max_seconds=60.0, max_memory=2**32)
+loom.photogrammetry.choose_frames(source=images, folder=new(), max_frames=5, max_size=64, kind="png", masks=None, sampling=sampling, progress=None)
+loom.photogrammetry.VideoSampling(min_movement=0.04, max_gap=30, reader="auto", max_seconds=60.0, max_memory=2**32)
+loom.photogrammetry.find_features(images=images, database=new(), settings=settings, masks=None, progress=None)
+loom.photogrammetry.match_features(database=database, matches=new(), settings=settings, progress=None)
+loom.photogrammetry.map_images(images=images, matches=database, folder=new(), settings=settings, progress=None)
+loom.photogrammetry.reconstruct_images(images=images, work=new(), settings=settings, masks=None, progress=None)
 loom.photogrammetry.assess_model(model=model, image_count=3, model_sizes=[2, 1], focal=None, poses=None, repetition=None)
 loom.photogrammetry.read_image_positions(source=images)
 loom.photogrammetry.write_training_folder(folder=new(), model=model, images=[gray, gray], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
-loom.photogrammetry.triangulate(images=images, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
+loom.photogrammetry.triangulate(images=images, cameras=posed, settings=settings, device="cpu", progress=None)
 """  # noqa: E501
 TABLE = read_table(CALLS, {})
 RESULTS = {"FrameChoice", "ImagePosition", "ImagePositions", "TrainingFolder", "TriangulationResult"}
@@ -56,6 +59,8 @@ def things(tmp_path_factory) -> dict[str, Any]:
         "loom": loom, "images": images, "database": database, "gray": gray, "seen": gray >= 0,
         "model": loom.SfmModel(["a", "b"], [camera] * 2, poses, points=[[0, 0, 2.0]]),
         "posed": loom.SfmModel(["view 0", "view 1"], [camera] * 2, poses),
+        "sampling": loom.photogrammetry.VideoSampling(),
+        "settings": loom.photogrammetry.SfmSettings(max_seconds=60.0, max_memory=2**32),
         "new": lambda: folder / f"new {next(numbers)}",
     }  # fmt: skip
 
@@ -94,7 +99,7 @@ def test_values_of_other_types_in_a_database_are_errors_that_name_it(things, tmp
     with contextlib.closing(sqlite3.connect(database)) as connection, connection:
         connection.execute(change)
     with pytest.raises(loom.FileError, match=r"changed\.db|out\.db"):
-        loom.photogrammetry.match_features(database, tmp_path / "out.db", pairs="retrieval")
+        loom.photogrammetry.match_features(database, tmp_path / "out.db", SfmSettings(pairs="retrieval"))
 
 
 def test_a_database_without_images_has_no_pairs(things, tmp_path):
@@ -102,7 +107,10 @@ def test_a_database_without_images_has_no_pairs(things, tmp_path):
     database.write_bytes(things["database"].read_bytes())
     with contextlib.closing(sqlite3.connect(database)) as connection, connection:
         connection.execute("DELETE FROM images")
-    assert loom.photogrammetry.match_features(database, tmp_path / "out.db", pairs="retrieval").pair_count == 0
+    assert (
+        loom.photogrammetry.match_features(database, tmp_path / "out.db", SfmSettings(pairs="retrieval")).pair_count
+        == 0
+    )
 
 
 def test_a_mapper_is_chosen_by_how_many_images_there_are(monkeypatch, things):

@@ -10,6 +10,7 @@ import pointloom as loom
 from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.panoramas import Panorama
 from pointloom.datasets.scenes.room import film_pose, look_along, room_views, surface_errors
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 from pointloom.photogrammetry.sfm.sphere_images import with_all_faces
 from pointloom.photogrammetry.video import motion
 
@@ -134,7 +135,9 @@ def test_spherical_images_have_their_true_position(tmp_path):
     (tmp_path / "out").mkdir()
     report = motion.take_frames(tmp_path / "out", silent, source=source, max_frames=10, masks=None, panorama=True)
     lens = Panorama(768, 384).intrinsic
-    result = loom.photogrammetry.reconstruct_images(tmp_path / "out" / motion.IMAGES, tmp_path / "work", intrinsic=lens)
+    result = loom.photogrammetry.reconstruct_images(
+        tmp_path / "out" / motion.IMAGES, tmp_path / "work", SfmSettings(intrinsic=lens)
+    )
     assert report["kept"] == 60 and result.model is not None and len(result.model) >= 45
     complete, _ = with_all_faces(result.model, report["names"])
     assert len(complete) == 60
@@ -149,9 +152,8 @@ def test_an_uncalibrated_fisheye_is_calibrated_and_registered(tmp_path, mapper):
     poses = np.array([film_pose(k / 60) for k in range(10)])
     lens = loom.CameraModel("OPENCV_FISHEYE", 320, 240, [160, 160, 160, 120, 0.02, -0.01, 0, 0])
     images = write_images(tmp_path / "in", fisheye_images(poses, lens), [f"{k}.png" for k in range(10)])
-    result = loom.photogrammetry.reconstruct_images(
-        images, tmp_path / "work", camera_model="OPENCV_FISHEYE", mapper=mapper
-    )
+    settings = SfmSettings(camera_model="OPENCV_FISHEYE", mapper=mapper)
+    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", settings)
     assert result.model is not None and len(result.model) == 10
     assert result.model.cameras[0].params[0] == pytest.approx(160, rel=0.02)
     off = off_truth(result.model, np.array([poses[int(name[0])][:3, 3] for name in result.model.names]))

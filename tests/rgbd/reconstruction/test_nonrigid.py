@@ -10,6 +10,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.registration.deformable.control_grid_files import read_control_grid, write_control_grid
+from pointloom.rgbd.reconstruction.job import OPTIONAL_STAGES
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
 from pointloom.rgbd.reconstruction.placement import register_fragments
 from pointloom.rgbd.reconstruction.scene import integrate_scene
@@ -42,7 +43,7 @@ def deformed_sequence(count=6):
 def completed_run(tmp_path_factory):
     """The folder, report and files of an uninterrupted run."""
     folder = tmp_path_factory.mktemp("complete")
-    report = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, folder, slac=True)
+    report = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, folder, stages=OPTIONAL_STAGES)
     return folder, report, digest_of(folder)
 
 
@@ -73,7 +74,7 @@ def test_the_surface_is_written_as_points_on_request(completed_run, job):
     settings = dataclasses.replace(SETTINGS, save_output_as="mesh")
     assert integrate_scene(deformed_sequence(), settings, job, slac=True, resume=True).cloud_path is None
     assert not (job / "slac" / "output_slac_pointcloud.ply").exists()
-    again = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
+    again = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, stages=OPTIONAL_STAGES, resume=True)
     assert str(job / "slac" / "output_slac_pointcloud.ply") in again.files
 
 
@@ -118,7 +119,7 @@ def test_a_softer_grid_deforms_more(completed_run, job):
 
 def test_a_single_fragment_is_unchanged(tmp_path):
     plain = rec.run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path / "plain")
-    report = rec.run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path / "slac", slac=True)
+    report = rec.run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path / "slac", stages=OPTIONAL_STAGES)
     assert (report.slac["anchors"], report.slac["edges"]) == (0, 0) and report.mesh == plain.mesh
 
 
@@ -126,14 +127,17 @@ def test_frames_without_color_are_deformed_too(tmp_path, device):
     sequence = deformed_sequence(4)
     changed = {i: change | {"color": None} for i, change in sequence.changed.items()}
     gray = ShortSequence(sequence.indices, changed=changed)
-    assert rec.run_reconstruction_system(gray, SETTINGS, tmp_path, slac=True, device=device).slac["anchors"] > 50
+    assert (
+        rec.run_reconstruction_system(gray, SETTINGS, tmp_path, stages=OPTIONAL_STAGES, device=device).slac["anchors"]
+        > 50
+    )
     assert loom.read_triangle_mesh(tmp_path / "scene" / "integrated.ply").vertex_colors is None
 
 
 def test_a_completed_run_is_unchanged(completed_run, job):
     _, first, content = completed_run
     times = {path: path.stat().st_mtime_ns for path in job.rglob("*.[np][pl][zy]")}
-    again = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
+    again = rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, stages=OPTIONAL_STAGES, resume=True)
     assert {path: path.stat().st_mtime_ns for path in times} == times
     assert (again.slac, again.mesh, again.warnings) == (first.slac, first.mesh, first.warnings)
     assert digest_of(job) == content
@@ -142,7 +146,7 @@ def test_a_completed_run_is_unchanged(completed_run, job):
 @pytest.mark.slow
 def test_an_interrupted_stage_resumes_to_the_same_bits(completed_run, job):
     def act():
-        rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
+        rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, stages=OPTIONAL_STAGES, resume=True)
 
     def forget():
         for name in ("records/slac.json", "records/integrate.json", "slac/control_grid.npz", "scene/integrated.ply"):
@@ -167,7 +171,7 @@ def test_a_damaged_file_is_recomputed(completed_run, job, name):
     path.write_bytes(path.read_bytes()[:-40])
     with pytest.raises(FileError, match=r"/job:.*refine_with_slac"):
         integrate_scene(deformed_sequence(), SETTINGS, job, slac=True)
-    rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, slac=True, resume=True)
+    rec.run_reconstruction_system(deformed_sequence(), SETTINGS, job, stages=OPTIONAL_STAGES, resume=True)
     assert digest_of(job) == content
 
 
@@ -179,7 +183,9 @@ def test_newly_registered_fragments_are_aligned_again(job):
 
 def test_unsupported_slac_options_are_reported_first(tmp_path):
     with pytest.raises(ValueError, match="fitness_threshold"):
-        rec.run_reconstruction_system(ShortSequence([0, 1]), config(fitness_threshold=2.0), tmp_path, slac=True)
+        rec.run_reconstruction_system(
+            ShortSequence([0, 1]), config(fitness_threshold=2.0), tmp_path, stages=OPTIONAL_STAGES
+        )
     assert not list(tmp_path.rglob("*.ply"))
 
 

@@ -16,6 +16,7 @@ from ...core.wording import format_bytes, format_seconds, plain
 from ...io.models.colmap import is_colmap_model, read_colmap_model
 from ...meshing.color_map.image_texture_result import ImageTextureResult
 from ...meshing.color_map.image_texturing import texture_from_images
+from ...meshing.color_map.options import ImageTextureOption
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 from .job import Job, Settings
@@ -61,7 +62,8 @@ def texture_model(
     model, images = _open(Path(folder))
     clock.stop("read")
     try:
-        result = texture_from_images(shape, images, model, size=size, depth_max=depth_max, progress=job.progress)
+        option = ImageTextureOption(depth_max=depth_max)
+        result = texture_from_images(shape, images, model, option=option, size=size, progress=job.progress)
     except NothingSeenError:
         result = None
     clock.stop("texture")

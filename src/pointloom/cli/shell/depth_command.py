@@ -54,14 +54,15 @@ def depth(picture_in: Path, model: Path, output: Path, as_json: bool, force: boo
     pointloom depth photo.jpg --model midas.onnx --preset midas-v2.1 --align distances.txt -o cloud.ply
     pointloom depth photos/ --model metric3d.onnx --preset metric3d-v2 --intrinsic camera.json -o clouds
     """
-    from ...photogrammetry.depth.job import depth_of_images
+    from ...photogrammetry.depth.job import DepthOutputs, depth_of_images
     from ...photogrammetry.depth.settings import DepthSettings
 
     refuse_same(output=output, picture=options["picture"], depth_map=options["depth_map"])
     names = ("preset", "intrinsic", "align", "depth_scale", "tiles", "keep_edges", "seed")
     settings = DepthSettings(**{name: options.pop(name) for name in names})
+    outputs = DepthOutputs(output, options.pop("depth_map"), options.pop("picture"))
     with Progress() as progress:
-        report = depth_of_images(picture_in, model, output, settings, overwrite=force, progress=progress, **options)
+        report = depth_of_images(picture_in, model, outputs, settings, overwrite=force, progress=progress, **options)
     return answer_with(report, report.source, as_json)
 
 

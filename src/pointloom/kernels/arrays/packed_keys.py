@@ -5,6 +5,7 @@ Bits of non-negative float32 values compare as the values, so a minimum over key
 
 from ..lang import array, atomic_min, bits_float, float_bits, func, int64
 
+BYTE_MASK = 0xFF
 INDEX_MASK = 0xFFFF_FFFF  # the half of a key with the index
 NO_KEY = 0x7FFF_FFFF_FFFF_FFFF  # above every key: initial value of a minimum
 

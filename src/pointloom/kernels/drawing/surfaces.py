@@ -1,7 +1,12 @@
 """Shading of triangles: vertex colors or texture, smooth or flat normals, edges."""
 
-from ..array_types import Array1, Bytes, Indices, Points, Vectors
+from typing import NamedTuple
+
+import numpy as np
+
+from ..array_types import Array1, Indices, Points, Vectors
 from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
+from ..memory import empty, upload
 from .shading import (
     CELLS_PER_PIXEL,
     Region,
@@ -18,13 +23,19 @@ from .z_buffer import DepthBuffer, View, ray_through, to_camera
 EDGE_WIDTH = 0.5  # [px] half width of an edge inside a triangle
 PIXEL_MIDDLE = 0.5 * (CELLS_PER_PIXEL - 1)  # of a pixel, from the center of its first cell [cells]
 EDGE_SHADE = 0.12  # brightness factor of edges
+NO_COLOR = vec3(0.0, 0.0, 0.0)
+
+
+class Texture(NamedTuple):
+    """An image, uint8 (h, w, 3 or 4), top row first, and its coordinates per corner ((0, 0) is lower left)."""
+
+    pixels: np.ndarray
+    uvs: Array1[vec2]
 
 
 @struct
 class Surface:
-    """Triangles and their appearance: per-vertex `normals` and `colors`, per-corner `uvs` ((0, 0) is lower left) or
-    empty; `texture` RGB, top row first; `plain` default color.
-    """
+    """Triangles and their appearance: per-vertex `normals` and `colors`, or empty; a texture; `plain` default color."""
 
     vertices: array(dtype=vec3)
     triangles: array(dtype=int32)
@@ -45,15 +56,22 @@ class Surface:
         *,
         normals: Vectors,
         colors: Vectors,
-        uvs: Array1[vec2],
-        texture: tuple[Bytes, int, int],
-        plain: vec3,
-        lit: bool,
-        edges: bool,
+        texture: Texture | None = None,
+        plain: vec3 = NO_COLOR,
+        lit: bool = False,
+        edges: bool = False,
     ) -> None:
-        """`texture` is (uint8 array, width, height)."""
+        device = vertices.device
         self.vertices, self.triangles, self.normals, self.colors = vertices, triangles, normals, colors
-        self.uvs, (self.texture, self.texture_width, self.texture_height) = uvs, texture
+        if texture is None:
+            self.texture, self.uvs = empty(0, uint8, device), empty(0, vec2, device)
+            self.texture_height = self.texture_width = 0
+        else:
+            pixels, self.uvs = np.ascontiguousarray(texture.pixels[:, :, :3]), texture.uvs
+            self.texture, (self.texture_height, self.texture_width, _) = (
+                upload(pixels.ravel(), uint8, device),
+                pixels.shape,
+            )
         self.plain, self.lit, self.edges = plain, int(lit), int(edges)
 
 

@@ -5,6 +5,7 @@ import numpy as np
 from ..algebra.camera import Camera, CameraLike
 from ..algebra.transform import Transform, narrow, transform_point
 from ..array_types import AnyArray, Array1, Array2, Bytes, Integers, Scalars, Vectors
+from ..arrays.packed_keys import BYTE_MASK
 from ..arrays.row_atomics import raise_int
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import (
@@ -36,7 +37,6 @@ from ..memory import download, empty, zeros
 
 PIXELS_PER_RUN = 1024  # pixels per thread of an atomic reduction on the CPU
 UINT16_MAX = 0xFFFF  # the largest raw depth
-BYTE_MASK = 0xFF
 LANE_COUNT = 8  # pixels of a thread that fits normals, which a CPU fits at once
 octet = vector(8, float32)  # one number per pixel of a thread
 NYU_SCALE, NYU_OFFSET = 351.3, 1092.5  # meters = scale / (offset - raw), as in the data set's toolbox

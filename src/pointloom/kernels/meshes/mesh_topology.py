@@ -11,7 +11,7 @@ import numpy as np
 from ..array_types import Integers, LongIntegers, Triangles
 from ..arrays.pair_sort import argsort_pairs
 from ..lang import array, atomic_max, func, int32, int64, kernel, launch, struct, tid, vec3i
-from ..memory import download, empty, zeros
+from ..memory import empty, zeros
 
 BOUNDARY_EDGES, CROWDED_EDGES, TWISTED_EDGES, SPLIT_VERTICES = 0, 1, 2, 3  # indices of the findings
 
@@ -197,11 +197,6 @@ def find_topology(
     around = CornersByVertex(triangles, vertex_count)
     launch(check_fans_kernel, vertex_count, [triangles, around, twins, findings])
     return findings
-
-
-def examine(triangles: Triangles, vertex_count: int) -> Topology:
-    """Topology of triangles. One sync. Unused vertices are ignored."""
-    return topology_of(download(find_topology(triangles, vertex_count)))  # sync
 
 
 def topology_of(findings: np.ndarray) -> Topology:

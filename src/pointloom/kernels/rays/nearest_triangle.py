@@ -13,6 +13,7 @@ import numpy as np
 from ..algebra.plain_min_max import larger, smaller
 from ..array_types import Indices, Points
 from ..arrays.lanes import EIGHT_BITS
+from ..arrays.packed_keys import BYTE_MASK
 from ..lang import (
     INFINITY,
     WARP,
@@ -47,7 +48,6 @@ from ..search.point_tree import FAN, LARGEST_SQDIST, SIDES
 from .triangle_bounds import MIN_SQDIST, bound_distance, load_corners, sqdist_at, sqdist_limit
 from .triangle_tree import LEAF_NUMBERS, LEAF_SIZE, MAX_LEVEL, TriangleTree, level_keys
 
-BYTE_MASK = 255
 BYTE_MASK_64 = 255  # in 64 bits
 CHILD_MASK = 7  # the bits of a child's index
 NO_CHILD = 0x7FFFFFFF  # above the bits of any distance

@@ -8,6 +8,7 @@ are enlarged by more than all rounding, so results are independent of them. Near
 
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.transform import narrow, widen
+from ..arrays.packed_keys import BYTE_MASK
 from ..lang import (
     INFINITY,
     array,
@@ -29,7 +30,6 @@ from ..search.tree_walk import bits_of
 from .scene_trees import FIRST_LEAF_AT, MOTION_NUMBERS, NUMBER_AT, ROOT_AT, ROW_INTEGERS, SceneTrees
 from .triangle_tree import LEAF_NUMBERS, LEAF_SIZE, MAX_LEVEL, level_keys
 
-BYTE_MASK = 255
 FULL_BYTE = 255
 MIN_DIRECTION_RATIO = 1.0e-30
 RELATIVE_MARGIN = 1.0e-6  # of the distance to the farthest corner: 16 float32 roundings, twice the actual error

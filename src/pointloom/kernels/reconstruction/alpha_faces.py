@@ -6,18 +6,12 @@ unique. The point with the lowest row emits a face. The faces bound the union of
 regularized alpha shape and Open3D (Edelsbrunner and Muecke 1994). 8 kB of scratch memory per thread.
 """
 
-import math
 from collections.abc import Sequence
-from fractions import Fraction
-
-import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
-from ..algebra.residues import Residues
 from ..array_types import Array1, Cells, Device, Element, Indices, Integers, Mask
 from ..arrays.concatenation import concatenate_rows
-from ..arrays.lowest_bit import lowest_bit
-from ..arrays.packed_keys import pack_bits, pack_key
+from ..arrays.packed_keys import BYTE_MASK, pack_bits, pack_key
 from ..arrays.prefix_sum import offsets_of, scan_together
 from ..arrays.select import positions_of_each, rows_by_offsets
 from ..lang import (
@@ -42,11 +36,11 @@ from ..lang import (
     vec4i,
     vector,
 )
-from ..memory import empty, upload, zeros
-from ..search.bucket_walk import BYTE_MASK, byte_shift
+from ..memory import empty, zeros
+from ..search.bucket_walk import byte_shift
 from ..search.neighbor_lists import list_neighbors
-from ..search.point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, SIDES, PointTree, measure_boxes, square_distance
-from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius, offset_of, side_of_sphere, sphere_through
+from ..search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_boxes, square_distance
+from .alpha_predicates import Predicates, ball, is_within_radius, offset_of, side_of_sphere, sphere_through
 
 FIRST_TRIANGLES = 8
 NUMBERS_PER_TRIANGLE = 6  # of a triangle: N, D, the bounds of their errors
@@ -446,9 +440,7 @@ STAR_TRIANGLES = 96  # initial triangles per star
 SCRATCH_NUMBERS = 2**25  # scratch numbers per launch
 FACES_A_POINT = 6  # initial room: a surface has 4 per point, both sides counted
 TETRAHEDRA_A_POINT = 8  # a Delaunay triangulation of random points has 6.8
-SEARCH_ALPHAS = 2.001  # times alpha: search slightly more than necessary
 ALPHAS_PER_SYNC = 16  # alphas whose faces are counted in one sync. Each takes a byte per face
-GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and an integer number of units
 
 
 @func
@@ -591,15 +583,13 @@ def find_alpha_shapes(
 ) -> list[tuple[Cells, Array1[vec4i] | None]]:
     """Boundary of each alpha shape (ascending `alphas`, inf allowed) of the distinct points of a tree: (triangles,
     tetrahedra) as rows of the cloud, counter-clockwise from outside, and with a positive determinant, or None."""
-    given, max_sqdist, radius = prepare_predicates(tree, rows, alphas)
+    given = Predicates(tree, rows, alphas)  # sync
     room = [FACES_A_POINT * tree.count, TETRAHEDRA_A_POINT * tree.count if with_tetrahedra else 0]
     while True:
         totals, needed = zeros(2, int32, tree.device), [0, 0]
         faces, tetrahedra = (EmittedRows(tree.device, owners, size, totals[k : k + 1]) for k, size in enumerate(room))
-        for begin, lists in list_neighbors(tree, FIRST_NEIGHBORS, radius):
-            needed = search_stars(
-                tree, begin, lists, max_sqdist, given, int(with_tetrahedra), faces, tetrahedra, totals
-            )
+        for begin, lists in list_neighbors(tree, FIRST_NEIGHBORS, given.radius):
+            needed = search_stars(tree, begin, lists, given, with_tetrahedra, faces, tetrahedra, totals)
         if all(size <= there for size, there in zip(needed, room, strict=True)):
             break
         room = [max(sizes) for sizes in zip(needed, room, strict=True)]
@@ -621,9 +611,8 @@ def search_stars(
     tree: PointTree,
     begin: int,
     lists: Integers,
-    max_sqdist: float,
     given: Predicates,
-    with_tetrahedra: int,
+    with_tetrahedra: bool,
     faces: EmittedRows,
     tetrahedra: EmittedRows,
     totals: Integers,
@@ -640,8 +629,9 @@ def search_stars(
             threads = -(-ranks.size // run)
             given.reserve(threads)
             crowded = empty(ranks.size, int32, device)
-            search = [ranks, run, begin, lists, FIRST_NEIGHBORS, max_sqdist, tree, Stars(device, threads, room), given]
-            launch(find_faces_kernel, threads, [*search, with_tetrahedra, faces, tetrahedra, crowded])
+            stars, reach = Stars(device, threads, room), given.max_sqdist
+            search = [ranks, run, begin, lists, FIRST_NEIGHBORS, reach, tree, stars, given]
+            launch(find_faces_kernel, threads, [*search, int(with_tetrahedra), faces, tetrahedra, crowded])
             (offsets, (count,)), (_, needed) = scan_together([(crowded, [ranks.size])], totals, largest=1)  # sync
             left.append(rows_by_offsets(ranks, offsets, count))
         todo = concatenate_rows(left)
@@ -653,36 +643,3 @@ def search_stars(
 def list_ranks_kernel(begin: int, ranks: array(dtype=int32)):
     i = tid()
     ranks[i] = begin + i
-
-
-def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) -> tuple[Predicates, float, float]:
-    """Exact predicates, the squared search radius, and the search radius [m]."""
-    device = tree.device
-    unit = lowest_bit(tree.points)  # sync
-    one = Fraction(2) ** unit
-    sides = [(Fraction(float(b)) - Fraction(float(a))) / one for a, b in zip(tree.low, tree.high, strict=True)]
-    extent = max(1, math.ceil(max(sides)))
-    # D is an integer and |N| < 32 extent^4, so no sphere's radius |N| / (2 D) exceeds this one
-    largest = 16 * extent**4
-    radii = [Fraction(largest) if math.isinf(alpha) else min(Fraction(alpha) / one, largest) for alpha in alphas]
-    guard = math.ceil(Fraction(SEARCH_ALPHAS) * radii[-1])
-    spare = max(0, guard.bit_length() - GUARD_BITS)
-    guard = -(-guard >> spare) << spare
-    size = extent + guard
-    squares = [4 * radius * radius for radius in radii]
-    largest_bound = max(972 * extent**8 * square.denominator + 36 * extent**6 * square.numerator for square in squares)
-    bounds = [6 * size**3, 72 * size**5, largest_bound]
-    exact = Residues(device, unit, [0 if bound >> EXACT_BITS == 0 else bound for bound in bounds[:2]] + bounds[2:])
-    given = Predicates(
-        tree.points,
-        rows,
-        exact,
-        float(guard * one),
-        exact.table([guard]),
-        upload(np.array([float(radius * one) for radius in radii]), float64, device),
-        exact.table([square.numerator for square in squares]),
-        exact.table([square.denominator for square in squares]),
-    )
-    radius = SEARCH_ALPHAS * float(radii[-1] * one)
-    max_sqdist = min(radius * radius * (1 + 1e-6) + 1e-37, LARGEST_SQDIST)  # smaller squares are no float32
-    return given, max_sqdist, radius

@@ -7,6 +7,12 @@ codes: indices in the tree, followed by the six guards of the star's own point, 
 largest sphere.
 """
 
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+
+import numpy as np
+
 from ..algebra.residues import (
     Residues,
     cross_residues,
@@ -16,9 +22,11 @@ from ..algebra.residues import (
     residue_of,
     sign_of_residues,
 )
-from ..array_types import Doubles, Indices, LongIntegers, Points
+from ..array_types import Indices
+from ..arrays.lowest_bit import lowest_bit
 from ..lang import array, cross, dot, float64, func, int32, int64, length, sqrt, struct, vec3, vec3d, vector
-from ..memory import empty
+from ..memory import empty, upload
+from ..search.point_tree import LARGEST_SQDIST, PointTree
 
 RELATIVE_ERROR = 4.44e-15  # 40 roundings of float64: the sums of absolute values below take at most 31
 BELOW_ONE = 0.999999999999999  # and above: covers the rounding of a radius
@@ -26,6 +34,8 @@ ABOVE_ONE = 1.000000000000001
 NO_ROW = 0x7FFFFFFF
 RESIDUE_ROWS = 20  # residues of five points with their squares
 EXACT_BITS = 53  # integers below 2^53 are exact in float64
+SEARCH_ALPHAS = 2.001  # times alpha: search slightly more than necessary
+GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and an integer number of units
 MAX_ROW = 0x7FFFFFF0  # guards follow all rows of a cloud
 ball = vector(6, float64)  # N and D of a sphere, and the bounds of their errors
 
@@ -50,21 +60,33 @@ class Predicates:
     sphere_primes: int
     radius_primes: int
 
-    def __init__(
-        self,
-        points: Points,
-        rows: Indices,
-        exact: Residues,
-        guard: float,
-        guard_residues: LongIntegers,
-        radii: Doubles,
-        numerators: LongIntegers,
-        denominators: LongIntegers,
-    ) -> None:
-        self.points, self.rows, self.exact, self.count = points, rows, exact, points.size
-        self.plane_primes, self.sphere_primes, self.radius_primes = exact.counts
-        self.guard, self.guard_residues = guard, guard_residues
-        self.radii, self.numerators, self.denominators = radii, numerators, denominators
+    def __init__(self, tree: PointTree, rows: Indices, alphas: Sequence[float]) -> None:
+        """`rows` in the cloud of the points of a tree. Also sets the squared and the plain search radius, `max_sqdist`
+        and `radius` [m]. One sync."""
+        device, unit = tree.device, lowest_bit(tree.points)  # sync
+        one = Fraction(2) ** unit
+        sides = [(Fraction(float(b)) - Fraction(float(a))) / one for a, b in zip(tree.low, tree.high, strict=True)]
+        extent = max(1, math.ceil(max(sides)))
+        # D is an integer and |N| < 32 extent^4, so no sphere's radius |N| / (2 D) exceeds this one
+        largest = 16 * extent**4
+        radii = [Fraction(largest) if math.isinf(alpha) else min(Fraction(alpha) / one, largest) for alpha in alphas]
+        guard = math.ceil(Fraction(SEARCH_ALPHAS) * radii[-1])
+        spare = max(0, guard.bit_length() - GUARD_BITS)
+        guard = -(-guard >> spare) << spare
+        size = extent + guard
+        squares = [4 * radius * radius for radius in radii]
+        bounds = [972 * extent**8 * square.denominator + 36 * extent**6 * square.numerator for square in squares]
+        orientations = [0 if bound >> EXACT_BITS == 0 else bound for bound in (6 * size**3, 72 * size**5)]
+        self.exact = Residues(device, unit, [*orientations, max(bounds)])
+        self.points, self.rows, self.count = tree.points, rows, tree.points.size
+        self.plane_primes, self.sphere_primes, self.radius_primes = self.exact.counts
+        self.guard, self.guard_residues = float(guard * one), self.exact.table([guard])
+        self.radii = upload(np.array([float(radius * one) for radius in radii]), float64, device)
+        self.numerators = self.exact.table([square.numerator for square in squares])
+        self.denominators = self.exact.table([square.denominator for square in squares])
+        self.radius = SEARCH_ALPHAS * float(radii[-1] * one)
+        # smaller squares are no float32
+        self.max_sqdist = min(self.radius * self.radius * (1 + 1e-6) + 1e-37, LARGEST_SQDIST)
 
     def reserve(self, threads: int) -> None:
         self.digits = empty(threads * (self.exact.count + RESIDUE_ROWS), int64, self.points.device)

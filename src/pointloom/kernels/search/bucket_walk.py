@@ -1,10 +1,9 @@
 """Stackless PointTree traversal from bucket to bucket, with one byte of pending children per level."""
 
-from ..arrays.packed_keys import pack_key
+from ..arrays.packed_keys import BYTE_MASK, pack_key
 from ..lang import array, bit_count, callback, cuda_func, float32, func, int32, int64, loop, partial, vec3, vector
 from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_point, measure_box, measure_boxes, square_distance
 
-BYTE_MASK = 255
 traversal = vector(4, int64)  # height, level, node, and pending children, one byte per level
 
 

@@ -2,8 +2,8 @@
 
 from ..algebra.plain_min_max import larger
 from ..arrays.lanes import high_of_eight, low_of_eight, max_of_eight
+from ..arrays.packed_keys import BYTE_MASK
 from ..lang import INFINITY, WARP, array, ballot, cuda_func, float32, int32, lane, shuffle, vec3, vector
-from .bucket_walk import BYTE_MASK
 from .point_tree import FAN, SIDES, measure_box, square_distance
 from .tree_walk import lowest_bit
 

@@ -6,9 +6,10 @@ the buckets. A node's box and number are in its parent's record (`record_of`).
 """
 
 from ..algebra.plain_min_max import larger
+from ..arrays.packed_keys import BYTE_MASK
 from ..lang import WARP, array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
 from ..memory import download, empty, fill
-from .bucket_walk import BYTE_MASK, byte_shift, traversal
+from .bucket_walk import byte_shift, traversal
 from .point_tree import FAN, LEAF, SIDES, PointTree, box_distances
 
 FAN_BITS = 3  # FAN and LEAF are 2^3

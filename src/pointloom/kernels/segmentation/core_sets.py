@@ -6,6 +6,7 @@ the thread order, the sets do not.
 """
 
 from ..arrays.lanes import bits_of_lanes
+from ..arrays.packed_keys import BYTE_MASK
 from ..arrays.union_find import find_root, flatten_sets_kernel, hook_roots, unite
 from ..lang import (
     INFINITY,
@@ -25,7 +26,6 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty
-from ..search.bucket_walk import BYTE_MASK
 from ..search.lane_boxes import boxes_of_eight, flags_of_eight, is_child_inside, is_child_near, two_boxes
 from ..search.lane_search import sqdist_of
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, measure_boxes

@@ -7,6 +7,7 @@ tree, 22 B on CUDA.
 """
 
 from ..array_types import Integers
+from ..arrays.packed_keys import BYTE_MASK
 from ..lang import (
     INFINITY,
     array,
@@ -25,7 +26,6 @@ from ..lang import (
     vec3,
 )
 from ..memory import full
-from ..search.bucket_walk import BYTE_MASK
 from ..search.lane_boxes import (
     boxes_of_eight,
     flags_of_any_eight,

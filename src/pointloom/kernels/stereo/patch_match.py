@@ -8,6 +8,8 @@ pixel and iteration only: bitwise reproducible. The planes of the regions, then 
 together as eight lanes, since the divisions and roots of one plane after another would wait for each other.
 """
 
+from dataclasses import dataclass
+
 from ..array_types import Array1, Scalars
 from ..arrays.lanes import min_of_eight
 from ..arrays.random import half_uniform, random_bits, random_uniform
@@ -116,6 +118,7 @@ NORMAL_CHANGE_PER_PIXEL = 0.08  # change of a unit normal per pixel of spread
 
 
 @struct
+@dataclass(frozen=True)
 class HalfIteration:
     """Options of a half iteration: checkerboard `color`; `regions` tested; `trials` perturbations up to `spread` [px in
     the sources]; `chosen` sources; `geometric` round-trip weight [1 / px]; `good`: cost of a fitting source.
@@ -130,21 +133,6 @@ class HalfIteration:
     spread: float
     geometric: float
     good: float
-
-    def __init__(
-        self,
-        seed: int,
-        number: int,
-        color: int,
-        regions: int,
-        trials: int,
-        chosen: int,
-        spread: float,
-        geometric: float,
-        good: float,
-    ) -> None:
-        self.seed, self.number, self.color, self.regions, self.trials = seed, number, color, regions, trials
-        self.chosen, self.spread, self.geometric, self.good = chosen, spread, geometric, good
 
 
 @func

@@ -5,7 +5,7 @@ triangle with its center. Two rings around charts extend a neighbor's plane for 
 import numpy as np
 
 from ..algebra.transform import narrow
-from ..array_types import Array1, Bytes, Points, Vectors
+from ..array_types import Array1, Bytes, Vectors
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
     array,
@@ -39,7 +39,7 @@ from .atlas_colors import (
     texel_corners,
 )
 from .exposures import Exposures
-from .seam_levels import Seams, image_color
+from .seam_levels import SeamLevels, Seams, image_color
 from .stacked_images import StackedImages
 
 EXTRAPOLATED_RINGS = 2  # of texels around a chart, extrapolated from its triangles
@@ -198,25 +198,13 @@ def finish_texels_kernel(texels: ChartTexels, image: array(dtype=vec3), marks: a
 
 
 def paint_texels(
-    texels: ChartTexels,
-    vertices: Points,
-    seams: Seams,
-    stack: StackedImages,
-    exposures: Exposures,
-    shifts: Array1[vec3d],
-    scale: float,
-    vertex_colors: Vectors | None,
-    plain: np.ndarray,
+    texels: ChartTexels, levels: SeamLevels, scale: float, vertex_colors: Vectors | None, plain: np.ndarray
 ) -> None:
     """Compute all texels; `scale` texels per pixel; `vertex_colors` or `plain` for triangles without image."""
-    device, count = vertices.device, texels.size * texels.size
+    device, count = texels.owners.device, texels.size * texels.size
     colors = empty(0, vec3, device) if vertex_colors is None else vertex_colors
     background = vec3d(*(255.0 * float(level) for level in plain))
-    launch(
-        paint_texels_kernel,
-        count,
-        [texels, vertices, seams, stack, exposures, shifts, float(scale), colors, background],
-    )
+    launch(paint_texels_kernel, count, [texels, *levels.arguments, float(scale), colors, background])
 
 
 def finish_texels(texels: ChartTexels, gutter: int) -> Bytes:

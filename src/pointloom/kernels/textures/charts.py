@@ -46,6 +46,17 @@ class Cells(NamedTuple):
     side: int
 
 
+class Packing(NamedTuple):
+    """Charts in a texture: its size, the scale (texels per pixel, at most 1), the first texel of each chart (c, 2), and
+    the cells of unseen triangles.
+    """
+
+    size: int
+    scale: float
+    positions: np.ndarray
+    cells: Cells
+
+
 @struct
 class Charts:
     """Charts: `labels` per triangle (t for none); `lows`, `highs` (2 c): pixel boxes; `views` (c): images."""
@@ -170,23 +181,13 @@ def cut_charts(vertices: Points, triangles: Triangles, twins: Indices, views: In
 
 
 def compute_uvs(
-    vertices: Points,
-    triangles: Triangles,
-    views: Indices,
-    stack: StackedImages,
-    charts: Charts,
-    origins: np.ndarray,
-    scale: float,
-    cells: Cells,
-    size: int,
+    vertices: Points, triangles: Triangles, views: Indices, stack: StackedImages, charts: Charts, packing: Packing
 ) -> Array1[vec2]:
-    """Texture coordinates of all corners, vec2 (3 t). `origins` (c, 2): texel of each chart's first pixel."""
+    """Texture coordinates of all corners, vec2 (3 t)."""
     device, count = triangles.device, triangles.size
     uvs = empty(3 * count, vec2, device)
     blind: Integers = offsets_of(mark_negative(views))
-    where = upload(np.asarray(origins).reshape(-1), int32, device)
-    grid = vec4i(cells.top, cells.columns, cells.side, size)
-    launch(
-        compute_uvs_kernel, count, [vertices, triangles, views, stack, charts, where, float(scale), blind, grid, uvs]
-    )
+    origins = upload(packing.positions.reshape(-1), int32, device)
+    placed = [charts, origins, float(packing.scale), blind, vec4i(*packing.cells, packing.size)]
+    launch(compute_uvs_kernel, count, [vertices, triangles, views, stack, *placed, uvs])
     return uvs

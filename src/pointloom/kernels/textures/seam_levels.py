@@ -222,8 +222,9 @@ class SeamLevels:
     """Color shifts of a mesh: `shifts` vec3d (n), 0..255, zero until `solve`; `iterations` of the solve."""
 
     def __init__(self, vertices: Points, seams: Seams, stack: StackedImages, exposures: Exposures) -> None:
-        self.vertices, self.seams, self.images, self.exposures = vertices, seams, stack, exposures
+        self.vertices, self.seams = vertices, seams
         self.shifts: Positions = zeros(seams.count, vec3d, vertices.device)
+        self.arguments = [vertices, seams, stack, exposures, self.shifts]  # of kernels that sample the images
         self.iterations = 0
         launch(compare_sides_kernel, 3 * seams.triangles.size, [vertices, seams, stack, exposures])
 
@@ -245,6 +246,6 @@ class SeamLevels:
 
     def mean_step(self) -> float | None:
         """Mean step across seams, 0..255. None without seams. One sync."""
-        given = [self.vertices, self.seams, self.images, self.exposures, self.shifts]
-        count, total, _ = download(reduce(sum_steps, 3 * self.seams.triangles.size, given))[0].tolist()  # sync
+        sums = reduce(sum_steps, 3 * self.seams.triangles.size, self.arguments)
+        count, total, _ = download(sums)[0].tolist()  # sync
         return total / count if count else None

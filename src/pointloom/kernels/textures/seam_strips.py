@@ -4,7 +4,7 @@ equation; Perez et al. 2003), by conjugate gradients.
 """
 
 from ..algebra.transform import widen
-from ..array_types import Array1, Indices, Points, Positions
+from ..array_types import Indices, Positions
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients, weigh_by_diagonal_kernel
 from ..arrays.select import number_rows_kernel, positions_of
 from ..lang import array, dot, float64, func, int32, kernel, launch, length, tid, uint8, vec2d, vec3, vec3d
@@ -13,7 +13,7 @@ from ..meshes.mesh_topology import corner_vertex, next_corner
 from .atlas_colors import NO_TRIANGLE, texel_corners
 from .chart_texels import EXTRAPOLATED_RINGS, UNREACHED_STEPS, ChartTexels, fractions_at, point_at, side_of_corner
 from .exposures import Exposures
-from .seam_levels import Seams, image_color, is_seam, node_beyond
+from .seam_levels import SeamLevels, Seams, image_color, is_seam, node_beyond
 from .stacked_images import StackedImages
 
 ON_SEAM = 1.5  # [texels] maximum distance of a chart's texel on a seam
@@ -260,20 +260,13 @@ def add_changes_kernel(texels: ChartTexels, changes: array(dtype=vec3d)):
     texels.colors[i] = texels.colors[i] + changes[i]
 
 
-def blend_strips(
-    texels: ChartTexels,
-    vertices: Points,
-    seams: Seams,
-    stack: StackedImages,
-    exposures: Exposures,
-    shifts: Array1[vec3d],
-) -> None:
+def blend_strips(texels: ChartTexels, levels: SeamLevels) -> None:
     """Blend the colors of texels near seams. A few syncs."""
-    device, count = vertices.device, texels.size * texels.size
+    seams, device, count = levels.seams, texels.owners.device, texels.size * texels.size
     changes, free = empty(count, vec3d, device), zeros(count, uint8, device)
-    means: Positions = zeros(vertices.size, vec3d, device)
-    launch(mean_at_vertices_kernel, seams.count, [vertices, seams, stack, exposures, shifts, means])
-    launch(aim_at_seams_kernel, count, [texels, vertices, seams, stack, exposures, shifts, means, changes])
+    means: Positions = zeros(levels.vertices.size, vec3d, device)
+    launch(mean_at_vertices_kernel, seams.count, [*levels.arguments, means])
+    launch(aim_at_seams_kernel, count, [texels, *levels.arguments, means, changes])
     for step in range(1, STRIP_TEXELS + 1):
         launch(spread_steps_kernel, count, [texels, seams, step, free])
     rows: Indices = positions_of(free)  # sync

@@ -25,7 +25,6 @@ LOW_Y = 0x00000000FFFFFFFF
 LOW_Z = 0x0F0F0F0F0F0F0F0F
 PART_CELLS = BLOCK_SIDE // 2  # cells per edge of a part
 PARTS_PER_BLOCK = 8  # of a block, bit 4 x + 2 y + z
-BYTE_MASK = 0xFF
 
 
 @struct

@@ -33,7 +33,6 @@ from .voxel_samples import (
 )
 
 MAX_STEPS = 8192  # of a ray
-NO_BLOCK = 1 << 30  # beyond all voxels
 PARALLEL_INVERSE = 1.0e30  # inverse of a direction parallel to an axis plane
 MIN_COMPONENT = 1.0e-12  # [voxels per meter] below it a component counts as zero
 RAY_START_FRACTION = 0.999999  # of a tile's depth: rays begin before rounding can skip a surface

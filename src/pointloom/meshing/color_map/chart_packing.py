@@ -3,28 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.textures.charts import Cells
+from ...kernels.textures.charts import Cells, Packing
 
 CELL_TEXELS = 6  # texels per side of an unseen triangle: 3 for its legs, the rest padding
 SHARED_CELL_TEXELS = 4  # texels per side of the cell shared by all unseen triangles
 MAX_CELLS = 0.5  # maximum fraction of the texture for such triangles; beyond, all share one cell
 SIZE_STEP = 64  # texels: automatic sizes are multiples of it
 SCALE_PRECISION, MAX_SCALES = 0.5**7, 40  # precision of the scale. Maximum number of scales tried
-
-
-@dataclass(frozen=True)
-class Packing:
-    """Size, scale (texels per pixel, at most 1), first texel of each chart (c, 2), and cells of unseen triangles."""
-
-    size: int
-    scale: float
-    positions: NDArray[np.int64]
-    cells: Cells
 
 
 def pack_charts(

@@ -6,17 +6,15 @@ from dataclasses import dataclass
 from typing import Any
 
 import warp as wp
-from numpy.typing import ArrayLike
 
-from ...cameras.depth_range import UNLIMITED_DEPTH
-from ...core.checks import check_color, check_count, check_positive, check_progress
+from ...core.checks import check_color, check_count, check_progress
 from ...core.progress import ReportProgress
 from ...kernels.arrays.duplicates import find_equal_points
 from ...kernels.arrays.sort import positions
 from ...kernels.memory import check_room, download
 from ...kernels.meshes.merge_vertices import rename_corners
 from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
-from ...kernels.textures.charts import compute_uvs, cut_charts, find_twins
+from ...kernels.textures.charts import Packing, compute_uvs, cut_charts, find_twins
 from ...kernels.textures.color_outliers import keep_likely
 from ...kernels.textures.exposures import Exposures, find_exposures, plain_exposures
 from ...kernels.textures.face_views import FaceViews, FaceVisibility, keep_views
@@ -28,17 +26,16 @@ from ...kernels.textures.stacked_images import StackedImages
 from ...kernels.textures.view_labels import MAX_IMAGE_COST, LabelGraph, choose_labels, cost_views, energy_of, name_views
 from ..mesh.mesh import TriangleMesh
 from ..mesh.posed_images import PosedImages
-from .chart_packing import Packing, pack_charts
+from .chart_packing import pack_charts
 from .image_sources import take_images
 from .image_texture_result import ImageTextureResult
+from .options import ImageTextureOption
 from .results import NothingSeenError
 
 CHART_PADDING = 4  # texels around each chart: two of its image, two of their colors
 MAX_SIZE = 16384  # texels per side
 MAX_TEXTURE_SIZE = 8192  # default limit
 TEXEL_BYTES = 120
-MAX_SMOOTHNESS = 1000.0
-UNSEEN_COLOR = (0.5, 0.5, 0.5)
 
 
 def texture_from_images(
@@ -46,15 +43,9 @@ def texture_from_images(
     images: Any,
     cameras: Any,
     extrinsics: Any = None,
+    option: ImageTextureOption | None = None,
     *,
     size: int | None = None,
-    smoothness: float = 1.0,
-    outliers: bool = True,
-    exposures: bool = True,
-    seam_leveling: bool = True,
-    local_leveling: bool = True,
-    depth_max: float = UNLIMITED_DEPTH,
-    plain: ArrayLike = UNSEEN_COLOR,
     progress: ReportProgress | None = None,
 ) -> ImageTextureResult:
     """Texture a mesh from posed images, each triangle from its best image, without seams.
@@ -72,14 +63,8 @@ def texture_from_images(
             `photogrammetry.PosedCamera`; or an SfmModel, as of `read_cameras`, whose images are undistorted if
             necessary.
         extrinsics: Poses (n, 4, 4), world to camera. If None: those of the cameras.
+        option: Steps and limits; None: the defaults.
         size: Texels per side. If None: as many as the images have pixels, up to 8192. Charts are scaled to fit.
-        smoothness: Cost of an edge between two images, relative to the value of a triangle's best image.
-        outliers: Ignore images where a triangle's color differs from most of at least four.
-        exposures: First equalize exposure and vignetting per channel by shared triangles.
-        seam_leveling: Shift the colors of charts at vertices to agree at seams.
-        local_leveling: Blend strips of 20 texels beside seams.
-        depth_max: Maximum distance of a usable image [unit of the poses].
-        plain: Color of unseen triangles without vertex colors, 0..1.
         progress: Called with the stage ("images", "views", "choice", "seams", "texture"), progress and total or 0.
 
     Returns:
@@ -108,18 +93,18 @@ def texture_from_images(
     if size is not None:
         because = "the texture and its intermediate arrays would not fit into memory. Use fewer texels"
         size = check_count("size", size, minimum=16, maximum=MAX_SIZE, because=because)
-    price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MAX_SMOOTHNESS)
-    farthest = check_positive("depth_max", depth_max, allow_infinite=True)
-    background, report = check_color("plain", plain), check_progress(progress)
+    if not isinstance(option, ImageTextureOption | None):
+        raise TypeError(f"option: expected an ImageTextureOption, got {type(option).__name__}")
+    option, report = option or ImageTextureOption(), check_progress(progress)
     images = take_images(images, cameras, extrinsics, mesh.device, report)
-    choice = _choose(mesh, images, price, (outliers, exposures), farthest, report)
+    choice = _choose(mesh, images, option, report)
     report("seams", 0, 0)
     levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.images, choice.exposures)
     before = levels.mean_step()
-    if seam_leveling:
-        levels.solve(level=bool(exposures))
+    if option.seam_leveling:
+        levels.solve(level=bool(option.exposures))
     report("texture", 0, 0)
-    painted = _paint(mesh, choice, levels, size, background, local_leveling)
+    painted = _paint(mesh, choice, levels, size, option)
     views = download(choice.seams.views).copy()
     counts = {"chart_count": painted.charts, "pair_count": choice.pairs, "outlier_count": choice.outliers}
     mean, step_95 = painted.steps if painted.steps is not None else (None, None)
@@ -146,20 +131,12 @@ class _Choice:
     energy: float
 
 
-def _choose(
-    mesh: TriangleMesh,
-    images: PosedImages,
-    smoothness: float,
-    wanted: tuple[bool, bool],
-    farthest: float,
-    report: ReportProgress,
-) -> _Choice:
-    outliers, exposures = wanted
+def _choose(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption, report: ReportProgress) -> _Choice:
     vertices = mesh.array("vertices")
     owners = find_equal_points(vertices)
     triangles = rename_corners(mesh.array("triangles"), owners, positions(vertices.size, mesh.device))
     stack = images.stacked(mesh.origin, 0)
-    looks = FaceVisibility(vertices, triangles, stack, plant_trees(vertices, triangles), farthest)
+    looks = FaceVisibility(vertices, triangles, stack, plant_trees(vertices, triangles), float(option.depth_max))
     all_views = looks.views(lambda done: report("views", done, stack.count))
     if not all_views.count:
         raise NothingSeenError(
@@ -167,10 +144,10 @@ def _choose(
             "of the mesh, that its triangles face the cameras, and that it is within depth_max"
         )
     report("choice", 0, 0)
-    views: FaceViews = keep_views(all_views, keep_likely(all_views)) if outliers else all_views
-    gains = find_exposures(vertices, triangles, views, stack) if exposures else plain_exposures(stack)
+    views: FaceViews = keep_views(all_views, keep_likely(all_views)) if option.outliers else all_views
+    gains = find_exposures(vertices, triangles, views, stack) if option.exposures else plain_exposures(stack)
     twins = find_twins(triangles, vertices.size)
-    graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(smoothness * MAX_IMAGE_COST))
+    graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(option.smoothness * MAX_IMAGE_COST))
     labels = choose_labels(graph)
     energy = energy_of(graph, labels) / MAX_IMAGE_COST
     seams = Seams(triangles, twins, name_views(graph, labels), stack.count, vertices.size)
@@ -189,7 +166,7 @@ class _Painted:
 
 
 def _paint(
-    mesh: TriangleMesh, choice: _Choice, levels: SeamLevels, size: int | None, plain: Any, blend: bool
+    mesh: TriangleMesh, choice: _Choice, levels: SeamLevels, size: int | None, option: ImageTextureOption
 ) -> _Painted:
     vertices, seams, images = mesh.array("vertices"), choice.seams, choice.images
     charts = cut_charts(vertices, seams.triangles, seams.twins, seams.views, images)
@@ -198,13 +175,12 @@ def _paint(
     packing = pack_charts(charts.boxes(), blind, colors is not None, CHART_PADDING, size, MAX_TEXTURE_SIZE)
     side = packing.size
     check_room(mesh.device, side * side * TEXEL_BYTES, f"size: a texture of {side} x {side} texels")
-    where = (packing.positions, packing.scale, packing.cells, side)
-    uvs = compute_uvs(vertices, seams.triangles, seams.views, images, charts, *where)
+    uvs = compute_uvs(vertices, seams.triangles, seams.views, images, charts, packing)
     texels = ChartTexels(uvs, side)
-    paint_texels(texels, vertices, seams, images, choice.exposures, levels.shifts, packing.scale, colors, plain)
+    paint_texels(texels, levels, packing.scale, colors, check_color("plain", option.plain))
     seam_samples = SeamSamples(texels, seams)
-    if blend:
-        blend_strips(texels, vertices, seams, images, choice.exposures, levels.shifts)
+    if option.local_leveling:
+        blend_strips(texels, levels)
         join_seams(seam_samples, texels.colors)
     pixels = finish_texels(texels, CHART_PADDING)
     steps = drawn_steps(seam_samples, pixels)

@@ -1,13 +1,18 @@
-"""Options of color map optimization, with Open3D's names and defaults."""
+"""Options of color map optimization, with Open3D's names and defaults, and of textures from images."""
 
 from __future__ import annotations
 
 import dataclasses
 
-from ...core.checks import check_count, check_positive
+from numpy.typing import ArrayLike
+
+from ...cameras.depth_range import UNLIMITED_DEPTH
+from ...core.checks import check_color, check_count, check_positive
 
 MAX_KERNEL_HALF_SIZE = 64  # [px] around a boundary: beyond it little of an image remains
 MAX_ANCHORS = 256  # rows: one every few pixels
+MAX_SMOOTHNESS = 1000.0
+UNSEEN_COLOR = (0.5, 0.5, 0.5)
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -61,3 +66,39 @@ class ColorMapOption:
         limit = {"maximum": MAX_ANCHORS, "because": "images do not have more rows of detail"}
         check_count("number_of_vertical_anchors", self.number_of_vertical_anchors, minimum=2, **limit)
         check_positive("non_rigid_anchor_point_weight", self.non_rigid_anchor_point_weight)
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class ImageTextureOption:
+    """Options of `texture_from_images`.
+
+    Args:
+        smoothness: Cost of an edge between two images, relative to the value of a triangle's best image.
+        outliers: Ignore images where a triangle's color differs from most of at least four.
+        exposures: First equalize exposure and vignetting per channel by shared triangles.
+        seam_leveling: Shift the colors of charts at vertices to agree at seams.
+        local_leveling: Blend strips of 20 texels beside seams.
+        depth_max: Maximum distance of a usable image [unit of the poses].
+        plain: Color of unseen triangles without vertex colors, 0..1.
+
+    Raises:
+        ValueError, TypeError: If a number or a color is out of range.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.meshing.ImageTextureOption(exposures=False, depth_max=3.0).smoothness
+        1.0
+    """
+
+    smoothness: float = 1.0
+    outliers: bool = True
+    exposures: bool = True
+    seam_leveling: bool = True
+    local_leveling: bool = True
+    depth_max: float = UNLIMITED_DEPTH
+    plain: ArrayLike = UNSEEN_COLOR
+
+    def __post_init__(self):
+        check_positive("smoothness", self.smoothness, allow_zero=True, maximum=MAX_SMOOTHNESS)
+        check_positive("depth_max", self.depth_max, allow_infinite=True)
+        check_color("plain", self.plain)

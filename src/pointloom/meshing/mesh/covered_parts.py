@@ -87,7 +87,8 @@ def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copi
     if not (parts.closed & (parts.sides < 0)).any():
         return solid
     arrays = mesh.arrays
-    all_parts = Parts(parts.labels, parts.closed, _all_sides(mesh, parts))
+    sides = _sides_of(mesh, parts.labels, parts.closed, np.flatnonzero(parts.closed))
+    all_parts = Parts(parts.labels, parts.closed, sides)
     enclosing = find_enclosing(arrays["vertices"], arrays["triangles"], all_parts)
     is_two_sided = len(copies.rows) == len(parts.labels)
     for part, around in enclosing.items():
@@ -96,7 +97,3 @@ def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copi
         if is_odd and (parts.sides[part] < 0 or is_two_sided):
             solid[part] = parts.sides[part] < 0
     return solid
-
-
-def _all_sides(mesh: object, parts: Parts) -> NDArray[np.float64]:
-    return _sides_of(mesh, parts.labels, parts.closed, np.flatnonzero(parts.closed))

@@ -26,7 +26,7 @@ from ...kernels.memory import check_room, contiguous, download, empty, upload
 from ...kernels.meshes import mesh_measures
 from ...kernels.meshes.geodesics import geodesic_distances
 from ...kernels.meshes.mesh_curvature import measure_curvatures
-from ...kernels.meshes.mesh_topology import Topology, examine, find_topology, topology_of
+from ...kernels.meshes.mesh_topology import Topology, find_topology, topology_of
 from ...kernels.meshes.poisson_disk import CrowdedError, eliminate_samples
 from ...kernels.meshes.surface_samples import SurfaceSamples
 from ...kernels.rays.distance_colors import color_distances
@@ -171,7 +171,7 @@ class MeshMeasures(MeshSelection):
 
     def edge_topology(self) -> Topology:
         """Count triangles per edge on the device; basis of `is_watertight` and related checks."""
-        return examine(self.arrays["triangles"], self.arrays["vertices"].size)
+        return topology_of(download(find_topology(self.arrays["triangles"], self.arrays["vertices"].size)))  # sync
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         """Smallest axis-aligned box of the finite vertices. At zero if there are none. Unpacks as `low, high = box`."""

@@ -8,7 +8,6 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.array_libraries import library_for
 from ...core.checks import (
     check_count,
     check_direction,
@@ -60,7 +59,6 @@ class MeshPrimitives(MeshMeasures):
         map_texture_to_each_face: bool = False,
         *,
         device: DeviceLike = None,
-        arrays: str | None = None,
     ) -> Self:
         """Create a box with one corner at the origin: 8 vertices, 12 triangles.
 
@@ -69,7 +67,6 @@ class MeshPrimitives(MeshMeasures):
             create_uv_map: Add texture coordinates: the box unfolded in the image.
             map_texture_to_each_face: Map the complete image to each face instead.
             device: "cpu" (default), "cuda:N" or "auto".
-            arrays: Library of returned arrays, as of `TriangleMesh`. If None: "numpy".
 
         Raises:
             ValueError, TypeError: If a length is not positive, or if a length is not a number.
@@ -81,105 +78,85 @@ class MeshPrimitives(MeshMeasures):
             24.0
         """
         x, y, z = positive_lengths(width=width, height=height, depth=depth)
-        return cls._of(shapes.box(x, y, z, bool(map_texture_to_each_face)), device, arrays, with_uvs=create_uv_map)
+        return cls._of(shapes.box(x, y, z, bool(map_texture_to_each_face)), device, with_uvs=create_uv_map)
 
     @classmethod
     def create_plane(
-        cls,
-        width: float = 1.0,
-        height: float = 1.0,
-        create_uv_map: bool = False,
-        *,
-        device: DeviceLike = None,
-        arrays: str | None = None,
+        cls, width: float = 1.0, height: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None
     ) -> Self:
         """Create a rectangle in the plane z = 0, facing up, with one corner at the origin: 4 vertices, 2 triangles.
 
         Args:
             width, height: Size along x and y [m].
             create_uv_map: Add texture coordinates: the complete image.
-            device, arrays: As of `create_box`, including errors.
+            device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
             >>> loom.TriangleMesh.create_plane(2, 3).get_surface_area()
             6.0
         """
-        return cls._of(
-            shapes.plane(*positive_lengths(width=width, height=height)), device, arrays, with_uvs=create_uv_map
-        )
+        return cls._of(shapes.plane(*positive_lengths(width=width, height=height)), device, with_uvs=create_uv_map)
 
     @classmethod
-    def create_tetrahedron(
-        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None, arrays: str | None = None
-    ) -> Self:
+    def create_tetrahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None) -> Self:
         """Create a tetrahedron about the origin: 4 vertices, 4 triangles.
 
         Args:
             radius: Distance of the corners from the origin [m].
-            create_uv_map, device, arrays: As of `create_box`, including errors.
+            create_uv_map, device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
             >>> loom.TriangleMesh.create_tetrahedron()
             TriangleMesh(4 vertices, 4 triangles, cpu)
         """
-        return cls._of(shapes.tetrahedron(*positive_lengths(radius=radius)), device, arrays, with_uvs=create_uv_map)
+        return cls._of(shapes.tetrahedron(*positive_lengths(radius=radius)), device, with_uvs=create_uv_map)
 
     @classmethod
-    def create_octahedron(
-        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None, arrays: str | None = None
-    ) -> Self:
+    def create_octahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None) -> Self:
         """Create an octahedron about the origin: 6 vertices, 8 triangles.
 
         Args:
             radius: Distance of the corners from the origin [m].
-            create_uv_map, device, arrays: As of `create_box`, including errors.
+            create_uv_map, device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
             >>> round(loom.TriangleMesh.create_octahedron(3).get_volume(), 3)
             36.0
         """
-        return cls._of(shapes.octahedron(*positive_lengths(radius=radius)), device, arrays, with_uvs=create_uv_map)
+        return cls._of(shapes.octahedron(*positive_lengths(radius=radius)), device, with_uvs=create_uv_map)
 
     @classmethod
-    def create_icosahedron(
-        cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None, arrays: str | None = None
-    ) -> Self:
+    def create_icosahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: DeviceLike = None) -> Self:
         """Create an icosahedron about the origin: 12 vertices, 20 triangles.
 
         Args:
             radius: Half an edge [m], as in Open3D. The corners are 1.902 times as far from the origin.
-            create_uv_map, device, arrays: As of `create_box`, including errors.
+            create_uv_map, device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
             >>> loom.TriangleMesh.create_icosahedron()
             TriangleMesh(12 vertices, 20 triangles, cpu)
         """
-        return cls._of(shapes.icosahedron(*positive_lengths(radius=radius)), device, arrays, with_uvs=create_uv_map)
+        return cls._of(shapes.icosahedron(*positive_lengths(radius=radius)), device, with_uvs=create_uv_map)
 
     @classmethod
-    def _of(cls, shape: Shape, device: DeviceLike, arrays: str | None, *, with_uvs: bool = False) -> Self:
-        target, library = resolve_device(device), library_for(arrays)
+    def _of(cls, shape: Shape, device: DeviceLike, *, with_uvs: bool = False) -> Self:
+        target = resolve_device(device)
         local, origin = split_origin(shape.vertices)
         made = {
             "vertices": upload(local, vec3, target),
             "triangles": upload(shape.triangles.astype(np.int32), vec3i, target),
             "triangle_uvs": upload(shape.uvs.astype(np.float32), vec2, target) if with_uvs else None,
         }
-        return cls.from_device_arrays(made, origin, library)
+        return cls.from_device_arrays(made, origin)
 
     @classmethod
     def create_sphere(
-        cls,
-        radius: float = 1.0,
-        resolution: int = 20,
-        create_uv_map: bool = False,
-        *,
-        device: DeviceLike = None,
-        arrays: str | None = None,
+        cls, radius: float = 1.0, resolution: int = 20, create_uv_map: bool = False, *, device: DeviceLike = None
     ) -> Self:
         """Create a UV sphere about the origin.
 
@@ -187,7 +164,7 @@ class MeshPrimitives(MeshMeasures):
             radius: [m].
             resolution: Steps from pole to pole, at least 2. Twice as many around.
             create_uv_map: Add texture coordinates: u from pole to pole, v around.
-            device, arrays: As of `create_box`.
+            device: As of `create_box`.
 
         Raises:
             ValueError, TypeError, DeviceError: As `create_box`. ValueError also for more than 2^22 vertices.
@@ -198,7 +175,7 @@ class MeshPrimitives(MeshMeasures):
             TriangleMesh(182 vertices, 360 triangles, cpu)
         """
         (r,) = positive_lengths(radius=radius)
-        return cls.create_ellipsoid(r, r, r, resolution, create_uv_map, device=device, arrays=arrays)
+        return cls.create_ellipsoid(r, r, r, resolution, create_uv_map, device=device)
 
     @classmethod
     def create_ellipsoid(
@@ -210,14 +187,13 @@ class MeshPrimitives(MeshMeasures):
         create_uv_map: bool = False,
         *,
         device: DeviceLike = None,
-        arrays: str | None = None,
     ) -> Self:
         """Create an ellipsoid about the origin from `create_sphere`.
 
         Args:
             radius_x, radius_y, radius_z: Radii along the axes [m].
             resolution: Steps from pole to pole, at least 2.
-            create_uv_map, device, arrays: As of `create_sphere`, including errors.
+            create_uv_map, device: As of `create_sphere`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -229,7 +205,7 @@ class MeshPrimitives(MeshMeasures):
         steps = check_count("resolution", resolution, minimum=2)
         check_vertex_count("resolution", 2 * steps * (steps - 1) + 2)
         ball = shapes.sphere(1.0, steps)
-        return cls._of(ball._replace(vertices=ball.vertices * radii), device, arrays, with_uvs=create_uv_map)
+        return cls._of(ball._replace(vertices=ball.vertices * radii), device, with_uvs=create_uv_map)
 
     @classmethod
     def create_cylinder(
@@ -241,7 +217,6 @@ class MeshPrimitives(MeshMeasures):
         create_uv_map: bool = False,
         *,
         device: DeviceLike = None,
-        arrays: str | None = None,
     ) -> Self:
         """Create a closed cylinder along z, centered at the origin.
 
@@ -249,7 +224,7 @@ class MeshPrimitives(MeshMeasures):
             radius, height: [m].
             resolution: Corners of a ring, at least 3.
             split: Segments along z.
-            create_uv_map, device, arrays: As of `create_box`. Errors as `create_sphere`.
+            create_uv_map, device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -259,7 +234,7 @@ class MeshPrimitives(MeshMeasures):
         sizes = positive_lengths(radius=radius, height=height)
         counts = checked_counts(resolution=(resolution, 3), split=(split, 1))
         check_vertex_count("resolution, split", counts[0] * (counts[1] + 1) + 2)
-        return cls._of(shapes.cylinder(*sizes, *counts), device, arrays, with_uvs=create_uv_map)
+        return cls._of(shapes.cylinder(*sizes, *counts), device, with_uvs=create_uv_map)
 
     @classmethod
     def create_cone(
@@ -271,7 +246,6 @@ class MeshPrimitives(MeshMeasures):
         create_uv_map: bool = False,
         *,
         device: DeviceLike = None,
-        arrays: str | None = None,
     ) -> Self:
         """Create a closed cone along z, with its base centered at the origin.
 
@@ -279,7 +253,7 @@ class MeshPrimitives(MeshMeasures):
             radius, height: Radius of the base and height [m].
             resolution: Corners of a ring, at least 3.
             split: Segments along z.
-            create_uv_map, device, arrays: As of `create_box`. Errors as `create_sphere`.
+            create_uv_map, device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -289,7 +263,7 @@ class MeshPrimitives(MeshMeasures):
         sizes = positive_lengths(radius=radius, height=height)
         counts = checked_counts(resolution=(resolution, 3), split=(split, 1))
         check_vertex_count("resolution, split", counts[0] * counts[1] + 2)
-        return cls._of(shapes.cone(*sizes, *counts), device, arrays, with_uvs=create_uv_map)
+        return cls._of(shapes.cone(*sizes, *counts), device, with_uvs=create_uv_map)
 
     @classmethod
     def create_torus(
@@ -300,7 +274,6 @@ class MeshPrimitives(MeshMeasures):
         tubular_resolution: int = 20,
         *,
         device: DeviceLike = None,
-        arrays: str | None = None,
     ) -> Self:
         """Create a torus about the z axis.
 
@@ -308,7 +281,7 @@ class MeshPrimitives(MeshMeasures):
             torus_radius: Distance of the tube's center from the origin [m].
             tube_radius: Radius of the tube [m].
             radial_resolution, tubular_resolution: Rings around the hole and corners of a ring, at least 3.
-            device, arrays: As of `create_box`. Errors as `create_sphere`.
+            device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -318,7 +291,7 @@ class MeshPrimitives(MeshMeasures):
         radii = positive_lengths(torus_radius=torus_radius, tube_radius=tube_radius)
         counts = checked_counts(radial_resolution=(radial_resolution, 3), tubular_resolution=(tubular_resolution, 3))
         check_vertex_count("radial_resolution, tubular_resolution", counts[0] * counts[1])
-        return cls._of(shapes.torus(*radii, *counts), device, arrays)
+        return cls._of(shapes.torus(*radii, *counts), device)
 
     @classmethod
     def create_arrow(
@@ -332,7 +305,6 @@ class MeshPrimitives(MeshMeasures):
         cone_split: int = 1,
         *,
         device: DeviceLike = None,
-        arrays: str | None = None,
     ) -> Self:
         """Create an arrow from the origin along z: a cylinder with a cone.
 
@@ -340,7 +312,7 @@ class MeshPrimitives(MeshMeasures):
             cylinder_radius, cone_radius, cylinder_height, cone_height: Dimensions of shaft and head [m].
             resolution: Corners of a ring, at least 3.
             cylinder_split, cone_split: Segments of shaft and head along z.
-            device, arrays: As of `create_box`. Errors as `create_sphere`.
+            device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -358,23 +330,18 @@ class MeshPrimitives(MeshMeasures):
             resolution=(resolution, 3), cylinder_split=(cylinder_split, 1), cone_split=(cone_split, 1)
         )
         check_vertex_count("resolution, cylinder_split, cone_split", counts[0] * (counts[1] + counts[2] + 1) + 4)
-        return cls._of(_arrow(*sizes, *counts), device, arrays)
+        return cls._of(_arrow(*sizes, *counts), device)
 
     @classmethod
     def create_coordinate_frame(
-        cls,
-        size: float = 1.0,
-        origin: ArrayLike = (0.0, 0.0, 0.0),
-        *,
-        device: DeviceLike = None,
-        arrays: str | None = None,
+        cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0), *, device: DeviceLike = None
     ) -> Self:
         """Create arrows along x (red), y (green) and z (blue) with a gray ball at their base.
 
         Args:
             size: Length of the arrows [m].
             origin: Position of the ball [m], shape (3,).
-            device, arrays: As of `create_box`, including errors.
+            device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -390,7 +357,7 @@ class MeshPrimitives(MeshMeasures):
         arrows = [along_z._replace(vertices=np.stack(axes, axis=1)) for axes in ((z, x, y), (y, z, x), (x, y, z))]
         parts = [shapes.sphere(0.06 * length, 20), *arrows]
         colors = [[0.5, 0.5, 0.5], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-        mesh = cls._of(shapes.joined(parts), device, arrays).compute_vertex_normals()
+        mesh = cls._of(shapes.joined(parts), device).compute_vertex_normals()
         mesh.vertex_colors = np.repeat(colors, [len(part.vertices) for part in parts], axis=0)
         local, anchor = split_origin(mesh.vertices + center)
         return mesh.with_arrays(vertices=upload(local, vec3, mesh.device), origin=anchor)
@@ -407,7 +374,6 @@ class MeshPrimitives(MeshMeasures):
         scale: float = 1,
         *,
         device: DeviceLike = None,
-        arrays: str | None = None,
     ) -> Self:
         """Create a Möbius strip about the z axis.
 
@@ -417,7 +383,7 @@ class MeshPrimitives(MeshMeasures):
             radius, width: Distance of the center line from the origin, and width [m].
             flatness: Scale along z, not zero.
             scale: Scale of all coordinates.
-            device, arrays: As of `create_box`. Errors as `create_sphere`.
+            device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -432,7 +398,7 @@ class MeshPrimitives(MeshMeasures):
         if flat == 0 or abs(flat) > MAX_LENGTH:
             raise ValueError(f"flatness: expected a number other than 0 up to {MAX_LENGTH:g}, got {flat:g}")
         check_vertex_count("length_split, width_split", columns * rows)
-        return cls._of(shapes.mobius(columns, rows, half_twists, around, flat, breadth, factor), device, arrays)
+        return cls._of(shapes.mobius(columns, rows, half_twists, around, flat, breadth, factor), device)
 
     @returns_new
     def extrude_linear(self, vector: ArrayLike, scale: float = 1.0, capping: bool = True) -> Self:
@@ -517,21 +483,13 @@ class MeshPrimitives(MeshMeasures):
         return self._swept(rings, is_closed, bool(capping) and not is_closed)
 
     @classmethod
-    def from_polygon(
-        cls,
-        outline: ArrayLike,
-        holes: Sequence[ArrayLike] = (),
-        *,
-        device: DeviceLike = None,
-        arrays: str | None = None,
-    ) -> Self:
+    def from_polygon(cls, outline: ArrayLike, holes: Sequence[ArrayLike] = (), *, device: DeviceLike = None) -> Self:
         """Triangulate a flat polygon with holes.
 
         Args:
             outline: Corners in order [m], shape (k, 2) in the plane z = 0 or (k, 3); optionally closed.
             holes: Outlines of holes.
             device: "cpu" (default), "cuda:N" or "auto".
-            arrays: Library of returned arrays, as of `TriangleMesh`. If None: "numpy".
 
         Returns:
             All corners in order, with triangles between them only. 2D polygons face up. 3D outlines are
@@ -569,17 +527,11 @@ class MeshPrimitives(MeshMeasures):
         check_area(flat, order, triangles)
         if vertices.shape[1] == 2:
             vertices = np.c_[vertices, np.zeros(len(vertices))]
-        return cls._of(Shape(vertices, triangles, np.zeros((0, 2))), device, arrays)
+        return cls._of(Shape(vertices, triangles, np.zeros((0, 2))), device)
 
     @classmethod
     def revolve(
-        cls,
-        profile: ArrayLike,
-        angle: float = 360.0,
-        resolution: int = 64,
-        *,
-        device: DeviceLike = None,
-        arrays: str | None = None,
+        cls, profile: ArrayLike, angle: float = 360.0, resolution: int = 64, *, device: DeviceLike = None
     ) -> Self:
         """Create a surface of revolution about the z axis.
 
@@ -587,7 +539,7 @@ class MeshPrimitives(MeshMeasures):
             profile: Points (distance from the axis, height) [m], shape (k, 2). An upward line faces outward.
             angle: [degrees], at most 360 in either direction. The surface is open below 360.
             resolution: Number of steps.
-            device, arrays: As of `from_polygon`.
+            device: As of `from_polygon`.
 
         Returns:
             The profile's points step by step, those on the axis once.
@@ -622,7 +574,7 @@ class MeshPrimitives(MeshMeasures):
             pairs = pairs[:, ::-1]
         numbers = number_ring_vertices(rings, abs(degrees) == 360)
         used, triangles = used_vertices(wall_triangles(numbers, pairs))
-        return cls._of(Shape(rings.reshape(-1, 3)[used], triangles, np.zeros((0, 2))), device, arrays)
+        return cls._of(Shape(rings.reshape(-1, 3)[used], triangles, np.zeros((0, 2))), device)
 
     def _swept(self, rings: NDArray[np.float64], is_closed: bool, capping: bool) -> Self:
         """Join copies of the vertices at k positions, shape (k, m, 3), by walls along the border."""

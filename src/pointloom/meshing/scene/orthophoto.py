@@ -16,8 +16,8 @@ from ...core.errors import FilePath
 from ...core.units import DEGREE, METRE, is_same
 from ...kernels.drawing import plan_view
 from ...kernels.drawing.plan_view import NUM_CHANNELS, PlanCells
-from ...kernels.drawing.surfaces import Surface
-from ...kernels.lang import int32, uint8, vec2, vec3
+from ...kernels.drawing.surfaces import Surface, Texture
+from ...kernels.lang import int32, vec3
 from ...kernels.memory import download, empty, upload
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
@@ -181,9 +181,8 @@ def _vertices_in_frame(
 
 def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]:
     """Appearance of each material. Triangles without color are omitted."""
-    arrays, none, device = mesh.arrays, empty(0, vec3, mesh.device), mesh.device
+    arrays, none = mesh.arrays, empty(0, vec3, mesh.device)
     flat = view_as(arrays["triangles"], int32, (3 * arrays["triangles"].size,))
-    looks: dict[str, Any] = {"normals": none, "plain": vec3(0.0, 0.0, 0.0), "lit": False, "edges": False}
     surfaces: list[tuple[int, Surface]] = []
     numbers = [EVERY_MATERIAL]
     if "triangle_uvs" in arrays and mesh.textures:
@@ -192,16 +191,14 @@ def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]
         )
     for number in numbers:
         if 0 <= number < len(mesh.textures):
-            pixels = np.ascontiguousarray(mesh.textures[number][:, :, :3])
-            image = upload(pixels.ravel(), uint8, device), pixels.shape[1], pixels.shape[0]
-            material = {"colors": none, "uvs": arrays["triangle_uvs"], "texture": image}
+            texture = Texture(mesh.textures[number], arrays["triangle_uvs"])
+            surface = Surface(vertices, flat, normals=none, colors=none, texture=texture)
         elif "vertex_colors" in arrays:
-            nothing: Any = empty(0, uint8, device), 0, 0
-            material = {"colors": arrays["vertex_colors"], "uvs": empty(0, vec2, device), "texture": nothing}
+            surface = Surface(vertices, flat, normals=none, colors=arrays["vertex_colors"])
         else:
             continue
         is_for_all = "triangle_material_ids" not in arrays or numbers == [EVERY_MATERIAL]
-        surfaces.append((EVERY_MATERIAL if is_for_all else number, Surface(vertices, flat, **material, **looks)))
+        surfaces.append((EVERY_MATERIAL if is_for_all else number, surface))
     return surfaces
 
 

@@ -32,7 +32,7 @@ from .inputs import Map
 from .network import DepthModel
 from .network_outputs import OwnCamera, Reading
 from .photos import Photo, camera_of, take_photo
-from .presets import DEFAULT, NETWORK_PRESETS, Preset, find_preset
+from .presets import NETWORK_PRESETS, Preset
 from .tiles import MAX_TILES, refine_by_tiles
 
 SPARSE = "the sparse model"
@@ -306,21 +306,18 @@ def estimate_depth(
     image: Any,
     model: FilePath | DepthModel,
     *,
-    preset: str | None = None,
     intrinsic: PinholeCameraIntrinsic | None = None,
     align: Any = None,
     depth_scale: float = DEPTH_SCALE,
     tiles: int = 1,
     seed: int = 0,
-    device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> DepthEstimate:
     """Estimate the depth of an image with an ONNX network that you provide. Nothing is downloaded.
 
     Args:
         image: PNG or JPEG file (rotated by its EXIF orientation), or uint8 or uint16 [h, w], [h, w, 3] or [h, w, 4].
-        model: Path of an .onnx file, or a `DepthModel` for many images.
-        preset: Type of network, see docs/depth.md; None: "depth-anything-v2", or that of the `DepthModel`.
+        model: A `DepthModel`, or the path of an .onnx file for its default preset and device.
         intrinsic: Camera of the upright image; None: that of the sparse model, else the EXIF focal length, else a field
             of view of 60 degrees across the longer side.
         align: Known depths for scale and shift: a sparse model (from `read_cameras`, its folder, or (model, name))
@@ -329,7 +326,6 @@ def estimate_depth(
         depth_scale: Units per meter of integer depth maps.
         tiles: Number of tiles along the longer side; above 1, tiles refine the depth of a large image.
         seed: Seed of the alignment.
-        device: "cpu" or None, "cuda", "cuda:N", or "auto". See `DepthModel`. Not with a `DepthModel`.
         progress: Called with ("tiles", done, all).
 
     Returns:
@@ -341,7 +337,6 @@ def estimate_depth(
         FileError: An unreadable file, or a model that does not match the preset or outputs no map.
         ValueError: An option out of range, or references that do not fit the image or no scale and shift (fewer than 20
             within 10%; of up to 50 distances not more than half).
-        DeviceError: A device that is missing or not usable by onnxruntime. There is no silent fallback.
 
     Notes:
         1 / z = scale * d + shift is fitted by RANSAC and refined on the inliers with weights z^2. Only the scale for
@@ -370,7 +365,7 @@ def estimate_depth(
     photo = take_photo(image)
     references = None if align is None else find_references(align, photo.name, photo.color.shape[:2], depth_scale)
     camera, source = _camera(photo, intrinsic, references)
-    network = _network(model, preset, device)
+    network = _network(model)
     kind = NETWORK_PRESETS[network.preset]
     reading = network._read(photo.color, camera, is_known=_is_known(source))
     if reading.camera is not None and not _is_known(source):
@@ -382,7 +377,10 @@ def estimate_depth(
             seed=seed, report=lambda done, total: report("tiles", done, total),
         )  # fmt: skip
     alignment = None if references is None else _align(inverse, references, kind, seed)
-    scale, shift, farthest = _default_units(inverse, kind) if alignment is None else _units_of(alignment)
+    if alignment is None:
+        scale, shift, farthest = _default_units(inverse, kind)
+    else:
+        scale, shift, farthest = alignment.scale, alignment.shift, MAX_DEPTH_RATIO * alignment.farthest
     unit = _unit(kind, references, source, reading.is_metric)
     return DepthEstimate(
         depth=_depth(inverse, scale, shift, farthest),
@@ -419,18 +417,11 @@ def _own_camera(estimated: OwnCamera, photo: Photo) -> PinholeCameraIntrinsic:
     return PinholeCameraIntrinsic(width, height, estimated.fx, estimated.fy, estimated.cx, estimated.cy)
 
 
-def _network(model: Any, preset: str | None, device: DeviceLike) -> DepthModel:
+def _network(model: Any) -> DepthModel:
+    if isinstance(model, str | os.PathLike):
+        return DepthModel(model)
     if not isinstance(model, DepthModel):
-        if not isinstance(model, str | os.PathLike):
-            raise TypeError(f"model: expected the path of an .onnx file or a DepthModel, got {shown(model)}")
-        return DepthModel(model, DEFAULT if preset is None else preset, device=device)
-    if preset is not None and find_preset(preset).name != model.preset:
-        raise ValueError(f"preset: expected {model.preset!r}, with which the model was opened, got {preset!r}")
-    if device is not None:
-        raise ValueError(
-            f"device: expected {model.provider}, on which the model was opened, got {shown(device)}; pass "
-            "device to DepthModel"
-        )
+        raise TypeError(f"model: expected the path of an .onnx file or a DepthModel, got {shown(model)}")
     return model
 
 
@@ -477,10 +468,6 @@ def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Ali
     if references.are_few and len(d) <= MAX_DISTANCES:
         return align_to_distances(d, y, with_shift=not kind.gives_scale)
     return align_inverse_depth(d, y, seed=seed, with_shift=not kind.gives_scale)
-
-
-def _units_of(alignment: Alignment) -> tuple[float, float, float]:
-    return alignment.scale, alignment.shift, MAX_DEPTH_RATIO * alignment.farthest
 
 
 def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:

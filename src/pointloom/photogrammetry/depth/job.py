@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections import Counter
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
@@ -41,14 +42,45 @@ SHOWN_SIDE = 1280  # [px] longer side of the rendered cloud
 VIEW_ANGLES = math.radians(14), math.radians(9)  # viewpoint right of and above the camera
 
 
+@dataclass(frozen=True)
+class DepthOutputs:
+    """Output files of `depth_of_images`.
+
+    Attributes:
+        cloud: The cloud. For a folder of images, a folder for clouds NAME.ply.
+        depth_map: .npy file for the depth, float32 [h, w]. Not for a folder.
+        picture: .png file with an image of the cloud. Not for a folder.
+    """
+
+    cloud: FilePath
+    depth_map: FilePath | None = None
+    picture: FilePath | None = None
+
+    def __post_init__(self):
+        for field in fields(self):
+            if getattr(self, field.name) is not None or field.name == "cloud":
+                check_path(field.name, getattr(self, field.name))
+
+    def check(self, folder: Path | None, *, overwrite: bool) -> None:
+        """Raise FileError for outputs of a single image if there is a folder, or that cannot be written."""
+        for name, path in (("--depth-map", self.depth_map), ("--picture", self.picture)):
+            if folder is not None and path is not None:
+                raise FileError(path, f"{name} requires a single image", remedy="Give one image instead of the folder")
+        if self.picture is not None:
+            check_picture(self.picture, overwrite=overwrite)
+        if self.depth_map is not None:
+            if Path(self.depth_map).suffix.lower() != ".npy":
+                reason = "depth maps are written as .npy"
+                raise FileError(self.depth_map, reason, remedy="Give a name that ends in .npy")
+            check_writable(self.depth_map, overwrite=overwrite)
+
+
 def depth_of_images(
     source: FilePath,
     model: FilePath,
-    output: FilePath,
+    outputs: DepthOutputs,
     settings: DepthSettings | None = None,
     *,
-    depth_map: FilePath | None = None,
-    picture: FilePath | None = None,
     device: DeviceLike = "auto",
     overwrite: bool = False,
     progress: ReportProgress | None = None,
@@ -58,10 +90,8 @@ def depth_of_images(
     Args:
         source: A PNG or JPEG file, or a folder of such.
         model: The .onnx file.
-        output: Cloud file. For a folder, a folder for clouds NAME.ply.
+        outputs: Output files.
         settings: Network preset, camera, known depth; None: defaults.
-        depth_map: .npy file for the depth, float32 [h, w]. Not for a folder.
-        picture: .png file with an image of the cloud. Not for a folder.
         device: As of `estimate_depth`. Also for the clouds.
         overwrite: Replace existing outputs.
         progress: Called with (stage, steps done, steps in all).
@@ -76,8 +106,8 @@ def depth_of_images(
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.photogrammetry.depth.job import depth_of_images
-        >>> depth_of_images("photo.jpg", "net.onnx", "cloud.mp3")
+        >>> from pointloom.photogrammetry.depth.job import DepthOutputs, depth_of_images
+        >>> depth_of_images("photo.jpg", "net.onnx", DepthOutputs("cloud.mp3"))
         Traceback (most recent call last):
         pointloom.core.errors.FileError: cloud.mp3: clouds are not written to .mp3. Give a name that ends in one of ...
     """
@@ -85,8 +115,8 @@ def depth_of_images(
     report, clock = check_progress(progress), Clock()
     source_path = check_path("source", source)
     folder = source_path if source_path.is_dir() else None
-    jobs = _jobs(source_path, check_path("output", output), folder, overwrite)
-    extras = _Extras(folder, depth_map, picture, overwrite)
+    jobs = _jobs(source_path, Path(outputs.cloud), folder, overwrite)
+    outputs.check(folder, overwrite=overwrite)
     where = resolve_device(device)
     options = settings.of_each_image()
     network = DepthModel(check_path("model", model), settings.preset, device=device)
@@ -102,7 +132,7 @@ def depth_of_images(
             clock.stop("depth")
             cloud = estimate.to_point_cloud(keep_edges=settings.keep_edges, device=where)
             clock.stop("cloud")
-            files = extras.write(estimate, cloud, target, clock)
+            files = _write(outputs, target, estimate, cloud, clock, overwrite=overwrite)
             images.append(ImageDepth.of(estimate, os.fspath(path), len(cloud), files))
         except AlignmentError as error:
             clock.stop("depth")
@@ -180,45 +210,28 @@ class _AlignTo:
         return next((path for path in paths if path.exists()), None)
 
 
-class _Extras:
-    """Writes the cloud, and for a single image its depth and an image of the cloud."""
-
-    def __init__(self, folder: Path | None, depth_map: FilePath | None, picture: FilePath | None, overwrite: bool):
-        for name, path in (("depth_map", depth_map), ("picture", picture)):
-            if path is not None:
-                check_path(name, path)
-        for name, path in (("--depth-map", depth_map), ("--picture", picture)):
-            if folder is not None and path is not None:
-                raise FileError(path, f"{name} requires a single image", remedy="Give one image instead of the folder")
-        if picture is not None:
-            check_picture(picture, overwrite=overwrite)
-        if depth_map is not None:
-            if Path(depth_map).suffix.lower() != ".npy":
-                raise FileError(depth_map, "depth maps are written as .npy", remedy="Give a name that ends in .npy")
-            check_writable(depth_map, overwrite=overwrite)
-        self._depth_map, self._image, self._overwrite = depth_map, picture, overwrite
-
-    def write(self, estimate: DepthEstimate, cloud: PointCloud, target: Path, clock: Clock) -> tuple[str, ...]:
-        files = []
-        if len(cloud):
-            if target.suffix.lower() == ".ply":
-                write_ply(target, table_of(cloud), overwrite=self._overwrite, comments=[_unit_comment(estimate)])
-            else:
-                write_point_cloud(target, cloud, overwrite=self._overwrite)
-            files.append(os.fspath(target))
-        if (path := self._depth_map) is not None:
-            with atomic_write(path, overwrite=self._overwrite) as file:
-                np.save(file, estimate.depth)
-            files.append(os.fspath(path))
-        clock.stop("write")
-        if (path := self._image) is not None and len(cloud):
-            image = render(
-                cloud, oblique_view(estimate.intrinsic, float(np.median(estimate.depth[estimate.depth > 0])))
-            )
-            write_image(path, image, overwrite=self._overwrite)
-            files.append(os.fspath(path))
-            clock.stop("picture")
-        return tuple(files)
+def _write(
+    outputs: DepthOutputs, target: Path, estimate: DepthEstimate, cloud: PointCloud, clock: Clock, *, overwrite: bool
+) -> tuple[str, ...]:
+    """Write the cloud, and for a single image its depth and an image of the cloud. Returns the written files."""
+    files = []
+    if len(cloud):
+        if target.suffix.lower() == ".ply":
+            write_ply(target, table_of(cloud), overwrite=overwrite, comments=[_unit_comment(estimate)])
+        else:
+            write_point_cloud(target, cloud, overwrite=overwrite)
+        files.append(os.fspath(target))
+    if outputs.depth_map is not None:
+        with atomic_write(outputs.depth_map, overwrite=overwrite) as file:
+            np.save(file, estimate.depth)
+        files.append(os.fspath(outputs.depth_map))
+    clock.stop("write")
+    if outputs.picture is not None and len(cloud):
+        distance = float(np.median(estimate.depth[estimate.depth > 0]))
+        write_image(outputs.picture, render(cloud, oblique_view(estimate.intrinsic, distance)), overwrite=overwrite)
+        files.append(os.fspath(outputs.picture))
+        clock.stop("picture")
+    return tuple(files)
 
 
 def _unit_comment(estimate: DepthEstimate) -> str:

@@ -33,9 +33,10 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
 from ...pcd.splats import similarity_of
 from ...registration.rigid import nearest_rotation
+from .agreement import DepthAgreement
 from .depth_maps import DepthMap, DepthMaps
 from .filtering import filter_depth_maps
-from .fusion import fuse_depth_maps
+from .fusion import FUSION_AGREEMENT, fuse_depth_maps
 from .posed_images import PosedCamera
 from .sources import choose_sources
 
@@ -117,16 +118,16 @@ class DepthBundle:
         maps = self.maps
         if len(maps) > 1:
             with without_warnings(UserWarning):  # an error follows
-                maps = filter_depth_maps(
-                    self.maps, min_views=1, max_relative=max_relative, min_confidence=threshold, device=device
-                )
+                given = {"agreement": DepthAgreement(max_relative=max_relative), "min_confidence": threshold}
+                maps = filter_depth_maps(self.maps, min_views=1, **given, device=device)
             before = sum(int((each.confidence >= max(threshold, 1e-9)).sum()) for each in self.maps)
             fraction = sum(int((each.depth > 0).sum()) for each in maps) / max(before, 1)
             if fraction < MIN_CONFIRMED:
                 confirmed = f"{fraction:.1%} of the depth of {len(maps)} images is confirmed by another image"
                 reason = f"{confirmed} within {max_relative:g}; check that the poses are world to camera"
                 raise ValueError(f"poses and depths of {self.layout} contradict each other: {reason}")
-        options: dict[str, Any] = {"to": to, "voxel_size": voxel_size, "max_relative": max_relative}
+        agreement = dataclasses.replace(FUSION_AGREEMENT, max_relative=max_relative)
+        options: dict[str, Any] = {"to": to, "voxel_size": voxel_size, "agreement": agreement}
         return fuse_depth_maps(maps, self.images, min_views=1, device=device, progress=progress, **options)
 
 

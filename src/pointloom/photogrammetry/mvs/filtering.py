@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_fraction, check_positive, check_progress
+from ...core.checks import check_count, check_fraction, check_progress
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
@@ -20,13 +20,13 @@ from ...kernels.lang import float32, vec3
 from ...kernels.lru_cache import LruCache
 from ...kernels.memory import download, upload
 from ...kernels.stereo.depth_checks import SUPPORT_PIXELS, DepthChecks, Pair, support_depth
+from .agreement import DepthAgreement, check_agreement
 from .depth_maps import DepthMap, DepthMaps
 from .posed_images import PosedCamera
 
 MIN_CONFIRMED = 0.02  # fraction of confirmed depth below which poses are questioned
 MIN_VIEWS = 2
-MAX_PIXELS = 1.0
-MAX_RELATIVE = 0.01  # effect: see docs/mvs.md
+FILTER_AGREEMENT = DepthAgreement(max_pixels=1.0)
 MIN_SUPPORT = 0.25  # surfaces two pixels wide have 9 of the 24 neighbors
 SUPPORT_RELATIVE = 0.5  # of max_relative: neighbors in one image agree better than images do
 DEPTH_BYTES = 4  # per pixel
@@ -37,8 +37,7 @@ def filter_depth_maps(
     maps: DepthMaps,
     *,
     min_views: int = MIN_VIEWS,
-    max_pixels: float = MAX_PIXELS,
-    max_relative: float = MAX_RELATIVE,
+    agreement: DepthAgreement = FILTER_AGREEMENT,
     min_confidence: float = 0.0,
     min_support: float = MIN_SUPPORT,
     folder: FilePath | None = None,
@@ -47,18 +46,17 @@ def filter_depth_maps(
 ) -> DepthMaps:
     """Keep depth that other images confirm, averaged with theirs.
 
-    Each pixel is projected into the sources and back by their surfaces. A source confirms it within `max_pixels` and
-    `max_relative`. Inverse depth is interpolated bilinearly, exact for planes, and averaged.
+    Each pixel is projected into the sources and back by their surfaces. A source confirms it within `agreement`.
+    Inverse depth is interpolated bilinearly, exact for planes, and averaged.
 
     Args:
         maps: From `estimate_depth_maps`, or any DepthMaps. Sizes may differ.
         min_views: Number of confirming sources. An image with fewer sources needs all, one without keeps nothing. More
             is more reliable and less complete.
-        max_pixels: Maximum forward-backward error [px].
-        max_relative: Maximum relative difference of inverse depths.
+        agreement: Limits within which a source confirms depth, without `max_angle`.
         min_confidence: Minimum pixel confidence, 0 to 1.
         min_support: Then remove speckles: pixels with less than this fraction of their 24 neighbors on their plane
-            (half of `max_relative`). 0 keeps all; above 0.37 removes surfaces two pixels wide.
+            (half of `agreement.max_relative`). 0 keeps all; above 0.37 removes surfaces two pixels wide.
         folder: Folder for the result, not that of the input; None: in memory.
         device: Compute device; None: the CPU.
         progress: Called with (stage, images done, images in all).
@@ -95,18 +93,19 @@ def filter_depth_maps(
     """
     check_maps("maps", maps)
     required_views = check_count("min_views", min_views)
-    limits = check_positive("max_pixels", max_pixels), check_fraction("max_relative", max_relative)
+    if check_agreement(agreement).max_angle is not None:
+        raise ValueError("agreement: expected no max_angle, since only fuse_depth_maps compares normals")
     surest = check_fraction("min_confidence", min_confidence)
     support = math.ceil(check_fraction("min_support", min_support) * SUPPORT_PIXELS)
     where, report = resolve_device(device), check_progress(progress)
     if folder is not None and maps.folder is not None and maps.folder.resolve() == type(maps.folder)(folder).resolve():
         raise FileError(folder, "contains the maps to be filtered", remedy="Give another folder")
     counts = np.zeros(2, np.int64)
-    filtered = _filtered(maps, required_views, limits, surest, support, where, report, counts)
+    filtered = _filtered(maps, required_views, agreement, surest, support, where, report, counts)
     result = DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
     if len(maps) > 1 and counts[1] < MIN_CONFIRMED * counts[0]:
         fraction = f"{counts[1] / counts[0]:.1%} of {counts[0]} pixels"
-        within = f"max_pixels {limits[0]:g} and max_relative {limits[1]:g}"
+        within = f"max_pixels {agreement.max_pixels:g} and max_relative {agreement.max_relative:g}"
         message = (
             f"almost no depth is confirmed ({fraction}) within {within}: check that T_camera_world is world to camera"
         )
@@ -146,7 +145,7 @@ class _DepthsOnDevice:
 def _filtered(
     maps: DepthMaps,
     min_views: int,
-    limits: tuple[float, float],
+    agreement: DepthAgreement,
     surest: float,
     support: int,
     device: Device,
@@ -158,14 +157,15 @@ def _filtered(
     report("filter", 0, len(maps))
     for i, sources in enumerate(maps.sources):
         given = maps[i]
-        checks = DepthChecks(depths.get(i, given), *limits)
+        checks = DepthChecks(depths.get(i, given), float(agreement.max_pixels), float(agreement.max_relative))
         for j in sources:
             checks.compare(depths.get(j, beside=i), pair_of(maps.cameras[i], maps.cameras[j]))
         confidence = upload(given.confidence.reshape(-1), float32, device)
         needed = min(min_views, len(sources)) or 1  # without sources nothing is confirmed
         filtered = checks.mean(needed, confidence, surest)
         if support:
-            normals, tolerance = upload(given.normals.reshape(-1, 3), vec3, device), SUPPORT_RELATIVE * limits[1]
+            normals = upload(given.normals.reshape(-1, 3), vec3, device)
+            tolerance = SUPPORT_RELATIVE * agreement.max_relative
             filtered = support_depth(filtered, normals, maps.cameras[i].intrinsic, tolerance, support)
         depth = download(filtered).reshape(given.depth.shape).copy()
         has = depth > 0

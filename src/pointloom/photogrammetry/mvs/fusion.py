@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...core.checks import check_count, check_fraction, check_list, check_numeric, check_positive, check_progress
+from ...core.checks import check_count, check_list, check_numeric, check_positive, check_progress
 from ...core.coordinates import choose_origin
 from ...core.devices import DeviceLike, resolve_device
 from ...core.progress import ReportProgress
@@ -25,15 +25,15 @@ from ...kernels.stereo.depth_fusion import Agreement, DepthPixels, Gathered, gat
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
+from .agreement import DepthAgreement, check_agreement
 from .depth_maps import DepthMaps
 from .filtering import CACHE_BYTES, check_maps, pair_of, pixel_count
 from .posed_images import PosedCamera
 
 KINDS = ("points", "tsdf", "poisson")
 MIN_VIEWS = 2
-MAX_PIXELS = 2.0
-MAX_RELATIVE = 0.01
-MAX_ANGLE = 60.0  # matched normals are noisy; separates the sides of a thin sheet
+# matched normals are noisy; the angle separates the sides of a thin sheet
+FUSION_AGREEMENT = DepthAgreement(max_pixels=2.0, max_angle=60.0)
 TSDF_VOXEL = 1.5  # typical pixels: a mesh about as fine as the maps, with most voxels observed
 TSDF_TRUNCATION = 5.0  # voxels: matched depth noise is at most a few pixels
 POISSON_VOXEL = 2.0  # typical pixels
@@ -49,15 +49,13 @@ def fuse_depth_maps(
     to: str = "points",
     voxel_size: float | None = None,
     min_views: int = MIN_VIEWS,
-    max_pixels: float = MAX_PIXELS,
-    max_relative: float = MAX_RELATIVE,
-    max_angle: float = MAX_ANGLE,
+    agreement: DepthAgreement = FUSION_AGREEMENT,
     device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> PointCloud | TriangleMesh:
     """Fuse the depth maps of several images into a cloud or a mesh; filter them first.
 
-    `to="points"`: pixels that match within `max_pixels`, `max_relative` and `max_angle` become one point of the image
+    `to="points"`: pixels that match within `agreement` become one point of the image
     with the finest pixels (in octaves, then the first) with mean position, normal, color and confidence; `views` is
     their number. `to="tsdf"`: mesh of a TSDFVolume: faithful, open where unseen. `to="poisson"`: screened Poisson
     surface: fills small holes, trimmed beyond three cells from the points.
@@ -69,9 +67,7 @@ def fuse_depth_maps(
         voxel_size: In pose units. "points": voxels with one point each, None: all points; "tsdf": voxel edge, None: 1.5
             typical pixels; "poisson": finest cell, None: 2.
         min_views: Minimum number of images per point or voxel.
-        max_pixels: Maximum forward-backward reprojection error [px].
-        max_relative: Maximum relative difference of inverse depths.
-        max_angle: Maximum angle between normals [degrees], up to 180. Zero normals match any.
+        agreement: Limits within which pixels of two images become one point.
         device: Compute device; None: the CPU.
         progress: Called with (stage, images done, images in all).
 
@@ -107,9 +103,8 @@ def fuse_depth_maps(
         raise ValueError(f"to: expected one of {', '.join(KINDS)}, got {to!r}")
     voxel = None if voxel_size is None else check_positive("voxel_size", voxel_size)
     views = check_count("min_views", min_views)
-    angle = check_positive("max_angle", max_angle, allow_zero=True, maximum=180.0)
-    max_offset, relative = check_positive("max_pixels", max_pixels), check_fraction("max_relative", max_relative)
-    limits = Agreement(max_offset, relative, math.cos(math.radians(angle)))
+    angle = 180.0 if check_agreement(agreement).max_angle is None else float(agreement.max_angle or 0.0)
+    limits = Agreement(agreement.max_pixels, agreement.max_relative, math.cos(math.radians(angle)))
     colors = Colors(images, maps)
     where, report = resolve_device(device), check_progress(progress)
     if to == "tsdf":

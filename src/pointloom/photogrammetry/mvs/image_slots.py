@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ...kernels.array_types import Device
-from ...kernels.lang import launch, uint8, uint64, vec4
+from ...kernels.lang import launch, uint8
 from ...kernels.lru_cache import LruCache
 from ...kernels.memory import copy, empty, upload, write
 from ...kernels.stereo.brightness import resize_brightness_kernel
@@ -65,14 +65,6 @@ def put_brightness(slots: Slots, first: int, pixels: NDArray[np.uint8], width: i
     launch(
         resize_brightness_kernel, width * height, [flat, channels, columns, rows, width, height, first, slots.values]
     )
-
-
-def image_slots(count: int, size: int, device: Device) -> Slots:
-    return Slots(count, size, uint64, device)
-
-
-def plane_slots(count: int, size: int, device: Device) -> Slots:
-    return Slots(count, size, vec4, device)
 
 
 def put_planes(slots: Slots, first: int, planes: Any) -> None:

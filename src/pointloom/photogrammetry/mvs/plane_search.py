@@ -18,7 +18,7 @@ from ...core.errors import FileError
 from ...io.fixed_rows import StoredArray
 from ...io.source import open_source
 from ...kernels.array_types import Array1, Device
-from ...kernels.lang import launch, vec4
+from ...kernels.lang import launch, uint64, vec4
 from ...kernels.memory import clone, download, empty, upload
 from ...kernels.stereo.inverse_planes import refine_planes_kernel
 from ...kernels.stereo.patch_costs import Reference, Sources, patch_on
@@ -28,7 +28,7 @@ from ...kernels.stereo.region_planes import INLIER_DISTANCE, judge_pixels, plane
 from ...kernels.stereo.textureless_regions import find_regions
 from ...registration.rigid import invert_pose
 from .depth_maps import DepthMap
-from .image_slots import Image, Slots, image_slots, plane_slots, put_brightness, put_planes, read_image
+from .image_slots import Image, Slots, put_brightness, put_planes, read_image
 from .posed_images import PosedCamera
 
 
@@ -250,10 +250,9 @@ class _PhaseRun:
         largest = max(each.width * each.height for each in self.cameras)
         min_slots = 1 + max(len(each) for each in setting.sources)
         count = min(max(setting.device_bytes // (SLOT_BYTES * largest), min_slots), len(setting.cameras))
-        self.brightness = image_slots(count, largest, setting.device)
-        self.maps: Slots = plane_slots(
-            count if phase.geometric else 1, largest if phase.geometric else 1, setting.device
-        )
+        self.brightness = Slots(count, largest, uint64, setting.device)
+        room = (count, largest) if phase.geometric else (1, 1)
+        self.maps = Slots(*room, vec4, setting.device)
         self._views: tuple[int, Reference, Sources] | None = None
 
     def match(self, index: int) -> Any:

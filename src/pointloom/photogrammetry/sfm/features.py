@@ -11,7 +11,7 @@ from typing import Any
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...core.atomic import check_writable
-from ...core.checks import check_count, check_name, check_progress, check_seed, shown
+from ...core.checks import check_progress
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
@@ -19,24 +19,14 @@ from ...core.reports import Assessed, quality
 from ...core.timing import Clock
 from ...io.images.image_files import read_image_header
 from ...kernels.language.cpu_pool import usable_cores
-from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .colmap_jobs import count_rows, database_in_the_making, open_database, run_job
 from .exif_checks import focal_problem
-from .frames import check_option
 from .image_folder import EXIF_UPRIGHT, check_path, is_gray_16, list_images, read_lens, read_orientation, scaled_size
 from .image_writing import some_of
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
+from .settings import SfmSettings, check_settings
 
-CAMERA_MODELS = (
-    *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
-    *("SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"),
-)
-FEATURE_KINDS = ("sift", "aliked")
-MAX_SIZE = 1600
-MAX_FEATURES = 4096
-
-_LONGEST_SIDE = 2**16
-_MAX_FEATURES = 2**17
 _BYTES_A_PIXEL = 360  # per pixel of the scaled image: SIFT's first octave has twice its size
 _MIN_FEATURES = 50  # features below which an image is hardly ever registered
 
@@ -94,36 +84,19 @@ class FeatureReport(Assessed):
 def find_features(
     images: FilePath,
     database: FilePath,
+    settings: SfmSettings | None = None,
     *,
-    camera_model: str = "SIMPLE_RADIAL",
-    intrinsic: PinholeCameraIntrinsic | CameraModel | None = None,
-    max_size: int = MAX_SIZE,
-    max_features: int = MAX_FEATURES,
     masks: FilePath | None = None,
-    kind: str = "sift",
-    use_gpu: bool | None = None,
-    seed: int = 0,
-    max_seconds: float | None = MAX_SECONDS,
-    max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> FeatureReport:
-    """Find SIFT features (Lowe 2004) in each image of a folder.
+    """Find features in each image of a folder, SIFT (Lowe 2004) by default.
 
     Args:
         images: Folder of upright 8-bit PNG or JPEG images, as from `choose_frames`.
         database: Output file (COLMAP database); replaced if it exists.
-        camera_model: COLMAP camera model. Its parameters are estimated later. Images with the same size and the same
-            EXIF make, model and focal length share a camera.
-        intrinsic: Known camera of all images, scaled to their size. `map_images(..., fix_intrinsic=True)` keeps it.
-        max_size: Maximum image side for feature extraction [px].
-        max_features: Maximum number per image.
+        settings: Camera, features and limits; None: the defaults.
         masks: Folder of masks as from `choose_frames`: IMG_1.jpg.png for IMG_1.jpg, no features where black. Images
             without a mask are used completely.
-        kind: "sift", or "aliked" (Zhao et al. 2023) if pycolmap was built with ONNX (not that of PyPI).
-        use_gpu: Use a GPU (requires pycolmap-cuda12); None: if available. Features differ from the CPU's.
-        seed: Random seed.
-        max_seconds: Time limit [s]; None: no limit.
-        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
         progress: Called with ("features", done, all).
 
     Returns:
@@ -145,21 +118,15 @@ def find_features(
         Traceback (most recent call last):
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of images
     """
-    clock, report = Clock(), check_progress(progress)
-    check_camera_model(camera_model)
-    check_count("max_size", max_size, minimum=64, maximum=_LONGEST_SIDE, because="no camera has more pixels")
-    check_max_features(max_features)
-    check_option("kind", kind, FEATURE_KINDS)
-    check_use_gpu(use_gpu)
-    check_seed(seed)
-    _check_intrinsic(intrinsic)
-    limits = check_limits(max_seconds, max_memory)
+    clock, report, settings = Clock(), check_progress(progress), check_settings(settings)
+    limits = check_limits(settings.max_seconds, settings.max_memory)
     folder, target = check_path("images", images), check_writable(check_path("database", database))
-    groups = _groups(folder, by_lens=intrinsic is None)
-    problems = {} if intrinsic is not None else _focal_problems(folder, groups)
-    job = _job_of(folder, groups, camera_model, intrinsic, problems) | {"seed": int(seed), "kind": kind}
-    job |= {"threads": threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())}
-    job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": use_gpu}
+    groups = _groups(folder, by_lens=settings.intrinsic is None)
+    problems = {} if settings.intrinsic is not None else _focal_problems(folder, groups)
+    memory = limits["max_memory"] or free_memory()
+    job = _job_of(folder, groups, settings, problems) | {"seed": int(settings.seed), "kind": settings.kind}
+    job |= {"threads": threads_for([size for size, _ in groups], settings.max_size, memory), "gpu": settings.use_gpu}
+    job |= {"max_size": int(settings.max_size), "max_features": int(settings.max_features)}
     mask_files = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
@@ -170,12 +137,9 @@ def find_features(
         names, counts = _features_of(part)
     report("features", count, count)
     clock.stop("features")
-    stats = clock.seconds["features"], peak, len(groups), done["gpu"], _focal_warnings(problems)
+    notes = tuple(f"EXIF's focal length of {name} is rejected: {reason}" for name, reason in problems.items())
+    stats = clock.seconds["features"], peak, len(groups), done["gpu"], notes
     return FeatureReport(os.fspath(target), names, counts, _counted_sizes(groups), *stats)
-
-
-def _focal_warnings(problems: dict[str, str]) -> tuple[str, ...]:
-    return tuple(f"EXIF's focal length of {name} is rejected: {reason}" for name, reason in problems.items())
 
 
 def _focal_problems(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:
@@ -184,10 +148,10 @@ def _focal_problems(folder: Path, groups: dict[Group, list[str]]) -> dict[str, s
 
 
 def _job_of(
-    folder: Path, groups: dict[Group, list[str]], camera_model: str, intrinsic: Any, problems: dict[str, str]
+    folder: Path, groups: dict[Group, list[str]], settings: SfmSettings, problems: dict[str, str]
 ) -> dict[str, Any]:
     cameras = [
-        _group(size, names, camera_model, intrinsic) | {"doubted": names[0] in problems}
+        _group(size, names, settings.camera_model, settings.intrinsic) | {"doubted": names[0] in problems}
         for (size, _), names in groups.items()
     ]
     return {"stage": "features", "images": os.fspath(folder.resolve()), "groups": cameras}
@@ -206,26 +170,6 @@ def _counted_sizes(groups: dict[Group, list[str]]) -> dict[tuple[int, int], int]
     return dict(sizes)
 
 
-def check_camera_model(camera_model: Any) -> None:
-    if check_name("camera_model", camera_model) not in CAMERA_MODELS:
-        raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
-
-
-def check_use_gpu(use_gpu: Any) -> None:
-    if use_gpu is not None and not isinstance(use_gpu, bool):
-        raise TypeError(f"use_gpu: expected True, False or None, got {type(use_gpu).__name__}")
-
-
-def check_max_features(max_features: Any) -> None:
-    check_count(
-        "max_features",
-        max_features,
-        minimum=64,
-        maximum=_MAX_FEATURES,
-        because="the matching time grows with its square",
-    )
-
-
 def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
     path = check_path("masks", masks)
     if not path.is_dir():
@@ -238,14 +182,6 @@ def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
 def threads_for(sizes: list[tuple[int, int]], max_size: int, memory: float) -> int:
     pixels = max(width * height for width, height in (scaled_size(size, max_size) for size in sizes))
     return max(1, min(usable_cores(), int(memory // (_BYTES_A_PIXEL * pixels))))
-
-
-def _check_intrinsic(intrinsic: Any) -> None:
-    if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic | CameraModel):
-        kind = type(intrinsic).__name__
-        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, a CameraModel or None, got {kind}")
-    if isinstance(intrinsic, CameraModel) and intrinsic.model.startswith("METASHAPE"):
-        raise ValueError(f"intrinsic: COLMAP has no model {intrinsic.model}; undistort the images first")
 
 
 Group = tuple[tuple[int, int], tuple[str, ...]]

@@ -111,19 +111,48 @@ MAX_FRAMES = 150
 _LONGEST_SIDE = 2**16
 
 
+@dataclasses.dataclass(frozen=True)
+class VideoSampling:
+    """How `choose_frames` decodes and samples a video.
+
+    Attributes:
+        min_movement: Minimum image shift between frames, relative to the longer side.
+        max_gap: Maximum number of frames between selected ones, unless the camera is still.
+        reader: "ffmpeg" (with "ffprobe"), "opencv" (opencv-python-headless), or "auto": the first available.
+        max_seconds: Time limit per pass over the video [s]; None: no limit.
+        max_memory: Memory limit of the decoder [B]; None: nine tenths of the free memory.
+
+    Raises:
+        TypeError, ValueError: One is out of range; named in the message.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.photogrammetry.VideoSampling(max_gap=10).reader
+        'auto'
+    """
+
+    min_movement: float = 0.04
+    max_gap: int = 30
+    reader: str = "auto"
+    max_seconds: float | None = None
+    max_memory: int | None = None
+
+    def __post_init__(self):
+        check_positive("min_movement", self.min_movement, maximum=1.0)
+        check_count("max_gap", self.max_gap)
+        check_option("reader", self.reader, READERS)
+        check_limits(self.max_seconds, self.max_memory)
+
+
 def choose_frames(
     source: FilePath,
     folder: FilePath,
     *,
     max_frames: int = MAX_FRAMES,
     max_size: int | None = None,
-    min_movement: float = 0.04,
-    max_gap: int = 30,
     kind: str = "jpg",
-    reader: str = "auto",
     masks: FilePath | MakeMask | None = None,
-    max_seconds: float | None = None,
-    max_memory: int | None = None,
+    sampling: VideoSampling | None = None,
     progress: ReportProgress | None = None,
 ) -> FrameChoice:
     """Select sharp video frames from different positions, and write them as images.
@@ -137,15 +166,11 @@ def choose_frames(
         folder: Output folder, new or empty. Frames are named frame_000012.jpg by their number in the video.
         max_frames: Maximum number, evenly selected.
         max_size: Maximum image side [px]; None: original size.
-        min_movement: Video: minimum image shift between frames, relative to the longer side.
-        max_gap: Video: maximum number of frames between selected ones, unless the camera is still.
         kind: "jpg" (quality 95, 4:4:4) or "png" (lossless, several times larger).
-        reader: "ffmpeg" (with "ffprobe"), "opencv" (opencv-python-headless), or "auto": the first available.
         masks: Excluded pixels: a folder of masks of the image size (IMG_1.jpg.png or IMG_1.png for IMG_1.jpg, black is
             excluded), "alpha" for transparency, or a function of an upright RGB image [h, w, 3] and its name that
             returns a mask [h, w], bool or uint8, or None. Written to `folder` + "_masks".
-        max_seconds: Time limit per pass over a video [s]; None: no limit.
-        max_memory: Memory limit of the decoder [B]; None: nine tenths of the free memory.
+        sampling: Decoder and distance of the frames of a video; None: the defaults. No effect on photographs.
         progress: Called with (stage, steps done, steps in all), stages "look" and "write".
 
     Returns:
@@ -176,11 +201,10 @@ def choose_frames(
     check_count("max_frames", max_frames)
     if max_size is not None:
         check_count("max_size", max_size, minimum=16, maximum=_LONGEST_SIDE, because="no camera has more pixels")
-    check_positive("min_movement", min_movement, maximum=1.0)
-    check_count("max_gap", max_gap)
     check_option("kind", kind, KINDS)
-    check_option("reader", reader, READERS)
-    limits = check_limits(max_seconds, max_memory)
+    if not isinstance(sampling, VideoSampling | None):
+        raise TypeError(f"sampling: expected a VideoSampling, got {type(sampling).__name__}")
+    sampling = sampling or VideoSampling()
     source_path, target = check_path("source", source), check_path("folder", folder)
     given = check_masks(masks)
     wanted = Wanted(target, max_frames, max_size, kind)
@@ -191,8 +215,10 @@ def choose_frames(
         if source_path.is_dir():
             choice = choose_images(source_path, wanted, report)
         else:
-            picker = FramePicker(min_movement=float(min_movement), max_gap=max_gap)
-            choice = choose_video_frames(open_video(source_path, reader=reader), picker, wanted, limits, report)
+            picker = FramePicker(min_movement=float(sampling.min_movement), max_gap=sampling.max_gap)
+            limits = check_limits(sampling.max_seconds, sampling.max_memory)
+            video = open_video(source_path, reader=sampling.reader)
+            choice = choose_video_frames(video, picker, wanted, limits, report)
         if given is not None:
             choice = write_masks(choice, source_path, target, given)
     clock.stop("frames")

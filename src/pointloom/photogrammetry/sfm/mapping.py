@@ -8,7 +8,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from ...core.checks import check_progress, check_seed
+from ...core.checks import check_progress
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, quality
@@ -16,15 +16,14 @@ from ...core.timing import Clock
 from ...io.models.colmap import read_colmap_model
 from ...io.models.sfm_model import SfmModel
 from .camera_check import CameraCheck
-from .colmap_jobs import MAX_SECONDS, names_by_number, open_database, run_job, scratch_beside
-from .frames import check_option
+from .colmap_jobs import names_by_number, open_database, run_job, scratch_beside
 from .image_folder import check_path
 from .image_writing import new_folder
 from .limited_process import check_limits
 from .model_quality import ModelQuality, assess_model
 from .repetition_check import check_repetition
+from .settings import SfmSettings, check_settings
 
-MAPPERS = ("auto", "incremental", "global")
 MANY_IMAGES = 150  # up to here incremental mapping costs about as much as global mapping
 
 
@@ -61,12 +60,8 @@ def map_images(
     images: FilePath,
     matches: FilePath,
     folder: FilePath,
+    settings: SfmSettings | None = None,
     *,
-    fix_intrinsic: bool = False,
-    mapper: str = "auto",
-    seed: int = 0,
-    max_seconds: float | None = MAX_SECONDS,
-    max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> SfmResult:
     """Estimate camera poses and points from matches.
@@ -75,12 +70,7 @@ def map_images(
         images: Image folder, for the point colors.
         matches: Database of `match_features`. Not modified.
         folder: Output folder of the model (COLMAP binary), new or empty.
-        fix_intrinsic: Keep the cameras given to `find_features`.
-        mapper: "incremental" (Schoenberger and Frahm 2016), "global" (GLOMAP, Pan et al. 2024), or "auto": incremental
-            up to 150 images (measured in docs/sfm.md).
-        seed: Random seed.
-        max_seconds: Time limit [s]; None: no limit.
-        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        settings: Known camera, mapper and limits; None: the defaults.
         progress: Called with ("model", images registered, all); restarts with each model.
 
     Returns:
@@ -101,34 +91,27 @@ def map_images(
         Traceback (most recent call last):
         pointloom.core.errors.FileError: matches.db: does not exist. photogrammetry.find_features creates one
     """
-    clock, report = Clock(), check_progress(progress)
-    if not isinstance(fix_intrinsic, bool):
-        raise TypeError(f"fix_intrinsic: expected True or False, got {type(fix_intrinsic).__name__}")
-    check_option("mapper", mapper, MAPPERS)
-    check_seed(seed)
-    limits = check_limits(max_seconds, max_memory)
+    clock, report, settings = Clock(), check_progress(progress), check_settings(settings)
     source, database = check_path("images", images), check_path("matches", matches)
     target = check_path("folder", folder)
     if not source.is_dir():
         raise DatasetError(images, "is not a folder", remedy="Give the folder of the images")
     names = _names_of(database)
-    job: dict[str, Any] = {"stage": "model", "images": os.fspath(source.resolve()), "seed": int(seed), "threads": 1}
-    chosen = mapper if mapper != "auto" else choose_mapper(len(names))
-    job |= {"fixed_camera": fix_intrinsic, "mapper": chosen}
+    job: dict[str, Any] = {"stage": "model", "images": os.fspath(source.resolve()), "threads": 1}
+    usual = "global" if len(names) > MANY_IMAGES else "incremental"
+    job |= {"mapper": usual if settings.mapper == "auto" else settings.mapper, "seed": int(settings.seed)}
+    job |= {"fixed_camera": settings.keeps_intrinsic}
+    limits = check_limits(settings.max_seconds, settings.max_memory)
     report("model", 0, len(names))
     with new_folder(target):
         done, peak = _map(job, database, target, names, report, limits)
     model = read_colmap_model(target) if done["sizes"] else None
     checks: dict[str, Any] = {"model_sizes": done["sizes"] or None, "focal": CameraCheck.from_json(done["cameras"])}
     checks["repetition"] = None if model is None else check_repetition(model, database)
-    assessed = assess_model(model, len(names), fix_intrinsic=fix_intrinsic, **checks)
+    assessed = assess_model(model, len(names), fix_intrinsic=settings.keeps_intrinsic, **checks)
     missing = tuple(sorted(set(names) - set(model.names if model else ())))
     clock.stop("model")
     return SfmResult(model, os.fspath(target), assessed, missing, clock.seconds, {"model": peak})
-
-
-def choose_mapper(image_count: int) -> str:
-    return "global" if image_count > MANY_IMAGES else "incremental"
 
 
 def _names_of(database: Path) -> list[str]:

@@ -19,22 +19,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import check_writable
-from ...core.checks import check_count, check_progress, check_seed
+from ...core.checks import check_progress
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, quality
 from ...core.timing import Clock
-from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, names_by_number, open_database, run_job
-from .features import check_use_gpu, usable_cores
-from .frames import check_option
+from .colmap_jobs import count_rows, database_in_the_making, names_by_number, open_database, run_job
+from .features import usable_cores
 from .image_folder import check_path
 from .image_writing import some_of
 from .limited_process import check_limits
+from .settings import SfmSettings, check_settings
 
 Descriptors = NDArray[np.uint8]
 VOCABULARY_SIZE = 64
-PARTNERS_PER_IMAGE = 10  # partners per image
 DESCRIPTOR_LENGTH = 128  # length of a SIFT descriptor
 MAX_ITERATIONS = 12  # k-means iterations: words then move by less than one integer step
 MAX_CLUSTERED_DESCRIPTORS = 30_000  # descriptors for k-means over all images
@@ -128,15 +127,11 @@ def _sums(values: Descriptors, groups: NDArray[np.int64], count: int) -> NDArray
     return sums
 
 
-PAIRS = ("auto", "sequential", "exhaustive", "retrieval")
 MIXED = "sequential and retrieval"
-SEQUENCE_OVERLAP = 10
 FEW_IMAGES = 40  # maximum for exhaustive matching (780 pairs): less work than 150 sequential images
 
 PAIR_ID_FACTOR = 2147483647  # COLMAP's id of the pair (a, b) is PAIR_ID_FACTOR a + b
 _SIFT_TYPE = 0  # COLMAP's id of the feature type
-_MAX_NEIGHBORS = 10_000
-_MAX_OVERLAP = 30  # powers of two
 
 
 @dataclasses.dataclass(frozen=True)
@@ -183,14 +178,8 @@ class MatchReport(Assessed):
 def match_features(
     database: FilePath,
     matches: FilePath,
+    settings: SfmSettings | None = None,
     *,
-    pairs: str = "auto",
-    overlap: int = SEQUENCE_OVERLAP,
-    neighbors: int = PARTNERS_PER_IMAGE,
-    use_gpu: bool | None = None,
-    seed: int = 0,
-    max_seconds: float | None = MAX_SECONDS,
-    max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> MatchReport:
     """Match the features of image pairs, with geometric verification.
@@ -198,14 +187,7 @@ def match_features(
     Args:
         database: Of `find_features`. Not modified.
         matches: Output file: the database with matches; replaced if it exists.
-        pairs: "sequential" for images in capture order (video); "exhaustive" for all pairs; "retrieval" for the most
-            similar images; "auto": exhaustive up to 40 images, else sequential and retrieval.
-        overlap: Sequential: number of later images per image, at distances 1, 2, 4, 8, ...
-        neighbors: Retrieval: number of most similar images per image.
-        use_gpu: As of `find_features`.
-        seed: Random seed.
-        max_seconds: Time limit [s]; None: no limit.
-        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        settings: Pairs and limits; None: the defaults.
         progress: Called with ("pairs", done, all).
 
     Returns:
@@ -226,23 +208,18 @@ def match_features(
         Traceback (most recent call last):
         pointloom.core.errors.FileError: features.db: does not exist. photogrammetry.find_features creates one
     """
-    clock, report = Clock(), check_progress(progress)
-    check_option("pairs", pairs, PAIRS)
-    check_count("overlap", overlap, maximum=_MAX_OVERLAP, because='pairs="exhaustive" matches all')
-    check_count("neighbors", neighbors, maximum=_MAX_NEIGHBORS, because='pairs="exhaustive" matches all')
-    check_use_gpu(use_gpu)
-    check_seed(seed)
-    limits = check_limits(max_seconds, max_memory)
+    clock, report, settings = Clock(), check_progress(progress), check_settings(settings)
     source, target = check_path("database", database), check_writable(check_path("matches", matches))
     with open_database(source) as connection:
         count = len(names_by_number(connection, source))
     kind = _kind_of(source)
-    pairs = _resolved_pairs(pairs, kind, count)
-    job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
-    job |= {"threads": usable_cores(), "gpu": use_gpu, "kind": kind}
+    pairs, seed = _resolved_pairs(settings.pairs, kind, count), int(settings.seed)
+    job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(settings.overlap), "seed": seed}
+    job |= {"threads": usable_cores(), "gpu": settings.use_gpu, "kind": kind}
+    limits = check_limits(settings.max_seconds, settings.max_memory)
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
-        listed = _listed_pairs(source, pairs, overlap, neighbors, seed)
+        listed = _listed_pairs(source, pairs, settings)
         if pairs in ("retrieval", MIXED):
             job |= {"list": os.fspath(part.with_name("pairs.txt"))}
             Path(job["list"]).write_text("".join(f"{a} {b}\n" for a, b in listed), encoding="ascii")
@@ -277,12 +254,12 @@ def _kind_of(database: Path) -> str:
     return "aliked" if types - {_SIFT_TYPE, None} else "sift"
 
 
-def _listed_pairs(database: Path, pairs: str, overlap: int, neighbors: int, seed: int) -> NDArray[np.int64]:
+def _listed_pairs(database: Path, pairs: str, settings: SfmSettings) -> NDArray[np.int64]:
     if pairs not in ("retrieval", MIXED):
-        return pairs_of(database, pairs, overlap)
-    chosen = set(pairs_that_look_alike(database, neighbors, seed=seed))
+        return pairs_of(database, pairs, settings.overlap)
+    chosen = set(pairs_that_look_alike(database, settings.neighbors, seed=settings.seed))
     if pairs == MIXED:
-        chosen |= {(int(a), int(b)) for a, b in pairs_of(database, "sequential", overlap)}
+        chosen |= {(int(a), int(b)) for a, b in pairs_of(database, "sequential", settings.overlap)}
     return np.array(sorted(chosen), np.int64).reshape(-1, 2)
 
 

@@ -275,7 +275,7 @@ def write_training_folder(
                 write_mask(part / MASKS, names[k], straight_mask(hidden[k], lens, unseen[lens.camera]))
         report("images", len(lenses), len(lenses))
         straight = [lens.intrinsic for lens in lenses]
-        origin = _origin_of(model) if shift else np.zeros(3)
+        origin = choose_origin(np.concatenate([model.centers, model.points])) if shift else np.zeros(3)
         _write_models(part, model, names, straight, origin, with_masks=with_masks)
     return TrainingFolder(
         folder=os.fspath(path),
@@ -297,11 +297,6 @@ def _check_given(model: Any, **flags: Any) -> None:
     for name, value in flags.items():
         if not isinstance(value, bool):
             raise TypeError(f"{name}: expected True or False, got {type(value).__name__}")
-
-
-def _origin_of(model: SfmModel) -> NDArray[np.float64]:
-    """The model's position in whole meters, or zeros if float32 suffices."""
-    return choose_origin(np.concatenate([model.centers, model.points]))
 
 
 def _write_models(

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_progress, check_seed
+from ...core.checks import check_progress
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
@@ -20,15 +20,16 @@ from ...core.timing import Clock
 from ...io.images.image_files import read_color
 from ...io.models.sfm_model import SfmModel
 from ...kernels.array_types import Device
-from .colmap_jobs import MAX_SECONDS, run_job
+from .colmap_jobs import run_job
 from .feature_rays import FeatureRays, focal_of, read_feature_rays
-from .features import MAX_FEATURES, MAX_SIZE, find_features
+from .features import find_features
 from .guided_matches import PairMatches, match_guided, pairs_in_view
 from .image_folder import check_path, list_images
 from .limited_process import check_limits
 from .model_quality import FINDING_SIZE, ModelQuality, assess_model
 from .pose_check import MAX_EPIPOLAR_DISTANCE, PoseCheck, check_poses
 from .posed_images import with_poses
+from .settings import SfmSettings, check_settings
 
 MIN_DISTANCE = 1.0  # [px] at extraction size: SIFT errors are a third of that
 MIN_VIEWS = 3  # minimum views if there are enough images: any two rays that meet give a point
@@ -70,13 +71,9 @@ class TriangulationResult(Assessed):
 def triangulate(
     images: FilePath,
     cameras: SfmModel,
+    settings: SfmSettings | None = None,
     *,
-    max_size: int = MAX_SIZE,
-    max_features: int = MAX_FEATURES,
-    seed: int = 0,
     device: DeviceLike = None,
-    max_seconds: float | None = MAX_SECONDS,
-    max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> TriangulationResult:
     """Triangulate points from images with known poses.
@@ -88,12 +85,8 @@ def triangulate(
         images: Folder of upright 8-bit PNG or JPEG images.
         cameras: Lenses and poses, such as from `read_cameras`, without
             their points. Images by name, with or without extension.
-        max_size: Maximum image side for feature extraction [px].
-        max_features: Maximum number per image.
-        seed: Random seed.
+        settings: Features and limits of COLMAP; None: the defaults.
         device: Matching device; None: the CPU.
-        max_seconds: Time limit per COLMAP stage [s]; None: no limit.
-        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
         progress: Called with (stage, steps done, steps in all), stages "features" and "matches".
 
     Returns:
@@ -121,19 +114,16 @@ def triangulate(
     clock, report, folder = Clock(), check_progress(progress), check_path("images", images)
     if not isinstance(cameras, SfmModel):
         raise TypeError(f"cameras: expected an SfmModel, got {type(cameras).__name__}")
-    check_seed(seed)
-    limits: dict[str, Any] = {"max_seconds": max_seconds, "max_memory": max_memory}
-    check_limits(**limits)
+    settings = check_settings(settings)
     target = resolve_device(device)
     posed = with_poses(folder, list_images(folder), cameras)
     with tempfile.TemporaryDirectory(prefix="pointloom-") as scratch:
         database = Path(scratch) / "features.db"
-        options = {"max_size": max_size, "max_features": max_features, "seed": seed, "progress": progress}
-        features = find_features(folder, database, **options, **limits)
+        features = find_features(folder, database, settings, progress=progress)
         clock.stop("features")
         matches, check = match_posed(database, posed.model, device=target, progress=report)
         clock.stop("matches")
-        model, peak = points_of(database, posed.model, matches, check, folder, seed=seed, **limits)
+        model, peak = points_of(database, posed.model, matches, check, folder, settings)
     clock.stop("points")
     assessed = assess_model(model, posed.image_count, fix_intrinsic=True, poses=check)
     missing = posed.without_pose, posed.without_image
@@ -164,15 +154,7 @@ def admitted_distance(model: SfmModel, check: PoseCheck) -> float:
 
 
 def points_of(
-    database: Path,
-    model: SfmModel,
-    matches: PairMatches,
-    check: PoseCheck,
-    images: Path,
-    *,
-    seed: int,
-    max_seconds: float | None,
-    max_memory: int | None,
+    database: Path, model: SfmModel, matches: PairMatches, check: PoseCheck, images: Path, settings: SfmSettings
 ) -> tuple[SfmModel, int]:
     bare = SfmModel(model.names, model.cameras, model.T_camera_world, left_out=model.left_out)
     if not len(matches.matches):
@@ -184,10 +166,10 @@ def points_of(
         folder = Path(scratch)
         arrays, output = folder / "arrays.npz", folder / "found.npz"
         np.savez(arrays, **_arrays_of(model, features, matches, focals))
-        job = {"stage": "points", "seed": int(seed), "fewest": MIN_MATCHES, "error": error, "angle": MIN_ANGLE}
+        job = {"stage": "points", "seed": int(settings.seed), "fewest": MIN_MATCHES, "error": error, "angle": MIN_ANGLE}
         job |= {"angle_error": float(np.degrees(2 * error / np.median(focals))), "scratch": scratch}
         job |= {"database": os.fspath(folder / "points.db"), "arrays": os.fspath(arrays), "found": os.fspath(output)}
-        _, peak = run_job(job, database, **check_limits(max_seconds, max_memory))
+        _, peak = run_job(job, database, **check_limits(settings.max_seconds, settings.max_memory))
         with np.load(output) as read:
             points, seen = _often_seen(read["points"], read["seen"], min(MIN_VIEWS, len(model)))
     rows = features.firsts[seen[:, 0]] + seen[:, 1]

@@ -18,7 +18,6 @@ from ...io.models.colmap import read_colmap_model, write_colmap_model
 from ...io.models.sfm_model import SfmModel
 from ...kernels.array_types import Device
 from ..sfm import features
-from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
 from ..sfm.image_choice import duplicate_notes
@@ -28,6 +27,7 @@ from ..sfm.masks import MASK_THRESHOLD, MakeMask, check_some_left, hides_all, ma
 from ..sfm.model_quality import assess_model
 from ..sfm.pose_check import PoseCheck
 from ..sfm.posed_images import with_poses
+from ..sfm.settings import SfmSettings
 from ..sfm.triangulation import match_posed, points_of
 from .motion import DATABASE, IMAGES, MASKS, MODEL, described, masks_of, only_rotated
 from .settings import VideoSettings
@@ -135,8 +135,8 @@ def find_features(
     folder: Path, report: ReportProgress, *, frames: StageResult, max_features: int, seed: int
 ) -> dict[str, Any]:
     images, database = frames.folder / IMAGES, folder / DATABASE
-    options = {"max_features": max_features, "masks": masks_of(frames.folder)}
-    return features.find_features(images, database, seed=seed, progress=report, **options).to_dict()
+    settings, masks = SfmSettings(max_features=max_features, seed=seed), masks_of(frames.folder)
+    return features.find_features(images, database, settings, masks=masks, progress=report).to_dict()
 
 
 def match(
@@ -155,7 +155,7 @@ def triangulate(
     check = PoseCheck.from_json(matches.report["poses"])
     pair_matches = read_matches(matches.folder / MATCHES)
     where = features.folder / DATABASE, model, pair_matches, check, frames.folder / IMAGES
-    complete, _ = points_of(*where, seed=seed, max_seconds=MAX_SECONDS, max_memory=None)
+    complete, _ = points_of(*where, SfmSettings(seed=seed))
     assessed = assess_model(complete, len(model) + frames.report["missing"], fix_intrinsic=True, poses=check)
     write_colmap_model(folder / MODEL, complete)
     cameras = tuple(dict.fromkeys(complete.cameras))

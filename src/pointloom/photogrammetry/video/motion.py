@@ -24,6 +24,7 @@ from ..sfm.image_folder import check_path
 from ..sfm.image_writing import counted, some_of
 from ..sfm.masks import FOLDER, MakeMask, mask_folder
 from ..sfm.model_quality import MIN_ANGLE, MIN_PARALLAX, ModelQuality
+from ..sfm.settings import SfmSettings
 from ..sfm.sphere_images import cut_spheres, with_all_faces
 
 IMAGES, DATABASE, MODEL = "images", "database.db", "sparse"
@@ -96,17 +97,16 @@ def find_features(
     if panorama:  # cube faces have any size
         side = read_image_header(images / image_names(frames)[0]).width
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
-    options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
-    options |= {"intrinsic": intrinsic, "seed": seed, "progress": report}
-    features = features_module.find_features(images, folder / DATABASE, **options)
-    return features.to_dict()
+    settings = SfmSettings(camera_model=camera_model, intrinsic=intrinsic, max_features=max_features, seed=seed)
+    where = images, folder / DATABASE, settings
+    return features_module.find_features(*where, masks=masks_of(frames.folder), progress=report).to_dict()
 
 
 def match(
     folder: Path, report: ReportProgress, *, frames: StageResult, features: StageResult, pairs: str, seed: int
 ) -> dict[str, Any]:
-    options = {"pairs": pairs, "seed": seed, "progress": report}
-    return matches_module.match_features(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
+    where = features.folder / DATABASE, folder / DATABASE, SfmSettings(pairs=pairs, seed=seed)
+    return matches_module.match_features(*where, progress=report).to_dict()
 
 
 def map_images(
@@ -120,8 +120,9 @@ def map_images(
     panorama: bool,
     seed: int,
 ) -> dict[str, Any]:
-    given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": report}
-    result = mapping.map_images(frames.folder / IMAGES, matches.folder / DATABASE, folder / MODEL, **given)
+    where = frames.folder / IMAGES, matches.folder / DATABASE, folder / MODEL
+    settings = SfmSettings(fix_intrinsic=fixed_camera, mapper=mapper, seed=seed)
+    result = mapping.map_images(*where, settings, progress=report)
     cameras = () if result.model is None else tuple(dict.fromkeys(result.model.cameras))
     missing, notes = list(result.missing), []
     if panorama and result.model is not None:

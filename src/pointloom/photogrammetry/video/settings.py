@@ -8,16 +8,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
-from ...core.checks import check_count, check_seed
+from ...core.checks import check_count
 from ...core.errors import FileError, FilePath
 from ...core.records import digest_of
 from ...io.models.camera_files import read_cameras
 from ...io.models.sfm_model import SfmModel
-from ..sfm.features import MAX_FEATURES, check_camera_model, check_max_features
-from ..sfm.frames import check_option
-from ..sfm.mapping import MAPPERS
 from ..sfm.masks import ALPHA, MakeMask, check_masks
-from ..sfm.matches import PAIRS
+from ..sfm.settings import MAX_FEATURES, SfmSettings
 from .motion import digest_of_source
 from .units import VideoUnits
 
@@ -71,7 +68,6 @@ class VideoSettings:
     def __post_init__(self):
         check_count("max_frames", self.max_frames, minimum=MIN_IMAGES)
         check_count("max_size", self.max_size, minimum=MIN_IMAGE_SIZE)
-        check_seed(self.seed)
         if not isinstance(self.units, VideoUnits):
             raise TypeError(f"units: expected VideoUnits, got {type(self.units).__name__}")
         if not isinstance(self.intrinsic, str | os.PathLike | PinholeCameraIntrinsic | None):
@@ -86,10 +82,8 @@ class VideoSettings:
 
     def _check_placing(self) -> None:
         check_masks(self.masks)
-        check_camera_model(self.camera_model)
-        check_option("pairs", self.pairs, PAIRS)
-        check_option("mapper", self.mapper, MAPPERS)
-        check_max_features(self.max_features)
+        names = ("camera_model", "pairs", "mapper", "max_features", "seed")
+        SfmSettings(**{name: getattr(self, name) for name in names})  # checks them
         if not isinstance(self.panorama, bool):
             raise TypeError(f"panorama: expected True or False, got {type(self.panorama).__name__}")
         if self.panorama and (self.intrinsic is not None or self.camera_model != "SIMPLE_RADIAL"):

@@ -21,7 +21,7 @@ from ...io.frames.rgbd_sources import RGBDSource
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from .config import ReconstructionConfig
-from .job import run_reconstruction_system
+from .job import OPTIONAL_STAGES, run_reconstruction_system
 from .job_files import JobFiles
 from .report import SystemReport
 
@@ -117,8 +117,9 @@ def model_by_fragments(
     clock: Clock,
 ) -> tuple[TriangleMesh, FragmentsAccount]:
     settings, work = settings_for(options.config, None, None), Path(options.folder)
-    switches = {"slac": options.slac, "resume": options.resume}
-    report = run_reconstruction_system(frames, settings, work, **switches, device=device, progress=progress)
+    stages = OPTIONAL_STAGES if options.slac else ("refine", "integrate")
+    given: dict[str, Any] = {"resume": options.resume, "stages": stages, "device": device, "progress": progress}
+    report = run_reconstruction_system(frames, settings, work, **given)
     clock.seconds |= report.seconds
     clock.restart()
     job = JobFiles.make(work, settings)

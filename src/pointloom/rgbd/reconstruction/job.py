@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import Any
 
 from ...core import observers
-from ...core.checks import check_progress
+from ...core.checks import check_list, check_progress, shown
 from ...core.devices import DeviceLike
 from ...core.errors import FilePath
 from ...core.paths import refuse_link
@@ -27,6 +28,7 @@ from .scene import integrate_scene
 
 CONFIG_FILE = "config.json"
 RECORDING = "frames"
+OPTIONAL_STAGES = ("refine", "slac", "integrate")
 
 
 def run_reconstruction_system(
@@ -35,9 +37,7 @@ def run_reconstruction_system(
     folder: FilePath = "reconstruction",
     *,
     resume: bool = False,
-    refine: bool = True,
-    slac: bool = False,
-    integrate: bool = True,
+    stages: Sequence[str] = ("refine", "integrate"),
     device: DeviceLike = None,
     progress: ReportProgress | None = None,
 ) -> SystemReport:
@@ -52,9 +52,9 @@ def run_reconstruction_system(
         config: The configuration; None: the defaults.
         folder: Job folder; created if missing; earlier results are replaced.
         resume: Keep valid results of an earlier run. An interruption loses at most one fragment. A recording is reused.
-        refine: Refine the registration by ICP.
-        slac: Estimate the distortion of the camera, and undistort the frames.
-        integrate: Write the mesh and the trajectory. If False, the run ends with the poses of the fragments.
+        stages: Optional stages. "refine": the registration by ICP; "slac": estimate the distortion of the camera, and
+            undistort the frames; "integrate": write the mesh and the trajectory. Without the last, the run ends with
+            the poses of the fragments.
         device: Compute device; None: the CPU.
         progress: Called with (stage, steps done, steps in all or 0 if unknown).
 
@@ -84,9 +84,9 @@ def run_reconstruction_system(
     """
     config = ReconstructionConfig() if config is None else config
     job, clock = JobFiles.make(folder, config), Clock()
-    report_progress = check_progress(progress)
+    report_progress, selected = check_progress(progress), _check_stages(stages)
     options: dict[str, Any] = {"resume": resume, "device": device, "progress": report_progress}
-    if slac:
+    if "slac" in selected:
         slac_params(config)  # fail before the work
     config.write(refuse_link(job.root / CONFIG_FILE))
     frames = _readable(source, job, resume, report_progress)
@@ -99,21 +99,28 @@ def run_reconstruction_system(
         observers.report("stage", name="register")
         placement = register_fragments(config, folder, **options)
         clock.stop("register")
-        if refine:
+        if "refine" in selected:
             placement = refine_registration(config, folder, **options)
             clock.stop("refine")
-        if slac:
+        if "slac" in selected:
             bent = refine_with_slac(config, folder, **options)
             placement = bent.placement
             clock.stop("slac")
-        if integrate:
+        if "integrate" in selected:
             observers.report("stage", name="integrate")
-            scene = integrate_scene(frames, config, folder, slac=slac, **options)
+            scene = integrate_scene(frames, config, folder, slac="slac" in selected, **options)
             clock.stop("integrate")
     figures, cost = None if bent is None else bent.figures, Cost(clock.seconds, peak_bytes())
     parts = fragment_set, placement, scene
     warnings = source_warnings(source)
     return report_of(os.fspath(folder), len(frames), *parts, slac=figures, cost=cost, source_warnings=warnings)
+
+
+def _check_stages(stages: Any) -> list[str]:
+    selected = check_list("stages", stages, "names")
+    if unknown := [name for name in selected if name not in OPTIONAL_STAGES]:
+        raise ValueError(f"stages: expected some of {', '.join(OPTIONAL_STAGES)}, got {shown(unknown[0])}")
+    return selected
 
 
 def _readable(source: Any, job: JobFiles, resume: bool, report_progress: ReportProgress) -> FrameSource:

@@ -33,11 +33,11 @@ from ...kernels.drawing.shading import (
     shade_points,
     start_light,
 )
-from ...kernels.drawing.surfaces import Surface, shade_surface
+from ...kernels.drawing.surfaces import Surface, Texture, shade_surface
 from ...kernels.drawing.triangles import draw_triangles
 from ...kernels.drawing.z_buffer import MIN_DEPTH, DepthBuffer
 from ...kernels.drawing.z_buffer import View as PartView
-from ...kernels.lang import float32, int32, uint8, vec2, vec3
+from ...kernels.lang import float32, int32, vec3
 from ...kernels.memory import check_room, empty, full, upload
 from ...kernels.splats.blending import blend_splats
 from ...pcd.splat_images import MIN_DEPTH as NEAREST_SPLAT
@@ -285,14 +285,10 @@ class Drawing:
         return PartView(camera, R @ A / self.unit, offset)
 
     def _surface(self, part: Triangles) -> Surface:
-        uvs, texture = part.uvs, part.texture
-        image: Any = (empty(0, uint8, self.device), 0, 0)
-        if texture is not None and part.is_textured:
-            pixels = np.ascontiguousarray(np.asarray(texture, np.uint8)[:, :, :3])
-            image = (upload(pixels.ravel(), uint8, self.device), texture.shape[1], texture.shape[0])
-        else:
-            uvs = empty(0, vec2, self.device)
-        arrays = {"normals": part.normals, "colors": part.colors, "uvs": uvs, "texture": image}
+        texture = None
+        if part.texture is not None and part.is_textured:
+            texture = Texture(np.asarray(part.texture, np.uint8), part.uvs)
+        arrays: dict[str, Any] = {"normals": part.normals, "colors": part.colors, "texture": texture}
         looks = {"plain": vec3(*part.plain), "lit": part.is_lit, "edges": part.wireframe}
         return Surface(part.positions, part.indices, **looks, **arrays)
 
