@@ -16,10 +16,11 @@ import warp as wp
 from numpy.typing import NDArray
 
 from .array_types import Array, Array1, Array2, Array3, Device, DeviceArray, Element, Rank
-from .language import device_arrays, device_copies, pools
+from .language import device_arrays, device_copies, pools, warp_parts
 from .language.casts import cast_into
 from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import lock_for, own, why_no_cuda_here
+from .language.huge_pages import MIN_MAPPED_BYTES, request_huge_pages
 from .language.pinned_results import release_pinned
 
 POOL_FRACTION = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
@@ -124,18 +125,50 @@ def empty(shape: int | tuple[int, ...], dtype: object, device: Device | str) -> 
     """Uninitialized array. Raises MemoryError, as all functions here that allocate."""
     home: Any = device if isinstance(device, Device) else wp.get_device(device)
     if home.is_cuda:
-        if why_no_cuda_here():
-            raise RuntimeError(f"{home}: {why_no_cuda_here()}")
-        _keep_pool(home)
+        return _empty_on_gpu(shape, dtype, home)
+    extents = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
+    axes = len(extents)
+    if not (0 < axes <= warp_parts.MAX_AXES and warp_parts.is_known()):
+        return _empty_by_warp(shape, dtype, home)
+    is_plain = type(home.default_allocator) is warp_parts.context.CpuDefaultAllocator
+    runtime = warp_parts.context.runtime
+    kind = device_arrays.kinds.get((dtype, axes, home.alias)) or device_arrays.kind_of(dtype, axes, home)
+    size, strides = kind.element_bytes, ()
+    for extent in reversed(extents):
+        if not 0 <= extent < device_arrays.MAX_EXTENT > size:
+            return _empty_by_warp(shape, dtype, home)
+        strides, size = (size, *strides), size * extent
+    if not is_plain or runtime._apic_capture is not None:
+        return _empty_by_warp(shape, dtype, home)
+    address = runtime.core.wp_alloc_host(size, None) if size else None
+    if size and not address:  # raises
+        return _empty_by_warp(shape, dtype, home)
+    if size >= MIN_MAPPED_BYTES:
+        request_huge_pages(address, size)
+    state = kind.like.copy()
+    state["ptr"], state["capacity"], state["size"] = address, size, size // kind.element_bytes
+    state["shape"], state["strides"] = extents, strides
+    state["packed_"] = kind.pack(address or 0, *extents, *strides, axes)
+    array = object.__new__(wp.array)
+    array.__dict__ = state
+    return array
+
+
+def _empty_by_warp(shape: int | tuple[int, ...], dtype: Any, home: Any) -> Any:
+    with _Allocation(home):
+        return own(wp.empty(shape, dtype=dtype, device=home))
+
+
+def _empty_on_gpu(shape: int | tuple[int, ...], dtype: object, home: Any) -> Any:
+    if why_no_cuda_here():
+        raise RuntimeError(f"{home}: {why_no_cuda_here()}")
+    _keep_pool(home)
     try:
         created = device_arrays.new(shape, dtype, home)
     except RuntimeError:
         with _Allocation(home):
             raise
-    if created is not None:
-        return created
-    with _Allocation(home):
-        return own(wp.empty(shape, dtype=dtype, device=home))
+    return _empty_by_warp(shape, dtype, home) if created is None else created
 
 
 @overload

@@ -133,7 +133,7 @@ class Bounds(Selection, Movable):
         arrays = dict(self.arrays)
         arrays["points"] = transform_points(arrays["points"], A, shift)
         is_shift = len(arrays) == 1 or np.array_equal(A, np.eye(3))  # normals and covariances do not change
-        if self.has_normals and not is_shift:
+        if "normals" in arrays and not is_shift:
             arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
         if (
             not is_shift

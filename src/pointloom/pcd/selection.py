@@ -374,7 +374,8 @@ class Selection(PointArrays):
             [3, 5]
         """
         size = check_positive("voxel_size", voxel_size)
-        if check_name("reduction", reduction) not in ("mean", "nearest"):
+        if not isinstance(reduction, str) or reduction not in ("mean", "nearest"):
+            check_name("reduction", reduction)
             raise ValueError(f"reduction: expected 'mean' or 'nearest', got {shown(reduction)}")
         groups, _ = self._voxels(size, None)
         if groups.count <= WITHIN_ONE:

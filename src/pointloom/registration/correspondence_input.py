@@ -24,7 +24,7 @@ from .matching import Pairs, features_on_device
 def check_clouds(source: PointCloud, target: PointCloud) -> None:
     check_cloud("source", source)
     check_cloud("target", target)
-    check_same_device("source, target", source.device, target.device)
+    check_same_device("source, target", source.arrays["points"].device, target.arrays["points"].device)
     common_unit("source, target", (source.unit, target.unit))
 
 
