@@ -200,7 +200,10 @@ def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: 
 def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -> Any:
     created = empty(shape, dtype, device)
-    fill(created, value)
+    if created.device.is_cpu:
+        created.fill_(value)
+    else:
+        fill(created, value)
     return created
 
 

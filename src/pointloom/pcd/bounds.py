@@ -117,7 +117,8 @@ class Bounds(Selection, Movable):
         moved = matmul(A, self.arrays.origin) + t
         origin = origin_under(name, A, t, *self.arrays.bounds(), moved)
         cloud = self._under(A, moved - origin, origin)
-        cloud.unit = unit_under(self.unit, A)
+        if self._unit is not None:
+            cloud.unit = unit_under(self._unit, A)
         return cloud
 
     def _enlarged(self, factor: float) -> Self:

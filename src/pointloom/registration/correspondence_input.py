@@ -25,7 +25,8 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
     check_cloud("source", source)
     check_cloud("target", target)
     check_same_device("source, target", source.arrays["points"].device, target.arrays["points"].device)
-    common_unit("source, target", (source.unit, target.unit))
+    if source.unit is not target.unit:
+        common_unit("source, target", (source.unit, target.unit))
 
 
 def check_pairs(corres: object, source: PointCloud, target: PointCloud) -> Pairs:

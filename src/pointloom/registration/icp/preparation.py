@@ -22,6 +22,7 @@ from ...kernels.extent.masks import count_unusable, drop_unusable
 from ...kernels.icp.color_gradients import average_colors, estimate_color_gradients
 from ...kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
 from ...kernels.lang import float32, vec3
+from ...kernels.language.device_arrays import reinterpreted
 from ...kernels.memory import cast, download, upload
 from ...kernels.surface.orientation import normalize_vectors
 from ...pcd.cached_tree import CachedTree
@@ -102,7 +103,11 @@ def _join_usable(sides: Sequence[Side]) -> bool:
 
 
 def _as_rows(values: wp.array) -> wp.array:
-    return view_as(values, float32, (len(values), 3)) if values.dtype == vec3 else values
+    if values.dtype != vec3:
+        return values
+    shape = len(values), 3
+    rows = reinterpreted(values, 0, float32, shape)
+    return view_as(values, float32, shape) if rows is None else rows
 
 
 def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) -> list[wp.array]:
