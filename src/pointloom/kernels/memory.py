@@ -283,8 +283,11 @@ def write(target: Any, values: np.ndarray) -> None:
 
 
 def clone(values: Array) -> Array:
+    out: Any = empty(values.shape, values.dtype, values.device)
+    if values.device.is_cpu:
+        wp.copy(out, values)
+        return out
     with lock_for(values.device):
-        out: Any = empty(values.shape, values.dtype, values.device)
         wp.copy(out, values)
     return out
 

@@ -232,19 +232,13 @@ def reinterpreted(parent: Any, first: int, dtype: Any, shape: int | Shape) -> An
     if not 0 < len(shape) <= warp_parts.MAX_AXES:
         return None
     kind = kinds.get((dtype, len(shape), parent.device.alias)) or kind_of(dtype, len(shape), parent.device)
-    first, strides = int(first), strides_of(shape, kind.element_bytes)
+    first, strides = int(first), (kind.element_bytes,)
+    for extent in shape[:0:-1]:
+        strides = (extent * strides[0], *strides)
     size = shape[0] * strides[0]
     if min(shape) < 0 or not 0 <= first <= first + size <= parent.capacity or strides[0] >= MAX_EXTENT:
         return None
     return kind.at(parent, parent.ptr + first, shape, strides, size)
-
-
-def strides_of(shape: Shape, size: int) -> Shape:
-    """Strides of contiguous elements of a size [B]."""
-    strides = (size,)
-    for extent in shape[:0:-1]:
-        strides = (extent * strides[0], *strides)
-    return strides
 
 
 class _Releases:

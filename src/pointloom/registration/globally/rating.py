@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
+from ...core.quaternions import nearest_rotations
 from ...kernels.memory import contiguous, download
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
@@ -154,7 +155,7 @@ def refine_poses(
             clouds[id(surface)].arrays.tree.adopt(surface.tree)
     left, right = ([clouds[id(s)] for s in side] * (len(poses) // len(side)) for side in (sources, targets))
     poses = poses.copy()
-    poses[:, :3, :3] = [nearest_rotation(R) for R in poses[:, :3, :3]]
+    poses[:, :3, :3] = [nearest_rotations(R[None])[0] for R in poses[:, :3, :3]]
     constraint = None if free is None else constraints_of(Constraint(free), len(poses))
     options = ICPOptions(degeneracy=degeneracy, constraint=constraint)
     problem = IterativeRegistration(left, right, poses, distance, POINT_TO_PLANE, options)
