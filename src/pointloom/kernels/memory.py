@@ -143,7 +143,7 @@ def empty(shape: int | tuple[int, ...], dtype: object, device: Device | str) -> 
     address = runtime.core.wp_alloc_host(size, None) if size else None
     if size and not address:  # raises
         return _empty_by_warp(shape, dtype, home)
-    if size >= MIN_MAPPED_BYTES:
+    if address and size >= MIN_MAPPED_BYTES:
         request_huge_pages(address, size)
     state = kind.like.copy()
     state["ptr"], state["capacity"], state["size"] = address, size, size // kind.element_bytes

@@ -182,11 +182,11 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         names = ("fitness", "rmse", "iterations", "outcomes", "free_counts")
         poses = to_world(states["poses"], *self.origins)
         rows = zip(poses, *(states[name].tolist() for name in names), strict=True)
-        constraint_results = [()] * len(poses)  # free motions, number of prior directions, and parameters of each job
+        constrained: list[dict[str, Any]] = [{}] * len(poses)
         if self.constraint is not None and self.freedom is not None:
             values = self.freedom.storage.download("states", "prior_counts")  # sync
-            pairs = zip(values["states"], values["prior_counts"], strict=True)
-            constraint_results = [(self.constraint.free, int(count), state.copy()) for state, count in pairs]
+            pairs, free = zip(values["states"], values["prior_counts"], strict=True), self.constraint.free
+            constrained = [{"free": free, "prior_count": int(n), "parameters": state.copy()} for state, n in pairs]
         results = [
             RegistrationResult(
                 pose.copy(),
@@ -198,7 +198,7 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
                     outcome == JOB_CONVERGED,
                     (FAILURES[outcome].format(iterations),) if outcome in FAILURES else (),
                 ),
-                motions=Motions(states["free"][job].reshape(6, 6)[:free_count].copy(), *constraint_results[job]),
+                motions=Motions(states["free"][job].reshape(6, 6)[:free_count].copy(), **constrained[job]),
                 clouds=self.clouds_of(job),
             )
             for job, (pose, fitness, rmse, iterations, outcome, free_count) in enumerate(rows)
