@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
 import numpy as np
 import warp as wp
@@ -30,9 +30,6 @@ from .motion import Movable
 from .point_arrays import PointArrays, check_cloud
 from .selection import Selection
 from .units import unit_under
-
-if TYPE_CHECKING:
-    from .cloud import PointCloud
 
 MIN_VARIANCE_RATIO = 1e-12  # of the largest variance: below it is float32 rounding
 
@@ -216,7 +213,7 @@ class Bounds(Selection, Movable):
         surface = VisibleSurface(vertices, np.ascontiguousarray(triangles[:, ::-1]))
         return surface, hand_out_host(indices, self.arrays.library, self.device)
 
-    def compute_point_cloud_distance(self, target: PointCloud) -> NDArray[np.float64]:
+    def compute_point_cloud_distance(self, target: PointArrays) -> NDArray[np.float64]:
         """Distance of each point to the nearest point of another cloud.
 
         Args:

@@ -397,7 +397,7 @@ class Selection(PointArrays):
         min_bound: ArrayLike | None = None,
         max_bound: ArrayLike | None = None,
         approximate_class: bool = False,
-    ) -> VoxelTrace:
+    ) -> VoxelTrace[Self]:
         """Reduce voxels to means as `voxel_down_sample`, and list the points of each voxel.
 
         Args:
@@ -419,7 +419,7 @@ class Selection(PointArrays):
             if low is not None and (high - low).max() > size * OPEN3D_CELLS:
                 raise ValueError(f"voxel_size: {size} gives more than 2^31 voxels between the bounds. Use larger ones")
         groups, corner = self._voxels(size, low)
-        cloud: Any = self._means(groups, self.arrays)
+        cloud = self._means(groups, self.arrays)
         if approximate_class:
             self._set_classes(cloud, groups)
         octants, voxels = trace_voxels(self.arrays["points"], groups, corner, size)

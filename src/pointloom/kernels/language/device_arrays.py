@@ -40,18 +40,10 @@ def makes_arrays_plainly(device: Device) -> bool:
     """True if an array is plain memory of the host, or of Warp's pool on a GPU."""
     try:
         if device.is_cpu:
-            allocator = type(device.default_allocator)
-            return (
-                allocator is warp_parts.context.CpuDefaultAllocator
-                and warp_parts.context.runtime._apic_capture is None
-                and warp_parts.is_known()
-            )
-        return (
-            device._custom_allocator is None
-            and device.current_allocator is device.mempool_allocator
-            and warp_parts.context.runtime._apic_capture is None
-            and warp_parts.is_known()
-        )
+            is_plain = type(device.default_allocator) is warp_parts.context.CpuDefaultAllocator
+        else:
+            is_plain = device._custom_allocator is None and device.current_allocator is device.mempool_allocator
+        return is_plain and warp_parts.context.runtime._apic_capture is None and warp_parts.is_known()
     except AttributeError:
         return False
 
