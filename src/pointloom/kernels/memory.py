@@ -125,22 +125,27 @@ def empty(shape: int | tuple[int, ...], dtype: object, device: Device | str) -> 
     """Uninitialized array. Raises MemoryError, as all functions here that allocate."""
     home: Any = device if isinstance(device, Device) else wp.get_device(device)
     if home.is_cuda:
-        return _empty_on_gpu(shape, dtype, home)
+        if why_no_cuda_here():
+            raise RuntimeError(f"{home}: {why_no_cuda_here()}")
+        _keep_pool(home)
+        try:
+            created = device_arrays.new(shape, dtype, home)
+        except RuntimeError:
+            with _Allocation(home):
+                raise
+        return _empty_by_warp(shape, dtype, home) if created is None else created
     extents = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
     axes = len(extents)
-    if not (0 < axes <= warp_parts.MAX_AXES and warp_parts.is_known()):
+    is_plain = warp_parts.is_known() and type(home.default_allocator) is warp_parts.context.CpuDefaultAllocator
+    if not (is_plain and 0 < axes <= warp_parts.MAX_AXES and warp_parts.context.runtime._apic_capture is None):
         return _empty_by_warp(shape, dtype, home)
-    is_plain = type(home.default_allocator) is warp_parts.context.CpuDefaultAllocator
-    runtime = warp_parts.context.runtime
     kind = device_arrays.kinds.get((dtype, axes, home.alias)) or device_arrays.kind_of(dtype, axes, home)
     size, strides = kind.element_bytes, ()
     for extent in reversed(extents):
         if not 0 <= extent < device_arrays.MAX_EXTENT > size:
             return _empty_by_warp(shape, dtype, home)
         strides, size = (size, *strides), size * extent
-    if not is_plain or runtime._apic_capture is not None:
-        return _empty_by_warp(shape, dtype, home)
-    address = runtime.core.wp_alloc_host(size, None) if size else None
+    address = warp_parts.context.runtime.core.wp_alloc_host(size, None) if size else None
     if size and not address:  # raises
         return _empty_by_warp(shape, dtype, home)
     if address and size >= MIN_MAPPED_BYTES:
@@ -157,18 +162,6 @@ def empty(shape: int | tuple[int, ...], dtype: object, device: Device | str) -> 
 def _empty_by_warp(shape: int | tuple[int, ...], dtype: Any, home: Any) -> Any:
     with _Allocation(home):
         return own(wp.empty(shape, dtype=dtype, device=home))
-
-
-def _empty_on_gpu(shape: int | tuple[int, ...], dtype: object, home: Any) -> Any:
-    if why_no_cuda_here():
-        raise RuntimeError(f"{home}: {why_no_cuda_here()}")
-    _keep_pool(home)
-    try:
-        created = device_arrays.new(shape, dtype, home)
-    except RuntimeError:
-        with _Allocation(home):
-            raise
-    return _empty_by_warp(shape, dtype, home) if created is None else created
 
 
 @overload
