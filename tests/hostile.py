@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 import pointloom as loom
+from pointloom.core.attribute_hints import internal_names
 from pointloom.core.units import NonFiniteWarning
 from pointloom.public_names import results_of
 
@@ -217,7 +218,8 @@ def public_arguments(module: ModuleType, left_out: set[str], within: str = "") -
         if f"{name}()" not in left_out:
             calls[name] = value
         if inspect.isclass(value):
-            methods = {f"{name}.{method}": method for method in dir(value) if not method.startswith("_")}
+            names = set(dir(value)) - internal_names(value)
+            methods = {f"{name}.{method}": method for method in sorted(names) if not method.startswith("_")}
             calls |= {
                 full: getattr(value, method)
                 for full, method in methods.items()

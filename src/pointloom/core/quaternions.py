@@ -59,7 +59,9 @@ def nearest_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _polar_factors(R: NDArray[np.float64]) -> NDArray[np.float64]:
     for _ in range(MAX_NEWTON_STEPS):
-        inverses = _cofactors(R) / det(R)[:, None, None]  # transposed
+        after, before = R[:, [1, 2, 0]], R[:, [2, 0, 1]]
+        cofactors = after[:, :, [1, 2, 0]] * before[:, :, [2, 0, 1]] - after[:, :, [2, 0, 1]] * before[:, :, [1, 2, 0]]
+        inverses = cofactors / det(R)[:, None, None]  # transposed
         scales = np.sqrt(_sizes(inverses) / _sizes(R))[:, None, None]
         roots = np.sqrt(np.where(np.abs(scales - 1) < NEARLY_ONE, 1.0, scales))
         steps = (inverses / roots - R * roots) / 2
@@ -72,11 +74,6 @@ def _polar_factors(R: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _sizes(M: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.sqrt((M * M).sum(axis=(1, 2)))
-
-
-def _cofactors(M: NDArray[np.float64]) -> NDArray[np.float64]:
-    after, before = M[:, [1, 2, 0]], M[:, [2, 0, 1]]
-    return after[:, :, [1, 2, 0]] * before[:, :, [2, 0, 1]] - after[:, :, [2, 0, 1]] * before[:, :, [1, 2, 0]]
 
 
 def _best_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:

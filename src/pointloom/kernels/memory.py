@@ -16,10 +16,11 @@ import warp as wp
 from numpy.typing import NDArray
 
 from .array_types import Array, Array1, Array2, Array3, Device, DeviceArray, Element, Rank
-from .language import device_arrays, device_copies, pools
+from .language import device_arrays, device_copies, pools, warp_parts
 from .language.casts import cast_into
 from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import lock_for, own, why_no_cuda_here
+from .language.huge_pages import MIN_MAPPED_BYTES, request_huge_pages
 from .language.pinned_results import release_pinned
 
 POOL_FRACTION = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
@@ -127,13 +128,38 @@ def empty(shape: int | tuple[int, ...], dtype: object, device: Device | str) -> 
         if why_no_cuda_here():
             raise RuntimeError(f"{home}: {why_no_cuda_here()}")
         _keep_pool(home)
-    try:
-        created = device_arrays.new(shape, dtype, home)
-    except RuntimeError:
-        with _Allocation(home):
-            raise
-    if created is not None:
-        return created
+        try:
+            created = device_arrays.new(shape, dtype, home)
+        except RuntimeError:
+            with _Allocation(home):
+                raise
+        return _empty_by_warp(shape, dtype, home) if created is None else created
+    extents = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
+    axes = len(extents)
+    is_plain = warp_parts.is_known() and type(home.default_allocator) is warp_parts.context.CpuDefaultAllocator
+    if not (is_plain and 0 < axes <= warp_parts.MAX_AXES and warp_parts.context.runtime._apic_capture is None):
+        return _empty_by_warp(shape, dtype, home)
+    kind = device_arrays.kinds.get((dtype, axes, home.alias)) or device_arrays.kind_of(dtype, axes, home)
+    size, strides = kind.element_bytes, ()
+    for extent in reversed(extents):
+        if not 0 <= extent < device_arrays.MAX_EXTENT > size:
+            return _empty_by_warp(shape, dtype, home)
+        strides, size = (size, *strides), size * extent
+    address = warp_parts.context.runtime.core.wp_alloc_host(size, None) if size else None
+    if size and not address:  # raises
+        return _empty_by_warp(shape, dtype, home)
+    if address and size >= MIN_MAPPED_BYTES:
+        request_huge_pages(address, size)
+    state = kind.like.copy()
+    state["ptr"], state["capacity"], state["size"] = address, size, size // kind.element_bytes
+    state["shape"], state["strides"] = extents, strides
+    state["packed_"] = kind.pack(address or 0, *extents, *strides, axes)
+    array = object.__new__(wp.array)
+    array.__dict__ = state
+    return array
+
+
+def _empty_by_warp(shape: int | tuple[int, ...], dtype: Any, home: Any) -> Any:
     with _Allocation(home):
         return own(wp.empty(shape, dtype=dtype, device=home))
 
@@ -167,7 +193,10 @@ def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: 
 def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -> Any:
     created = empty(shape, dtype, device)
-    fill(created, value)
+    if created.device.is_cpu:
+        created.fill_(value)
+    else:
+        fill(created, value)
     return created
 
 
@@ -247,8 +276,11 @@ def write(target: Any, values: np.ndarray) -> None:
 
 
 def clone(values: Array) -> Array:
+    out: Any = empty(values.shape, values.dtype, values.device)
+    if values.device.is_cpu:
+        wp.copy(out, values)
+        return out
     with lock_for(values.device):
-        out: Any = empty(values.shape, values.dtype, values.device)
         wp.copy(out, values)
     return out
 

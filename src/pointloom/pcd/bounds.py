@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
 import numpy as np
 import warp as wp
@@ -30,9 +30,6 @@ from .motion import Movable
 from .point_arrays import PointArrays, check_cloud
 from .selection import Selection
 from .units import unit_under
-
-if TYPE_CHECKING:
-    from .cloud import PointCloud
 
 MIN_VARIANCE_RATIO = 1e-12  # of the largest variance: below it is float32 rounding
 
@@ -117,7 +114,8 @@ class Bounds(Selection, Movable):
         moved = matmul(A, self.arrays.origin) + t
         origin = origin_under(name, A, t, *self.arrays.bounds(), moved)
         cloud = self._under(A, moved - origin, origin)
-        cloud.unit = unit_under(self.unit, A)
+        if self._unit is not None:
+            cloud.unit = unit_under(self._unit, A)
         return cloud
 
     def _enlarged(self, factor: float) -> Self:
@@ -133,7 +131,7 @@ class Bounds(Selection, Movable):
         arrays = dict(self.arrays)
         arrays["points"] = transform_points(arrays["points"], A, shift)
         is_shift = len(arrays) == 1 or np.array_equal(A, np.eye(3))  # normals and covariances do not change
-        if self.has_normals and not is_shift:
+        if "normals" in arrays and not is_shift:
             arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
         if (
             not is_shift
@@ -215,7 +213,7 @@ class Bounds(Selection, Movable):
         surface = VisibleSurface(vertices, np.ascontiguousarray(triangles[:, ::-1]))
         return surface, hand_out_host(indices, self.arrays.library, self.device)
 
-    def compute_point_cloud_distance(self, target: PointCloud) -> NDArray[np.float64]:
+    def compute_point_cloud_distance(self, target: PointArrays) -> NDArray[np.float64]:
         """Distance of each point to the nearest point of another cloud.
 
         Args:

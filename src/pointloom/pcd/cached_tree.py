@@ -46,21 +46,22 @@ class CachedTree:
         return self.points
 
     def _drop_outdated(self) -> None:
-        """Drop what was built if shared points have changed."""
-        if self._is_shared and (mark := fingerprint(self.points)) != self._mark:
+        """Drop what was built if the points, which are shared, have changed."""
+        if (mark := fingerprint(self.points)) != self._mark:
             self._tree = self._order = self._forest = None
             self._mark = mark
 
     @property
     def known(self) -> PointTree | None:
         """The cached tree if the points are unchanged, else None."""
-        if self._tree is not None:
+        if self._is_shared and self._tree is not None:
             self._drop_outdated()
         return self._tree
 
     def tree(self) -> PointTree:
         """Search tree of the current points: 20 B per point, 12 B of them a copy of the points."""
-        self._drop_outdated()
+        if self._is_shared:
+            self._drop_outdated()
         tree = self._tree
         if tree is None:
             tree = PointTree(self.points)
@@ -70,21 +71,19 @@ class CachedTree:
 
     def order(self) -> ManyClouds:
         """Current points along the curve, as the source of registrations: 16 B per point."""
-        self._drop_outdated()
-        return self._current_order()
+        if self._is_shared:
+            self._drop_outdated()
+        order = self._order
+        if order is None:
+            order = self._order = ManyClouds([self.points], self._tree)
+        return order
 
     def forest(self) -> PointForest:
         """Search tree of the current points as the target of registrations: tree and order."""
         tree, forest = self.tree(), self._forest
         if forest is None:
-            forest = self._forest = PointForest([self.points], tree, order=self._current_order())
+            forest = self._forest = PointForest([self.points], tree, order=self._order or self.order())
         return forest
-
-    def _current_order(self) -> ManyClouds:
-        order = self._order
-        if order is None:
-            order = self._order = ManyClouds([self.points], self._tree)
-        return order
 
 
 def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:

@@ -77,9 +77,11 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             )
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
-        library, self._unit, self.grid = library_for(arrays, points), check_unit("unit", unit), None
+        library, length_unit = library_for(arrays, points), None if unit is None else check_unit("unit", unit)
         placed, start, tree = place_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
-        vars(self)["arrays"] = PointStore({"points": placed}, start, library, tree=tree)
+        vars(self).update(
+            arrays=PointStore({"points": placed}, start, library, tree=tree), grid=None, _unit=length_unit
+        )
         if normals is not None:
             self._set("normals", normals)
         if colors is not None:

@@ -317,9 +317,9 @@ class Conversion(Selection):
         """
         o3d = _import_open3d()
         cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(self.points.copy()))
-        if self.has_normals:
+        if "normals" in self.arrays:
             cloud.normals = o3d.utility.Vector3dVector(self.normals.astype(np.float64))
-        if self.has_colors:
+        if "colors" in self.arrays:
             cloud.colors = o3d.utility.Vector3dVector(self.colors.astype(np.float64))
         if _COVARIANCES in self and self[_COVARIANCES].shape[1:] == (9,):
             matrices = self[_COVARIANCES].astype(np.float64).reshape(-1, 3, 3)

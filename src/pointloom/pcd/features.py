@@ -57,7 +57,7 @@ def compute_fpfh_feature(
     """
     check_cloud("cloud", cloud)
     search_radius, count = check_search(radius, max_nn)
-    if not cloud.has_normals:
+    if "normals" not in cloud.arrays:
         raise ValueError("cloud: FPFH needs normals, and it has none; call cloud = cloud.estimate_normals()")
     rows = None if indices is None else _device_indices(indices, cloud)
     normals = cloud.arrays["normals"]

@@ -80,7 +80,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -
         [[630087.0, 4833442.0, 553.0]]
     """
     check_cloud("cloud", cloud)
-    if cloud.has_normals:
+    if "normals" in cloud.arrays:
         raise ValueError(
             'cloud: normals in degrees cannot be projected. Project cloud.without("normals"), then estimate them'
         )

@@ -63,10 +63,11 @@ class Normals(Selection):
             UnitWarning: If hardly any point has a neighbor in the radius, which suggests another unit.
         """
         search_radius, count = check_search(radius, max_nn)
-        tree = self.search_tree()
-        warn_of_short("radius", without_copies(tree), radius, self.unit, "normals are (0, 0, 1)")
+        tree = self.arrays.tree.tree()
+        if radius is not None:
+            warn_of_short("radius", without_copies(tree), search_radius, self._unit, "normals are (0, 0, 1)")
         normals = estimate_normals(tree, count, search_radius)
-        if self.has_normals:
+        if "normals" in self.arrays:
             align_normals(normals, self.arrays["normals"])
         return self.with_arrays(self.arrays | {"normals": normals}, grid=self.grid)
 
@@ -112,8 +113,10 @@ class Normals(Selection):
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
         """
         search_radius, count = check_search(radius, max_nn)
-        tree = self.search_tree()
-        warn_of_short("radius", without_copies(tree), radius, self.unit, "covariances are the identity or zero")
+        tree = self.arrays.tree.tree()
+        if radius is not None:
+            outcome = "covariances are the identity or zero"
+            warn_of_short("radius", without_copies(tree), search_radius, self._unit, outcome)
         covariances = estimate_covariances(tree, count, search_radius)
         return self.with_arrays(self.arrays | {"covariances": covariances}, grid=self.grid)
 

@@ -20,7 +20,6 @@ from ..core.escaped_text import escaped
 from ..core.exchange import plain_device
 from ..core.gpu_arrays import take_colors, take_points, take_vectors
 from ..core.html_tables import array_type, html_table
-from ..core.units import LengthUnit
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock_for
 from ..kernels.memory import clone, host_view, move, upload
@@ -297,19 +296,18 @@ class PointArrays(StoredArrays):
         cls, arrays: Mapping[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY
     ) -> Self:
         """Create a cloud from device arrays without copies or checks; `points` is vec3 (n,) relative to `origin`."""
-        return cls._over(PointStore(arrays, origin, library), None, None)
-
-    @classmethod
-    def _over(cls, arrays: PointStore, grid: tuple[int, int] | None, unit: LengthUnit | None) -> Self:
         cloud = cls.__new__(cls)
-        vars(cloud).update(arrays=arrays, grid=grid, _unit=unit)  # without the checks of assignments
+        vars(cloud).update(arrays=PointStore(arrays, origin, library), grid=None, _unit=None)  # without checks
         return cloud
 
     def with_arrays(self, arrays: Mapping[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
         """Cloud with other device arrays about the same origin. Keeps the search tree if the points are the same."""
         own = self.arrays
         tree = own.tree if arrays["points"] is own["points"] else None
-        return self._over(PointStore(arrays, own.origin, own.library, tree=tree), grid, self._unit)
+        cloud = type(self).__new__(type(self))
+        store = PointStore(arrays, own.origin, own.library, tree=tree)
+        vars(cloud).update(arrays=store, grid=grid, _unit=self._unit)  # without checks
+        return cloud
 
     def search_tree(self) -> PointTree:
         """Search tree of the points, built at the first call and cached: 20 B per point."""
@@ -340,7 +338,7 @@ def place_points(
     if is_on_gpu(values):
         points, start = take_points("points", values, origin, device, rows=rows)
         return points, start, CachedTree(points, is_shared=points._ref is not None, frozen=frozen)
-    is_copied = library_of(values) == NUMPY
+    is_copied = type(values) is np.ndarray or library_of(values) == NUMPY
     positions = check_rows("points", values, 3, rows=rows)
     local, start = split_origin(positions, origin)
     if origin is None:

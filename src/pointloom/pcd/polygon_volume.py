@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeVar
+from typing import Protocol, Self, TypeVar
 
 import numpy as np
 import warp as wp
@@ -25,17 +25,21 @@ from ..kernels.lang import float64, vec2d, vec3d
 from ..kernels.memory import cast, upload
 from .point_arrays import PointArrays, check_cloud
 
-if TYPE_CHECKING:
-    from .selection import Selection
-
-    Cloud = TypeVar("Cloud", bound=Selection)
-
 # Coordinates u and v of the polygon's plane, and the axis.
 AXIS_ORDERS = {"X": (1, 2, 0), "Y": (0, 2, 1), "Z": (0, 1, 2)}
 MIN_CORNERS = 3
 _KEYS = frozenset(
     ("class_name", "version_major", "version_minor", "bounding_polygon", "orthogonal_axis", "axis_min", "axis_max")
 )
+
+
+class Croppable(Protocol):
+    """A cloud."""
+
+    def crop(self, bounding_box: SelectionPolygonVolume, invert: bool = False) -> Self: ...
+
+
+Cloud = TypeVar("Cloud", bound=Croppable)
 
 
 @dataclass(frozen=True, init=False, eq=False)

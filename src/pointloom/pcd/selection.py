@@ -71,7 +71,7 @@ class SupportsDLPack(Protocol):
 class Selection(PointArrays):
     """Methods of PointCloud that select, sample and concatenate points."""
 
-    _internal = ("select_mask", "select_rows")
+    _internal = ("average_voxels", "select_mask", "select_rows")
 
     def __add__(self, other: object) -> Self:
         if not isinstance(other, PointArrays):
@@ -374,7 +374,8 @@ class Selection(PointArrays):
             [3, 5]
         """
         size = check_positive("voxel_size", voxel_size)
-        if check_name("reduction", reduction) not in ("mean", "nearest"):
+        if not isinstance(reduction, str) or reduction not in ("mean", "nearest"):
+            check_name("reduction", reduction)
             raise ValueError(f"reduction: expected 'mean' or 'nearest', got {shown(reduction)}")
         groups, _ = self._voxels(size, None)
         if groups.count <= WITHIN_ONE:
@@ -383,7 +384,12 @@ class Selection(PointArrays):
             warn_of_long("voxel_size", size, low, high, finite, self.unit, outcome)
         if reduction == "nearest":
             return self.select_rows(nearest_to_means(self.arrays["points"], groups))
-        return self._means(groups)
+        return self._means(groups, self.arrays)
+
+    def average_voxels(self, voxel_size: float, names: Iterable[str]) -> Self:
+        """`voxel_down_sample` of some arrays, without warnings."""
+        groups, _ = self._voxels(check_positive("voxel_size", voxel_size), None)
+        return self._means(groups, names)
 
     def voxel_down_sample_and_trace(
         self,
@@ -391,7 +397,7 @@ class Selection(PointArrays):
         min_bound: ArrayLike | None = None,
         max_bound: ArrayLike | None = None,
         approximate_class: bool = False,
-    ) -> VoxelTrace:
+    ) -> VoxelTrace[Self]:
         """Reduce voxels to means as `voxel_down_sample`, and list the points of each voxel.
 
         Args:
@@ -413,7 +419,7 @@ class Selection(PointArrays):
             if low is not None and (high - low).max() > size * OPEN3D_CELLS:
                 raise ValueError(f"voxel_size: {size} gives more than 2^31 voxels between the bounds. Use larger ones")
         groups, corner = self._voxels(size, low)
-        cloud: Any = self._means(groups)
+        cloud = self._means(groups, self.arrays)
         if approximate_class:
             self._set_classes(cloud, groups)
         octants, voxels = trace_voxels(self.arrays["points"], groups, corner, size)
@@ -569,12 +575,13 @@ class Selection(PointArrays):
             cells = np.floor((high - corner) / size) + 1 - first
         return VoxelGroups(points, corner, size, cells, first.astype(np.int64), names[0]), corner
 
-    def _means(self, groups: VoxelGroups) -> Self:
+    def _means(self, groups: VoxelGroups, names: Iterable[str]) -> Self:
         if not groups.count:
             return self.select_rows(upload(np.zeros(0, np.int32), int32, self.device))
         means: dict[str, wp.array] = {}
         rows = None
-        for name, values in self.arrays.items():
+        for name in names:
+            values = self.arrays[name]
             if name in VECTORS:
                 means[name] = average_vec3(values, groups.order, groups.starts)
             elif np.dtype(wp.dtype_to_numpy(values.dtype)).kind == "f":

@@ -89,7 +89,7 @@ def fit_shape(
 
 
 def _search_of(cloud: PointCloud, weights: NDArray[np.float64] | None) -> ShapeSearch:
-    with_normals = cloud if cloud.has_normals() or len(cloud) == 0 else cloud.estimate_normals()
+    with_normals = cloud if "normals" in cloud.arrays or len(cloud) == 0 else cloud.estimate_normals()
     points = cloud.arrays["points"]
     normals = with_normals.arrays["normals"] if len(cloud) else points
     rows = usable_in_order(with_normals.search_tree(), points, points)

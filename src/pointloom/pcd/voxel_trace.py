@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
 from ..kernels.memory import download
+from .point_arrays import PointArrays
 
-if TYPE_CHECKING:
-    from .cloud import PointCloud
+Cloud = TypeVar("Cloud", bound=PointArrays)
 
 
-class VoxelTrace:
+class VoxelTrace(Generic[Cloud]):
     """A down-sampled cloud of m points and the sources of its points.
 
     Unpacks as Open3D's `cloud, cubic_id, original_indices` (a list); `indices` and `offsets` contain the same.
@@ -32,7 +32,7 @@ class VoxelTrace:
 
     def __init__(
         self,
-        cloud: PointCloud,
+        cloud: Cloud,
         cubic_id: NDArray[np.int32],
         voxel_of_point: NDArray[np.int32],
         indices: NDArray[np.int32],

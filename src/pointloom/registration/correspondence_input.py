@@ -24,8 +24,9 @@ from .matching import Pairs, features_on_device
 def check_clouds(source: PointCloud, target: PointCloud) -> None:
     check_cloud("source", source)
     check_cloud("target", target)
-    check_same_device("source, target", source.device, target.device)
-    common_unit("source, target", (source.unit, target.unit))
+    check_same_device("source, target", source.arrays["points"].device, target.arrays["points"].device)
+    if source.unit is not target.unit:
+        common_unit("source, target", (source.unit, target.unit))
 
 
 def check_pairs(corres: object, source: PointCloud, target: PointCloud) -> Pairs:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.arrays.concatenation import concatenate_rows
-from ..kernels.linear_algebra import eigvalsh, solve
+from ..kernels.linear_algebra import eigh, solve
 from ..kernels.memory import download
 from ..kernels.poses.line_of_sight import Sight, find_sight
 from ..kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, count_deviating, weigh_overlaps, weigh_reliefs
@@ -113,13 +113,9 @@ class Evidence(NamedTuple):
     def score_beside_planes(self) -> float:
         """Score of the matches outside the three main planes, 0..1."""
         square = _fraction_between(self.aligned, constants.SOME_ALIGNED, constants.ALL_ALIGNED)
-        min_rest = self._min_rest
+        min_rest = constants.MIN_REST * max(self.fraction, 1e-9)
         min_rest += square * max(constants.MIN_ALIGNED - min_rest, 0.0)
         return 1 / (1 + (min_rest / max(self.rest, 1e-9)) ** constants.LIMIT_STEEPNESS)
-
-    @property
-    def _min_rest(self) -> float:
-        return constants.MIN_REST * max(self.fraction, 1e-9)
 
     @property
     def score_of_view(self) -> float:
@@ -139,7 +135,7 @@ class Evidence(NamedTuple):
             return slides if fits else "the clouds hardly match under the best pose found"
         if self.score_of_number <= 0.5:
             return "so few voxels match that another pose may fit equally well: use a smaller voxel_size"
-        if self.rest < self._min_rest:
+        if self.rest < constants.MIN_REST * max(self.fraction, 1e-9):
             return "the clouds match on three planes, as any corners do, and hardly elsewhere"
         if self.score_beside_planes <= 0.5:
             return "the clouds match on perpendicular planes, as any rooms do, and hardly elsewhere"
@@ -290,7 +286,7 @@ def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evide
         near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
         ridge = constants.OVERLAP_RIDGE * np.trace(near) / 6 * np.eye(6)
         fraction = float(np.trace(solve(near + ridge, matched))) / 6
-        firmness = max(float(eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
+        firmness = max(float(eigh(matched / sums[MATCHED_AT])[0][0]), 0.0)
         sides.append((fraction, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
     fraction, firmness, matches, square = np.min(sides, axis=0).tolist()
     return Evidence(fraction, firmness, matches, aligned=-square)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -29,6 +30,7 @@ class RobustKernel:
     """
 
     kind: ClassVar[int] = robust_weights.L2_LOSS
+    _internal: ClassVar[tuple[str, ...]] = ("loss",)
 
     @staticmethod
     def l2() -> RobustKernel:
@@ -73,6 +75,11 @@ class RobustKernel:
     def parameters(self) -> tuple[int, float, float]:
         """(kind, scale, shape) for device code."""
         return self.kind, float(getattr(self, "k", 1.0)), float(getattr(self, "shape", 1.0))
+
+    @cached_property
+    def loss(self) -> robust_weights.Loss:
+        """The parameters for kernels."""
+        return robust_weights.Loss(*self.parameters)
 
     def weight(self, residual: ArrayLike) -> NDArray[np.float64]:
         """Weights of residuals, float64 of the same shape."""

@@ -22,8 +22,7 @@ from .rigid import nearest_rotation
 
 
 def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
-    bare = cloud.with_arrays({"points": cloud.arrays["points"]})
-    thinned = bare.voxel_down_sample(voxel_size)
+    thinned = cloud.average_voxels(voxel_size, ["points"])
     return Surface.select(thinned.arrays["points"], NORMAL_RADIUS * voxel_size, SIDE_RADIUS * voxel_size)
 
 

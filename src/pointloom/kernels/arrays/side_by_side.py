@@ -59,7 +59,11 @@ class SideBySide:
             self._layout[name] = (self._size, host.nbytes, host.shape, host.dtype)
             self._size += -(-max(host.nbytes, 1) // ALIGNMENT_BYTES) * ALIGNMENT_BYTES
         self._buffer = upload(self._content(hosts), uint8, device)
-        self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
+        self.arrays: dict[str, DeviceArray[Any, Any]] = {}
+        for name, (_, dtype) in values.items():
+            first, _, shape, _ = self._layout[name]
+            width = len(getattr(dtype, "_shape_", ()))
+            self.arrays[name] = part_of(self._buffer, first, dtype, shape[: len(shape) - width] if width else shape)
 
     def _content(self, hosts: Mapping[str, np.ndarray]) -> np.ndarray:
         content = np.zeros(self._size, np.uint8)
@@ -70,11 +74,6 @@ class SideBySide:
     def rewrite(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> None:
         """Overwrite all arrays with values of the same shapes in one copy."""
         write(self._buffer, self._content({name: _as_elements(*value) for name, value in values.items()}))
-
-    def _part(self, name: str, dtype: type[Element]) -> DeviceArray[Element, Any]:
-        first, _, shape, _ = self._layout[name]
-        width = len(getattr(dtype, "_shape_", ()))
-        return part_of(self._buffer, first, dtype, shape[: len(shape) - width] if width else shape)
 
     def download(self, *names: str) -> dict[str, np.ndarray]:
         """The named arrays, or all, as NumPy by name: views on the CPU, one sync on a GPU."""

@@ -118,7 +118,7 @@ class UniqueKeys:
             return
         last = self._last
         if last is None:
-            last = int(download(rows_of(self.keys, self.count - 1, self.count))[0])
+            last = int(download(self.keys)[self.count - 1])
         if last == key:
             self._last = None
             self.count -= 1

@@ -413,10 +413,9 @@ def compute_features(
     if rows is not None and distinct_points(tree, max_nn) is None:
         return _compute_chosen(tree, _in_tree_order(tree, normals), radius, max_nn, rows)
 
-    def compute(tree: "PointTree", normals: Vectors) -> list[Array2[float32]]:
-        return [_compute_all(tree, _in_tree_order(tree, normals), radius, max_nn)]
-
-    (features,) = by_distinct_points(tree, max_nn, radius, compute, normals)
+    (features,) = by_distinct_points(
+        tree, max_nn, radius, lambda some, n: [_compute_all(some, _in_tree_order(some, n), radius, max_nn)], normals
+    )
     return features if rows is None else gather_rows(features, rows)
 
 
@@ -432,7 +431,8 @@ def _compute_all(tree: "PointTree", sorted_normals: Vectors, radius: float, max_
     neighborhood = Neighborhood(tree, radius, max_nn)
     histograms = count_angles(neighborhood, sorted_normals, neighborhood.positions)
     sum_histograms(neighborhood, histograms, neighborhood.positions, tree.order, features)
-    launch(fill_missing_features_kernel, n - tree.count, [tree.order, tree.count, features])
+    if n > tree.count:
+        launch(fill_missing_features_kernel, n - tree.count, [tree.order, tree.count, features])
     return features
 
 

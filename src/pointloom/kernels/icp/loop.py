@@ -7,7 +7,6 @@ import numpy as np
 
 from ..algebra.rigid_solve import TRIANGLE_NUMBERS, vec6d
 from ..array_types import AnyArray, Array1, Integers
-from ..arrays.side_by_side import SideBySide
 from ..lang import WARP, Reduction, int32, launch, loop_while, reduce_segments, vec3d
 from ..memory import download, full, zeros
 from .constrained_steps import step_constrained_kernel
@@ -27,6 +26,8 @@ class Matching:
     `max_distance` [m] count; `per_point`: each point searches on its own.
     """
 
+    first_states = staticmethod(match_states)
+
     def __init__(
         self,
         jobs: Jobs,
@@ -42,13 +43,10 @@ class Matching:
             targets, self.target_covariances = jobs.targets.clouds.points, None
         else:
             targets, self.target_covariances = gaussians.unpack()
-        self.states = self._make_states(poses)
+        self.states = self.first_states(jobs, poses)
         self.matches = Matches(jobs, self.states, max_distance, targets)
         self.totals = zeros(jobs.count, row_sums, jobs.device)
         self.partials = jobs.blocks.partials(row_sums)
-
-    def _make_states(self, poses: np.ndarray) -> SideBySide:
-        return match_states(self.jobs, poses)
 
     def match(self) -> None:
         jobs, matches = self.jobs, self.matches
@@ -82,6 +80,8 @@ class Matching:
 class RegistrationLoop(Matching):
     """Launches of an iteration over all jobs. `separate_geometry`: degeneracy by other rows than the solve."""
 
+    first_states = staticmethod(job_states)
+
     def __init__(
         self,
         jobs: Jobs,
@@ -94,9 +94,6 @@ class RegistrationLoop(Matching):
         super().__init__(jobs, poses, max_distance, gaussians, per_point)
         self.progress = Progress(jobs, self.states, poses, self.totals, separate_geometry=separate_geometry)
         self.velocities = zeros(jobs.count, vec6d, jobs.device)
-
-    def _make_states(self, poses: np.ndarray) -> SideBySide:
-        return job_states(self.jobs, poses)
 
     def sum_rows(
         self,

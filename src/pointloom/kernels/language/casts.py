@@ -33,10 +33,14 @@ _CAST = """def {name}(values_, out_):
 
 def cast_into(out: AnyArray, values: AnyArray) -> None:
     """Convert a contiguous array into another of as many scalars, on the same device."""
-    source, target = _scalars(values), _scalars(out)
     if values.device.is_cpu:
-        _cast_on_host(target.numpy(), source.numpy())
+        source, target = values.numpy().reshape(-1), out.numpy().reshape(-1)
+        if target.dtype == np.float16 and source.dtype != np.float16:
+            source = source.astype(np.float32)  # as CUDA converts to 16 bits: rounded twice
+        with np.errstate(over="ignore", invalid="ignore"):
+            np.copyto(target, source, casting="unsafe")
         return
+    source, target = _scalars(values), _scalars(out)
     kernel = _kernel(source.dtype, target.dtype)
     with lock, announced(kernel.key) if kernel not in _launched else nullcontext(False) as is_first:
         if is_first:
@@ -51,13 +55,6 @@ def _scalars(values: AnyArray) -> Any:
     scalar = getattr(values.dtype, "_wp_scalar_type_", values.dtype)
     count = values.size * int(np.prod(getattr(values.dtype, "_shape_", ()), dtype=np.int64))
     return wp.array(ptr=values.ptr, dtype=scalar, shape=(count,), device=values.device, copy=False)
-
-
-def _cast_on_host(out: np.ndarray, values: np.ndarray) -> None:
-    if out.dtype == np.float16 and values.dtype != np.float16:
-        values = values.astype(np.float32)  # as CUDA converts to 16 bits: rounded twice
-    with np.errstate(over="ignore", invalid="ignore"):
-        np.copyto(out, values, casting="unsafe")
 
 
 def kernels_ahead() -> list[Any]:

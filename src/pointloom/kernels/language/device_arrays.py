@@ -18,7 +18,6 @@ import warp as wp
 from ..array_types import Device
 from . import device_lock, warp_parts
 from .device_lock import lock, waiting
-from .huge_pages import MIN_MAPPED_BYTES, request_huge_pages
 from .streams import note_use
 
 Shape = tuple[int, ...]
@@ -41,18 +40,10 @@ def makes_arrays_plainly(device: Device) -> bool:
     """True if an array is plain memory of the host, or of Warp's pool on a GPU."""
     try:
         if device.is_cpu:
-            allocator = type(device.default_allocator)
-            return (
-                allocator is warp_parts.context.CpuDefaultAllocator
-                and warp_parts.context.runtime._apic_capture is None
-                and warp_parts.is_known()
-            )
-        return (
-            device._custom_allocator is None
-            and device.current_allocator is device.mempool_allocator
-            and warp_parts.context.runtime._apic_capture is None
-            and warp_parts.is_known()
-        )
+            is_plain = type(device.default_allocator) is warp_parts.context.CpuDefaultAllocator
+        else:
+            is_plain = device._custom_allocator is None and device.current_allocator is device.mempool_allocator
+        return is_plain and warp_parts.context.runtime._apic_capture is None and warp_parts.is_known()
     except AttributeError:
         return False
 
@@ -111,46 +102,39 @@ def element_kind(dtype: object) -> Kind:
     return Kind(dtype, 1, None)
 
 
-_kinds: dict[tuple[Any, int, str], Kind] = {}
+kinds: dict[tuple[Any, int, str], Kind] = {}
 
 
 def kind_of(dtype: object, axes: int, device: Device) -> Kind:
-    kind = _kinds.get((dtype, axes, device.alias))
+    kind = kinds.get((dtype, axes, device.alias))
     if kind is None:
-        kind = _kinds.setdefault((dtype, axes, device.alias), Kind(dtype, axes, device))
+        kind = kinds.setdefault((dtype, axes, device.alias), Kind(dtype, axes, device))
     return kind
 
 
 def new(shape: int | Shape, dtype: object, device: Device, *, in_block: bool = True) -> Any:
-    """An uninitialized array; a small one of a GPU is a zeroed part of a block unless `in_block` is False. None if Warp
+    """An uninitialized array of a GPU; a small one is a zeroed part of a block unless `in_block` is False. None if Warp
     has to create it. Raises RuntimeError if device memory is exhausted."""
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
     axes = len(shape)
     if not 0 < axes <= warp_parts.MAX_AXES or not makes_arrays_plainly(device):
         return None
-    kind = _kinds.get((dtype, axes, device.alias)) or kind_of(dtype, axes, device)
+    kind = kinds.get((dtype, axes, device.alias)) or kind_of(dtype, axes, device)
     size, strides = kind.element_bytes, ()
     for extent in reversed(shape):
         if not 0 <= extent < MAX_EXTENT > size:
             return None
         strides, size = (size, *strides), size * extent
     core, address = warp_parts.context.runtime.core, None
-    if device.is_cpu:
-        state = kind.like.copy()
-        if size:
-            address = core.wp_alloc_host(size, None)
-        if address and size >= MIN_MAPPED_BYTES:
-            request_huge_pages(address, size)
-    else:
-        with lock:
-            if waiting:
-                device_lock.release_pending()
-            state, stream = kind.like.copy(), note_use(device)
-            place = _place_for(device, stream, size) if in_block else None
-            if place is not None:
-                (address, state["block_"]), state["deleter"] = place, None
-            elif size:
-                address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
+    with lock:
+        if waiting:
+            device_lock.release_pending()
+        state, stream = kind.like.copy(), note_use(device)
+        place = _place_for(device, stream, size) if in_block else None
+        if place is not None:
+            (address, state["block_"]), state["deleter"] = place, None
+        elif size:
+            address = core.wp_alloc_device_async(device.context, size, warp_parts.CURRENT_STREAM, None)
     if size and not address:
         raise RuntimeError(f"Failed to allocate {size} bytes on device '{device}'")
     state["ptr"], state["capacity"], state["size"] = address, size, size // kind.element_bytes
@@ -207,9 +191,9 @@ def over(values: np.ndarray, dtype: object, device: Device) -> Any:
         return None
     if not values.nbytes or max(values.shape) >= MAX_EXTENT:
         return None
-    kind = _kinds.get((dtype, axes, device.alias)) or kind_of(dtype, axes, device)
+    kind = kinds.get((dtype, axes, device.alias)) or kind_of(dtype, axes, device)
     shape = values.shape[:axes]
-    state, strides = kind.like.copy(), strides_of(shape, kind.element_bytes)
+    state, strides = kind.like.copy(), values.strides[:axes]
     state["ptr"], state["capacity"], state["size"] = values.ctypes.data, values.nbytes, math.prod(shape)
     state["shape"], state["strides"], state["_ref"], state["deleter"] = shape, strides, values, None
     state["packed_"] = kind.pack(state["ptr"], *shape, *strides, axes)
@@ -239,20 +223,14 @@ def reinterpreted(parent: Any, first: int, dtype: Any, shape: int | Shape) -> An
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
     if not 0 < len(shape) <= warp_parts.MAX_AXES:
         return None
-    kind = _kinds.get((dtype, len(shape), parent.device.alias)) or kind_of(dtype, len(shape), parent.device)
-    first, strides = int(first), strides_of(shape, kind.element_bytes)
+    kind = kinds.get((dtype, len(shape), parent.device.alias)) or kind_of(dtype, len(shape), parent.device)
+    first, strides = int(first), (kind.element_bytes,)
+    for extent in shape[:0:-1]:
+        strides = (extent * strides[0], *strides)
     size = shape[0] * strides[0]
     if min(shape) < 0 or not 0 <= first <= first + size <= parent.capacity or strides[0] >= MAX_EXTENT:
         return None
     return kind.at(parent, parent.ptr + first, shape, strides, size)
-
-
-def strides_of(shape: Shape, size: int) -> Shape:
-    """Strides of contiguous elements of a size [B]."""
-    strides = (size,)
-    for extent in shape[:0:-1]:
-        strides = (extent * strides[0], *strides)
-    return strides
 
 
 class _Releases:

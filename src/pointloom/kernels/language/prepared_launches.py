@@ -11,6 +11,7 @@ import ctypes
 import re
 import struct
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from functools import partial
 from time import perf_counter
 from typing import Any, NamedTuple
@@ -267,12 +268,12 @@ class FlatLaunch:
         return True
 
 
+@dataclass
 class LaunchSequence:
     """CPU launches of a loop's first iteration: reading the arguments again would cost more than a small kernel."""
 
-    def __init__(self) -> None:
-        self.launches: list[Launch] = []
-        self.program: Any = None  # for Taichi launches
+    launches: list[Launch] = field(default_factory=list)
+    program: Any = None  # for Taichi launches
 
 
 sequence: LaunchSequence | None = None  # the launches being recorded. Requires the lock

@@ -32,8 +32,16 @@ ARRAY = {  # attributes of an array: all that a copy for another address has to 
     *("shape", "size", "strides"),
 }
 DEVICE = (
-    *("_custom_allocator", "alias", "captures", "context", "current_allocator", "mempool_allocator", "ordinal"),
-    "stream",
+    *(
+        "_custom_allocator",
+        "alias",
+        "captures",
+        "context",
+        "current_allocator",
+        "default_allocator",
+        "mempool_allocator",
+    ),
+    *("ordinal", "stream"),
 )
 STREAM = ("owner",)
 LAUNCH = ("block_dim", "bounds", "cluster_dim", "grid_stride", "hooks", "max_blocks", "module_exec", "params")

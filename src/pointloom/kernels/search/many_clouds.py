@@ -11,7 +11,7 @@ import numpy as np
 
 from ..array_types import AnyArray, Integers, LongIntegers, Points, Vectors
 from ..arrays.bounds import bound_points
-from ..arrays.concatenation import joined_rows
+from ..arrays.concatenation import concatenate_rows
 from ..arrays.prefix_sum import find_owner
 from ..arrays.sort import SortKeys
 from ..lang import INFINITY, array, float32, func, int32, int64, kernel, launch, struct, tid, vec3
@@ -43,7 +43,9 @@ class ManyClouds:
         starts, count = np.concatenate([[0], np.cumsum(sizes)]), len(clouds)
         if starts[-1] + BUCKET * count >= 2**31:
             raise ValueError(f"{starts[-1]:,} points in {count:,} clouds; register them in parts below 2^31 points")
-        points = joined_rows(clouds) if joined is None else joined
+        points = joined
+        if points is None:
+            points = clouds[0] if len(clouds) == 1 else concatenate_rows(clouds)
         self.device = device
         self.moments: Any = None  # as are `single_job`, of Jobs
         self.single_job: Any = None
@@ -90,7 +92,7 @@ class ManyClouds:
 
     def gather(self, arrays: Sequence[AnyArray]) -> AnyArray:
         """One attribute of all clouds, vec3 or float32 (n, c), in sorted order."""
-        values = joined_rows(arrays)
+        values = arrays[0] if len(arrays) == 1 else concatenate_rows(arrays)
         if values.dtype == vec3:
             gathered, gather = empty(self.points.size, vec3, self.device), gather_vectors_kernel
         else:

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
 from ...kernels.arrays.select import gather_rows, positions_of
 from ...kernels.memory import download
 from ...kernels.meshes.clean_triangles import mask_not_finite
-
-if TYPE_CHECKING:
-    from .mesh_arrays import MeshArrays
+from .mesh_store import MeshStore
 
 REMEDY = "repair() removes such triangles"
 
 
-def find_wrong_corner(mesh: MeshArrays) -> str | None:
+class Stored(Protocol):
+    """A mesh."""
+
+    arrays: MeshStore
+
+
+def find_wrong_corner(mesh: Stored) -> str | None:
     """First triangle with a corner that is not finite, as a clause. None if there is none."""
     vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
     if vertices.device.is_cpu and np.isfinite(download(vertices)).all():
@@ -30,7 +34,7 @@ def find_wrong_corner(mesh: MeshArrays) -> str | None:
     return f"triangle {int(download(rows[:1])[0])} has the vertex {lost}, which is NaN or infinite"
 
 
-def check_finite_corners(operation: str, mesh: MeshArrays) -> None:
+def check_finite_corners(operation: str, mesh: Stored) -> None:
     """Raise ValueError if a triangle has a corner that is not finite. Unused vertices are not checked."""
     fault = find_wrong_corner(mesh)
     if fault is not None:

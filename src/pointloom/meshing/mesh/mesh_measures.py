@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -40,15 +40,12 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.stored_arrays import read_only
 from .finite_corners import check_finite_corners
-from .mesh_arrays import check_mesh
+from .mesh_arrays import MeshArrays, check_mesh
 from .mesh_metrics import SurfaceMetrics, measure_both_ways, points_about
 from .mesh_seams import sew
 from .mesh_selection import MeshSelection
 from .vertex_numbers import check_finite_vertices, check_vertices
 from .voxel_grid import VoxelGrid
-
-if TYPE_CHECKING:
-    from .mesh import TriangleMesh
 
 SAME_NORMAL = 1e-3  # rounding of float32 normals
 SAMPLE_BYTES = 64  # per sampled point, with triangle, weights, normal and color
@@ -400,7 +397,7 @@ class MeshMeasures(MeshSelection):
 
     def compute_metrics(
         self,
-        mesh2: TriangleMesh,
+        mesh2: MeshArrays,
         fscore_radius: Sequence[float] = (0.01,),
         n_sampled_points: int = 100_000,
         *,
@@ -457,7 +454,7 @@ class MeshMeasures(MeshSelection):
 
     @returns_new
     def compute_error_map(
-        self, mesh2: TriangleMesh, max_distance: float | None = None
+        self, mesh2: MeshArrays, max_distance: float | None = None
     ) -> tuple[Self, NDArray[np.float32]]:
         """Color vertices by their exact distances from another mesh.
 

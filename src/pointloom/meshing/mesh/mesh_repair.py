@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,9 +41,6 @@ from .mesh_arrays import MeshArrays, check_mesh
 from .mesh_measures import MeshMeasures
 from .mesh_nesting import Parts, choose_sides, find_enclosing
 from .mesh_sheets import cut_and_stitch
-
-if TYPE_CHECKING:
-    from .mesh import TriangleMesh
 
 MAX_INT32 = 2**31 - 1
 TRIANGLES_PER_EDGE = 2  # triangles per edge of a closed surface
@@ -523,7 +520,7 @@ class MeshRepair(MeshMeasures):
         first, second = find_meeting_pairs(tree, vertices, triangles, triangles, within=True)
         return self.arrays.hand_out(pair_up(first, second))
 
-    def is_intersecting(self, other: TriangleMesh) -> bool:
+    def is_intersecting(self, other: MeshArrays) -> bool:
         """True if a triangle of this mesh intersects one of another mesh.
 
         Meshes inside each other do not intersect: see `RaycastingScene.compute_occupancy`.

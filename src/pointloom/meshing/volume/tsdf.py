@@ -358,7 +358,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         if not frame.farthest > 0:
             return 0
         keys: Any = self._filter_keys(
-            touched_blocks(metric, frame.farthest, camera, T, self.truncation, self.voxel_size)
+            touched_blocks(metric, frame.farthest, camera, T, self.blocks.truncation, self.blocks.voxel_size)
         )
         if not keys.size:
             return 0

@@ -240,9 +240,9 @@ class _NonRigidRegistration:
         pins: tuple[NDArray[np.float64], NDArray[np.float64]],
         weight: float,
     ):
-        self.sided = bool(source.has_normals and target.has_normals)
+        self.sided = all("normals" in cloud.arrays for cloud in (source, target))
         self.source, self.target = (
-            cloud if cloud.has_normals else cloud.estimate_normals(max_nn=NORMAL_NEIGHBORS)
+            cloud if "normals" in cloud.arrays else cloud.estimate_normals(max_nn=NORMAL_NEIGHBORS)
             for cloud in (source, target)
         )
         self.spacing, self.max_distance, self.pins = spacing, max_distance, pins

@@ -154,7 +154,7 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
         return f"CorrespondenceCheckerBasedOnNormal(normal_angle_threshold={self.normal_angle_threshold})"
 
     def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
-        if not source.has_normals or not target.has_normals:
+        if not all("normals" in cloud.arrays for cloud in (source, target)):
             return True
         scale = float(norm(T[:3, 0]))
         rotated = matmul(source.normals[pairs[:, 0]].astype(np.float64), T[:3, :3].T) / scale

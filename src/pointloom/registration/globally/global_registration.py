@@ -124,16 +124,13 @@ def register_globally(
     """
     check_clouds(source, target)
     size, chooser = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER), check_seed(seed)
-    level = check_level(free)
+    level = None if free is None else check_level(free)
     return register_described(describe(source, size), describe(target, size), seed=chooser, refine=refine, free=level)
 
 
-def describe(cloud: PointCloud, voxel_size: float) -> Description:
-    return describe_surface(cloud, surface_of(cloud, voxel_size), voxel_size)
-
-
-def describe_surface(cloud: PointCloud, surface: Surface, voxel_size: float) -> Description:
-    """As `describe`, from a known surface. Only the origin of `cloud` is used."""
+def describe(cloud: PointCloud, voxel_size: float, surface: Surface | None = None) -> Description:
+    """Surface and features of a cloud. With a known `surface`, only the origin of the cloud is used."""
+    surface = surface_of(cloud, voxel_size) if surface is None else surface
     features = compute_features(surface.tree, surface.normals, FEATURE_RADIUS * voxel_size, None)
     return Description(cloud, voxel_size, Witness(surface, voxel_size), features)
 
@@ -142,28 +139,30 @@ def register_described(
     left: Description, right: Description, *, seed: int = 0, refine: bool = True, free: Sequence[str] | None = None
 ) -> RegistrationResult:
     source, target, size = left.cloud, right.cloud, left.voxel_size
-    for name, surface in (("source", left.surface), ("target", right.surface)):
+    witnesses = left.witness, right.witness
+    surfaces = witnesses[0].surface, witnesses[1].surface
+    for name, surface in zip(("source", "target"), surfaces, strict=True):
         if len(surface) < MIN_POINTS:
             return _unknown(
                 f"{name}: expected at least {MIN_POINTS} voxels of {size:g} with a surface, got {len(surface)}", source
             )
     pairs = pair_features(left.features, right.features, mutual=True, mutual_consistency_ratio=0.0)
-    consensus = find_poses(left.surface.points, right.surface.points, pairs, NOISE_VOXELS * size, seed)
+    consensus = find_poses(surfaces[0].points, surfaces[1].points, pairs, NOISE_VOXELS * size, seed)
     if not len(consensus.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
     poses, support = consensus.poses, consensus.support
     if free is not None:
-        poses, level_rows = level_poses(poses, moved_samples(left.surface, np.eye(4)[None])[0].mean(axis=0))
+        poses, level_rows = level_poses(poses, moved_samples(surfaces[0], np.eye(4)[None])[0].mean(axis=0))
         support = support[level_rows]
         if not len(poses):
             tilt = np.degrees(MAX_TILT)
             return _unknown(f"all {len(consensus.poses)} candidate poses tilt by {tilt:.0f} degrees or more", source)
     rivals = int((support >= MIN_RIVAL_SUPPORT * support[0]).sum())
-    witnesses = left.witness, right.witness
     result, evidence, others = _choose(*witnesses, poses[:MAX_CANDIDATES], rivals, NOISE_VOXELS * size, refine, free)
     score, equals = evidence.score, 1 + len(others)
-    T = to_world(result.transformation, source.origin, target.origin)
-    pair = source.copy(), target.copy()  # as they are now
+    origins = source.arrays.origin, target.arrays.origin
+    T = to_world(result.transformation, *origins)
+    pair = source.with_arrays(source.arrays, grid=source.grid), target.with_arrays(target.arrays, grid=target.grid)
     chosen = RegistrationResult(
         T,
         result.fitness,
@@ -177,8 +176,8 @@ def register_described(
     if score <= 0.5:
         chosen.warnings = (evidence.problem,)
     elif equals > 1:
-        chosen.alternatives = tuple(to_world(pose, source.origin, target.origin) for pose in others)
-        moved = moved_samples(left.surface, np.stack([result.transformation, *others]))
+        chosen.alternatives = tuple(to_world(pose, *origins) for pose in others)
+        moved = moved_samples(surfaces[0], np.stack([result.transformation, *others]))
         shifts = np.sqrt(((moved[1:] - moved[0]) ** 2).sum(axis=2).mean(axis=1))
         chosen.warnings = (_ambiguity(shifts),)
     report("registration", source=source, target=target, result=chosen)
@@ -206,7 +205,8 @@ def _choose(
     beside = compare_under(source.surface, target.surface, poses[likely], distance, beside_planes=True)
     rests = dict(zip(likely, beside, strict=True))
     rated = {k: complete(evidences[k], source, target, poses[k], distance, rests.get(k)) for k in order}
-    best = max((k for k in order if rated[k].score > 0.5), key=lambda k: rated[k].rest, default=order[0])
+    supported = {k: rated[k].rest for k in order if rated[k].score > 0.5}
+    best = max(supported, key=supported.__getitem__, default=order[0])
     result = first[best]
     if refine:
         result = refined(poses[best : best + 1], distance, FINAL_STEPS, free, MIN_EIGENVALUE_RATIO)[0]

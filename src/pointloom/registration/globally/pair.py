@@ -262,7 +262,7 @@ def register_pair(
     rated = source.copy(), target.copy(), RATED_WITHIN * size
     assert result._clouds is not None
     result._clouds = Registered(*rated, *result._clouds[3:])
-    estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
+    estimated = tuple(role for role in estimation.needs_normals if "normals" not in clouds[role].arrays)
     return PairRegistration(
         result,
         min(search_score, score_registration(*rated, result.transformation)),
@@ -295,7 +295,8 @@ def _check_method(method: object) -> TransformationEstimation:
 def _check_constraint(
     estimation: TransformationEstimation, constraint: Constraint | None, searched: bool
 ) -> tuple[str, ...] | None:
-    check_constrainable(estimation, constraints_of(constraint))
+    if constraints_of(constraint) is not None:
+        check_constrainable(estimation)
     if constraint is None or not searched:
         return None
     if constraint.frame is not None:
@@ -305,7 +306,7 @@ def _check_constraint(
 
 def _check_colors(clouds: dict[str, PointCloud], method: str, needed: bool) -> None:
     for role, cloud in clouds.items():
-        if needed and not cloud.has_colors:
+        if needed and "colors" not in cloud.arrays:
             reason = f"has no colors, which method={method!r} needs"
             raise UnfitCloudError(role, "colors", reason, "Choose another method, such as point-to-plane")
 

@@ -148,7 +148,7 @@ def _register(
     if search.pairs.count < sample_size:
         return no_pose(f"{sample_size} correspondences of finite points needed, {search.pairs.count} given", source)
     normals = empty(0, vec3, device), empty(0, vec3, device)
-    if np.isfinite(checks.cosine) and source.has_normals and target.has_normals:
+    if np.isfinite(checks.cosine) and all("normals" in cloud.arrays for cloud in (source, target)):
         normals = source.arrays["normals"], target.arrays["normals"]
     best = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
     if best.pose is None or best.count <= 0:

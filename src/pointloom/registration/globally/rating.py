@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
+from ...core.quaternions import nearest_rotations
 from ...kernels.memory import contiguous, download
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
@@ -17,11 +18,10 @@ from ..assessment import RegistrationAssessment
 from ..assessment_constants import MATCH_VOXELS
 from ..correspondence_input import check_clouds
 from ..evidence import NO_EVIDENCE, Evidence, Witness, rate_surfaces
-from ..icp.constraint import Constraint
+from ..icp.constraint import Constraint, constraints_of
 from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.evaluation import evaluate_registration
-from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
-from ..icp.iterative import MIN_DETERMINED_EIGENVALUE
+from ..icp.iterative import MIN_DETERMINED_EIGENVALUE, ICPOptions, IterativeRegistration
 from ..pose_errors import covariance_of, step_of
 from ..result import RegistrationResult
 from ..rigid import nearest_rotation, to_local
@@ -31,6 +31,8 @@ from ..voxel_size import choose_for
 
 Matrix = NDArray[np.float64]
 
+POINT_TO_PLANE = TransformationEstimationPointToPlane()
+MIN_FITNESS_CHANGE = 1e-4  # change of the fraction of matched points that ends ICP
 MIN_ERROR_CHANGE = 1e-5  # of the match distance: error change that ends ICP
 COMPARED_POINTS = 64  # sample points for pose comparison
 
@@ -151,10 +153,14 @@ def refine_poses(
             arrays = {"points": surface.points, "normals": surface.normals}
             clouds[id(surface)] = PointCloud.from_device_arrays(arrays, np.zeros(3))
             clouds[id(surface)].arrays.tree.adopt(surface.tree)
-    left, right = [clouds[id(s)] for s in sources], [clouds[id(s)] for s in targets]
-    rules = ICPConvergenceCriteria(1e-4, MIN_ERROR_CHANGE * distance, steps)
-    plane, bound = TransformationEstimationPointToPlane(), Constraint(free)
-    return registration_icp_batch(left, right, distance, poses, plane, rules, constraint=bound, degeneracy=degeneracy)
+    left, right = ([clouds[id(s)] for s in side] * (len(poses) // len(side)) for side in (sources, targets))
+    poses = poses.copy()
+    poses[:, :3, :3] = [nearest_rotations(R[None])[0] for R in poses[:, :3, :3]]
+    constraint = None if free is None else constraints_of(Constraint(free), len(poses))
+    options = ICPOptions(degeneracy=degeneracy, constraint=constraint)
+    problem = IterativeRegistration(left, right, poses, distance, POINT_TO_PLANE, options)
+    problem.run(steps, MIN_FITNESS_CHANGE, MIN_ERROR_CHANGE * distance)
+    return problem.results()
 
 
 def moved_samples(surface: Surface, poses: NDArray[np.float64]) -> NDArray[np.float64]:

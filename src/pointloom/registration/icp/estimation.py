@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike
 from ...core.checks import check_count, check_fraction, check_positive, check_rigid
 from ...kernels.icp.loop import RegistrationLoop
 from ...kernels.icp.matches import PointColumns
-from ...kernels.icp.robust_weights import Loss
 from ...kernels.icp.rows import (
     DopplerRule,
     sum_colored_rows,
@@ -173,7 +172,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and the pivots of the sums."""
-        return [Loss(*self.kernel.parameters), loop.progress.pivots]
+        return [self.kernel.loss, loop.progress.pivots]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -193,7 +192,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and the normals."""
-        return [Loss(*self.kernel.parameters), target]
+        return [self.kernel.loss, target]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -217,7 +216,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and both normals."""
-        return [Loss(*self.kernel.parameters), source, target]
+        return [self.kernel.loss, source, target]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -261,7 +260,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel and both covariances."""
-        return [Loss(*self.kernel.parameters), source, target]
+        return [self.kernel.loss, source, target]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -301,7 +300,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
         """The kernel, normals, intensities, gradients and the weight."""
-        return [Loss(*self.kernel.parameters), source, target, self.lambda_geometric]
+        return [self.kernel.loss, source, target, self.lambda_geometric]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -383,11 +382,11 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
             sensor,
             self.period,
             self.lambda_doppler,
-            Loss(*self.doppler_kernel.parameters),
+            self.doppler_kernel.loss,
             geometric_from=self.geometric_robust_loss_min_iteration,
             doppler_from=self.doppler_robust_loss_min_iteration,
             reject_from=self.outlier_rejection_min_iteration if self.reject_dynamic_outliers else never,
             threshold=self.doppler_outlier_threshold,
         )
-        kernel = Loss(*self.geometric_kernel.parameters)
+        kernel = self.geometric_kernel.loss
         return [kernel, source, target, loop.velocities, loop.progress.iterations, rule]

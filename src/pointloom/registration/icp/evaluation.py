@@ -14,6 +14,7 @@ from ...kernels.icp.loop import Matching
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
 from ..result import Outcome, RegistrationResult
+from ..rigid import to_local
 from .estimation import TransformationEstimationPointToPoint
 from .matched_clouds import MatchedClouds, grow_forest, order_points
 
@@ -92,7 +93,7 @@ class _Evaluation(MatchedClouds[Matching]):
         left, right = self._sides()
         self.source_clouds = order_points(left)
         jobs = Jobs(self.source_clouds, grow_forest(right), self.source_of, self.target_of)
-        self.loop = Matching(jobs, self._local_poses(poses), distance)
+        self.loop = Matching(jobs, to_local(poses, *self.origins), distance)
         self.loop.match()
 
 

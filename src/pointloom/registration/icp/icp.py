@@ -59,6 +59,9 @@ class ICPConvergenceCriteria:
         check_count("max_iteration", self.max_iteration, minimum=0, maximum=MAX_STEPS, because=reason)
 
 
+DEFAULT_CRITERIA = ICPConvergenceCriteria()
+
+
 @explain_argument_errors
 def registration_icp(
     source: PointCloud,
@@ -127,7 +130,8 @@ def registration_icp(
         >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reliable
         (np.True_, True)
     """
-    options = ICPOptions(overlap, max_normal_angle, degeneracy, constraints_of(constraint), weights)
+    fixed = None if constraint is None else constraints_of(constraint)
+    options = ICPOptions(overlap, max_normal_angle, degeneracy, fixed, weights)
     pair = source, target, max_correspondence_distance, init
     return run_icp(*pair, estimation_method, criteria, callback_after_iteration, options)
 
@@ -147,9 +151,10 @@ def run_icp(
     poses = check_poses("init", init, method)[None]
     distance = check_positive("max_correspondence_distance", max_correspondence_distance)
     problem = IterativeRegistration([source], [target], poses, distance, method, options.checked(method))
-    check_callback("callback_after_iteration", callback)
-    watch = partial(_report, problem, callback, source, target)
-    watch = None if callback is None and not watched() else watch
+    watch = None
+    if callback is not None or watched():
+        check_callback("callback_after_iteration", callback)
+        watch = partial(_report, problem, callback, source, target)
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     result = problem.results()[0]
     if result.fitness < LOW_FITNESS:
@@ -234,7 +239,7 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
 
 def check_rules(method: object, criteria: object) -> tuple[TransformationEstimation, ICPConvergenceCriteria]:
     method = TransformationEstimationPointToPoint() if method is None else method
-    criteria = ICPConvergenceCriteria() if criteria is None else criteria
+    criteria = DEFAULT_CRITERIA if criteria is None else criteria
     if not isinstance(method, TransformationEstimation):
         remedy = "such as loom.registration.TransformationEstimation.point_to_plane()"
         raise TypeError(f"estimation_method: expected an object {remedy}, got {shown(method)}")

@@ -24,9 +24,10 @@ from ...kernels.memory import upload
 from ...kernels.search.many_clouds import ManyClouds
 from ...pcd.cloud import PointCloud
 from ..result import Motions, Outcome, RegistrationResult
+from ..rigid import to_local, to_world
 from .constraint import JobConstraints, make_freedom
 from .estimation import Columns, TransformationEstimation
-from .matched_clouds import MatchedClouds, grow_forest, names_of, order_points
+from .matched_clouds import MatchedClouds, grow_forest, order_points
 from .preparation import Side, point_weights
 
 FAILURES = {
@@ -62,7 +63,8 @@ class ICPOptions:
             angle = check_angle("max_normal_angle", angle)
             if method._target_voxel_size is not None:
                 raise ValueError("max_normal_angle: the voxels of a voxelized target have no normals; leave it out")
-        check_constrainable(method, self.constraint)
+        if self.constraint is not None:
+            check_constrainable(method)
         return replace(self, overlap=overlap, max_normal_angle=angle, degeneracy=degeneracy)
 
 
@@ -74,8 +76,9 @@ def check_degeneracy(degeneracy: float) -> float:
     return fraction
 
 
-def check_constrainable(method: TransformationEstimation, constraint: JobConstraints | None) -> None:
-    if constraint is not None and not method.constrainable:
+def check_constrainable(method: TransformationEstimation) -> None:
+    """Raise if the estimator cannot have a constraint."""
+    if not method.constrainable:
         raise ValueError(
             f"constraint: {type(method).__name__} cannot be constrained. "
             "Use TransformationEstimation.point_to_plane() or another one that can"
@@ -108,38 +111,32 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
             gaussians = _make_gaussians(targets, estimation._target_voxel_size)
         jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
         geometry = estimation.geometry()
-        local = self._local_poses(poses)
+        local = to_local(poses, *self.origins)
         self.loop = RegistrationLoop(jobs, local, distance, gaussians, separate_geometry=geometry is not None)
-        self._constrain(options.constraint, options.weights, local)
+        self.constraint, self.freedom = options.constraint, None
+        if options.constraint is not None:
+            self.freedom = self._make_freedom(options.constraint, local)
+        if options.weights is not None:
+            columns = point_weights(self._sources, options.weights, self._source_names)
+            self.loop.matches.weigh(self.source_clouds.gather(columns))
         if gaussians is not None:
             target = PointColumns(covariances=self.loop.target_covariances)
         self._arguments = estimation.arguments(self.loop, source, target)
         self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
-        self._rejection = self._make_rejection(options, source, target)
+        self._rejection = None
+        if options.overlap is None or options.overlap < 1 or options.max_normal_angle is not None:
+            self._rejection = self._make_rejection(options, source, target)
 
-    def _make_rejection(self, options: ICPOptions, source: PointColumns, target: PointColumns) -> PairRejection | None:
+    def _make_rejection(self, options: ICPOptions, source: PointColumns, target: PointColumns) -> PairRejection:
         overlap, angle = options.overlap, options.max_normal_angle
-        if overlap is not None and overlap >= 1 and angle is None:
-            return None
         counts, sizes = self.loop.jobs.counts, self.loop.progress.sizes if overlap is None else None
         pair_limit = None if overlap is None or overlap >= 1 else np.ceil(overlap * counts).astype(np.int32)
         normals = None if angle is None else (source.normals, target.normals, float(np.cos(angle)))
         return PairRejection(self.loop.matches, pair_limit, normals, sizes=sizes)
 
-    def _constrain(
-        self, constraint: JobConstraints | None, weights: ArrayLike | str | None, local: NDArray[np.float64]
-    ) -> None:
-        self.constraint, self.freedom = constraint, None
-        if constraint is not None:
-            self.freedom = self._make_freedom(constraint, local)
-        if weights is not None:
-            columns = point_weights(self._sources, weights, names_of("source", self.source_of))
-            self.loop.matches.weigh(self.source_clouds.gather(columns))
-
     def _make_freedom(self, constraint: JobConstraints, local: NDArray[np.float64]) -> Freedom:
-        anchors = local if constraint.anchors is None else self._local_poses(constraint.anchors)
-        jobs = zip(self.source_of, self.target_of, strict=True)
-        origins = [(self._source_origins[s], self._target_origins[t]) for s, t in jobs]
+        anchors = local if constraint.anchors is None else to_local(constraint.anchors, *self.origins)
+        origins = list(zip(*self.origins, strict=True))
         return make_freedom(constraint, self.loop, anchors, origins, self.estimation.residual_count)
 
     def run(
@@ -174,7 +171,7 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         state = {
             # a running job has taken one more step
             "iteration_index": int(states["iterations"][0]) - int(states["live"][0]),
-            "transformation": self._world(states["earlier"])[0],
+            "transformation": to_world(states["earlier"], *self.origins)[0],
             "fitness": float(states["fitness"][0]),
             "inlier_rmse": float(states["rmse"][0]),
         }
@@ -183,16 +180,25 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
     def results(self) -> list[RegistrationResult]:
         states = self.loop.states.download()  # sync
         names = ("fitness", "rmse", "iterations", "outcomes", "free_counts")
-        rows = zip(self._world(states["poses"]), *(states[name].tolist() for name in names), strict=True)
-        constraint_results = self._constraint_results()
+        poses = to_world(states["poses"], *self.origins)
+        rows = zip(poses, *(states[name].tolist() for name in names), strict=True)
+        constrained: list[dict[str, Any]] = [{}] * len(poses)
+        if self.constraint is not None and self.freedom is not None:
+            values = self.freedom.storage.download("states", "prior_counts")  # sync
+            pairs, free = zip(values["states"], values["prior_counts"], strict=True), self.constraint.free
+            constrained = [{"free": free, "prior_count": int(n), "parameters": state.copy()} for state, n in pairs]
         results = [
             RegistrationResult(
                 pose.copy(),
                 fitness,
                 rmse,
                 lambda job=job: self.pairs_of(job),
-                outcome=Outcome(iterations, outcome == JOB_CONVERGED, _warnings_of(outcome, iterations)),
-                motions=Motions(states["free"][job].reshape(6, 6)[:free_count].copy(), *constraint_results[job]),
+                outcome=Outcome(
+                    iterations,
+                    outcome == JOB_CONVERGED,
+                    (FAILURES[outcome].format(iterations),) if outcome in FAILURES else (),
+                ),
+                motions=Motions(states["free"][job].reshape(6, 6)[:free_count].copy(), **constrained[job]),
                 clouds=self.clouds_of(job),
             )
             for job, (pose, fitness, rmse, iterations, outcome, free_count) in enumerate(rows)
@@ -201,15 +207,6 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
             result.check_scale()
         return results
 
-    def _constraint_results(self) -> Sequence[tuple[Any, ...]]:
-        """Constraint results of each job: free motions, the number of prior directions, and parameters."""
-        if self.constraint is None or self.freedom is None:
-            return [()] * self.loop.jobs.count
-        values = self.freedom.storage.download("states", "prior_counts")  # sync
-        pairs = zip(values["states"], values["prior_counts"], strict=True)
-        free = self.constraint.free
-        return [(free, int(count), state.copy()) for state, count in pairs]
-
 
 def _make_gaussians(targets: Side, voxel_size: float) -> VoxelGaussians:
     points = joined_rows(targets.points) if targets.joined is None else targets.joined
@@ -217,10 +214,6 @@ def _make_gaussians(targets: Side, voxel_size: float) -> VoxelGaussians:
     segments = upload(np.repeat(np.arange(len(sizes)), sizes), int32, points.device)
     covariances = joined_rows(targets.columns["covariances"])
     return VoxelGaussians(points, covariances, voxel_size, segments=segments, segment_count=len(sizes))
-
-
-def _warnings_of(outcome: int, iterations: int) -> tuple[str, ...]:
-    return (FAILURES[outcome].format(iterations),) if outcome in FAILURES else ()
 
 
 def _point_columns(clouds: ManyClouds, columns: Columns) -> PointColumns:

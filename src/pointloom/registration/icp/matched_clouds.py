@@ -20,8 +20,8 @@ from ...kernels.search.point_forest import PointForest
 from ...pcd.cached_tree import check_extent
 from ...pcd.cloud import PointCloud
 from ..result import Pairs, Registered
-from ..rigid import skew, symmetric_matrices, to_local, to_world
-from .estimation import Columns, TransformationEstimation
+from ..rigid import skew, symmetric_matrices
+from .estimation import TransformationEstimation
 from .preparation import Side, drop_unusable_points, in_sensor_frame, normals_of
 
 Loop = TypeVar("Loop", bound=Matching)
@@ -41,54 +41,49 @@ class MatchedClouds(Generic[Loop]):
         estimation: TransformationEstimation,
     ):
         self.estimation, self.distance = estimation, distance
-        self._take_clouds(source_clouds, target_clouds)
-
-    def _take_clouds(self, sources: Sequence[PointCloud], targets: Sequence[PointCloud]) -> None:
-        self._sources, self.source_of = _distinct(sources)
-        self._targets, self.target_of = _distinct(targets)
+        self._sources, self.source_of, self._source_names = _distinct("source", source_clouds)
+        self._targets, self.target_of, self._target_names = _distinct("target", target_clouds)
         for cloud in (*self._sources, *self._targets):
-            check_same_device("clouds", self._sources[0].device, cloud.device)
-        if self.estimation.in_sensor_frame:
-            names = self._names()
-            self._sources = [in_sensor_frame(c, n) for c, n in zip(self._sources, names[0], strict=True)]
-            self._targets = [in_sensor_frame(c, n) for c, n in zip(self._targets, names[1], strict=True)]
+            check_same_device("clouds", self._sources[0].arrays["points"].device, cloud.arrays["points"].device)
+        if estimation.in_sensor_frame:
+            self._sources = [in_sensor_frame(c, n) for c, n in zip(self._sources, self._source_names, strict=True)]
+            self._targets = [in_sensor_frame(c, n) for c, n in zip(self._targets, self._target_names, strict=True)]
+        source_origins = np.array([cloud.arrays.origin for cloud in self._sources])
+        target_origins = np.array([cloud.arrays.origin for cloud in self._targets])
+        self.origins = source_origins[self.source_of], target_origins[self.target_of]  # of each job
 
     def _sides(self, with_normals: bool = False) -> tuple[Side, Side]:
-        source_names, target_names = self._names()
-        source_columns = self.estimation._source_columns(self._sources, source_names, self.distance)
-        target_columns = self.estimation._target_columns(self._targets, target_names, self.distance)
+        sources, targets = (self._sources, self._source_names), (self._targets, self._target_names)
+        source_columns = self.estimation._source_columns(*sources, self.distance)
+        target_columns = self.estimation._target_columns(*targets, self.distance)
         if with_normals:
-            self._add_normals(source_columns, self._sources, source_names)
-            self._add_normals(target_columns, self._targets, target_names)
-        sides = Side(self._sources, source_columns, source_names), Side(self._targets, target_columns, target_names)
-        drop_unusable_points(sides)
-        return sides
-
-    def _names(self) -> tuple[list[str], list[str]]:
-        return names_of("source", self.source_of), names_of("target", self.target_of)
-
-    def _local_poses(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
-        self._source_origins = np.array([cloud.origin for cloud in self._sources])
-        self._target_origins = np.array([cloud.origin for cloud in self._targets])
-        return to_local(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
+            for columns, (clouds, names) in ((source_columns, sources), (target_columns, targets)):
+                if "normals" not in columns:
+                    columns["normals"] = normals_of(clouds, names, "max_normal_angle")
+        given = (*sources, source_columns), (*targets, target_columns)
+        left, right = (Side(*side, [cloud.arrays["points"] for cloud in side[0]]) for side in given)
+        drop_unusable_points((left, right))
+        for side in (left, right):
+            first = side.clouds[0].arrays
+            if len(side.points) == 1 and side.points[0] is first["points"]:
+                side.tree = first.tree
+        return left, right
 
     def clouds_of(self, job: int) -> Registered:
         """The clouds of a job as they are now, and the match distance [m]."""
-        source, target = self._sources[self.source_of[job]].copy(), self._targets[self.target_of[job]].copy()
+        pair = self._sources[self.source_of[job]], self._targets[self.target_of[job]]
+        source, target = (cloud.with_arrays(cloud.arrays, grid=cloud.grid) for cloud in pair)
         is_plain = not (self.estimation.needs_colors or self.estimation.in_sensor_frame)
         return Registered(source, target, self.distance, self.estimation.scales, is_plain)
 
     def information(self) -> NDArray[np.float64]:
         """Information matrices of the pairs in world coordinates, [jobs, 6, 6]."""
         matrices = symmetric_matrices(self.loop.measure_information())
-        for job, t in enumerate(self.target_of):
+        for job, origin in enumerate(self.origins[1]):
             shift = np.eye(6)  # G(q + o) = G(q) (I, 0; -[o]x, I)
-            shift[3:, :3] = -skew(self._target_origins[t])
+            shift[3:, :3] = -skew(origin)
             matrices[job] = matmul(shift.T, matrices[job], shift)
         return matrices
-
-    def _world(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
-        return to_world(poses, self._source_origins[self.source_of], self._target_origins[self.target_of])
 
     def pairs_of(self, job: int) -> Pairs:
         """(source, target) rows of a job's pairs, by source. Target rows are voxels in a voxelized target."""
@@ -110,38 +105,32 @@ class MatchedClouds(Generic[Loop]):
         pairs = np.stack([rows[paired], target_rows], axis=1).astype(np.int32)
         return pairs[np.argsort(pairs[:, 0], kind="stable")]
 
-    def _add_normals(self, columns: Columns, clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
-        if "normals" not in columns:
-            columns["normals"] = normals_of(clouds, names, "max_normal_angle")
-
 
 def order_points(sources: Side) -> ManyClouds:
-    if sources.is_one_complete_cloud:
-        return sources.clouds[0].arrays.tree.order()
+    if sources.tree is not None:
+        return sources.tree.order()
     return ManyClouds(sources.points, joined=sources.joined)
 
 
 def grow_forest(targets: Side) -> PointForest:
-    if targets.is_one_complete_cloud:
-        return targets.clouds[0].arrays.tree.forest()
+    if targets.tree is not None:
+        return targets.tree.forest()
     forest = PointForest(targets.points, joined=targets.joined)
     clouds = forest.clouds
     check_extent("targets", clouds.low, clouds.high, clouds.points)
     return forest
 
 
-def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[np.int64]]:
+def _distinct(role: str, clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[np.int64], list[str]]:
+    """The distinct clouds, their index for each job, and their names in messages, by the first job of each."""
     indices: dict[int, int] = {}
     distinct: list[PointCloud] = []
-    numbers = []
-    for cloud in clouds:
+    numbers: list[int] = []
+    names: list[str] = []
+    for job, cloud in enumerate(clouds):
         index = indices.setdefault(id(cloud), len(distinct))
         if index == len(distinct):
             distinct.append(cloud)
+            names.append(f"{role}s[{job}]")
         numbers.append(index)
-    return distinct, np.array(numbers, np.int64)
-
-
-def names_of(role: str, numbers: NDArray[np.int64]) -> list[str]:
-    _, firsts = np.unique(numbers, return_index=True)
-    return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
+    return distinct, np.array(numbers, np.int64), [role] if len(names) == 1 else names

@@ -141,7 +141,7 @@ def _register(
 
 
 def _with_normals(cloud: PointCloud, voxel_size: float) -> PointCloud:
-    if cloud.has_normals:
+    if "normals" in cloud.arrays:
         return cloud
     return cloud.estimate_normals(radius=NORMAL_RADIUS * voxel_size or None, max_nn=NORMAL_NEIGHBORS)
 

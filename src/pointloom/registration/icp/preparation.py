@@ -22,8 +22,10 @@ from ...kernels.extent.masks import count_unusable, drop_unusable
 from ...kernels.icp.color_gradients import average_colors, estimate_color_gradients
 from ...kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
 from ...kernels.lang import float32, vec3
+from ...kernels.language.device_arrays import reinterpreted
 from ...kernels.memory import cast, download, upload
 from ...kernels.surface.orientation import normalize_vectors
+from ...pcd.cached_tree import CachedTree
 from ...pcd.cloud import PointCloud
 
 GRADIENT_RADIUS = 2.0  # times the maximum correspondence distance, as in Open3D
@@ -55,31 +57,25 @@ def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
 class Side:
     """All sources or all targets, with the columns that the estimator requires: arrays by cloud, or one for all.
 
-    `points`: usable points by cloud. `joined`: those of all clouds, if they are in one array.
+    `points`: usable points by cloud. `joined`: those of all clouds, if they are in one array. `tree`: the cached tree
+    of one cloud whose points are all used.
     """
 
     clouds: Sequence[PointCloud]
-    columns: dict[str, list[Any]]
     names: Sequence[str]
-
-    def __post_init__(self) -> None:
-        self.points = [cloud.arrays["points"] for cloud in self.clouds]
-        self.joined: wp.array | None = None
-
-    @property
-    def is_one_complete_cloud(self) -> bool:
-        """True for one cloud whose points are all used."""
-        return len(self.points) == 1 and self.points[0] is self.clouds[0].arrays["points"]
-
-    def columns_of(self, k: int) -> list[wp.array]:
-        return [_as_rows(arrays[k]) for arrays in self.columns.values()]
+    columns: dict[str, list[Any]]
+    points: Sequence[wp.array]
+    joined: wp.array | None = None
+    tree: CachedTree | None = None
 
 
 def drop_unusable_points(sides: Sequence[Side]) -> None:
     """Set the points to NaN with a NonFiniteWarning where a required column is not finite. Join many clouds."""
     if any(len(side.clouds) > 1 for side in sides) and _join_usable(sides):
         return
-    columns = [side.columns_of(k) for side in sides for k in range(len(side.clouds))]
+    columns = [
+        [_as_rows(arrays[k]) for arrays in side.columns.values()] for side in sides for k in range(len(side.clouds))
+    ]
     points, counts = drop_unusable([p for side in sides for p in side.points], columns)
     clouds, names = ([x for side in sides for x in getattr(side, name)] for name in ("clouds", "names"))
     required = [list(side.columns) for side in sides for _ in side.clouds]
@@ -107,21 +103,23 @@ def _join_usable(sides: Sequence[Side]) -> bool:
 
 
 def _as_rows(values: wp.array) -> wp.array:
-    return view_as(values, float32, (len(values), 3)) if values.dtype == vec3 else values
-
-
-def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
-    if not cloud.has_normals:
-        raise ValueError(f"{name}: {method} needs normals, and it has none; call {name} = {name}.estimate_normals()")
-    return cloud.arrays["normals"]
+    if values.dtype != vec3:
+        return values
+    shape = len(values), 3
+    rows = reinterpreted(values, 0, float32, shape)
+    return view_as(values, float32, shape) if rows is None else rows
 
 
 def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) -> list[wp.array]:
-    return [require_normals(cloud, name, method) for cloud, name in zip(clouds, names, strict=True)]
+    for cloud, name in zip(clouds, names, strict=True):
+        if "normals" not in cloud.arrays:
+            remedy = f"call {name} = {name}.estimate_normals()"
+            raise ValueError(f"{name}: {method} needs normals, and it has none; {remedy}")
+    return [cloud.arrays["normals"] for cloud in clouds]
 
 
 def require_colors(cloud: PointCloud, name: str) -> wp.array:
-    if not cloud.has_colors:
+    if "colors" not in cloud.arrays:
         raise ValueError(f"{name}: colored ICP needs colors, and it has none; assign cloud.colors")
     return cloud.arrays["colors"]
 
@@ -137,7 +135,7 @@ def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, nam
     Gradients come from the 30 nearest neighbors within twice `max_correspondence_distance` [m], as in Open3D, but with
     the projection onto the tangent plane, which Open3D dropped in 2022.
     """
-    normals = require_normals(cloud, name, "colored ICP")
+    (normals,) = normals_of([cloud], [name], "colored ICP")
     colors = require_colors(cloud, name)
     radius = GRADIENT_RADIUS * max_correspondence_distance
     gradients = estimate_color_gradients(cloud.search_tree(), normals, colors, radius, GRADIENT_NEIGHBORS)
@@ -151,7 +149,7 @@ def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "clou
         if rows.shape != (len(cloud), 9):
             raise ValueError(f"{name}: expected covariances of shape [{len(cloud)}, 9], got {list(rows.shape)}")
         return rows if rows.dtype == float32 else cast(rows, float32)
-    if cloud.has_normals:
+    if "normals" in cloud.arrays:
         return plane_covariances_from_normals(cloud.arrays["normals"], epsilon)
     return plane_covariances(cloud.search_tree(), COVARIANCE_NEIGHBORS, epsilon)
 

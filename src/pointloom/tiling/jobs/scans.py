@@ -28,7 +28,7 @@ from ...kernels.memory import download, upload
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...registration.assessment_constants import MIN_SCORE
-from ...registration.globally.global_registration import Description, describe, describe_surface
+from ...registration.globally.global_registration import Description, describe
 from ...registration.globally.level_poses import check_level
 from ...registration.pose_graphs.connected_parts import connected_parts
 from ...registration.pose_graphs.fragment_graph import (
@@ -187,7 +187,7 @@ class RegistrationJob(Job):
     def _describe(self, scan: int) -> Description:
         surface = self._surface(scan)
         arrays = (surface.arrays[name] for name in ("points", "normals"))
-        return describe_surface(surface, Surface(*arrays), self.size)
+        return describe(surface, self.size, Surface(*arrays))
 
     def _surfaces(self, pair: FragmentPair) -> dict[int, PointCloud]:
         return {k: self._described(k).cloud for k in (pair.source, pair.target)}
