@@ -17,6 +17,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ...cameras.imu_readings import ImuReadings
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.observers import report
@@ -34,6 +35,7 @@ from ...pcd.point_arrays import check_cloud
 from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose, pose_of
 from .deskewing import MIN_TIMES, are_single, check_resolution, point_times, twist_of, warn_of_coarse_times
+from .inertial import InertialMotion, InertialTracker, check_imu, end_of_scan
 from .lidar_steps import (
     FIRST_SCAN,
     MAX_REST,
@@ -205,8 +207,23 @@ class LidarOdometry(Serialized):
         """Summary statistics of the run so far."""
         return summarize_steps(self.steps)
 
+    @property
+    def up(self) -> NDArray[np.float64] | None:
+        """Up in world coordinates, a unit vector [3], by the accelerometer; `registration.leveled` takes it.
+
+        None before one second of scans with IMU readings."""
+        self._finish_interrupted()
+        gravity = self._known.inertial.gravity
+        return None if gravity is None else gravity / norm(gravity)
+
     def register(
-        self, scan: PointCloud, timestamps: ArrayLike | None = None, *, prior: ArrayLike | None = None
+        self,
+        scan: PointCloud,
+        timestamps: ArrayLike | None = None,
+        *,
+        prior: ArrayLike | None = None,
+        imu: ImuReadings | None = None,
+        time: float | None = None,
     ) -> Matrix:
         """Estimate the pose of the next scan.
 
@@ -215,7 +232,12 @@ class LidarOdometry(Serialized):
             timestamps: Time of each point, shape [n], in any unit and from any origin. None: the scan's attribute
                 "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time", if any.
             prior: Motion since the last scan, T_last_sensor, shape [4, 4], from wheels or an IMU: the initial pose,
-                kept along undetermined directions. None: constant velocity.
+                kept along undetermined directions. None: constant velocity, or the motion by `imu`.
+            imu: Readings of an IMU, at least from the end of the last scan to the end of this scan: they predict the
+                motion and deskew the scan. If readings are missing for more than 50 ms, the velocity is constant. All
+                readings of a recording may be passed each time.
+            time: With `imu`: time of the end of the scan [s] on the clock of the IMU. None: the last point time, which
+                must be in seconds on this clock.
 
         Returns:
             T_world_sensor at the end of the scan, float64 [4, 4]. A scan without points in range or without overlap
@@ -224,7 +246,8 @@ class LidarOdometry(Serialized):
         Raises:
             TypeError: `scan` is not a PointCloud.
             ValueError: Times of another length or that float32 does not resolve, a prior that is not rigid, or a path
-                beyond 2^20 voxels from its start.
+                beyond 2^20 voxels from its start. With `imu`: no time, a time that is not after the last scan's, or
+                that is more than a minute from all readings.
             DeviceError: The scan is on another device than the odometry.
         """
         check_cloud("scan", scan)
@@ -233,13 +256,17 @@ class LidarOdometry(Serialized):
         motion = None if prior is None else check_rigid("prior", prior)
         self._finish_interrupted()
         state = self._known
-        times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
+        has_times = self.deskew or timestamps is not None or imu is not None
+        times = point_times(scan, timestamps) if has_times else None
         points = scan.arrays["points"]
         if self.deskew and times is not None and self._part is None and len(scan) > MIN_POINTS:
             self._part = part_of_interval(points, times, scan.origin, self.interval, are_single(scan, timestamps))
-        raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0)
+        inertial = None if imu is None else self._predict_inertial(points, times, check_imu(imu), time)
+        raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0).with_imu(inertial)
         voxel_map = self._empty_map(scan.device) if state.map is None else state.map
-        motion, has_prior = (state.motion, False) if motion is None else (motion, True)
+        has_prior = motion is not None
+        if motion is None:
+            motion = state.motion if inertial is None or inertial.motion is None else inertial.motion
         predicted = matmul(self._last_pose(), motion)
         downsampled = self._downsample(raw, motion)
         step = self._match(voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion)
@@ -256,11 +283,18 @@ class LidarOdometry(Serialized):
                 alone = state.rest.scan.map_like(voxel_map, self.max_range)
                 near, beyond = unmatched_by_range(downsampled.dense, alone, step.pose, distance)
                 step = replace(step, rest_change=beyond - near)
-        self._next = self._next_state(step, downsampled, voxel_map, predicted, raw)
+        self._next = self._next_state(step, downsampled, voxel_map, predicted, raw).with_imu(inertial)
         self._next.join(self.max_range)
         self._adopt(self._next)
         report("scan", odometry=self, scan=scan, step=self._steps[-1])
         return self._steps[-1].pose.copy()
+
+    def _predict_inertial(
+        self, points: wp.array, times: wp.array | None, imu: ImuReadings, time: float | None
+    ) -> InertialMotion:
+        first, last = (None, None) if times is None else map(float, download(bound_times(points, times)))  # sync
+        end = end_of_scan(time, first, last)
+        return self._known.inertial.predict(imu, len(self._steps), end, first if time is None else None)
 
     def _finish_interrupted(self) -> None:
         """Complete an interrupted scan if the map has changed, else discard it."""
@@ -485,6 +519,7 @@ class OdometryState:
     pending: PendingScan | None = None
     map_error: MapError = field(default_factory=MapError)
     rest: Rest | None = None
+    inertial: InertialTracker = field(default_factory=InertialTracker)
 
     def after(self, step: OdometryStep, last_pose: Matrix, pending: PendingScan | None) -> OdometryState:
         if not step.is_sound:
@@ -515,6 +550,13 @@ class MapUpdate:
     additions: int
     parts: tuple[tuple[wp.array, Matrix], ...]
 
+    def with_imu(self, inertial: InertialMotion | None) -> MapUpdate:
+        """Record the readings' use in the step and state."""
+        if inertial is None:
+            return self
+        step = replace(self.step, has_imu=inertial.motion is not None, imu_difference=inertial.difference(self.step))
+        return replace(self, step=step, known=replace(self.known, inertial=inertial.after(step)))
+
     def has_begun(self) -> bool:
         return self.known.map is not None and self.known.map.additions > self.additions
 
@@ -538,11 +580,18 @@ class RawScan:
     origin: NDArray[np.float64]
     times: wp.array | None
     part: float = 1.0
+    path: Matrix | None = None
+
+    def with_imu(self, inertial: InertialMotion | None) -> RawScan:
+        """The scan with the rotation during it by an IMU, and the fraction of the interval by its clock."""
+        if inertial is None or self.times is None:
+            return self
+        return replace(self, path=inertial.path, part=inertial.part or self.part)
 
     def copy(self) -> RawScan:
         """A copy of the scan: a sensor driver may reuse its buffer."""
         times = None if self.times is None else clone(self.times)
-        return RawScan(clone(self.points), self.origin, times, self.part)
+        return replace(self, points=clone(self.points), times=times)
 
     def deskewed(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, deskewed by the motion between scans (eqs. 2 to 4)."""

@@ -76,6 +76,9 @@ class OdometryStep(AssessedRecord):
         covariance: Covariance of the error of the pose relative to the first scan, accumulated along the path: a
             rotation vector [rad] and the displacement of the sensor [m], along the axes of the world.
         match_error: Covariance of the error of the pose in the map.
+        has_imu: True if readings of an IMU predicted the motion.
+        imu_difference: Angle [rad] between the rotations since the last scan by the gyroscope and by the scans. None if
+            one of them is unknown.
     """
 
     index: int
@@ -99,6 +102,8 @@ class OdometryStep(AssessedRecord):
     rest_change: float = 0.0
     covariance: PoseCovariance = field(default_factory=lambda: PoseCovariance(np.zeros((6, 6)), np.zeros(3)))
     match_error: MatchError = field(default_factory=MatchError)
+    has_imu: bool = False
+    imu_difference: float | None = None
 
     @property
     def warnings(self) -> tuple[str, ...]:
