@@ -144,7 +144,7 @@ class InertialMotion:
 
     Attributes:
         motion: T_last_sensor, or None if readings are missing.
-        path: Rotation vectors of the sensor during the scan relative to its end, minus a constant rotation, shape
+        path: Rotation vectors of the sensor relative to the end of the scan, from its first to its last point, shape
             (PATH_STEPS + 1, 3). None if readings are missing.
         part: Fraction of the interval since the last scan that the points cover, or None.
     """
@@ -261,8 +261,7 @@ def rotation_path(readings: ImuReadings, begin: float, end: float, bias: Matrix)
     rotations = _rotations(readings, times, bias)
     to_end = matmul(rotations[-1].T, rotations[np.searchsorted(times, wanted)])
     vectors = np.array([rotation_vector(R) for R in to_end])
-    constant = np.linspace(1.0, 0.0, PATH_STEPS + 1)[:, None] * vectors[0]
-    return matmul(vectors - constant, readings.T_sensor_imu[:3, :3].T)
+    return matmul(vectors, readings.T_sensor_imu[:3, :3].T)
 
 
 def _knots(readings: ImuReadings, start: float, end: float) -> Matrix | None:

@@ -25,7 +25,7 @@ from ...core.serialized import Serialized
 from ...core.units import METRE, common_unit
 from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.memory import clone, contiguous, download
-from ...kernels.odometry.deskewing import bound_times, deskew_points
+from ...kernels.odometry.deskewing import bound_times, deskew_along_path, deskew_points
 from ...kernels.odometry.map_aligner import MapAligner
 from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points, thin_successively
 from ...kernels.odometry.pose_probes import unmatched_by_range
@@ -595,6 +595,9 @@ class RawScan:
 
     def deskewed(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, deskewed by the motion between scans (eqs. 2 to 4)."""
+        if self.path is not None and self.times is not None and self._span is not None:
+            velocity = self.part * twist_of(motion)[3:]
+            return deskew_along_path(self.points, self.times, self.origin, self._span, self.path, velocity)
         if not np.array_equal(motion, np.eye(4)) and self.times is not None and self._span is not None:
             return deskew_points(self.points, self.times, self.origin, self._span, self.part * twist_of(motion))
         return shift_points(self.points, self.origin)
