@@ -229,6 +229,9 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 )
 @click.option("--truth", type=FILE, metavar="FILE", help="True poses of the scanner, for printing the errors.")
 @click.option("--topic", metavar="NAME", help="Recordings: topic of the clouds. Default: the only one with clouds.")
+@click.option(
+    "--imu", metavar="NAME", help="Recordings: topic of IMU readings, for the motion between and during scans."
+)
 @columns_option()
 @record_option("each scan with the map and the trajectory")
 @device_option()
@@ -245,9 +248,12 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     wrong, and the summary lists the scans.
 
     DIR may also be a recording: a ROS 1 .bag, a .db3 or .mcap file, or a folder of them. Requires pointloom[ros].
+    --imu uses the recorded IMU, which handheld sensors need. Its clock must be that of the clouds, and its pose is the
+    static transform to the frame of the clouds, if there is one.
 
     \b
     pointloom odometry run.mcap --topic /points -o poses.tum
+    pointloom odometry run.mcap --topic /points --imu /imu/data -o poses.tum
     pointloom odometry velodyne -o poses.txt
     pointloom odometry velodyne -o poses.kitti --truth truth.txt
     pointloom odometry velodyne -o 00.txt --format kitti

@@ -64,16 +64,11 @@ MAX_TIME_STEP = 1e-3  # [s] float resolution beyond which point times are useles
 
 
 def with_seconds(
-    path: Path,
-    columns: Mapping[str, NDArray[Any]],
-    seen: NDArray[Any],
-    stamp: float,
-    *,
-    absolute_times: bool = False,
+    path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[Any], stamp: float, *, absolute_times: bool = False
 ) -> dict[str, Any]:
     """Replace the driver's times by `time` [s] since the first point, or on the clock of the header, if their unit is
-    certain. `seen` (n,) marks measured points, `stamp` is the header time [s]. Warns of unknown or unexpected units. Without a
-    unit the values are unchanged, with `time` renamed to `timestamps`."""
+    certain. `seen` (n,) marks measured points, `stamp` is the header time [s]. Warns of unknown or unexpected units.
+    Without a unit the values are unchanged, with `time` renamed to `timestamps`."""
     remaining = dict(columns)
     name = next((name for name in NAMES if name in remaining and remaining[name].ndim == 1), None)
     if name is None:

@@ -30,6 +30,7 @@ Matrix = NDArray[np.float64]
 MAX_READING_GAP = 0.05  # [s] between readings. Handheld sensors reverse their rotation within 0.15 s
 MAX_CLOCK_DIFFERENCE = 60.0  # [s] between the first scan and the readings; more is another clock
 MIN_GRAVITY_TIME = 1.0  # [s] of readings: a velocity error of 0.3 m/s then leaves 0.3 m/s^2, 3 mm in 0.1 s
+MAX_SCAN_DURATION = 2.0  # [s] more is another unit: scanners need 0.02 to 0.5 s
 BIAS_SIGMA = 0.02  # [rad/s] standard deviation of an unknown bias. Data sheets of MEMS gyroscopes: up to 1 degree/s
 BIAS_WALK = 1e-4  # [rad/s per root s] random walk of the bias by temperature
 ROTATION_SIGMA = 0.003  # [rad] error of the rotation between two scans
@@ -87,7 +88,7 @@ class InertialTracker:
         """Mean acceleration against gravity in world coordinates [m/s^2], which points up. None before 1 s."""
         return self.gravity_sum / self.gravity_time if self.gravity_time >= MIN_GRAVITY_TIME else None
 
-    def predict(self, readings: ImuReadings, index: int, end: float | None, begin: float | None) -> InertialMotion:
+    def predict(self, readings: ImuReadings, index: int, begin: float | None, end: float | None) -> InertialMotion:
         """Predict the motion to the scan `index`, whose points are measured from `begin` to `end` [s]."""
         if end is None:
             return InertialMotion(self, readings, index, math.nan)
@@ -219,18 +220,23 @@ def check_imu(imu: object) -> ImuReadings:
     return imu
 
 
-def end_of_scan(time: object, first: float | None, last: float | None) -> float | None:
-    """The time [s] of the end of a scan: `time`, or its last point time. None for a scan without points."""
+def span_of_scan(time: float | None, first: float | None, last: float | None) -> tuple[float | None, float | None]:
+    """The times [s] of the first and last point of a scan that ends at `time`, or at its last point time. None if
+    unknown: without point times, and for a scan without points."""
+    has_span = first is not None and last is not None and first <= last
+    duration = last - first if has_span and first is not None and last is not None else None
+    if duration is not None and duration > MAX_SCAN_DURATION:
+        raise ValueError(f"timestamps: expected point times in seconds with imu, got a scan of {duration:.6g} s")
     if time is not None:
-        value = check_time("time", time)
-        check_unit_of_seconds("time", np.array([value]))
-        return value
+        end = check_time("time", time)
+        check_unit_of_seconds("time", np.array([end]))
+        return None if duration is None else end - duration, end
     if first is None or last is None:
         raise ValueError("time: the scan has no point times. With imu, pass the time of its end [s]")
-    if not first <= last:
-        return None
+    if duration is None:
+        return None, None
     check_unit_of_seconds("timestamps", np.array([last]))
-    return last
+    return first, last
 
 
 def integrate(readings: ImuReadings, start: float, end: float, bias: Matrix) -> Increment | None:

@@ -35,7 +35,7 @@ from ...pcd.point_arrays import check_cloud
 from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose, pose_of
 from .deskewing import MIN_TIMES, are_single, check_resolution, point_times, twist_of, warn_of_coarse_times
-from .inertial import InertialMotion, InertialTracker, check_imu, end_of_scan
+from .inertial import InertialMotion, InertialTracker, check_imu, span_of_scan
 from .lidar_steps import (
     FIRST_SCAN,
     MAX_REST,
@@ -236,8 +236,8 @@ class LidarOdometry(Serialized):
             imu: Readings of an IMU, at least from the end of the last scan to the end of this scan: they predict the
                 motion and deskew the scan. If readings are missing for more than 50 ms, the velocity is constant. All
                 readings of a recording may be passed each time.
-            time: With `imu`: time of the end of the scan [s] on the clock of the IMU. None: the last point time, which
-                must be in seconds on this clock.
+            time: With `imu`: time of the end of the scan [s] on the clock of the IMU; point times may then have another
+                origin. None: the last point time. With `imu`, point times must be in seconds.
 
         Returns:
             T_world_sensor at the end of the scan, float64 [4, 4]. A scan without points in range or without overlap
@@ -293,8 +293,7 @@ class LidarOdometry(Serialized):
         self, points: wp.array, times: wp.array | None, imu: ImuReadings, time: float | None
     ) -> InertialMotion:
         first, last = (None, None) if times is None else map(float, download(bound_times(points, times)))  # sync
-        end = end_of_scan(time, first, last)
-        return self._known.inertial.predict(imu, len(self._steps), end, first if time is None else None)
+        return self._known.inertial.predict(imu, len(self._steps), *span_of_scan(time, first, last))
 
     def _finish_interrupted(self) -> None:
         """Complete an interrupted scan if the map has changed, else discard it."""

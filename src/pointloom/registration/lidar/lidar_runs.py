@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...cameras.imu_readings import ImuReadings
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_callback, check_numeric, check_shape
 from ...core.devices import DeviceLike
@@ -18,12 +19,21 @@ from .lidar_steps import OdometryStep
 
 
 def iterate_odometry(
-    scans: Scans, *, device: DeviceLike = None, columns: Sequence[str] | None = None, **options: Any
+    scans: Scans,
+    *,
+    imu: ImuReadings | None = None,
+    timestamps: ArrayLike | None = None,
+    device: DeviceLike = None,
+    columns: Sequence[str] | None = None,
+    **options: Any,
 ) -> Iterator[OdometryStep]:
     """Register scans one by one, and yield each step. Arguments and errors as of `run_odometry`."""
     odometry = LidarOdometry(device=device, **options)
-    for scan in read_scans(scans, device=device, columns=columns):
-        odometry.register(scan)
+    times = None if imu is None or timestamps is None else check_numeric("timestamps", timestamps).ravel().tolist()
+    for number, scan in enumerate(read_scans(scans, device=device, columns=columns)):
+        if times is not None and number >= len(times):
+            raise ValueError(f"timestamps: expected one for each scan, got {len(times)} for more scans")
+        odometry.register(scan, imu=imu, time=None if times is None else times[number])
         yield odometry.steps[-1]
 
 
@@ -31,6 +41,7 @@ def run_odometry(
     scans: Scans,
     *,
     timestamps: ArrayLike | None = None,
+    imu: ImuReadings | None = None,
     progress: Callable[[OdometryStep], None] | None = None,
     device: DeviceLike = None,
     columns: Sequence[str] | None = None,
@@ -41,7 +52,9 @@ def run_odometry(
     Args:
         scans: A folder in natural order (scan2 before scan10); or files (KITTI's .bin, .ply, .pcd, .las, ...); or
             clouds.
-        timestamps: Time of each scan [s] for the trajectory.
+        timestamps: Time of each scan [s] for the trajectory. With `imu`: of its end.
+        imu: Readings of an IMU, as of `LidarOdometry.register`. Its clock is that of `timestamps`, or without them
+            that of the point times.
         progress: Called with the OdometryStep of each scan.
         device: Device of files and map; None: the CPU, or that of the first cloud.
         columns: Column names of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
@@ -62,7 +75,8 @@ def run_odometry(
     if timestamps is not None:
         check_seconds("timestamps", check_numeric("timestamps", timestamps))
     poses, report_step = [], check_callback("progress", progress)
-    for step in iterate_odometry(scans, device=device, columns=columns, **options):
+    steps = iterate_odometry(scans, imu=imu, timestamps=timestamps, device=device, columns=columns, **options)
+    for step in steps:
         poses.append(step.pose)
         if report_step is not None:
             report_step(step)
