@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
+from itertools import repeat
 from pathlib import Path
 from typing import Any, Unpack
 
@@ -76,8 +78,7 @@ def odometry_of_folder(
     max_range: float = 100.0,
     min_range: float = 5.0,
     truth: FilePath | None = None,
-    topic: str | None = None,
-    imu: str | None = None,
+    topics: tuple[str | None, str | None] = (None, None),
     **settings: Unpack[Settings],
 ) -> OdometryReport:
     """Find the pose of each scan of a folder and write them. Output and truth are checked before the work.
@@ -90,13 +91,13 @@ def odometry_of_folder(
         output: Poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
         format: "kitti", "tum" or "log". None for that of the extension. TUM times are scan numbers.
         truth: File of true poses, one per scan. Errors are aligned by se3.
-        topic: Topic of a recording. None for the only one of clouds.
-        imu: Topic of a recording with IMU readings on the clock of the clouds. None to use no IMU.
+        topics: Topics of a recording: of clouds (None for the only one), and of IMU readings on the same clock (None to
+            use no IMU).
     """
     job = Job("odometry", folder, **settings)
     form = _check_output(job, output, format)
     odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
-    scans = _Scans.open(folder, topic, imu, settings.get("columns"), job.device)
+    scans = _Scans.open(folder, topics[0], settings.get("columns"), job.device, imu=topics[1])
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
     true_path = None if truth is None else read_trajectory(truth)
@@ -119,16 +120,23 @@ def odometry_of_folder(
 
 @dataclass(frozen=True)
 class _Scans:
-    """Scans in order: number, name of the first, and an iterator that reads them with their header times [s]."""
+    """Scans in order: number, name of the first, and iterators that read them and the times in their headers [s]."""
 
     count: int
     first: str
-    clouds: Iterator[tuple[PointCloud, float | None]]
+    clouds: Iterator[PointCloud]
+    times: Iterator[float | None] = field(default_factory=partial(repeat, None))
     imu: ImuReadings | None = None
 
     @classmethod
     def open(
-        cls, path: FilePath, topic: str | None, imu: str | None, columns: Sequence[str] | None, device: DeviceLike
+        cls,
+        path: FilePath,
+        topic: str | None,
+        columns: Sequence[str] | None,
+        device: DeviceLike,
+        *,
+        imu: str | None = None,
     ) -> _Scans:
         if is_recording(Path(path)):
             if columns is not None:
@@ -139,14 +147,13 @@ class _Scans:
             readings = None if imu is None else recording.imu(imu, frame=entry.frame_id or "")
             clouds = recording.scans(chosen, absolute_times=imu is not None, device=device)
             times = (recording.header_at(row)[0] for row in recording.rows_of(chosen))
-            return cls(entry.count, chosen, zip(clouds, times, strict=True), readings)
+            return cls(entry.count, chosen, clouds, times, readings)
         for name, value in (("topic", topic), ("imu", imu)):
             if value is not None:
                 reason = f"is not a recording, so it has no topic {value!r}"
                 raise FileError(path, reason, remedy=f"Leave --{name} out")
         files = list_scans(path)
-        clouds = ((scan, None) for scan in read_scans(files, device=device, columns=columns))
-        return cls(len(files), files[0].name, clouds)
+        return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns))
 
 
 def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
@@ -154,7 +161,7 @@ def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
     job.progress("scans", 0, scans.count)
     for number in range(1, scans.count + 1):
         with job.stage("read", reported=False):
-            scan, time = next(scans.clouds)
+            scan, time = next(scans.clouds), next(scans.times)
         with job.stage("register", reported=False):
             if scans.imu is None:
                 odometry.register(scan)

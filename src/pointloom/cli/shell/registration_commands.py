@@ -261,6 +261,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     if options["min_range"] >= options["max_range"]:
         refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
     refuse_same(output=output, record=options["record_as"])
+    options["topics"] = options.pop("topic"), options.pop("imu")
     from ..jobs.odometry import odometry_of_folder
     from .recording_command import recorded
 
