@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...cameras.imu_readings import STANDARD_GRAVITY, ImuReadings
 from ...cameras.trajectory import Trajectory
+from ...core.checks import LARGEST_NUMBER
 from ...core.errors import FileError
 from ...core.quaternions import quaternions_to_rotations
 from ...core.units import warn_of_units
@@ -46,7 +47,7 @@ def imu_of_messages(
         row = [stamp_of_header(message.header)]
         for *values, covariance in parts:
             is_missing = covariance[0] == -1
-            if not is_missing and not np.isfinite(values).all():
+            if not is_missing and not all(abs(value) <= LARGEST_NUMBER for value in values):  # false for NaN
                 raise FileError(path, f"{topic}: message {number} contains values that are not finite: {values}")
             row += [np.nan] * len(values) if is_missing else values
         if rows and row[0] < rows[-1][0]:
@@ -55,7 +56,8 @@ def imu_of_messages(
         rows.append(row)
     table = np.array(rows, np.float64).reshape(-1, 11)
     accelerations = table[:, 4:7]
-    size = np.median(np.linalg.norm(accelerations[np.isfinite(accelerations).all(axis=1)], axis=1) if rows else np.nan)
+    sizes = np.linalg.norm(accelerations[np.isfinite(accelerations).all(axis=1)], axis=1)
+    size = float(np.median(sizes)) if len(sizes) else 0.0
     if _G_RANGE[0] < size < _G_RANGE[1]:
         message = f"{topic}: accelerations of {size:.2f} on median are read as g, not as m/s^2"
         warn_of_units(f"{path}: {message}", RecordingWarning)
