@@ -262,11 +262,13 @@ class LidarOdometry(Serialized):
         if self.deskew and times is not None and self._part is None and len(scan) > MIN_POINTS:
             self._part = part_of_interval(points, times, scan.origin, self.interval, are_single(scan, timestamps))
         inertial = None if imu is None else self._predict_inertial(points, times, check_imu(imu), time)
-        raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0).with_imu(inertial)
+        raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0)
         voxel_map = self._empty_map(scan.device) if state.map is None else state.map
         has_prior = motion is not None
         if motion is None:
             motion = state.motion if inertial is None or inertial.motion is None else inertial.motion
+        if inertial is not None:
+            raw = raw.with_imu(inertial)
         predicted = matmul(self._last_pose(), motion)
         downsampled = self._downsample(raw, motion)
         step = self._match(voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion)
@@ -283,7 +285,9 @@ class LidarOdometry(Serialized):
                 alone = state.rest.scan.map_like(voxel_map, self.max_range)
                 near, beyond = unmatched_by_range(downsampled.dense, alone, step.pose, distance)
                 step = replace(step, rest_change=beyond - near)
-        self._next = self._next_state(step, downsampled, voxel_map, predicted, raw).with_imu(inertial)
+        self._next = self._next_state(step, downsampled, voxel_map, predicted, raw)
+        if inertial is not None:
+            self._next = self._next.with_imu(inertial)
         self._next.join(self.max_range)
         self._adopt(self._next)
         report("scan", odometry=self, scan=scan, step=self._steps[-1])
@@ -549,10 +553,8 @@ class MapUpdate:
     additions: int
     parts: tuple[tuple[wp.array, Matrix], ...]
 
-    def with_imu(self, inertial: InertialMotion | None) -> MapUpdate:
+    def with_imu(self, inertial: InertialMotion) -> MapUpdate:
         """Record the readings' use in the step and state."""
-        if inertial is None:
-            return self
         step = replace(self.step, has_imu=inertial.motion is not None, imu_difference=inertial.difference(self.step))
         return replace(self, step=step, known=replace(self.known, inertial=inertial.after(step)))
 
@@ -581,9 +583,9 @@ class RawScan:
     part: float = 1.0
     path: Matrix | None = None
 
-    def with_imu(self, inertial: InertialMotion | None) -> RawScan:
+    def with_imu(self, inertial: InertialMotion) -> RawScan:
         """The scan with the rotation during it by an IMU, and the fraction of the interval by its clock."""
-        if inertial is None or self.times is None:
+        if self.times is None:
             return self
         return replace(self, path=inertial.path, part=inertial.part or self.part)
 
