@@ -134,13 +134,13 @@ def array(values_of_array: Any) -> bytes:
 
 
 def recording(suffix: str) -> Seeds:
-    """A recording of two texts, of ROS 1 (.bag) or ROS 2 (.mcap, .db3)."""
+    """A recording of two texts and two IMU readings, of ROS 1 (.bag) or ROS 2 (.mcap, .db3)."""
 
     def seeds() -> list[bytes]:
         from rosbags import rosbag1, rosbag2
         from rosbags.typesys import Stores, get_typestore
 
-        kind, is_first = "std_msgs/msg/String", suffix == ".bag"
+        kind, imu, is_first = "std_msgs/msg/String", "sensor_msgs/msg/Imu", suffix == ".bag"
         store = get_typestore(Stores.ROS1_NOETIC if is_first else Stores.ROS2_HUMBLE)
         plugin = rosbag2.StoragePlugin.MCAP if suffix == ".mcap" else rosbag2.StoragePlugin.SQLITE3
         encode = store.serialize_ros1 if is_first else store.serialize_cdr
@@ -151,14 +151,28 @@ def recording(suffix: str) -> Seeds:
                 for second in range(2):
                     message = store.types[kind](f"text {second}")
                     writer.write(connection, (second + 1) * 10**9, encode(message, kind))
+                connection = writer.add_connection("/imu", imu, typestore=store)
+                for second in range(2):
+                    writer.write(connection, (second + 1) * 10**9, encode(reading(store.types, second), imu))
             return [(path if is_first else next(path.glob(f"*{suffix}"))).read_bytes()]
 
     return seeds
 
 
+def reading(types: Any, second: int) -> Any:
+    """An Imu message."""
+    stamp, header = types["builtin_interfaces/msg/Time"](second, 0), types["std_msgs/msg/Header"]
+    stamped = header(0, stamp, "imu") if "seq" in header.__dataclass_fields__ else header(stamp, "imu")
+    vector, rotation = types["geometry_msgs/msg/Vector3"], types["geometry_msgs/msg/Quaternion"](0.0, 0.0, 0.0, 1.0)
+    values = rotation, np.zeros(9), vector(0.0, 0.0, 0.1), np.zeros(9), vector(0.0, 0.0, 9.8), np.zeros(9)
+    return types["sensor_msgs/msg/Imu"](stamped, *values)
+
+
 def read_recording(path: Path) -> Any:
-    """Open a recording and list its messages."""
+    """Open a recording, read its IMU and list its messages."""
     recording = loom.open_recording(path)
+    if "sensor_msgs/msg/Imu" in recording.topic_types().values():
+        recording.imu(frame="lidar")
     return [[repr(recording), *recording.messages(topic.name)] for topic in recording.topics]
 
 

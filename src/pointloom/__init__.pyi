@@ -13,6 +13,7 @@ from .cameras.depth_filters import create_normal_map as create_normal_map
 from .cameras.depth_filters import erode_depth_edges as erode_depth_edges
 from .cameras.depth_filters import filter_depth_bilateral as filter_depth_bilateral
 from .cameras.images import RGBDImage as RGBDImage
+from .cameras.imu_readings import ImuReadings as ImuReadings
 from .cameras.panoramas import Panorama as Panorama
 from .cameras.trajectory import Trajectory as Trajectory
 from .cameras.trajectory import read_trajectory as read_trajectory

@@ -408,6 +408,24 @@ def test_rows_that_a_damaged_page_hides_or_repeats_are_reported(tmp_path):
     assert changed_count > 10
 
 
+@pytest.mark.parametrize("driver", DRIVERS)
+def test_absolute_times_are_on_the_clock_of_the_headers(tmp_path, driver):
+    """The header is at 5 s. Clocks of Livox, Hesai and RoboSense began in 1970, those of others at the header."""
+    path = write(tmp_path, "mcap", driver=driver, count=1)
+    cloud = next(loom.open_recording(path).scans(absolute_times=True))
+    np.testing.assert_allclose(cloud["time"], 5 + np.linspace(0, 0.1, len(cloud)), atol=1e-6)
+
+
+@pytest.mark.parametrize(("first", "stamp", "start"), [
+    (0.0, 1.7e9, 1.7e9), (-0.1, 1.7e9, 1.7e9 - 0.1), (1.7e9 - 0.05, 1.7e9, 1.7e9 - 0.05), (512.25, 1.7e9, 1.7e9),
+    (0.0, 0.5, 0.5), (30.0, 30.1, 30.0),
+])  # fmt: skip
+def test_starts_of_scans_follow_the_conventions_of_drivers(first, stamp, start):
+    times = first + np.linspace(0, 0.1, 50)
+    found = with_seconds(PATH, {"timestamp": times}, np.ones(50, bool), stamp, absolute_times=True)
+    np.testing.assert_allclose(found["time"], start + np.linspace(0, 0.1, 50), atol=1e-6)
+
+
 PATH, COUNT = Path("run.mcap"), 50
 SINCE_1970, SINCE_START = 1.7e9, 512.25  # [s]
 SWEEPS = np.linspace(0, 0.1, COUNT)

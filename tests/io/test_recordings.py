@@ -473,6 +473,69 @@ def test_readings_are_arrays_with_nan_for_missing_values(tmp_path, form):
     assert np.isnan(imu.orientation[:5]).all() and imu.orientation[5:].tolist() == [[0.8, 0, 0, 0.6]] * 15
 
 
+def send_imu(out, time, rates=(0, 0, 0.1), force=(0, 0, 9.81), *, frame="imu", is_missing=False, recorded=None):
+    none = np.array([-1.0 if is_missing else 0.0, *[0.0] * 8])
+    parts = [quaternion(out.store, [0, 0, 0, 1]), none, vector(out.store, rates), none, vector(out.store, force), none]
+    kind = "sensor_msgs/msg/Imu"
+    out.write("/imu", kind, recorded or time + 0.05, out.store.types[kind](out.header(time, frame), *parts))
+
+
+@pytest.mark.parametrize("form", ["bag1", "mcap"])
+def test_invalid_readings_are_errors_with_the_message_number(tmp_path, form):
+    for name, messages, match in (
+        ("nan", [(1.0,), (1.1, (0, np.nan, 0))], r"/imu: message 1 .*not finite"),
+        ("time", [(1.0,), (1.1,), (1.05,)], r"/imu: message 2 has the time 1\.05"),
+    ):
+        (tmp_path / name).mkdir()
+        with Writer(tmp_path / name, form) as out:
+            for number, message in enumerate(messages):
+                send_imu(out, *message, recorded=2.0 + number)
+        with pytest.raises(FileError, match=match):
+            loom.open_recording(out.path).imu()
+
+
+def test_missing_values_are_nan_and_accelerations_in_g_are_converted(tmp_path):
+    with Writer(tmp_path) as out:
+        for i in range(9):
+            send_imu(out, 1 + 0.01 * i, force=(0, 0.6, 0.8), is_missing=i < 3)
+    with pytest.warns(loom.RecordingWarning, match="as g"):
+        readings = loom.open_recording(out.path).imu()
+    assert np.isnan(readings.angular_velocity[:3]).all() and np.isnan(readings.linear_acceleration[:3]).all()
+    np.testing.assert_allclose(readings.linear_acceleration[3:], np.tile([0, 5.88399, 7.84532], (6, 1)))
+
+
+@pytest.mark.parametrize("form", ["bag1", "mcap"])
+def test_the_pose_of_the_imu_is_the_static_transform(tmp_path, form):
+    with Writer(tmp_path, form) as out:
+        send_tf(out, "/tf_static", 0.5, "lidar", "imu", *MOUNT)
+        for i in range(3):
+            send_imu(out, 1 + 0.01 * i)
+    recording = loom.open_recording(out.path)
+    expected = pose(np.array(MOUNT[0]), Rotation.from_quat(MOUNT[1]))
+    np.testing.assert_allclose(recording.imu(frame="lidar").T_sensor_imu, expected, atol=1e-12)
+    np.testing.assert_array_equal(recording.imu().T_sensor_imu, np.eye(4))
+    np.testing.assert_array_equal(recording.imu(frame="/imu").T_sensor_imu, np.eye(4))
+    with pytest.warns(loom.RecordingWarning, match="'imu' of /imu is assumed to equal 'nowhere'"):
+        assert (recording.imu(frame="nowhere").T_sensor_imu == np.eye(4)).all()
+
+
+@pytest.mark.filterwarnings("ignore::pointloom.io.bags.message_chunks.RecordingWarning")
+def test_odometry_of_a_recording_uses_its_imu(tmp_path):
+    with Writer(tmp_path) as out:
+        for i in range(260):  # to 2.295 s
+            send_imu(out, 1 + 0.005 * i, (0, 0, 0), (0, 0, 9.81))
+        for scan in range(16):
+            message = cloud_message(out.store, "velodyne", 0)
+            message.header = out.header(1 + 0.1 * scan, "lidar")
+            out.write("/points", CLOUD, 1.1 + 0.1 * scan, message)
+    words = ["odometry", out.path, "-o", tmp_path / "poses.tum", "--min-range", 1, "--json"]
+    report = json.loads(run(*words, "--imu", "/imu").stdout)
+    assert report["without_imu"] == [13, 14, 15] and report["imu_differing"] == []
+    assert json.loads(run(*words, "--force").stdout)["without_imu"] == []
+    result = run(*words, "--force", "--imu", "/points")
+    assert result.exit_code == 1 and "sensor_msgs/msg/Imu" in result.stderr
+
+
 @pytest.mark.parametrize("kind", ["geometry_msgs/msg/PoseStamped", "nav_msgs/msg/Odometry"])
 def test_poses_are_a_trajectory(tmp_path, kind):
     rotations = Rotation.from_rotvec(np.outer(np.linspace(0, 2, 6), [0.1, 0.2, 1.0]))

@@ -170,6 +170,7 @@ distance_field.nearest_obstacles(points=points)
 distance_field.save(path="field.npz")
 distance_field.slice(axis="z", position=0.5, bounds=points[:2].copy() * 0 + [[0.0], [1.0]])
 distance_field.to_array(bounds=points[:2].copy() * 0 + [[0.0], [1.0]], values="squared")
+loom.ImuReadings(times=times, angular_velocity=vectors, linear_acceleration=vectors, orientation=None, T_sensor_imu=pose)
 loom.Trajectory(poses=poses, timestamps=times, ids=ids)
 loom.TriangleMesh.create_from_point_cloud_poisson(cloud=cloud, depth=3, width=0.0, scale=1.1, point_weight=2.0, samples_per_node=1.5, envelope=shell)
 loom.TriangleMesh(vertices=points, triangles=triangles, vertex_normals=normals, vertex_colors=colors, triangle_uvs=corner_uvs, triangle_material_ids=material_ids, textures=[image], vertex_attributes={"a": row}, triangle_attributes={"b": material_ids}, device="cpu", origin=three, arrays="numpy")
@@ -397,7 +398,8 @@ def things() -> dict[str, Any]:
         world=loom.WorldFrame(47.5, 8.25), photo=loom.meshing.orthophoto(painted, 0.5),
         line_ends=np.array([[0, 1], [1, 2]]), line_colors=np.eye(2, 3),
         segments=loom.LineSet(points, [[0, 1], [1, 2]]),
-        field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0), ids=np.arange(3)[:, None],
+        field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0),
+        vectors=np.eye(3), ids=np.arange(3)[:, None],
         trajectory=loom.Trajectory(poses), lonlat=loom.PointCloud(points * [1, 1, 9] + [8, 48, 0]),
         distance_field=loom.DistanceField.from_point_cloud(cloud, 0.1, 0.5), cells=points.reshape(3, 6, 10) < 0.2,
         voxels=mesh.voxelize(0.2),

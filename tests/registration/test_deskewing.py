@@ -12,6 +12,10 @@ from scipy.linalg import expm, logm
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.lang import float64, vec3
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.odometry.deskewing import bound_times, deskew_along_path
 from pointloom.registration import deskew_point_cloud
 from pointloom.registration.lidar.deskewing import SMALL_ANGLE, point_times, twist_of
 from pointloom.registration.lidar.lidar_odometry import part_of_interval
@@ -187,3 +191,18 @@ def test_non_finite_times_do_not_end_the_scan(device, value):
     np.testing.assert_array_equal(np.isnan(result).any(axis=1), [True, False, False, True])
     with pytest.raises(ValueError, match="timestamps:"):
         deskew_point_cloud(scan, T, np.full(4, value))
+
+
+@pytest.mark.parametrize("size", [0.0, 1e-5, 0.5])
+def test_points_follow_rotations_between_steps(device, size):
+    """Each point by the exponential of the rotation vector between two steps and its fraction of the velocity."""
+    device, rng = resolve_device(device), np.random.default_rng(4)
+    fractions, p = rng.permutation(np.linspace(-1, 0, 41)), rng.uniform(-30, 30, (42, 3)).astype(np.float32)
+    rotations, velocity = size * rng.normal(size=(9, 3)), np.array([0.7, -0.4, 0.2])
+    points, times = upload(p, vec3, device), upload(np.append(5 + 0.1 * fractions, np.nan), float64, device)
+    moved = download(deskew_along_path(points, times, np.ones(3), bound_times(points, times), rotations, velocity))
+    for i, fraction in enumerate(fractions):
+        vector = [np.interp(fraction, np.linspace(-1, 0, 9), column) for column in rotations.T]
+        expected = expm(generator([*vector, *(fraction * velocity)])) @ [*(p[i] + 1), 1]
+        np.testing.assert_allclose(moved[i], expected[:3], atol=3e-5)
+    assert np.isnan(moved[-1]).all()

@@ -47,7 +47,7 @@ reg.PoseGraph(nodes=[node], edges=[])
 reg.PoseGraphNode(pose=pose)
 reg.PoseGraphEdge(source_node_id=0, target_node_id=1, transformation=pose, information=information, confidence=1.0)
 reg.LidarOdometry(voxel_size=0.1, max_range=10.0, min_range=0.1, max_points_per_voxel=5, interval=0.1, initial_threshold=2.0, min_motion=0.1, device="cpu")
-odometry().register(scan=source, timestamps=times, time=0.5, prior=pose)
+odometry().register(scan=source, timestamps=times, prior=pose, imu=readings, time=1.0)
 reg.correspondences_from_features(source_features=features, target_features=features, mutual_consistency_ratio=0.1, ratio=0.9, device="cpu")
 reg.deskew_point_cloud(cloud=source, T_start_end=pose, timestamps=times)
 reg.assess_registration(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
@@ -70,7 +70,7 @@ reg.registration_icp_batch(sources=source, targets=target, max_correspondence_di
 reg.registration_ransac_based_on_correspondence(source=source, target=target, corres=corres, max_correspondence_distance=0.2, estimation_method=to_points, ransac_n=3, checkers=[by_distance], num_iterations=100, confidence=0.9, seed=0)
 reg.registration_robust_based_on_correspondence(source=source, target=target, corres=corres, noise_bound=0.1, seed=0)
 reg.registration_ndt(source=source, target=target, option=distributions, init=pose, degeneracy=0.005)
-reg.run_odometry(scans=[source, source], timestamps=None, progress=None, device="cpu", columns=["x", "y", "z"])
+reg.run_odometry(scans=[source, source], timestamps=None, imu=None, progress=None, device="cpu", columns=["x", "y", "z"])
 reg.scale_from_known(model=model, a="a", b=three, distance=1.0)
 reg.TargetObservation(station=0, name="A", position=three, sigma=0.1)
 reg.ControlPoint(name="A", position=three, sigma=0.1)
@@ -114,6 +114,7 @@ def things() -> dict[str, Any]:
         reg=reg, source=cloud, target=loom.PointCloud(points + 0.01, colors=rng.random((60, 3)), normals=cloud.normals),
         known=reg.Prior(np.eye(4), sigma_translation=1.0), axes=np.eye(3), bound=reg.Constraint(["x", "yaw"]),
         pose=np.eye(4), corres=np.tile(np.arange(60)[:, None], (1, 2)), three=np.array([0.5, 0.5, 0.5]),
+        readings=loom.ImuReadings(np.linspace(0, 1, 60), np.zeros((60, 3)), np.zeros((60, 3))),
         times=np.linspace(0, 1, 60), features=rng.random((60, 5)).astype(np.float32), node=nodes[0],
         information=np.eye(6), graph=reg.PoseGraph(nodes, [edge]), trajectory=loom.Trajectory([np.eye(4)] * 3),
         rules=reg.ICPConvergenceCriteria(max_iteration=3),

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
+from itertools import repeat
 from pathlib import Path
 from typing import Any, Unpack
 
+from ...cameras.imu_readings import ImuReadings
 from ...cameras.pose_files import FORMATS as POSE_FORMATS
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from ...core.devices import DeviceLike
@@ -37,6 +40,7 @@ class OdometryReport(JobReport):
     min_range: float
     result: OdometrySummary
     points: int
+    up: list[float] | None
     errors: TrajectoryError | None
 
     @property
@@ -58,6 +62,7 @@ class OdometryReport(JobReport):
             ("scans", f"{scans}, {self.points:,} points, {self.scans_per_second:.1f} scans/s"),
             ("map", f"voxels of {self.voxel_size:g} m, points {ranges}"),
             *path,
+            *([] if self.up is None else [("up", "({:.4f}, {:.4f}, {:.4f}) by the IMU".format(*self.up))]),
             *([] if self.errors is None else self.errors.fields()),
             ("seconds", f"{format_seconds(self.done.seconds)} on {self.device}"),
             ("files", ", ".join(self.done.files) or "none"),
@@ -73,7 +78,7 @@ def odometry_of_folder(
     max_range: float = 100.0,
     min_range: float = 5.0,
     truth: FilePath | None = None,
-    topic: str | None = None,
+    topics: tuple[str | None, str | None] = (None, None),
     **settings: Unpack[Settings],
 ) -> OdometryReport:
     """Find the pose of each scan of a folder and write them. Output and truth are checked before the work.
@@ -86,12 +91,13 @@ def odometry_of_folder(
         output: Poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
         format: "kitti", "tum" or "log". None for that of the extension. TUM times are scan numbers.
         truth: File of true poses, one per scan. Errors are aligned by se3.
-        topic: Topic of a recording. None for the only one of clouds.
+        topics: Topics of a recording: of clouds (None for the only one), and of IMU readings on the same clock (None to
+            use no IMU).
     """
     job = Job("odometry", folder, **settings)
     form = _check_output(job, output, format)
     odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
-    scans = _Scans.open(folder, topic, settings.get("columns"), job.device)
+    scans = _Scans.open(folder, topics[0], settings.get("columns"), job.device, imu=topics[1])
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
     true_path = None if truth is None else read_trajectory(truth)
@@ -108,28 +114,44 @@ def odometry_of_folder(
             errors = compare(path, true_path, folder, truth, "se3")
     done = job.done(*summary.warnings, *(() if errors is None else errors.warnings))
     sizes = odometry.voxel_size, max_range, min_range
-    return OdometryReport(done, form, str(job.device), *sizes, summary, points, errors)
+    up = None if odometry.up is None else odometry.up.tolist()
+    return OdometryReport(done, form, str(job.device), *sizes, summary, points, up, errors)
 
 
 @dataclass(frozen=True)
 class _Scans:
-    """Scans in order: number, name of the first, and an iterator that reads them."""
+    """Scans in order: number, name of the first, and iterators that read them and the times in their headers [s]."""
 
     count: int
     first: str
     clouds: Iterator[PointCloud]
+    times: Iterator[float | None] = field(default_factory=partial(repeat, None))
+    imu: ImuReadings | None = None
 
     @classmethod
-    def open(cls, path: FilePath, topic: str | None, columns: Sequence[str] | None, device: DeviceLike) -> _Scans:
+    def open(
+        cls,
+        path: FilePath,
+        topic: str | None,
+        columns: Sequence[str] | None,
+        device: DeviceLike,
+        *,
+        imu: str | None = None,
+    ) -> _Scans:
         if is_recording(Path(path)):
             if columns is not None:
                 raise FileError(path, "is a recording, which defines its columns", remedy="Leave --columns out")
             recording = open_recording(path)
             chosen = recording.choose_topic(topic)
-            count = sum(entry.count for entry in recording.topics if entry.name == chosen)
-            return cls(count, chosen, recording.scans(chosen, device=device))
-        if topic is not None:
-            raise FileError(path, f"is not a recording, so it has no topic {topic!r}", remedy="Leave --topic out")
+            (entry,) = (entry for entry in recording.topics if entry.name == chosen)
+            readings = None if imu is None else recording.imu(imu, frame=entry.frame_id or "")
+            clouds = recording.scans(chosen, absolute_times=imu is not None, device=device)
+            times = (recording.header_at(row)[0] for row in recording.rows_of(chosen))
+            return cls(entry.count, chosen, clouds, times, readings)
+        for name, value in (("topic", topic), ("imu", imu)):
+            if value is not None:
+                reason = f"is not a recording, so it has no topic {value!r}"
+                raise FileError(path, reason, remedy=f"Leave --{name} out")
         files = list_scans(path)
         return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns))
 
@@ -139,9 +161,12 @@ def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
     job.progress("scans", 0, scans.count)
     for number in range(1, scans.count + 1):
         with job.stage("read", reported=False):
-            scan = next(scans.clouds)
+            scan, time = next(scans.clouds), next(scans.times)
         with job.stage("register", reported=False):
-            odometry.register(scan)
+            if scans.imu is None:
+                odometry.register(scan)
+            else:  # the last point time, else the time in the header
+                odometry.register(scan, imu=scans.imu, time=None if "time" in scan else time)
         points += len(scan)
         job.progress("scans", number, scans.count)
     return points

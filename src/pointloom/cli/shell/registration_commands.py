@@ -196,6 +196,7 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @option("--min-range=M", RANGE_TYPE, "Minimum range of used points [m].", default=5.0)
 @option("--truth=FILE", FILE, "True poses of the scanner, for printing the errors.")
 @option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds.")
+@option("--imu=NAME", str, "Recordings: topic of IMU readings, for the motion between and during scans.")
 @COLUMNS
 @record_option("each scan with the map and the trajectory")
 @in_order(DEVICE, JSON, FORCE)
@@ -210,9 +211,12 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     wrong, and the summary lists the scans.
 
     DIR may also be a recording: a ROS 1 .bag, a .db3 or .mcap file, or a folder of them. Requires pointloom[ros].
+    --imu uses the recorded IMU, which handheld sensors need. Its clock must be that of the clouds, and its pose is the
+    static transform to the frame of the clouds, if there is one.
 
     \b
     pointloom odometry run.mcap --topic /points -o poses.tum
+    pointloom odometry run.mcap --topic /points --imu /imu/data -o poses.tum
     pointloom odometry velodyne -o poses.txt
     pointloom odometry velodyne -o poses.kitti --truth truth.txt
     pointloom odometry velodyne -o 00.txt --format kitti
@@ -220,6 +224,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     if options["min_range"] >= options["max_range"]:
         refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
     refuse_same(output=output, record=options["record_as"])
+    options["topics"] = options.pop("topic"), options.pop("imu")
     from ..jobs.odometry import odometry_of_folder
     from .recording_command import recorded
 

@@ -63,10 +63,12 @@ MIN_CLOCK_TIME = 60.0  # [s] minimum clock time. An earlier one may be relative 
 MAX_TIME_STEP = 1e-3  # [s] float resolution beyond which point times are useless
 
 
-def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[Any], stamp: float) -> dict[str, Any]:
-    """Replace the driver's times by `time` [s] since the first point, if their unit is certain.
-    `seen` (n,) marks measured points, `stamp` is the header time [s]. Warns of unknown or unexpected units. Without a
-    unit the values are unchanged, with `time` renamed to `timestamps`."""
+def with_seconds(
+    path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[Any], stamp: float, *, absolute_times: bool = False
+) -> dict[str, Any]:
+    """Replace the driver's times by `time` [s] since the first point, or on the clock of the header, if their unit is
+    certain. `seen` (n,) marks measured points, `stamp` is the header time [s]. Warns of unknown or unexpected units.
+    Without a unit the values are unchanged, with `time` renamed to `timestamps`."""
     remaining = dict(columns)
     name = next((name for name in NAMES if name in remaining and remaining[name].ndim == 1), None)
     if name is None:
@@ -86,7 +88,18 @@ def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[
         message = f"the point times in {name!r} are read as {unit}: in {written} no sweep has such a duration"
         warn_of_units(f"{path}: {message}", RecordingWarning)
     first = measured.min() if measured.size else times.dtype.type(0)
-    return {**remaining, "time": np.asarray((times - first) * SECONDS_PER_UNIT[unit], np.float64)}
+    start = _start(float(first * SECONDS_PER_UNIT[unit]), stamp) if absolute_times else 0.0
+    return {**remaining, "time": np.asarray((times - first) * SECONDS_PER_UNIT[unit] + start, np.float64)}
+
+
+def _start(first: float, stamp: float) -> float:
+    """The time of the first point on the clock of the header, whose time is `stamp` [s]."""
+    is_same_clock = abs(first - stamp) < MAX_CLOCK_DIFFERENCE
+    if is_same_clock and first > MIN_CLOCK_TIME:
+        return first
+    if abs(first) <= SWEEP_DURATIONS[1]:  # relative to the header; negative if this is the time of the last packet
+        return stamp + first
+    return first if is_same_clock else stamp  # another clock, such as the time since the scanner started
 
 
 def _set(times: NDArray[Any]) -> NDArray[Any]:
@@ -122,7 +135,7 @@ TYPES = ("i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8")  # datatype 1 to 8 of s
 _OWN = ("points", "normals", "colors")
 
 
-def table_of_message(path: Path, message: Any) -> PointTable:
+def table_of_message(path: Path, message: Any, *, absolute_times: bool = False) -> PointTable:
     """The points of a PointCloud2, including non-finite ones. Raises `FileError` if its fields are invalid."""
     columns = _columns(path, message)
     missing = [name for name in "xyz" if name not in columns]
@@ -137,7 +150,8 @@ def table_of_message(path: Path, message: Any) -> PointTable:
         attributes[name + "_field" if name in _OWN else name] = _native(values)
     seen = np.isfinite(points).all(axis=1) & (points != 0).any(axis=1)
     stamp = message.header.stamp
-    attributes = with_seconds(path, attributes, seen, stamp.sec + stamp.nanosec * 1e-9)
+    time = stamp.sec + stamp.nanosec * 1e-9
+    attributes = with_seconds(path, attributes, seen, time, absolute_times=absolute_times)
     grid = (int(message.height), int(message.width)) if message.height > 1 and message.width else None
     return PointTable(points, colors=colors, attributes=attributes, grid=grid)
 

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...cameras.imu_readings import STANDARD_GRAVITY, ImuReadings
 from ...cameras.trajectory import Trajectory
+from ...core.checks import LARGEST_NUMBER
 from ...core.errors import FileError
 from ...core.quaternions import quaternions_to_rotations
+from ...core.units import warn_of_units
+from .message_chunks import RecordingWarning
 
 IMU = "sensor_msgs/msg/Imu"
 #: Message types with a pose, and the path to it.
@@ -23,38 +26,18 @@ POSES = {
     "geometry_msgs/msg/TransformStamped": ("transform",),
 }
 _MAX_NORM_ERROR = 1e-3  # maximum deviation of a quaternion's length from 1
+_G_RANGE = (0.5, 2.0)  # median acceleration of drivers that publish g (Livox). In m/s^2 it is 9.8 at rest
 
 
-@dataclass(frozen=True, eq=False)
-class ImuReadings:
-    """IMU measurements in the sensor frame.
+def imu_of_messages(
+    path: Path, topic: str, messages: Iterable[Any], T_sensor_imu: NDArray[np.float64] | None = None
+) -> ImuReadings:
+    """The readings of Imu messages. Values with a covariance of -1 (missing, REP 145) are NaN.
 
-    Attributes:
-        times: Header times [s], float64 (n,).
-        angular_velocity: [rad/s], float64 (n, 3).
-        linear_acceleration: [m/s^2], float64 (n, 3). Points up at rest.
-        orientation: Quaternions (w, x, y, z) of the sensor's filter, float64 (n, 4). NaN if missing.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.io.bags.recording import Recording
-        >>> def up_of(recording: Recording):
-        ...     return recording.imu().linear_acceleration[:100].mean(axis=0)  # as `registration.leveled` takes it
-    """
-
-    times: NDArray[np.float64]
-    angular_velocity: NDArray[np.float64]
-    linear_acceleration: NDArray[np.float64]
-    orientation: NDArray[np.float64]
-
-    def __len__(self) -> int:
-        return len(self.times)
-
-
-def imu_of_messages(messages: Iterable[Any]) -> ImuReadings:
-    """The readings of Imu messages. Values with a covariance of -1 (missing, REP 145) are NaN."""
-    rows = []
-    for message in messages:
+    Raises `FileError` with the message number if a value is not finite or times decrease. Accelerations in g are
+    converted, with a warning."""
+    rows: list[list[float]] = []
+    for number, message in enumerate(messages):
         rates, pushes, q = message.angular_velocity, message.linear_acceleration, message.orientation
         parts = [
             (rates.x, rates.y, rates.z, message.angular_velocity_covariance),
@@ -63,10 +46,24 @@ def imu_of_messages(messages: Iterable[Any]) -> ImuReadings:
         ]
         row = [stamp_of_header(message.header)]
         for *values, covariance in parts:
-            row += [np.nan] * len(values) if covariance[0] == -1 else values
+            is_missing = covariance[0] == -1
+            if not is_missing and not all(abs(value) <= LARGEST_NUMBER for value in values):  # false for NaN
+                raise FileError(path, f"{topic}: message {number} contains values that are not finite: {values}")
+            row += [np.nan] * len(values) if is_missing else values
+        if rows and row[0] < rows[-1][0]:
+            reason = f"{topic}: message {number} has the time {row[0]:.6f} s after {rows[-1][0]:.6f} s"
+            raise FileError(path, reason, remedy="Sort the messages by the times in their headers")
         rows.append(row)
     table = np.array(rows, np.float64).reshape(-1, 11)
-    return ImuReadings(table[:, 0].copy(), table[:, 1:4].copy(), table[:, 4:7].copy(), table[:, 7:].copy())
+    accelerations = table[:, 4:7]
+    sizes = np.linalg.norm(accelerations[np.isfinite(accelerations).all(axis=1)], axis=1)
+    size = float(np.median(sizes)) if len(sizes) else 0.0
+    if _G_RANGE[0] < size < _G_RANGE[1]:
+        message = f"{topic}: accelerations of {size:.2f} on median are read as g, not as m/s^2"
+        warn_of_units(f"{path}: {message}", RecordingWarning)
+        accelerations = accelerations * STANDARD_GRAVITY
+    pose = np.eye(4) if T_sensor_imu is None else T_sensor_imu
+    return ImuReadings(table[:, 0], table[:, 1:4], accelerations, table[:, 7:], pose)
 
 
 def trajectory_of_messages(path: Path, topic: str, kind: str, messages: Iterable[Any]) -> Trajectory:

@@ -10,15 +10,20 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.imu_readings import ImuReadings
 from ...cameras.trajectory import Trajectory
 from ...core.array_libraries import library_for
 from ...core.atomic import restore_folder
-from ...core.checks import check_count, check_positive
+from ...core.checks import check_count, check_name, check_positive
 from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
+from ...core.units import warn_of_units
 from ...kernels.lru_cache import LruCache
 from ...pcd.cloud import PointCloud
 from ..optional_imports import foreign_errors, import_for
@@ -29,7 +34,7 @@ from .clouds import LIVOX, table_of_livox, table_of_message
 from .db3 import read_db3
 from .mcap import read_mcap
 from .message_chunks import Contents, RecordingWarning, byte_order
-from .motions import IMU, POSES, ImuReadings, imu_of_messages, trajectory_of_messages
+from .motions import IMU, POSES, imu_of_messages, trajectory_of_messages
 from .recorded_frames import RecordedFrames, choose_images
 from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 
@@ -146,6 +151,7 @@ class Recording:
         topic: str | None = None,
         *,
         frame: str | None = None,
+        absolute_times: bool = False,
         device: DeviceLike = None,
         arrays: str | None = None,
     ) -> Iterator[PointCloud]:
@@ -154,6 +160,7 @@ class Recording:
         Args:
             topic: The topic. None selects the only one.
             frame: Target frame, applied with `transforms` at each header's time. None keeps the sensor frame.
+            absolute_times: The attribute `time` is on the clock of the headers, for `LidarOdometry.register(imu=)`.
             device: Device of the clouds.
             arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
@@ -162,7 +169,7 @@ class Recording:
 
         Notes:
             Non-finite points are kept. Per-point times are the attribute `time` [s] since the first point, for
-            deskewing. A cloud is transformed rigidly with one pose.
+            deskewing, unless `absolute_times`. A cloud is transformed rigidly with one pose.
         """
         library = library_for(arrays)
         chosen = self.choose_topic(topic)
@@ -173,8 +180,10 @@ class Recording:
             if kind in LIVOX:
                 encoding, data = self.bytes_at(row)
                 table = table_of_livox(self.path, data, encoding)
+                if absolute_times:
+                    table.attributes["time"] += self.header_at(row)[0] or 0.0
             else:
-                table = table_of_message(self.path, self.content_at(row))
+                table = table_of_message(self.path, self.content_at(row), absolute_times=absolute_times)
             cloud = cloud_of(table, self.path, device=device, arrays=library)
             if tree is None or frame is None:
                 return cloud
@@ -232,14 +241,37 @@ class Recording:
             raise FileError(self.path, reason, remedy="Give a larger tolerance, or other topics")
         return recorded
 
-    def imu(self, topic: str | None = None) -> ImuReadings:
+    def imu(self, topic: str | None = None, *, frame: str | None = None) -> ImuReadings:
         """IMU readings: header times, angular velocities, accelerations, and orientations if present.
 
+        Args:
+            topic: The topic. None selects the only one.
+            frame: Frame of the scanner, such as `Topic.frame_id` of its clouds: `T_sensor_imu` is the static transform
+                from the frame of the IMU. None: the identity.
+
         Raises:
-            FileError: No such topic, several topics, or a damaged message.
+            FileError: No such topic, several topics, a damaged message, values that are not finite, or times that
+                decrease.
+
+        Warns:
+            RecordingWarning: No static transform to `frame`, so that `T_sensor_imu` is the identity; or accelerations
+                in g, which are converted.
         """
         chosen = self.choose_topic(topic, IMU)
-        return imu_of_messages(message.content for message in self._messages(chosen))
+        pose = None if frame is None else self._static_pose(frame, chosen)
+        return imu_of_messages(self.path, chosen, (message.content for message in self._messages(chosen)), pose)
+
+    def _static_pose(self, frame: str, topic: str) -> NDArray[np.float64] | None:
+        """The static transform from the frame of a topic, or None with a warning."""
+        own = self.header_at(self.rows_of(topic)[0])[1]
+        if own.removeprefix("/") == check_name("frame", frame).removeprefix("/"):
+            return None
+        try:
+            return self.transforms().lookup(frame, own)
+        except FileError as error:
+            message = f"the frame {own!r} of {topic} is assumed to equal {frame!r}: {error.reason}"
+            warn_of_units(f"{self.path}: {message}", RecordingWarning)
+            return None
 
     def trajectory(self, topic: str | None = None) -> Trajectory:
         """The poses of an Odometry, PoseStamped, PoseWithCovarianceStamped or TransformStamped topic.

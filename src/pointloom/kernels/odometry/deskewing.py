@@ -12,12 +12,30 @@ from ..algebra.transform import narrow, widen
 from ..array_types import Doubles, Points
 from ..arrays.row_atomics import raise_double
 from ..arrays.runs import Runs, elements_of, row_of
-from ..lang import INFINITY, NAN, array, cross, float64, func, isfinite, kernel, launch, sin, struct, tid, vec3, vec3d
+from ..lang import (
+    INFINITY,
+    NAN,
+    array,
+    cross,
+    dot,
+    float64,
+    func,
+    isfinite,
+    kernel,
+    launch,
+    sin,
+    sqrt,
+    struct,
+    tid,
+    vec3,
+    vec3d,
+)
 from ..linear_algebra import matmul
-from ..memory import empty, full
+from ..memory import empty, full, upload
 
 TIMES_PER_THREAD = 4096  # times per thread on the CPU: two atomics cost less than 1 % of the reads
 TINY_ANGLE = 1.0e-12  # [rad] below, a rotation is negligible in float32
+SMALL_ANGLE = 1.0e-3  # [rad] below, series to second order are exact in float32
 
 
 @struct
@@ -102,6 +120,52 @@ def deskew_points_kernel(
     out[i] = move_along_screw(p, fraction, motion)
 
 
+@func
+def move_by_twist(p: vec3, rotation: vec3, velocity: vec3) -> vec3:
+    """Move p by exp(rotation vector, velocity)."""
+    a = sqrt(dot(rotation, rotation))
+    first = 1.0  # sin(a) / a
+    second = 0.5  # (1 - cos a) / a^2
+    third = 0.16666667  # (a - sin a) / a^3
+    if a > SMALL_ANGLE:
+        half = sin(0.5 * a)
+        first = sin(a) / a
+        second = 2.0 * half * half / (a * a)
+        third = (1.0 - first) / (a * a)
+    kp = cross(rotation, p)
+    kv = cross(rotation, velocity)
+    rotated = p + kp * first + cross(rotation, kp) * second
+    return rotated + velocity + kv * second + cross(rotation, kv) * third
+
+
+@kernel
+def deskew_along_path_kernel(
+    points: array(dtype=vec3),
+    times: array(dtype=float64),
+    origin: vec3d,
+    span: array(dtype=float64),
+    rotations: array(dtype=vec3),
+    velocity: vec3,
+    out: array(dtype=vec3),
+):
+    """Each point as seen at the last time, by rotation vectors at equal steps of time. NaN without a time."""
+    i = tid()
+    first = span[0]
+    last = span[1]
+    moved = vec3(float(NAN), float(NAN), float(NAN))
+    if isfinite(times[i]):
+        fraction = 0.0
+        if last > first:
+            fraction = float((times[i] - last) / (last - first))
+        steps = int(rotations.shape[0]) - 1
+        place = (fraction + 1.0) * float(steps)
+        k = min(max(int(place), 0), steps - 1)
+        rotation = rotations[k] + (rotations[k + 1] - rotations[k]) * (place - float(k))
+        p = narrow(widen(points[i]) + origin)
+        moved = move_by_twist(p, rotation, velocity * fraction)
+    out[i] = moved
+
+
 def bound_times(points: Points, times: Doubles) -> Doubles:
     """First and last time of measured points, float64 (2) on the device; inf and -inf without any."""
     runs = Runs(points.size, points.device, TIMES_PER_THREAD)
@@ -116,4 +180,17 @@ def deskew_points(points: Points, times: Doubles, origin: np.ndarray, span: Doub
     out = empty(points.size, vec3, points.device)
     motion = ScrewMotion(span, twist)
     launch(deskew_points_kernel, points.size, [points, times, vec3d(*origin), motion, out])
+    return out
+
+
+def deskew_along_path(
+    points: Points, times: Doubles, origin: np.ndarray, span: Doubles, rotations: np.ndarray, velocity: np.ndarray
+) -> Points:
+    """As `deskew_points` for a rotation that is not constant: rotation vectors [n, 3] to the last time, equally spaced.
+
+    12 B per point read and written, 8 B of time. About 80 operations per point."""
+    out = empty(points.size, vec3, points.device)
+    table = upload(rotations.astype(np.float32), vec3, points.device)
+    arguments = [points, times, vec3d(*origin), span, table, vec3(*map(float, velocity)), out]
+    launch(deskew_along_path_kernel, points.size, arguments)
     return out

@@ -59,7 +59,7 @@ class ScanClock:
         return ScanClock(time, (*self.steps, step)[-KNOWN_STEPS:]), gap if gap >= MIN_GAP else 1.0
 
 
-def motion_in(gap: float, motion: Matrix, max_distance: float) -> Matrix:
+def motion_in(gap: float, motion: Matrix, max_distance: float = math.inf) -> Matrix:
     """The motion in a gap from that in one interval, over at most a distance [m]."""
     twist = twist_of(motion)
     speed = float(norm(twist[3:]))

@@ -17,6 +17,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ...cameras.imu_readings import ImuReadings
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.observers import report
@@ -25,7 +26,7 @@ from ...core.time_checks import check_time
 from ...core.units import METRE, common_unit
 from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.memory import Readback, clone, contiguous, download
-from ...kernels.odometry.deskewing import bound_times, deskew_points
+from ...kernels.odometry.deskewing import bound_times, deskew_along_path, deskew_points
 from ...kernels.odometry.map_aligner import MapAligner
 from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points, thin_successively
 from ...kernels.odometry.pose_probes import unmatched_by_range
@@ -46,6 +47,7 @@ from .gaps import (
     motion_in,
     poses_after,
 )
+from .inertial import InertialMotion, InertialTracker, check_imu, span_of_scan
 from .lidar_steps import (
     FIRST_SCAN,
     MAX_REST,
@@ -221,13 +223,23 @@ class LidarOdometry(Serialized):
         """Summary statistics of the run so far."""
         return summarize_steps(self.steps)
 
+    @property
+    def up(self) -> NDArray[np.float64] | None:
+        """Up in world coordinates, a unit vector [3], by the accelerometer; `registration.leveled` takes it.
+
+        None before one second of scans with IMU readings."""
+        self._finish_interrupted()
+        gravity = self._known.inertial.gravity
+        return None if gravity is None else gravity / norm(gravity)
+
     def register(
         self,
         scan: PointCloud,
         timestamps: ArrayLike | None = None,
         *,
-        time: float | None = None,
         prior: ArrayLike | None = None,
+        imu: ImuReadings | None = None,
+        time: float | None = None,
     ) -> Matrix:
         """Estimate the pose of the next scan.
 
@@ -235,10 +247,14 @@ class LidarOdometry(Serialized):
             scan: Points in the sensor's frame. Scans should come at a constant rate.
             timestamps: Time of each point, shape [n], in any unit and from any origin. None: the scan's attribute
                 "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time", if any.
-            time: Time of the scan, in the unit of the other scans' times and from any origin: it shows missing
-                scans. None: the first of its point times, if these grow from scan to scan.
             prior: Motion since the last scan, T_last_sensor, shape [4, 4], from wheels or an IMU: the initial pose,
-                kept along undetermined directions. None: constant velocity.
+                kept along undetermined directions. None: constant velocity, or the motion by `imu`.
+            imu: Readings of an IMU, at least from the end of the last scan to the end of this scan: they predict the
+                motion and deskew the scan. If readings are missing for more than 50 ms, the velocity is constant. All
+                readings of a recording may be passed each time.
+            time: Time of the end of the scan, in the unit of the other scans' times: it shows missing scans. None: the
+                point times, if they grow from scan to scan. With `imu`: in seconds on the clock of the IMU, as the
+                point times, which may then have another origin.
 
         Returns:
             T_world_sensor at the end of the scan, float64 [4, 4]. A scan without points in range or without overlap
@@ -247,7 +263,8 @@ class LidarOdometry(Serialized):
         Raises:
             TypeError: `scan` is not a PointCloud.
             ValueError: Times of another length or that float32 does not resolve, a prior that is not rigid, or a path
-                beyond 2^20 voxels from its start.
+                beyond 2^20 voxels from its start. With `imu`: no time, a time that is not after the last scan's, or
+                that is more than a minute from all readings.
             DeviceError: The scan is on another device than the odometry.
         """
         check_cloud("scan", scan)
@@ -256,22 +273,29 @@ class LidarOdometry(Serialized):
         motion = None if prior is None else check_rigid("prior", prior)
         self._finish_interrupted()
         state = self._known
-        times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
+        has_times = self.deskew or timestamps is not None or imu is not None
+        times = point_times(scan, timestamps) if has_times else None
         points = scan.arrays["points"]
         time = None if time is None else check_time("time", time)
         if self.deskew and times is not None and self._part is None and len(scan) > MIN_POINTS:
             self._part = part_of_interval(points, times, scan.origin, self.interval, are_single(scan, timestamps))
+        inertial = None if imu is None else self._predict_inertial(points, times, check_imu(imu), time)
         raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0)
         voxel_map = self._empty_map(scan.device) if state.map is None else state.map
-        has_prior, motion = motion is not None, state.motion if motion is None else motion
+        has_prior, inertial_motion = motion is not None, None if inertial is None else inertial.motion
+        if motion is None:
+            motion = state.motion if inertial_motion is None else inertial_motion
+        if inertial is not None:
+            raw = raw.with_imu(inertial)
         span = None if time is not None else raw.sent_span()
         downsampled = self._downsample(raw, motion)  # sync
         clock, gap = state.clock.next(time, None if span is None else tuple(span.read(has_waited=True)))
-        way = motion if gap <= 1 or has_prior else motion_in(gap, motion, self._max_gap())
+        is_given = has_prior or inertial_motion is not None  # the motion over the whole gap
+        way = motion if gap <= 1 or is_given else motion_in(gap, motion, self._max_gap())
         predicted = matmul(self._last_pose(), way)
         step = self._match(
             voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion,
-            path=PathSearch(motion, gap),
+            path=PathSearch(motion_in(1 / gap, motion) if is_given and gap > 1 else motion, gap),
         )  # fmt: skip
         if raw.times is not None and step.is_sound and step.iterations and step.gap == 1.0:
             if state.first is not None:
@@ -287,10 +311,18 @@ class LidarOdometry(Serialized):
                 near, beyond = unmatched_by_range(downsampled.dense, alone, step.pose, distance)
                 step = replace(step, rest_change=beyond - near)
         self._next = self._next_state(step, downsampled, voxel_map, predicted, raw, clock)
+        if inertial is not None:
+            self._next = self._next.with_imu(inertial)
         self._next.join(self.max_range)
         self._adopt(self._next)
         report("scan", odometry=self, scan=scan, step=self._steps[-1])
         return self._steps[-1].pose.copy()
+
+    def _predict_inertial(
+        self, points: wp.array, times: wp.array | None, imu: ImuReadings, time: float | None
+    ) -> InertialMotion:
+        first, last = (None, None) if times is None else map(float, download(bound_times(points, times)))  # sync
+        return self._known.inertial.predict(imu, len(self._steps), *span_of_scan(time, first, last))
 
     def _finish_interrupted(self) -> None:
         """Complete an interrupted scan if the map has changed, else discard it."""
@@ -559,6 +591,7 @@ class OdometryState:
     map_error: MapError = field(default_factory=MapError)
     rest: Rest | None = None
     clock: ScanClock = field(default_factory=ScanClock)
+    inertial: InertialTracker = field(default_factory=InertialTracker)
 
     def after(self, step: OdometryStep, last_pose: Matrix, pending: PendingScan | None) -> OdometryState:
         motion = matmul(invert_pose(last_pose), step.pose)
@@ -591,6 +624,11 @@ class MapUpdate:
     additions: int
     parts: tuple[tuple[wp.array, Matrix], ...]
 
+    def with_imu(self, inertial: InertialMotion) -> MapUpdate:
+        """Record the readings' use in the step and state."""
+        step = replace(self.step, has_imu=inertial.motion is not None, imu_difference=inertial.difference(self.step))
+        return replace(self, step=step, known=replace(self.known, inertial=inertial.after(step)))
+
     def has_begun(self) -> bool:
         return self.known.map is not None and self.known.map.additions > self.additions
 
@@ -614,14 +652,24 @@ class RawScan:
     origin: NDArray[np.float64]
     times: wp.array | None
     part: float = 1.0
+    path: Matrix | None = None
+
+    def with_imu(self, inertial: InertialMotion) -> RawScan:
+        """The scan with the rotation during it by an IMU, and the fraction of the interval by its clock."""
+        if self.times is None:
+            return self
+        return replace(self, path=inertial.path, part=inertial.part or self.part)
 
     def copy(self) -> RawScan:
         """A copy of the scan: a sensor driver may reuse its buffer."""
         times = None if self.times is None else clone(self.times)
-        return RawScan(clone(self.points), self.origin, times, self.part)
+        return replace(self, points=clone(self.points), times=times)
 
     def deskewed(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, deskewed by the motion between scans (eqs. 2 to 4)."""
+        if self.path is not None and self.times is not None and self._span is not None:
+            velocity = self.part * twist_of(motion)[3:]
+            return deskew_along_path(self.points, self.times, self.origin, self._span, self.path, velocity)
         if not np.array_equal(motion, np.eye(4)) and self.times is not None and self._span is not None:
             return deskew_points(self.points, self.times, self.origin, self._span, self.part * twist_of(motion))
         return shift_points(self.points, self.origin)

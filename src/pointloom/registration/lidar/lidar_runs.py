@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...cameras.imu_readings import ImuReadings
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_callback, check_numeric, check_shape
 from ...core.devices import DeviceLike
@@ -20,6 +21,7 @@ from .lidar_steps import OdometryStep
 def iterate_odometry(
     scans: Scans,
     *,
+    imu: ImuReadings | None = None,
     timestamps: NDArray[np.float64] | None = None,
     device: DeviceLike = None,
     columns: Sequence[str] | None = None,
@@ -27,9 +29,10 @@ def iterate_odometry(
 ) -> Iterator[OdometryStep]:
     """Register scans one by one, and yield each step. Arguments and errors as of `run_odometry`."""
     odometry = LidarOdometry(device=device, **options)
-    for k, scan in enumerate(read_scans(scans, device=device, columns=columns)):
-        time = None if timestamps is None or k >= len(timestamps) else timestamps[k]  # too few: an error at the end
-        odometry.register(scan, time=time)
+    for number, scan in enumerate(read_scans(scans, device=device, columns=columns)):
+        if timestamps is not None and number >= len(timestamps):
+            raise ValueError(f"timestamps: expected one for each scan, got {len(timestamps)} for more scans")
+        odometry.register(scan, imu=imu, time=None if timestamps is None else timestamps[number])
         yield odometry.steps[-1]
 
 
@@ -37,6 +40,7 @@ def run_odometry(
     scans: Scans,
     *,
     timestamps: ArrayLike | None = None,
+    imu: ImuReadings | None = None,
     progress: Callable[[OdometryStep], None] | None = None,
     device: DeviceLike = None,
     columns: Sequence[str] | None = None,
@@ -47,7 +51,9 @@ def run_odometry(
     Args:
         scans: A folder in natural order (scan2 before scan10); or files (KITTI's .bin, .ply, .pcd, .las, ...); or
             clouds.
-        timestamps: Time of each scan [s], for gaps between scans and for the trajectory.
+        timestamps: Time of each scan [s], for gaps between scans and for the trajectory. With `imu`: of its end.
+        imu: Readings of an IMU, as of `LidarOdometry.register`. Its clock is that of `timestamps`, or without them
+            that of the point times.
         progress: Called with the OdometryStep of each scan.
         device: Device of files and map; None: the CPU, or that of the first cloud.
         columns: Column names of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
@@ -68,8 +74,11 @@ def run_odometry(
     times = None if timestamps is None else check_numeric("timestamps", timestamps)
     if times is not None:
         check_seconds("timestamps", times)
+        if times.ndim != 1:
+            raise ValueError(f"timestamps: expected shape [n], one for each scan, got {list(times.shape)}")
     poses, report_step = [], check_callback("progress", progress)
-    for step in iterate_odometry(scans, timestamps=times, device=device, columns=columns, **options):
+    steps = iterate_odometry(scans, imu=imu, timestamps=times, device=device, columns=columns, **options)
+    for step in steps:
         poses.append(step.pose)
         if report_step is not None:
             report_step(step)

@@ -45,6 +45,9 @@ MAX_FAR_CHANGE = 0.015
 # slow for single scans: up to 0.09 in a street at rest, 0.13 with passing trucks, 0.16 in a corridor (median 0.03);
 # 0.1 to 0.4 and growing among trucks that drive along at 0.1 to 0.2 m a scan.
 MAX_REST_CHANGE, MAX_REST = 0.15, 30
+# Difference [rad] of a scan's rotation from the gyroscope's, and the fraction of scans with a larger one: correct
+# readings differ by 0.01 to 0.7 degrees at rates up to 600 degrees/s.
+MAX_IMU_DIFFERENCE, MAX_IMU_DIFFERING = math.radians(2), 0.1
 ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
@@ -80,6 +83,9 @@ class OdometryStep(AssessedRecord):
         covariance: Covariance of the error of the pose relative to the first scan, accumulated along the path: a
             rotation vector [rad] and the displacement of the sensor [m], along the axes of the world.
         match_error: Covariance of the error of the pose in the map.
+        has_imu: True if readings of an IMU predicted the motion.
+        imu_difference: Angle [rad] between the rotations since the last scan by the gyroscope and by the scans. None if
+            one of them is unknown.
     """
 
     index: int
@@ -105,6 +111,8 @@ class OdometryStep(AssessedRecord):
     rest_change: float = 0.0
     covariance: PoseCovariance = field(default_factory=lambda: PoseCovariance(np.zeros((6, 6)), np.zeros(3)))
     match_error: MatchError = field(default_factory=MatchError)
+    has_imu: bool = False
+    imu_difference: float | None = None
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -173,6 +181,8 @@ class OdometrySummary(Report, Assessed):
         out_of_order: Scans whose time is not after that of the scan before.
         sigmas: Standard deviations of the last pose relative to the first scan: rotation [rad] about x, y, z and
             position [m]. Empty without scans.
+        without_imu: Scans after the first without IMU readings, if others have them.
+        imu_differing: Scans whose rotation differs by more than 2 degrees from that of the gyroscope.
     """
 
     scan_count: int
@@ -194,6 +204,8 @@ class OdometrySummary(Report, Assessed):
     gaps: tuple[int, ...] = ()
     doubtful: tuple[int, ...] = ()
     out_of_order: tuple[int, ...] = ()
+    without_imu: tuple[int, ...] = ()
+    imu_differing: tuple[int, ...] = ()
 
     @property
     def is_contradicted(self) -> bool:
@@ -257,6 +269,12 @@ class OdometrySummary(Report, Assessed):
                 f"the scanner appears stationary while {len(self.contradicted)} scans show many surfaces that were not "
                 f"there before ({_scans(self.contradicted)}): objects that move with it may be mistaken for the scene"
             )
+        if len(self.imu_differing) > MAX_IMU_DIFFERING * count:
+            reasons.append(
+                f"{len(self.imu_differing)} of {count} scans rotate by another angle than the gyroscope "
+                f"({_scans(self.imu_differing)}). Check the pose T_sensor_imu of the IMU, its clock, and that its "
+                "angular velocities are in rad/s"
+            )
         if self.is_undetermined:
             reasons.append(
                 f"{len(self.undetermined)} of {count} scans do not determine the motion {self.open_motions} "
@@ -287,6 +305,8 @@ class OdometrySummary(Report, Assessed):
                 "gaps": self.gaps,
                 "doubtful": self.doubtful,
                 "out_of_order": self.out_of_order,
+                "without_imu": self.without_imu,
+                "imu_differing": self.imu_differing,
                 "last_rotation_sigma_deg": [math.degrees(sigma) for sigma in self.sigmas[:3]],
                 "last_position_sigma_m": list(self.sigmas[3:]),
                 **quality(self),
@@ -305,6 +325,8 @@ class OdometrySummary(Report, Assessed):
             ("after gaps", self.gaps), ("doubtful", self.doubtful), ("out of order", self.out_of_order),
         )  # fmt: skip
         fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
+        if self.without_imu:
+            fields.append(("without IMU", f"{len(self.without_imu):,}: {_scans(self.without_imu)}"))
         if self.undetermined:
             where = f"{self.open_motions}, {_scans(self.undetermined)}"
             fields.append(("undetermined", f"{len(self.undetermined):,}: {where}"))
@@ -353,6 +375,8 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         tuple(step.index for step in steps if step.gap > 1),
         tuple(step.index for step in steps if step.is_doubtful and step.is_sound),
         tuple(step.index for step in steps if step.gap <= 0),
+        tuple(step.index for step in steps[1:] if not step.has_imu) if any(step.has_imu for step in steps) else (),
+        tuple(step.index for step in steps if (step.imu_difference or 0.0) > MAX_IMU_DIFFERENCE),
     )
 
 
