@@ -12,8 +12,8 @@ from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
 from ..lang import array, cross, dot, float64, func, kernel, launch, tid, vec3d, vec3i, vector
+from ..linear_algebra import matmul
 from ..memory import download, empty
-from ..poses.cost_differences import RISE_COLUMNS
 from .local_cells import cell_holding, offset_in_cell
 from .map_icp import MAX_FLAT_RATIO
 from .pose_probes import ScanProbes
@@ -24,6 +24,7 @@ MIN_POINTS = 6.0  # of a patch
 MIN_SQUARED_SINE = 0.01  # squared sine of the angle between a patch and its ray
 MIN_SECTORS = 5  # of 8 around a patch's middle: a bent line has 4 at most
 INNER_RADIUS_SQUARED = 0.0625  # of the squared radius: nearer points have no clear direction
+MAX_POSES = 13  # of a comparison: one, and two along each motion
 ROW_SIZE = 7  # of a point: derivatives by rotation and translation, and the distance
 MAX_NORMAL_ERROR = 0.005  # squared error [rad^2] of a patch's normal
 patch = vector(8, float64)  # normal, middle relative to the nearest point, points, middle eigenvalue [m^2]
@@ -81,14 +82,14 @@ def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> p
 
 
 @kernel
-def find_patches_kernel(probes: ScanProbes, rows: array(dtype=float64, ndim=2)):
-    """Standardized squared distances of one run of points from the patches at one pose. Rows of the first pose: the
-    Jacobian, and the distance along the normal.
+def find_patches_kernel(first_pose: int, probes: ScanProbes, rows: array(dtype=float64, ndim=2)):
+    """Standardized squared distances of one run of points from the patches at one pose, from `first_pose` on. Rows of
+    pose 0: the Jacobian, and the distance along the normal.
     """
     i = tid()
     count = probes.squares.shape[1]
     runs = (count + probes.run - 1) // probes.run
-    k = i // runs
+    k = first_pose + i // runs
     first = (i % runs) * probes.run
     pose = probes.poses[k]
     t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
@@ -118,16 +119,30 @@ def find_patches_kernel(probes: ScanProbes, rows: array(dtype=float64, ndim=2)):
             rows[j, ROW_SIZE - 1] = residual
 
 
-def compare_surfaces(
-    points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """As `compare_poses`, with distances from patches in units of their error. Also rows (n, 7) of the points
-    on patches at the first pose: derivatives of the distance [m] by the rotation [rad] about the sensor and by the
-    translation, and the distance.
+class SurfacePatches:
+    """The patches of a map around points of a scan at a pose, about `max_points` ones. One sync.
+
+    `rows` (n, 7) of the points on patches: derivatives of the distance [m] by the rotation [rad] about the sensor and
+    by the translation, and the distance. `radius` [m]: of patches. They are searched twice as far.
     """
-    probes = ScanProbes(points, max_points, voxel_map, poses, radius)
-    rows = empty((probes.count, ROW_SIZE), float64, probes.device)
-    launch(find_patches_kernel, probes.threads, [probes, rows])
-    at_first = download(rows)  # sync
-    rises = probes.cost_changes() if len(poses) > 1 else np.zeros((1, RISE_COLUMNS))
-    return rises, at_first[at_first[:, 3:6].any(axis=1)]
+
+    def __init__(self, points: Points, max_points: int, voxel_map: VoxelMap, pose: np.ndarray, radius: float) -> None:
+        self._probes = ScanProbes(points, max_points, voxel_map, pose[None], radius, MAX_POSES)
+        self._all_rows = empty((self._probes.count, ROW_SIZE), float64, points.device)
+        launch(find_patches_kernel, self._probes.runs, [0, self._probes, self._all_rows])
+        rows = download(self._all_rows)  # sync
+        self.rows = rows[rows[:, 3:6].any(axis=1)]
+
+    @property
+    def information(self) -> np.ndarray:
+        """Sum of the outer products of the derivatives, (6, 6)."""
+        return matmul(self.rows[:, :6].T, self.rows[:, :6])
+
+    def cost_changes(self, poses: np.ndarray) -> np.ndarray:
+        """As `compare_poses`, with distances from patches in units of their error. The first of at most MAX_POSES
+        poses is that of the patches. One sync.
+        """
+        probes = self._probes
+        probes.move_to(poses)
+        launch(find_patches_kernel, (len(poses) - 1) * probes.runs, [1, probes, self._all_rows])
+        return probes.cost_changes()

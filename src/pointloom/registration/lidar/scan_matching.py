@@ -19,14 +19,15 @@ from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmu
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
 from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, LEG_CONVERGED, LEG_LOST
 from ...kernels.odometry.pose_probes import compare_poses
-from ...kernels.odometry.surface_patches import compare_surfaces
+from ...kernels.odometry.surface_patches import SurfacePatches
 from ...kernels.odometry.voxel_map import VoxelMap
-from ..assessment_constants import JUDGING_POINTS, STEP_VOXELS, SUSPECT_FRACTION
+from ..assessment_constants import JUDGING_POINTS, MIN_DEVIATIONS, MIN_RISE, STEP_VOXELS, SUSPECT_FRACTION
 from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 from ..unobservable_motions import moved, rises_clearly, spanned
 from .path_errors import MatchError, match_error, prediction_error
 
 Matrix = NDArray[np.float64]
+Rises = Callable[[Matrix], NDArray[np.bool_]]  # True for each pose at which the cost is higher, by the changes of costs
 
 THRESHOLD_SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
 MIN_MOTIONS_FROM_START = 5.0  # times min_motion from the start, below which the initial threshold is used
@@ -324,10 +325,17 @@ def open_directions(
     if np.trace(information[3:, 3:]) < MIN_PLANES * count:
         return OpenDirections(1.0, np.eye(6), is_blind=True)
 
-    def rises_at(poses: Matrix) -> Matrix:
-        return compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)
+    size = voxel_map.voxel_size
 
-    return _undetermined(voxel_map.voxel_size, pose, information, rises_at)
+    def undetermined(max_points: int, rises: Rises) -> OpenDirections | None:
+        def rises_at(poses: Matrix) -> Matrix:
+            return compare_poses(points, max_points, voxel_map, poses, size)
+
+        return _undetermined(size, pose, information, rises_at, rises)
+
+    if undetermined(FEW_POINTS, _rises_surely) is None:
+        return None
+    return undetermined(JUDGING_POINTS, rises_clearly)
 
 
 def directions_without_surfaces(
@@ -335,33 +343,36 @@ def directions_without_surfaces(
 ) -> tuple[OpenDirections | None, Matrix]:
     """The motions that the surfaces of the map do not determine, even if the pattern of the scan does, or None.
 
-    Also the rows [n, 7] of a few points on surfaces, as of `compare_surfaces`. Surfaces between distant rings are found
+    Also the rows [n, 7] of a few points on surfaces, as of `SurfacePatches`. Surfaces between distant rings are found
     in a coarser map only.
     """
-    _, rows = compare_surfaces(points, FEW_POINTS, voxel_map, pose[None], voxel_map.voxel_size)
-    return _open_to_surfaces(points, voxel_map, pose, matmul(rows[:, :6].T, rows[:, :6])), rows
-
-
-def _open_to_surfaces(
-    points: wp.array, voxel_map: VoxelMap, pose: Matrix, information: Matrix
-) -> OpenDirections | None:
     size, free = voxel_map.voxel_size, None
-    if np.trace(information[3:, 3:]) >= MIN_PATCHES and _exceeds(_scaled(information, size)[0], SURE_FRACTION):
-        return None
+    few = SurfacePatches(points, FEW_POINTS, voxel_map, pose, size)
+    if _count(information := few.information) >= MIN_PATCHES and (
+        _undetermined(size, pose, information, few.cost_changes, _rises_surely, limit=SURE_FRACTION) is None
+    ):
+        return None, few.rows
     has_patches = False
     for factor in (1.0, COARSE_FACTOR):
         like = voxel_map if factor == 1.0 else voxel_map.coarser(factor, pose[:3, 3])
-
-        def rises_at(poses: Matrix, like: VoxelMap = like) -> Matrix:
-            return compare_surfaces(points, JUDGING_POINTS, like, poses, like.voxel_size)[0]
-
-        _, rows = compare_surfaces(points, JUDGING_POINTS, like, pose[None], like.voxel_size)
-        information = matmul(rows[:, :6].T, rows[:, :6])
-        if np.trace(information[3:, 3:]) >= MIN_PATCHES:
-            free, has_patches = _undetermined(like.voxel_size, pose, information, rises_at, free), True
+        patches = SurfacePatches(points, JUDGING_POINTS, like, pose, like.voxel_size)
+        if _count(information := patches.information) >= MIN_PATCHES:
+            has_patches, rises_at = True, patches.cost_changes
+            free = _undetermined(like.voxel_size, pose, information, rises_at, rises_clearly, among=free)
             if free is None:
-                return None
-    return free if has_patches else OpenDirections(1.0, np.eye(6), is_blind=True)
+                return None, few.rows
+    return free if has_patches else OpenDirections(1.0, np.eye(6), is_blind=True), few.rows
+
+
+def _count(information: Matrix) -> float:
+    """Number of planes."""
+    return float(np.trace(information[3:, 3:]))
+
+
+def _rises_surely(rises: Matrix) -> NDArray[np.bool_]:
+    """As `rises_clearly`, for few points: by the error of their mean, more points rise clearly too."""
+    total, square, pairs, _ = rises.T
+    return total - MIN_DEVIATIONS * np.sqrt(np.maximum(square, 1)) >= MIN_RISE * np.maximum(pairs, 1)
 
 
 def _undetermined(
@@ -369,32 +380,35 @@ def _undetermined(
     pose: Matrix,
     information: Matrix,
     rises_at: Callable[[Matrix], Matrix],
+    rises: Rises,
+    *,
+    limit: float = SUSPECT_FRACTION,
     among: OpenDirections | None = None,
 ) -> OpenDirections | None:
-    """Motions with little `information` along which the cost does not rise (`rises_at`: as of `compare_poses`).
+    """Motions with information below a limit along which the cost does not rise, by `rises` (as `rises_clearly`).
 
-    They are among given ones, if any. `size` [m] is the voxel edge.
+    `rises_at` is as `compare_poses`. Motions are `among` given ones, if any. `size` [m] is the voxel edge.
     """
     normal_matrix, lever, scale = _scaled(information, size, None if among is None else among.lever)
-    if _exceeds(normal_matrix, SUSPECT_FRACTION):
+    if _exceeds(normal_matrix, limit):
         return None
     if among is None:
         values, vectors = eigh(normal_matrix)
     else:
         values, vectors = eigh(matmul(among.basis.T, matmul(normal_matrix, among.basis)))
         vectors = matmul(among.basis, vectors)
-    suspects = vectors[:, values < SUSPECT_FRACTION]
+    suspects = vectors[:, values < limit]
     if not suspects.shape[1]:
         return None
     steps = [sign * STEP_VOXELS * size * v / scale for v in suspects.T for sign in (-1, 1)]
-    rises = rises_at(np.array([pose, *(moved(pose, s) for s in steps)]))
-    is_open = ~rises_clearly(rises[1:]).reshape(-1, 2).all(axis=1)
+    changes = rises_at(np.array([pose, *(moved(pose, s) for s in steps)]))
+    is_open = ~rises(changes[1:]).reshape(-1, 2).all(axis=1)
     return OpenDirections(lever, suspects[:, is_open]) if is_open.any() else None
 
 
 def _scaled(information: Matrix, size: float, lever: float | None = None) -> tuple[Matrix, float, Matrix]:
     """Information of one plane with rotations times the lever, the lever [m], and the scale of each motion."""
-    planes = float(np.trace(information[3:, 3:]))
+    planes = _count(information)
     lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size) if lever is None else lever
     scale = np.array([lever] * 3 + [1.0] * 3)
     return information / np.outer(scale, scale) / planes, lever, scale
