@@ -7,7 +7,7 @@ a scan even if the surfaces do not determine its motion.
 
 import numpy as np
 
-from ..algebra.eigen import eigenvalues, orthogonal_direction, smallest_eigenvector
+from ..algebra.eigen import orthogonal_direction, values_and_smallest_vector
 from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
@@ -43,17 +43,12 @@ def sectors_in_map(center: vec3d, radius: float, u: vec3d, v: vec3d, voxel_map: 
         for slot in range(first, first + voxel_map.counts[voxel]):
             d = widen(voxel_map.offsets[slot] + shift - position)
             sqdist = float(dot(d, d))
-            if sqdist < sqradius and sqdist > INNER_RADIUS_SQUARED * sqradius:
-                a = dot(d, u)
-                b = dot(d, v)
-                octant = int(0)
-                if a > 0.0:
-                    octant += 1
-                if b > 0.0:
-                    octant += 2
-                if abs(a) > abs(b):
-                    octant += 4
-                octants = octants | (1 << octant)
+            a = dot(d, u)
+            b = dot(d, v)
+            # without branches, of which half would be mispredicted
+            is_beside = (1 if sqdist < sqradius else 0) * (1 if sqdist > INNER_RADIUS_SQUARED * sqradius else 0)
+            octant = (1 if a > 0.0 else 0) + (2 if b > 0.0 else 0) + (4 if abs(a) > abs(b) else 0)
+            octants = octants | (is_beside << octant)
     count = int(0)
     for k in range(8):
         count += (octants >> k) & 1
@@ -69,15 +64,17 @@ def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> p
         n = float64(m[0])
         mean = mean_of(m)
         C = covariance_of(m, mean)
-        spread = eigenvalues(C)
-        is_flat = spread[1] > float64(MAX_FLAT_RATIO) * spread[2] and spread[0] < float64(MAX_FLAT_RATIO) * spread[1]
-        if is_flat and spread[0] < float64(MAX_NORMAL_ERROR) * n * spread[1]:
-            normal = smallest_eigenvector(C)
+        spectrum = values_and_smallest_vector(C)
+        is_flat = (
+            spectrum[1] > float64(MAX_FLAT_RATIO) * spectrum[2] and spectrum[0] < float64(MAX_FLAT_RATIO) * spectrum[1]
+        )
+        if is_flat and spectrum[0] < float64(MAX_NORMAL_ERROR) * n * spectrum[1]:
+            normal = vec3d(spectrum[3], spectrum[4], spectrum[5])
             incidence = dot(normal, ray)
             if incidence * incidence > float64(MIN_SQUARED_SINE) * dot(ray, ray):
                 u = orthogonal_direction(normal)
                 if sectors_in_map(center, radius, u, cross(normal, u), voxel_map) >= MIN_SECTORS:
-                    result = patch(normal[0], normal[1], normal[2], mean[0], mean[1], mean[2], n, spread[1])
+                    result = patch(normal[0], normal[1], normal[2], mean[0], mean[1], mean[2], n, spectrum[1])
     return result
 
 
