@@ -12,46 +12,74 @@ from ..algebra.transform import narrow, widen
 from ..array_types import Doubles, Points
 from ..arrays.row_atomics import raise_double
 from ..arrays.runs import Runs, elements_of, row_of
-from ..lang import INFINITY, NAN, array, cross, float64, func, isfinite, kernel, launch, sin, struct, tid, vec3, vec3d
+from ..lang import (
+    INFINITY,
+    NAN,
+    array,
+    cos,
+    cross,
+    float64,
+    func,
+    isfinite,
+    kernel,
+    launch,
+    sin,
+    struct,
+    tid,
+    vec3,
+    vec3d,
+)
 from ..linear_algebra import matmul
 from ..memory import empty, full
 
 TIMES_PER_THREAD = 4096  # times per thread on the CPU: two atomics cost less than 1 % of the reads
-TINY_ANGLE = 1.0e-12  # [rad] below, a rotation is negligible in float32
+SERIES_ANGLE = 0.5  # [rad] below, the series of half of it are exact in float32
 
 
 @struct
 class ScrewMotion:
-    """Constant-velocity screw: `span`, start and end times. Rotation `axis`, `angle` [rad]; `velocity` [m]."""
+    """Constant-velocity screw: `span`, start and end times. Rotation `axis`, `angle` [rad]; `velocity` [m], its cross
+    product with the axis, `turned`, and that of the axis with this one, `turned_twice`.
+    """
 
     span: array(dtype=float64)
     axis: vec3
     angle: float
     velocity: vec3
+    turned: vec3
+    turned_twice: vec3
 
     def __init__(self, span: Doubles, twist: np.ndarray) -> None:
         """Motion exp(`twist`), (rotation, translation), float64 (6)."""
         self.span, self.angle = span, math.sqrt(float(matmul(twist[:3], twist[:3])))
         axis = twist[:3] / self.angle if self.angle > 0 else twist[:3]
-        self.axis, self.velocity = vec3(*map(float, axis)), vec3(*map(float, twist[3:]))
+        (x, y, z), (u, v, w) = axis.tolist(), twist[3:].tolist()
+        a, b, c = y * w - z * v, z * u - x * w, x * v - y * u
+        self.axis, self.velocity, self.turned = vec3(x, y, z), vec3(u, v, w), vec3(a, b, c)
+        self.turned_twice = vec3(y * c - z * b, z * a - x * c, x * b - y * a)
 
 
 @func
 def move_along_screw(p: vec3, fraction: float, motion: ScrewMotion) -> vec3:
-    """Move p by a fraction of exp(angle * axis, velocity). 2 sin^2(a / 2) is accurate for small a."""
+    """Move p by a fraction of exp(angle * axis, velocity). Half angles are accurate for small ones."""
     a = fraction * motion.angle
-    sine = sin(a)
-    half = sin(0.5 * a)
-    versine = 2.0 * half * half
-    first = 0.0  # (1 - cos a) / a
-    second = 0.0  # (a - sin a) / a
-    if abs(a) > TINY_ANGLE:
-        first = versine / a
-        second = 1.0 - sine / a
+    h = 0.5 * a
+    cosine = 1.0  # of h
+    ratio = 1.0  # sin h / h
+    if abs(a) < SERIES_ANGLE:  # in a third of the time of sin and cos
+        q = h * h
+        cosine = 1.0 - q * (0.5 - q * (1.0 / 24.0 - q * (1.0 / 720.0)))
+        ratio = 1.0 - q * (1.0 / 6.0 - q * (1.0 / 120.0 - q * (1.0 / 5040.0)))
+    else:
+        cosine = cos(h)
+        ratio = sin(h) / h
+    first = ratio * ratio * h  # (1 - cos a) / a
+    sine = a * ratio * cosine
+    versine = a * first
+    second = 1.0 - ratio * cosine  # (a - sin a) / a
     kp = cross(motion.axis, p)
-    kv = cross(motion.axis, motion.velocity)
     rotated = p + kp * sine + cross(motion.axis, kp) * versine
-    moved = (motion.velocity + kv * first + cross(motion.axis, kv) * second) * fraction
+    moved = motion.velocity * fraction + motion.turned * (first * fraction) + motion.turned_twice * (second * fraction)
     return rotated + moved
 
 
