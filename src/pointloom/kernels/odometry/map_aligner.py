@@ -34,7 +34,20 @@ from .voxel_map import VoxelMap
 CPU_RUN = 32  # points per thread: some tens of threads and rows per scan
 CUDA_RUN = 1  # a GPU needs the threads. A second stage sums ROWS_PER_SUM rows each
 MIN_PAIRS = 6  # fewer do not fix a pose against noise
+UPPER_TRIANGLE = np.triu_indices(UNKNOWN_COUNT)
 MIN_ROOM = 1024  # minimum room for scan points
+
+
+# First numbers of the fields of each leg, in the order in which `MapAligner` writes them.
+LEG_FIELDS = np.array(
+    [
+        LegOptions.parts()[name].start
+        for name in (
+            "max_sqdistances", "kernel_scales", "tolerances", "min_pairs", "max_iterations", "to_planes",
+            "first_points", "point_counts", "regularized", "starts", "needed",
+        )
+    ]
+)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +132,7 @@ class MapAligner:
         """Run at most MAX_LEGS legs (else ValueError): (results, information of the planes (6, 6) over rotation [rad]
         about the sensor and translation [m]). `regularization` is in units of the trace over translations. One sync.
         """
-        course, corner = self._course, np.triu_indices(UNKNOWN_COUNT)
+        course, corner = self._course, UPPER_TRIANGLE
         assert course is not None
         write(course.options.buffer, self._options(legs, None if regularization is None else regularization[corner]))
         launch(begin_course_kernel, len(legs), [course])
@@ -141,19 +154,13 @@ class MapAligner:
         assert self._course is not None
         buffer = np.zeros(self._course.options.buffer.size)
         options = LegOptions.in_host(buffer)
+        options["poses"][: 16 * len(legs)] = np.array([leg.pose for leg in legs]).reshape(-1)
         for k, leg in enumerate(legs):
-            options["poses"][16 * k : 16 * k + 16] = leg.pose.ravel()
-            options["max_sqdistances"][k] = np.float32(leg.max_distance) ** 2
-            options["kernel_scales"][k] = leg.kernel_scale
-            options["tolerances"][k] = leg.tolerance
-            options["min_pairs"][k] = max(leg.min_pairs, MIN_PAIRS)
-            options["max_iterations"][k] = leg.iterations
-            options["to_planes"][k] = leg.to_planes
-            options["first_points"][k] = self._counts[0] if leg.few else 0
-            options["point_counts"][k] = self._counts[leg.few]
-            options["regularized"][k] = leg.is_regularized
-            options["starts"][k] = leg.start
-            options["needed"][k] = leg.is_needed
+            buffer[LEG_FIELDS + k] = (
+                np.float32(leg.max_distance) ** 2, leg.kernel_scale, leg.tolerance, max(leg.min_pairs, MIN_PAIRS),
+                leg.iterations, leg.to_planes, self._counts[0] if leg.few else 0, self._counts[leg.few],
+                leg.is_regularized, leg.start, leg.is_needed,
+            )  # fmt: skip
         if regularization is not None:
             options["regularization"][:] = regularization
         options["leg_count"][0] = len(legs)

@@ -5,6 +5,7 @@ sync. An iteration is two launches, three on CUDA: runs of points are matched an
 solves, moves the pose and decides. Source: as map_icp.py.
 """
 
+import functools
 from inspect import get_annotations
 
 import numpy as np
@@ -62,6 +63,7 @@ class OneBuffer:
         vars(self).update({name: rows_of(self.buffer, part.start, part.stop) for name, part in parts.items()})
 
     @classmethod
+    @functools.cache
     def parts(cls) -> dict[str, slice]:
         sizes = {name: FIELD_SIZES.get(name, MAX_LEGS) for name in get_annotations(cls)}
         ends = np.cumsum(list(sizes.values())).tolist()

@@ -31,7 +31,7 @@ from ..lang import (
     vec3,
     vec3d,
 )
-from ..memory import copy, download, empty, fill, full, host_view, zeros
+from ..memory import download, empty, full, host_view, upload, zeros
 from .local_cells import LocalCells, cell_holding, local_key
 
 MIN_CAPACITY = 1 << 12  # of a table of voxels. It grows to twice the voxels of a scan
@@ -270,19 +270,13 @@ class ScanSampler:
             self._selection = Selection(MIN_CAPACITY, points.device)
         while True:
             selection = self._selection
-            fill(selection.entries, EMPTY_KEY)
+            host_view(selection.entries).fill(EMPTY_KEY)
             launch(select_firsts_kernel, 1, [points, keys, *self._ranges, *cells, selection])
             fine, coarse, is_full = host_view(selection.counts).tolist()
             if not is_full:
-                return _first_rows(selection.fine, fine), _first_rows(selection.coarse, coarse)
+                firsts = (host_view(selection.fine)[:fine], host_view(selection.coarse)[:coarse])
+                return upload(firsts[0], vec3, points.device), upload(firsts[1], vec3, points.device)
             self._selection = Selection(4 * selection.capacity, points.device)
-
-
-def _first_rows(points: Points, count: int) -> Points:
-    """A copy of the first points."""
-    rows = empty(count, vec3, points.device)
-    copy(rows, points, count=count)
-    return rows
 
 
 def _cells_within(max_range: float, voxel_size: float) -> LocalCells:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
-from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, LEG_CONVERGED, LEG_LOST
+from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, FROM_GIVEN, LEG_CONVERGED, LEG_LOST
 from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.surface_patches import SurfacePatches
 from ...kernels.odometry.voxel_map import VoxelMap
@@ -113,15 +113,18 @@ def match_scan(
     points, dense, few = scan.sparse, scan.dense, scan.few() if further else None
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
-    first = _leg(guess, count, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE)
-    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH_TOLERANCE)
-    near, last_leg = replace(near, few=few is not None), _leg(guess, count, limit, fine, FINE_TOLERANCE)
+    near_count, has_few = count if few is None else few.size, few is not None
+    first = Leg(
+        guess, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE, LOST_FRACTION * count, MAX_ITERATIONS,
+        is_needed=True,
+    )  # fmt: skip
+    last_leg = _leg(guess, count, limit, fine, FINE_TOLERANCE, start=FROM_CHEAPEST)
     legs = [
-        replace(first, to_planes=False, is_needed=True),
-        near,
-        replace(near, start=FROM_FIRST),
-        *(replace(near, pose=start) for start in further),
-        replace(last_leg, start=FROM_CHEAPEST),
+        first,
+        _leg(guess, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few),
+        _leg(guess, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few, start=FROM_FIRST),
+        *(_leg(start, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few) for start in further),
+        last_leg,
     ]
     aligner.load(points, few, voxel_map)
     results, information = aligner.run(legs)  # sync
@@ -141,7 +144,9 @@ def match_scan(
     if free.is_blind:
         return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
-    constrained = _align(aligner, replace(last_leg, pose=start, is_regularized=True), count, free.weight())
+    constrained = _align(
+        aligner, replace(last_leg, pose=start, start=FROM_GIVEN, is_regularized=True), count, free.weight()
+    )
     return replace(
         constrained if constrained.is_matched else replace(last, pose=start),
         iterations=iterations + constrained.iterations,
@@ -193,8 +198,20 @@ def _distance(A: Matrix, B: Matrix) -> float:
     return float(norm(A[:3, 3] - B[:3, 3]))
 
 
-def _leg(pose: Matrix, count: int, max_distance: float, scale: float, tolerance: float) -> Leg:
-    return Leg(pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes=True)
+def _leg(
+    pose: Matrix,
+    count: int,
+    max_distance: float,
+    scale: float,
+    tolerance: float,
+    *,
+    few: bool = False,
+    start: int = FROM_GIVEN,
+) -> Leg:
+    return Leg(
+        pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes=True, few=few,
+        start=start,
+    )  # fmt: skip
 
 
 def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None = None) -> ScanMatch:
