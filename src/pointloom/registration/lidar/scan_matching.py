@@ -27,7 +27,7 @@ from ..unobservable_motions import moved, rises_clearly, spanned
 from .path_errors import MatchError, match_error, prediction_error
 
 Matrix = NDArray[np.float64]
-Rises = Callable[[Matrix], NDArray[np.bool_]]  # True for each pose at which the cost is higher, by the changes of costs
+Rises = Callable[[Matrix], NDArray[np.bool_]]  # from changes of costs (k, 4) to flags: True if the cost is higher
 
 THRESHOLD_SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
 MIN_MOTIONS_FROM_START = 5.0  # times min_motion from the start, below which the initial threshold is used
@@ -292,8 +292,9 @@ SEARCHED_FRACTION = 0.1  # below which rivals are searched after the start, wher
 MIN_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
 COARSE_FACTOR = 3.0  # of the voxel edge
 MIN_PATCHES = 6.0  # fewer surface patches determine no motion
-# Points of a quick check of the surfaces, and the information at which it suffices: errors of so few are up to 20%.
-FEW_POINTS, SURE_FRACTION = 256, 1.2 * SUSPECT_FRACTION
+# Points of a quick check, and the information at which it suffices: errors of so few are up to 20%. With fewer patches
+# no costs, which are at most 1, rise by three standard errors.
+FEW_POINTS, SURE_FRACTION, MIN_SURE_PATCHES = 256, 1.2 * SUSPECT_FRACTION, 10.0
 MAX_SAMPLES = 64  # along a line
 MAX_RIVALS = 4  # examined in detail
 # Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
@@ -339,9 +340,8 @@ def open_directions(
     points: wp.array, voxel_map: VoxelMap, pose: Matrix, information: Matrix, count: int
 ) -> OpenDirections | None:
     """The motions that `count` points with `information` of planes [6, 6] do not determine, or None."""
-    if np.trace(information[3:, 3:]) < MIN_PLANES * count:
+    if _count(information) < MIN_PLANES * count:
         return OpenDirections(1.0, np.eye(6), is_blind=True)
-
     size = voxel_map.voxel_size
 
     def undetermined(max_points: int, rises: Rises) -> OpenDirections | None:
@@ -365,7 +365,7 @@ def directions_without_surfaces(
     """
     size, free = voxel_map.voxel_size, None
     few = SurfacePatches(points, FEW_POINTS, voxel_map, pose, size)
-    if _count(information := few.information) >= MIN_PATCHES and (
+    if _count(information := few.information) >= MIN_SURE_PATCHES and (
         _undetermined(size, pose, information, few.cost_changes, _rises_surely, limit=SURE_FRACTION) is None
     ):
         return None, few.rows
@@ -383,7 +383,7 @@ def directions_without_surfaces(
 
 def _count(information: Matrix) -> float:
     """Number of planes."""
-    return float(np.trace(information[3:, 3:]))
+    return float(information[3, 3] + information[4, 4] + information[5, 5])
 
 
 def _rises_surely(rises: Matrix) -> NDArray[np.bool_]:
@@ -426,9 +426,10 @@ def _undetermined(
 def _scaled(information: Matrix, size: float, lever: float | None = None) -> tuple[Matrix, float, Matrix]:
     """Information of one plane with rotations times the lever, the lever [m], and the scale of each motion."""
     planes = _count(information)
-    lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size) if lever is None else lever
+    turning = float(information[0, 0] + information[1, 1] + information[2, 2])
+    lever = max(math.sqrt(turning / planes), size) if lever is None else lever
     scale = np.array([lever] * 3 + [1.0] * 3)
-    return information / np.outer(scale, scale) / planes, lever, scale
+    return information / (scale[:, None] * scale) / planes, lever, scale
 
 
 def _exceeds(A: Matrix, limit: float) -> bool:
@@ -438,7 +439,7 @@ def _exceeds(A: Matrix, limit: float) -> bool:
 
 def weak_directions(information: Matrix, count: int) -> Matrix:
     """Translation directions [k, 3] that the planes determine poorly, with rotations eliminated."""
-    planes = float(np.trace(information[3:, 3:]))
+    planes = _count(information)
     if planes < MIN_PLANES * count:
         return np.empty((0, 3))
     alone = information[3:, 3:] - matmul(
