@@ -15,6 +15,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...core.quaternions import nearest_rotations
 from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
 from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, FROM_GIVEN, LEG_CONVERGED, LEG_LOST
@@ -22,7 +23,7 @@ from ...kernels.odometry.pose_probes import compare_poses
 from ...kernels.odometry.surface_patches import SurfacePatches
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..assessment_constants import JUDGING_POINTS, MIN_DEVIATIONS, MIN_RISE, STEP_VOXELS, SUSPECT_FRACTION
-from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
+from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector, rotations_of
 from ..unobservable_motions import moved, rises_clearly, spanned
 from .path_errors import MatchError, match_error, prediction_error
 
@@ -418,9 +419,17 @@ def _undetermined(
     if not suspects.shape[1]:
         return None
     steps = [sign * STEP_VOXELS * size * v / scale for v in suspects.T for sign in (-1, 1)]
-    changes = rises_at(np.array([pose, *(moved(pose, s) for s in steps)]))
+    changes = rises_at(np.concatenate([pose[None], _moved_each(pose, np.array(steps))]))
     is_open = ~rises(changes[1:]).reshape(-1, 2).all(axis=1)
     return OpenDirections(lever, suspects[:, is_open]) if is_open.any() else None
+
+
+def _moved_each(pose: Matrix, motions: Matrix) -> Matrix:
+    """As `moved` for each of some motions [k, 6], poses [k, 4, 4]."""
+    poses = np.tile(pose, (len(motions), 1, 1))
+    poses[:, :3, :3] = nearest_rotations(matmul(rotations_of(motions[:, :3]), pose[:3, :3]))
+    poses[:, :3, 3] += motions[:, 3:]
+    return poses
 
 
 def _scaled(information: Matrix, size: float, lever: float | None = None) -> tuple[Matrix, float, Matrix]:
@@ -456,7 +465,9 @@ def poses_along(
     step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * search_range / MAX_SAMPLES)
     middle = float(matmul(way, guess[:3, 3] - pose[:3, 3]))
     shifts = np.arange(math.floor((middle - search_range) / step), math.ceil((middle + search_range) / step) + 1) * step
-    poses = np.array([pose, *(moved(pose, np.concatenate([np.zeros(3), s * way])) for s in shifts)])
+    motions = np.zeros((len(shifts), 6))
+    motions[:, 3:] = shifts[:, None] * way
+    poses = np.concatenate([pose[None], _moved_each(pose, motions)])
     total, _, pairs, _ = compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)[1:].T
     costs = np.where(pairs >= MIN_SEEN * pairs.max(), total / np.maximum(pairs, 1), np.inf)
     beside = np.concatenate([[np.inf], costs, [np.inf]])
