@@ -99,8 +99,8 @@ class MapAligner:
 
     def load(self, points: Points, few: Points | None, voxel_map: VoxelMap) -> None:
         """Load a scan (finite vec3, not empty), an optional reduced scan, and a nonempty map that stays unchanged."""
-        few = points[:0] if few is None else few
-        total = points.size + few.size
+        few_count = 0 if few is None else few.size
+        total = points.size + few_count
         table = voxel_map.table
         arrays = (table.keys, table.positions, voxel_map.counts, voxel_map.offsets, voxel_map.voxel_size)
         room = 0 if self._course is None else self._course.points.size
@@ -108,8 +108,8 @@ class MapAligner:
         if total > room or not is_unchanged:
             self._make(max(MIN_ROOM, room, 1 << (total - 1).bit_length()), voxel_map, points.device)
             self._arrays = arrays
-        self._counts = (points.size, few.size)
-        launch(load_scan_kernel, total, [points, few, self._course])
+        self._counts = (points.size, few_count)
+        launch(load_scan_kernel, total, [points, points if few is None else few, self._course])
 
     def _make(self, room: int, voxel_map: VoxelMap, device: Device) -> None:
         course = Course(room, voxel_map, float(self._plane_voxels * voxel_map.voxel_size), device)

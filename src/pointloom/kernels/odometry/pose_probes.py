@@ -61,7 +61,7 @@ class ScanProbes:
 
     def move_to(self, poses: np.ndarray) -> None:
         """Set the poses, as many as there is room for."""
-        self.poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, self.device)
+        self.poses = upload(poses, mat44d, self.device)
 
     def cost_changes(self) -> np.ndarray:
         return compare_costs(rows_of(self.squares, 0, self.poses.size), self.voxel_map.voxel_size)
