@@ -23,6 +23,7 @@ from .map_course import (
     add_planes_kernel,
     associate_points_kernel,
     begin_course_kernel,
+    find_map_planes_kernel,
     fold_rows_kernel,
     load_scan_kernel,
     step_pose_kernel,
@@ -96,23 +97,32 @@ class MapAligner:
         self._course: Course | None = None
         self._arrays: tuple[Any, ...] = ()
         self._counts = (0, 0)
+        self._has_map_planes = False
 
-    def load(self, points: Points, few: Points | None, voxel_map: VoxelMap) -> None:
-        """Load a scan (finite vec3, not empty), an optional reduced scan, and a nonempty map that stays unchanged."""
+    def load(self, points: Points, few: Points | None, voxel_map: VoxelMap, *, has_many_starts: bool = False) -> None:
+        """Load a scan (finite vec3, not empty), an optional reduced scan, and a nonempty map that stays unchanged. For
+        many starts the planes around all map points are computed first.
+        """
         few_count = 0 if few is None else few.size
         total = points.size + few_count
         table = voxel_map.table
         arrays = (table.keys, table.positions, voxel_map.counts, voxel_map.offsets, voxel_map.voxel_size)
         room = 0 if self._course is None else self._course.points.size
         is_unchanged = len(arrays) == len(self._arrays) and all(map(_is_same, arrays, self._arrays))
-        if total > room or not is_unchanged:
-            self._make(max(MIN_ROOM, room, 1 << (total - 1).bit_length()), voxel_map, points.device)
+        map_points = voxel_map.count * voxel_map.room if has_many_starts else 0
+        has_room = self._course is not None and total <= room and map_points <= self._course.map_planes.size
+        if not has_room or not is_unchanged:
+            self._make(max(MIN_ROOM, room, 1 << (total - 1).bit_length()), voxel_map, points.device, map_points)
             self._arrays = arrays
         self._counts = (points.size, few_count)
         launch(load_scan_kernel, total, [points, points if few is None else few, self._course])
+        self._has_map_planes = has_many_starts
+        if has_many_starts:
+            launch(find_map_planes_kernel, voxel_map.count, [self._course])
 
-    def _make(self, room: int, voxel_map: VoxelMap, device: Device) -> None:
-        course = Course(room, voxel_map, float(self._plane_voxels * voxel_map.voxel_size), device)
+    def _make(self, room: int, voxel_map: VoxelMap, device: Device, map_points: int) -> None:
+        radius = float(self._plane_voxels * voxel_map.voxel_size)
+        course = Course(room, voxel_map, radius, device, map_points)
         run = CUDA_RUN if device.is_cuda else CPU_RUN
         threads = -(-room // run)
         rows = empty((threads, SYSTEM_SIZE), float64, device)
@@ -164,6 +174,7 @@ class MapAligner:
         if regularization is not None:
             options["regularization"][:] = regularization
         options["leg_count"][0] = len(legs)
+        options["has_map_planes"][0] = self._has_map_planes
         return buffer
 
     def _reached(self, leg: Leg, k: int, results: dict[str, np.ndarray]) -> Reached:

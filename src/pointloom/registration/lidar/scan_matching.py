@@ -41,6 +41,7 @@ PLANE_VOXELS = 1.0  # voxels: radius of plane neighborhoods
 COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared voxels: Geman-McClure scale of plane distances
 START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: radii of the guesses while no motion is known
 START_DIRECTIONS = 8
+MANY_STARTS = 8  # with more, most map points are near a scan point at some start
 MAX_DISAGREEMENT = 0.99  # for a finite residual
 RIVAL_VOXELS = 1.5  # voxels: closer poses are the same
 # [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; handheld scanners rotate this fast
@@ -127,7 +128,7 @@ def match_scan(
         *(_leg(start, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few) for start in further),
         last_leg,
     ]
-    aligner.load(points, few, voxel_map)
+    aligner.load(points, few, voxel_map, has_many_starts=len(further) > MANY_STARTS)
     results, information = aligner.run(legs)  # sync
     iterations = sum(reached.iterations for reached in results)
     if results[0].state == LEG_LOST or results[-1].state == LEG_LOST:
