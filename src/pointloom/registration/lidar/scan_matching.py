@@ -352,7 +352,7 @@ def open_directions(
 
         return _undetermined(size, pose, information, rises_at, rises)
 
-    if undetermined(FEW_POINTS, _rises_surely) is None:
+    if undetermined(FEW_POINTS, rises_surely) is None:
         return None
     return undetermined(JUDGING_POINTS, rises_clearly)
 
@@ -368,7 +368,7 @@ def directions_without_surfaces(
     size, free = voxel_map.voxel_size, None
     few = SurfacePatches(points, FEW_POINTS, voxel_map, pose, size)
     if _count(information := few.information) >= MIN_SURE_PATCHES and (
-        _undetermined(size, pose, information, few.cost_changes, _rises_surely, limit=SURE_FRACTION) is None
+        _undetermined(size, pose, information, few.cost_changes, rises_surely, limit=SURE_FRACTION) is None
     ):
         return None, few.rows
     has_patches = False
@@ -388,7 +388,7 @@ def _count(information: Matrix) -> float:
     return float(information[3, 3] + information[4, 4] + information[5, 5])
 
 
-def _rises_surely(rises: Matrix) -> NDArray[np.bool_]:
+def rises_surely(rises: Matrix) -> NDArray[np.bool_]:
     """As `rises_clearly`, for few points: by the error of their mean, more points rise clearly too."""
     total, square, pairs, _ = rises.T
     return total - MIN_DEVIATIONS * np.sqrt(np.maximum(square, 1)) >= MIN_RISE * np.maximum(pairs, 1)
