@@ -37,6 +37,10 @@ def street_drive(count: int, beams: int, azimuths: int) -> Callable[[], Drive]:
     return lambda: drive(count, speed=SPEED, beams=beams, azimuths=azimuths)
 
 
+def livox_drive(count: int, points: int) -> Callable[[], Drive]:
+    return lambda: drive(count, speed=SPEED, rosette_points=points)
+
+
 def prepare_pointloom(scene: Drive, device: str) -> Any:
     import pointloom as loom
 
@@ -163,7 +167,12 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 ODOMETRY = Operation(
     name="odometry",
-    scenes={"64 beams, 115k": street_drive(30, 64, 1800), "16 beams, 14k": street_drive(30, 16, 900)},
+    scenes={
+        "64 beams, 115k": street_drive(30, 64, 1800),
+        "16 beams, 14k": street_drive(30, 16, 900),
+        "128 beams, 250k": street_drive(30, 128, 1950),
+        "rosette of 70 degrees, 20k": livox_drive(30, 20000),
+    },
     quick={"16 beams": street_drive(5, 16, 900)},
     contestants=(
         Contestant(POINTLOOM, prepare_pointloom, lambda poses: poses, ("cpu", "cuda")),

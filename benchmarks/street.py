@@ -14,6 +14,8 @@ from pointloom.datasets.scenes.drive import SCAN_PERIOD, in_world, pose_at, road
 
 MAX_RANGE = 80.0  # [m]
 POLE_HEIGHT = 6.0  # [m]
+ROSETTE_ANGLE = np.radians(35)  # from the axis of the cone
+PETAL_RATE, TURN_RATE = 121.57, 77.93  # [Hz] without a common period
 
 
 @dataclass(frozen=True)
@@ -98,6 +100,14 @@ def rays_towards(bearings: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.
     return np.flatnonzero((angles >= sides.min()) & (angles <= sides.max()))
 
 
+def rosette_rays(number: int, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Directions [n, 3] of scan `number` in a cone around x, and their fraction of its duration [n]."""
+    fraction = np.arange(1, count + 1) / count
+    time = (number + fraction) * SCAN_PERIOD
+    away, around = ROSETTE_ANGLE * np.sin(2 * np.pi * PETAL_RATE * time), 2 * np.pi * TURN_RATE * time
+    return np.stack([np.cos(away), np.sin(away) * np.cos(around), np.sin(away) * np.sin(around)], axis=1), fraction
+
+
 def drive(
     scan_count: int,
     *,
@@ -107,13 +117,16 @@ def drive(
     azimuths: int = 900,
     noise: float = 0.01,
     seed: int = 0,
+    rosette_points: int = 0,
 ) -> Drive:
-    """Scans of a drive along the road at a speed [m/s]; one revolution takes 0.1 s and starts at the rear."""
+    """Scans of a drive along the road at a speed [m/s]; one revolution takes 0.1 s and starts at the rear. With
+    `rosette_points` in 0.1 s, those of a rosette around the direction ahead, which never repeats (as of Livox).
+    """
     rng, rise = np.random.default_rng(seed), np.radians(np.linspace(-22, 4, beams))
     street = make_street(speed * SCAN_PERIOD * scan_count, seed)
     scans, times, poses = [], [], []
     for k in range(scan_count):
-        rays, fraction = rotating_rays(rise, azimuths, rng)
+        rays, fraction = rosette_rays(k, rosette_points) if rosette_points else rotating_rays(rise, azimuths, rng)
         positions, headings = pose_at((k + fraction - 1) * speed * SCAN_PERIOD, sway)
         t = cast_rays(street, positions, in_world(rays, headings))
         is_hit = np.isfinite(t)

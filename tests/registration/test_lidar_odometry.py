@@ -184,6 +184,10 @@ def test_a_scan_pose_matches_the_explicit_loop(device, street_pair, tolerances, 
         at = (x - T[:3, 3])[[bool(np.ndim(known[row][1])) for row in rows[matched].tolist()]]
         J = np.hstack([np.cross(at, normals), normals])
         np.testing.assert_allclose(information, J.T @ J, rtol=0.02, atol=0.01 * np.abs(J.T @ J).max())
+        aligner.load(upload(source, vec3, where), None, voxel_map, has_many_starts=True)  # planes of the map
+        (other,), _ = aligner.run([Leg(np.eye(4), 0.9, kappa, 1e-9, 6, 500, to_planes=True)])
+        assert (other.state, other.paired) == (LEG_CONVERGED, end.paired)
+        np.testing.assert_allclose(other.pose, end.pose, atol=1e-6)
 
 
 @pytest.mark.parametrize("in_table", [True, False])

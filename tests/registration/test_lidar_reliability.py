@@ -11,7 +11,7 @@ from pointloom.registration.assessment_constants import MIN_RISE
 from pointloom.registration.lidar.lidar_odometry import Rest
 from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
 from pointloom.registration.lidar.path_errors import SHIFT_FACTOR, MapError, MatchError, match_error, prediction_error
-from pointloom.registration.lidar.scan_matching import OpenDirections
+from pointloom.registration.lidar.scan_matching import MIN_SURE_PATCHES, OpenDirections, rises_surely
 from pointloom.registration.pose_errors import PoseCovariance
 from pointloom.registration.unobservable_motions import rises_clearly
 
@@ -300,3 +300,13 @@ def test_a_rotation_of_the_map_displaces_later_poses_and_only_renewed_parts_add_
 def test_a_predicted_motion_displaces_far_points_by_its_deviation():
     far = PoseCovariance(prediction_error(2.0, 50.0), np.zeros(3)).about([0.0, 50.0, 0.0])
     np.testing.assert_allclose(far.matrix[3, 3], 2 * 2.0**2)
+
+
+def test_costs_that_rise_surely_rise_clearly_with_more_points(rng):
+    rises = rng.uniform(0, 0.6, (500, 1)) * np.array([[60.0, 30.0, 100.0, 0.0]])
+    rises[:, 2] = rng.integers(1, 200, 500)
+    surely = rises_surely(rises)
+    assert 20 < surely.sum() < 480
+    assert rises_clearly(rises)[surely].all() and rises_clearly(4 * rises)[surely].all()
+    few = np.array([[9.0, 9.0, 9.0, 0.0]])  # costs of at most 1
+    assert not rises_surely(few)[0] and MIN_SURE_PATCHES > 9

@@ -268,7 +268,8 @@ def fill_column(target: Any, column: int, source: wp.array) -> None:
 def write(target: Any, values: np.ndarray) -> None:
     """Overwrite an array with a NumPy array of the same type and size."""
     if target.device.is_cpu:
-        target.numpy().reshape(-1)[:] = values.reshape(-1)
+        view = np.asarray(target) if target.ptr else target.numpy()  # as host_view, whose call would take longer
+        view.reshape(-1)[:] = values.reshape(-1)
         return
     with lock_for(target.device):
         if not device_copies.is_written(target, values):

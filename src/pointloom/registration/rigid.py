@@ -88,9 +88,19 @@ def make_pose(R: Matrix, t: NDArray[np.float64]) -> Matrix:
 def invert_pose(T: Matrix) -> Matrix:
     """Inverse of a pose. The transpose of a rounded rotation would be meters off far from zero."""
     R = T[:3, :3]
-    rounded = np.abs(matmul(R.T, R) - np.eye(3)).max() > MAX_FLOAT64_DEVIATION
-    back = inv(R) if rounded else R.T
+    back = inv(R) if _is_rounded(R) else R.T
     return make_pose(back, matmul(-back, T[:3, 3]))
+
+
+def _is_rounded(R: Matrix) -> bool:
+    """True if R^T R deviates from the identity by more than the rounding of float64."""
+    columns = R.T.tolist()
+    for i, (x, y, z) in enumerate(columns):
+        for j in range(i, 3):
+            a, b, c = columns[j]
+            if abs(x * a + y * b + z * c - (1.0 if i == j else 0.0)) > MAX_FLOAT64_DEVIATION:
+                return True
+    return False
 
 
 def adjoint_of(T: Matrix) -> Matrix:

@@ -9,6 +9,7 @@ from ..lang import acos, cos, cross, dot, float64, func, mat33d, sqrt, vec3d, ve
 
 TWO_THIRDS_PI = 2.0943951023931953  # 2 pi / 3
 pair = vector(2, float64)
+spectrum = vector(6, float64)  # ascending eigenvalues, and the unit eigenvector of the smallest
 
 
 @func
@@ -167,3 +168,28 @@ def eigenvalues(covariance: mat33d) -> vec3d:
             values = sorted_diagonal(a)
         values = values * size
     return values
+
+
+@func
+def values_and_smallest_vector(covariance: mat33d) -> spectrum:
+    """The results of `eigenvalues` and `smallest_eigenvector`, bitwise, in half of the time."""
+    result = spectrum(0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    size = largest_entry(covariance)
+    if size > 0.0:
+        a = covariance * (1.0 / size)
+        if off_diagonal(a) > 0.0:
+            roots = sorted_eigenvalues(a)
+            is_smallest = roots[1] - roots[0] >= roots[2] - roots[1]
+            w = separated_eigenvector(a, roots[0] if is_smallest else roots[2])
+            own = dot(w, a @ w)
+            others = eigenvalues_in_plane(a, w)
+            if is_smallest:
+                result = spectrum(own * size, others[0] * size, others[1] * size, w[0], w[1], w[2])
+            else:
+                n = smallest_in_plane(a, w)
+                result = spectrum(others[0] * size, others[1] * size, own * size, n[0], n[1], n[2])
+        else:
+            values = eigenvalues(covariance)
+            n = smallest_eigenvector(covariance)
+            result = spectrum(values[0], values[1], values[2], n[0], n[1], n[2])
+    return result

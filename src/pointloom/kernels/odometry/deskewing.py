@@ -16,8 +16,10 @@ from ..lang import (
     INFINITY,
     NAN,
     array,
+    cos,
     cross,
     dot,
+    float32,
     float64,
     func,
     isfinite,
@@ -29,48 +31,79 @@ from ..lang import (
     tid,
     vec3,
     vec3d,
+    vector,
 )
 from ..linear_algebra import matmul
 from ..memory import empty, full, upload
 
 TIMES_PER_THREAD = 4096  # times per thread on the CPU: two atomics cost less than 1 % of the reads
-TINY_ANGLE = 1.0e-12  # [rad] below, a rotation is negligible in float32
 SMALL_ANGLE = 1.0e-3  # [rad] below, series to second order are exact in float32
+POINTS_PER_THREAD = 256  # points per thread on the CPU
+SERIES_ANGLE = 0.5  # [rad] below, the series of half of it are exact in float32
+
+screw = vector(5, float32)  # sine and versine of the rotation, translation [m]
 
 
 @struct
 class ScrewMotion:
-    """Constant-velocity screw: `span`, start and end times. Rotation `axis`, `angle` [rad]; `velocity` [m]."""
+    """Constant-velocity screw: `span`, start and end times. Rotation `axis`, `angle` [rad]; `velocity` [m], its cross
+    product with the axis, `turned`, and that of the axis with this one, `turned_twice`.
+    """
 
     span: array(dtype=float64)
     axis: vec3
     angle: float
     velocity: vec3
+    turned: vec3
+    turned_twice: vec3
 
     def __init__(self, span: Doubles, twist: np.ndarray) -> None:
         """Motion exp(`twist`), (rotation, translation), float64 (6)."""
         self.span, self.angle = span, math.sqrt(float(matmul(twist[:3], twist[:3])))
         axis = twist[:3] / self.angle if self.angle > 0 else twist[:3]
-        self.axis, self.velocity = vec3(*map(float, axis)), vec3(*map(float, twist[3:]))
+        (x, y, z), (u, v, w) = axis.tolist(), twist[3:].tolist()
+        a, b, c = y * w - z * v, z * u - x * w, x * v - y * u
+        self.axis, self.velocity, self.turned = vec3(x, y, z), vec3(u, v, w), vec3(a, b, c)
+        self.turned_twice = vec3(y * c - z * b, z * a - x * c, x * b - y * a)
 
 
 @func
-def move_along_screw(p: vec3, fraction: float, motion: ScrewMotion) -> vec3:
-    """Move p by a fraction of exp(angle * axis, velocity). 2 sin^2(a / 2) is accurate for small a."""
+def fraction_of(time: float64, motion: ScrewMotion) -> float:
+    """Fraction of the motion since the end, -1..0. NaN without a time, unless no point has one."""
+    first = motion.span[0]
+    last = motion.span[1]
+    fraction = 0.0
+    if last > first:
+        fraction = float((time - last) / (last - first))
+    elif last == first and not isfinite(time):
+        fraction = float(NAN)
+    return fraction
+
+
+@func
+def screw_at(fraction: float, motion: ScrewMotion) -> screw:
+    """A fraction of exp(angle * axis, velocity). Half angles are accurate for small ones."""
     a = fraction * motion.angle
-    sine = sin(a)
-    half = sin(0.5 * a)
-    versine = 2.0 * half * half
-    first = 0.0  # (1 - cos a) / a
-    second = 0.0  # (a - sin a) / a
-    if abs(a) > TINY_ANGLE:
-        first = versine / a
-        second = 1.0 - sine / a
+    h = 0.5 * a
+    cosine = 1.0  # of h
+    ratio = 1.0  # sin h / h
+    if abs(a) < SERIES_ANGLE:  # in a third of the time of sin and cos
+        q = h * h
+        cosine = 1.0 - q * (0.5 - q * (1.0 / 24.0 - q * (1.0 / 720.0)))
+        ratio = 1.0 - q * (1.0 / 6.0 - q * (1.0 / 120.0 - q * (1.0 / 5040.0)))
+    else:
+        cosine = cos(h)
+        ratio = sin(h) / h
+    first = ratio * ratio * h  # (1 - cos a) / a
+    second = 1.0 - ratio * cosine  # (a - sin a) / a
+    t = motion.velocity * fraction + motion.turned * (first * fraction) + motion.turned_twice * (second * fraction)
+    return screw(a * ratio * cosine, a * first, t[0], t[1], t[2])
+
+
+@func
+def move_by_screw(p: vec3, by: screw, motion: ScrewMotion) -> vec3:
     kp = cross(motion.axis, p)
-    kv = cross(motion.axis, motion.velocity)
-    rotated = p + kp * sine + cross(motion.axis, kp) * versine
-    moved = (motion.velocity + kv * first + cross(motion.axis, kv) * second) * fraction
-    return rotated + moved
+    return p + kp * by[0] + cross(motion.axis, kp) * by[1] + vec3(by[2], by[3], by[4])
 
 
 @kernel
@@ -107,17 +140,25 @@ def fold_times_kernel(ends: array(dtype=float64), span: array(dtype=float64)):
 def deskew_points_kernel(
     points: array(dtype=vec3), times: array(dtype=float64), origin: vec3d, motion: ScrewMotion, out: array(dtype=vec3)
 ):
-    """Each point as seen at the last time. NaN without a time, unless no point has one."""
+    """Each point as seen at the last time."""
     i = tid()
-    first = motion.span[0]
-    last = motion.span[1]
-    fraction = 0.0
-    if last > first:
-        fraction = float((times[i] - last) / (last - first))
-    elif last == first and not isfinite(times[i]):
-        fraction = float(NAN)
     p = narrow(widen(points[i]) + origin)
-    out[i] = move_along_screw(p, fraction, motion)
+    out[i] = move_by_screw(p, screw_at(fraction_of(times[i], motion), motion), motion)
+
+
+@kernel(for_cpu=True)
+def deskew_runs_kernel(
+    points: array(dtype=vec3), times: array(dtype=float64), origin: vec3d, motion: ScrewMotion, out: array(dtype=vec3)
+):
+    """Runs of points as seen at the last time. Beams of a column often share their time, and so their motion."""
+    i = tid()
+    time = float64(NAN)
+    by = screw(0.0)
+    for j in range(i * POINTS_PER_THREAD, min((i + 1) * POINTS_PER_THREAD, points.shape[0])):
+        if times[j] != time:
+            time = times[j]
+            by = screw_at(fraction_of(time, motion), motion)
+        out[j] = move_by_screw(narrow(widen(points[j]) + origin), by, motion)
 
 
 @func
@@ -179,7 +220,11 @@ def deskew_points(points: Points, times: Doubles, origin: np.ndarray, span: Doub
     """Points, in the sensor frame at their times, as seen at the last time; `twist`: log of the motion in `span`."""
     out = empty(points.size, vec3, points.device)
     motion = ScrewMotion(span, twist)
-    launch(deskew_points_kernel, points.size, [points, times, vec3d(*origin), motion, out])
+    arguments = [points, times, vec3d(*origin), motion, out]
+    if points.device.is_cuda:
+        launch(deskew_points_kernel, points.size, arguments)
+    else:
+        launch(deskew_runs_kernel, -(-points.size // POINTS_PER_THREAD), arguments)
     return out
 
 

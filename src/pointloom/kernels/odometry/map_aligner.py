@@ -1,5 +1,6 @@
 """Scan-to-map alignment by a sequence of robust ICP loops with one sync. Device arrays and the CUDA graph are reused
-between scans. 56 B per point of the largest scan, 270 B more on CUDA.
+between scans. 56 B per point of the largest scan, 270 B more on CUDA, and 20 B per place of a map
+point for many starts.
 """
 
 from collections.abc import Sequence
@@ -23,6 +24,7 @@ from .map_course import (
     add_planes_kernel,
     associate_points_kernel,
     begin_course_kernel,
+    find_map_planes_kernel,
     fold_rows_kernel,
     load_scan_kernel,
     step_pose_kernel,
@@ -34,7 +36,20 @@ from .voxel_map import VoxelMap
 CPU_RUN = 32  # points per thread: some tens of threads and rows per scan
 CUDA_RUN = 1  # a GPU needs the threads. A second stage sums ROWS_PER_SUM rows each
 MIN_PAIRS = 6  # fewer do not fix a pose against noise
+UPPER_TRIANGLE = np.triu_indices(UNKNOWN_COUNT)
 MIN_ROOM = 1024  # minimum room for scan points
+
+
+# First numbers of the fields of each leg, in the order in which `MapAligner` writes them.
+LEG_FIELDS = np.array(
+    [
+        LegOptions.parts()[name].start
+        for name in (
+            "max_sqdistances", "kernel_scales", "tolerances", "min_pairs", "max_iterations", "to_planes",
+            "first_points", "point_counts", "regularized", "starts", "needed",
+        )
+    ]
+)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,23 +98,32 @@ class MapAligner:
         self._course: Course | None = None
         self._arrays: tuple[Any, ...] = ()
         self._counts = (0, 0)
+        self._has_map_planes = False
 
-    def load(self, points: Points, few: Points | None, voxel_map: VoxelMap) -> None:
-        """Load a scan (finite vec3, not empty), an optional reduced scan, and a nonempty map that stays unchanged."""
-        few = points[:0] if few is None else few
-        total = points.size + few.size
+    def load(self, points: Points, few: Points | None, voxel_map: VoxelMap, *, has_many_starts: bool = False) -> None:
+        """Load a scan (finite vec3, not empty), an optional reduced scan, and a nonempty map that stays unchanged. For
+        many starts the planes around all map points are computed first.
+        """
+        few_count = 0 if few is None else few.size
+        total = points.size + few_count
         table = voxel_map.table
         arrays = (table.keys, table.positions, voxel_map.counts, voxel_map.offsets, voxel_map.voxel_size)
         room = 0 if self._course is None else self._course.points.size
         is_unchanged = len(arrays) == len(self._arrays) and all(map(_is_same, arrays, self._arrays))
-        if total > room or not is_unchanged:
-            self._make(max(MIN_ROOM, room, 1 << (total - 1).bit_length()), voxel_map, points.device)
+        map_points = voxel_map.count * voxel_map.room if has_many_starts else 0
+        has_room = self._course is not None and total <= room and map_points <= self._course.map_planes.size
+        if not has_room or not is_unchanged:
+            self._make(max(MIN_ROOM, room, 1 << (total - 1).bit_length()), voxel_map, points.device, map_points)
             self._arrays = arrays
-        self._counts = (points.size, few.size)
-        launch(load_scan_kernel, total, [points, few, self._course])
+        self._counts = (points.size, few_count)
+        launch(load_scan_kernel, total, [points, points if few is None else few, self._course])
+        self._has_map_planes = has_many_starts
+        if has_many_starts:
+            launch(find_map_planes_kernel, voxel_map.count, [self._course])
 
-    def _make(self, room: int, voxel_map: VoxelMap, device: Device) -> None:
-        course = Course(room, voxel_map, float(self._plane_voxels * voxel_map.voxel_size), device)
+    def _make(self, room: int, voxel_map: VoxelMap, device: Device, map_points: int) -> None:
+        radius = float(self._plane_voxels * voxel_map.voxel_size)
+        course = Course(room, voxel_map, radius, device, map_points)
         run = CUDA_RUN if device.is_cuda else CPU_RUN
         threads = -(-room // run)
         rows = empty((threads, SYSTEM_SIZE), float64, device)
@@ -119,7 +143,7 @@ class MapAligner:
         """Run at most MAX_LEGS legs (else ValueError): (results, information of the planes (6, 6) over rotation [rad]
         about the sensor and translation [m]). `regularization` is in units of the trace over translations. One sync.
         """
-        course, corner = self._course, np.triu_indices(UNKNOWN_COUNT)
+        course, corner = self._course, UPPER_TRIANGLE
         assert course is not None
         write(course.options.buffer, self._options(legs, None if regularization is None else regularization[corner]))
         launch(begin_course_kernel, len(legs), [course])
@@ -141,22 +165,17 @@ class MapAligner:
         assert self._course is not None
         buffer = np.zeros(self._course.options.buffer.size)
         options = LegOptions.in_host(buffer)
+        options["poses"][: 16 * len(legs)] = np.array([leg.pose for leg in legs]).reshape(-1)
         for k, leg in enumerate(legs):
-            options["poses"][16 * k : 16 * k + 16] = leg.pose.ravel()
-            options["max_sqdistances"][k] = np.float32(leg.max_distance) ** 2
-            options["kernel_scales"][k] = leg.kernel_scale
-            options["tolerances"][k] = leg.tolerance
-            options["min_pairs"][k] = max(leg.min_pairs, MIN_PAIRS)
-            options["max_iterations"][k] = leg.iterations
-            options["to_planes"][k] = leg.to_planes
-            options["first_points"][k] = self._counts[0] if leg.few else 0
-            options["point_counts"][k] = self._counts[leg.few]
-            options["regularized"][k] = leg.is_regularized
-            options["starts"][k] = leg.start
-            options["needed"][k] = leg.is_needed
+            buffer[LEG_FIELDS + k] = (
+                np.float32(leg.max_distance) ** 2, leg.kernel_scale, leg.tolerance, max(leg.min_pairs, MIN_PAIRS),
+                leg.iterations, leg.to_planes, self._counts[0] if leg.few else 0, self._counts[leg.few],
+                leg.is_regularized, leg.start, leg.is_needed,
+            )  # fmt: skip
         if regularization is not None:
             options["regularization"][:] = regularization
         options["leg_count"][0] = len(legs)
+        options["has_map_planes"][0] = self._has_map_planes
         return buffer
 
     def _reached(self, leg: Leg, k: int, results: dict[str, np.ndarray]) -> Reached:

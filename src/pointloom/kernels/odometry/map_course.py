@@ -5,6 +5,7 @@ sync. An iteration is two launches, three on CUDA: runs of points are matched an
 solves, moves the pose and decides. Source: as map_icp.py.
 """
 
+import functools
 from inspect import get_annotations
 
 import numpy as np
@@ -22,6 +23,7 @@ from ..algebra.rigid_solve import (
 )
 from ..algebra.transform import widen
 from ..array_types import Device
+from ..arrays.block_keys import key_block
 from ..lang import INFINITY, array, cross, float64, func, int32, kernel, mat44d, sqrt, struct, tid, vec3, vec3d
 from ..memory import empty, rows_of, zeros
 from .map_icp import (
@@ -49,6 +51,7 @@ FIELD_SIZES = {
     "poses": 16 * MAX_LEGS,
     "regularization": TRIANGLE_NUMBERS,
     "leg_count": 1,
+    "has_map_planes": 1,
     "plane_information": TRIANGLE_NUMBERS,
 }
 
@@ -62,6 +65,7 @@ class OneBuffer:
         vars(self).update({name: rows_of(self.buffer, part.start, part.stop) for name, part in parts.items()})
 
     @classmethod
+    @functools.cache
     def parts(cls) -> dict[str, slice]:
         sizes = {name: FIELD_SIZES.get(name, MAX_LEGS) for name in get_annotations(cls)}
         ends = np.cumsum(list(sizes.values())).tolist()
@@ -75,7 +79,8 @@ class OneBuffer:
 @struct
 class LegOptions(OneBuffer):
     """Options of all legs, an array per field: `poses` have 16 numbers each. Points from `first_points`, `point_counts`
-    of them. Flags are 0 or 1. `regularization`: upper triangle, for legs with `regularized`.
+    of them. Flags are 0 or 1. `regularization`: upper triangle, for legs with `regularized`. `has_map_planes`: 1 if the
+    planes of all map points are known.
     """
 
     poses: array(dtype=float64)
@@ -92,6 +97,7 @@ class LegOptions(OneBuffer):
     needed: array(dtype=float64)
     regularization: array(dtype=float64)
     leg_count: array(dtype=float64)
+    has_map_planes: array(dtype=float64)
 
 
 @struct
@@ -111,11 +117,12 @@ class LegResults(OneBuffer):
 @struct
 class Course:
     """State of a course: `points` with the reduced scan behind. `planes` and `known`: map positions (-1) per point.
-    `states`: leg and iteration; `poses` T_map_sensor; `plane_radius` [m].
+    `map_planes`: by map position, for many legs. `states`: leg and iteration; `poses` T_map_sensor; `plane_radius` [m].
     """
 
     points: array(dtype=vec3)
     planes: array(dtype=plane)
+    map_planes: array(dtype=plane)
     known: array(dtype=int32)
     options: LegOptions
     results: LegResults
@@ -125,8 +132,11 @@ class Course:
     voxel_map: VoxelMap
     plane_radius: float
 
-    def __init__(self, room: int, voxel_map: VoxelMap, plane_radius: float, device: Device) -> None:
+    def __init__(
+        self, room: int, voxel_map: VoxelMap, plane_radius: float, device: Device, map_points: int = 0
+    ) -> None:
         self.points, self.planes = empty(room, vec3, device), empty(room, plane, device)
+        self.map_planes = empty(max(map_points, 1), plane, device)
         self.known, self.states, self.running = (empty(n, int32, device) for n in (room, 2, 1))
         self.options, self.results = LegOptions(device), LegResults(device)
         self.poses, self.voxel_map, self.plane_radius = empty(1, mat44d, device), voxel_map, plane_radius
@@ -182,6 +192,18 @@ def load_scan_kernel(points: array(dtype=vec3), few: array(dtype=vec3), course: 
 
 
 @kernel
+def find_map_planes_kernel(course: Course):
+    """Planes around all points of a voxel."""
+    i = tid()
+    cell = key_block(course.voxel_map.keys[i])
+    corner = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * course.voxel_map.voxel_size
+    first = i * course.voxel_map.room
+    for slot in range(first, first + course.voxel_map.counts[i]):
+        center = corner + widen(course.voxel_map.offsets[slot])
+        course.map_planes[slot] = plane_around(center, course.plane_radius, course.voxel_map)
+
+
+@kernel
 def begin_course_kernel(course: Course):
     """Initialize the first leg and all results. One thread per leg."""
     i = tid()
@@ -221,7 +243,10 @@ def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64,
                     if course.known[j] == nearest:
                         at = course.planes[j]
                     else:
-                        at = plane_around(x - r, course.plane_radius, course.voxel_map)
+                        if course.options.has_map_planes[0] == 1.0:
+                            at = course.map_planes[nearest]
+                        else:
+                            at = plane_around(x - r, course.plane_radius, course.voxel_map)
                         course.known[j] = nearest
                         course.planes[j] = at
                 total = add_pair(total, y, r, at, kernel_scale)

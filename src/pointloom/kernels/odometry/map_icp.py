@@ -7,7 +7,7 @@ not in the cost, whose limits are those of planes nearby. Vizzo et al. 2023, "KI
 weight. Chen and Medioni 1991 for planes.
 """
 
-from ..algebra.eigen import eigenvalues, smallest_eigenvector
+from ..algebra.eigen import values_and_smallest_vector
 from ..algebra.matrices import multiply33
 from ..algebra.rigid_solve import TRIANGLE_NUMBERS, triangle_index
 from ..lang import float32, float64, func, mat33d, outer, transpose, vec3d, vector
@@ -35,11 +35,10 @@ def plane_of(m: map_moments) -> plane:
     result = plane(0.0, 0.0, 0.0, 0.0, WEAK_WEIGHT)
     if m[0] >= MIN_PLANE_POINTS:
         C = covariance_of(m, mean_of(m))
-        spread = eigenvalues(C)
-        if spread[1] > float64(MAX_FLAT_RATIO) * spread[2]:
-            if spread[0] < float64(MAX_FLAT_RATIO) * spread[1]:
-                normal = smallest_eigenvector(C)
-                result = plane(float(normal[0]), float(normal[1]), float(normal[2]), 1.0, WEAK_WEIGHT)
+        spectrum = values_and_smallest_vector(C)
+        if spectrum[1] > float64(MAX_FLAT_RATIO) * spectrum[2]:
+            if spectrum[0] < float64(MAX_FLAT_RATIO) * spectrum[1]:
+                result = plane(float(spectrum[3]), float(spectrum[4]), float(spectrum[5]), 1.0, WEAK_WEIGHT)
             else:
                 result = plane(0.0, 0.0, 0.0, 0.0, SCATTERED_WEIGHT)
     return result

@@ -10,7 +10,7 @@ from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
 from ..lang import array, float32, float64, func, kernel, launch, mat44d, struct, tid, uint8, vec3, vec3d
-from ..memory import download, empty, upload
+from ..memory import download, empty, rows_of, upload
 from ..poses.cost_differences import compare_costs, run_length
 from .map_icp import plane_around
 from .voxel_map import VoxelMap
@@ -34,7 +34,8 @@ def plane_square(x: vec3d, limit: float, radius: float, voxel_map: VoxelMap) -> 
 @struct
 class ScanProbes:
     """Every `step`-th point of a scan at several poses, in runs. Map points within sqrt(`limit`) [m], with
-    neighborhoods of `radius` [m]. `squares`: squared distances per pose and point, or -1.
+    neighborhoods of `radius` [m]. `squares`: squared distances per pose and point, or -1. They have `room` for more
+    poses.
     """
 
     points: array(dtype=vec3)
@@ -46,18 +47,24 @@ class ScanProbes:
     limit: float
     radius: float
 
-    def __init__(self, points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float) -> None:
+    def __init__(
+        self, points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float, room: int = 0
+    ) -> None:
         self.points, self.voxel_map, self.radius, self.device = points, voxel_map, radius, points.device
         self.step = max(1, points.size // max(max_points, 1))
         self.count = -(-points.size // self.step)
-        self.squares = empty((len(poses), self.count), float32, self.device)
+        self.squares = empty((max(room, len(poses)), self.count), float32, self.device)
         self.run = 1 if self.device.is_cuda else run_length(self.squares)  # a point takes long, and there are few
-        self.threads = len(poses) * -(-self.count // self.run)
-        self.poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, self.device)
+        self.runs = -(-self.count // self.run)
         self.limit = float(np.float32(2 * radius) ** 2)
+        self.move_to(poses)
+
+    def move_to(self, poses: np.ndarray) -> None:
+        """Set the poses, as many as there is room for."""
+        self.poses = upload(poses, mat44d, self.device)
 
     def cost_changes(self) -> np.ndarray:
-        return compare_costs(self.squares, self.voxel_map.voxel_size)
+        return compare_costs(rows_of(self.squares, 0, self.poses.size), self.voxel_map.voxel_size)
 
 
 @kernel
@@ -80,7 +87,7 @@ def compare_poses(points: Points, max_points: int, voxel_map: VoxelMap, poses: n
     `max_points`: approximate points used; `radius` [m] of plane neighborhoods, planes are searched twice as far.
     """
     probes = ScanProbes(points, max_points, voxel_map, poses, radius)
-    launch(find_squares_kernel, probes.threads, [probes])
+    launch(find_squares_kernel, len(poses) * probes.runs, [probes])
     return probes.cost_changes()
 
 

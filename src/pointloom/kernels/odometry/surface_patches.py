@@ -7,13 +7,13 @@ a scan even if the surfaces do not determine its motion.
 
 import numpy as np
 
-from ..algebra.eigen import eigenvalues, orthogonal_direction, smallest_eigenvector
+from ..algebra.eigen import orthogonal_direction, values_and_smallest_vector
 from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
 from ..lang import array, cross, dot, float64, func, kernel, launch, tid, vec3d, vec3i, vector
+from ..linear_algebra import matmul
 from ..memory import download, empty
-from ..poses.cost_differences import RISE_COLUMNS
 from .local_cells import cell_holding, offset_in_cell
 from .map_icp import MAX_FLAT_RATIO
 from .pose_probes import ScanProbes
@@ -24,6 +24,7 @@ MIN_POINTS = 6.0  # of a patch
 MIN_SQUARED_SINE = 0.01  # squared sine of the angle between a patch and its ray
 MIN_SECTORS = 5  # of 8 around a patch's middle: a bent line has 4 at most
 INNER_RADIUS_SQUARED = 0.0625  # of the squared radius: nearer points have no clear direction
+MAX_POSES = 13  # of a comparison: one, and two along each motion
 ROW_SIZE = 7  # of a point: derivatives by rotation and translation, and the distance
 MAX_NORMAL_ERROR = 0.005  # squared error [rad^2] of a patch's normal
 patch = vector(8, float64)  # normal, middle relative to the nearest point, points, middle eigenvalue [m^2]
@@ -42,17 +43,12 @@ def sectors_in_map(center: vec3d, radius: float, u: vec3d, v: vec3d, voxel_map: 
         for slot in range(first, first + voxel_map.counts[voxel]):
             d = widen(voxel_map.offsets[slot] + shift - position)
             sqdist = float(dot(d, d))
-            if sqdist < sqradius and sqdist > INNER_RADIUS_SQUARED * sqradius:
-                a = dot(d, u)
-                b = dot(d, v)
-                octant = int(0)
-                if a > 0.0:
-                    octant += 1
-                if b > 0.0:
-                    octant += 2
-                if abs(a) > abs(b):
-                    octant += 4
-                octants = octants | (1 << octant)
+            a = dot(d, u)
+            b = dot(d, v)
+            # without branches, of which half would be mispredicted
+            is_beside = (1 if sqdist < sqradius else 0) * (1 if sqdist > INNER_RADIUS_SQUARED * sqradius else 0)
+            octant = (1 if a > 0.0 else 0) + (2 if b > 0.0 else 0) + (4 if abs(a) > abs(b) else 0)
+            octants = octants | (is_beside << octant)
     count = int(0)
     for k in range(8):
         count += (octants >> k) & 1
@@ -68,27 +64,29 @@ def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> p
         n = float64(m[0])
         mean = mean_of(m)
         C = covariance_of(m, mean)
-        spread = eigenvalues(C)
-        is_flat = spread[1] > float64(MAX_FLAT_RATIO) * spread[2] and spread[0] < float64(MAX_FLAT_RATIO) * spread[1]
-        if is_flat and spread[0] < float64(MAX_NORMAL_ERROR) * n * spread[1]:
-            normal = smallest_eigenvector(C)
+        spectrum = values_and_smallest_vector(C)
+        is_flat = (
+            spectrum[1] > float64(MAX_FLAT_RATIO) * spectrum[2] and spectrum[0] < float64(MAX_FLAT_RATIO) * spectrum[1]
+        )
+        if is_flat and spectrum[0] < float64(MAX_NORMAL_ERROR) * n * spectrum[1]:
+            normal = vec3d(spectrum[3], spectrum[4], spectrum[5])
             incidence = dot(normal, ray)
             if incidence * incidence > float64(MIN_SQUARED_SINE) * dot(ray, ray):
                 u = orthogonal_direction(normal)
                 if sectors_in_map(center, radius, u, cross(normal, u), voxel_map) >= MIN_SECTORS:
-                    result = patch(normal[0], normal[1], normal[2], mean[0], mean[1], mean[2], n, spread[1])
+                    result = patch(normal[0], normal[1], normal[2], mean[0], mean[1], mean[2], n, spectrum[1])
     return result
 
 
 @kernel
-def find_patches_kernel(probes: ScanProbes, rows: array(dtype=float64, ndim=2)):
-    """Standardized squared distances of one run of points from the patches at one pose. Rows of the first pose: the
-    Jacobian, and the distance along the normal.
+def find_patches_kernel(first_pose: int, probes: ScanProbes, rows: array(dtype=float64, ndim=2)):
+    """Standardized squared distances of one run of points from the patches at one pose, from `first_pose` on. Rows of
+    pose 0: the Jacobian, and the distance along the normal.
     """
     i = tid()
     count = probes.squares.shape[1]
     runs = (count + probes.run - 1) // probes.run
-    k = i // runs
+    k = first_pose + i // runs
     first = (i % runs) * probes.run
     pose = probes.poses[k]
     t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
@@ -118,16 +116,30 @@ def find_patches_kernel(probes: ScanProbes, rows: array(dtype=float64, ndim=2)):
             rows[j, ROW_SIZE - 1] = residual
 
 
-def compare_surfaces(
-    points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """As `compare_poses`, with distances from patches in units of their error. Also rows (n, 7) of the points
-    on patches at the first pose: derivatives of the distance [m] by the rotation [rad] about the sensor and by the
-    translation, and the distance.
+class SurfacePatches:
+    """The patches of a map around points of a scan at a pose, about `max_points` ones. One sync.
+
+    `rows` (n, 7) of the points on patches: derivatives of the distance [m] by the rotation [rad] about the sensor and
+    by the translation, and the distance. `radius` [m]: of patches. They are searched twice as far.
     """
-    probes = ScanProbes(points, max_points, voxel_map, poses, radius)
-    rows = empty((probes.count, ROW_SIZE), float64, probes.device)
-    launch(find_patches_kernel, probes.threads, [probes, rows])
-    at_first = download(rows)  # sync
-    rises = probes.cost_changes() if len(poses) > 1 else np.zeros((1, RISE_COLUMNS))
-    return rises, at_first[at_first[:, 3:6].any(axis=1)]
+
+    def __init__(self, points: Points, max_points: int, voxel_map: VoxelMap, pose: np.ndarray, radius: float) -> None:
+        self._probes = ScanProbes(points, max_points, voxel_map, pose[None], radius, MAX_POSES)
+        self._all_rows = empty((self._probes.count, ROW_SIZE), float64, points.device)
+        launch(find_patches_kernel, self._probes.runs, [0, self._probes, self._all_rows])
+        rows = download(self._all_rows)  # sync
+        self.rows = rows[rows[:, 3:6].any(axis=1)]
+
+    @property
+    def information(self) -> np.ndarray:
+        """Sum of the outer products of the derivatives, (6, 6)."""
+        return matmul(self.rows[:, :6].T, self.rows[:, :6])
+
+    def cost_changes(self, poses: np.ndarray) -> np.ndarray:
+        """As `compare_poses`, with distances from patches in units of their error. The first of at most MAX_POSES
+        poses is that of the patches. One sync.
+        """
+        probes = self._probes
+        probes.move_to(poses)
+        launch(find_patches_kernel, (len(poses) - 1) * probes.runs, [1, probes, self._all_rows])
+        return probes.cost_changes()

@@ -15,11 +15,11 @@ from ..algebra.transform import narrow, widen
 from ..array_types import Device, Indices, Integers, Keys, Points
 from ..arrays.atomic_changes import Changes, note_change
 from ..arrays.block_keys import block_key, key_block
-from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key, list_keys, number_new
+from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key, list_keys
 from ..arrays.prefix_sum import exclusive_scan, inclusive_scan
 from ..arrays.select import positions_of
 from ..arrays.sort import argsort_keys
-from ..arrays.unique import UniqueKeys, write_heads
+from ..arrays.unique import write_heads
 from ..lang import (
     array,
     compute,
@@ -38,7 +38,7 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from ..memory import Readback, copy, empty, full, zeros
+from ..memory import Readback, copy, download, empty, full, host_view, zeros
 from .local_cells import LocalCells, cell_holding, key_cell, local_key, offset_in_cell
 
 
@@ -118,6 +118,7 @@ def store_voxels_kernel(keys: array(dtype=int64), after: int, totals: array(dtyp
 
 # voxels from the start along each axis: keys have 21 bits per axis, and searches go one further
 CELL_LIMIT = 2**20 - 2
+UNKNOWN_VOXEL, NO_VOXEL = -1, -2  # of a point: not yet in the map (as by `find_position`), not finite
 COARSE_CELLS = 1 << 14  # more than the voxels of a map in any direction
 SPARE_CELLS = 2  # voxels that a scan may exceed its range by: rounding, and the sensor's position in its voxel
 
@@ -192,28 +193,28 @@ class VoxelMap:
                 f"the sensor is at {[round(float(x)) for x in pose[:3, 3]]}"
             )
         local = LocalCells(self.voxel_size, center, cells)
-        keys, offsets = empty(points.size, int64, self.device), empty(points.size, vec3, self.device)
-        launch(encode_points_kernel, points.size, [points, mat44d(*pose.ravel()), local, keys, offsets])
+        offsets = empty(points.size, vec3, self.device)
         if self.device.is_cuda:
+            keys = empty(points.size, int64, self.device)
+            launch(encode_points_kernel, points.size, [points, mat44d(*pose.ravel()), local, keys, offsets])
             self._insert_unread(keys, local, offsets)
             return
-        groups = UniqueKeys(keys, local.key_bits)
-        groups.drop_last(local.skipped)
-        self._insert(groups, local, offsets)
+        keys, voxels = empty(points.size, int64, self.device), empty(points.size, int32, self.device)
+        placed = [points, mat44d(*pose.ravel().tolist()), self, keys, voxels, offsets]
+        launch(find_voxels_of_points_kernel, points.size, placed)
+        self._insert(keys, voxels, offsets)
 
-    def _insert(self, groups: UniqueKeys, local: LocalCells, offsets: Points) -> None:
+    def _insert(self, keys: Keys, voxels: Indices, offsets: Points) -> None:
+        """Insert points by the keys of their voxels, and their voxels in the map."""
         known = self.count
-        touched = compute(widen_keys_kernel, groups.count, [groups, local], int64, self.device)
-        voxels, missing = self.table.find(touched)
-        rows = positions_of(missing)
-        count = known + rows.size
+        new_keys = np.unique(download(keys)[download(voxels) == UNKNOWN_VOXEL])
+        count = known + len(new_keys)
         self._grow(count)
         self.changes.begin(count)
-        if rows.size:
-            launch(gather_keys_kernel, rows.size, [touched, rows, known, self.keys])
-            number_new(rows, known, voxels)
-            self.table.append(self.keys, count, rows.size)
-        launch(insert_points_kernel, groups.count, [voxels, groups, offsets, known, self])
+        if count > known:
+            host_view(self.keys)[known:count] = new_keys
+            self.table.append(self.keys, count, count - known)
+        launch(insert_points_kernel, 1, [keys, voxels, offsets, self])
         self.changes.end()
 
     def _insert_unread(self, keys: Keys, local: LocalCells, offsets: Points) -> None:
@@ -307,16 +308,44 @@ def encode_points_kernel(
 
 
 @kernel(for_cpu=True)
-def widen_keys_kernel(groups: UniqueKeys, cells: LocalCells, keys: array(dtype=int64)):
+def find_voxels_of_points_kernel(
+    points: array(dtype=vec3),
+    pose: mat44d,
+    voxel_map: VoxelMap,
+    keys: array(dtype=int64),
+    voxels: array(dtype=int32),
+    offsets: array(dtype=vec3),
+):
+    """Voxel of each point: its key, its index in the map, and the offset in it."""
     i = tid()
-    cell = key_cell(groups.keys[i], cells)
-    keys[i] = block_key(cell[0], cell[1], cell[2])
+    p = points[i]
+    voxel = int(NO_VOXEL)
+    if isfinite(p):
+        x = move(pose, widen(p))
+        cell = cell_holding(x, voxel_map.voxel_size)
+        key = block_key(cell[0], cell[1], cell[2])
+        voxel = find_position(key, voxel_map.table)
+        keys[i] = key
+        offsets[i] = offset_in_cell(x, cell, voxel_map.voxel_size)
+    voxels[i] = voxel
 
 
 @kernel
 def gather_keys_kernel(keys: array(dtype=int64), rows: array(dtype=int32), first: int, out: array(dtype=int64)):
     i = tid()
     out[first + i] = keys[rows[i]]
+
+
+@func
+def has_place(p: vec3, first: int, count: int, voxel_map: VoxelMap) -> int:
+    """1 if a voxel with `count` points from slot `first` on has room, and none of them is near."""
+    is_free = 1 if count < voxel_map.room else 0
+    if is_free == 1:
+        for slot in range(first, first + count):
+            d = p - voxel_map.offsets[slot]
+            if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < voxel_map.sqspacing:
+                is_free = 0
+    return is_free
 
 
 @func
@@ -335,26 +364,30 @@ def take_points(
     if voxel < known:
         count = voxel_map.counts[voxel]
     for j in range(begin, end):
-        if count < voxel_map.room:
-            p = new_offsets[order[j]]
-            near = 0
-            for slot in range(first, first + count):
-                d = p - voxel_map.offsets[slot]
-                if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < voxel_map.sqspacing:
-                    near = 1
-            if near == 0:
-                voxel_map.offsets[first + count] = p
-                count += 1
+        p = new_offsets[order[j]]
+        if has_place(p, first, count, voxel_map) == 1:
+            voxel_map.offsets[first + count] = p
+            count += 1
     voxel_map.counts[voxel] = count
 
 
 @kernel(for_cpu=True)
 def insert_points_kernel(
-    voxels: array(dtype=int32), groups: UniqueKeys, new_offsets: array(dtype=vec3), known: int, voxel_map: VoxelMap
+    keys: array(dtype=int64), voxels: array(dtype=int32), new_offsets: array(dtype=vec3), voxel_map: VoxelMap
 ):
+    """Add points in order, while there is room in their voxel and none is near. One thread."""
     i = tid()
     note_change(i, voxel_map.changes)
-    take_points(voxels[i], known, groups.starts[i], groups.starts[i + 1], groups.order, new_offsets, voxel_map)
+    for j in range(i, voxels.shape[0]):
+        voxel = voxels[j]
+        if voxel == UNKNOWN_VOXEL:
+            voxel = find_position(keys[j], voxel_map.table)
+        if voxel >= 0:
+            count = voxel_map.counts[voxel]
+            first = voxel * voxel_map.room
+            if has_place(new_offsets[j], first, count, voxel_map) == 1:
+                voxel_map.offsets[first + count] = new_offsets[j]
+                voxel_map.counts[voxel] = count + 1
 
 
 @kernel

@@ -105,11 +105,11 @@ def moments_in_map(center: vec3d, radius: float, reach: int, voxel_map: VoxelMap
         first = voxel * voxel_map.room
         for slot in range(first, first + voxel_map.counts[voxel]):
             d = voxel_map.offsets[slot] + shift - position
-            x = d[0]
-            y = d[1]
-            z = d[2]
-            if x * x + y * y + z * z < sqradius:
-                total += map_moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+            inside = 1.0 if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < sqradius else 0.0
+            x = d[0] * inside  # a branch takes four times as long, since half of the points are inside
+            y = d[1] * inside
+            z = d[2] * inside
+            total += map_moments(inside, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
     return total
 
 

@@ -28,7 +28,7 @@ from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.memory import Readback, clone, contiguous, download
 from ...kernels.odometry.deskewing import bound_times, deskew_along_path, deskew_points
 from ...kernels.odometry.map_aligner import MapAligner
-from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points, thin_successively
+from ...kernels.odometry.odometry_sampling import ScanSampler, first_in_voxels, shift_points
 from ...kernels.odometry.pose_probes import unmatched_by_range
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
@@ -176,6 +176,8 @@ class LidarOdometry(Serialized):
         self._known = OdometryState(AdaptiveThreshold(initial, smallest_motion, self.max_range, initial * initial))
         self._next: MapUpdate | None = None
         self._aligner = MapAligner(PLANE_VOXELS)
+        sizes = MAP_VOXELS * self.voxel_size, SCAN_VOXELS * self.voxel_size
+        self._sampler = ScanSampler(*sizes, self.min_range, self.max_range)
 
     @property
     def steps(self) -> list[OdometryStep]:
@@ -347,8 +349,7 @@ class LidarOdometry(Serialized):
         return self._steps[-1].pose if self._steps else np.eye(4)
 
     def _downsample(self, raw: RawScan, motion: Matrix) -> DownsampledScan:
-        sizes = [fraction * self.voxel_size for fraction in (MAP_VOXELS, SCAN_VOXELS)]
-        dense, sparse = thin_successively(raw.deskewed(motion), sizes, self.min_range, self.max_range)
+        dense, sparse = self._sampler.thin(raw.deskewed(motion))
         few = partial(first_in_voxels, sparse, START_VOXELS * self.voxel_size, self.min_range, self.max_range)
         return DownsampledScan(dense, sparse, few)
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.linear_algebra import eigh, inv, is_positive_definite, matmul, solve
+from ...kernels.linear_algebra import eigh, matmul
+from ...kernels.odometry.patch_errors import PatchNumbers, fit_patches
 from ..assessment_constants import SUSPECT_FRACTION, TO_SIGMA, WEIGHT_WIDTH
 from ..pose_errors import PoseCovariance
 
@@ -49,33 +50,25 @@ def match_error(information: Matrix, rows: Matrix, residual: float, size: float)
     A robust step to the surface patches alone gives the distance of the pose from the one that they determine. Planes
     count little, since the rings and columns of a scan form some that move along with the sensor. `size`: voxel edge.
     """
-    planes = max(float(np.trace(information[3:, 3:])), 1e-9)
-    lever = max(math.sqrt(float(np.trace(information[:3, :3])) / planes), size)
+    planes = max(float(information[3, 3] + information[4, 4] + information[5, 5]), 1e-9)
+    turning = float(information[0, 0] + information[1, 1] + information[2, 2])
+    lever = max(math.sqrt(turning / planes), size)
     scale = np.array([lever] * 3 + [1.0] * 3)
-    ridge = MOTION_RIDGE * np.eye(6)
-    of_planes = information / np.outer(scale, scale) / planes + ridge
-    J, r, count = rows[:, :6] / scale, rows[:, 6], len(rows)
-    N = (matmul(J.T, J) + PLANE_PRIOR_PATCHES * of_planes) / (count + PLANE_PRIOR_PATCHES) + ridge
-    step, square = np.zeros(6), 0.0
-    for _ in range(REWEIGHTED_SOLUTIONS if count >= 6 else 0):
-        left = r + matmul(J, step)
-        width = WEIGHT_WIDTH * max(TO_SIGMA * float(np.median(np.abs(left))), SMALLEST_WIDTH * size)
-        w = 1 / (1 + (left / width) ** 2) ** 2
-        total = float(w.sum()) + PLANE_PRIOR_PATCHES
-        weighted = (J * w[:, None]).T
-        A = matmul(weighted, J) / total + PLANE_PRIOR_PATCHES / total * of_planes + ridge
-        step = -solve(A, matmul(weighted, r) / total)
-        square = float(matmul(step, A, step)) / 6
-    variance = (MODEL_ERROR * residual) ** 2 + STEP_FACTOR * square
-    to_radians = 1 / np.outer(scale, scale)
-    shift = SHIFT_FACTOR * np.outer(step, step)
-    matrix, lasting = variance * inv(N), np.zeros((6, 6))
-    if not is_positive_definite(N - SUSPECT_FRACTION * np.eye(6)):
-        values, vectors = eigh(N)
+    squares = scale[:, None] * scale
+    numbers = PatchNumbers(
+        count=len(rows), lever=lever, prior=PLANE_PRIOR_PATCHES, ridge=MOTION_RIDGE, width=WEIGHT_WIDTH * TO_SIGMA,
+        min_width=SMALLEST_WIDTH * size / TO_SIGMA, rounds=REWEIGHTED_SOLUTIONS,
+        variance=(MODEL_ERROR * residual) ** 2, step_factor=STEP_FACTOR, shift_factor=SHIFT_FACTOR,
+        limit=SUSPECT_FRACTION,
+    )  # fmt: skip
+    of_planes = information / squares / planes + MOTION_RIDGE * np.eye(6)
+    matrix, normal, variance, is_weak = fit_patches(rows, of_planes, numbers)
+    lasting = np.zeros((6, 6))
+    if is_weak:
+        values, vectors = eigh(normal)
         weak = vectors[:, values < SUSPECT_FRACTION]
         lasting = variance * matmul(weak / values[values < SUSPECT_FRACTION], weak.T)
-    total_matrix = (matrix + matrix.T) / 2 + shift
-    return MatchError(total_matrix * to_radians, lasting * to_radians)
+    return MatchError((matrix + matrix.T) / 2 / squares, lasting / squares)
 
 
 def prediction_error(deviation: float, max_range: float) -> Matrix:

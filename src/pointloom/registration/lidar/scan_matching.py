@@ -15,18 +15,20 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...core.quaternions import nearest_rotations
 from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
-from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, LEG_CONVERGED, LEG_LOST, MAX_LEGS
+from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, FROM_GIVEN, LEG_CONVERGED, LEG_LOST, MAX_LEGS
 from ...kernels.odometry.pose_probes import compare_poses
-from ...kernels.odometry.surface_patches import compare_surfaces
+from ...kernels.odometry.surface_patches import SurfacePatches
 from ...kernels.odometry.voxel_map import VoxelMap
-from ..assessment_constants import JUDGING_POINTS, STEP_VOXELS, SUSPECT_FRACTION
-from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
+from ..assessment_constants import JUDGING_POINTS, MIN_DEVIATIONS, MIN_RISE, STEP_VOXELS, SUSPECT_FRACTION
+from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector, rotations_of
 from ..unobservable_motions import moved, rises_clearly, spanned
 from .path_errors import MatchError, match_error, prediction_error
 
 Matrix = NDArray[np.float64]
+Rises = Callable[[Matrix], NDArray[np.bool_]]  # from changes of costs (k, 4) to flags: True if the cost is higher
 
 THRESHOLD_SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
 MIN_MOTIONS_FROM_START = 5.0  # times min_motion from the start, below which the initial threshold is used
@@ -39,6 +41,7 @@ PLANE_VOXELS = 1.0  # voxels: radius of plane neighborhoods
 COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared voxels: Geman-McClure scale of plane distances
 START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: radii of the guesses while no motion is known
 START_DIRECTIONS = 8
+MANY_STARTS = 8  # with more, most map points are near a scan point at some start
 MAX_DISAGREEMENT = 0.99  # for a finite residual
 RIVAL_VOXELS = 1.5  # voxels: closer poses are the same
 # [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; handheld scanners rotate this fast
@@ -112,17 +115,20 @@ def match_scan(
     points, dense, few = scan.sparse, scan.dense, scan.few() if further else None
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
-    first = _leg(guess, count, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE)
-    near = _leg(guess, count if few is None else few.size, limit, coarse, ROUGH_TOLERANCE)
-    near, last_leg = replace(near, few=few is not None), _leg(guess, count, limit, fine, FINE_TOLERANCE)
+    near_count, has_few = count if few is None else few.size, few is not None
+    first = Leg(
+        guess, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE, LOST_FRACTION * count, MAX_ITERATIONS,
+        is_needed=True,
+    )  # fmt: skip
+    last_leg = _leg(guess, count, limit, fine, FINE_TOLERANCE, start=FROM_CHEAPEST)
     legs = [
-        replace(first, to_planes=False, is_needed=True),
-        near,
-        replace(near, start=FROM_FIRST),
-        *(replace(near, pose=start) for start in further),
-        replace(last_leg, start=FROM_CHEAPEST),
+        first,
+        _leg(guess, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few),
+        _leg(guess, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few, start=FROM_FIRST),
+        *(_leg(start, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few) for start in further),
+        last_leg,
     ]
-    aligner.load(points, few, voxel_map)
+    aligner.load(points, few, voxel_map, has_many_starts=len(further) > MANY_STARTS)
     results, information = aligner.run(legs)  # sync
     iterations = sum(reached.iterations for reached in results)
     if results[0].state == LEG_LOST or results[-1].state == LEG_LOST:
@@ -140,7 +146,9 @@ def match_scan(
     if free.is_blind:
         return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
-    constrained = _align(aligner, replace(last_leg, pose=start, is_regularized=True), count, free.weight())
+    constrained = _align(
+        aligner, replace(last_leg, pose=start, start=FROM_GIVEN, is_regularized=True), count, free.weight()
+    )
     return replace(
         constrained if constrained.is_matched else replace(last, pose=start),
         iterations=iterations + constrained.iterations,
@@ -248,8 +256,20 @@ def _distance(A: Matrix, B: Matrix) -> float:
     return float(norm(A[:3, 3] - B[:3, 3]))
 
 
-def _leg(pose: Matrix, count: int, max_distance: float, scale: float, tolerance: float) -> Leg:
-    return Leg(pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes=True)
+def _leg(
+    pose: Matrix,
+    count: int,
+    max_distance: float,
+    scale: float,
+    tolerance: float,
+    *,
+    few: bool = False,
+    start: int = FROM_GIVEN,
+) -> Leg:
+    return Leg(
+        pose, max_distance, scale, tolerance, LOST_FRACTION * count, MAX_ITERATIONS, to_planes=True, few=few,
+        start=start,
+    )  # fmt: skip
 
 
 def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None = None) -> ScanMatch:
@@ -330,8 +350,9 @@ SEARCHED_FRACTION = 0.1  # below which rivals are searched after the start, wher
 MIN_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
 COARSE_FACTOR = 3.0  # of the voxel edge
 MIN_PATCHES = 6.0  # fewer surface patches determine no motion
-# Points of a quick check of the surfaces, and the information at which it suffices: errors of so few are up to 20%.
-FEW_POINTS, SURE_FRACTION = 256, 1.2 * SUSPECT_FRACTION
+# Points of a quick check, and the information at which it suffices: errors of so few are up to 20%. With fewer patches
+# no costs, which are at most 1, rise by three standard errors.
+FEW_POINTS, SURE_FRACTION, MIN_SURE_PATCHES = 256, 1.2 * SUSPECT_FRACTION, 10.0
 MAX_SAMPLES = 64  # along a line
 MAX_RIVALS = 4  # examined in detail
 # Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
@@ -381,13 +402,19 @@ def open_directions(
     points: wp.array, voxel_map: VoxelMap, pose: Matrix, information: Matrix, count: int
 ) -> OpenDirections | None:
     """The motions that `count` points with `information` of planes [6, 6] do not determine, or None."""
-    if np.trace(information[3:, 3:]) < MIN_PLANES * count:
+    if _count(information) < MIN_PLANES * count:
         return OpenDirections(1.0, np.eye(6), is_blind=True)
+    size = voxel_map.voxel_size
 
-    def rises_at(poses: Matrix) -> Matrix:
-        return compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)
+    def undetermined(max_points: int, rises: Rises) -> OpenDirections | None:
+        def rises_at(poses: Matrix) -> Matrix:
+            return compare_poses(points, max_points, voxel_map, poses, size)
 
-    return _undetermined(voxel_map.voxel_size, pose, information, rises_at)
+        return _undetermined(size, pose, information, rises_at, rises)
+
+    if undetermined(FEW_POINTS, rises_surely) is None:
+        return None
+    return undetermined(JUDGING_POINTS, rises_clearly)
 
 
 def directions_without_surfaces(
@@ -395,33 +422,36 @@ def directions_without_surfaces(
 ) -> tuple[OpenDirections | None, Matrix]:
     """The motions that the surfaces of the map do not determine, even if the pattern of the scan does, or None.
 
-    Also the rows [n, 7] of a few points on surfaces, as of `compare_surfaces`. Surfaces between distant rings are found
+    Also the rows [n, 7] of a few points on surfaces, as of `SurfacePatches`. Surfaces between distant rings are found
     in a coarser map only.
     """
-    _, rows = compare_surfaces(points, FEW_POINTS, voxel_map, pose[None], voxel_map.voxel_size)
-    return _open_to_surfaces(points, voxel_map, pose, matmul(rows[:, :6].T, rows[:, :6])), rows
-
-
-def _open_to_surfaces(
-    points: wp.array, voxel_map: VoxelMap, pose: Matrix, information: Matrix
-) -> OpenDirections | None:
     size, free = voxel_map.voxel_size, None
-    if np.trace(information[3:, 3:]) >= MIN_PATCHES and _exceeds(_scaled(information, size)[0], SURE_FRACTION):
-        return None
+    few = SurfacePatches(points, FEW_POINTS, voxel_map, pose, size)
+    if _count(information := few.information) >= MIN_SURE_PATCHES and (
+        _undetermined(size, pose, information, few.cost_changes, rises_surely, limit=SURE_FRACTION) is None
+    ):
+        return None, few.rows
     has_patches = False
     for factor in (1.0, COARSE_FACTOR):
         like = voxel_map if factor == 1.0 else voxel_map.coarser(factor, pose[:3, 3])
-
-        def rises_at(poses: Matrix, like: VoxelMap = like) -> Matrix:
-            return compare_surfaces(points, JUDGING_POINTS, like, poses, like.voxel_size)[0]
-
-        _, rows = compare_surfaces(points, JUDGING_POINTS, like, pose[None], like.voxel_size)
-        information = matmul(rows[:, :6].T, rows[:, :6])
-        if np.trace(information[3:, 3:]) >= MIN_PATCHES:
-            free, has_patches = _undetermined(like.voxel_size, pose, information, rises_at, free), True
+        patches = SurfacePatches(points, JUDGING_POINTS, like, pose, like.voxel_size)
+        if _count(information := patches.information) >= MIN_PATCHES:
+            has_patches, rises_at = True, patches.cost_changes
+            free = _undetermined(like.voxel_size, pose, information, rises_at, rises_clearly, among=free)
             if free is None:
-                return None
-    return free if has_patches else OpenDirections(1.0, np.eye(6), is_blind=True)
+                return None, few.rows
+    return free if has_patches else OpenDirections(1.0, np.eye(6), is_blind=True), few.rows
+
+
+def _count(information: Matrix) -> float:
+    """Number of planes."""
+    return float(information[3, 3] + information[4, 4] + information[5, 5])
+
+
+def rises_surely(rises: Matrix) -> NDArray[np.bool_]:
+    """As `rises_clearly`, for few points: by the error of their mean, more points rise clearly too."""
+    total, square, pairs, _ = rises.T
+    return total - MIN_DEVIATIONS * np.sqrt(np.maximum(square, 1)) >= MIN_RISE * np.maximum(pairs, 1)
 
 
 def _undetermined(
@@ -429,35 +459,47 @@ def _undetermined(
     pose: Matrix,
     information: Matrix,
     rises_at: Callable[[Matrix], Matrix],
+    rises: Rises,
+    *,
+    limit: float = SUSPECT_FRACTION,
     among: OpenDirections | None = None,
 ) -> OpenDirections | None:
-    """Motions with little `information` along which the cost does not rise (`rises_at`: as of `compare_poses`).
+    """Motions with information below a limit along which the cost does not rise, by `rises` (as `rises_clearly`).
 
-    They are among given ones, if any. `size` [m] is the voxel edge.
+    `rises_at` is as `compare_poses`. Motions are `among` given ones, if any. `size` [m] is the voxel edge.
     """
     normal_matrix, lever, scale = _scaled(information, size, None if among is None else among.lever)
-    if _exceeds(normal_matrix, SUSPECT_FRACTION):
+    if _exceeds(normal_matrix, limit):
         return None
     if among is None:
         values, vectors = eigh(normal_matrix)
     else:
         values, vectors = eigh(matmul(among.basis.T, matmul(normal_matrix, among.basis)))
         vectors = matmul(among.basis, vectors)
-    suspects = vectors[:, values < SUSPECT_FRACTION]
+    suspects = vectors[:, values < limit]
     if not suspects.shape[1]:
         return None
     steps = [sign * STEP_VOXELS * size * v / scale for v in suspects.T for sign in (-1, 1)]
-    rises = rises_at(np.array([pose, *(moved(pose, s) for s in steps)]))
-    is_open = ~rises_clearly(rises[1:]).reshape(-1, 2).all(axis=1)
+    changes = rises_at(np.concatenate([pose[None], _moved_each(pose, np.array(steps))]))
+    is_open = ~rises(changes[1:]).reshape(-1, 2).all(axis=1)
     return OpenDirections(lever, suspects[:, is_open]) if is_open.any() else None
+
+
+def _moved_each(pose: Matrix, motions: Matrix) -> Matrix:
+    """As `moved` for each of some motions [k, 6], poses [k, 4, 4]."""
+    poses = np.tile(pose, (len(motions), 1, 1))
+    poses[:, :3, :3] = nearest_rotations(matmul(rotations_of(motions[:, :3]), pose[:3, :3]))
+    poses[:, :3, 3] += motions[:, 3:]
+    return poses
 
 
 def _scaled(information: Matrix, size: float, lever: float | None = None) -> tuple[Matrix, float, Matrix]:
     """Information of one plane with rotations times the lever, the lever [m], and the scale of each motion."""
-    planes = float(np.trace(information[3:, 3:]))
-    lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size) if lever is None else lever
+    planes = _count(information)
+    turning = float(information[0, 0] + information[1, 1] + information[2, 2])
+    lever = max(math.sqrt(turning / planes), size) if lever is None else lever
     scale = np.array([lever] * 3 + [1.0] * 3)
-    return information / np.outer(scale, scale) / planes, lever, scale
+    return information / (scale[:, None] * scale) / planes, lever, scale
 
 
 def _exceeds(A: Matrix, limit: float) -> bool:
@@ -467,7 +509,7 @@ def _exceeds(A: Matrix, limit: float) -> bool:
 
 def weak_directions(information: Matrix, count: int) -> Matrix:
     """Translation directions [k, 3] that the planes determine poorly, with rotations eliminated."""
-    planes = float(np.trace(information[3:, 3:]))
+    planes = _count(information)
     if planes < MIN_PLANES * count:
         return np.empty((0, 3))
     alone = information[3:, 3:] - matmul(
@@ -484,7 +526,9 @@ def poses_along(
     step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * search_range / MAX_SAMPLES)
     middle = float(matmul(way, guess[:3, 3] - pose[:3, 3]))
     shifts = np.arange(math.floor((middle - search_range) / step), math.ceil((middle + search_range) / step) + 1) * step
-    poses = np.array([pose, *(moved(pose, np.concatenate([np.zeros(3), s * way])) for s in shifts)])
+    motions = np.zeros((len(shifts), 6))
+    motions[:, 3:] = shifts[:, None] * way
+    poses = np.concatenate([pose[None], _moved_each(pose, motions)])
     total, _, pairs, _ = compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)[1:].T
     costs = np.where(pairs >= MIN_SEEN * pairs.max(), total / np.maximum(pairs, 1), np.inf)
     beside = np.concatenate([[np.inf], costs, [np.inf]])
