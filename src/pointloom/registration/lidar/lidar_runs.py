@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.imu_readings import ImuReadings
 from ...cameras.trajectory import Trajectory
-from ...core.checks import check_callback, check_numeric, check_shape
+from ...core.checks import check_callback, check_finite, check_numeric, check_shape
 from ...core.devices import DeviceLike
 from ...core.time_checks import check_seconds
 from ...io.points.scan_files import Scans, read_scans
@@ -71,7 +71,7 @@ def run_odometry(
         >>> loom.registration.run_odometry([wall, wall], timestamps=[0.0, 0.1]).poses.shape
         (2, 4, 4)
     """
-    times = None if timestamps is None else check_numeric("timestamps", timestamps)
+    times = None if timestamps is None else check_finite("timestamps", check_numeric("timestamps", timestamps))
     if times is not None:
         check_seconds("timestamps", times)
         if times.ndim != 1:
