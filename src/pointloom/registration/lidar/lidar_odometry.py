@@ -55,6 +55,7 @@ from .lidar_steps import (
     OdometryStep,
     OdometrySummary,
     appears_stationary,
+    rotation_between,
     summarize_steps,
     unaligned_step,
 )
@@ -304,8 +305,11 @@ class LidarOdometry(Serialized):
                 step, downsampled, voxel_map = self._deskew_start(state.first, raw, step, voxel_map)
             elif state.threshold.error_of(matmul(invert_pose(predicted), step.pose)) > state.threshold.min_motion:
                 step, downsampled = self._deskew_again(raw, step, voxel_map)
-        if len(self._steps) >= 3 and appears_stationary(self._steps[-3], step):
-            distance = UNMATCHED_VOXELS * self.voxel_size
+        distance = UNMATCHED_VOXELS * self.voxel_size
+        before = self._steps[-3] if len(self._steps) >= 3 else None
+        # a car that pitches while it starts moves the rings at maximum range to new places
+        is_level = before is not None and rotation_between(before, step) < distance / self.max_range
+        if before is not None and is_level and appears_stationary(before, step):
             near, beyond = unmatched_by_range(downsampled.dense, voxel_map, step.pose, distance)
             step = replace(step, far_change=beyond - near)
             if state.rest is not None and state.rest.lasts_to(step):
