@@ -51,7 +51,7 @@ ACCELERATION, BRAKING, LATERAL = 1.5, 2.0, 2.0  # [m/s^2]
 CORNER_SIGMA = 3.5  # [m] of the Gaussian that rounds corners: radius of about 6 m
 PATH_STEP = 0.1  # [m]
 TIME_STEP = 0.02  # [s] between knots of the splines
-REST = 1.0  # [s] at rest before the start
+REST, END_MARGIN = 1.0, 2.0  # [s] at rest before the start; left out at the end, where smoothing brakes hard
 PITCH_BY_ACCELERATION, ROLL_BY_ACCELERATION = 0.006, 0.010  # [rad per m/s^2] of the suspension
 BUMP_ANGLE, BUMP_HEIGHT = 0.003, 0.012  # [rad], [m] amplitudes
 
@@ -88,14 +88,28 @@ def deck_origin() -> tuple[float, float]:
     return i * PITCH[0] + STREET_WIDTH / 2, j * PITCH[1] + STREET_WIDTH / 2
 
 
-def make_city(seed: int) -> PaintedParts:
-    """All static triangles of the city."""
+def blocks_near(path: Array, distance: float) -> frozenset[tuple[int, int]]:
+    """Blocks within a distance [m] of the positions of a path [n, 3]."""
+    near = set()
+    for i in COLUMNS:
+        for j in ROWS:
+            low = np.array([i * PITCH[0], j * PITCH[1]])
+            beyond = np.maximum(np.maximum(low - path[:, :2], path[:, :2] - low - PITCH), 0)
+            if (np.hypot(*beyond.T) < distance).any():
+                near.add((i, j))
+    return frozenset(near)
+
+
+def make_city(seed: int, blocks: frozenset[tuple[int, int]] | None = None) -> PaintedParts:
+    """All static triangles of the city, or those of some blocks, the ground and the tunnel."""
     parts, rng = PaintedParts(), np.random.default_rng([seed, 1])
     add_ground(parts)
     for j in ROWS:
         for i in COLUMNS:
             own = int(rng.integers(1 << 30))
             x, y = i * PITCH[0], j * PITCH[1]
+            if blocks is not None and (i, j) not in blocks:
+                continue
             if (i, j) == DECK_BLOCK:
                 add_deck(parts, np.random.default_rng(own))
             elif (i, j) in OPEN_BLOCKS:
@@ -430,7 +444,7 @@ def drive_along(waypoints: list[Waypoint], seed: int, max_speed: float = MAX_SPE
     z = z + SENSOR_HEIGHT + BUMP_HEIGHT * bumps[2]
     yaw = gaussian_filter1d(yaw, smooth)
     states = np.stack([x, y, z, yaw, gaussian_filter1d(pitch, smooth), roll], axis=1)
-    return Motion(CubicSpline(knots, states), CubicSpline(knots, traveled), float(knots[-1]))
+    return Motion(CubicSpline(knots, states), CubicSpline(knots, traveled), float(knots[-1]) - END_MARGIN)
 
 
 # ------------------------------------------------------------------------------------------------ sensors
@@ -605,6 +619,12 @@ class Scenario:
         return drive_along(ROUTES[self.route], self.seed, self.max_speed)
 
     @property
+    def scene(self) -> Any:
+        """The static triangles in the sensor's range, for ray casting."""
+        path = self.motion.positions(np.arange(0, self.scan_count + 1) * SCAN_PERIOD)
+        return scene_of(self.seed, blocks_near(path, SENSORS[self.sensor].max_range + 5))
+
+    @property
     def scan_count(self) -> int:
         end = float(time_at(self.motion, np.array(self.length))) if self.length else self.motion.end
         return int(min(end, self.motion.end) / SCAN_PERIOD)
@@ -631,13 +651,13 @@ class CityDrive(Drive):
 
 
 @lru_cache(maxsize=2)
-def scene_of(seed: int) -> Any:
-    return make_city(seed).scene()
+def scene_of(seed: int, blocks: frozenset[tuple[int, int]]) -> Any:
+    return make_city(seed, blocks).scene()
 
 
 def scan_city(scenario: Scenario) -> Iterator[tuple[NDArray[np.float32], Array]]:
     """Points in the sensor's frame at their moment, and times [s], of each scan that is not missing."""
-    sensor, motion, scene = SENSORS[scenario.sensor], scenario.motion, scene_of(scenario.seed)
+    sensor, motion, scene = SENSORS[scenario.sensor], scenario.motion, scenario.scene
     vehicles = make_traffic(motion, scenario.seed, scenario.traffic, scenario.companions)
     batch: list[tuple[int, Array, Array, Array, Array]] = []
     kept = scenario.kept_scans

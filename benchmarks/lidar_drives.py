@@ -1,9 +1,12 @@
 """LiDAR odometry and SLAM on drives through the synthetic city, beside other libraries.
 
     python benchmarks/lidar_drives.py loop tunnel --sensor 16 64 --length 500
-    python benchmarks/lidar_drives.py long --sensor 64 --traffic 80 --only LidarSLAM --only KISS-SLAM
-    python benchmarks/lidar_drives.py --submaps 46    # false loops between unrelated submaps
-    POINTLOOM_DATA=<folder> python benchmarks/lidar_drives.py --real   # loops between real submaps
+
+runs all contestants on both drives.
+
+    python benchmarks/lidar_drives.py --submaps 46
+
+counts false loops between unrelated submaps, and `--real` lists the loops between real ones, from POINTLOOM_DATA.
 
 One row per drive and contestant:
 
@@ -56,6 +59,7 @@ FALSE_LOOP_DISTANCE, FALSE_LOOP_ANGLE = 2.0, 5.0  # [m], [degrees] error of the 
 REVISIT_RADIUS, REVISIT_HEIGHT, REVISIT_TRAVEL = 6.0, 1.5, 60.0  # [m] what counts as the same place again
 LOOP_REACH = 30.0  # [m] of revisited path that a loop covers, before and after
 DRIFT_LENGTH = 100.0  # [m]
+SUBMAP_LENGTH = 80.0  # [m] of submaps for loop detectors
 THICKNESS_VOXEL, THICKNESS_POINTS, THICKNESS_SCANS = 1.0, 30, 5  # [m], points per voxel, every fifth scan
 
 
@@ -116,13 +120,14 @@ def run_lidar_slam(scenario: Scenario, drive: CityDrive, scans: Scans) -> Outcom
     slam = loom.registration.LidarSLAM(voxel_size=VOXEL_SIZE, max_range=MAX_RANGE, min_range=MIN_RANGE)
     for points, times in scans:
         slam.register(loom.PointCloud(points), times)
-    summary = slam.summary
-    return Outcome(slam.poses, [loop_of(loop) for loop in slam.loops], summary.reliable, summary.warnings)
-
-
-def loop_of(loop: Any) -> Loop:
-    """A loop of LidarSLAM."""
-    return Loop(int(loop.first), int(loop.second), np.asarray(loop.pose))
+    summary, submaps = slam.summary, slam.submaps
+    loops = [
+        Loop(submaps[loop.target].first_scan, submaps[loop.source].first_scan, loop.transformation)
+        for loop in slam.loops
+        if loop.reliable
+    ]
+    doubted = tuple(step.index for step in slam.odometry.steps if step.warnings)
+    return Outcome(slam.poses, loops, summary.reliable, summary.warnings, doubted)
 
 
 def run_kiss_icp(scenario: Scenario, drive: CityDrive, scans: Scans) -> Outcome:
@@ -524,14 +529,46 @@ class CheckedMapClosuresDetector(MapClosuresDetector):
         return [(int(source), np.linalg.inv(pose))] if is_good else []
 
 
+class LocalizeDetector:
+    """The check of LidarSLAM.localize against one submap at a time, without the prior knowledge of a path."""
+
+    def __init__(self) -> None:
+        try:
+            from pointloom.registration.lidar import lidar_loops, localization, place_descriptor, submap_pairs
+        except ImportError as error:
+            raise ModuleNotFoundError("pointloom.registration has no LidarSLAM") from error
+        self.modules = lidar_loops, localization, place_descriptor, submap_pairs
+        self.places: list[Any] = []
+        self.surfaces: list[Any] = []
+
+    def add(self, points: Array) -> list[tuple[int, Array]]:
+        import warp as wp
+
+        loops, localization, descriptors, pairs = self.modules
+        radius, size = 0.6 * MAX_RANGE, 0.75 * VOXEL_SIZE  # as LidarSLAM does
+        near = points[np.linalg.norm(points, axis=1) < radius].astype(np.float32)
+        surfaces = pairs.SubmapSurfaces.of(near, size, wp.get_device("cpu"))
+        descriptor, found = descriptors.describe_place(near, np.zeros(3), radius), []
+        for k, (place, known) in enumerate(zip(self.places, self.surfaces, strict=True)):
+            result = localization.localize_cloud(
+                surfaces, descriptor, [place], [np.eye(4)], lambda _, known=known: known, size
+            )
+            if result.reliable:
+                found.append((k, result.transformation))
+        self.places.append(loops.Place(descriptor, np.eye(3), 0.0, SUBMAP_LENGTH, np.zeros(3)))
+        self.surfaces.append(surfaces)
+        return found
+
+
 DETECTORS: dict[str, Callable[[], Detector]] = {
+    "LidarSLAM.localize": LocalizeDetector,
     "MapClosures": MapClosuresDetector,
     "MapClosures + ICP of KISS-SLAM": CheckedMapClosuresDetector,
 }
 
 
 def submap(scenario: Scenario, start: float, length: float, voxel: float = 0.5) -> tuple[Array, Array]:
-    """Points of a part of a drive at the true poses, in the frame of its first scan, and that frame's true pose."""
+    """Points of a part of a drive at the true poses, in the frame of its middle scan, and that frame's true pose."""
     drive = load_drive(scenario)
     s = traveled(drive.poses)
     rows = np.flatnonzero((s >= start) & (s < start + length))
@@ -539,12 +576,10 @@ def submap(scenario: Scenario, start: float, length: float, voxel: float = 0.5) 
         drive, scans=[drive.scans[k] for k in rows], times=[drive.times[k] for k in rows],
         poses=drive.poses[rows], numbers=drive.numbers[rows],
     )  # fmt: skip
-    points = map_points(scenario, part, relative(part.poses[0], part.poses), part.poses)
+    middle = part.poses[len(rows) // 2]
+    points = map_points(scenario, part, relative(middle, part.poses), part.poses)
     _, first = np.unique(np.floor(points / voxel).astype(np.int64), axis=0, return_index=True)
-    return points[np.sort(first)], part.poses[0]
-
-
-SUBMAP_LENGTH = 80.0  # [m]
+    return points[np.sort(first)], middle
 
 
 def unrelated_submaps(count: int, sensor: str = "32") -> Iterator[Array]:
