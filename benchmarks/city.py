@@ -432,10 +432,12 @@ def drive_along(waypoints: list[Waypoint], seed: int, max_speed: float = MAX_SPE
     traveled = gaussian_filter1d(np.interp(knots, times, s), 0.3 / TIME_STEP, mode="nearest")
     speed = np.gradient(traveled, TIME_STEP)
     forward = gaussian_filter1d(np.gradient(speed, TIME_STEP), 0.2 / TIME_STEP)
-    x, y, rise, yaw, bend = (np.interp(traveled, s, v) for v in (*line.T, heading, curvature))
+    height = line[:, 2] + ground_height(line[:, 0], line[:, 1])
+    slopes = gaussian_filter1d(np.gradient(height, s), 1.0 / PATH_STEP)
+    columns = (line[:, 0], line[:, 1], height, heading, curvature, slopes)
+    x, y, z, yaw, bend, slope = (np.interp(traveled, s, column) for column in columns)
     smooth = 0.2 / TIME_STEP
-    z = gaussian_filter1d(rise + ground_height(x, y), smooth)
-    slope = np.gradient(z, TIME_STEP) / np.maximum(speed, 0.5)
+    z = gaussian_filter1d(z, smooth)
     moving = np.clip(speed / 5, 0, 1)
     frequencies, phases = rng.uniform(0.5, 1.8, (3, 3)), rng.uniform(0, 6.28, (3, 3))
     bumps = np.sin(2 * np.pi * frequencies[..., None] * knots + phases[..., None]).mean(axis=1) * moving
