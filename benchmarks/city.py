@@ -589,12 +589,12 @@ class Scenario:
         sensor: Key of SENSORS.
         seed: Of the city, traffic and noise.
         length: [m] after which the drive ends; 0 for the entire route.
-        start: [m] of the route before the drive starts, from rest.
         traffic: Number of vehicles on the streets.
         companions: 1 for a car ahead, 2 for trucks ahead and behind.
         gaps: Number of gaps, spread evenly over the drive.
         gap_scans: Missing scans of each.
         max_speed: [m/s]
+        start: [m] of the route before the first scan, which is not at rest then.
     """
 
     route: str
@@ -606,11 +606,13 @@ class Scenario:
     gaps: int = 0
     gap_scans: int = 8
     max_speed: float = MAX_SPEED
+    start: float = 0.0
 
     @property
     def name(self) -> str:
         parts = [self.route, self.sensor.replace(" ", ""), f"s{self.seed}"]
         parts += [f"{self.length:.0f}m"] if self.length else []
+        parts += [f"from{self.start:.0f}m"] if self.start else []
         parts += [f"t{self.traffic}"] if self.traffic else []
         parts += [f"c{self.companions}"] if self.companions else []
         parts += [f"g{self.gaps}x{self.gap_scans}"] if self.gaps else []
@@ -623,13 +625,18 @@ class Scenario:
     @property
     def scene(self) -> Any:
         """The static triangles in the sensor's range, for ray casting."""
-        path = self.motion.positions(np.arange(0, self.scan_count + 1) * SCAN_PERIOD)
+        first = self.first_scan
+        path = self.motion.positions(np.arange(first, first + self.scan_count + 1) * SCAN_PERIOD)
         return scene_of(self.seed, blocks_near(path, SENSORS[self.sensor].max_range + 5))
 
     @property
+    def first_scan(self) -> int:
+        return int(time_at(self.motion, np.array(self.start)) / SCAN_PERIOD) if self.start else 0
+
+    @property
     def scan_count(self) -> int:
-        end = float(time_at(self.motion, np.array(self.length))) if self.length else self.motion.end
-        return int(min(end, self.motion.end) / SCAN_PERIOD)
+        end = float(time_at(self.motion, np.array(self.start + self.length))) if self.length else self.motion.end
+        return int(min(end, self.motion.end) / SCAN_PERIOD) - self.first_scan
 
     @property
     def kept_scans(self) -> list[int]:
@@ -637,7 +644,7 @@ class Scenario:
         count = self.scan_count
         starts = [int(count * (k + 1) / (self.gaps + 1)) for k in range(self.gaps)]
         missing = {start + k for start in starts for k in range(self.gap_scans)}
-        return [k for k in range(count) if k not in missing]
+        return [self.first_scan + k for k in range(count) if k not in missing]
 
 
 @dataclass(frozen=True)
