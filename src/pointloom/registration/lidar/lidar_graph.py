@@ -24,6 +24,8 @@ Matrix = NDArray[np.float64]
 DRIFT_LENGTH = 30.0  # [m]
 DRIFT_TRANSLATION = 0.005  # of the traveled distance
 DRIFT_ROTATION = math.radians(0.1)
+# Where the map begins anew, since scans do not fit it: headings were lost by up to half a radian.
+BREAK_ROTATION, BREAK_TRANSLATION = 0.3, 5.0  # [rad], [m]
 # Error of a registered loop that its surfaces do not show: the submaps themselves are bent a little.
 LOOP_TRANSLATION, LOOP_ROTATION = 0.05, math.radians(0.1)  # [m], [rad]
 GRAPH_DAMPING = 1e-12  # relative to the stiffness of the nodes
@@ -44,13 +46,22 @@ class MotionEdge:
 
 
 def odometry_edge(
-    source: int, target: int, poses: tuple[Matrix, Matrix], errors: tuple[PoseCovariance, PoseCovariance], length: float
+    nodes: tuple[int, int],
+    poses: tuple[Matrix, Matrix],
+    errors: tuple[PoseCovariance, PoseCovariance],
+    length: float,
+    break_count: int = 0,
 ) -> MotionEdge:
-    """The edge from odometry poses of the source and the target, their covariances, and the distance between them."""
+    """The edge of two nodes (source, target) from their odometry poses and the covariances of these.
+
+    `length` [m] is the distance between them, `break_count` the number of scans that do not fit the map before.
+    """
+    source, target = nodes
     (T_source, T_target), (of_source, of_target) = poses, errors
     position, R = T_source[:3, 3], T_source[:3, :3]
     grown = positive_part(of_source.about(position).matrix - of_target.about(position).matrix)
     matrix = in_axes(grown, R.T) + drift_covariance(length)
+    matrix += break_count * np.diag([BREAK_ROTATION**2] * 3 + [BREAK_TRANSLATION**2] * 3)
     return MotionEdge(source, target, matmul(invert_pose(T_target), T_source), matrix)
 
 

@@ -22,13 +22,14 @@ Matrix = NDArray[np.float64]
 ACCEPTED, WAITING, AMBIGUOUS, REJECTED = "accepted", "waiting", "ambiguous", "rejected"  # loop status
 MAX_SQUARE = 22.5  # squared Mahalanobis distance: exceeded by 0.1 % of correct loops (chi-square of 6 motions)
 MAX_HEIGHT_DEVIATIONS = 3.3  # likewise for the height alone, which separates floors that look alike
-MAX_CONFIRMED_DRIFT = 0.05  # of the traveled distance: larger drifts are not confirmed by a second loop
+MAX_CONFIRMED_DRIFT = 0.05  # of the traveled distance: larger drifts are not confirmed by other loops
 OVERLAP_REACH = 1.0  # times the radius of a submap, plus three standard deviations: centers of submaps that may overlap
 REACH_SIGMAS = 3.0
 MAX_NEAR, MAX_FAR = 3, 1  # candidates to register: within reach of the estimated pose, and elsewhere
 MAX_ACCEPTED = 2  # loops of a submap: more add hardly any information
-MIN_SIMILARITY = 0.4  # of a candidate elsewhere: other places of a city have 0.3 to 0.5, the same place 0.4 to 0.7
-MIN_SEPARATION = 2  # submaps between two loops that confirm each other
+MIN_SIMILARITY = 0.6  # of a candidate elsewhere: other places of a city have 0.4 to 0.7, the same place 0.6 to 0.9
+MIN_AGREEING = 3  # submaps whose loops agree: two are enough for one that looks like another by chance
+ALIGNMENT_VOXELS, ALIGNMENT_ROTATION = 2.0, math.radians(3)  # error of an alignment of images, in voxels of a loop
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,12 +111,14 @@ def find_loops(search: LoopSearch, graph: SubmapGraph, source: int) -> list[Lida
     similarity = dict(zip(targets, query.similarities([search.places[t].descriptor for t in targets]), strict=True))
     ranked = sorted(targets, key=lambda t: (-similarity[t], t))
     near = [t for t in ranked if _is_in_reach(search, graph, source, t)]
-    far = [t for t in ranked if t not in near[:MAX_NEAR] and similarity[t] > MIN_SIMILARITY]
+    far = [t for t in ranked if similarity[t] > MIN_SIMILARITY]
     loops: list[LidarLoop] = []
-    for targets, is_enough in ((near[:MAX_NEAR], MAX_ACCEPTED), (far[:MAX_FAR], 1)):
-        for t in targets:
-            if sum(loop.status == ACCEPTED for loop in loops) < is_enough:
-                loops += _examine(search, graph, query, source, t, similarity[t])
+    for t in near[:MAX_NEAR]:
+        if sum(loop.status == ACCEPTED for loop in loops) < MAX_ACCEPTED:
+            loops += _examine(search, graph, query, source, t, similarity[t], is_near=True)
+    if not any(loop.status in (ACCEPTED, WAITING) for loop in loops):
+        for t in far[:MAX_FAR]:
+            loops += _examine(search, graph, query, source, t, similarity[t], is_near=False)
     return loops
 
 
@@ -139,15 +142,28 @@ def initial_poses(query: PlaceQuery, to_level: Matrix, target: Place) -> list[Ma
 
 
 def _examine(
-    search: LoopSearch, graph: SubmapGraph, query: PlaceQuery, source: int, target: int, similarity: float
+    search: LoopSearch,
+    graph: SubmapGraph,
+    query: PlaceQuery,
+    source: int,
+    target: int,
+    similarity: float,
+    *,
+    is_near: bool,
 ) -> list[LidarLoop]:
-    """Register a pair of submaps from the estimated pose and from the alignments of their images."""
-    expected = graph.relative_pose(source, target)
-    initial = [expected, *initial_poses(query, search.places[source].to_level, search.places[target])]
+    """Register a pair of submaps from the alignments of their images: near the estimated pose, which is tried too,
+    or elsewhere."""
+    expected, of_graph = graph.relative_pose(source, target), graph.relative_covariance(source, target)
+    alignments = initial_poses(query, search.places[source].to_level, search.places[target])
+    rough = of_graph + np.diag([ALIGNMENT_ROTATION**2] * 3 + [(ALIGNMENT_VOXELS * search.voxel_size) ** 2] * 3)
+    initial = [expected] if is_near else []
+    for T in alignments:
+        square = mahalanobis(MotionEdge(source, target, T, rough), expected, rough)
+        if (square <= MAX_SQUARE) == is_near:
+            initial.append(T)
     rated = register_submaps(search.surfaces(source), search.surfaces(target), initial, search.voxel_size)
     if not rated:
         return []
-    of_graph = graph.relative_covariance(source, target)
     loops = [_rated_loop(source, target, similarity, pose, expected, of_graph) for pose in rated]
     passed = [loop for loop in loops if not loop.problem]
     plausible = [loop for loop in passed if loop.deviation**2 <= MAX_SQUARE]
@@ -156,6 +172,9 @@ def _examine(
         poses = tuple(loop.transformation for loop in plausible[1:])
         problem = f"{len(plausible)} poses explain the submap within the error of the path"
         return [replace(plausible[0], status=AMBIGUOUS, problem=problem, alternatives=poses)]
+    if plausible and _sigma(graph, source, target) > search.radius:
+        problem = "the path is so uncertain that it does not exclude other places: it needs other loops that agree"
+        return [replace(plausible[0], status=WAITING, problem=problem, alternatives=others[1:])]
     if plausible:
         poses = tuple(T for T in others if T is not plausible[0].transformation)
         return [replace(plausible[0], status=ACCEPTED, alternatives=poses)]
@@ -211,38 +230,42 @@ def _accept_waiting(
     """Accept waiting loops that the graph makes plausible now, or that confirm each other."""
     has_changed = True
     while has_changed:
-        has_changed = False
-        for k, loop in enumerate(loops):
-            if loop.status == WAITING and graph.square(loop.edge) <= MAX_SQUARE:
-                graph, loops[k] = _accept(graph, loop, ())
-                has_changed = True
         waiting = [k for k, loop in enumerate(loops) if loop.status == WAITING]
-        pair = next(
-            ((a, b) for b in waiting for a in waiting if a < b and _confirm(search, graph, loops[a], loops[b])), None
-        )
-        if pair is not None:
-            edges = [loops[k].edge for k in pair]
-            for k in pair:
-                loops[k] = replace(loops[k], status=ACCEPTED, problem="")
-            graph, has_changed = SubmapGraph(graph.poses, [*graph.edges, *edges]).optimized(), True
+        group = next((k for k in waiting if _is_plausible(search, graph, loops[k])), None)
+        accepted = [] if group is None else [group]
+        if not accepted:
+            drifts = [k for k in waiting if _is_drift(search, graph, loops[k])]
+            accepted = next((group for k in drifts if (group := _agreeing(graph, loops, drifts, k))), [])
+        has_changed = bool(accepted)
+        if has_changed:
+            graph = SubmapGraph(graph.poses, [*graph.edges, *(loops[k].edge for k in accepted)]).optimized()
+        for k in accepted:
+            loops[k] = replace(loops[k], status=ACCEPTED, problem="")
     return graph, loops
 
 
-def _confirm(search: LoopSearch, graph: SubmapGraph, first: LidarLoop, second: LidarLoop) -> bool:
-    """True if two loops of different places agree, and a drift of the odometry explains both."""
-    if min(abs(first.source - second.source), abs(first.target - second.target)) < MIN_SEPARATION:
-        return False
-    if not all(_is_drift(search, graph, loop) for loop in (first, second)):
-        return False
-    edges = (*graph.edges, first.edge)
-    return SubmapGraph(graph.poses, edges).optimized().square(second.edge) <= MAX_SQUARE
+def _is_plausible(search: LoopSearch, graph: SubmapGraph, loop: LidarLoop) -> bool:
+    """True if the poses and covariances of the graph make a loop plausible, and exclude other places."""
+    is_sure = _sigma(graph, loop.source, loop.target) <= search.radius
+    return is_sure and graph.square(loop.edge) <= MAX_SQUARE
+
+
+def _agreeing(graph: SubmapGraph, loops: Sequence[LidarLoop], among: Sequence[int], chosen: int) -> list[int]:
+    """The loops that agree with a chosen one. None unless they are of enough submaps, and none contradicts."""
+    changed = SubmapGraph(graph.poses, [*graph.edges, loops[chosen].edge]).optimized()
+    agreeing = [k for k in among if k == chosen or changed.square(loops[k].edge) <= MAX_SQUARE]
+    sources = {loops[k].source for k in agreeing}
+    contradicts = any(loops[k].source in sources for k in among if k not in agreeing)
+    return agreeing if len(sources) >= MIN_AGREEING and not contradicts else []
 
 
 def _is_drift(search: LoopSearch, graph: SubmapGraph, loop: LidarLoop) -> bool:
-    """True if a loop that is implausible for the covariances may correct a drift that they do not include.
+    """True if a loop is plausible, or may correct a drift that the covariances do not include.
 
-    Its shift must be small for the path, and its height plausible: floors lie above each other and look alike.
+    In this case its shift must be small for the path, and its height plausible: floors lie above each other.
     """
+    if graph.square(loop.edge) <= MAX_SQUARE:
+        return True
     path = search.places[loop.target].path_to(search.places[loop.source])
     T = graph.relative_pose(loop.source, loop.target)
     if shift_of(loop.edge, T) > MAX_CONFIRMED_DRIFT * path:

@@ -248,7 +248,8 @@ class LidarSLAM(Serialized):
         if before is not None:
             numbers = builder.first_scan, before.first_scan
             errors = steps[numbers[0]].covariance, steps[numbers[1]].covariance
-            edge = odometry_edge(number, number - 1, (T, before.T_odometry_submap), errors, before.length)
+            breaks = sum(steps[k].has_joined for k in range(numbers[1] + 1, numbers[0] + 1))
+            edge = odometry_edge((number, number - 1), (T, before.T_odometry_submap), errors, before.length, breaks)
             pose = matmul(state.graph.poses[-1], edge.transformation)
         record = SubmapRecord(builder.first_scan, builder.last_scan, T, builder.length, len(points))
         self._state = replace(
