@@ -179,7 +179,7 @@ def test_blocks_that_look_alike_give_no_false_loop(monkeypatch):
         slam.register(cloud)
     assert not [loop for loop in slam.loops if loop.reliable]
     assert [loop for loop in slam.loops if loop.status == "waiting" and loop.score > 0.5]
-    assert slam.summary.notes and np.array_equal(slam.poses, slam.odometry.poses)
+    assert slam.summary.notes and np.allclose(slam.poses, slam.odometry.poses, atol=1e-9)
 
 
 def test_an_unknown_drift_needs_loops_that_agree(monkeypatch, around):
@@ -194,21 +194,29 @@ def test_an_unknown_drift_needs_loops_that_agree(monkeypatch, around):
     assert after[-1] < 0.3 * before[-1]
 
 
-def test_localize_finds_a_scan_at_any_heading(mapped, around):
+def scans_at(drive, index, count=6):
+    """Several scans in the sensor's frame of the first: one alone has too few beams for surfaces."""
+    parts, clouds, poses = [], drive.clouds(), drive.poses
+    for k in range(index, index + count):
+        scan = loom.registration.deskew_point_cloud(clouds[k], np.linalg.inv(poses[k - 1]) @ poses[k])
+        parts.append(scan.transform(np.linalg.inv(poses[index]) @ poses[k]).points)
+    return loom.PointCloud(np.concatenate(parts))
+
+
+def test_localize_finds_scans_at_any_heading(mapped, around):
     truth = truth_of(around)
     for index, angle in ((30, 2.0), (75, -1.0)):
         turn = np.eye(4)
         turn[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
-        scan = around.clouds()[index].transform(turn)
-        found = mapped.localize(scan)
+        found = mapped.localize(scans_at(around, index).transform(turn))
         assert found.reliable, found.warnings
-        assert np.linalg.norm(found.transformation[:3, 3] - truth[index][:3, 3]) < 1.5  # the scan moves by 1.2 m
+        assert np.linalg.norm(found.transformation[:3, 3] - truth[index][:3, 3]) < 0.6
         assert found.to_dict()["reliable"] and "score" in str(found)
 
 
 def test_localize_rejects_another_place(mapped):
     other = make_drive([(1, 1), (2, 1)], seed=11)
-    found = mapped.localize(other.clouds()[20])
+    found = mapped.localize(scans_at(other, 20))
     assert not found.reliable and found.warnings
 
 

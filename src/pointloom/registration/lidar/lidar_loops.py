@@ -29,6 +29,7 @@ MAX_NEAR, MAX_FAR = 3, 1  # candidates to register: within reach of the estimate
 MAX_ACCEPTED = 2  # loops of a submap: more add hardly any information
 MIN_SIMILARITY = 0.6  # of a candidate elsewhere: other places of a city have 0.4 to 0.7, the same place 0.6 to 0.9
 MIN_AGREEING = 3  # submaps whose loops agree: two are enough for one that looks like another by chance
+MAX_VARIANCE_FACTOR = 4.0  # of covariances that the loops show to be too small
 ALIGNMENT_VOXELS, ALIGNMENT_ROTATION = 2.0, math.radians(3)  # error of an alignment of images, in voxels of a loop
 
 
@@ -231,11 +232,11 @@ def _accept_waiting(
     has_changed = True
     while has_changed:
         waiting = [k for k, loop in enumerate(loops) if loop.status == WAITING]
-        group = next((k for k in waiting if _is_plausible(search, graph, loops[k])), None)
-        accepted = [] if group is None else [group]
+        accepted = [k for k in waiting if _is_plausible(search, graph, loops[k])][:1]
         if not accepted:
             drifts = [k for k in waiting if _is_drift(search, graph, loops[k])]
-            accepted = next((group for k in drifts if (group := _agreeing(graph, loops, drifts, k))), [])
+            groups = (_agreeing(graph, loops, drifts, k) for k in drifts)
+            accepted = next((group for group in groups if group), [])
         has_changed = bool(accepted)
         if has_changed:
             graph = SubmapGraph(graph.poses, [*graph.edges, *(loops[k].edge for k in accepted)]).optimized()
@@ -253,7 +254,8 @@ def _is_plausible(search: LoopSearch, graph: SubmapGraph, loop: LidarLoop) -> bo
 def _agreeing(graph: SubmapGraph, loops: Sequence[LidarLoop], among: Sequence[int], chosen: int) -> list[int]:
     """The loops that agree with a chosen one. None unless they are of enough submaps, and none contradicts."""
     changed = SubmapGraph(graph.poses, [*graph.edges, loops[chosen].edge]).optimized()
-    agreeing = [k for k in among if k == chosen or changed.square(loops[k].edge) <= MAX_SQUARE]
+    factor = min(max(graph.square(loops[chosen].edge) / MAX_SQUARE, 1.0), MAX_VARIANCE_FACTOR)
+    agreeing = [k for k in among if k == chosen or changed.square(loops[k].edge) <= factor * MAX_SQUARE]
     sources = {loops[k].source for k in agreeing}
     contradicts = any(loops[k].source in sources for k in among if k not in agreeing)
     return agreeing if len(sources) >= MIN_AGREEING and not contradicts else []

@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive
 from ...core.devices import DeviceLike, check_same_device
-from ...core.observers import report
 from ...core.serialized import Serialized
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import matmul
@@ -182,7 +181,6 @@ class LidarSLAM(Serialized):
             if len(self._odometry.steps) <= self._pending[-1][0]:
                 self._pending.pop()
         self._finish_interrupted()
-        report("slam scan", slam=self, scan=scan)
         return self._corrected(len(self._odometry.steps) - 1)
 
     def _raw(self, scan: PointCloud, timestamps: ArrayLike | None) -> RawScan:
@@ -264,8 +262,6 @@ class LidarSLAM(Serialized):
         found = find_loops(search, state.graph, number)
         graph, loops = close_loops(search, state.graph, found, state.loops)
         self._state = replace(state, graph=graph, loops=tuple(loops), searched=number + 1)
-        for loop in loops[len(state.loops) :]:
-            report("slam loop", slam=self, loop=loop)
 
     def _search(self) -> LoopSearch:
         size = LOOP_VOXELS * self._odometry.voxel_size
