@@ -30,7 +30,7 @@ from .commands import answer, names_in, output_of, refusal, run, unreliable
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
     "change", "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth",
-    "docs", "doctor", "downsample", "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane",
+    "docs", "doctor", "downsample", "evaluate", "fuse", "info", "map", "mesh", "multiway", "normals", "odometry", "plane",
     "reconstruct", "register", "sample-mesh", "simplify", "smooth-mesh", "stations", "texture", "tile",
     "track", "video", "view",
 )  # fmt: skip

@@ -263,6 +263,20 @@ def test_without_loops_poses_are_those_of_the_odometry():
     assert len(slam.map) > 1000 and slam.submaps and "12 scans" in repr(slam)
 
 
+def test_finish_searches_the_loops_of_the_open_submap(monkeypatch, around, mapped):
+    slam = slam_of(monkeypatch, around, HEADING_DRIFT)
+    count = mapped.submaps[-1].first_scan + 7  # 8.4 m of 10
+    for cloud in around.clouds()[:count]:
+        slam.register(cloud)
+    before = len(slam.submaps), len(slam.loops)
+    slam.finish()
+    assert (len(slam.submaps), slam.submaps[-1].last_scan) == (before[0] + 1, count - 1)
+    assert len(slam.loops) > before[1]
+    slam.finish()
+    slam.register(around.clouds()[count])
+    assert len(slam.submaps) == before[0] + 1 and len(slam.poses) == count + 1
+
+
 def test_wrong_arguments():
     for options in ({"submap_length": 0}, {"submap_length": np.nan}, {"max_range": -1}):
         with pytest.raises(ValueError, match=next(iter(options))):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Unpack
+from typing import Any, NamedTuple, Unpack
 
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...core.errors import FileError, FilePath
@@ -14,6 +14,14 @@ from ...registration.lidar.slam_summary import LidarSLAMSummary
 from .job import Job, JobReport, Settings
 from .odometry import check_poses_output, register_scans
 from .scan_source import ScanSource
+
+
+class MapOutputs(NamedTuple):
+    """Files of a map: the cloud, corrected poses (.txt or .tum, .log, .kitti), and a picture from above with loops."""
+
+    cloud: FilePath
+    trajectory: FilePath | None = None
+    picture: FilePath | None = None
 
 
 @dataclass(frozen=True)
@@ -59,10 +67,8 @@ class MapReport(JobReport):
 
 def map_of_scans(
     folder: FilePath,
-    output: FilePath,
+    outputs: MapOutputs,
     *,
-    trajectory: FilePath | None = None,
-    picture: FilePath | None = None,
     voxel_size: float | None = None,
     max_range: float = 100.0,
     min_range: float = 5.0,
@@ -76,12 +82,10 @@ def map_of_scans(
 
     Args:
         folder, topic: As of `odometry_of_folder`.
-        output: The map, a cloud.
-        trajectory: Corrected poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
-        picture: Image of the map from above with the path and the loops.
+        outputs: The files to write.
         voxel_size, max_range, min_range, submap_length: As of `LidarSLAM`.
     """
-    job = Job("map", folder, **settings)
+    job, (output, trajectory, picture) = Job("map", folder, **settings), outputs
     job.check(output)
     form = "" if trajectory is None else check_poses_output(job, trajectory, None)
     if picture is not None:
@@ -94,6 +98,7 @@ def map_of_scans(
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
     points = register_scans(job, slam, scans)
+    slam.finish()
     summary, cloud = slam.summary, slam.map
     if summary.odometry.has_seen:
         job.write_cloud(cloud, output)

@@ -309,11 +309,12 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     refuse_same(
         **{name: options[name] for name in ("trajectory", "picture")}, output=output, record=options["record_as"]
     )
-    from ..jobs.map_scans import map_of_scans
+    from ..jobs.map_scans import MapOutputs, map_of_scans
     from .recording_command import recorded
 
+    outputs = MapOutputs(output, options.pop("trajectory"), options.pop("picture"))
     with Progress(rates=True) as progress:
-        report = recorded(map_of_scans, folder, output, overwrite=force, progress=progress, **options)
+        report = recorded(map_of_scans, folder, outputs, overwrite=force, progress=progress, **options)
     return answer_with(report, str(folder), as_json)
 
 

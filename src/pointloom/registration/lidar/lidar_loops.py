@@ -264,7 +264,7 @@ def _agreeing(graph: SubmapGraph, loops: Sequence[LidarLoop], among: Sequence[in
 def _is_drift(search: LoopSearch, graph: SubmapGraph, loop: LidarLoop) -> bool:
     """True if a loop is plausible, or may correct a drift that the covariances do not include.
 
-    In this case its shift must be small for the path, and its height plausible: floors lie above each other.
+    In this case its shift must be small for the path, and its height plausible: floors of a building look alike.
     """
     if graph.square(loop.edge) <= MAX_SQUARE:
         return True

@@ -39,6 +39,7 @@ Matrix = NDArray[np.float64]
 # A submap of 30 m for a range of 100 m: every surface beside the path was seen from several positions, and odometry
 # drifts by centimeters.
 LENGTH_FRACTION = 0.3  # of max_range
+MIN_LENGTH_FRACTION = 0.5  # of the length, for the last submap
 RANGE_FRACTION = 0.6  # of max_range: farther points are sparse and bent most by errors of the heading
 POINT_VOXELS = 0.5  # of the odometry's voxel size: spacing of the points of a submap, as of the scans
 LOOP_VOXELS = 0.75  # likewise: surfaces of loops have one and a half points per voxel edge
@@ -84,8 +85,8 @@ class LidarSLAM(Serialized):
 
     `LidarOdometry` estimates the motion. Consecutive scans form submaps of a traveled distance. Each finished submap
     is compared with all earlier ones by an image from above, over all headings, so no guess is needed. Candidates are
-    registered, and accepted as loops if the surfaces agree, no motion is undetermined, no other pose within the error
-    of the path explains the submap, and the pose is plausible for the drift so far. The poses of all submaps are then
+    registered. A loop is accepted if the surfaces agree and determine all motions, if no other pose within the error of
+    the path explains the submap, and if the drift so far explains the pose. The poses of all submaps are then
     optimized.
 
     Args:
@@ -102,8 +103,8 @@ class LidarSLAM(Serialized):
 
     Notes:
         The world is the sensor frame of the first scan. Its z axis should point up within 15 degrees.
-        A loop that is implausible for the covariances of the path waits until others make it plausible, or until a
-        second one confirms it. Places that look alike never close a loop.
+        A loop that is implausible for the covariances of the path waits until others make it plausible, or until loops
+        of two more submaps agree with it, up to a drift of 5% of the path. Other places that look alike close no loop.
         Memory: about 6 B per point in voxels of half the odometry's voxel size, 0.2 MB per submap, or a few MB with a
         `folder`. Bitwise reproducible for any number of threads. An interrupted `register` (Ctrl-C) leaves the scan
         fully in or out.
@@ -182,6 +183,14 @@ class LidarSLAM(Serialized):
                 self._pending.pop()
         self._finish_interrupted()
         return self._corrected(len(self._odometry.steps) - 1)
+
+    def finish(self) -> None:
+        """Finish the open submap, and search its loops. Later scans begin a new one."""
+        self._finish_interrupted()
+        builder = self._builder
+        if builder is not None and builder.length >= MIN_LENGTH_FRACTION * self.submap_length:
+            self._finish_submap(builder)
+        self._finish_interrupted()
 
     def _raw(self, scan: PointCloud, timestamps: ArrayLike | None) -> RawScan:
         """The scan with times if it is deskewed. Wrong times raise errors, before the odometry changes."""
@@ -359,7 +368,7 @@ class LidarSLAM(Serialized):
                 degrees, its heading is unknown.
 
         Returns:
-            The pose and its assessment. Check `reliable`: it is False if the cloud fits nowhere, or at several poses.
+            The pose and its assessment. Check `reliable`: it is False if the cloud fits at no pose, or at several.
 
         Raises:
             TypeError: Not a PointCloud.
