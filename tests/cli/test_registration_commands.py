@@ -386,7 +386,7 @@ def test_map_writes_the_cloud_the_path_and_a_picture(drive, tmp_path):
     np.testing.assert_allclose(read_trajectory(poses).poses, path_of(5), atol=0.02)
     assert len(loom.read_point_cloud(cloud)) == report["map_points"] > 1000
     assert read_color(picture).shape[2] == 3 and report["files"] == [str(cloud), str(poses), str(picture)]
-    assert (report["scans"], report["submaps"], report["loops"], report["reliable"]) == (5, 0, [], True)
+    assert (report["scans"], report["submaps"], report["loops"], report["reliable"]) == (5, 1, [], True)
     assert "0 of 0 compared pairs" in output_of("map", drive, "-o", tmp_path / "b.ply", *INDOORS)
 
 

@@ -139,7 +139,6 @@ class LidarSLAM(Serialized):
         self._surfaces: SurfaceCache | None = None
         self._part: float | None = None
         self._pending: list[tuple[int, RawScan]] = []  # scans that are not in a submap yet
-        self._registered = 0  # scans that the submaps have noted
 
     @property
     def odometry(self) -> LidarOdometry:
@@ -185,10 +184,15 @@ class LidarSLAM(Serialized):
         return self._corrected(len(self._odometry.steps) - 1)
 
     def finish(self) -> None:
-        """Finish the open submap, and search its loops. Later scans begin a new one."""
+        """Finish the open submap, and search its loops. Later scans begin a new one.
+
+        A submap of less than half of `submap_length` stays open, unless it is the first.
+        """
         self._finish_interrupted()
+        self._add_pending(is_last=True)
         builder = self._builder
-        if builder is not None and builder.length >= MIN_LENGTH_FRACTION * self.submap_length:
+        is_long = builder is not None and builder.length >= MIN_LENGTH_FRACTION * self.submap_length
+        if builder is not None and (is_long or not self._state.submaps):
             self._finish_submap(builder)
         self._finish_interrupted()
 
@@ -209,12 +213,12 @@ class LidarSLAM(Serialized):
         while self._state.searched < len(self._state.submaps):
             self._search_loops(self._state.searched)
 
-    def _add_pending(self) -> None:
+    def _add_pending(self, *, is_last: bool = False) -> None:
         steps = self._odometry.steps
         while self._pending:
             number, raw = self._pending[0]
             step = steps[number]
-            if step.status == FIRST_SCAN and number == len(steps) - 1:
+            if step.status == FIRST_SCAN and number == len(steps) - 1 and not is_last:
                 copy = RawScan(clone(raw.points), raw.origin, None if raw.times is None else clone(raw.times), raw.part)
                 self._pending[0] = (number, copy)  # deskewed when the motion is known: a driver may reuse its buffer
                 return
