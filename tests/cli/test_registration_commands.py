@@ -394,7 +394,6 @@ def test_map_rejects_invalid_calls_first(drive, tmp_path):
     cloud = tmp_path / "map.ply"
     assert "poses are not written to .json" in refusal("map", drive, "-o", cloud, "--trajectory", tmp_path / "a.json")
     assert "clouds are not written to .png" in refusal("map", drive, "-o", tmp_path / "a.png")
-    assert "leaves nothing" in refusal("map", drive, "-o", cloud, "--max-range", 3)
     assert "does not exist" in refusal("map", tmp_path / "none", "-o", cloud)
     cloud.write_text("kept")
     assert "exists already" in refusal("map", drive, "-o", cloud)

@@ -81,11 +81,13 @@ reg.register_stations(stations=[source], poses=[pose], positions=[three], positi
 reg.write_pose_graph(path="graph.json", pose_graph=graph)
 """  # noqa: E501
 HOMES = {
-    "by_distance": "CorrespondenceChecker", "tukey": "RobustKernel", "odometry()": "LidarOdometry", "slam()": "LidarSLAM",
+    "by_distance": "CorrespondenceChecker", "tukey": "RobustKernel", "odometry()": "LidarOdometry",
+    "slam()": "LidarSLAM",
 }  # fmt: skip
 RESULTS = {
     "Deformation", "DriftResult", "ErrorStatistics", "FragmentPair", "FragmentsResult", "GlobalOptimizationReport",
-    "LidarLoop", "LidarSLAMSummary", "LidarSubmap", "Localizability", "Localization", "NonRigidResult", "OdometryStep", "OdometrySummary", "PairRegistration",
+    "LidarLoop", "LidarSLAMSummary", "LidarSubmap", "Localizability", "Localization", "NonRigidResult",
+    "OdometryStep", "OdometrySummary", "PairRegistration",
     "SegmentError", "SimilarityFit", "StationPair", "StationsResult", "TrajectoryError",
 }  # fmt: skip
 # Internal methods of estimators.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import NoReturn, TypedDict, Unpack
@@ -286,10 +287,10 @@ class LidarSLAM(Serialized):
             self._surfaces = SurfaceCache(LOOP_VOXELS * self._odometry.voxel_size, self.device)
         return self._surfaces.surfaces(number, lambda: self._store.points(number))
 
-    def _submap_of(self, scan: int) -> int:
-        """Number of the submap of a scan, -1 before the first. The scans of the open submap belong to the last one."""
+    def _submaps_of(self, scans: Sequence[int]) -> NDArray[np.int64]:
+        """Numbers of the submaps of scans. Those of the open submap belong to the last finished one."""
         firsts = [submap.first_scan for submap in self._state.submaps]
-        return int(np.searchsorted(firsts, scan, side="right")) - 1
+        return np.maximum(np.searchsorted(firsts, scans, side="right") - 1, 0)
 
     def _corrections(self) -> list[Matrix]:
         """T_world_odometry of each submap."""
@@ -301,7 +302,7 @@ class LidarSLAM(Serialized):
 
     def _corrected(self, scan: int) -> Matrix:
         corrections, pose = self._corrections(), self._odometry.steps[scan].pose
-        return matmul(corrections[max(self._submap_of(scan), 0)], pose) if corrections else pose.copy()
+        return matmul(corrections[self._submaps_of([scan])[0]], pose) if corrections else pose.copy()
 
     @property
     def poses(self) -> Matrix:
@@ -309,8 +310,7 @@ class LidarSLAM(Serialized):
         self._finish_interrupted()
         poses, corrections = self._odometry.poses, self._corrections()
         if corrections:
-            numbers = np.maximum([self._submap_of(scan) for scan in range(len(poses))], 0)
-            poses = matmul(np.array(corrections)[numbers], poses)
+            poses = matmul(np.array(corrections)[self._submaps_of(range(len(poses)))], poses)
         return poses
 
     @property
@@ -320,8 +320,7 @@ class LidarSLAM(Serialized):
         state, steps, found = self._state, self._odometry.steps, []
         of_submaps = [state.graph.covariance(k) for k in range(len(state.submaps))]
         corrections = self._corrections()
-        for scan, step in enumerate(steps):
-            k = max(self._submap_of(scan), 0)
+        for step, k in zip(steps, self._submaps_of(range(len(steps))).tolist(), strict=True):
             if not of_submaps:
                 found.append(step.covariance)
                 continue
