@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 
 from ...core.reports import Assessed, Fields, Report, as_json, failed, with_warnings
 from ...kernels.linear_algebra import matmul
-from ..assessment_constants import MIN_SCORE
 from ..pose_errors import PoseCovariance
 from .lidar_graph import in_axes
 from .lidar_loops import Place, initial_poses
 from .place_descriptor import PlaceDescriptor, PlaceQuery
-from .submap_pairs import SubmapSurfaces, are_equal, register_submaps
+from .submap_pairs import MIN_PLACE_SCORE, SubmapSurfaces, are_equal, register_submaps
 
 Matrix = NDArray[np.float64]
 
@@ -94,7 +93,7 @@ def localize_cloud(
     others: list[Matrix] = []
     for each in found:
         is_known = any(are_equal(each.transformation, T, voxel_size) for T in (best.transformation, *others))
-        if each.score > MIN_SCORE and not best.problem and not is_known:
+        if each.score > MIN_PLACE_SCORE and not best.problem and not is_known:
             others.append(each.transformation)
     return Localization(
         best.transformation, best.submap, best.similarity, best.score, best.covariance, best.problem, tuple(others)
