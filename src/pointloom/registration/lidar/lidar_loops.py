@@ -70,6 +70,7 @@ class LidarLoop(AssessedRecord):
 
     @property
     def edge(self) -> MotionEdge:
+        """The loop as an edge of the pose graph."""
         matrix = loop_covariance(self.covariance, self.transformation)
         return MotionEdge(self.source, self.target, self.transformation, matrix)
 

@@ -104,7 +104,7 @@ class LidarSubmap:
         first_scan, last_scan: Numbers of its scans.
         length: Traveled distance [m].
         T_world_submap: Pose corrected by all loops so far, float64 [4, 4].
-        cloud: Its points in the submap's frame, read from the folder if there is one.
+        point_count: Number of its points.
     """
 
     index: int
@@ -117,6 +117,7 @@ class LidarSubmap:
 
     @property
     def cloud(self) -> PointCloud:
+        """The points in the submap's frame, on the CPU."""
         return PointCloud(self._store.points(self.index))
 
 
