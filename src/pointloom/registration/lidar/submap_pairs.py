@@ -27,8 +27,8 @@ Matrix = NDArray[np.float64]
 CACHED_SURFACES = 8  # submaps, of about 1 MB each
 COARSE_VOXELS = 2.0  # voxels: initial poses from descriptors are off by up to a meter
 COARSE_MATCH = 2.0  # coarse voxels: match distance, wider than MATCH_VOXELS for the same reason
-# None of 1,075 pairs of submaps from different synthetic cities has a score above 0.5 in its best alignment. Streets with
-# the same houses on one side have up to 0.93. Pairs of one place have 0.78 to 0.99 where half of the surfaces overlap.
+# None of 1,075 pairs of submaps from different synthetic cities has a score above 0.5 in its best alignment. Streets
+# with the same houses on one side have up to 0.93. Pairs of one place have 0.78 to 0.99 where half of them overlaps.
 MIN_PLACE_SCORE = 0.8
 SAME_SHIFT, SAME_ROTATION = 4.0, 0.05  # voxels, [rad] between poses that are equal
 
@@ -121,7 +121,8 @@ def _rate(source: SubmapSurface, target: SubmapSurface, pose: Matrix, voxel_size
     covariance = covariance_of(step, np.zeros(3), lambda: motions)
     problem = "the surfaces hardly match" if motions is None or not np.isfinite(covariance.matrix).all() else ""
     if evidence.score <= MIN_PLACE_SCORE:
-        problem = f"the score is {evidence.score:.2f}, not above {MIN_PLACE_SCORE}: places that share some structures match as well"
+        score = f"the score is {evidence.score:.2f}, not above {MIN_PLACE_SCORE}"
+        problem = f"{score}: places that share some structures match as well"
     if motions is not None and len(motions.open_motions):
         problem = f"the submaps match as well if one may {describe_motions(motions.open_motions)}"
     return RatedPose(pose, evidence.score, covariance, problem)
