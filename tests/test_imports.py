@@ -54,7 +54,7 @@ SUBPACKAGES = {
         *("stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
     ],
     "io": ["images", "points", "splats", "meshes", "frames", "models", "bags"],
-    "registration": ["icp", "globally", "lidar", "pose_graphs", "stations", "deformable", "trajectories"],
+    "registration": ["icp", "globally", "pose_graphs", "lidar", "stations", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
     "visualization": ["render", "change", "page", "recording", "viewer"],

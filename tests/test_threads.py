@@ -131,6 +131,11 @@ CASES = {
         scan_steps,
         lambda odometry: (np.array(odometry.poses), odometry.map.points),
     ),
+    "LidarSLAM": (
+        lambda device, _: loom.registration.LidarSLAM(voxel_size=0.5, submap_length=1.0, device=device),
+        scan_steps,
+        lambda slam: (slam.poses, slam.map.points),
+    ),
     "DenseSLAM": (
         lambda device, _: loom.rgbd.DenseSLAM(ROOM.intrinsic, voxel_size=0.05, device=device),
         room_steps,

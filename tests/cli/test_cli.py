@@ -30,8 +30,8 @@ from .commands import answer, names_in, output_of, refusal, run, unreliable
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
     "change", "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth",
-    "docs", "doctor", "downsample", "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane",
-    "reconstruct", "register", "sample-mesh", "simplify", "smooth-mesh", "stations", "texture", "tile",
+    "docs", "doctor", "downsample", "evaluate", "fuse", "info", "map", "mesh", "multiway", "normals", "odometry",
+    "plane", "reconstruct", "register", "sample-mesh", "simplify", "smooth-mesh", "stations", "texture", "tile",
     "track", "video", "view",
 )  # fmt: skip
 

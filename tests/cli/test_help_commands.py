@@ -193,6 +193,8 @@ CALLS = [
     ("odometry drive -o x.html --record x.html", "--record"),
     ("odometry scans -o a.txt --min-range -1", "'--min-range': expected a distance in meters, 0 or above"),
     ("odometry scans -o a.txt --max-range 3", "--min-range 5 leaves nothing within --max-range 3"),
+    ("map scans -o a.ply --max-range 3", "--min-range 5 leaves nothing within --max-range 3"),
+    ("map scans -o a.ply --trajectory a.ply", "--trajectory"),
     ("evaluate a.txt b.txt --alignment umeyama", "'--alignment'"),
     ("clean a.ply b.ply --radius 1", "--radius requires --min-neighbors"),
     ("clean a.ply b.ply --deviations inf", "'--deviations': expected a finite number above 0, got 'inf'"),

@@ -380,6 +380,27 @@ def test_a_scan_that_does_not_overlap_is_unreliable(drive, tmp_path, rng):
     assert "predicted  1: scan 2" in result.stdout
 
 
+def test_map_writes_the_cloud_the_path_and_a_picture(drive, tmp_path):
+    cloud, poses, picture = (tmp_path / name for name in ("map.laz", "path.tum", "map.png"))
+    report = answer("map", drive, "-o", cloud, "--trajectory", poses, "--picture", picture, *INDOORS)
+    np.testing.assert_allclose(read_trajectory(poses).poses, path_of(5), atol=0.02)
+    assert len(loom.read_point_cloud(cloud)) == report["map_points"] > 1000
+    assert read_color(picture).shape[2] == 3 and report["files"] == [str(cloud), str(poses), str(picture)]
+    assert (report["scans"], report["submaps"], report["loops"], report["reliable"]) == (5, 1, [], True)
+    assert "0 of 0 compared pairs" in output_of("map", drive, "-o", tmp_path / "b.ply", *INDOORS)
+
+
+def test_map_rejects_invalid_calls_first(drive, tmp_path):
+    cloud = tmp_path / "map.ply"
+    assert "poses are not written to .json" in refusal("map", drive, "-o", cloud, "--trajectory", tmp_path / "a.json")
+    assert "clouds are not written to .png" in refusal("map", drive, "-o", tmp_path / "a.png")
+    assert "does not exist" in refusal("map", tmp_path / "none", "-o", cloud)
+    cloud.write_text("kept")
+    assert "exists already" in refusal("map", drive, "-o", cloud)
+    report = unreliable("map", drive, "-o", tmp_path / "b.ply", "--min-range", 90)
+    assert report["files"] == [] and not (tmp_path / "b.ply").exists()
+
+
 @pytest.mark.slow
 def test_lost_odometry_is_unreliable_and_names_the_scans(real_file, tmp_path):
     folder = tmp_path / "submaps"

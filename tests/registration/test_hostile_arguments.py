@@ -48,6 +48,9 @@ reg.PoseGraphNode(pose=pose)
 reg.PoseGraphEdge(source_node_id=0, target_node_id=1, transformation=pose, information=information, confidence=1.0)
 reg.LidarOdometry(voxel_size=0.1, max_range=10.0, min_range=0.1, max_points_per_voxel=5, interval=0.1, initial_threshold=2.0, min_motion=0.1, device="cpu")
 odometry().register(scan=source, timestamps=times, prior=pose, imu=readings, time=1.0)
+reg.LidarSLAM(submap_length=2.0, folder="map", device="cpu")
+slam().register(scan=source, timestamps=times, prior=pose, imu=readings, time=1.0)
+slam().localize(cloud=source)
 reg.correspondences_from_features(source_features=features, target_features=features, mutual_consistency_ratio=0.1, ratio=0.9, device="cpu")
 reg.deskew_point_cloud(cloud=source, T_start_end=pose, timestamps=times)
 reg.assess_registration(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
@@ -79,10 +82,12 @@ reg.write_pose_graph(path="graph.json", pose_graph=graph)
 """  # noqa: E501
 HOMES = {
     "by_distance": "CorrespondenceChecker", "tukey": "RobustKernel", "odometry()": "LidarOdometry",
+    "slam()": "LidarSLAM",
 }  # fmt: skip
 RESULTS = {
     "Deformation", "DriftResult", "ErrorStatistics", "FragmentPair", "FragmentsResult", "GlobalOptimizationReport",
-    "Localizability", "NonRigidResult", "OdometryStep", "OdometrySummary", "PairRegistration",
+    "LidarLoop", "LidarSLAMSummary", "LidarSubmap", "Localizability", "Localization", "NonRigidResult",
+    "OdometryStep", "OdometrySummary", "PairRegistration",
     "SegmentError", "SimilarityFit", "StationPair", "StationsResult", "TrajectoryError",
 }  # fmt: skip
 # Internal methods of estimators.
@@ -126,8 +131,15 @@ def things() -> dict[str, Any]:
         model=loom.SfmModel(["a", "b", "c", "d"], [lens] * 4, poses), gps=str(gps),
         positions={"a": (1, 0, 0), "b": (3, 0, 0), "c": (1, 2, 0), "d": (1, 0, 2)},
         seen=reg.TargetObservation(0, "A", [1.0, 0.5, 0.2]), held=reg.ControlPoint("A", [1.0, 0.5, 0.2]),
-        odometry=lambda: reg.LidarOdometry(max_range=10.0, min_range=0.01),
+        odometry=lambda: reg.LidarOdometry(max_range=10.0, min_range=0.01), slam=lambda: slam_of(cloud),
     )  # fmt: skip
+
+
+def slam_of(cloud: loom.PointCloud) -> Any:
+    slam = reg.LidarSLAM(max_range=10.0, min_range=0.01)
+    slam.register(cloud)
+    slam.finish()
+    return slam
 
 
 @pytest.fixture(autouse=True)

@@ -28,6 +28,7 @@ from .icp.ndt import registration_ndt as registration_ndt
 from .lidar.deskewing import deskew_point_cloud as deskew_point_cloud
 from .lidar.lidar_odometry import LidarOdometry as LidarOdometry
 from .lidar.lidar_runs import run_odometry as run_odometry
+from .lidar.lidar_slam import LidarSLAM as LidarSLAM
 from .matching import correspondences_from_features as correspondences_from_features
 from .pose_graphs.fragment_graph import FragmentPair as FragmentPair
 from .pose_graphs.multiway import register_multiway as register_multiway
@@ -59,8 +60,12 @@ from .deformable.coherent_drift import DriftResult as DriftResult
 from .deformable.nonrigid import NonRigidResult as NonRigidResult
 from .evidence import Evidence as Evidence
 from .globally.pair import PairRegistration as PairRegistration
+from .lidar.lidar_loops import LidarLoop as LidarLoop
 from .lidar.lidar_steps import OdometryStep as OdometryStep
 from .lidar.lidar_steps import OdometrySummary as OdometrySummary
+from .lidar.lidar_submaps import LidarSubmap as LidarSubmap
+from .lidar.localization import Localization as Localization
+from .lidar.slam_summary import LidarSLAMSummary as LidarSLAMSummary
 from .pose_errors import PoseCovariance as PoseCovariance
 from .pose_graphs.multiway import FragmentsResult as FragmentsResult
 from .pose_graphs.reports import GlobalOptimizationReport as GlobalOptimizationReport

@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from functools import partial
-from itertools import repeat
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Unpack
 
-from ...cameras.imu_readings import ImuReadings
 from ...cameras.pose_files import FORMATS as POSE_FORMATS
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
-from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
-from ...io.bags.recording import is_recording, open_recording
-from ...io.points.scan_files import list_scans, read_scans
-from ...pcd.cloud import PointCloud
 from ...registration.lidar.lidar_odometry import LidarOdometry
+from ...registration.lidar.lidar_slam import LidarSLAM
 from ...registration.lidar.lidar_steps import OdometrySummary, summarize_steps
 from ...registration.trajectories.trajectory_error import TrajectoryError
 from .evaluate import compare
 from .job import Job, JobReport, Settings
+from .scan_source import ScanSource
 
 FORMATS = {"kitti": (".kitti", ".txt"), "tum": (".txt", ".tum"), "log": (".log",)}  # extensions of each
 
@@ -95,16 +89,16 @@ def odometry_of_folder(
             use no IMU).
     """
     job = Job("odometry", folder, **settings)
-    form = _check_output(job, output, format)
+    form = check_poses_output(job, output, format)
     odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
-    scans = _Scans.open(folder, topics[0], settings.get("columns"), job.device, imu=topics[1])
+    scans = ScanSource.open(folder, topics[0], settings.get("columns"), job.device, imu=topics[1])
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
     true_path = None if truth is None else read_trajectory(truth)
     if true_path is not None and len(true_path) != scans.count:
         reason = f"expected {scans.count} poses, one per scan of {os.fspath(folder)}, got {len(true_path)}"
         raise FileError(truth or "", reason, remedy="Pass the true pose of each scan")
-    points = _register_scans(job, odometry, scans)
+    points = register_scans(job, odometry, scans)
     summary, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses), None
     if summary.has_seen:
         with job.stage("write", reported=False):
@@ -118,61 +112,22 @@ def odometry_of_folder(
     return OdometryReport(done, form, str(job.device), *sizes, summary, points, up, errors)
 
 
-@dataclass(frozen=True)
-class _Scans:
-    """Scans in order: number, name of the first, and iterators that read them and the times in their headers [s]."""
-
-    count: int
-    first: str
-    clouds: Iterator[PointCloud]
-    times: Iterator[float | None] = field(default_factory=partial(repeat, None))
-    imu: ImuReadings | None = None
-
-    @classmethod
-    def open(
-        cls,
-        path: FilePath,
-        topic: str | None,
-        columns: Sequence[str] | None,
-        device: DeviceLike,
-        *,
-        imu: str | None = None,
-    ) -> _Scans:
-        if is_recording(Path(path)):
-            if columns is not None:
-                raise FileError(path, "is a recording, which defines its columns", remedy="Leave --columns out")
-            recording = open_recording(path)
-            chosen = recording.choose_topic(topic)
-            (entry,) = (entry for entry in recording.topics if entry.name == chosen)
-            readings = None if imu is None else recording.imu(imu, frame=entry.frame_id or "")
-            clouds = recording.scans(chosen, absolute_times=imu is not None, device=device)
-            times = (recording.header_at(row)[0] for row in recording.rows_of(chosen))
-            return cls(entry.count, chosen, clouds, times, readings)
-        for name, value in (("topic", topic), ("imu", imu)):
-            if value is not None:
-                reason = f"is not a recording, so it has no topic {value!r}"
-                raise FileError(path, reason, remedy=f"Leave --{name} out")
-        files = list_scans(path)
-        return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns))
-
-
-def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
+def register_scans(job: Job, odometry: LidarOdometry | LidarSLAM, scans: ScanSource) -> int:
+    """Register all scans in sequence. Returns the number of their points."""
     points = 0
     job.progress("scans", 0, scans.count)
     for number in range(1, scans.count + 1):
         with job.stage("read", reported=False):
             scan, time = next(scans.clouds), next(scans.times)
         with job.stage("register", reported=False):
-            if scans.imu is None:
-                odometry.register(scan)
-            else:  # the last point time, else the time in the header
-                odometry.register(scan, imu=scans.imu, time=None if "time" in scan else time)
+            # without an IMU, the time in the header shows missing scans; with one, it is that of scans without times
+            odometry.register(scan, imu=scans.imu, time=None if scans.imu is not None and "time" in scan else time)
         points += len(scan)
         job.progress("scans", number, scans.count)
     return points
 
 
-def _check_output(job: Job, output: FilePath, format: str | None) -> str:
+def check_poses_output(job: Job, output: FilePath, format: str | None) -> str:
     """The format of the poses after checking the output."""
     suffix = Path(output).suffix.lower()
     if format is None:

@@ -77,6 +77,7 @@ def cli() -> None:
     pointloom register scan2.ply scan1.ply -o T.txt        register two clouds, from any pose
     pointloom multiway SCANS -o poses.log                  register all clouds of a folder
     pointloom odometry SCANS -o poses.txt                  LiDAR odometry
+    pointloom map SCANS -o map.laz                         LiDAR map with closed loops
     pointloom evaluate poses.txt truth.txt                 trajectory errors
     pointloom change 2023.laz 2024.laz --picture c.png     detect significant change
     pointloom tile plan SURVEY --steps steps.toml -o job   process files larger than memory in tiles

@@ -1,4 +1,4 @@
-"""The commands register, multiway, odometry and evaluate. Nothing expensive is imported here."""
+"""The commands register, multiway, odometry, map and evaluate. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -233,6 +233,48 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     return answer_with(report, str(folder), as_json)
 
 
+@click.command("map", short_help="Map the scans of a LiDAR, with loops.")
+@click.argument("folder", type=FILE, metavar="DIR")
+@option("-o --output=MAP", FILE, "Write the map as a cloud.", required=True)
+@option("--trajectory=POSES", FILE, f"Write the corrected poses. {POSES[:-1]}, .kitti.")
+@option("--picture=PNG", FILE, "Plot the map from above with the path and the loops.")
+@option("--voxel voxel_size=M", LENGTH, "Voxel size of the odometry [m]. The map has half of it.")
+@option("--max-range=M", LENGTH, "Maximum range of used points [m].", default=100.0)
+@option("--min-range=M", RANGE_TYPE, "Minimum range of used points [m].", default=5.0)
+@option("--submap-length=M", LENGTH, "Path length of a submap [m]. Default: 30% of --max-range.")
+@option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds.")
+@option("--imu=NAME", str, "Recordings: topic of IMU readings, for the motion between and during scans.")
+@COLUMNS
+@record_option("each scan with the map and the trajectory of the odometry")
+@in_order(DEVICE, JSON, FORCE)
+def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Register the scans of DIR in sequence, close loops at places that are visited again, and write the map.
+
+    Scans are as of `pointloom odometry`. Their z axis should point up. Consecutive scans form submaps. A pair of
+    submaps closes a loop if their surfaces agree in one pose only, and if the drift of the path explains it. Places
+    that only look alike are reported and not used.
+
+    The exit code is 3 if the odometry is unreliable, as of `pointloom odometry`. --picture requires pointloom[plot].
+
+    \b
+    pointloom map run.mcap -o map.laz --trajectory path.tum --picture map.png
+    pointloom map velodyne -o map.ply --max-range 80
+    """
+    if options["min_range"] >= options["max_range"]:
+        refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
+    refuse_same(
+        **{name: options[name] for name in ("trajectory", "picture")}, output=output, record=options["record_as"]
+    )
+    from ..jobs.map_scans import MapOutputs, map_of_scans
+    from .recording_command import recorded
+
+    outputs = MapOutputs(output, options.pop("trajectory"), options.pop("picture"))
+    options["topics"] = options.pop("topic"), options.pop("imu")
+    with Progress(rates=True) as progress:
+        report = recorded(map_of_scans, folder, outputs, overwrite=force, progress=progress, **options)
+    return answer_with(report, str(folder), as_json)
+
+
 @click.command(short_help="Compare a trajectory with the true one.")
 @click.argument("poses", type=FILE, metavar="POSES")
 @click.argument("truth", type=FILE, metavar="TRUTH")
@@ -276,4 +318,4 @@ def evaluate(
     return answer_with(report, f"{poses} against {truth}", as_json)
 
 
-COMMANDS = (register, multiway, odometry, evaluate)
+COMMANDS = (register, multiway, odometry, map_scans, evaluate)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib
 import os
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -43,6 +44,10 @@ ELLIPSE_SIZE = 0.06  # length of the longest semi-axis over the extent of the pl
 PLAN_MARGIN = 0.1  # over the extent of the plan
 MAX_NAMED = 60  # up to this number of targets, their names are written
 MM_PER_METER = 1000.0
+
+MAP_CELLS = 800  # along the longer side of a map from above
+MAP_PERCENTILES = (2, 98)  # of the heights, at the ends of the color scale
+PATH_COLOR, LOOP_COLOR = "#d61a1a", "#f08c00"
 
 OCCUPIED_COLOR, UNKNOWN_COLOR = (26, 26, 26), (153, 153, 153)  # of 255
 
@@ -169,6 +174,36 @@ def station_plan(result: StationsResult) -> Picture:
 
 
 @explain_argument_errors
+def map_plan(
+    points: NDArray[np.float64],
+    path: NDArray[np.float64],
+    loops: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]],
+) -> Picture:
+    """Plot a map from above, the path (n, 3) through it, and lines between the positions of each loop [m]."""
+    figure = new_figure(*PLOT_SIZE)
+    axes = figure.subplots()
+    if len(points):
+        low, high = points[:, :2].min(axis=0), points[:, :2].max(axis=0)
+        cell = max(float((high - low).max()) / MAP_CELLS, 1e-9)
+        i, j = np.floor((points[:, :2] - low) / cell).astype(np.int64).T
+        heights = np.full((i.max() + 1, j.max() + 1), -np.inf)
+        np.maximum.at(heights, (i, j), points[:, 2])
+        shown = np.where(np.isfinite(heights), heights, np.nan).T
+        limits = np.nanpercentile(shown, MAP_PERCENTILES)
+        extent = (low[0], low[0] + heights.shape[0] * cell, low[1], low[1] + heights.shape[1] * cell)
+        image = axes.imshow(shown, origin="lower", extent=extent, cmap="viridis", vmin=limits[0], vmax=limits[1])
+        figure.colorbar(image, ax=axes, label="height [m]")
+    step = max(1, -(-len(path) // MAX_VERTICES))
+    axes.plot(*path[::step, :2].T, color=PATH_COLOR, linewidth=1.5, label="path")
+    for k, (start, end) in enumerate(loops):
+        label = f"{len(loops)} loops" if k == 0 else None
+        axes.plot([start[0], end[0]], [start[1], end[1]], color=LOOP_COLOR, linewidth=1.5, label=label)
+    _set_plan(axes, "x", "y")
+    if len(path):
+        axes.legend(loc="upper right")
+    return to_picture(figure)
+
+
 def draw_slice(
     layer: FieldSlice,
     path: str | os.PathLike[str] | None = None,
