@@ -52,7 +52,7 @@ class DriftingOdometry(LidarOdometry):
     def steps(self):
         return self.known
 
-    def register(self, scan, timestamps=None, *, prior=None):
+    def register(self, scan, timestamps=None, *, prior=None, imu=None, time=None):
         index = len(self.known)
         pose = self.path[index]
         if index:
