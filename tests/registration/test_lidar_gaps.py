@@ -9,54 +9,11 @@ from pointloom.registration.lidar.deskewing import twist_of
 from pointloom.registration.lidar.gaps import MIN_GAP, ScanClock, intervals_between, motion_in, poses_after
 from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
 
+from .drives import random_street, scan_at, street_of_equal_houses
 from .poses import as_pose
 
 SPEED = 0.5  # [m] per scan
 BEFORE, AFTER = 7, 4  # scans before and after a gap
-
-
-def sensor_rays(beams=24, azimuths=300):
-    rise, angle = np.radians(np.linspace(-22, 14, beams)), np.radians(np.arange(azimuths) * 360 / azimuths)
-    e, a = (grid.ravel() for grid in np.meshgrid(rise, angle, indexing="ij"))
-    return np.column_stack([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-
-
-def street_of(boxes):
-    """A scene of boxes (two corners each) beside a road along x."""
-    unit = loom.TriangleMesh.create_box(1, 1, 1)
-    corners, triangles = np.asarray(unit.vertices), np.asarray(unit.triangles)
-    boxes = [((-200, -40, -2), (200, 40, -1.8)), *boxes]
-    vertices = np.vstack([np.array(low) + corners * (np.array(high, float) - low) for low, high in boxes])
-    scene = loom.RaycastingScene()
-    scene.add_triangles(loom.TriangleMesh(vertices, np.vstack([triangles + 8 * k for k in range(len(boxes))])))
-    return scene
-
-
-def random_street(seed):
-    rng, boxes = np.random.default_rng(seed), []
-    for i in range(26):
-        x = -60 + 6 * i + rng.uniform(0, 2)
-        for side in (-1, 1):
-            y, (w, d, h) = side * rng.uniform(7, 12), rng.uniform((2, 2, 2), (4.5, 6, 8))
-            boxes.append(((x, min(y, y + side * d), -1.8), (x + w, max(y, y + side * d), -1.8 + h)))
-    return street_of(boxes)
-
-
-def street_of_equal_houses(period):
-    return street_of(
-        ((x, min(9 * side, 13 * side), -1.8), (x + period / 2, max(9 * side, 13 * side), 4.0))
-        for x in np.arange(-120, 200, period)
-        for side in (-1, 1)
-    )
-
-
-def scan_at(scene, x, device, seed):
-    rays = sensor_rays()
-    origins = np.tile([x, 0.0, 0.0], (len(rays), 1))
-    t = np.asarray(scene.cast_rays(np.hstack([origins, rays]).astype(np.float32))["t_hit"])
-    seen = np.isfinite(t) & (t < 40)
-    noise = np.random.default_rng(seed).normal(0, 0.01, seen.sum())
-    return loom.PointCloud(rays[seen] * (t[seen] + noise)[:, None], device=device)
 
 
 def drive(scene, device, missing, *, has_times=False, speed_before=SPEED):

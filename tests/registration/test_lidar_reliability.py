@@ -15,6 +15,7 @@ from pointloom.registration.lidar.scan_matching import MIN_SURE_PATCHES, OpenDir
 from pointloom.registration.pose_errors import PoseCovariance
 from pointloom.registration.unobservable_motions import rises_clearly
 
+from .drives import random_street, scan_at
 from .poses import as_pose
 
 PIERS = [-9.0, -2.5, 3.1, 8.0]
@@ -128,6 +129,14 @@ def test_a_quickly_rotated_scanner_is_relocalized(device, fast_drive, angle):
     T = odometry.register(loom.PointCloud(fast_drive.scans[3], device=device).transform(rotation))
     assert odometry.summary.strayed == ()
     np.testing.assert_allclose(T, predicted @ np.linalg.inv(rotation), atol=0.05)
+
+
+def test_rings_of_a_car_that_pitches_before_it_moves_are_no_new_surfaces(device):
+    scene, odometry = random_street(2), LidarOdometry(max_range=40.0, min_range=0.5)
+    for k in range(14):
+        odometry.register(scan_at(scene, 0.0, device, k, pitch=0.0015 * max(k - 2, 0)))
+    summary = odometry.summary
+    assert summary.resting >= 10 and summary.reliable
 
 
 def test_new_points_far_away_contradict_a_stationary_scanner(device, rng):

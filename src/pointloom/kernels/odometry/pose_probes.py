@@ -103,12 +103,17 @@ def mark_unmatched_kernel(
         marks[i] = uint8(0)
 
 
-def unmatched_by_range(points: Points, voxel_map: VoxelMap, pose: np.ndarray, distance: float) -> tuple[float, float]:
-    """Fractions of the nearer and of the farther half of a scan without a map point within `distance` [m]. One sync."""
+def unmatched_by_range(
+    points: Points, voxel_map: VoxelMap, pose: np.ndarray, distance: float
+) -> tuple[float, float, float]:
+    """Fractions of the nearer and of the farther half of a scan without a map point within `distance` [m], and the
+    mean squared range [m^2] of the farther half. One sync.
+    """
     marks = empty(points.size, uint8, points.device)
     limit = np.float32(distance) ** 2
     launch(mark_unmatched_kernel, points.size, [points, mat44d(*pose.ravel().tolist()), limit, voxel_map, marks])
     is_unmatched, positions = download(marks).astype(bool), download(points).astype(np.float64)
-    order = np.argsort((positions * positions).sum(axis=1), kind="stable")
-    near, far = np.array_split(is_unmatched[order], 2)
-    return float(near.mean()) if near.size else 0.0, float(far.mean()) if far.size else 0.0
+    squares = (positions * positions).sum(axis=1)
+    near, far = np.array_split(np.argsort(squares, kind="stable"), 2)
+    nearer, farther = (float(is_unmatched[half].mean()) if half.size else 0.0 for half in (near, far))
+    return nearer, farther, float(squares[far].mean()) if far.size else 0.0

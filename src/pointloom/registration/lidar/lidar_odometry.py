@@ -55,7 +55,6 @@ from .lidar_steps import (
     OdometryStep,
     OdometrySummary,
     appears_stationary,
-    rotation_between,
     summarize_steps,
     unaligned_step,
 )
@@ -83,6 +82,8 @@ MIN_POINTS = 32  # minimum to estimate the fraction of the interval
 START_ITERATIONS = 2  # repeated registrations of the second scan, each with a better deskewing motion
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
 MIN_OVERLAP = 0.75  # fitness relative to the previous scan, below which all headings are tried
+SENSOR_HEIGHT = 1.7  # [m] above the ground, on a car or in hands: rings at range r move by r^2 tilt / height
+MAX_RING_SHIFT = 1.5  # of UNMATCHED_VOXELS: rings that a tilt moved farther look like new surfaces
 UNMATCHED_VOXELS = 0.75  # voxels: farther points of a stationary scan are new
 PRUNE_FRACTION = 0.1  # of max_range: travel between two prunings of the map
 GAP_FRACTION = 0.5  # of max_range: the longest distance of a search after a gap, as scans must overlap
@@ -300,22 +301,18 @@ class LidarOdometry(Serialized):
             voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion,
             path=PathSearch(motion_in(1 / gap, motion) if is_given and gap > 1 else motion, gap),
         )  # fmt: skip
+        if step.gap == 1.0 != gap:  # of a scan that was not found along the path
+            step = replace(step, gap=gap)
         if raw.times is not None and step.is_sound and step.iterations and step.gap == 1.0:
             if state.first is not None:
                 step, downsampled, voxel_map = self._deskew_start(state.first, raw, step, voxel_map)
             elif state.threshold.error_of(matmul(invert_pose(predicted), step.pose)) > state.threshold.min_motion:
                 step, downsampled = self._deskew_again(raw, step, voxel_map)
-        distance = UNMATCHED_VOXELS * self.voxel_size
-        before = self._steps[-3] if len(self._steps) >= 3 else None
-        # a car that pitches while it starts moves the rings at maximum range to new places
-        is_level = before is not None and rotation_between(before, step) < distance / self.max_range
-        if before is not None and is_level and appears_stationary(before, step):
-            near, beyond = unmatched_by_range(downsampled.dense, voxel_map, step.pose, distance)
-            step = replace(step, far_change=beyond - near)
+        if len(self._steps) >= 3 and appears_stationary(self._steps[-3], step):
+            step = replace(step, far_change=self._far_change(downsampled, voxel_map, self._steps[-3], step))
             if state.rest is not None and state.rest.lasts_to(step):
                 alone = state.rest.scan.map_like(voxel_map, self.max_range)
-                near, beyond = unmatched_by_range(downsampled.dense, alone, step.pose, distance)
-                step = replace(step, rest_change=beyond - near)
+                step = replace(step, rest_change=self._far_change(downsampled, alone, state.rest.step, step))
         self._next = self._next_state(step, downsampled, voxel_map, predicted, raw, clock)
         if inertial is not None:
             self._next = self._next.with_imu(inertial)
@@ -329,6 +326,18 @@ class LidarOdometry(Serialized):
     ) -> InertialMotion:
         first, last = (None, None) if times is None else map(float, download(bound_times(points, times)))  # sync
         return self._known.inertial.predict(imu, len(self._steps), *span_of_scan(time, first, last))
+
+    def _far_change(
+        self, scan: DownsampledScan, voxel_map: VoxelMap, before: OdometryStep, step: OdometryStep
+    ) -> float:
+        """Unmatched fraction of the farther half of a scan minus that of its nearer half.
+
+        Zero if the sensor tilted so much since `before` that its rings are elsewhere on the ground.
+        """
+        distance = UNMATCHED_VOXELS * self.voxel_size
+        near, beyond, square = unmatched_by_range(scan.dense, voxel_map, step.pose, distance)
+        tilt = float(norm(step.pose[:3, 2] - before.pose[:3, 2]))
+        return beyond - near if tilt * square < MAX_RING_SHIFT * distance * SENSOR_HEIGHT else 0.0
 
     def _finish_interrupted(self) -> None:
         """Complete an interrupted scan if the map has changed, else discard it."""

@@ -29,7 +29,7 @@ from .deskewing import are_single, point_times
 from .lidar_graph import SubmapGraph, in_axes, odometry_edge, positive_part
 from .lidar_loops import LidarLoop, LoopSearch, Place, close_loops, find_loops
 from .lidar_odometry import LidarOdometry, RawScan, part_of_interval
-from .lidar_steps import FIRST_SCAN
+from .lidar_steps import FIRST_SCAN, OdometryStep
 from .lidar_submaps import CompactPoints, LidarSubmap, PointStore, SubmapBuilder, make_folder
 from .localization import Localization, localize_cloud
 from .place_descriptor import describe_place
@@ -267,7 +267,7 @@ class LidarSLAM(Serialized):
         if before is not None:
             numbers = builder.first_scan, before.first_scan
             errors = steps[numbers[0]].covariance, steps[numbers[1]].covariance
-            breaks = sum(steps[k].has_joined for k in range(numbers[1] + 1, numbers[0] + 1))
+            breaks = sum(_is_break(step) for step in steps[numbers[1] + 1 : numbers[0] + 1])
             edge = odometry_edge((number, number - 1), (T, before.T_odometry_submap), errors, before.length, breaks)
             pose = matmul(state.graph.poses[-1], edge.transformation)
         record = SubmapRecord(builder.first_scan, builder.last_scan, T, builder.length, len(points))
@@ -405,6 +405,11 @@ class LidarSLAM(Serialized):
         return summarize_slam(
             self._odometry.summary, [submap.point_count for submap in self._state.submaps], self._state.loops
         )
+
+
+def _is_break(step: OdometryStep) -> bool:
+    """True if the path may be off at a scan by more than its covariance: a new map, or a gap without a clear pose."""
+    return step.has_joined or step.is_doubtful or (step.gap != 1.0 and bool(step.rivals))
 
 
 def _rotated(points: NDArray[np.float32], R: Matrix) -> NDArray[np.float32]:

@@ -392,13 +392,9 @@ def _stationary(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
 
 def appears_stationary(before: OdometryStep, step: OdometryStep) -> bool:
     way = norm(step.pose[:3, 3] - before.pose[:3, 3])
+    angle = norm(step.pose[:3, :3] - before.pose[:3, :3]) / math.sqrt(2)
     max_way, max_angle = MAX_STATIONARY_MOTION
-    return bool(step.is_sound and step.iterations and way < max_way and rotation_between(before, step) < max_angle)
-
-
-def rotation_between(before: OdometryStep, step: OdometryStep) -> float:
-    """Small angle [rad] between two poses."""
-    return float(norm(step.pose[:3, :3] - before.pose[:3, :3])) / math.sqrt(2)
+    return bool(step.is_sound and step.iterations and way < max_way and angle < max_angle)
 
 
 def _open_motions(steps: Sequence[OdometryStep]) -> str:
