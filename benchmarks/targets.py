@@ -104,6 +104,10 @@ PATCH_MATCH = (
     "PatchMatch compares 35 slanted patches per pixel of each image, and SGBM codes of one row of disparities. "
     '`method="sgm"` is the fast way for pairs.'
 )
+ROSETTE = (
+    "RKO-LIO gets the motion from an inertial sensor. A street ahead determines the motion along it poorly, so that the "
+    "surfaces are compared at displaced poses in each scan."
+)
 NO_DESKEWING = "Times are those of RKO-LIO without deskewing, which also gets the motion from an inertial sensor."
 DECIMATION = (
     "fast-simplification collapses all edges below a growing threshold, with 1.0 to 1.15 times the RMS distance. Here "
@@ -155,6 +159,7 @@ REASONS: dict[tuple[str, str], str] = {
         "Eight paths and both depth maps, at a lower error; SGBM sums five paths for one map.",
     ),
     **dict.fromkeys([("odometry", "64 beams, 115k"), ("odometry", "16 beams, 14k")], NO_DESKEWING),
+    ("odometry", "rosette of 70 degrees, 20k"): ROSETTE,
     **dict.fromkeys(
         [("decimation", size) for size in ("bunny 69k to 7k", "bunny 69k to 2k", "wavy 1M to 100k")], DECIMATION
     ),
