@@ -105,7 +105,7 @@ PATCH_MATCH = (
     '`method="sgm"` is the fast way for pairs.'
 )
 ROSETTE = (
-    "RKO-LIO gets the motion from an inertial sensor. A street ahead determines the motion along it poorly, so that the "
+    "RKO-LIO gets the motion from an inertial sensor. A street ahead hardly determines the motion along it, so the "
     "surfaces are compared at displaced poses in each scan."
 )
 NO_DESKEWING = "Times are those of RKO-LIO without deskewing, which also gets the motion from an inertial sensor."
