@@ -25,6 +25,7 @@ from job_cases import anything, arrays, check_other_files, values
 import pointloom as loom
 from pointloom.datasets.scenes.room import write_room_sequence
 from pointloom.photogrammetry.mvs.depth_maps import DepthMap
+from pointloom.registration.lidar.lidar_submaps import CompactPoints, PointStore
 from pointloom.tiling.manifest import NAME, canonical, hash_of
 
 Make = Callable[[Path], Any]
@@ -153,6 +154,15 @@ def paged(folder: Path) -> None:
 
 def read_paged(folder: Path) -> Any:
     return loom.PagedTSDFVolume.load(folder).extract_triangle_mesh(0.0)
+
+
+def submaps(folder: Path) -> None:
+    folder.mkdir()
+    PointStore(folder).add(0, CompactPoints.of(np.arange(60, dtype=np.float32).reshape(-1, 3)))
+
+
+def read_submaps(folder: Path) -> Any:
+    return PointStore(folder).points(0)
 
 
 def scans(folder: Path) -> None:
@@ -295,6 +305,7 @@ FOLDERS = [
     member("recorded frames, times", recorded, "frame-times.txt", mutations.text, read_dataset),
     member("paged volume, state", paged, "volume.npz", arrays, read_paged),
     member("paged volume, page", paged, "00000001.npz", arrays, read_paged),
+    member("LiDAR submap", submaps, "submap-000000.npz", arrays, read_submaps),
     in_job("job of registration, plan", registration, loom.tiling.finish_registration, "plan"),
     in_job("job of registration, task", registration, loom.tiling.finish_registration, "told"),
     in_job("job of fusion, plan", fusion, finish_fusion, "plan"),

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...io.points.npz import read_arrays
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download
 from ...kernels.odometry.odometry_sampling import first_in_voxels
@@ -76,15 +77,15 @@ class PointStore:
             self._known.popitem(last=False)
 
     def _read(self, number: int) -> CompactPoints:
-        path = self._path(number)
-        try:
-            with np.load(path, allow_pickle=False) as stored:
-                values, step = stored["values"], float(stored["step"])
-        except (OSError, ValueError, KeyError, EOFError) as error:
-            raise FileError(path, f"expected the points of a submap: {error}", remedy="Map the scans again") from error
-        if values.dtype != np.int16 or values.ndim != 2 or values.shape[1] != 3 or not 0 < step < math.inf:
-            raise FileError(path, "expected int16 points [n, 3] and a positive step", remedy="Map the scans again")
-        return CompactPoints(values, step)
+        path, remedy = self._path(number), "Map the scans again"
+        arrays = read_arrays(path, ("values", "step"))
+        if set(arrays) != {"values", "step"}:
+            raise FileError(path, f"expected the arrays values and step, got {', '.join(arrays)}", remedy=remedy)
+        values, steps = arrays["values"], arrays["step"]
+        is_step = steps.shape == () and steps.dtype == np.float64 and 0 < float(steps) < math.inf
+        if values.dtype != np.int16 or values.ndim != 2 or values.shape[1] != 3 or not is_step:
+            raise FileError(path, "expected int16 points [n, 3] and a positive step", remedy=remedy)
+        return CompactPoints(values, float(steps))
 
     def _path(self, number: int) -> Path:
         assert self.folder is not None
