@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections import OrderedDict
 from dataclasses import dataclass, field
@@ -26,6 +25,7 @@ Matrix = NDArray[np.float64]
 Quantized = NDArray[np.int16]
 
 LARGEST_COORDINATE = 32767  # of int16
+MAX_STEP = 1e6  # [m] larger ones are damage: submaps are some hundred meters large
 MIN_STEP = 0.001  # [m] of the stored coordinates, below the noise of any LiDAR
 COUNTED_FRACTION = 0.05  # of the submap length: shorter displacements are jitter and add no traveled distance
 CACHED_SUBMAPS = 8  # with a folder: as many as a place is compared with
@@ -82,7 +82,7 @@ class PointStore:
         if set(arrays) != {"values", "step"}:
             raise FileError(path, f"expected the arrays values and step, got {', '.join(arrays)}", remedy=remedy)
         values, steps = arrays["values"], arrays["step"]
-        is_step = steps.shape == () and steps.dtype == np.float64 and 0 < float(steps) < math.inf
+        is_step = steps.shape == () and steps.dtype == np.float64 and 0 < float(steps) < MAX_STEP
         if values.dtype != np.int16 or values.ndim != 2 or values.shape[1] != 3 or not is_step:
             raise FileError(path, "expected int16 points [n, 3] and a positive step", remedy=remedy)
         return CompactPoints(values, float(steps))
