@@ -15,7 +15,7 @@ def patches(rng, count: int) -> np.ndarray:
 
 def numbers(count: int, limit: float = 0.03) -> PatchNumbers:
     return PatchNumbers(
-        count=count, lever=LEVER, prior=0.2, ridge=1e-4, width=4.0, min_width=1e-4, rounds=3, variance=1e-4,
+        row_count=count, lever=LEVER, prior=0.2, ridge=1e-4, width=4.0, min_width=1e-4, rounds=3, variance=1e-4,
         step_factor=1.0, shift_factor=4.0, limit=limit,
     )  # fmt: skip
 

@@ -47,7 +47,7 @@ class PatchEquations:
 class PatchNumbers(NamedTuple):
     """Numbers of a fit of patches, in the order in which the kernel reads them."""
 
-    count: int  # of rows
+    row_count: int  # patches
     lever: float  # [m] of rotations
     prior: float  # weight of the planes, in rows
     ridge: float  # relative to the normal matrix of a row

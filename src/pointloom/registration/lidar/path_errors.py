@@ -56,7 +56,7 @@ def match_error(information: Matrix, rows: Matrix, residual: float, size: float)
     scale = np.array([lever] * 3 + [1.0] * 3)
     squares = scale[:, None] * scale
     numbers = PatchNumbers(
-        count=len(rows), lever=lever, prior=PLANE_PRIOR_PATCHES, ridge=MOTION_RIDGE, width=WEIGHT_WIDTH * TO_SIGMA,
+        row_count=len(rows), lever=lever, prior=PLANE_PRIOR_PATCHES, ridge=MOTION_RIDGE, width=WEIGHT_WIDTH * TO_SIGMA,
         min_width=SMALLEST_WIDTH * size / TO_SIGMA, rounds=REWEIGHTED_SOLUTIONS,
         variance=(MODEL_ERROR * residual) ** 2, step_factor=STEP_FACTOR, shift_factor=SHIFT_FACTOR,
         limit=SUSPECT_FRACTION,
