@@ -8,6 +8,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.photogrammetry.sfm.features import find_features
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 from .conftest import has_pycolmap, write_images
 from .scene import FOCAL, HEIGHT, WIDTH, camera_path, image
@@ -47,13 +48,13 @@ def test_images_of_one_size_are_grouped_into_cameras_by_exif(scene_images, tmp_p
     write_photographs(tmp_path / "photos", scene_images[:5], [28, 50, 28, None, 50])
     choice = loom.photogrammetry.choose_frames(tmp_path / "photos", tmp_path / "frames")
     assert any("EXIF contains 3 cameras or focal lengths" in remark for remark in choice.notes)
-    features = find_features(tmp_path / "frames", tmp_path / "f.db", max_features=100)
+    features = find_features(tmp_path / "frames", tmp_path / "f.db", SfmSettings(max_features=100))
     assert (features.camera_count, features.sizes) == (3, {(WIDTH, HEIGHT): 5})
     diagonal = np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)
     expected = sorted([(0.85 * WIDTH, 0), (28 * diagonal, 1), (50 * diagonal, 1)])
     assert cameras_of(tmp_path / "f.db") == [(pytest.approx(focal, rel=1e-3), prior) for focal, prior in expected]
     known = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, FOCAL, FOCAL, 159.5, 119.5)
-    one = find_features(tmp_path / "frames", tmp_path / "g.db", max_features=100, intrinsic=known)
+    one = find_features(tmp_path / "frames", tmp_path / "g.db", SfmSettings(max_features=100, intrinsic=known))
     assert one.camera_count == 1 and [focal for focal, _ in cameras_of(tmp_path / "g.db")] == [FOCAL]
 
 
@@ -61,7 +62,7 @@ def test_images_of_one_size_are_grouped_into_cameras_by_exif(scene_images, tmp_p
 def test_an_unrecorded_zoom_becomes_two_cameras(tmp_path):
     images = [image(T, FOCAL * (1.5 if k % 2 else 1.0)) for k, T in enumerate(camera_path(COUNT))]
     result = loom.photogrammetry.reconstruct_images(
-        write_images(tmp_path / "p", images), tmp_path / "work", max_features=800
+        write_images(tmp_path / "p", images), tmp_path / "work", SfmSettings(max_features=800)
     )
     assert result.model is not None and len(result.model) == COUNT and len(set(result.model.cameras)) == 2
     for name, camera in zip(result.model.names, result.model.cameras, strict=True):
@@ -74,7 +75,9 @@ def test_an_unrecorded_zoom_becomes_two_cameras(tmp_path):
 def test_a_wrong_given_camera_is_reported_with_both_focal_lengths(scene_images, tmp_path):
     images = write_images(tmp_path / "p", scene_images)
     wrong = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 1.2 * FOCAL, 1.2 * FOCAL, 159.5, 119.5)
-    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", max_features=800, intrinsic=wrong)
+    result = loom.photogrammetry.reconstruct_images(
+        images, tmp_path / "work", SfmSettings(max_features=800, intrinsic=wrong)
+    )
     assert not result.reliable and "given focal length is 360 px" in str(result.warnings)
     assert result.quality.focal is not None and result.quality.focal.found == pytest.approx(FOCAL, rel=0.03)
 
@@ -86,7 +89,7 @@ def test_forward_motion_keeps_the_focal_length_of_exif(tmp_path, film):
     for k, T in enumerate(poses):
         T[2, 3] = -0.12 * k
     write_photographs(tmp_path / "p", [image(T) for T in poses], [film] * COUNT)
-    result = loom.photogrammetry.reconstruct_images(tmp_path / "p", tmp_path / "work", max_features=800)
+    result = loom.photogrammetry.reconstruct_images(tmp_path / "p", tmp_path / "work", SfmSettings(max_features=800))
     assert result.model is not None
     if film is None:
         assert not result.reliable and "the images do not determine the focal length" in str(result.warnings)

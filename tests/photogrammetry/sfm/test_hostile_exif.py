@@ -14,6 +14,7 @@ from pointloom.photogrammetry.sfm.exif_checks import focal_problem
 from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.image_folder import read_orientation
 from pointloom.photogrammetry.sfm.image_positions import Xmp, parse_xmp
+from pointloom.photogrammetry.sfm.settings import SfmSettings
 
 from .conftest import has_pycolmap
 
@@ -75,7 +76,7 @@ def test_a_focal_length_that_contradicts_itself_is_rejected(tmp_path, tags, expe
 def test_mapping_begins_with_no_rejected_focal_length(tmp_path):
     for k, (_, tags, _) in enumerate(FOCAL_LENGTHS):  # each has a different size, and thus its own camera
         shot(tmp_path / "in" / f"{k:02d}.jpg", tags, size=(96 + 2 * k, 64), seed=k)
-    features = find_features(tmp_path / "in", tmp_path / "f.db", max_features=64)
+    features = find_features(tmp_path / "in", tmp_path / "f.db", SfmSettings(max_features=64))
     with sqlite3.connect(tmp_path / "f.db") as database:
         query = "SELECT name, params, width, prior_focal_length FROM images JOIN cameras USING (camera_id) ORDER BY 1"
         rows = database.execute(query).fetchall()

@@ -118,7 +118,7 @@ def run_reconstruction_system(
 
 def _check_stages(stages: Any) -> list[str]:
     selected = check_list("stages", stages, "names")
-    if unknown := [name for name in selected if name not in OPTIONAL_STAGES]:
+    if unknown := [name for name in selected if not isinstance(name, str) or name not in OPTIONAL_STAGES]:
         raise ValueError(f"stages: expected some of {', '.join(OPTIONAL_STAGES)}, got {shown(unknown[0])}")
     return selected
 
