@@ -183,6 +183,17 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     return answer_with(report, str(folder), as_json)
 
 
+RANGE_OPTIONS = in_order(
+    option("--max-range=M", LENGTH, "Maximum range of used points [m].", default=100.0),
+    option("--min-range=M", RANGE_TYPE, "Minimum range of used points [m].", default=5.0),
+)
+TOPIC_OPTIONS = in_order(
+    option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds."),
+    option("--imu=NAME", str, "Recordings: topic of IMU readings, for the motion between and during scans."),
+    COLUMNS,
+)
+
+
 @click.command(short_help="Estimate the trajectory of a LiDAR from its scans.")
 @click.argument("folder", type=FILE, metavar="DIR")
 @option("-o --output=POSES", FILE, f"{POSES[:-1]}, .kitti.", required=True)
@@ -192,12 +203,9 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     "Format. Default: by extension, with kitti for .txt. Times of tum are scan numbers.",
 )
 @option("--voxel voxel_size=M", LENGTH, "Voxel size of the map [m]. Default: 1% of --max-range.")
-@option("--max-range=M", LENGTH, "Maximum range of used points [m].", default=100.0)
-@option("--min-range=M", RANGE_TYPE, "Minimum range of used points [m].", default=5.0)
+@RANGE_OPTIONS
 @option("--truth=FILE", FILE, "True poses of the scanner, for printing the errors.")
-@option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds.")
-@option("--imu=NAME", str, "Recordings: topic of IMU readings, for the motion between and during scans.")
-@COLUMNS
+@TOPIC_OPTIONS
 @record_option("each scan with the map and the trajectory")
 @in_order(DEVICE, JSON, FORCE)
 def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
@@ -239,12 +247,9 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @option("--trajectory=POSES", FILE, f"Write the corrected poses. {POSES[:-1]}, .kitti.")
 @option("--picture=PNG", FILE, "Plot the map from above with the path and the loops.")
 @option("--voxel voxel_size=M", LENGTH, "Voxel size of the odometry [m]. The map has half of it.")
-@option("--max-range=M", LENGTH, "Maximum range of used points [m].", default=100.0)
-@option("--min-range=M", RANGE_TYPE, "Minimum range of used points [m].", default=5.0)
+@RANGE_OPTIONS
 @option("--submap-length=M", LENGTH, "Path length of a submap [m]. Default: 30% of --max-range.")
-@option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds.")
-@option("--imu=NAME", str, "Recordings: topic of IMU readings, for the motion between and during scans.")
-@COLUMNS
+@TOPIC_OPTIONS
 @record_option("each scan with the map and the trajectory of the odometry")
 @in_order(DEVICE, JSON, FORCE)
 def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:

@@ -18,7 +18,7 @@ from ...core.devices import DeviceLike, check_same_device
 from ...core.serialized import Serialized
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import matmul
-from ...kernels.memory import clone, download, upload
+from ...kernels.memory import download, upload
 from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
@@ -227,8 +227,8 @@ class LidarSLAM(Serialized):
             number, raw = self._pending[0]
             step = steps[number]
             if step.status == FIRST_SCAN and number == len(steps) - 1 and not is_last:
-                copy = RawScan(clone(raw.points), raw.origin, None if raw.times is None else clone(raw.times), raw.part)
-                self._pending[0] = (number, copy)  # deskewed when the motion is known: a driver may reuse its buffer
+                # deskewed when the motion is known: a driver may reuse its buffer
+                self._pending[0] = (number, raw.copy())
                 return
             self._add(number, raw)
             self._pending.pop(0)
