@@ -49,6 +49,7 @@ MAX_REPEATS = 4  # rounds of the faster contestant in one pair
 PAUSE_SECONDS = 0.03  # waiting threads of the previous contestant spin for some ms before they sleep
 BUSY_CORES = 0.25  # used by other processes: above it the machine is busy
 RECORD_RUNS = 5
+MIN_MACHINE_ROWS = 8  # rows whose baselines tell how fast this machine is beside that of the record
 
 
 class Row(NamedTuple):
@@ -292,6 +293,7 @@ class Expected(NamedTuple):
         limit: Smallest accepted factor.
         source: The commit, date and processor of the record.
         commit: The commit alone.
+        seconds: Recorded times of pointloom and of the baseline [s], of this processor; None if not recorded.
     """
 
     ratio: float
@@ -299,6 +301,7 @@ class Expected(NamedTuple):
     limit: float
     source: str = ""
     commit: str = ""
+    seconds: tuple[float, float] | None = None
 
 
 def processor() -> str:
@@ -371,7 +374,8 @@ def expected_ratios(records: list[dict[str, Any]], name: str, rows: Sequence[Row
         by_key = {(entry["operation"], entry["size"], entry["baseline"]): entry for entry in record["rows"]}
         for row in rows:
             if row not in expected and (entry := by_key.get(tuple(row))):
-                expected[row] = Expected(entry["ratio"], entry.get("cpu_ratio"), limit, source, commit)
+                seconds = (entry["pointloom_s"], entry["baseline_s"]) if is_same and "baseline_s" in entry else None
+                expected[row] = Expected(entry["ratio"], entry.get("cpu_ratio"), limit, source, commit, seconds)
     return expected
 
 
@@ -406,20 +410,26 @@ class Outcome(NamedTuple):
     Attributes:
         factor: The ratio divided by the recorded one; None without a record.
         passed: True if it is not below the limit.
-        by_cpu: True if only the CPU times are above the limit, and the machine was busy.
+        remark: What passed instead, if the ratio of wall times is below the limit.
     """
 
     ratio: float
     factor: float | None
     passed: bool
-    by_cpu: bool = False
+    remark: str = ""
 
 
-def outcome_of(rounds: Rounds, expected: Expected | None) -> Outcome:
+def outcome_of(rounds: Rounds, expected: Expected | None, machine: float | None = None) -> Outcome:
     """Compare rounds with the record.
 
     On a busy machine the wall times of contestants with different numbers of threads change differently. The CPU times
-    count there, too.
+    count there, too. Some baselines differ by a factor of two between processes of one machine (large allocations). A
+    row whose baseline alone is faster passes by pointloom's time, scaled by the speed of the machine.
+
+    Args:
+        rounds: The measured rounds.
+        expected: The record of the row.
+        machine: The time of the baselines of all rows divided by the recorded one; None if unknown.
     """
     ratio = rounds.ratio
     if expected is None:
@@ -427,10 +437,13 @@ def outcome_of(rounds: Rounds, expected: Expected | None) -> Outcome:
     factor = ratio / expected.ratio
     if factor >= expected.limit:
         return Outcome(ratio, factor, True)
-    by_cpu = (
-        rounds.is_busy and expected.cpu_ratio is not None and rounds.cpu_ratio / expected.cpu_ratio >= expected.limit
-    )
-    return Outcome(ratio, factor, by_cpu, by_cpu)
+    if rounds.is_busy and expected.cpu_ratio is not None and rounds.cpu_ratio / expected.cpu_ratio >= expected.limit:
+        return Outcome(ratio, factor, True, "passed by CPU times")
+    if machine is not None and expected.seconds is not None:
+        own = rounds.best(0) / (machine * expected.seconds[0])
+        if own <= 1 / expected.limit:
+            return Outcome(ratio, factor, True, f"passed by pointloom's time, {own:.2f} of the recorded one")
+    return Outcome(ratio, factor, False)
 
 
 def is_clear(rounds: Rounds, expected: Expected | None) -> bool:
@@ -449,6 +462,8 @@ class Check:
         self.tries: dict[Row, list[Outcome]] = {}
         self.disagreeing: dict[Row, str] = {}
         self.loads: list[float] = []
+        self.baseline_factors: list[float] = []
+        self.machine: float | None = None
 
     def run(self) -> None:
         """Measure all rows."""
@@ -460,6 +475,7 @@ class Check:
                 print(f"{row.operation:28}{row.size:20}results disagree: {contest}", flush=True)
             elif not self._try(contest, ROW_SECONDS, ""):
                 below.append(contest)
+        self.machine = statistics.median(factors) if len(factors := self.baseline_factors) >= MIN_MACHINE_ROWS else None
         for k, contest in enumerate(below):
             left = (self.begin + TOTAL_SECONDS - self.clock.wall()) / (len(below) - k)
             self._try(contest, min(max(left, RETRY_SECONDS[0]), RETRY_SECONDS[1]), "second try")
@@ -469,7 +485,9 @@ class Check:
         row = contest.row
         expected = self.expected.get(row)
         rounds = contest.run(seconds, lambda rounds: is_clear(rounds, expected))
-        outcome = outcome_of(rounds, expected)
+        outcome = outcome_of(rounds, expected, self.machine)
+        if expected and expected.seconds:
+            self.baseline_factors.append(rounds.best(1) / expected.seconds[1])
         self.tries.setdefault(row, []).append(outcome)
         self.loads.append(rounds.other_load)
         print(line_of(row, rounds, expected, outcome, remark), flush=True)
@@ -493,8 +511,8 @@ def line_of(row: Row, rounds: Rounds, expected: Expected | None, outcome: Outcom
     remarks = [remark] if remark else []
     if not outcome.passed:
         remarks.append(f"BELOW {expected.limit if expected else LIMIT}")
-    if outcome.by_cpu:
-        remarks.append("passed by CPU times")
+    if outcome.remark:
+        remarks.append(outcome.remark)
     if rounds.is_busy:
         remarks.append(f"busy machine ({rounds.other_load:.1f} cores)")
     times = "".join(f"{1000 * rounds.best(side):10.2f} ms" for side in (0, 1))

@@ -219,6 +219,23 @@ def test_cpu_times_count_on_a_busy_machine_only(run_one, other_load, code):
     assert ("Other processes used 1.0 cores on average" in result.out) == (code == 0)
 
 
+@pytest.mark.parametrize(
+    ("ours", "others", "code"),
+    [(0.01, 0.02, 0), (0.013, 0.02, 1), (0.013, 0.03, 0), (0.02, 0.03, 1)],
+    ids=["faster baseline", "slower row", "slower machine", "slower row on a slower machine"],
+)
+def test_a_row_passes_by_its_own_time_if_only_its_baseline_is_faster(run, ours, others, code, speed):
+    times, names = Times(), [f"row {k}" for k in range(speed.MIN_MACHINE_ROWS)]
+    operations = [fake_operation(times, constant(others / 2), constant(others), name=name) for name in names[1:]]
+    operations.append(fake_operation(times, constant(ours), constant(0.014), name=names[0]))
+    record: Any = record_of(2.0, names=names)
+    for row in record["rows"]:
+        row |= {"pointloom_s": 0.01, "baseline_s": 0.02}
+    result = run(times, operations, [record])
+    assert result.code == code and ("passed by pointloom's time" in result.out) == (code == 0)
+    assert run(times, operations[-1:], [record]).code == 1  # one row does not tell how fast the machine is
+
+
 def test_more_work_fails_on_a_busy_machine_too(run_one):
     assert run_one(constant(0.04, 0.02), constant(0.02, 0.02), [record_of(2.0)], load=1.0).code == 1
 
