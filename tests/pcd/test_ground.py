@@ -63,6 +63,29 @@ def test_a_plane_is_ground_however_steep(device, rng):
         assert loom.classify_ground(loom.PointCloud(points, device=device)).mean() > 0.999
 
 
+def quarry(rng, height, count=25_000):
+    """A pit of 110 m with terraces of a height [m] around it, which rise to the border."""
+    x, y = rng.random((2, count)) * 110
+    terraces = np.maximum(np.hypot(x - 55, y - 55) - 15, 0) / 12
+    steps = np.floor(terraces)
+    return np.column_stack([x, y, height * (steps + np.clip(5 * (terraces - steps) - 4, 0, 1))])
+
+
+def test_a_quarry_whose_ground_depends_on_the_slope_warns(device, rng):
+    cloud = loom.PointCloud(quarry(rng, 6.0), device=device)
+    with pytest.warns(UserWarning, match=r"% of the points that are not ground with slope=0.15 are ground with"):
+        ground = loom.classify_ground(cloud)
+    assert ground.mean() < 0.85 and loom.classify_ground(cloud, slope=0.45).mean() > 0.95
+    assert loom.classify_ground(cloud, corner=(0, 0)).mean() > 0.98, "terrain continues beyond the border"
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.1])
+def test_terrain_within_the_slope_does_not_warn(device, rng, slope, recwarn):
+    loom.classify_ground(loom.PointCloud(village(rng, slope=slope)[0], device=device))
+    loom.classify_ground(loom.PointCloud(quarry(rng, 1.0), device=device))
+    assert not [warning for warning in recwarn if "slope" in str(warning.message)]
+
+
 def test_stray_returns_below_the_ground_do_not_pull_it_down(device, rng):
     points, ground = village(rng, slope=0.0)
     points[::3000, 2] -= 40

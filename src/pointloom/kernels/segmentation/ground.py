@@ -6,12 +6,13 @@ from segments by tripling: 8 log2(r) + 12 reads per cell. Gaps are filled by spr
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 import numpy as np
 
 from ..array_types import Bytes, Mask, Points, Scalars
+from ..arrays.prefix_sum import sum_each
 from ..lang import (
     INFINITY,
     NAN,
@@ -21,6 +22,7 @@ from ..lang import (
     float64,
     floor,
     func,
+    int32,
     isfinite,
     kernel,
     launch,
@@ -32,7 +34,7 @@ from ..lang import (
     uint8,
     vec3,
 )
-from ..memory import empty, full, zeros
+from ..memory import clone, copy, empty, full, zeros
 
 EROSION_SIGN, DILATION_SIGN = 1.0, -1.0
 LOW_RADIUS, LOW_SLOPE = 1, 5.0  # a cell five times deeper than wide is a stray return, as in the paper
@@ -225,6 +227,31 @@ def mask_ground_kernel(
     mask[i] = uint8(ground)
 
 
+@kernel
+def compare_masks_kernel(
+    points: array(dtype=vec3),
+    mask: array(dtype=uint8),
+    other: array(dtype=uint8),
+    outside: array(dtype=int32),
+    changed: array(dtype=int32),
+):
+    i = tid()
+    is_outside = 0
+    is_changed = 0
+    if mask[i] == 0 and isfinite(points[i]):
+        is_outside = 1
+        is_changed = int(other[i])
+    outside[i] = is_outside
+    changed[i] = is_changed
+
+
+def compare_masks(points: Points, mask: Mask, other: Mask) -> list[int]:
+    """Numbers of finite points outside a mask, and of those among them that are in the other mask. One sync."""
+    counts = [empty(points.size, int32, points.device) for _ in range(2)]
+    launch(compare_masks_kernel, points.size, [points, mask, other, *counts])
+    return sum_each(*counts)  # sync
+
+
 class HeightGrid:
     """Heights (float32, y fastest; NaN or inf if unknown): lowest points, then the ground."""
 
@@ -236,30 +263,36 @@ class HeightGrid:
         self.heights = full(self.size, INFINITY, float32, self.device)
         launch(keep_lowest_kernel, points.size, [points, self.cells, self.heights])
 
-    def uncover(self, slope: float, max_window: float) -> None:
-        """Remove objects: an opening by a window of radius r <= max_window [m] removes heights above slope * r."""
+    def uncover(self, slopes: Sequence[float], max_window: float) -> list[Scalars]:
+        """Ground for each slope: a window of radius r <= max_window [m] removes heights above slope * r."""
         unwanted = zeros(self.size, uint8, self.device)
         fill_gaps, surface = self.prepare_filling(unwanted)
         fill_gaps()
         opened = self.open_by(surface, LOW_RADIUS, DILATION_SIGN)
         flag_steps(surface, opened, LOW_SLOPE * self.cell, DILATION_SIGN, unwanted)
         fill_gaps()
-        bare = surface
+        bare, flags = surface, [unwanted, *(clone(unwanted) for _ in slopes[1:])]
         # Radius grows by one cell: growth by a third would remove at once what slopes of 60% rise to, including
         # ridges.
         for radius in range(1, math.ceil(max_window / self.cell) + 1):
             opened = self.open_by(surface, radius, EROSION_SIGN)
-            flag_steps(surface, opened, slope * radius * self.cell, EROSION_SIGN, unwanted)
+            for slope, flagged in zip(slopes, flags, strict=True):
+                flag_steps(surface, opened, slope * radius * self.cell, EROSION_SIGN, flagged)
             surface = opened
-        fill_gaps()
-        self.heights = bare
+        grounds = []
+        for flagged in flags:
+            if flagged is not unwanted:
+                copy(unwanted, flagged, count=self.size)
+            fill_gaps()
+            grounds.append(bare if len(slopes) == 1 else clone(bare))
+        return grounds
 
-    def near(self, threshold: float, scaling: float) -> Mask:
+    def near(self, ground: Scalars, threshold: float, scaling: float) -> Mask:
         """uint8 [n]: 1 for points closer to the ground than the threshold [m] plus scaling times the slope."""
         slopes = empty(self.size, float32, self.device)
-        launch(grade_cells_kernel, self.size, [self.heights, self.columns, self.rows, self.cell, slopes])
+        launch(grade_cells_kernel, self.size, [ground, self.columns, self.rows, self.cell, slopes])
         mask = empty(self.points.size, uint8, self.device)
-        arguments = [self.points, self.cells, self.heights, slopes, threshold, scaling, mask]
+        arguments = [self.points, self.cells, ground, slopes, threshold, scaling, mask]
         launch(mask_ground_kernel, self.points.size, arguments)
         return mask
 

@@ -6,6 +6,7 @@ some corner cells the same); beyond the outermost points the surface continues a
 """
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -28,7 +29,7 @@ from ..lang import (
     uint8,
     vec3,
 )
-from ..memory import empty, full, zeros
+from ..memory import clone, empty, full, zeros
 from ..segmentation.ground import (
     DILATION_SIGN,
     EROSION_SIGN,
@@ -225,18 +226,23 @@ class NearGround:
         self.lowest = full(cells.size, INFINITY, float32, self.device)
         launch(keep_lowest_kernel, points.size, [points, cells, self.lowest])
 
-    def mask(self, slope: float, threshold: float, scaling: float) -> Mask:
-        """uint8 (n): 1 for ground points; parameters as of `classify_ground`."""
+    def masks(self, slopes: Sequence[float], threshold: float, scaling: float) -> list[Mask]:
+        """uint8 (n) for each slope: 1 for ground points; parameters as of `classify_ground`."""
         cells, unwanted = self.cells, zeros(self.cells.size, uint8, self.device)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
         closed = self.open_by(surface, LOW_RADIUS, DILATION_SIGN)
         flag_steps(surface, closed, LOW_SLOPE * cells.cell, DILATION_SIGN, unwanted)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
-        before = surface
+        before, flags = surface, [unwanted, *(clone(unwanted) for _ in slopes[1:])]
         for radius in range(1, self.radius + 1):
             opened = self.open_by(surface, radius, EROSION_SIGN)
-            flag_steps(before, opened, slope * radius * cells.cell, EROSION_SIGN, unwanted)
+            for slope, flagged in zip(slopes, flags, strict=True):
+                flag_steps(before, opened, slope * radius * cells.cell, EROSION_SIGN, flagged)
             before = opened
+        return [self._mask(flagged, threshold, scaling) for flagged in flags]
+
+    def _mask(self, unwanted: Bytes, threshold: float, scaling: float) -> Mask:
+        cells = self.cells
         heights = self._filled(unwanted, levels_of(self.radius), SPRINGS_PER_LEVEL)
         slopes = empty(cells.size, float32, self.device)
         launch(grade_cells_kernel, cells.size, [heights, cells.columns, cells.rows, cells.cell, slopes])
