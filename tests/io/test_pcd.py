@@ -176,6 +176,19 @@ def test_only_pcls_zero_padding_may_follow_compressed_payloads(path):
             read_pcd(path)
 
 
+def test_only_pcls_zero_padding_may_follow_binary_payloads(path):
+    table = PointTable(np.random.default_rng(0).random((10, 3)))
+    write_pcd(path, table, encoding="binary")
+    valid = path.read_bytes()
+    padding = 4096 - (len(valid) - table.points.nbytes)
+    path.write_bytes(valid + bytes(padding))
+    assert_same_table(read_pcd(path), table)
+    for surplus in (bytes(padding - 1), bytes(padding + 1), bytes(padding - 1) + b"\1"):
+        path.write_bytes(valid + surplus)
+        with pytest.raises(FileError, match="bytes follow"):
+            read_pcd(path)
+
+
 @settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(st.lists(st.tuples(st.binary(min_size=1, max_size=40), st.integers(1, 40)), max_size=20))
 def test_lzf_round_trip(runs):

@@ -54,6 +54,16 @@ def cast(origins, directions):
     return t
 
 
+def surface_distances(points):
+    """Distances [m] of points from the surfaces of the room and its boxes."""
+    nearest = np.abs(np.minimum(points - ROOM[0], ROOM[1] - points)).min(axis=1)
+    for low, high in BOXES:
+        outside = np.linalg.norm(np.maximum(np.maximum(low - points, points - high), 0), axis=1)
+        inside = np.minimum(points - low, high - points).min(axis=1)
+        nearest = np.minimum(nearest, np.where(outside > 0, outside, inside))
+    return nearest
+
+
 class Drive:
     """Scans `k` from 0.1 k to 0.1 (k + 1) [s], readings with noise and a bias [rad/s], and the true poses.
 

@@ -5,10 +5,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.registration import LidarOdometry, leveled, run_odometry
+from pointloom.registration import LidarOdometry, LidarSLAM, leveled, run_odometry
 from pointloom.registration.lidar.inertial import InertialTracker, integrate, rotation_path
 
-from .inertial_drives import GRAVITY, Drive, growing, shake, stroll
+from .inertial_drives import GRAVITY, Drive, growing, shake, stroll, surface_distances
 from .poses import as_pose
 
 OPTIONS = {"max_range": 30, "min_range": 0.3, "voxel_size": 0.3}
@@ -41,6 +41,21 @@ def test_a_shaken_scanner_is_followed_only_with_the_imu(shaken, followed):
     assert errors.rotation.max() < 0.5 and errors.position.max() < 0.04 and followed.summary.reliable
     assert alone.rotation.max() > 10 and alone.position.max() > 0.1
     assert followed.summary.without_imu == () and followed.summary.imu_differing == ()
+
+
+def map_thickness(drive, readings=None):
+    """90th percentile [m] of the distances of the map's points from the true surfaces."""
+    slam = LidarSLAM(**OPTIONS)
+    for scan in drive.scans:
+        slam.register(scan, imu=readings)
+    T = drive.poses[0]
+    return np.percentile(surface_distances(slam.map.points @ T[:3, :3].T + T[:3, 3]), 90)
+
+
+def test_the_map_of_a_shaken_scanner_is_as_thin_as_that_of_a_smooth_path():
+    smooth, shaken = Drive(16, positions=stroll), Drive(16, shake(250), stroll)
+    thin = map_thickness(shaken, shaken.readings)
+    assert thin < 1.3 * map_thickness(smooth) and thin < 0.2 * map_thickness(shaken)
 
 
 def test_the_bias_is_estimated_and_the_world_is_leveled(shaken, followed):

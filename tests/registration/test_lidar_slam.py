@@ -9,6 +9,8 @@ import pytest
 import pointloom as loom
 from pointloom.registration import LidarOdometry, LidarSLAM
 from pointloom.registration.lidar import lidar_slam
+from pointloom.registration.lidar.deskewing import point_times
+from pointloom.registration.lidar.lidar_odometry import RawScan
 from pointloom.registration.lidar.lidar_steps import FIRST_SCAN, OdometryStep
 from pointloom.registration.pose_errors import PoseCovariance
 from pointloom.registration.rigid import pose_of
@@ -46,11 +48,19 @@ class DriftingOdometry(LidarOdometry):
         for motion in motions:
             self.path.append(self.path[-1] @ motion @ pose_of(twist))
         self.sigma = np.abs(twist) if sigma is None else np.asarray(sigma, float)
-        self.known, self.covariance = [], PoseCovariance(np.zeros((6, 6)), np.zeros(3))
+        self.raw, self.known, self.covariance = None, [], PoseCovariance(np.zeros((6, 6)), np.zeros(3))
 
     @property
     def steps(self):
         return self.known
+
+    @property
+    def last_scan(self):
+        return self.raw
+
+    @property
+    def last_motion(self):
+        return np.linalg.inv(self.path[len(self.known) - 2]) @ self.path[len(self.known) - 1]
 
     def register(self, scan, timestamps=None, *, prior=None, imu=None, time=None):
         index = len(self.known)
@@ -61,7 +71,7 @@ class DriftingOdometry(LidarOdometry):
         status = "converged" if index else FIRST_SCAN
         step = OdometryStep(index, pose, 1.0, 100, 1.0, 0.1, index and 5, True, False, status)
         self.known.append(dataclasses.replace(step, covariance=self.covariance))
-        self.device = scan.device
+        self.device, self.raw = scan.device, RawScan(scan.arrays["points"], scan.origin, point_times(scan, timestamps))
         return pose
 
 

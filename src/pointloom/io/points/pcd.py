@@ -30,8 +30,8 @@ from .pcd_header import ENCODINGS, IDENTITY_VIEWPOINT, Field, PcdHeader, read_he
 PACKED = ("rgb", "rgba")  # fields of colors 0xAARRGGBB
 UNREADABLE = "the text of field {!r} is nan, as PCL wrote colors with red from 128 on; write the file as binary"
 
-# PCL up to 1.7 pads a compressed file as if the payload began on the second memory page: this many zero
-# bytes minus the header length.
+# PCL up to 1.8 pads binary files as if the payload began on the second memory page: this many zero bytes minus the
+# header length. Of compressed files the header was counted in another way.
 _PAGE_BYTES = 4096
 
 
@@ -47,7 +47,10 @@ def read_payload(path: FilePath, source: SourceFile, header: PcdHeader) -> dict[
 def point_rows(path: FilePath, source: SourceFile, header: PcdHeader) -> FixedRows:
     """The points of the binary encoding, after checking the file against its header."""
     _check_positions(path, {field.name: (field.dtype, field.count) for field in header.fields})
-    _check_size(path, source, header.size, header.point_count * header.point_bytes)
+    needed = header.point_count * header.point_bytes
+    slack = bytes(source[header.size + needed : header.size + needed + _PAGE_BYTES])
+    is_padded = header.size + len(slack) == _PAGE_BYTES and not any(slack)
+    _check_size(path, source, header.size, needed + len(slack) * is_padded)
     columns, offset = {}, 0
     for field in header.fields:
         if field.name != "_":

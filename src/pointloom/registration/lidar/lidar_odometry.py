@@ -146,6 +146,8 @@ class LidarOdometry(Serialized):
         (True, True)
     """
 
+    _internal = ("last_motion", "last_scan")
+
     def __init__(
         self,
         *,
@@ -221,6 +223,17 @@ class LidarOdometry(Serialized):
             return PointCloud(device=self.device)
         points, origin = self._known.map.points(self._last_pose()[:3, 3])
         return PointCloud.from_device_arrays({"points": points}, np.array(origin))
+
+    @property
+    def last_scan(self) -> RawScan | None:
+        """The last scan, which `last_motion` deskews. A copy if it is the first scan."""
+        self._finish_interrupted()
+        return self._known.scan
+
+    @property
+    def last_motion(self) -> Matrix:
+        """T_last_sensor over one scan interval. Without a known motion, the identity."""
+        return self._known.motion
 
     @property
     def summary(self) -> OdometrySummary:
@@ -478,8 +491,9 @@ class LidarOdometry(Serialized):
         if step.status != NO_POINTS:  # without points so far, the next scan is the first
             first = raw.copy() if step.status == FIRST_SCAN else None
         after = replace(
-            state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first, clock=clock
-        )
+            state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first, clock=clock,
+            scan=raw if step.status != FIRST_SCAN else first,
+        )  # fmt: skip
         rest = state.rest
         if step.is_sound and (rest is None or not rest.lasts_to(step)):
             rest = Rest(PendingScan(dense, step.pose), step)
@@ -590,11 +604,12 @@ class Rest:
 
 @dataclass(frozen=True, eq=False)
 class OdometryState:
-    """State between scans; `sound` is the number and pose of the last scan that fits the map."""
+    """State between scans: the last `scan`, and the number and pose of the last `sound` scan, which fits the map."""
 
     threshold: AdaptiveThreshold
     map: VoxelMap | None = None
     first: RawScan | None = None
+    scan: RawScan | None = None
     pruned_at: NDArray[np.float64] = field(default_factory=lambda: np.zeros(3))
     motion: Matrix = field(default_factory=lambda: np.eye(4))
     has_motion: bool = False
@@ -640,8 +655,11 @@ class MapUpdate:
 
     def with_imu(self, inertial: InertialMotion) -> MapUpdate:
         """Record the readings' use in the step and state."""
-        step = replace(self.step, has_imu=inertial.motion is not None, imu_difference=inertial.difference(self.step))
-        return replace(self, step=step, known=replace(self.known, inertial=inertial.after(step)))
+        step, scan = self.step, self.known.scan
+        step = replace(step, has_imu=inertial.motion is not None, imu_difference=inertial.difference(step))
+        if scan is not None and inertial.part is not None:  # a fraction of the time since the last scan
+            scan = replace(scan, part=inertial.part * step.gap)
+        return replace(self, step=step, known=replace(self.known, inertial=inertial.after(step), scan=scan))
 
     def has_begun(self) -> bool:
         return self.known.map is not None and self.known.map.additions > self.additions

@@ -25,10 +25,9 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose
-from .deskewing import are_single, point_times
 from .lidar_graph import SubmapGraph, in_axes, odometry_edge, positive_part
 from .lidar_loops import LidarLoop, LoopSearch, Place, close_loops, find_loops
-from .lidar_odometry import LidarOdometry, RawScan, part_of_interval
+from .lidar_odometry import LidarOdometry, RawScan
 from .lidar_steps import FIRST_SCAN, OdometryStep
 from .lidar_submaps import CompactPoints, LidarSubmap, PointStore, SubmapBuilder, make_folder
 from .localization import Localization, localize_cloud
@@ -139,8 +138,8 @@ class LidarSLAM(Serialized):
         self._state = SlamState()
         self._builder: SubmapBuilder | None = None
         self._surfaces: SurfaceCache | None = None
-        self._part: float | None = None
         self._pending: list[tuple[int, RawScan]] = []  # scans that are not in a submap yet
+        self._taken = 0  # number of scans taken from the odometry
 
     @property
     def odometry(self) -> LidarOdometry:
@@ -182,12 +181,7 @@ class LidarSLAM(Serialized):
         """
         check_cloud("scan", scan)
         self._finish_interrupted()
-        self._pending.append((len(self._odometry.steps), self._raw(scan, timestamps)))
-        try:
-            self._odometry.register(scan, timestamps, prior=prior, imu=imu, time=time)
-        finally:  # an interrupted scan may be in the odometry
-            if len(self._odometry.steps) <= self._pending[-1][0]:
-                self._pending.pop()
+        self._odometry.register(scan, timestamps, prior=prior, imu=imu, time=time)
         self._finish_interrupted()
         return self._corrected(len(self._odometry.steps) - 1)
 
@@ -204,19 +198,13 @@ class LidarSLAM(Serialized):
             self._finish_submap(builder)
         self._finish_interrupted()
 
-    def _raw(self, scan: PointCloud, timestamps: ArrayLike | None) -> RawScan:
-        """The scan with times if it is deskewed. Wrong times raise errors, before the odometry changes."""
-        times = point_times(scan, timestamps) if self._odometry.deskew else None
-        points = scan.arrays["points"]
-        if times is not None and self._part is None and len(scan):
-            interval = self._odometry.interval
-            self._part = part_of_interval(points, times, scan.origin, interval, are_single(scan, timestamps))
-        return RawScan(points, scan.origin, times, self._part or 1.0)
-
     def _finish_interrupted(self) -> None:
         """Add the scans of the odometry to the submaps, and search the loops of finished ones."""
-        steps = self._odometry.steps
-        self._pending = [(number, raw) for number, raw in self._pending if number < len(steps)]
+        number, raw = len(self._odometry.steps) - 1, self._odometry.last_scan
+        if raw is not None and number >= self._taken:
+            if not self._pending or self._pending[-1][0] < number:
+                self._pending.append((number, raw))
+            self._taken = number + 1
         self._add_pending()
         while self._state.searched < len(self._state.submaps):
             self._search_loops(self._state.searched)
@@ -227,15 +215,13 @@ class LidarSLAM(Serialized):
             number, raw = self._pending[0]
             step = steps[number]
             if step.status == FIRST_SCAN and number == len(steps) - 1 and not is_last:
-                # deskewed when the motion is known: a driver may reuse its buffer
-                self._pending[0] = (number, raw.copy())
-                return
+                return  # deskewed when the motion is known
             self._add(number, raw)
             self._pending.pop(0)
 
     def _add(self, number: int, raw: RawScan) -> None:
         """Add a scan to the open submap. A second call with the same scan changes nothing."""
-        steps, step = self._odometry.steps, self._odometry.steps[number]
+        step = self._odometry.steps[number]
         if self._builder is None:
             if not step.is_sound:
                 return
@@ -243,9 +229,7 @@ class LidarSLAM(Serialized):
             self._builder = SubmapBuilder(number, step.pose, *sizes, raw.points.device)
         builder = self._builder
         if step.is_sound and number > builder.added:
-            first = number if number else 1
-            motion = matmul(invert_pose(steps[first - 1].pose), steps[first].pose) if len(steps) > first else np.eye(4)
-            builder.add(number, raw.deskewed(motion), step.pose)
+            builder.add(number, raw.deskewed(self._odometry.last_motion), step.pose)
         builder.travel(number, step.pose[:3, 3], self.submap_length)
         if builder.length >= self.submap_length:
             self._finish_submap(builder)
