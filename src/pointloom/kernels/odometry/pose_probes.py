@@ -77,7 +77,7 @@ class ScanProbes:
 
 @func
 def limit_at(k: int, j: int, probes: ScanProbes) -> float:
-    """Squared search distance [m^2] for point j at pose k: none if the point counts not, as it has no plane at pose 0."""
+    """Squared search distance [m^2] of point j at pose k: 0 if it has no plane at pose 0, so that it does not count."""
     limit = probes.limit
     if k > 0:
         if probes.squares[0, j] < 0.0:
