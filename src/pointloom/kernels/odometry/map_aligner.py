@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..algebra.rigid_solve import TRIANGLE_NUMBERS, UNKNOWN_COUNT
-from ..array_types import Device, Points
+from ..array_types import Array1, Device, Points
 from ..lang import DeviceLoop, float64, launch
 from ..memory import download, empty, write
 from .map_course import (
@@ -24,13 +24,13 @@ from .map_course import (
     add_planes_kernel,
     associate_points_kernel,
     begin_course_kernel,
-    find_map_planes_kernel,
     fold_rows_kernel,
     load_scan_kernel,
     step_pose_kernel,
     sum_planes_kernel,
 )
-from .map_icp import SYSTEM_SIZE
+from .map_icp import SYSTEM_SIZE, plane
+from .pose_probes import find_map_planes
 from .voxel_map import VoxelMap
 
 CPU_RUN = 32  # points per thread: some tens of threads and rows per scan
@@ -119,11 +119,18 @@ class MapAligner:
         launch(load_scan_kernel, total, [points, points if few is None else few, self._course])
         self._has_map_planes = has_many_starts
         if has_many_starts:
-            launch(find_map_planes_kernel, voxel_map.count, [self._course])
+            find_map_planes(voxel_map, self._radius(voxel_map), self._course.map_planes)
+
+    @property
+    def map_planes(self) -> Array1[plane] | None:
+        """The planes around all points of the loaded map by their position, if they were computed."""
+        return self._course.map_planes if self._course is not None and self._has_map_planes else None
+
+    def _radius(self, voxel_map: VoxelMap) -> float:
+        return float(self._plane_voxels * voxel_map.voxel_size)
 
     def _make(self, room: int, voxel_map: VoxelMap, device: Device, map_points: int) -> None:
-        radius = float(self._plane_voxels * voxel_map.voxel_size)
-        course = Course(room, voxel_map, radius, device, map_points)
+        course = Course(room, voxel_map, self._radius(voxel_map), device, map_points)
         run = CUDA_RUN if device.is_cuda else CPU_RUN
         threads = -(-room // run)
         rows = empty((threads, SYSTEM_SIZE), float64, device)

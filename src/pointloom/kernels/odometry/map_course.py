@@ -1,8 +1,8 @@
 """Device loop over a scan's ICP legs.
 
-A leg starts at a given pose, at the end of the first leg, or at that of the cheapest before it, so a scan needs one
-sync. An iteration is two launches, three on CUDA: runs of points are matched and summed in fixed order. One thread
-solves, moves the pose and decides. Source: as map_icp.py.
+A leg starts at a given pose, at the end of the first leg, or at that of the cheapest leg to planes before it, so a scan
+needs one sync. An iteration is two launches, three on CUDA: runs of points are matched and summed in fixed order. One
+thread solves, moves the pose and decides. Source: as map_icp.py.
 """
 
 import functools
@@ -23,7 +23,6 @@ from ..algebra.rigid_solve import (
 )
 from ..algebra.transform import widen
 from ..array_types import Device
-from ..arrays.block_keys import key_block
 from ..lang import INFINITY, array, cross, float64, func, int32, kernel, mat44d, sqrt, struct, tid, vec3, vec3d
 from ..memory import empty, rows_of, zeros
 from .map_icp import (
@@ -169,8 +168,8 @@ def start_of(leg: int, course: Course) -> mat44d:
         chosen = int(0)
         if start == FROM_CHEAPEST:
             min_cost = float64(INFINITY)
-            for k in range(1, leg):
-                if course.results.states[k] != float64(LEG_LOST):
+            for k in range(leg):
+                if course.results.states[k] != float64(LEG_LOST) and course.options.to_planes[k] == 1.0:
                     cost = cost_of(k, course)
                     if cost < min_cost:
                         min_cost = cost
@@ -189,18 +188,6 @@ def load_scan_kernel(points: array(dtype=vec3), few: array(dtype=vec3), course: 
     else:
         course.points[i] = few[i - count]
     course.known[i] = -1
-
-
-@kernel
-def find_map_planes_kernel(course: Course):
-    """Planes around all points of a voxel."""
-    i = tid()
-    cell = key_block(course.voxel_map.keys[i])
-    corner = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * course.voxel_map.voxel_size
-    first = i * course.voxel_map.room
-    for slot in range(first, first + course.voxel_map.counts[i]):
-        center = corner + widen(course.voxel_map.offsets[slot])
-        course.map_planes[slot] = plane_around(center, course.plane_radius, course.voxel_map)
 
 
 @kernel

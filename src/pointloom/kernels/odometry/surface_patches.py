@@ -16,7 +16,7 @@ from ..linear_algebra import matmul
 from ..memory import download, empty
 from .local_cells import cell_holding, offset_in_cell
 from .map_icp import MAX_FLAT_RATIO
-from .pose_probes import ScanProbes
+from .pose_probes import ScanProbes, limit_at
 from .voxel_map import VoxelMap
 from .voxel_map_search import covariance_of, find_nearest_in_map, mean_of, moments_in_map, side_in_order, voxels_around
 
@@ -80,8 +80,9 @@ def patch_at(center: vec3d, ray: vec3d, radius: float, voxel_map: VoxelMap) -> p
 
 @kernel
 def find_patches_kernel(first_pose: int, probes: ScanProbes, rows: array(dtype=float64, ndim=2)):
-    """Standardized squared distances of one run of points from the patches at one pose, from `first_pose` on. Rows of
-    pose 0: the Jacobian, and the distance along the normal.
+    """Standardized squared distances of one run of points from the patches at one pose, from `first_pose` on.
+    At other poses than 0 only of points with a patch there. Rows of pose 0: the Jacobian, and the distance along the
+    normal.
     """
     i = tid()
     count = probes.squares.shape[1]
@@ -93,10 +94,10 @@ def find_patches_kernel(first_pose: int, probes: ScanProbes, rows: array(dtype=f
     for j in range(first, first + min(probes.run, count - first)):
         y = rotate(pose, widen(probes.points[j * probes.step]))
         x = y + t
-        nearest_point = find_nearest_in_map(x, probes.limit, probes.voxel_map)
         square = -1.0
         residual = float64(0.0)
         normal = vec3d(0.0, 0.0, 0.0)
+        nearest_point = find_nearest_in_map(x, limit_at(k, j, probes), probes.voxel_map)
         if nearest_point[4] >= 0.0:
             r = vec3d(nearest_point[0], nearest_point[1], nearest_point[2])
             at = patch_at(x - r, y, probes.radius, probes.voxel_map)

@@ -65,11 +65,14 @@ from .scan_matching import (
     AdaptiveThreshold,
     DownsampledScan,
     ScanMatch,
+    assess_match,
     headings,
     match_scan,
+    refine_match,
     rotated_guesses,
     search_poses,
     start_guesses,
+    weak_directions,
 )
 
 Matrix = NDArray[np.float64]
@@ -310,17 +313,21 @@ class LidarOdometry(Serialized):
         is_given = has_prior or inertial_motion is not None  # the motion over the whole gap
         way = motion if gap <= 1 or is_given else motion_in(gap, motion, self._max_gap())
         predicted = matmul(self._last_pose(), way)
-        step = self._match(
-            voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion,
+        match = partial(
+            self._match, voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion,
             path=PathSearch(motion_in(1 / gap, motion) if is_given and gap > 1 else motion, gap),
         )  # fmt: skip
+        is_skewed = partial(self._is_skewed, predicted) if raw.times is not None and gap == 1.0 else None
+        step = match(is_skewed=is_skewed)
         if step.gap == 1.0 != gap:  # of a scan that was not found along the path
             step = replace(step, gap=gap)
-        if raw.times is not None and step.is_sound and step.iterations and step.gap == 1.0:
-            if state.first is not None:
-                step, downsampled, voxel_map = self._deskew_start(state.first, raw, step, voxel_map)
-            elif state.threshold.error_of(matmul(invert_pose(predicted), step.pose)) > state.threshold.min_motion:
-                step, downsampled = self._deskew_again(raw, step, voxel_map)
+        if is_skewed is not None and step.is_sound and step.iterations and step.gap == 1.0 and is_skewed(step.pose):
+            again = self._deskew_start if state.first is not None else self._deskew_again
+            deskewed = again(raw, step.pose, voxel_map, predicted, has_prior)
+            if deskewed is None:
+                step = match()
+            else:
+                step, downsampled, voxel_map = deskewed
         if len(self._steps) >= 3 and appears_stationary(self._steps[-3], step):
             step = replace(step, far_change=self._far_change(downsampled, voxel_map, self._steps[-3], step))
             if state.rest is not None and state.rest.lasts_to(step):
@@ -388,24 +395,31 @@ class LidarOdometry(Serialized):
         has_prior: bool = False,
         is_start: bool = False,
         path: PathSearch | None = None,
+        is_skewed: Callable[[Matrix], bool] | None = None,
     ) -> OdometryStep:
-        threshold = self._known.threshold
-        ends = np.array([step.pose for step in (*self._steps[:1], *self._steps[-1:])])
-        index, sigma = len(self._steps), threshold.value(ends)
+        """The step of a scan. It is not assessed if it fits well, but is to be deskewed again."""
+        threshold, index, sigma = self._known.threshold, len(self._steps), self._sigma()
         if scan.dense.size == 0:
             return unaligned_step(index, predicted, sigma, NO_POINTS)
         if voxel_map.count == 0:
             return unaligned_step(index, predicted, sigma, FIRST_SCAN)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
-        search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
-        match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further, search_range)
-        step = self._step_of(match, predicted, sigma, has_prior)
         known = None if path is None or self._known.is_starting(index) else self._last_matched()
+        search_range = self._search_range(has_prior)
+        match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further)
+        if is_skewed is not None and not self._steps[-1].is_undetermined and match.is_matched and is_skewed(match.pose):
+            step = self._step_of(match, predicted, has_prior, is_assessed=False)
+            is_worse = known is not None and is_doubtful(step, known)
+            is_searched = search_range > 0 and len(weak_directions(match.information, scan.sparse.size)) > 0
+            if self._fits(step) and not is_worse and not is_searched:
+                return step
+        match = assess_match(self._aligner, scan, voxel_map, match, predicted, search_range, is_blind_open=not further)
+        step = self._step_of(match, predicted, has_prior)
         if path is not None and known is not None and (path.gap != 1.0 or is_doubtful(step, known)):
             poses = path.poses(self._last_pose(), self._max_gap(), SEARCH_VOXELS * self.voxel_size)
             guess, min_fitness = predicted if path.gap > 1 else None, GAP_OVERLAP * known.fitness
             other = search_poses(self._aligner, scan, voxel_map, match, poses, guess, min_fitness)
-            found = self._step_of(other, predicted, sigma, has_prior)
+            found = self._step_of(other, predicted, has_prior)
             if found.is_sound:
                 step, match = replace(found, gap=path.intervals_to(found.pose, self._last_pose())), other
                 if not is_doubtful(step, known):
@@ -417,12 +431,29 @@ class LidarOdometry(Serialized):
         for search in searches:
             if search.is_needed(step):
                 other = match_scan(self._aligner, scan, voxel_map, predicted, sigma, search.guesses())
-                candidate = self._step_of(other, predicted, sigma, has_prior)
+                other = assess_match(self._aligner, scan, voxel_map, other, predicted, is_blind_open=False)
+                candidate = self._step_of(other, predicted, has_prior)
                 if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
                     step, match = replace(candidate, gap=step.gap), other
         if known is None:
             return step
-        return replace(step, is_doubtful=loses_overlap(step, known) and costs_more(step, known))
+        if loses_overlap(step, known) and costs_more(step, known):
+            return replace(step, is_doubtful=True)
+        return step
+
+    def _sigma(self) -> float:
+        ends = np.array([step.pose for step in (*self._steps[:1], *self._steps[-1:])])
+        return self._known.threshold.value(ends)
+
+    def _search_range(self, has_prior: bool) -> float:
+        is_starting = self._known.is_starting(len(self._steps))
+        return START_RINGS[-1] * self._known.threshold.initial if is_starting and not has_prior else 0.0
+
+    def _is_skewed(self, predicted: Matrix, pose: Matrix) -> bool:
+        """True if a scan was deskewed with another motion than that to its pose."""
+        state = self._known
+        deviation = matmul(invert_pose(predicted), pose)
+        return state.first is not None or state.threshold.error_of(deviation) > state.threshold.min_motion
 
     def _last_matched(self) -> OdometryStep | None:
         """The last step of a scan that was matched with the map."""
@@ -433,26 +464,30 @@ class LidarOdometry(Serialized):
     def _max_gap(self) -> float:
         return GAP_FRACTION * self.max_range
 
+    def _fits(self, step: OdometryStep) -> bool:
+        return step.is_sound and not disagrees(step) and not self._loses_overlap(step)
+
     def _loses_overlap(self, step: OdometryStep) -> bool:
         """True if the overlap with the map is much less than before, as after a fast rotation."""
         last = self._steps[-1]
         return not step.is_sound or (last.is_sound and step.fitness < MIN_OVERLAP * last.fitness)
 
-    def _step_of(self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool) -> OdometryStep:
+    def _step_of(
+        self, match: ScanMatch, predicted: Matrix, has_prior: bool, *, is_assessed: bool = True
+    ) -> OdometryStep:
         status = ("converged" if match.converged else "max_iteration") if match.is_matched else "no overlap"
-        rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
-        step = OdometryStep(
-            index=len(self._steps), pose=predicted, threshold=sigma, inliers=match.inliers, fitness=match.fitness,
+        rmse, error = math.sqrt(match.sqsum / max(match.inliers, 1)), MatchError()
+        if match.is_matched and is_assessed:
+            error = match.error(self.voxel_size, self._known.threshold.initial, self.max_range)
+        return OdometryStep(
+            index=len(self._steps), pose=match.pose if match.is_matched else predicted, threshold=self._sigma(),
+            inliers=match.inliers, fitness=match.fitness,
             inlier_rmse=rmse, iterations=match.iterations, converged=match.converged, is_predicted=not match.is_matched,
             status=status, misfit=rmse / self.voxel_size, disagreement=match.disagreement,
             undetermined=() if match.open is None else match.open.translations(),
             undetermined_turns=() if match.open is None else match.open.rotations(),
-            rivals=match.ways_to_rivals(), has_prior=has_prior,
+            rivals=match.ways_to_rivals(), has_prior=has_prior, match_error=error,
         )  # fmt: skip
-        if not match.is_matched:
-            return step
-        error = match.error(self.voxel_size, self._known.threshold.initial, self.max_range)
-        return replace(step, pose=match.pose, match_error=error)
 
     def _next_state(
         self,
@@ -485,19 +520,17 @@ class LidarOdometry(Serialized):
             covariance = state.map_error.of_pose(voxels, position, step.match_error)
         else:
             covariance = self._predicted_covariance(position)
-            step = replace(step, match_error=MatchError())
-        step = replace(step, covariance=covariance)
+        step = replace(step, covariance=covariance, match_error=step.match_error if step.is_sound else MatchError())
         map_error = state.map_error.after(voxels, scan.sparse.size, position, step.match_error)
         if step.status != NO_POINTS:  # without points so far, the next scan is the first
             first = raw.copy() if step.status == FIRST_SCAN else None
-        after = replace(
-            state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first, clock=clock,
-            scan=raw if step.status != FIRST_SCAN else first,
-        )  # fmt: skip
         rest = state.rest
         if step.is_sound and (rest is None or not rest.lasts_to(step)):
             rest = Rest(PendingScan(dense, step.pose), step)
-        after = replace(after, map_error=map_error, rest=rest)
+        after = replace(
+            state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first, clock=clock,
+            scan=raw if step.status != FIRST_SCAN else first, map_error=map_error, rest=rest,
+        )  # fmt: skip
         return MapUpdate(step, after, voxel_map.additions, parts)
 
     def _predicted_covariance(self, position: NDArray[np.float64]) -> PoseCovariance:
@@ -517,28 +550,51 @@ class LidarOdometry(Serialized):
         return replace(step, has_joined=True) if step.is_sound else None
 
     def _deskew_again(
-        self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap
-    ) -> tuple[OdometryStep, DownsampledScan]:
-        downsampled = self._downsample(raw, matmul(invert_pose(self._last_pose()), step.pose))
-        again = self._match(voxel_map, downsampled, step.pose)
-        return (again if again.is_sound else step), downsampled
+        self, raw: RawScan, pose: Matrix, voxel_map: VoxelMap, predicted: Matrix, has_prior: bool
+    ) -> tuple[OdometryStep, DownsampledScan, VoxelMap] | None:
+        """Register a scan again, deskewed by the motion to its pose. None if it does not fit the map then."""
+        scan = self._downsample(raw, matmul(invert_pose(self._last_pose()), pose))
+        match = refine_match(self._aligner, scan, voxel_map, pose)
+        step = self._step_again(match, scan, voxel_map, predicted, has_prior)
+        return (step, scan, voxel_map) if step.is_sound else None
 
     def _deskew_start(
-        self, first: RawScan, second: RawScan, step: OdometryStep, voxel_map: VoxelMap
-    ) -> tuple[OdometryStep, DownsampledScan, VoxelMap]:
-        """Register the second scan again with both first scans deskewed, so that the map is not skewed."""
-        start = self._last_pose()
-        downsampled = self._downsample(second, matmul(invert_pose(start), step.pose))
-        for _ in range(START_ITERATIONS):
-            motion = matmul(invert_pose(start), step.pose)
-            deskewed = self._empty_map(voxel_map.device)
-            deskewed.add(self._downsample(first, motion).dense, start, self.max_range)
-            again = self._match(deskewed, self._downsample(second, motion), step.pose)
-            if not again.is_sound:
-                break
-            step, voxel_map = again, deskewed
-            downsampled = self._downsample(second, matmul(invert_pose(start), step.pose))
-        return step, downsampled, voxel_map
+        self, raw: RawScan, pose: Matrix, voxel_map: VoxelMap, predicted: Matrix, has_prior: bool
+    ) -> tuple[OdometryStep, DownsampledScan, VoxelMap] | None:
+        """As `_deskew_again` for the second scan, with both first scans deskewed, so that the map is not skewed."""
+        start, first = self._last_pose(), self._known.first
+        assert first is not None
+        for k in range(1, START_ITERATIONS + 1):
+            motion = matmul(invert_pose(start), pose)
+            voxel_map = self._empty_map(voxel_map.device)
+            voxel_map.add(self._downsample(first, motion).dense, start, self.max_range)
+            scan = self._downsample(raw, motion)
+            match = match_scan(self._aligner, scan, voxel_map, pose, self._sigma())
+            is_last = k == START_ITERATIONS
+            step = self._step_again(match, scan, voxel_map, predicted, has_prior, is_assessed=is_last)
+            if not step.is_sound:
+                return None
+            pose = step.pose
+        return step, self._downsample(raw, matmul(invert_pose(start), pose)), voxel_map
+
+    def _step_again(
+        self,
+        match: ScanMatch,
+        scan: DownsampledScan,
+        voxel_map: VoxelMap,
+        predicted: Matrix,
+        has_prior: bool,
+        *,
+        is_assessed: bool = True,
+    ) -> OdometryStep:
+        """The step of a scan that was deskewed again. It is searched for as at first if it does not fit well."""
+        step = self._step_of(match, predicted, has_prior, is_assessed=False)
+        if not self._fits(step):
+            return self._match(voxel_map, scan, match.pose, has_prior=has_prior)
+        if not is_assessed:
+            return step
+        match = assess_match(self._aligner, scan, voxel_map, match, predicted, self._search_range(has_prior))
+        return self._step_of(match, predicted, has_prior)
 
     def _prune(self) -> None:
         """Remove points out of range, not after every scan: no scan reaches them."""

@@ -19,7 +19,7 @@ from ...core.quaternions import nearest_rotations
 from ...kernels.linear_algebra import EPSILON, eigh, is_positive_definite, matmul, norm, pinvh
 from ...kernels.odometry.map_aligner import Leg, MapAligner, Reached
 from ...kernels.odometry.map_course import FROM_CHEAPEST, FROM_FIRST, FROM_GIVEN, LEG_CONVERGED, LEG_LOST, MAX_LEGS
-from ...kernels.odometry.pose_probes import compare_poses
+from ...kernels.odometry.pose_probes import compare_poses, find_map_planes
 from ...kernels.odometry.surface_patches import SurfacePatches
 from ...kernels.odometry.voxel_map import VoxelMap
 from ..assessment_constants import JUDGING_POINTS, MIN_DEVIATIONS, MIN_RISE, STEP_VOXELS, SUSPECT_FRACTION
@@ -42,6 +42,8 @@ COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared voxels: Geman-McClure scale of 
 START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: radii of the guesses while no motion is known
 START_DIRECTIONS = 8
 MANY_STARTS = 8  # with more, most map points are near a scan point at some start
+TRIAL_ITERATIONS = 2  # of many starts. The best ones are continued
+NEAR_VOXELS = 0.5  # voxels: such poses after the trials are continued once
 MAX_DISAGREEMENT = 0.99  # for a finite residual
 RIVAL_VOXELS = 1.5  # voxels: closer poses are the same
 # [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; handheld scanners rotate this fast
@@ -53,7 +55,7 @@ HEADING_STEP = 8.0  # [deg] between headings
 @dataclass(frozen=True, eq=False)
 class ScanMatch:
     """Pose of a scan in a map (`information`: of the planes, [6, 6]; `open`: undetermined motions, or None; `rows`: of
-    points on surface patches, [n, 7]).
+    points on surface patches, [n, 7]; `has_planes`: False if only points were matched).
     """
 
     pose: Matrix
@@ -69,6 +71,7 @@ class ScanMatch:
     open: OpenDirections | None = None
     rivals: tuple[Matrix, ...] = ()
     rows: Matrix = field(default_factory=lambda: np.empty((0, 7)))
+    has_planes: bool = True
 
     def ways_to_rivals(self) -> tuple[tuple[float, float, float], ...]:
         ways = [rival[:3, 3] - self.pose[:3, 3] for rival in self.rivals]
@@ -103,56 +106,99 @@ def match_scan(
     guess: Matrix,
     sigma: float,
     further: Sequence[Matrix] = (),
-    search_range: float = 0.0,
 ) -> ScanMatch:
-    """Align a scan with the map.
+    """Align a scan with the map. The match is to be assessed by `assess_match`.
 
     Robust point-to-point ICP (eqs. 9 to 12) has a wide basin but favors no motion, since scan rings move with the
     sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses. The least cost wins.
-    `sigma` [m] is the standard deviation of the guess. `search_range` [m] limits the search along poorly determined
-    directions. Motions that only the pattern of the scan determines are reported as open, and keep their estimate.
+    `sigma` [m] is the standard deviation of the guess.
     """
-    points, dense, few = scan.sparse, scan.dense, scan.few() if further else None
+    points, few = scan.sparse, scan.few() if further else None
     size, count = voxel_map.voxel_size, points.size
-    limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
+    limit, coarse = JUDGED_VOXELS * size, COARSE_KERNEL * size**2
     near_count, has_few = count if few is None else few.size, few is not None
     first = Leg(
         guess, THRESHOLD_SIGMAS * sigma, sigma / 3, ROUGH_TOLERANCE, LOST_FRACTION * count, MAX_ITERATIONS,
         is_needed=True,
     )  # fmt: skip
-    last_leg = _leg(guess, count, limit, fine, FINE_TOLERANCE, start=FROM_CHEAPEST)
-    legs = [
-        first,
-        _leg(guess, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few),
-        _leg(guess, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few, start=FROM_FIRST),
-        *(_leg(start, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few) for start in further),
-        last_leg,
-    ]
-    aligner.load(points, few, voxel_map, has_many_starts=len(further) > MANY_STARTS)
-    results, information = aligner.run(legs)  # sync
+    rough = _leg(guess, near_count, limit, coarse, ROUGH_TOLERANCE, few=has_few)
+    last = _fine_leg(guess, voxel_map, count, start=FROM_CHEAPEST)
+    legs = [first, rough, replace(rough, start=FROM_FIRST)]
+    has_many_starts = len(further) > MANY_STARTS
+    trial = replace(rough, iterations=TRIAL_ITERATIONS) if has_many_starts else rough
+    legs += [replace(trial, pose=start) for start in further]
+    aligner.load(points, few, voxel_map, has_many_starts=has_many_starts)
+    results, information = aligner.run(legs if has_many_starts else [*legs, last])  # sync
+    near, is_lost = results[0], results[0].state == LEG_LOST
     iterations = sum(reached.iterations for reached in results)
-    if results[0].state == LEG_LOST or results[-1].state == LEG_LOST:
-        far = _match_of(results[0], legs[0], count, np.zeros((6, 6)))
-        return replace(far, iterations=iterations) if far.is_matched else far
-    last = _match_of(results[-1], legs[-1], count, information)
+    if has_many_starts and not is_lost:
+        legs = [replace(rough, pose=pose) for pose in _best_poses(results[1:], size)]
+        results, information = aligner.run([*legs, last])  # sync
+        iterations += sum(reached.iterations for reached in results)
+    is_lost = is_lost or results[-1].state == LEG_LOST
+    match = _match_of(near if is_lost else results[-1], first if is_lost else last, count, information)
+    return replace(match, iterations=iterations, has_planes=not is_lost) if match.is_matched else match
+
+
+def _best_poses(results: Sequence[Reached], size: float) -> list[Matrix]:
+    """The poses of least cost of some legs, a third of them, without those near better ones."""
+    poses: list[Matrix] = []
+    for reached in sorted(results, key=lambda reached: reached.cost):
+        if reached.state != LEG_LOST and not any(_is_near(reached.pose, pose, size) for pose in poses):
+            poses.append(reached.pose)
+    return poses[: -(-len(results) // 3)]
+
+
+def _is_near(A: Matrix, B: Matrix, size: float) -> bool:
+    """True if ICP from both poses ends at the same one."""
+    is_aligned = float((A[:3, :3] * B[:3, :3]).sum()) > 1 + 2 * math.cos(math.radians(HEADING_STEP / 2))
+    return is_aligned and _distance(A, B) < NEAR_VOXELS * size
+
+
+def refine_match(aligner: MapAligner, scan: DownsampledScan, voxel_map: VoxelMap, pose: Matrix) -> ScanMatch:
+    """Align a scan with the planes of the map from a `pose` that is about right. It is to be assessed likewise."""
+    aligner.load(scan.sparse, None, voxel_map)
+    return _align(aligner, _fine_leg(pose, voxel_map, scan.sparse.size), scan.sparse.size)  # sync
+
+
+def assess_match(
+    aligner: MapAligner,
+    scan: DownsampledScan,
+    voxel_map: VoxelMap,
+    match: ScanMatch,
+    guess: Matrix,
+    search_range: float = 0.0,
+    *,
+    is_blind_open: bool = True,
+) -> ScanMatch:
+    """The match of the scan that the aligner has just aligned, with its undetermined motions and rivals.
+
+    `search_range` [m] limits the search along poorly determined directions. Motions that only the pattern of the scan
+    determines are reported as open, and keep their estimate. Other open ones are those of the `guess`.
+    `is_blind_open`: report all motions as open if there are no planes.
+    """
+    if not (match.is_matched and match.has_planes):
+        return match
+    last, count, iterations = match, scan.sparse.size, match.iterations
     rivals: tuple[Matrix, ...] = ()
     for way in weak_directions(last.information, count) if search_range > 0 else ():
-        last, others = _search_along(aligner, points, voxel_map, dense, last, guess, way, search_range)
+        last, others = _search_along(aligner, scan, voxel_map, last, guess, way, search_range)
         iterations, rivals = iterations + last.iterations, rivals + others
-    free = open_directions(dense, voxel_map, last.pose, last.information, count)
+    last = replace(last, iterations=iterations, rivals=rivals)
+    free = open_directions(scan.dense, voxel_map, last.pose, last.information, count)
     if free is None:
-        free, rows = directions_without_surfaces(dense, voxel_map, last.pose)
-        return replace(last, iterations=iterations, open=free, rivals=rivals, rows=rows)
+        free, rows = directions_without_surfaces(scan.dense, voxel_map, last.pose)
+        return replace(last, open=free, rows=rows)
     if free.is_blind:
-        return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
+        return replace(last, open=free if is_blind_open else None)
     start = free.taken_from(last.pose, guess)
-    constrained = _align(
-        aligner, replace(last_leg, pose=start, start=FROM_GIVEN, is_regularized=True), count, free.weight()
-    )
+    leg = replace(_fine_leg(start, voxel_map, count), is_regularized=True)
+    constrained = _align(aligner, leg, count, free.weight())
     return replace(
         constrained if constrained.is_matched else replace(last, pose=start),
         iterations=iterations + constrained.iterations,
         open=free,
+        rivals=(),
     )
 
 
@@ -178,7 +224,7 @@ def search_poses(
     tried = _distinct([match for legs in batches for match in _matches(aligner, legs, few.size)], size)  # syncs
     if not tried:
         return first
-    leg = _leg(first.pose, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, FINE_TOLERANCE)
+    leg = _fine_leg(first.pose, voxel_map, count)
     chances = [match.pose for match in tried[: 1 + MAX_RIVALS]]
     if guess is not None:
         chances.append(min(tried, key=lambda match: _distance(match.pose, guess)).pose)
@@ -214,17 +260,21 @@ def _distinct(matches: Sequence[ScanMatch], size: float) -> list[ScanMatch]:
 
 def _search_along(
     aligner: MapAligner,
-    points: wp.array,
+    scan: DownsampledScan,
     voxel_map: VoxelMap,
-    dense: wp.array,
     first: ScanMatch,
     guess: Matrix,
     way: Matrix,
     search_range: float,
 ) -> tuple[ScanMatch, tuple[Matrix, ...]]:
     """The best pose along a poorly determined direction (of equal ones, the nearest to the guess), and its rivals."""
-    size, count = voxel_map.voxel_size, points.size
-    starts, worst = poses_along(dense, voxel_map, first.pose, guess, way, search_range)
+    size, count = voxel_map.voxel_size, scan.sparse.size
+    planes = aligner.map_planes or find_map_planes(voxel_map, PLANE_VOXELS * size)
+
+    def rises_at(poses: Matrix) -> Matrix:
+        return compare_poses(scan.dense, JUDGING_POINTS, voxel_map, poses, size, planes)
+
+    starts, worst = poses_along(rises_at, size, first.pose, guess, way, search_range)
     leg = _leg(guess, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH_TOLERANCE)
     legs = [replace(leg, pose=T) for T in starts]
     tried = (
@@ -233,11 +283,9 @@ def _search_along(
         else []
     )
     candidates = [first, *(match for match in tried if match.is_matched)]
-    rises = compare_poses(dense, JUDGING_POINTS, voxel_map, np.array([match.pose for match in candidates]), size)
+    rises = rises_at(np.array([match.pose for match in candidates]))
     best = candidates[int(np.argmin(rises[:, 0] / np.maximum(rises[:, 2], 1)))]
-    rises = compare_poses(
-        dense, JUDGING_POINTS, voxel_map, np.array([best.pose, *(match.pose for match in candidates)]), size
-    )
+    rises = rises_at(np.array([best.pose, *(match.pose for match in candidates)]))
     alike = [match for match, is_worse in zip(candidates, rises_clearly(rises[1:]), strict=True) if not is_worse]
     chosen = min(alike, key=lambda match: _distance(match.pose, guess))
     if chosen is not first:
@@ -254,6 +302,11 @@ def _search_along(
 
 def _distance(A: Matrix, B: Matrix) -> float:
     return float(norm(A[:3, 3] - B[:3, 3]))
+
+
+def _fine_leg(pose: Matrix, voxel_map: VoxelMap, count: int, start: int = FROM_GIVEN) -> Leg:
+    size = voxel_map.voxel_size
+    return _leg(pose, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, FINE_TOLERANCE, start=start)
 
 
 def _leg(
@@ -520,16 +573,19 @@ def weak_directions(information: Matrix, count: int) -> Matrix:
 
 
 def poses_along(
-    points: wp.array, voxel_map: VoxelMap, pose: Matrix, guess: Matrix, way: Matrix, search_range: float
+    rises_at: Callable[[Matrix], Matrix], size: float, pose: Matrix, guess: Matrix, way: Matrix, search_range: float
 ) -> tuple[list[Matrix], float]:
-    """Locally best poses within `search_range` [m] of the guess along `way`, and the largest mean cost between them."""
-    step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * search_range / MAX_SAMPLES)
+    """Locally best poses within `search_range` [m] of the guess along `way`, and the largest mean cost between them.
+
+    `rises_at` is as `compare_poses`, in a map of voxels of `size` [m].
+    """
+    step = max(STEP_VOXELS * size, 2 * search_range / MAX_SAMPLES)
     middle = float(matmul(way, guess[:3, 3] - pose[:3, 3]))
     shifts = np.arange(math.floor((middle - search_range) / step), math.ceil((middle + search_range) / step) + 1) * step
     motions = np.zeros((len(shifts), 6))
     motions[:, 3:] = shifts[:, None] * way
     poses = np.concatenate([pose[None], _moved_each(pose, motions)])
-    total, _, pairs, _ = compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)[1:].T
+    total, _, pairs, _ = rises_at(poses)[1:].T
     costs = np.where(pairs >= MIN_SEEN * pairs.max(), total / np.maximum(pairs, 1), np.inf)
     beside = np.concatenate([[np.inf], costs, [np.inf]])
     is_minimum = (costs <= beside[:-2]) & (costs <= beside[2:]) & np.isfinite(costs) & (np.abs(shifts) > step)
