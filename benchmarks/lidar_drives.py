@@ -17,7 +17,12 @@ One row per drive and contestant:
 - thickness [cm]: standard deviation of the points across the plane in each occupied 1 m voxel of the map of every fifth
   scan, median and 90th percentile. The row `truth` has the values of the true poses.
 - loops: right, false (by over 2 m or 5 degrees), and the percentage of the revisited path within 30 m of a right one.
-- ms per scan, MB per km: additional peak memory of the process, in which nothing else runs.
+- ms per scan, MB per km: additional peak memory of the process, in which nothing else runs. Below the row: minutes in
+  all, and the additional memory and time at each kilometer, which shows whether they grow linearly.
+
+    python benchmarks/lidar_drives.py long --sensor 16 --only LidarSLAM
+
+maps 3.8 km.
 
 Every contestant gets the same scans, voxels of 1 m and ranges. RKO-LIO also gets an ideal inertial sensor at 200 Hz.
 KISS-SLAM 0.0.2 and MapClosures 2.2 are not in the extra `bench`, as MapClosures asks for older versions of NumPy,
@@ -84,6 +89,7 @@ class Outcome:
         doubted: Numbers of the scans whose poses it doubts.
         seconds: For all scans.
         bytes: Additional peak memory.
+        kilometers: Seconds, and additional memory [bytes], when each kilometer is completed, [n, 2].
     """
 
     poses: Array
@@ -93,6 +99,7 @@ class Outcome:
     doubted: tuple[int, ...] = ()
     seconds: float = 0.0
     bytes: int = 0
+    kilometers: tuple[tuple[float, int], ...] = ()
 
 
 # ------------------------------------------------------------------------------------------------ contestants
@@ -244,11 +251,27 @@ def run_here(name: str, scenario: Scenario, device: str = "cpu") -> Outcome:
     with contextlib.suppress(RuntimeError, ValueError, IndexError):  # too few scans for a result
         run(scenario, drive, scans[:WARM_UP_SCANS])
     release_memory()
+    watched = WatchedScans(scans, traveled(drive.poses))
     before, start = resident_bytes(), time.perf_counter()
-    outcome = run(scenario, drive, scans)
+    outcome = run(scenario, drive, watched)
     outcome.seconds = time.perf_counter() - start
     outcome.bytes = max(0, peak_bytes() - before)
+    outcome.kilometers = tuple((moment - start, size - before) for moment, size in watched.readings)
     return outcome
+
+
+class WatchedScans(list[tuple[NDArray[np.float32], Times]]):
+    """Scans that read the time [s] and the process's memory [bytes] at each kilometer of a path while they are used."""
+
+    def __init__(self, scans: Scans, path: Array):
+        super().__init__(scans)
+        self.path, self.readings = path, list[tuple[float, int]]()
+
+    def __iter__(self) -> Iterator[tuple[NDArray[np.float32], Times]]:
+        for scan, distance in zip(super().__iter__(), self.path, strict=True):
+            if distance >= 1000 * (len(self.readings) + 1):
+                self.readings.append((time.perf_counter(), resident_bytes()))
+            yield scan
 
 
 def peak_bytes() -> int:
@@ -281,19 +304,21 @@ def write_outcome(path: Path, outcome: Outcome) -> None:
         loops=np.array([[loop.first, loop.second] for loop in outcome.loops], np.int64).reshape(-1, 2),
         loop_poses=np.array([nowhere if loop.pose is None else loop.pose for loop in outcome.loops]).reshape(-1, 4, 4),
         facts=json.dumps([
-            outcome.reliable, list(outcome.warnings), list(outcome.doubted), outcome.seconds, outcome.bytes
+            outcome.reliable, list(outcome.warnings), list(outcome.doubted), outcome.seconds, outcome.bytes,
+            outcome.kilometers,
         ]),
     )  # fmt: skip
 
 
 def read_outcome(path: Path) -> Outcome:
     with np.load(path) as stored:
-        reliable, warnings, doubted, seconds, peak = json.loads(str(stored["facts"]))
+        reliable, warnings, doubted, seconds, peak, kilometers = json.loads(str(stored["facts"]))
         loops = [
             Loop(int(i), int(j), None if np.isnan(T).any() else T)
             for (i, j), T in zip(stored["loops"], stored["loop_poses"], strict=True)
         ]
-        return Outcome(stored["poses"], loops, reliable, tuple(warnings), tuple(doubted), seconds, peak)
+        marks = tuple(map(tuple, kilometers))
+        return Outcome(stored["poses"], loops, reliable, tuple(warnings), tuple(doubted), seconds, peak, marks)
 
 
 # ------------------------------------------------------------------------------------------------ errors
@@ -448,6 +473,12 @@ def row_of(scenario: Scenario, drive: CityDrive, name: str, outcome: Outcome) ->
     return "| " + " | ".join(cells) + " |"
 
 
+def print_growth(drive: CityDrive, outcome: Outcome) -> None:
+    minutes, km = outcome.seconds / 60, drive.distance / 1000
+    marks = [f"{k + 1} km: {s / 60:.1f} min, {size / 1e6:.0f} MB" for k, (s, size) in enumerate(outcome.kilometers)]
+    print("  " + "; ".join([*marks, f"{km:.1f} km: {minutes:.1f} min, at most {outcome.bytes / 1e6:.0f} MB"]))
+
+
 def print_faults(drive: CityDrive, scenario: Scenario, outcome: Outcome) -> None:
     truth = best_truth(scenario, drive, outcome.poses)
     errors = step_errors(outcome.poses, truth)
@@ -473,6 +504,7 @@ def run_drives(scenarios: Sequence[Scenario], only: Sequence[str]) -> None:
                 print(f"{scenario.name}: {name} left out: {len(outcome.poses)} poses", flush=True)
                 continue
             print(row_of(scenario, drive, name, outcome), flush=True)
+            print_growth(drive, outcome)
             print_faults(drive, scenario, outcome)
 
 

@@ -1,5 +1,6 @@
 """LiDAR odometry: a street with a known path, an explicit loop, input of all kinds, and interruptions."""
 
+import dataclasses
 from contextlib import nullcontext
 
 import numpy as np
@@ -18,7 +19,9 @@ from pointloom.kernels.odometry.map_course import LEG_CONVERGED, LEG_EXHAUSTED
 from pointloom.kernels.odometry.odometry_sampling import first_in_voxels
 from pointloom.kernels.odometry.voxel_map import VoxelMap
 from pointloom.registration import LidarOdometry, evaluate_trajectory, run_odometry
+from pointloom.registration.lidar.lidar_odometry import OdometryState
 from pointloom.registration.lidar.lidar_runs import iterate_odometry
+from pointloom.registration.lidar.lidar_steps import OdometryStep
 from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
 
 from ..interruptions import run_lines
@@ -396,3 +399,21 @@ def test_a_scan_is_registered_completely_or_not_at_all_after_any_interruption(de
                 odometry.register(next_cloud)
             assert state_of(odometry) == straight[len(odometry.steps)], (n, stop)
     assert outcomes == {0, 1}
+
+
+def test_the_velocity_along_an_undetermined_direction_changes_slowly():
+    """Single scans of a tunnel are off along it, and the next ones may keep their velocity."""
+    before = as_pose([0, 0, 0.5], shift=[3, 1, 0])  # the tunnel is along x of the map, the car heads 0.5 rad off
+    ways = before[:3, :3].T @ np.eye(3)  # columns: axes of the map in the sensor's frame
+    known = OdometryState(AdaptiveThreshold(2.0, 0.1, 40.0, 4.0), motion=as_pose(shift=ways @ [1.5, 0.2, 0]))
+    known = dataclasses.replace(known, has_motion=True, sound=(4, before))
+    pose = as_pose([0, 0, 0.52], shift=[4, 1.5, 0])
+    step = OdometryStep(5, pose, 1.0, 9, 1.0, 0.1, 3, True, False, "converged")
+    open_step = dataclasses.replace(step, undetermined=((1.0, 0.0, 0.0),))
+    motions = {}
+    for name, each in (("sure", step), ("open", open_step), ("prior", dataclasses.replace(open_step, has_prior=True))):
+        motions[name] = known.after(each, before, None).motion
+        assert np.allclose(motions[name][:3, :3], as_pose([0, 0, 0.02])[:3, :3])
+    shifts = {name: before[:3, :3] @ motion[:3, 3] for name, motion in motions.items()}
+    assert np.allclose(shifts["sure"], [1.0, 0.5, 0]) and np.array_equal(shifts["prior"], shifts["sure"])
+    assert 1.35 < shifts["open"][0] < 1.5 and np.allclose(shifts["open"][1:], [0.5, 0])
