@@ -29,6 +29,7 @@ from .lidar.deskewing import deskew_point_cloud as deskew_point_cloud
 from .lidar.lidar_odometry import LidarOdometry as LidarOdometry
 from .lidar.lidar_runs import run_odometry as run_odometry
 from .lidar.lidar_slam import LidarSLAM as LidarSLAM
+from .lidar.position_readings import PositionReadings as PositionReadings
 from .matching import correspondences_from_features as correspondences_from_features
 from .pose_graphs.fragment_graph import FragmentPair as FragmentPair
 from .pose_graphs.multiway import register_multiway as register_multiway

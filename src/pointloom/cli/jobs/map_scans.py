@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Unpack
 
@@ -10,6 +11,7 @@ from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
 from ...registration.lidar.lidar_slam import LidarSLAM
+from ...registration.lidar.position_readings import PositionReadings
 from ...registration.lidar.slam_summary import LidarSLAMSummary
 from .job import Job, JobReport, Settings
 from .odometry import check_poses_output, register_scans
@@ -17,11 +19,31 @@ from .scan_source import ScanSource
 
 
 class MapOutputs(NamedTuple):
-    """Files of a map: the cloud, corrected poses (.txt or .tum, .log, .kitti), and a picture from above with loops."""
+    """Files of a map: the cloud, corrected poses (.txt or .tum, .log, .kitti), and a picture from above with loops.
+
+    `folder` is for the submaps and their graph, which a later session can continue.
+    """
 
     cloud: FilePath
     trajectory: FilePath | None = None
     picture: FilePath | None = None
+    folder: FilePath | None = None
+
+
+class MapInputs(NamedTuple):
+    """Data besides the scans: topics as of `odometry_of_folder`, a file of positions, and the folder of a map.
+
+    `positions` is as of `PositionReadings.read`, with the sigma [m] for files without. `earlier` is the `folder` of
+    earlier sessions, which is continued with the sizes of its map.
+    """
+
+    topics: tuple[str | None, str | None] = (None, None)
+    positions: FilePath | None = None
+    position_sigma: float = 1.0
+    earlier: FilePath | None = None
+
+
+SCANS_ONLY = MapInputs()
 
 
 @dataclass(frozen=True)
@@ -36,6 +58,7 @@ class MapReport(JobReport):
     result: LidarSLAMSummary
     points: int
     map_points: int
+    T_reference_world: list[list[float]] | None
 
     @property
     def scans_per_second(self) -> float:
@@ -56,6 +79,7 @@ class MapReport(JobReport):
             ("scans", f"{scans}, {self.points:,} points, {self.scans_per_second:.1f} scans/s"),
             ("map", f"{self.map_points:,} points, voxels of {self.voxel_size:g} m, points {ranges}"),
             *path,
+            *([] if self.T_reference_world is None else [("reference", _shown_pose(self.T_reference_world))]),
             ("seconds", f"{format_seconds(self.done.seconds)} on {self.device}"),
             ("files", ", ".join(self.done.files) or "none"),
         ]
@@ -73,7 +97,7 @@ def map_of_scans(
     max_range: float = 100.0,
     min_range: float = 5.0,
     submap_length: float | None = None,
-    topics: tuple[str | None, str | None] = (None, None),
+    inputs: MapInputs = SCANS_ONLY,
     **settings: Unpack[Settings],
 ) -> MapReport:
     """Map the scans of a folder or recording with `LidarSLAM`. Outputs are checked before the work.
@@ -81,23 +105,32 @@ def map_of_scans(
     Nothing is written if no scan has points in range.
 
     Args:
-        folder, topics: As of `odometry_of_folder`.
+        folder: As of `odometry_of_folder`.
         outputs: The files to write.
+        inputs: Topics, positions and an earlier map.
         voxel_size, max_range, min_range, submap_length: As of `LidarSLAM`.
     """
-    job, (output, trajectory, picture) = Job("map", folder, **settings), outputs
+    job, (output, trajectory, picture, submaps) = Job("map", folder, **settings), outputs
     job.check(output)
     form = "" if trajectory is None else check_poses_output(job, trajectory, None)
     if picture is not None:
         from ...visualization.render.plots import check_plot
 
         check_plot(picture, overwrite=job.form["overwrite"])
-    sizes: dict[str, Any] = {"voxel_size": voxel_size, "max_range": max_range, "min_range": min_range}
-    slam = LidarSLAM(submap_length=submap_length, device=job.device, **sizes)
-    scans = ScanSource.open(folder, topics[0], settings.get("columns"), job.device, imu=topics[1])
+    positions = inputs.positions
+    readings = None if positions is None else PositionReadings.read(positions, inputs.position_sigma)
+    topic, imu = inputs.topics
+    scans = ScanSource.open(
+        folder, topic, settings.get("columns"), job.device, imu=imu, is_numbered=positions is not None
+    )
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
-    points = register_scans(job, slam, scans)
+    if inputs.earlier is None:
+        sizes: dict[str, Any] = {"voxel_size": voxel_size, "max_range": max_range, "min_range": min_range}
+        slam = LidarSLAM(submap_length=submap_length, folder=submaps, device=job.device, **sizes)
+    else:
+        slam = LidarSLAM.open(inputs.earlier, device=job.device)
+    points = register_scans(job, slam, scans, readings)
     slam.finish()
     summary, cloud = slam.summary, slam.map
     if summary.odometry.has_seen:
@@ -108,9 +141,17 @@ def map_of_scans(
             job.wrote(trajectory)
         if picture is not None:
             _draw(job, slam, picture)
-    done = job.done(*summary.warnings)
-    settings_used = slam.odometry.voxel_size, max_range, min_range, slam.submap_length
-    return MapReport(done, str(job.device), *settings_used, summary, points, len(cloud))
+        if slam.folder is not None:
+            job.wrote(slam.folder)
+    done, used, T = job.done(*summary.warnings), slam.odometry, slam.T_reference_world
+    settings_used = used.voxel_size, used.max_range, used.min_range, slam.submap_length
+    reference = None if T is None else T.tolist()
+    return MapReport(done, str(job.device), *settings_used, summary, points, len(cloud), reference)
+
+
+def _shown_pose(T: list[list[float]]) -> str:
+    position = " ".join(f"{row[3]:.2f}" for row in T[:3])
+    return f"the first scan is at {position} m, heading {math.degrees(math.atan2(T[1][0], T[0][0])):.1f} degrees"
 
 
 def _draw(job: Job, slam: LidarSLAM, picture: FilePath) -> None:

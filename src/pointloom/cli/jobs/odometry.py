@@ -15,6 +15,7 @@ from ...core.wording import format_seconds, plain
 from ...registration.lidar.lidar_odometry import LidarOdometry
 from ...registration.lidar.lidar_slam import LidarSLAM
 from ...registration.lidar.lidar_steps import OdometrySummary, summarize_steps
+from ...registration.lidar.position_readings import PositionReadings
 from ...registration.trajectories.trajectory_error import TrajectoryError
 from .evaluate import compare
 from .job import Job, JobReport, Settings
@@ -112,16 +113,20 @@ def odometry_of_folder(
     return OdometryReport(done, form, str(job.device), *sizes, summary, points, up, errors)
 
 
-def register_scans(job: Job, odometry: LidarOdometry | LidarSLAM, scans: ScanSource) -> int:
-    """Register all scans in sequence. Returns the number of their points."""
+def register_scans(
+    job: Job, odometry: LidarOdometry | LidarSLAM, scans: ScanSource, positions: PositionReadings | None = None
+) -> int:
+    """Register all scans in sequence, with positions for LidarSLAM. Returns the number of their points."""
     points = 0
+    given: dict[str, Any] = {} if positions is None else {"positions": positions}
     job.progress("scans", 0, scans.count)
     for number in range(1, scans.count + 1):
         with job.stage("read", reported=False):
             scan, time = next(scans.clouds), next(scans.times)
         with job.stage("register", reported=False):
             # without an IMU, the time in the header shows missing scans; with one, it is that of scans without times
-            odometry.register(scan, imu=scans.imu, time=None if scans.imu is not None and "time" in scan else time)
+            time = None if scans.imu is not None and "time" in scan else time
+            odometry.register(scan, imu=scans.imu, time=time, **given)
         points += len(scan)
         job.progress("scans", number, scans.count)
     return points

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from itertools import repeat
+from itertools import count, repeat
 from pathlib import Path
 
 from ...cameras.imu_readings import ImuReadings
@@ -38,7 +38,9 @@ class ScanSource:
         device: DeviceLike,
         *,
         imu: str | None = None,
+        is_numbered: bool = False,
     ) -> ScanSource:
+        """Scans of a folder or recording. `is_numbered`: the times of those in a folder are their numbers, from 0."""
         if is_recording(Path(path)):
             if columns is not None:
                 raise FileError(path, "is a recording, which defines its columns", remedy="Leave --columns out")
@@ -54,4 +56,5 @@ class ScanSource:
                 reason = f"is not a recording, so it has no topic {value!r}"
                 raise FileError(path, reason, remedy=f"Leave --{name} out")
         files = list_scans(path)
-        return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns))
+        times = map(float, count()) if is_numbered else repeat(None)
+        return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns), times)

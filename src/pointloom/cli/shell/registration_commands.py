@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from click.core import ParameterSource
 
 from .answer import answer_with
 from .console import Progress
@@ -249,6 +250,10 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @option("--voxel voxel_size=M", LENGTH, "Voxel size of the odometry [m]. The map has half of it.")
 @RANGE_OPTIONS
 @option("--submap-length=M", LENGTH, "Path length of a submap [m]. Default: 30% of --max-range.")
+@option("--submaps=DIR", FILE, "Write the submaps and their graph to a new folder, for --continue.")
+@option("--continue earlier=DIR", FILE, "Continue the map of --submaps with a new session, and write it there.")
+@option("--positions=FILE", FILE, "Positions of GNSS: lines of time x y z [sigma], or a TUM trajectory.")
+@option("--position-sigma=M", LENGTH, "Standard deviation of positions without one [m].", default=1.0)
 @TOPIC_OPTIONS
 @record_option("each scan with the map and the trajectory of the odometry")
 @in_order(DEVICE, JSON, FORCE)
@@ -259,22 +264,38 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     submaps closes a loop if their surfaces agree in one pose only, and if the drift of the path explains it. Places
     that only look alike are reported and not used.
 
-    The exit code is 3 if the odometry is unreliable, as of `pointloom odometry`. --picture requires pointloom[plot].
+    Times of --positions are those of the recording [s], or the numbers of the scans in a folder, from 0. Their frame is
+    level and of their own: its pose is estimated. Positions that contradict the map are refused.
+
+    --continue maps a second drive in the frame of the first, with its sizes, if three submaps recognize their place.
+
+    The exit code is 3 if the odometry is unreliable, as of `pointloom odometry`, if most positions are refused, or if
+    no place of the continued map is recognized. --picture requires pointloom[plot].
 
     \b
     pointloom map run.mcap -o map.laz --trajectory path.tum --picture map.png
     pointloom map velodyne -o map.ply --max-range 80
+    pointloom map first.bag -o first.laz --submaps submaps --positions gnss.csv
+    pointloom map second.bag -o both.laz --continue submaps
     """
+    earlier = options.pop("earlier")
+    if earlier is not None:
+        context = click.get_current_context()
+        names = ("voxel_size", "max_range", "min_range", "submap_length", "submaps")
+        given = [name for name in names if context.get_parameter_source(name) is ParameterSource.COMMANDLINE]
+        if given:
+            refuse(f"--{given[0].removesuffix('_size').replace('_', '-')} is that of the map to --continue")
     if options["min_range"] >= options["max_range"]:
         refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
     refuse_same(
         **{name: options[name] for name in ("trajectory", "picture")}, output=output, record=options["record_as"]
     )
-    from ..jobs.map_scans import MapOutputs, map_of_scans
+    from ..jobs.map_scans import MapInputs, MapOutputs, map_of_scans
     from .recording_command import recorded
 
-    outputs = MapOutputs(output, options.pop("trajectory"), options.pop("picture"))
-    options["topics"] = options.pop("topic"), options.pop("imu")
+    outputs = MapOutputs(output, *(options.pop(name) for name in ("trajectory", "picture", "submaps")))
+    topics = options.pop("topic"), options.pop("imu")
+    options["inputs"] = MapInputs(topics, options.pop("positions"), options.pop("position_sigma"), earlier)
     with Progress(rates=True) as progress:
         report = recorded(map_of_scans, folder, outputs, overwrite=force, progress=progress, **options)
     return answer_with(report, str(folder), as_json)

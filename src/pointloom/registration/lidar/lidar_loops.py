@@ -42,7 +42,7 @@ class LidarLoop(AssessedRecord):
         transformation: T_target_source of the registration, float64 [4, 4].
         similarity: Correlation of their images from above, 0..1.
         score: Confidence that their surfaces agree, 0..1, as of `assess_registration`, without free space.
-        shift: Distance [m] from the pose that was estimated before.
+        shift: Distance [m] from the pose that was estimated before. 0 between sessions that were not joined.
         deviation: The same in standard deviations of all six motions. Up to 4.7 is plausible.
         status: "accepted"; "waiting" for another loop that makes it plausible; "ambiguous" if several poses explain
             the submap; or "rejected".
@@ -158,7 +158,8 @@ def _examine(
     expected, of_graph = graph.relative_pose(source, target), graph.relative_covariance(source, target)
     alignments = initial_poses(query, search.places[source].to_level, search.places[target])
     rough = of_graph + np.diag([ALIGNMENT_ROTATION**2] * 3 + [(ALIGNMENT_VOXELS * search.voxel_size) ** 2] * 3)
-    initial = [expected] if is_near else []
+    is_joined = graph.are_joined(source, target)
+    initial = [expected] if is_near and is_joined else []
     for T in alignments:
         square = mahalanobis(MotionEdge(source, target, T, rough), expected, rough)
         if (square <= MAX_SQUARE) == is_near:
@@ -167,6 +168,8 @@ def _examine(
     if not rated:
         return []
     loops = [_rated_loop(source, target, similarity, pose, expected, of_graph) for pose in rated]
+    if not is_joined:
+        loops = [replace(loop, shift=0.0) for loop in loops]
     passed = [loop for loop in loops if not loop.problem]
     plausible = [loop for loop in passed if loop.deviation**2 <= MAX_SQUARE]
     others = tuple(loop.transformation for loop in passed)
@@ -223,7 +226,7 @@ def _accept(graph: SubmapGraph, loop: LidarLoop, loops: Sequence[LidarLoop]) -> 
         problem = "it contradicts another loop of the submap"
         others = tuple(other.transformation for other in loops if other.source == loop.source)
         return graph, replace(loop, status=AMBIGUOUS, problem=problem, alternatives=others)
-    return SubmapGraph(graph.poses, [*graph.edges, loop.edge]).optimized(), replace(loop, status=ACCEPTED, problem="")
+    return graph.with_edges([loop.edge]).optimized(), replace(loop, status=ACCEPTED, problem="")
 
 
 def _accept_waiting(
@@ -240,7 +243,7 @@ def _accept_waiting(
             accepted = next((group for group in groups if group), [])
         has_changed = bool(accepted)
         if has_changed:
-            graph = SubmapGraph(graph.poses, [*graph.edges, *(loops[k].edge for k in accepted)]).optimized()
+            graph = graph.with_edges(loops[k].edge for k in accepted).optimized()
         for k in accepted:
             loops[k] = replace(loops[k], status=ACCEPTED, problem="")
     return graph, loops
@@ -254,7 +257,7 @@ def _is_plausible(search: LoopSearch, graph: SubmapGraph, loop: LidarLoop) -> bo
 
 def _agreeing(graph: SubmapGraph, loops: Sequence[LidarLoop], among: Sequence[int], chosen: int) -> list[int]:
     """The loops that agree with a chosen one. None unless they are of enough submaps, and none contradicts."""
-    changed = SubmapGraph(graph.poses, [*graph.edges, loops[chosen].edge]).optimized()
+    changed = graph.with_edges([loops[chosen].edge]).optimized()
     factor = min(max(graph.square(loops[chosen].edge) / MAX_SQUARE, 1.0), MAX_VARIANCE_FACTOR)
     agreeing = [k for k in among if k == chosen or changed.square(loops[k].edge) <= factor * MAX_SQUARE]
     sources = {loops[k].source for k in agreeing}

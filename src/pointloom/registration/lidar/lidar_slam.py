@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NoReturn, TypedDict, Unpack
 
@@ -15,24 +15,32 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.imu_readings import ImuReadings
 from ...core.checks import check_positive
 from ...core.devices import DeviceLike, check_same_device
+from ...core.errors import FileError
+from ...core.paths import path_of
 from ...core.serialized import Serialized
+from ...core.time_checks import check_time
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download, upload
+from ...kernels.odometry.deskewing import bound_times
 from ...kernels.odometry.odometry_sampling import first_in_voxels, shift_points
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..pose_errors import PoseCovariance
 from ..rigid import invert_pose
-from .lidar_graph import SubmapGraph, in_axes, odometry_edge, positive_part
-from .lidar_loops import LidarLoop, LoopSearch, Place, close_loops, find_loops
+from .deskewing import point_times
+from .lidar_graph import in_axes, odometry_edge, positive_part
+from .lidar_loops import LidarLoop, LoopSearch, close_loops, find_loops
 from .lidar_odometry import LidarOdometry, RawScan
+from .lidar_sessions import MAP_FILE, MapSizes, SlamState, SubmapRecord, place_of, read_map, submap_range, write_map
 from .lidar_steps import FIRST_SCAN, OdometryStep
 from .lidar_submaps import CompactPoints, LidarSubmap, PointStore, SubmapBuilder, make_folder
 from .localization import Localization, localize_cloud
 from .place_descriptor import describe_place
-from .slam_summary import LidarSLAMSummary, summarize_slam
+from .position_priors import MAX_PRIOR_SQUARE, PositionRow
+from .position_readings import PositionReadings
+from .slam_summary import LidarSLAMSummary, PositionCounts, summarize_slam
 from .submap_pairs import SubmapSurfaces, SurfaceCache
 
 Matrix = NDArray[np.float64]
@@ -41,9 +49,9 @@ Matrix = NDArray[np.float64]
 # drifts by centimeters.
 LENGTH_FRACTION = 0.3  # of max_range
 MIN_LENGTH_FRACTION = 0.5  # of the length, for the last submap
-RANGE_FRACTION = 0.6  # of max_range: farther points are sparse and bent most by errors of the heading
 POINT_VOXELS = 0.5  # of the odometry's voxel size: spacing of the points of a submap, as of the scans
 LOOP_VOXELS = 0.75  # likewise: surfaces of loops have one and a half points per voxel edge
+MAX_INTERPOLATED_GAP = 2.0  # intervals between scans: beyond, the path between them may be curved
 
 
 class OdometrySettings(TypedDict, total=False):
@@ -60,25 +68,26 @@ class OdometrySettings(TypedDict, total=False):
 
 
 @dataclass(frozen=True, eq=False)
-class SubmapRecord:
-    """A finished submap: its scans, pose in the frame of the odometry, length [m], and number of points."""
+class NewScan:
+    """A scan that is not in a submap yet: number, time of its end, given positions since the last scan, and points.
 
-    first_scan: int
-    last_scan: int
-    T_odometry_submap: Matrix
-    length: float
-    point_count: int
+    The points are those of the odometry, None until it has them. The positions are `rows` of the antenna in the frame
+    of the sensor, and the fractions of the interval of their times.
+    """
 
+    number: int
+    time: float | None
+    rows: Sequence[tuple[float, PositionRow]] = ()
+    raw: RawScan | None = None
 
-@dataclass(frozen=True, eq=False)
-class SlamState:
-    """What changes when a submap is finished: replaced at once, so that an interruption leaves the old one."""
-
-    submaps: tuple[SubmapRecord, ...] = ()
-    places: tuple[Place, ...] = ()
-    graph: SubmapGraph = field(default_factory=SubmapGraph)
-    loops: tuple[LidarLoop, ...] = ()
-    searched: int = 0  # submaps whose loops were searched
+    def located(self, step: OdometryStep, before: OdometryStep) -> list[PositionRow]:
+        """The positions of the antenna in the frame of the odometry. None between scans if the path is unknown."""
+        is_steady, found = before.is_sound and step.gap <= MAX_INTERPOLATED_GAP, []
+        for fraction, row in self.rows:
+            last, point = (matmul(T[:3, :3], row.point) + T[:3, 3] for T in (before.pose, step.pose))
+            if fraction == 1 or is_steady:
+                found.append(row._replace(point=last + fraction * (point - last)))
+        return found
 
 
 class LidarSLAM(Serialized):
@@ -92,7 +101,8 @@ class LidarSLAM(Serialized):
 
     Args:
         submap_length: Traveled distance of a submap [m]. None: 0.3 times `max_range`.
-        folder: Folder for the points of the submaps, so that memory is bounded. None: all are kept in memory.
+        folder: Folder for the submaps, so that memory is bounded, and `open` continues the map. None: all are kept in
+            memory.
         device: Device of the map. None: that of the first scan.
         **odometry: As of `LidarOdometry`: `voxel_size`, `max_range`, `min_range`, `max_points_per_voxel`, `deskew`,
             `interval`, `initial_threshold` and `min_motion`.
@@ -101,9 +111,12 @@ class LidarSLAM(Serialized):
         ValueError: A number is out of range.
         TypeError: An unknown keyword.
         DeviceError: No such device.
+        FileError: The folder has a map already.
 
     Notes:
         The world is the sensor frame of the first scan. Its z axis should point up within 15 degrees.
+        Given positions are priors of the poses, in a frame of their own (`T_reference_world`). A position that
+        contradicts the map by more than 4 standard deviations is refused: see `summary`.
         A loop that is implausible for the covariances of the path waits until others make it plausible, or until loops
         of two more submaps agree with it, up to a drift of 5% of the path. Other places that look alike close no loop.
         Memory: about 6 B per point in voxels of half the odometry's voxel size, 0.2 MB per submap, or a few MB with a
@@ -134,12 +147,55 @@ class LidarSLAM(Serialized):
         length = LENGTH_FRACTION * self._odometry.max_range if submap_length is None else submap_length
         self.submap_length = check_positive("submap_length", length)
         self.folder: Path | None = None if folder is None else make_folder(folder)
+        if self.folder is not None and (self.folder / MAP_FILE).exists():
+            raise FileError(self.folder, "has a map already", remedy="LidarSLAM.open continues it, or use another one")
         self._store = PointStore(self.folder)
-        self._state = SlamState()
+        self._state = self._saved = SlamState()
+        self._first = self._session = 0  # first submap and number of this session
+        self._time: float | None = None  # of the last scan in a submap
+        self._is_located = False  # True if positions were given
         self._builder: SubmapBuilder | None = None
         self._surfaces: SurfaceCache | None = None
-        self._pending: list[tuple[int, RawScan]] = []  # scans that are not in a submap yet
-        self._taken = 0  # number of scans taken from the odometry
+        self._pending: list[NewScan] = []
+
+    @classmethod
+    def open(
+        cls, folder: str | os.PathLike[str], *, device: DeviceLike = None, **odometry: Unpack[OdometrySettings]
+    ) -> LidarSLAM:
+        """Open the map of earlier sessions, to localize clouds in it or to continue it with a new session.
+
+        The new session begins in a frame of its own, like a first one. When three of its submaps agree on their place
+        in the map, or given positions are common to both, it is joined: see `is_joined`.
+
+        Args:
+            folder: The `folder` of the earlier sessions.
+            device: Device of the map. None: the CPU.
+            **odometry: As of `LidarSLAM`. `voxel_size`, `max_range` and `min_range` are those of the map by default,
+                and the first two must be equal.
+
+        Returns:
+            LidarSLAM with the submaps and the graph, and no scans. `loops` are those of the new session.
+
+        Raises:
+            FileError: A file is missing, damaged, or of another map. With its name.
+            ValueError, TypeError, DeviceError: As of `LidarSLAM`.
+        """
+        path = path_of(folder)
+        store = PointStore(path)
+        sizes, state = read_map(path, store)
+        options: OdometrySettings = {
+            "voxel_size": sizes.voxel_size, "max_range": sizes.max_range, "min_range": sizes.min_range, **odometry,
+        }  # fmt: skip
+        slam = cls(submap_length=sizes.submap_length, device="cpu" if device is None else device, **options)
+        for name in ("voxel_size", "max_range"):
+            if getattr(slam.odometry, name) != getattr(sizes, name):
+                raise ValueError(f"{name}: expected {getattr(sizes, name):g} as in the map, got {odometry.get(name)}")
+        cls._continue(slam, path, store, state)
+        return slam
+
+    def _continue(self, folder: Path, store: PointStore, state: SlamState) -> None:
+        self.folder, self._store, self._state, self._saved = folder, store, state, state
+        self._first, self._session = len(state.submaps), state.submaps[-1].session + 1
 
     @property
     def odometry(self) -> LidarOdometry:
@@ -155,6 +211,23 @@ class LidarSLAM(Serialized):
         accepted = sum(loop.reliable for loop in self._state.loops)
         return f"LidarSLAM({len(self._odometry.steps)} scans, {len(self._state.submaps)} submaps, {accepted} loops)"
 
+    @property
+    def is_joined(self) -> bool:
+        """True if the poses are in the world of the first session, after a place of an opened map is recognized."""
+        self._finish_interrupted()
+        return not self._first or 0 in self._mapped()
+
+    @property
+    def T_reference_world(self) -> Matrix | None:
+        """Pose of the map in the frame of the given positions, float64 [4, 4]. None until they determine it."""
+        self._finish_interrupted()
+        graph, mapped = self._state.graph, self._mapped()
+        if graph.reference is None or not mapped or not graph.are_joined(mapped[0], -1):
+            return None
+        T = invert_pose(graph.reference)
+        T[:3, 3] += graph.priors.origin
+        return T
+
     def __reduce__(self) -> NoReturn:
         raise TypeError("LidarSLAM cannot be copied or pickled: keep its poses and its map")
 
@@ -166,62 +239,99 @@ class LidarSLAM(Serialized):
         prior: ArrayLike | None = None,
         imu: ImuReadings | None = None,
         time: float | None = None,
+        positions: PositionReadings | None = None,
     ) -> Matrix:
         """Estimate the pose of the next scan. Loops are searched whenever a submap is finished.
 
         Args:
             scan, timestamps, prior, imu, time: As of `LidarOdometry.register`.
+            positions: Given positions on the clock of `time`, or of the point times. Those after the last scan and up
+                to the end of this one are used, so all readings of a recording may be passed each time.
 
         Returns:
             T_world_sensor at the end of the scan, corrected by all loops so far, float64 [4, 4].
 
         Raises:
-            TypeError, ValueError, DeviceError: As of `LidarOdometry.register`.
+            TypeError, ValueError, DeviceError: As of `LidarOdometry.register`; or positions without a time of the scan.
             FileError: The folder cannot be written.
         """
         check_cloud("scan", scan)
         self._finish_interrupted()
-        self._odometry.register(scan, timestamps, prior=prior, imu=imu, time=time)
+        self._pending.append(self._new_scan(scan, timestamps, time, positions))
+        try:
+            self._odometry.register(scan, timestamps, prior=prior, imu=imu, time=time)
+        finally:  # an interrupted scan may be in the odometry
+            if len(self._odometry.steps) <= self._pending[-1].number:
+                self._pending.pop()
         self._finish_interrupted()
         return self._corrected(len(self._odometry.steps) - 1)
 
     def finish(self) -> None:
         """Finish the open submap, and search its loops. Later scans begin a new one.
 
-        A submap of less than half of `submap_length` stays open, unless it is the first.
+        A submap of less than half of `submap_length` stays open, unless it is the first of the session.
         """
         self._finish_interrupted()
         self._add_pending(is_last=True)
         builder = self._builder
         is_long = builder is not None and builder.length >= MIN_LENGTH_FRACTION * self.submap_length
-        if builder is not None and (is_long or not self._state.submaps):
+        if builder is not None and (is_long or len(self._state.submaps) == self._first):
             self._finish_submap(builder)
         self._finish_interrupted()
 
+    def _new_scan(
+        self, scan: PointCloud, timestamps: ArrayLike | None, time: float | None, positions: PositionReadings | None
+    ) -> NewScan:
+        """The next scan. Wrong arguments raise errors, before the odometry changes."""
+        number, end = len(self._odometry.steps), time
+        if positions is None:
+            return NewScan(number, end)
+        if not isinstance(positions, PositionReadings):
+            raise TypeError(f"positions: expected PositionReadings, got {type(positions).__name__}")
+        self._is_located = True
+        times = point_times(scan, timestamps) if end is None else None
+        if times is not None and len(scan):
+            end = float(download(bound_times(scan.arrays["points"], times))[1])  # sync
+        if end is None:
+            raise ValueError("positions: expected a scan with a time, got none. Pass time=, or times of the points")
+        end, before = check_time("time", end), self._pending[-1].time if self._pending else self._time
+        begin = end if before is None or before >= end else before
+        rows = np.flatnonzero((positions.times > begin) & (positions.times <= end) | (positions.times == end))
+        fractions = (positions.times[rows] - begin) / (end - begin) if end > begin else np.ones(len(rows))
+        offset, sigma, shares = np.asarray(positions.offset), np.asarray(positions.sigma), positions.shares
+        given = [PositionRow(offset, positions.positions[k], sigma[k], float(shares[k])) for k in rows]
+        return NewScan(number, end, list(zip(fractions.tolist(), given, strict=True)))
+
     def _finish_interrupted(self) -> None:
         """Add the scans of the odometry to the submaps, and search the loops of finished ones."""
-        number, raw = len(self._odometry.steps) - 1, self._odometry.last_scan
-        if raw is not None and number >= self._taken:
-            if not self._pending or self._pending[-1][0] < number:
-                self._pending.append((number, raw))
-            self._taken = number + 1
+        steps = self._odometry.steps
+        self._pending = [new for new in self._pending if new.number < len(steps)]
+        if self._pending and self._pending[-1].raw is None:
+            self._pending[-1] = replace(self._pending[-1], raw=self._odometry.last_scan)
         self._add_pending()
         while self._state.searched < len(self._state.submaps):
             self._search_loops(self._state.searched)
+        if self.folder is not None and self._saved is not self._state:
+            state, used = self._state, self._odometry
+            sizes = MapSizes(used.voxel_size, used.max_range, used.min_range, self.submap_length)
+            write_map(self.folder, sizes, state)
+            self._saved = state
 
     def _add_pending(self, *, is_last: bool = False) -> None:
         steps = self._odometry.steps
         while self._pending:
-            number, raw = self._pending[0]
-            step = steps[number]
-            if step.status == FIRST_SCAN and number == len(steps) - 1 and not is_last:
+            new = self._pending[0]
+            if steps[new.number].status == FIRST_SCAN and new.number == len(steps) - 1 and not is_last:
                 return  # deskewed when the motion is known
-            self._add(number, raw)
+            self._add(new)
+            self._time = new.time
             self._pending.pop(0)
 
-    def _add(self, number: int, raw: RawScan) -> None:
+    def _add(self, new: NewScan) -> None:
         """Add a scan to the open submap. A second call with the same scan changes nothing."""
-        step = self._odometry.steps[number]
+        steps, number, raw = self._odometry.steps, new.number, new.raw
+        assert raw is not None
+        step = steps[number]
         if self._builder is None:
             if not step.is_sound:
                 return
@@ -229,6 +339,7 @@ class LidarSLAM(Serialized):
             self._builder = SubmapBuilder(number, step.pose, *sizes, raw.points.device)
         builder = self._builder
         if step.is_sound and number > builder.added:
+            builder.locate(number, new.located(step, steps[max(number - 1, 0)]))
             builder.add(number, raw.deskewed(self._odometry.last_motion), step.pose)
         builder.travel(number, step.pose[:3, 3], self.submap_length)
         if builder.length >= self.submap_length:
@@ -236,17 +347,20 @@ class LidarSLAM(Serialized):
 
     @property
     def _submap_range(self) -> float:
-        return max(RANGE_FRACTION * self._odometry.max_range, 2 * self._odometry.min_range)
+        return submap_range(self._odometry.max_range, self._odometry.min_range)
 
     def _finish_submap(self, builder: SubmapBuilder) -> None:
         state, steps = self._state, self._odometry.steps
-        number, points = len(state.submaps), builder.points()
-        self._store.add(number, CompactPoints.of(points))
-        T, before = builder.T_odometry_submap, state.submaps[-1] if state.submaps else None
+        number, compact = len(state.submaps), CompactPoints.of(builder.points())
+        self._store.add(number, compact)
+        T, before = builder.T_odometry_submap, state.submaps[-1] if number > self._first else None
         middle = matmul(invert_pose(T), steps[builder.last_scan].pose)[:3, 3] / 2
-        begin = sum(submap.length for submap in state.submaps)
-        descriptor = describe_place(_rotated(points, T[:3, :3]), matmul(T[:3, :3], middle), self._submap_range)
-        place = Place(descriptor, T[:3, :3], begin, begin + builder.length, middle)
+        begin = state.places[-1].end if state.places else 0.0
+        if number == self._first > 0:
+            begin += self._odometry.max_range  # sessions do not share the map of the odometry
+        # from the stored points, so that an opened map has the same descriptors
+        place = place_of(compact.points, T, middle, begin, builder.length, self._submap_range)
+        positions = [row for rows in builder.positions.values() for row in rows]
         pose, edge = T, None
         if before is not None:
             numbers = builder.first_scan, before.first_scan
@@ -254,18 +368,21 @@ class LidarSLAM(Serialized):
             breaks = sum(_is_break(step) for step in steps[numbers[1] + 1 : numbers[0] + 1])
             edge = odometry_edge((number, number - 1), (T, before.T_odometry_submap), errors, before.length, breaks)
             pose = matmul(state.graph.poses[-1], edge.transformation)
-        record = SubmapRecord(builder.first_scan, builder.last_scan, T, builder.length, len(points))
+        record = SubmapRecord(
+            self._session, builder.first_scan, builder.last_scan, T, builder.length, len(compact.values)
+        )
         self._state = replace(
             state, submaps=(*state.submaps, record), places=(*state.places, place),
-            graph=state.graph.with_submap(pose, edge),
+            graph=state.graph.with_submap(pose, edge, positions),
         )  # fmt: skip
         self._builder = None
 
     def _search_loops(self, number: int) -> None:
         """Search the loops of a finished submap. The state changes at once."""
         state, search = self._state, self._search()
-        found = find_loops(search, state.graph, number)
-        graph, loops = close_loops(search, state.graph, found, state.loops)
+        graph = state.graph.located()
+        found = find_loops(search, graph, number)
+        graph, loops = close_loops(search, graph, found, state.loops)
         self._state = replace(state, graph=graph, loops=tuple(loops), searched=number + 1)
 
     def _search(self) -> LoopSearch:
@@ -279,17 +396,25 @@ class LidarSLAM(Serialized):
         return self._surfaces.surfaces(number, lambda: self._store.points(number))
 
     def _submaps_of(self, scans: Sequence[int]) -> NDArray[np.int64]:
-        """Numbers of the submaps of scans. Those of the open submap belong to the last finished one."""
-        firsts = [submap.first_scan for submap in self._state.submaps]
+        """Numbers in this session of the submaps of scans. Those of the open submap belong to the last finished one."""
+        firsts = [submap.first_scan for submap in self._state.submaps[self._first :]]
         return np.maximum(np.searchsorted(firsts, scans, side="right") - 1, 0)
 
     def _corrections(self) -> list[Matrix]:
-        """T_world_odometry of each submap."""
-        state = self._state
+        """T_world_odometry of each submap of this session."""
+        state, first = self._state, self._first
         return [
             matmul(pose, invert_pose(submap.T_odometry_submap))
-            for pose, submap in zip(state.graph.poses, state.submaps, strict=True)
+            for pose, submap in zip(state.graph.poses[first:], state.submaps[first:], strict=True)
         ]
+
+    def _mapped(self) -> list[int]:
+        """Numbers of the submaps in the world of the poses; of the first session before this one has a scan."""
+        parts, count = self._state.graph.parts, len(self._state.submaps)
+        if count == (self._first if self._odometry.steps else 0):
+            return []
+        part = parts[min(self._first, count - 1)] if self._odometry.steps else parts[0]
+        return np.flatnonzero(parts[:count] == part).tolist()
 
     def _corrected(self, scan: int) -> Matrix:
         corrections, pose = self._corrections(), self._odometry.steps[scan].pose
@@ -309,13 +434,14 @@ class LidarSLAM(Serialized):
         """Covariance of the error of each pose relative to the first submap, as of `LidarOdometry`, with the loops."""
         self._finish_interrupted()
         state, steps, found = self._state, self._odometry.steps, []
-        of_submaps = [state.graph.covariance(k) for k in range(len(state.submaps))]
+        of_submaps = [state.graph.covariance(k) for k in range(self._first, len(state.submaps))]
         corrections = self._corrections()
         for step, k in zip(steps, self._submaps_of(range(len(steps))).tolist(), strict=True):
             if not of_submaps:
                 found.append(step.covariance)
                 continue
-            start, R = steps[state.submaps[k].first_scan].covariance, corrections[k][:3, :3]
+            start = steps[state.submaps[self._first + k].first_scan].covariance
+            R = corrections[k][:3, :3]
             position = matmul(R, step.pose[:3, 3]) + corrections[k][:3, 3]
             grown = positive_part(step.covariance.matrix - start.about(step.pose[:3, 3]).matrix)
             found.append(PoseCovariance(of_submaps[k].about(position).matrix + in_axes(grown, R), position))
@@ -332,18 +458,21 @@ class LidarSLAM(Serialized):
         """The finished submaps with their corrected poses."""
         self._finish_interrupted()
         return tuple(
-            LidarSubmap(k, s.first_scan, s.last_scan, s.length, T.copy(), s.point_count, self._store)
+            LidarSubmap(k, s.first_scan, s.last_scan, s.length, T.copy(), s.point_count, s.session, self._store)
             for k, (s, T) in enumerate(zip(self._state.submaps, self._state.graph.poses, strict=True))
         )
 
     @property
     def map(self) -> PointCloud:
-        """The points of all submaps in world coordinates, one per voxel of half the odometry's voxel size."""
+        """The points of all submaps in world coordinates, one per voxel of half the odometry's voxel size.
+
+        Without submaps that are not joined with this session.
+        """
         self._finish_interrupted()
         if self.device is None:
             return PointCloud()
         whole = VoxelMap(POINT_VOXELS * self._odometry.voxel_size, 1, self.device)
-        parts = [(self._store.points(k), T) for k, T in enumerate(self._state.graph.poses)]
+        parts = [(self._store.points(k), self._state.graph.poses[k]) for k in self._mapped()]
         if self._builder is not None:
             start = self._builder.T_odometry_submap
             corrections = self._corrections()
@@ -371,8 +500,8 @@ class LidarSLAM(Serialized):
         """
         check_cloud("cloud", cloud)
         self._finish_interrupted()
-        state = self._state
-        if not state.submaps or self.device is None:
+        state, mapped = self._state, self._mapped()
+        if not mapped or self.device is None:
             raise ValueError(f"localize: expected a map of at least one submap of {self.submap_length:g} m, got none")
         check_same_device("cloud", cloud.device, self.device)
         search = self._search()
@@ -380,21 +509,32 @@ class LidarSLAM(Serialized):
         points = download(first_in_voxels(shift_points(cloud.arrays["points"], cloud.origin), *sizes))
         surfaces = SubmapSurfaces.of(points, search.voxel_size, self.device)
         descriptor = describe_place(points, np.zeros(3), search.radius)
-        return localize_cloud(surfaces, descriptor, state.places, state.graph.poses, search.surfaces, search.voxel_size)
+        places, poses = [state.places[k] for k in mapped], [state.graph.poses[k] for k in mapped]
+        found = localize_cloud(
+            surfaces, descriptor, places, poses, lambda k: search.surfaces(mapped[k]), search.voxel_size
+        )
+        return found if found.submap < 0 else replace(found, submap=mapped[found.submap])
 
     @property
     def summary(self) -> LidarSLAMSummary:
         """Summary statistics of the run so far."""
         self._finish_interrupted()
+        state = self._state
+        squares = state.graph.prior_squares
+        used, refused = int((squares <= MAX_PRIOR_SQUARE).sum()), int((squares > MAX_PRIOR_SQUARE).sum())
+        open_count = sum(map(len, self._builder.positions.values())) if self._builder is not None else 0
+        counts = PositionCounts(used, refused, len(squares) - used - refused + open_count)
+        points = [submap.point_count for submap in state.submaps]
         return summarize_slam(
-            self._odometry.summary, [submap.point_count for submap in self._state.submaps], self._state.loops
+            self._odometry.summary,
+            points,
+            state.loops,
+            counts if len(squares) or self._is_located else None,
+            self._session + 1,
+            is_joined=self.is_joined,
         )
 
 
 def _is_break(step: OdometryStep) -> bool:
     """True if the path may be off at a scan by more than its covariance: a new map, or a gap without a clear pose."""
     return step.has_joined or step.is_doubtful or (step.gap != 1.0 and bool(step.rivals))
-
-
-def _rotated(points: NDArray[np.float32], R: Matrix) -> NDArray[np.float32]:
-    return matmul(points.astype(np.float64), R.T).astype(np.float32)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import OrderedDict
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from ...kernels.odometry.odometry_sampling import first_in_voxels
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ..rigid import invert_pose
+from .position_priors import PositionRow
 
 Matrix = NDArray[np.float64]
 Quantized = NDArray[np.int16]
@@ -76,6 +78,14 @@ class PointStore:
         while self.folder is not None and len(self._known) > CACHED_SUBMAPS:
             self._known.popitem(last=False)
 
+    def checked_points(self, number: int, count: int) -> NDArray[np.float32]:
+        """The points of a submap if there are `count`. Raises FileError as `points`."""
+        points = self.points(number)
+        if len(points) != count:
+            reason = f"expected {count} points as the map lists, got {len(points)}"
+            raise FileError(self._path(number), reason, remedy="Another session wrote it: map the scans again")
+        return points
+
     def _read(self, number: int) -> CompactPoints:
         path, remedy = self._path(number), "Map the scans again"
         arrays = read_arrays(path, ("values", "step"))
@@ -102,10 +112,11 @@ class LidarSubmap:
 
     Attributes:
         index: Number of the submap, from 0.
-        first_scan, last_scan: Numbers of its scans.
+        first_scan, last_scan: Numbers of its scans in their session.
         length: Traveled distance [m].
         T_world_submap: Pose corrected by all loops so far, float64 [4, 4].
         point_count: Number of its points.
+        session: Number of the session that recorded it, from 0.
     """
 
     index: int
@@ -114,6 +125,7 @@ class LidarSubmap:
     length: float
     T_world_submap: Matrix
     point_count: int
+    session: int
     _store: PointStore = field(repr=False)
 
     @property
@@ -147,6 +159,7 @@ class SubmapBuilder:
         self.map = VoxelMap(voxel_size, 1, device)
         self.length, self._counted_at = 0.0, T_odometry_submap[:3, 3]
         self.added = -1  # number of the last scan with points
+        self.positions: dict[int, list[PositionRow]] = {}  # given ones by scan, in the frame of the submap
 
     def add(self, scan: int, points: wp.array, T_odometry_sensor: Matrix) -> None:
         """Add the points of a scan about its sensor. Points in occupied voxels change nothing."""
@@ -160,6 +173,11 @@ class SubmapBuilder:
         distance = float(norm(position - self._counted_at))
         if distance > COUNTED_FRACTION * submap_length:
             self.length, self._counted_at = self.length + distance, position.copy()
+
+    def locate(self, scan: int, rows: Sequence[PositionRow]) -> None:
+        """Note the given positions of a scan, of points in the frame of the odometry."""
+        T = invert_pose(self.T_odometry_submap)
+        self.positions[scan] = [row._replace(point=matmul(T[:3, :3], row.point) + T[:3, 3]) for row in rows]
 
     def points(self) -> NDArray[np.float32]:
         points, origin = self.map.points(np.zeros(3))
