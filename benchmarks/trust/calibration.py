@@ -27,6 +27,7 @@ import drives  # noqa: E402
 import frame_errors  # noqa: E402
 import made_rooms  # noqa: E402
 import places  # noqa: E402
+import recordings  # noqa: E402
 import street  # noqa: E402
 import surveys  # noqa: E402
 from judged import share_in_words  # noqa: E402
@@ -190,7 +191,7 @@ def frame_components(seed: int) -> dict[str, Array]:
         result = loom.rgbd.align_frames(*frames, method=method)
         if result.reliable:
             error = np.linalg.inv(poses[1]) @ poses[0] @ np.linalg.inv(result.transformation)
-            found[method.name] = whitened(error, result.covariance, np.zeros(3))
+            found[method] = whitened(error, result.covariance, np.zeros(3))
     return found
 
 
@@ -246,6 +247,14 @@ def drive_lines(is_fitted: bool, count: int) -> list[str]:
     return [_line(kind, "odometry", some) for kind, some in found if some]
 
 
+def recording_lines(is_fitted: bool, count: int) -> list[str]:
+    """Coverage of LiDAR odometry on real recordings, by sensor: at most `count` paths each."""
+    rows: dict[tuple[str, str], list[Array]] = {}
+    for sensor, method, error in recordings.components(is_fitted, count, whitened):
+        rows.setdefault((f"LiDAR recording, {sensor}", method), []).append(error)
+    return [_line(*names, some) for names, some in rows.items()]
+
+
 def pair_lines(is_fitted: bool, count: int) -> list[str]:
     """Coverage of registered pairs by kind of scene and operation."""
     first, lines = _first_seed(is_fitted), []
@@ -299,7 +308,13 @@ def _line(kind: str, operation: str, found: Sequence[Array]) -> str:
     return line
 
 
-AREAS = {"pairs": pair_lines, "frames": frame_lines, "drives": drive_lines, "surveys": survey_lines}
+AREAS = {
+    "pairs": pair_lines,
+    "frames": frame_lines,
+    "drives": drive_lines,
+    "recordings": recording_lines,
+    "surveys": survey_lines,
+}
 
 
 def main() -> None:

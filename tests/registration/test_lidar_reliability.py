@@ -10,7 +10,14 @@ from pointloom.registration import LidarOdometry
 from pointloom.registration.assessment_constants import MIN_RISE
 from pointloom.registration.lidar.lidar_odometry import Rest
 from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
-from pointloom.registration.lidar.path_errors import SHIFT_FACTOR, MapError, MatchError, match_error, prediction_error
+from pointloom.registration.lidar.path_errors import (
+    RANGE_SCALE,
+    SHIFT_FACTOR,
+    MapError,
+    MatchError,
+    match_error,
+    prediction_error,
+)
 from pointloom.registration.lidar.scan_matching import MIN_SURE_PATCHES, OpenDirections, rises_surely
 from pointloom.registration.pose_errors import PoseCovariance
 from pointloom.registration.unobservable_motions import rises_clearly
@@ -297,13 +304,36 @@ def test_a_rotation_of_the_map_displaces_later_poses_and_only_renewed_parts_add_
     noise = MatchError(np.eye(6) * 1e-4)
     start = MapError().after(100, 50, np.zeros(3), tilt)
     ahead = start.of_pose(100, np.array([30.0, 0, 0]), MatchError())
-    np.testing.assert_allclose(ahead.sigmas, [0, 0, 0.01, 0, 0.3, 0], atol=1e-12)
+    np.testing.assert_allclose(ahead.sigmas, [0, 0, 0.01, RANGE_SCALE * 30, 0.3, 0], atol=1e-12)
     seen = MapError().after(100, 50, np.zeros(3), noise)
     assert not seen.of_pose(100, np.zeros(3), MatchError()).matrix.any()  # the map has no new voxel
     half, complete = (seen.of_pose(n, np.zeros(3), MatchError()).matrix[0, 0] for n in (110, 10**6))
-    assert 0 < half < complete == 1e-4
+    np.testing.assert_allclose([half, complete], [0.2**2 * 1e-4, 1e-4])
     pruned = seen.without_voxels(40)
     np.testing.assert_array_equal(pruned.of_pose(60, np.zeros(3), noise).matrix, noise.matrix)
+
+
+def test_errors_of_matches_add_up_until_the_map_is_renewed():
+    def variances(points, count):
+        error, noise = MapError(), MatchError(np.eye(6) * 1e-4)
+        for k in range(count):
+            error = error.after(10 * k, points, np.array([0.1 * k, 0, 0]), noise)
+        return error.covariance.matrix
+
+    few = [variances(10_000, count)[0, 0] for count in (11, 21)]  # fractions of 0.001: a constant rate
+    np.testing.assert_allclose(few, [(0.001 * 10) ** 2 * 1e-4, (0.001 * 20) ** 2 * 1e-4], rtol=0.05)
+    many = [variances(10, count)[0, 0] for count in (11, 21)]  # all is new: independent errors
+    np.testing.assert_allclose(many, [10 * 1e-4, 20 * 1e-4])
+    matrix = variances(50, 40)
+    assert np.linalg.eigvalsh(matrix).min() > 0 and matrix[4, 4] > 1.5 * matrix[3, 3]  # yaw displaces along y
+
+
+def test_a_wrong_range_scale_displaces_poses_away_from_the_first_scan_and_cancels_on_return():
+    error = MapError().after(100, 50, np.zeros(3), MatchError())
+    away = error.of_pose(100, np.array([30.0, 40.0, 0.0]), MatchError()).matrix[3:, 3:]
+    np.testing.assert_allclose(away @ [0.6, 0.8, 0.0], (RANGE_SCALE * 50) ** 2 * np.array([0.6, 0.8, 0.0]))
+    np.testing.assert_allclose(away @ [-0.8, 0.6, 0.0], 0.0, atol=1e-15)
+    assert not error.of_pose(100, np.zeros(3), MatchError()).matrix.any()
 
 
 def test_a_predicted_motion_displaces_far_points_by_its_deviation():
