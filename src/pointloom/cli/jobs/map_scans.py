@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Unpack
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...core.errors import FileError, FilePath
@@ -14,6 +15,9 @@ from ...registration.lidar.slam_summary import LidarSLAMSummary
 from .job import Job, JobReport, Settings
 from .odometry import check_poses_output, register_scans
 from .scan_source import ScanSource
+
+if TYPE_CHECKING:
+    from ...visualization.viewer.viewer import Viewer
 
 
 class MapOutputs(NamedTuple):
@@ -74,6 +78,7 @@ def map_of_scans(
     min_range: float = 5.0,
     submap_length: float | None = None,
     topics: tuple[str | None, str | None] = (None, None),
+    viewer: Viewer | None = None,
     **settings: Unpack[Settings],
 ) -> MapReport:
     """Map the scans of a folder or recording with `LidarSLAM`. Outputs are checked before the work.
@@ -84,6 +89,7 @@ def map_of_scans(
         folder, topics: As of `odometry_of_folder`.
         outputs: The files to write.
         voxel_size, max_range, min_range, submap_length: As of `LidarSLAM`.
+        viewer: Shows the map while it grows.
     """
     job, (output, trajectory, picture) = Job("map", folder, **settings), outputs
     job.check(output)
@@ -97,8 +103,9 @@ def map_of_scans(
     scans = ScanSource.open(folder, topics[0], settings.get("columns"), job.device, imu=topics[1])
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
-    points = register_scans(job, slam, scans)
-    slam.finish()
+    with contextlib.nullcontext() if viewer is None else viewer.follow(slam):
+        points = register_scans(job, slam, scans)
+        slam.finish()
     summary, cloud = slam.summary, slam.map
     if summary.odometry.has_seen:
         job.write_cloud(cloud, output)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -26,6 +27,9 @@ from .options import (
 )
 from .pipes import FROM, open_pipes
 from .toolbox import COUNT_TYPE, FACTOR_TYPE
+
+if TYPE_CHECKING:
+    from ...visualization.viewer.viewer import Viewer
 
 STARTS = ("identity", "global")
 MOTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
@@ -249,6 +253,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @option("--voxel voxel_size=M", LENGTH, "Voxel size of the odometry [m]. The map has half of it.")
 @RANGE_OPTIONS
 @option("--submap-length=M", LENGTH, "Path length of a submap [m]. Default: 30% of --max-range.")
+@option("--show", bool, "Show the map in the browser while it grows. The command then ends with the page.")
 @TOPIC_OPTIONS
 @record_option("each scan with the map and the trajectory of the odometry")
 @in_order(DEVICE, JSON, FORCE)
@@ -260,8 +265,10 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     that only look alike are reported and not used.
 
     The exit code is 3 if the odometry is unreliable, as of `pointloom odometry`. --picture requires pointloom[plot].
+    --show prints an address, and opens it if there is a display. All files are written before the command waits.
 
     \b
+    pointloom map velodyne -o map.ply --show
     pointloom map run.mcap -o map.laz --trajectory path.tum --picture map.png
     pointloom map velodyne -o map.ply --max-range 80
     """
@@ -275,9 +282,26 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
 
     outputs = MapOutputs(output, options.pop("trajectory"), options.pop("picture"))
     options["topics"] = options.pop("topic"), options.pop("imu")
-    with Progress(rates=True) as progress:
-        report = recorded(map_of_scans, folder, outputs, overwrite=force, progress=progress, **options)
-    return answer_with(report, str(folder), as_json)
+    with _viewer(folder.name) if options.pop("show") else contextlib.nullcontext() as viewer:
+        with Progress(rates=True) as progress:
+            options |= {"overwrite": force, "progress": progress, "viewer": viewer}
+            report = recorded(map_of_scans, folder, outputs, **options)
+        status = answer_with(report, str(folder), as_json)
+        if viewer is not None:
+            from ...visualization.viewer.draw import wait_for_pages
+
+            wait_for_pages(viewer)
+    return status
+
+
+def _viewer(title: str) -> Viewer:
+    from ...visualization.viewer.draw import announce, open_page
+    from ...visualization.viewer.viewer import Viewer
+
+    viewer = Viewer(title=title)
+    announce(viewer)
+    open_page(viewer)
+    return viewer
 
 
 @click.command(short_help="Compare a trajectory with the true one.")

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.imu_readings import ImuReadings
 from ...core.checks import check_positive
 from ...core.devices import DeviceLike, check_same_device
+from ...core.observers import report
 from ...core.serialized import Serialized
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import matmul
@@ -267,6 +268,7 @@ class LidarSLAM(Serialized):
         found = find_loops(search, state.graph, number)
         graph, loops = close_loops(search, state.graph, found, state.loops)
         self._state = replace(state, graph=graph, loops=tuple(loops), searched=number + 1)
+        report("submap", slam=self, number=number)
 
     def _search(self) -> LoopSearch:
         size = LOOP_VOXELS * self._odometry.voxel_size
