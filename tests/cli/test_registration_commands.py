@@ -390,6 +390,17 @@ def test_map_writes_the_cloud_the_path_and_a_picture(drive, tmp_path):
     assert "0 of 0 compared pairs" in output_of("map", drive, "-o", tmp_path / "b.ply", *INDOORS)
 
 
+def test_map_shows_its_page_until_it_is_closed(drive, tmp_path, monkeypatch):
+    shown = []
+
+    def wait(viewer):
+        shown.append((list(viewer.items), (tmp_path / "map.ply").exists()))
+
+    monkeypatch.setattr("pointloom.visualization.viewer.draw.wait_for_pages", wait)
+    result = run("map", drive, "-o", tmp_path / "map.ply", "--show", *INDOORS)
+    assert shown == [(["map/0", "path"], True)] and "viewer: http://127.0.0.1" in result.stderr
+
+
 def test_map_rejects_invalid_calls_first(drive, tmp_path):
     cloud = tmp_path / "map.ply"
     assert "poses are not written to .json" in refusal("map", drive, "-o", cloud, "--trajectory", tmp_path / "a.json")

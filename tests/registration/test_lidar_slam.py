@@ -303,3 +303,41 @@ def test_wrong_arguments():
     assert len(slam.poses) == 0 and len(slam.map) == 0 and not slam.summary.reliable
     with pytest.raises(TypeError, match="copied"):
         __import__("copy").deepcopy(slam)
+
+
+def test_a_viewer_shows_the_submaps_the_path_and_the_loops(monkeypatch, around):
+    slam = slam_of(monkeypatch, around, HEADING_DRIFT)
+    changes, scans = [], around.clouds()
+    with loom.Viewer(port=0) as viewer:
+        for call in ("add", "set_pose", "update"):
+            edit = getattr(viewer.edits, call)
+            monkeypatch.setattr(
+                viewer.edits, call, lambda *given, do=edit, **style: changes.append(given) or do(*given, **style)
+            )
+        with viewer.follow(slam):
+            for scan in scans:
+                count = len(changes), len(slam.submaps)
+                slam.register(scan)
+                assert len(changes) == count[0] or len(slam.submaps) > count[1]
+        names = [f"map/{k}" for k in range(len(slam.submaps))]
+        assert set(viewer.items) == {*names, "path", "loops"}
+        for name, submap in zip(names, slam.submaps, strict=True):
+            pose = np.eye(4) if viewer.items[name].pose is None else viewer.items[name].pose
+            np.testing.assert_array_equal(pose, submap.T_world_submap)
+            assert len(viewer.items[name].cloud) == min(submap.point_count, 20_000)
+        np.testing.assert_array_equal(viewer.items["path"].geometry.points[0], slam.poses[0, :3, 3])
+        assert len(viewer.items["loops"].geometry.lines) == sum(loop.reliable for loop in slam.loops)
+        adds = [given[0] for given in changes if given[0].startswith("map/") and isinstance(given[1], loom.PointCloud)]
+        assert adds == names  # the points of a submap are sent once
+        with pytest.raises(TypeError, match=r"^slam: "):
+            viewer.follow(slam.odometry)
+
+
+def test_closing_the_viewer_does_not_stop_the_mapping(monkeypatch, around):
+    slam = slam_of(monkeypatch, around, HEADING_DRIFT)
+    with loom.Viewer(port=0) as viewer, viewer.follow(slam):
+        for scan in around.clouds()[:40]:
+            slam.register(scan)
+            if len(slam.submaps) == 1:
+                viewer.close()
+    assert len(slam.poses) == 40 and len(slam.submaps) > 1

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Unpack
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...core.errors import FileError, FilePath
@@ -16,6 +17,9 @@ from ...registration.lidar.slam_summary import LidarSLAMSummary
 from .job import Job, JobReport, Settings
 from .odometry import check_poses_output, register_scans
 from .scan_source import ScanSource
+
+if TYPE_CHECKING:
+    from ...visualization.viewer.viewer import Viewer
 
 
 class MapOutputs(NamedTuple):
@@ -98,6 +102,7 @@ def map_of_scans(
     min_range: float = 5.0,
     submap_length: float | None = None,
     inputs: MapInputs = SCANS_ONLY,
+    viewer: Viewer | None = None,
     **settings: Unpack[Settings],
 ) -> MapReport:
     """Map the scans of a folder or recording with `LidarSLAM`. Outputs are checked before the work.
@@ -109,6 +114,7 @@ def map_of_scans(
         outputs: The files to write.
         inputs: Topics, positions and an earlier map.
         voxel_size, max_range, min_range, submap_length: As of `LidarSLAM`.
+        viewer: Shows the map while it grows.
     """
     job, (output, trajectory, picture, submaps) = Job("map", folder, **settings), outputs
     job.check(output)
@@ -130,8 +136,9 @@ def map_of_scans(
         slam = LidarSLAM(submap_length=submap_length, folder=submaps, device=job.device, **sizes)
     else:
         slam = LidarSLAM.open(inputs.earlier, device=job.device)
-    points = register_scans(job, slam, scans, readings)
-    slam.finish()
+    with contextlib.nullcontext() if viewer is None else viewer.follow(slam):
+        points = register_scans(job, slam, scans, readings)
+        slam.finish()
     summary, cloud = slam.summary, slam.map
     if summary.odometry.has_seen:
         job.write_cloud(cloud, output)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 from click.core import ParameterSource
@@ -27,6 +28,9 @@ from .options import (
 )
 from .pipes import FROM, open_pipes
 from .toolbox import COUNT_TYPE, FACTOR_TYPE
+
+if TYPE_CHECKING:
+    from ...visualization.viewer.viewer import Viewer
 
 STARTS = ("identity", "global")
 MOTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
@@ -254,6 +258,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @option("--continue earlier=DIR", FILE, "Continue the map of --submaps with a new session, and write it there.")
 @option("--positions=FILE", FILE, "Positions of GNSS: lines of time x y z [sigma], or a TUM trajectory.")
 @option("--position-sigma=M", LENGTH, "Standard deviation of positions without one [m].", default=1.0)
+@option("--show", bool, "Show the map in the browser while it grows. The command then ends with the page.")
 @TOPIC_OPTIONS
 @record_option("each scan with the map and the trajectory of the odometry")
 @in_order(DEVICE, JSON, FORCE)
@@ -271,8 +276,10 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
 
     The exit code is 3 if the odometry is unreliable, as of `pointloom odometry`, if most positions are refused, or if
     no place of the continued map is recognized. --picture requires pointloom[plot].
+    --show prints an address, and opens it if there is a display. All files are written before the command waits.
 
     \b
+    pointloom map velodyne -o map.ply --show
     pointloom map run.mcap -o map.laz --trajectory path.tum --picture map.png
     pointloom map velodyne -o map.ply --max-range 80
     pointloom map first.bag -o first.laz --submaps submaps --positions gnss.csv
@@ -296,9 +303,26 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     outputs = MapOutputs(output, *(options.pop(name) for name in ("trajectory", "picture", "submaps")))
     topics = options.pop("topic"), options.pop("imu")
     options["inputs"] = MapInputs(topics, options.pop("positions"), options.pop("position_sigma"), earlier)
-    with Progress(rates=True) as progress:
-        report = recorded(map_of_scans, folder, outputs, overwrite=force, progress=progress, **options)
-    return answer_with(report, str(folder), as_json)
+    with _viewer(folder.name) if options.pop("show") else contextlib.nullcontext() as viewer:
+        with Progress(rates=True) as progress:
+            options |= {"overwrite": force, "progress": progress, "viewer": viewer}
+            report = recorded(map_of_scans, folder, outputs, **options)
+        status = answer_with(report, str(folder), as_json)
+        if viewer is not None:
+            from ...visualization.viewer.draw import wait_for_pages
+
+            wait_for_pages(viewer)
+    return status
+
+
+def _viewer(title: str) -> Viewer:
+    from ...visualization.viewer.draw import announce, open_page
+    from ...visualization.viewer.viewer import Viewer
+
+    viewer = Viewer(title=title)
+    announce(viewer)
+    open_page(viewer)
+    return viewer
 
 
 @click.command(short_help="Compare a trajectory with the true one.")

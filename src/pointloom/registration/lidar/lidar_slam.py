@@ -16,6 +16,7 @@ from ...cameras.imu_readings import ImuReadings
 from ...core.checks import check_positive
 from ...core.devices import DeviceLike, check_same_device
 from ...core.errors import FileError
+from ...core.observers import report
 from ...core.paths import path_of
 from ...core.serialized import Serialized
 from ...core.time_checks import check_time
@@ -384,6 +385,7 @@ class LidarSLAM(Serialized):
         found = find_loops(search, graph, number)
         graph, loops = close_loops(search, graph, found, state.loops)
         self._state = replace(state, graph=graph, loops=tuple(loops), searched=number + 1)
+        report("submap", slam=self, number=number)
 
     def _search(self) -> LoopSearch:
         size = LOOP_VOXELS * self._odometry.voxel_size

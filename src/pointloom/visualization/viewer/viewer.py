@@ -43,6 +43,7 @@ from .tools.picking import Pick
 from .tools.toolbox import Toolbox
 
 if TYPE_CHECKING:
+    from ...registration.lidar.lidar_slam import LidarSLAM
     from .link import PageClient
 
 MAX_FRAME_RATE = 240.0  # [Hz] of frame callbacks
@@ -595,6 +596,27 @@ class Viewer:
         Raises `TypeError` for another type and `ValueError` if there is no history because `set_time` was never called.
         """
         self.edits.show_time(t)
+
+    def follow(self, slam: LidarSLAM) -> contextlib.AbstractContextManager[None]:
+        """Show the map of a `LidarSLAM`, its path and its loops, while it registers scans inside a `with` block.
+
+        The scene changes when a submap is finished: the submap is added, colored by height above the scanner, and all
+        submaps move to their corrected poses. At most 20,000 points of a submap are shown. Scans that other threads
+        register are not shown until this thread registers the next. Closing the viewer does not stop the mapping.
+
+        Raises:
+            TypeError: Not a LidarSLAM.
+
+        Example:
+            >>> import pointloom as loom
+            >>> slam, scans = loom.registration.LidarSLAM(max_range=30), []
+            >>> with loom.Viewer(port=0) as viewer, viewer.follow(slam):
+            ...     for scan in scans:
+            ...         T = slam.register(scan)
+        """
+        from .live_map import following
+
+        return following(self.edits, slam)
 
     def save_recording(self, path: str | os.PathLike[str], **options: Any) -> None:
         """Write the history since `set_time` as a recording with one frame per time step.
