@@ -74,3 +74,13 @@ def test_a_vehicle_hides_what_is_behind_it(city):
     rays = np.array([[1.0, 0, 0], [0, 1, 0], [1, 0, 0]])
     hit, distances = vehicle.cut(np.tile([0, 0, 1.0], (3, 1)), rays, np.array([0.0, 0.0, 0.5]), 50.0)
     assert hit.tolist() == [0, 2] and np.allclose(distances, [8.0, 8.5])
+
+
+def test_time_and_memory_are_read_at_each_kilometer():
+    with benchmarks_on_path():
+        drives = importlib.import_module("lidar_drives")
+    scans = [(np.zeros((1, 3), np.float32), np.zeros(1))] * 6
+    watched = drives.WatchedScans(scans, np.array([0, 400, 999.0, 1000, 1800, 2100]))
+    counts = [len(watched.readings) for _ in watched]
+    assert counts == [0, 0, 0, 1, 1, 2] and all(size > 0 for _, size in watched.readings)
+    assert len(watched) == 6 and watched.readings[0][0] <= watched.readings[1][0]
