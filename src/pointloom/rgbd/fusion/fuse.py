@@ -108,8 +108,8 @@ def fuse(
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     clock.stop("extract")
     fraction_off, extent = None if refine else check.fraction_off(fold.volume), check.seen_extent()
+    figures = threshold, fold.refinement, fraction_off, extent, source_warnings(frames), check.camera()
     clock.stop("check")
-    figures = threshold, fold.refinement, fraction_off, extent, source_warnings(frames)
     return FusionResult(mesh, fold.volume, poses, max_depth, *fractions, *figures)
 
 
