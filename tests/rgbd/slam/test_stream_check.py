@@ -84,6 +84,14 @@ def test_late_depth_in_a_stretch_of_two_seconds_is_reported_for_that_stretch():
     assert abs(lag.apart[0].seconds - 1.0) < 0.02 and str(lag.apart[0]).startswith("depth is 1.00 s late")
 
 
+def test_late_depth_is_doubtful_before_it_is_reported():
+    doubtful, reported = (
+        next(k for k in range(16, 60) if is_noted(shaking(k, 30, stretch=range(60))))
+        for is_noted in (lambda lag: lag.is_doubtful, lambda lag: lag.current is not None)
+    )
+    assert doubtful < reported <= 30 and not any(shaking(k, 0).is_doubtful for k in range(10, 60, 3))
+
+
 @pytest.mark.parametrize(("steady", "spread"), [(0.01, 0.0003), (0, 1e-5)], ids=["steady", "none"])
 def test_a_steady_rotation_and_a_stationary_camera_are_synchronized(steady, spread):
     for seed in range(10):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.tsdf import TSDFVolume
-from ..odometry.camera_fit import CameraView
+from ..odometry.camera_fit import CameraView, depth_factor
 from ..slam.camera_check import FocalCheck, assess_camera
 
 Pose = NDArray[np.float64]
@@ -62,12 +62,23 @@ class PoseCheck:
 
     def camera(self) -> FocalCheck | None:
         """Check whether the sampled frames fit better with another camera. None if they do not determine it."""
+        return assess_camera(self._views(), self._poses, self._intrinsic)
+
+    def depth_factor(self) -> float:
+        """The factor of the depth that fits the poses of the sampled frames better. 1 without a better one."""
+        return depth_factor(self._views(), self._poses)
+
+    @property
+    def _poses(self) -> list[Pose]:
+        return [pose for _, pose in self._samples]
+
+    def _views(self) -> list[CameraView]:
         K, views = self._camera, []
         for depth, _ in self._samples:
             z = self._in_meters(depth)
             nearness = np.divide(1.0, z, out=np.zeros(z.shape), where=self._is_valid(z))
             views.append(CameraView(nearness.astype(np.float32), (K.fx, K.fy, K.cx, K.cy)))
-        return assess_camera(views, [pose for _, pose in self._samples], self._intrinsic)
+        return views
 
     def fraction_off(self, volume: TSDFVolume) -> float | None:
         """Median fraction of frame pixels off the surface by half the truncation. None for fewer than two frames."""

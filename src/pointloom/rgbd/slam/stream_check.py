@@ -29,6 +29,7 @@ from .frames import SensorFrame
 Floats = NDArray[np.float64]
 
 STALE = "its depth image repeats the previous one"
+DOUBTFUL = "color and depth rotated differently in the last frames"
 MAX_STALLED_FRAMES = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
 STALLED_SECONDS = 0.12  # likewise with timestamps
 MIN_CELLS = 0.02  # minimum fraction of measured cells
@@ -58,6 +59,9 @@ UNRELATED_RATIO, MIN_USUAL = 0.75, 3.0  # and the minimum median in variances: a
 MAX_RIGID_EXCESS = 0.6
 MIN_DELAYS = 15  # minimum number of compared delays without one that fits
 MIN_UNEXPLAINED = 0.45  # minimum residual of the best delay, likewise: constant delays up to 0.4 | two rates 0.6
+# Frames after which unrelated rotations make a frame uncertain before they are reported, and their minimum residual as
+# UNRELATED_RATIO: 0 of 300 frames of the kitchen, and 0 of 490 of four synthetic sites (2026-11-29).
+DOUBT_FRAMES, DOUBT_RATIO, MIN_DOUBT_DELAYS = 15, 0.87, 9
 SAME_DELAY, MIN_AGREEING = 1.5, 0.5  # frames, and fraction of the estimates of a stretch that agree with their median
 MIRRORED_SIGNS = {  # of the components of a rotation
     "left-right": (1.0, -1.0, -1.0),
@@ -155,7 +159,7 @@ class StreamCheck:
         motion = self.lag.add(frame.pyramid if frame.pixels is not None else None, frame.timestamp)
         count = self._frozen.add(motion, self.view)
         self.lag.leave_out(count)
-        return STALE if count else self.problem or ""
+        return STALE if count else self.problem or (DOUBTFUL if self.lag.is_doubtful else "")
 
     @property
     def problem(self) -> str | None:
@@ -236,10 +240,12 @@ class StreamLag:
         apart: The stretches of frames that are apart in time.
         current: The one of the last frame. None if it is synchronized, or if that is unknown.
         synchronized: The first frame that is not known to be synchronized.
+        is_doubtful: True if the rotations of the last frames are unrelated, but too few to report it.
     """
 
     def __init__(self) -> None:
         self.apart: list[Apart] = []
+        self.is_doubtful = False
         self.current: Apart | None = None
         self._before: OdometryFrame | None = None
         self._rotations: list[Rotations | None] = []
@@ -263,6 +269,7 @@ class StreamLag:
         self._costs = [*self._costs[1 - WINDOW_FRAMES :], costs_at_delays(self._rotations)]
         self._mirrored = [*self._mirrored[1 - WINDOW_FRAMES :], mirrored_costs(rotations)]
         self._count += 1
+        self.is_doubtful = self._are_unrelated()
         self._judge()
 
     def leave_out(self, count: int) -> None:
@@ -271,6 +278,17 @@ class StreamLag:
             self._rotations[-count:] = [None] * min(count, len(self._rotations))
             for costs in self._costs[-count:]:
                 costs[:] = 0.0
+
+    def _are_unrelated(self) -> bool:
+        """True if the last frames rotate as differently as frames of other times."""
+        residual, count, _ = np.sum(self._costs, axis=0)
+        is_known = count >= max(MIN_COUNT / 2, MIN_FRACTION * count[MAX_DELAY])
+        if len(self._costs) < DOUBT_FRAMES or not is_known[MAX_DELAY] or is_known.sum() < MIN_DOUBT_DELAYS:
+            return False
+        usual = float(np.median(residual[is_known] / count[is_known]))
+        last, last_count, _ = np.sum(self._costs[-DOUBT_FRAMES:], axis=0)[:, MAX_DELAY]
+        is_high = last > DOUBT_RATIO * usual * last_count and last_count >= DOUBT_FRAMES
+        return bool(is_high and usual > MIN_USUAL and self._is_rigid())
 
     def _judge(self) -> None:
         residual, count, motion = np.sum(self._costs, axis=0)
