@@ -28,7 +28,7 @@ from .odometry.results import OdometryResult as OdometryResult
 from .reconstruction.frames_to_mesh import ReconstructionResult as ReconstructionResult
 from .reconstruction.report import SystemReport as SystemReport
 from .reconstruction.volumes import ControlGrid as ControlGrid
-from .slam.focal_check import FocalCheck as FocalCheck
+from .slam.camera_check import FocalCheck as FocalCheck
 from .slam.loop_closure import LoopClosure as LoopClosure
 from .slam.map_joins import MapJoin as MapJoin
 from .slam.results import TrackingResult as TrackingResult

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from benchmarks.room_loops import room_loop_sequence
 from pointloom.core.errors import FileError
 from pointloom.datasets.scenes.room import room_sequence, surface_errors
 from pointloom.io.frames.frames import READ_AHEAD
@@ -72,6 +73,32 @@ def test_only_contradictory_poses_are_reported(sequence):
         assert name == "right" or "of the measured depth is off the fused surface" in str(result.warnings)
         assert result.to_dict()["fraction_off"] == result.fraction_off
     assert loom.rgbd.fuse(Wall(1), voxel_size=VOXEL).fraction_off is None  # one frame cannot contradict another
+
+
+class Turning(Posed):
+    """Frames of a tight loop through the room, with another depth unit or focal length."""
+
+    def __init__(self, unit=1.0, focal=1.0):
+        sequence = room_loop_sequence(120, width=80, height=60)
+        super().__init__(sequence, sequence.poses[:10])
+        K = self.intrinsic
+        self.depth_scale *= unit
+        self.intrinsic = dataclasses.replace(K, fx=focal * K.fx, fy=focal * K.fy)
+
+
+@pytest.mark.parametrize(("unit", "factor"), [(1.0, 1.0), (0.5, 0.5), (2.0, 2.0)])
+def test_a_wrong_depth_scale_is_reported_with_a_better_factor(unit, factor):
+    result = loom.rgbd.fuse(Turning(unit=unit), voxel_size=VOXEL, depth_max=8.0)
+    assert result.depth_factor == pytest.approx(factor, rel=0.2)
+    assert (factor == 1.0) == result.reliable and result.to_dict()["depth_factor"] == result.depth_factor
+    if factor != 1.0:
+        assert f"the depth is multiplied by about {result.depth_factor:.2g}" in str(result.warnings)
+
+
+@pytest.mark.parametrize("focal", [0.9, 1.1])
+def test_a_wrong_focal_length_of_posed_frames_is_reported(focal):
+    camera = loom.rgbd.fuse(Turning(focal=focal), voxel_size=VOXEL).camera
+    assert camera.factor * focal == pytest.approx(1.0, abs=0.04) and not camera.reliable
 
 
 @pytest.mark.parametrize(("depth", "fraction"), [(1000, 0), (1250, 1), (750, 1)])

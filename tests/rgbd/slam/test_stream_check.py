@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.rgbd.slam.frame_checks import BLANK
 from pointloom.rgbd.slam.results import TrackingResult
-from pointloom.rgbd.slam.stream_check import STALE, Apart, Rotations, StreamLag
+from pointloom.rgbd.slam.stream_check import MIRRORED_SIGNS, STALE, Apart, Rotations, StreamLag
 from pointloom.rgbd.slam.tracking import covered_frames
 
 from .slam_walks import begun, blank, changed, fit, frames, sequence, statuses
@@ -84,13 +84,67 @@ def test_late_depth_in_a_stretch_of_two_seconds_is_reported_for_that_stretch():
     assert abs(lag.apart[0].seconds - 1.0) < 0.02 and str(lag.apart[0]).startswith("depth is 1.00 s late")
 
 
-@pytest.mark.parametrize(("steady", "spread"), [(0, 0.01), (0.01, 0.0003), (0, 1e-5)], ids=["any", "steady", "none"])
-def test_unrelated_images_a_steady_rotation_and_a_stationary_camera_give_no_delay(steady, spread):
+def test_late_depth_is_doubtful_before_it_is_reported():
+    doubtful, reported = (
+        next(k for k in range(16, 60) if is_noted(shaking(k, 30, stretch=range(60))))
+        for is_noted in (lambda lag: lag.is_doubtful, lambda lag: lag.current is not None)
+    )
+    assert doubtful < reported <= 30 and not any(shaking(k, 0).is_doubtful for k in range(10, 60, 3))
+
+
+@pytest.mark.parametrize(("steady", "spread"), [(0.01, 0.0003), (0, 1e-5)], ids=["steady", "none"])
+def test_a_steady_rotation_and_a_stationary_camera_are_synchronized(steady, spread):
     for seed in range(10):
         rng, lag = np.random.default_rng(seed), StreamLag()
         for _ in range(150):
             lag.add_rotations(rotations(*(steady + spread * rng.normal(size=(2, 3)))), None)
         assert not lag.apart
+
+
+@pytest.mark.parametrize("excess", [0.0, 1.0])
+def test_unrelated_rotations_are_reported_without_a_delay_if_the_scene_is_rigid(excess):
+    for seed in range(10):
+        rng, lag = np.random.default_rng(seed), StreamLag()
+        for _ in range(150):
+            pair = rotations(*(0.01 * rng.normal(size=(2, 3))))
+            lag.add_rotations(dataclasses.replace(pair, excess=excess), None)
+        if excess:  # a large object moves, so that neither rotation is the camera's
+            assert not lag.apart
+        else:
+            assert np.isnan(lag.current.frames) and not lag.current.mirrored
+            assert "no constant delay explains it" in str(lag.current)
+
+
+@pytest.mark.parametrize("rate", [-1 / 6, 1 / 6, 0.25, 1.0])
+def test_streams_of_two_rates_are_reported_without_a_delay(rate):
+    rng, lag = np.random.default_rng(4), StreamLag()
+    t = np.arange(-50, 700)[:, None]
+    rates, phases = rng.uniform(0.1, 0.6, (4, 3)), rng.uniform(0, 6.28, (4, 3))
+    angle = np.cumsum(0.004 * sum(np.sin(r * t + phase) for r, phase in zip(rates, phases, strict=True)), axis=0)
+    for k in range(1, 150):
+        at = np.array([k - 1, k]) * (1 + rate) + 50
+        depth = np.diff([np.interp(at, np.arange(len(angle)), angle[:, axis]) for axis in range(3)], axis=1)[:, 0]
+        color = angle[50 + k] - angle[49 + k]
+        lag.add_rotations(rotations(*(one + 0.0003 * rng.normal(size=3) for one in (color, depth))), k / 30)
+    assert np.isnan(lag.current.frames) and "different rates (pair their images by time)" in str(lag.current)
+
+
+@pytest.mark.parametrize(("kind", "signs"), sorted(MIRRORED_SIGNS.items()))
+def test_mirrored_depth_is_reported(kind, signs):
+    rng, lag = np.random.default_rng(2), StreamLag()
+    for _ in range(60):
+        color = 0.01 * rng.normal(size=3)
+        full = Rotations(color, signs * color + 0.0003 * rng.normal(size=3), np.eye(3), np.full(3, 1e-6))
+        lag.add_rotations(full, None)
+    assert lag.current.mirrored == kind and f"mirrored or rotated ({kind})" in str(lag.current)
+
+
+def test_a_periodic_motion_gives_the_shortest_delay():
+    lag = StreamLag()
+    for k in range(120):
+        waves = [0.005 * np.sin(2 * np.pi * (k - late) / 40 + np.arange(3)) for late in (0, 3)]
+        lag.add_rotations(rotations(*waves), None)
+    assert abs(lag.current.frames - 3) < 0.3
 
 
 def test_frames_without_rotations_are_left_out():

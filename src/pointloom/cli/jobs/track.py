@@ -14,7 +14,6 @@ from ...core.progress import ReportProgress
 from ...core.reports import Fields, with_warnings
 from ...core.timing import Clock
 from ...core.wording import plain
-from ...rgbd.slam.focal_check import FocalCheck, check_focal
 from ...rgbd.slam.tracked_path import TrackedPath
 from ...rgbd.slam.tracking import VOXEL_SIZE, track
 from .frame_folder import FolderOptions, FrameFolder, FramesReport
@@ -22,11 +21,10 @@ from .frame_folder import FolderOptions, FrameFolder, FramesReport
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class TrackReport(FramesReport):
-    """Report of `pointloom track`; `focal` reports if another focal length fits better."""
+    """Report of `pointloom track`."""
 
     path: TrackedPath
     form: str
-    focal: FocalCheck | None
 
     @property
     def rate(self) -> float:
@@ -35,7 +33,7 @@ class TrackReport(FramesReport):
     def to_dict(self) -> dict[str, Any]:
         """Report in JSON types; "errors" has ATE and RPE if true poses exist."""
         report = {"command": self.done.command, **self.folder.to_dict(), "format": self.form, **self.path.to_dict()}
-        report |= {"frames_per_second": self.rate, "focal": plain(self.focal), "errors": plain(self.path.error)}
+        report |= {"frames_per_second": self.rate, "focal": plain(self.path.camera), "errors": plain(self.path.error)}
         return report | self.ending_to_dict()
 
     def fields(self) -> Fields:
@@ -75,12 +73,10 @@ def track_folder(
     clock.stop("open")
     sizes: dict[str, Any] = {"depth_max": depth_max, "device": where}
     path = track(dataset, voxel_size=voxel_size, **sizes, progress=progress, clock=clock)
-    focal = check_focal(dataset, path.trajectory, uncertain=path.uncertain, **sizes)
-    clock.stop("camera")
     files = []
     if len(path.trajectory):
         write_poses(output, path.trajectory, overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
-    done = opened.done("track", clock, files, *path.warnings, *opened.warnings, *(focal.warnings if focal else ()))
-    return TrackReport(done, opened, path, form, focal)
+    done = opened.done("track", clock, files, *path.warnings, *opened.warnings)
+    return TrackReport(done, opened, path, form)

@@ -564,18 +564,19 @@ class LidarOdometry(Serialized):
         """As `_deskew_again` for the second scan, with both first scans deskewed, so that the map is not skewed."""
         start, first = self._last_pose(), self._known.first
         assert first is not None
-        for k in range(1, START_ITERATIONS + 1):
-            motion = matmul(invert_pose(start), pose)
+        left = START_ITERATIONS
+        while True:
+            motion, left = matmul(invert_pose(start), pose), left - 1
             voxel_map = self._empty_map(voxel_map.device)
             voxel_map.add(self._downsample(first, motion).dense, start, self.max_range)
             scan = self._downsample(raw, motion)
             match = match_scan(self._aligner, scan, voxel_map, pose, self._sigma())
-            is_last = k == START_ITERATIONS
-            step = self._step_again(match, scan, voxel_map, predicted, has_prior, is_assessed=is_last)
+            step = self._step_again(match, scan, voxel_map, predicted, has_prior, is_assessed=not left)
+            pose = step.pose
             if not step.is_sound:
                 return None
-            pose = step.pose
-        return step, self._downsample(raw, matmul(invert_pose(start), pose)), voxel_map
+            if not left:
+                return step, self._downsample(raw, matmul(invert_pose(start), pose)), voxel_map
 
     def _step_again(
         self,

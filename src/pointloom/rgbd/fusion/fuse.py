@@ -107,10 +107,12 @@ def fuse(
     report_progress("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     clock.stop("extract")
-    fraction_off, extent = None if refine else check.fraction_off(fold.volume), check.seen_extent()
+    checks: dict[str, Any] = {
+        "fraction_off": None if refine else check.fraction_off(fold.volume), "seen_extent": check.seen_extent(),
+        "camera": check.camera(), "depth_factor": check.depth_factor(), "source_warnings": source_warnings(frames),
+    }  # fmt: skip
     clock.stop("check")
-    figures = threshold, fold.refinement, fraction_off, extent, source_warnings(frames)
-    return FusionResult(mesh, fold.volume, poses, max_depth, *fractions, *figures)
+    return FusionResult(mesh, fold.volume, poses, max_depth, *fractions, threshold, fold.refinement, **checks)
 
 
 class _AsGiven:

@@ -1,4 +1,4 @@
-"""Check of given poses: frames at wrong poses do not agree with the fused surface."""
+"""Check of given poses and camera: frames at wrong poses do not agree with the fused surface or with each other."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.tsdf import TSDFVolume
+from ..odometry.camera_fit import CameraView, depth_factor
+from ..slam.camera_check import FocalCheck, assess_camera
 
 Pose = NDArray[np.float64]
 
@@ -23,7 +25,7 @@ class PoseCheck:
     """Keeps a few small depth maps of a stream, and compares them with the surface."""
 
     def __init__(self, intrinsic: PinholeCameraIntrinsic, depth_unit: float, depth_max: float):
-        self._unit, self.depth_max = depth_unit, depth_max
+        self._unit, self.depth_max, self._intrinsic = depth_unit, depth_max, intrinsic
         self._step = max(1, intrinsic.width // SAMPLED_WIDTH)
         rows, columns = (len(range(0, n, self._step)) for n in (intrinsic.height, intrinsic.width))
         K, s = intrinsic, self._step
@@ -57,6 +59,26 @@ class PoseCheck:
 
     def _is_valid(self, z: NDArray[np.float64]) -> NDArray[np.bool_]:
         return np.isfinite(z) & (z > 0) & (z <= self.depth_max)
+
+    def camera(self) -> FocalCheck | None:
+        """Check whether the sampled frames fit better with another camera. None if they do not determine it."""
+        return assess_camera(self._views(), self._poses, self._intrinsic)
+
+    def depth_factor(self) -> float:
+        """The factor of the depth that fits the poses of the sampled frames better. 1 without a better one."""
+        return depth_factor(self._views(), self._poses)
+
+    @property
+    def _poses(self) -> list[Pose]:
+        return [pose for _, pose in self._samples]
+
+    def _views(self) -> list[CameraView]:
+        K, views = self._camera, []
+        for depth, _ in self._samples:
+            z = self._in_meters(depth)
+            nearness = np.divide(1.0, z, out=np.zeros(z.shape), where=self._is_valid(z))
+            views.append(CameraView(nearness.astype(np.float32), (K.fx, K.fy, K.cx, K.cy)))
+        return views
 
     def fraction_off(self, volume: TSDFVolume) -> float | None:
         """Median fraction of frame pixels off the surface by half the truncation. None for fewer than two frames."""

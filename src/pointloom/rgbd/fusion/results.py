@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.reports import Assessed, Fields, failed, in_columns, quality, with_warnings
-from ...core.wording import format_bounds, format_bytes, format_fraction
+from ...core.wording import format_bounds, format_bytes, format_fraction, plain
 from ...io.frames.frames import why_out_of_range
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
+from ..slam.camera_check import FocalCheck
 from .pose_check import MAX_OFF_SURFACE
 from .refine import PoseRefinement
 
@@ -36,6 +37,8 @@ class FusionResult(Assessed):
         fraction_off: Median fraction of pixels off the surface at the given poses. None if unknown.
         seen_extent: Longest side of the observed scene [m]. None if not measured.
         source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
+        camera: Whether sampled frames fit better with another camera. None if they do not determine it.
+        depth_factor: Factor of the depth that fits the poses better. 1 without a better one.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -61,6 +64,8 @@ class FusionResult(Assessed):
     fraction_off: float | None = None
     seen_extent: float | None = None
     source_warnings: tuple[str, ...] = ()
+    camera: FocalCheck | None = None
+    depth_factor: float = 1.0
 
     def __str__(self) -> str:
         return in_columns(with_warnings(self.fields(), self))
@@ -92,7 +97,9 @@ class FusionResult(Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         refinement = () if self.refinement is None else self.refinement.warnings
-        return failed(self._why_no_surface, *refinement, self._why_contradicted, *self.source_warnings)
+        camera = () if self.camera is None else self.camera.warnings
+        poses = self._why_contradicted, self._why_scaled
+        return failed(self._why_no_surface, *refinement, *poses, *camera, *self.source_warnings)
 
     @property
     def _why_contradicted(self) -> str | None:
@@ -102,6 +109,15 @@ class FusionResult(Assessed):
             f"{format_fraction(self.fraction_off)} of the measured depth is off the fused surface: the poses are "
             "wrong, belong to other frames, or are camera to world instead of world to camera, or the depth is in "
             "another unit"
+        )
+
+    @property
+    def _why_scaled(self) -> str | None:
+        if self.depth_factor == 1.0:
+            return None
+        return (
+            f"the poses fit better if the depth is multiplied by about {self.depth_factor:.2g}; check depth_scale, and "
+            "that the poses are in meters"
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -117,6 +133,8 @@ class FusionResult(Assessed):
             "used_fraction": self.used_fraction,
             "fraction_off": self.fraction_off,
             "seen_extent": self.seen_extent,
+            "camera_check": plain(self.camera),
+            "depth_factor": self.depth_factor,
             "blocks": volume.block_count,
             "voxels": volume.block_count * BLOCK_VOXELS,
             "volume_bytes": volume.memory_bytes,

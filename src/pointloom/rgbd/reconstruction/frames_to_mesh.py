@@ -21,7 +21,8 @@ from ...io.frames.rgbd_sources import RGBDSource
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...registration.trajectories.trajectory_error import TrajectoryError
-from ..slam.focal_check import FocalCheck, check_focal
+from ..slam.camera_check import FocalCheck
+from ..slam.focal_check import check_focal
 from ..slam.looped_model import SlamAccount, model_by_slam
 from ..slam.path_statistics import error_against_truth
 from ..slam.tracking import VOXEL_SIZE
@@ -39,7 +40,7 @@ class ReconstructionResult(Assessed):
         mesh: The surface. Empty if nothing was seen often enough.
         account: A SlamAccount (`path`, `loops`, ...), or a FragmentsAccount.
         error: ATE and RPE after rigid alignment, if true poses are known.
-        focal: Check of the focal length. None with too little rotation, or if the frames were a stream.
+        focal: Check of the camera. None with too little rotation, or if fragments are of a stream.
     """
 
     mesh: TriangleMesh
@@ -63,7 +64,9 @@ class ReconstructionResult(Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         model = self.account.warnings or (() if len(self.mesh) else (EMPTY,))
-        return (*model, *(() if self.focal is None else self.focal.warnings))
+        if self.focal is None or isinstance(self.account, SlamAccount):  # the path contains its warnings
+            return model
+        return (*model, *self.focal.warnings)
 
     def to_dict(self) -> dict[str, Any]:
         focal = None if self.focal is None else self.focal.to_dict()
@@ -142,8 +145,8 @@ def reconstruct(
     else:
         raise TypeError(f"fragments: expected FragmentOptions or None, got {type(fragments).__name__}")
     clock.restart()
-    focal = None
-    if hasattr(frames, "__len__"):  # which are there to be read again
+    focal = account.path.camera if isinstance(account, SlamAccount) else None
+    if not isinstance(account, SlamAccount) and hasattr(frames, "__len__"):  # which are there to be read again
         sure: dict[str, Any] = {"uncertain": account.uncertain, "depth_max": account.depth_max}
         focal = check_focal(frames, account.trajectory, **sure, device=where)
     clock.stop("camera")

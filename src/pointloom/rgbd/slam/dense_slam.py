@@ -26,6 +26,7 @@ from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...registration.pose_errors import PoseCovariance
 from ...registration.rigid import invert_pose
+from .camera_check import FocalCheck, assess_camera, view_of
 from .fixed_parts import FixedParts
 from .foreground import Foreground
 from .frame_checks import MIN_DEPTH, depth_fraction, is_determined, judge_drift
@@ -259,7 +260,7 @@ class DenseSLAM(Serialized):
                 record_frame(here.recorder, prepared, depth, pixels, result)
         is_new = self.keyframes.is_new_view(result.pose)
         if is_new:
-            self.keyframes.add(prepared.pyramid, result.pose, result.index)
+            self.keyframes.add(prepared.pyramid, result.pose, result.index, view_of(prepared, self.stream.view))
             self._tracker.drift.keep(prepared.pyramid)
         self.results[-1] = dataclasses.replace(result, fused=True)
         if self._maps.others and not self._maps.is_on_trial:
@@ -344,6 +345,15 @@ class DenseSLAM(Serialized):
         """
         with unwatched():
             return self._joining.search()
+
+    def check_camera(self) -> FocalCheck | None:
+        """Check whether the keyframes of the largest map fit better with another camera. See `check_focal`.
+
+        Returns:
+            None if the camera rotated too little, or the surfaces do not determine its focal length.
+        """
+        keyframes = self._largest.keyframes
+        return assess_camera(keyframes.views, keyframes.poses, self._intrinsic)
 
     def render(self, T_world_camera: ArrayLike) -> RayCast:
         """Render the current map from a pose in that map. See `SlamModel.render`."""

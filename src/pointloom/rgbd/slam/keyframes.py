@@ -13,6 +13,7 @@ from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import copy, download, zeros
 from ...kernels.rgbd.keyframe_codes import FERN_COUNT, compare_codes, encode_frame
 from ...registration.rigid import rotation_vector
+from ..odometry.camera_fit import CameraView
 from ..odometry.frames import OdometryFrame
 
 Pose = NDArray[np.float64]
@@ -29,12 +30,13 @@ class Keyframes:
         self.device, self.seed = device, seed
         self.poses: list[Pose] = []
         self.numbers: list[int] = []
+        self.views: list[CameraView] = []  # for the check of the camera
         self.codes: Any = zeros(64 * FERN_COUNT, uint8, device)
 
     def __len__(self) -> int:
         return len(self.poses)
 
-    def add(self, frame: OdometryFrame, pose: Pose, number: int) -> int:
+    def add(self, frame: OdometryFrame, pose: Pose, number: int, view: CameraView) -> int:
         index = len(self.poses)
         if (index + 1) * FERN_COUNT > self.codes.size:
             larger: Any = zeros(2 * self.codes.size, uint8, self.device)
@@ -43,6 +45,7 @@ class Keyframes:
         self._encode(frame, self.codes, index)
         self.poses.append(pose.copy())
         self.numbers.append(number)
+        self.views.append(view)
         return index
 
     def extend(self, others: Keyframes, T: Pose) -> None:
@@ -56,6 +59,7 @@ class Keyframes:
         copy(self.codes, others.codes, count=len(others) * FERN_COUNT, offset=count * FERN_COUNT)
         self.poses += [matmul(T, pose) for pose in others.poses]
         self.numbers += others.numbers
+        self.views += others.views
 
     def is_new_view(self, pose: Pose) -> bool:
         return all(view_distance(pose, other) > 1.0 for other in reversed(self.poses))

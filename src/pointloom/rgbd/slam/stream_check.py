@@ -2,7 +2,8 @@
 
 Each frame is aligned with the previous one twice, by brightness and by surface. Both rotations are those of the camera
 if the images were taken at the same time. A repeated depth image beside changing colors is frozen. So is depth without
-rotation while the colors rotate. A time offset is the delay at which both rotations agree.
+rotation while the colors rotate. A time offset is the delay at which both rotations agree. Streams whose rotations
+differ at every delay have different rates, or one image is mirrored.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import eigh, norm
 from ...kernels.memory import download
 from ...kernels.rgbd import stream_views as at
+from ...kernels.rgbd.check_rows import EXCESS_SUM, PLANE_COUNT
 from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
 from ...registration.rigid import rotation_vector
 from ..odometry.alignment import OdometryMethod, descend
@@ -27,6 +29,7 @@ from .frames import SensorFrame
 Floats = NDArray[np.float64]
 
 STALE = "its depth image repeats the previous one"
+DOUBTFUL = "color and depth rotated differently in the last frames"
 MAX_STALLED_FRAMES = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
 STALLED_SECONDS = 0.12  # likewise with timestamps
 MIN_CELLS = 0.02  # minimum fraction of measured cells
@@ -45,6 +48,26 @@ MAX_DELAY_RESIDUAL = 0.35  # of the median residual over all delays: correct del
 # Minimum ratio of the residual without a delay: synchronized 1.0 to 1.3, 2 frames apart 9 and more
 MIN_UNDELAYED_RATIO = 2.5
 MIN_RESIDUAL = 0.12  # minimum of it in variances: synchronized up to 0.04 | 2 frames apart 0.44 and more
+# Delays whose residual exceeds the minimum by less than this fraction of the median are equal: the shortest is chosen,
+# since a periodic motion repeats. Fitted 2026-11-29 on the synthetic room, verified on the kitchen.
+EQUAL_DELAYS = 0.1
+# Minimum residual without a delay, as a fraction of the median over all delays, of unrelated rotations: kitchen up to
+# 0.67, seven synthetic sites up to 0.11 | images of 25 and 30 Hz paired by number 0.8 to 1.3. Chosen 2026-11-29.
+UNRELATED_RATIO, MIN_USUAL = 0.75, 3.0  # and the minimum median in variances: a steady rotation fits at every delay
+# Maximum median of the squared surface distances between frames in noise variances: rigid scenes 0.5, with a walking
+# person, which pulls both rotations apart, 1.0. Chosen 2026-11-29 on the kitchen and the synthetic room.
+MAX_RIGID_EXCESS = 0.6
+MIN_DELAYS = 15  # minimum number of compared delays without one that fits
+MIN_UNEXPLAINED = 0.45  # minimum residual of the best delay, likewise: constant delays up to 0.4 | two rates 0.6
+# Frames after which unrelated rotations make a frame uncertain before they are reported, and their minimum residual as
+# UNRELATED_RATIO: 0 of 300 frames of the kitchen, and 0 of 490 of four synthetic sites (2026-11-29).
+DOUBT_FRAMES, DOUBT_RATIO, MIN_DOUBT_DELAYS = 15, 0.87, 9
+SAME_DELAY, MIN_AGREEING = 1.5, 0.5  # frames, and fraction of the estimates of a stretch that agree with their median
+MIRRORED_SIGNS = {  # of the components of a rotation
+    "left-right": (1.0, -1.0, -1.0),
+    "upside down": (-1.0, 1.0, -1.0),
+    "by 180 degrees": (-1.0, -1.0, 1.0),
+}
 MAX_OFFSET = 0.04  # [s] accepted offset: a frame of a slow camera, which costs millimeters
 SHORT_FRAMES = 1.2  # likewise without timestamps
 RECENT_FRAMES = 8  # frames at the end of a synchronized window that may be apart already, and that end an offset
@@ -62,16 +85,27 @@ class Apart:
 
     Attributes:
         first, last: The first and last frame.
-        frames: Number of frames by which depth is late. Negative if it is early.
+        frames: Number of frames by which depth is late. Negative if it is early. NaN if no constant delay fits.
         seconds: Likewise [s]. NaN without timestamps.
+        mirrored: How one of both images is mirrored. Empty if they are not.
     """
 
     first: int
     last: int
     frames: float
     seconds: float
+    mirrored: str = ""
 
     def __str__(self) -> str:
+        if self.mirrored:
+            return (
+                f"depth is mirrored or rotated ({self.mirrored}) compared with color in frame {self.first}-{self.last}"
+            )
+        if math.isnan(self.frames):
+            return (
+                f"color and depth rotate differently in frame {self.first}-{self.last}, and no constant delay explains "
+                "it: the streams may have different rates (pair their images by time), or an object covers the image"
+            )
         early = "late" if self.frames > 0 else "early"
         by = f"{abs(self.frames):.1f} frames" if math.isnan(self.seconds) else f"{abs(self.seconds):.2f} s"
         order = "later" if self.frames > 0 else "earlier"
@@ -125,7 +159,7 @@ class StreamCheck:
         motion = self.lag.add(frame.pyramid if frame.pixels is not None else None, frame.timestamp)
         count = self._frozen.add(motion, self.view)
         self.lag.leave_out(count)
-        return STALE if count else self.problem or ""
+        return STALE if count else self.problem or (DOUBTFUL if self.lag.is_doubtful else "")
 
     @property
     def problem(self) -> str | None:
@@ -163,13 +197,15 @@ class Rotations:
     """Rotations of a frame from the previous one [rad] by color and by depth, float64 [3].
 
     `axes`, float64 [3, 3], are the principal directions of the depth's covariance as columns, `variances` [3] those of
-    the difference of both rotations. Arrays of several frames have a leading dimension.
+    the difference of both rotations. `excess`: squared distance of the surfaces in noise variances. Arrays of several
+    frames have a leading dimension.
     """
 
     color: Floats
     depth: Floats
     axes: Floats
     variances: Floats
+    excess: float = 0.0
 
     @property
     def determined(self) -> NDArray[np.bool_]:
@@ -193,7 +229,8 @@ def rotations_between(now: OdometryFrame, before: OdometryFrame) -> Rotations | 
         return None
     variances, axes = eigh(covariance)
     color, depth = (rotation_vector(pose[:3, :3]) for pose in poses)
-    return Rotations(color, depth, axes, np.maximum(variances, 0.0) + COLOR_NOISE**2)
+    excess = float(sums[EXCESS_SUM] / max(sums[PLANE_COUNT], 1.0))
+    return Rotations(color, depth, axes, np.maximum(variances, 0.0) + COLOR_NOISE**2, excess)
 
 
 class StreamLag:
@@ -203,15 +240,19 @@ class StreamLag:
         apart: The stretches of frames that are apart in time.
         current: The one of the last frame. None if it is synchronized, or if that is unknown.
         synchronized: The first frame that is not known to be synchronized.
+        is_doubtful: True if the rotations of the last frames are unrelated, but too few to report it.
     """
 
     def __init__(self) -> None:
         self.apart: list[Apart] = []
+        self.is_doubtful = False
         self.current: Apart | None = None
         self._before: OdometryFrame | None = None
         self._rotations: list[Rotations | None] = []
         self._times: list[float | None] = []
         self._costs: list[Floats] = []
+        self._mirrored: list[Floats] = []
+        self._estimates: list[float | str] = []
         self._count = self.synchronized = 0
 
     def add(self, pyramid: OdometryFrame | None, time: float | None) -> Rotations | None:
@@ -226,7 +267,9 @@ class StreamLag:
         self._rotations = [*self._rotations[-MAX_DELAY:], rotations]
         self._times = [*self._times[1 - WINDOW_FRAMES :], time]
         self._costs = [*self._costs[1 - WINDOW_FRAMES :], costs_at_delays(self._rotations)]
+        self._mirrored = [*self._mirrored[1 - WINDOW_FRAMES :], mirrored_costs(rotations)]
         self._count += 1
+        self.is_doubtful = self._are_unrelated()
         self._judge()
 
     def leave_out(self, count: int) -> None:
@@ -236,6 +279,17 @@ class StreamLag:
             for costs in self._costs[-count:]:
                 costs[:] = 0.0
 
+    def _are_unrelated(self) -> bool:
+        """True if the last frames rotate as differently as frames of other times."""
+        residual, count, _ = np.sum(self._costs, axis=0)
+        is_known = count >= max(MIN_COUNT / 2, MIN_FRACTION * count[MAX_DELAY])
+        if len(self._costs) < DOUBT_FRAMES or not is_known[MAX_DELAY] or is_known.sum() < MIN_DOUBT_DELAYS:
+            return False
+        usual = float(np.median(residual[is_known] / count[is_known]))
+        last, last_count, _ = np.sum(self._costs[-DOUBT_FRAMES:], axis=0)[:, MAX_DELAY]
+        is_high = last > DOUBT_RATIO * usual * last_count and last_count >= DOUBT_FRAMES
+        return bool(is_high and usual > MIN_USUAL and self._is_rigid())
+
     def _judge(self) -> None:
         residual, count, motion = np.sum(self._costs, axis=0)
         is_known = count >= max(MIN_COUNT, MIN_FRACTION * count[MAX_DELAY])
@@ -243,9 +297,11 @@ class StreamLag:
         if len(self._costs) < MIN_WINDOW or not is_known[MAX_DELAY] or not has_moved:
             return
         mean = np.where(is_known, residual / np.maximum(count, 1.0), math.inf)
-        best = int(np.argmin(mean))
         usual = float(np.median(mean[is_known]))
+        best = shortest_delay(mean, float(mean.min()) + EQUAL_DELAYS * usual)
         if mean[best] > MAX_DELAY_RESIDUAL * usual:
+            if is_known.sum() >= MIN_DELAYS:
+                self._compare_unrelated(mean[MAX_DELAY], float(mean[best]), usual, count[MAX_DELAY])
             return
         delay = best - MAX_DELAY + between(mean, best)
         step = self._step()
@@ -253,7 +309,7 @@ class StreamLag:
         if is_short:
             self.synchronized, self.current = max(self._count - RECENT_FRAMES, 0), None
         elif mean[MAX_DELAY] > max(MIN_UNDELAYED_RATIO * mean[best], MIN_RESIDUAL) and not self._has_ended(best):
-            self._note(delay, delay * step)
+            self._note(delay)
 
     def _has_ended(self, best: int) -> bool:
         """True if the last frames are synchronized again."""
@@ -263,18 +319,50 @@ class StreamLag:
             self.synchronized, self.current = max(self._count - RECENT_FRAMES, 0), None
         return is_together
 
-    def _note(self, delay: float, seconds: float) -> None:
-        last = self._count - 1
+    def _compare_unrelated(self, undelayed: float, best: float, usual: float, count: float) -> None:
+        """Note a mirrored image, or rotations that no delay explains, by mean residuals; `count` directions."""
+        costs = np.sum(self._mirrored, axis=0) / count
+        kind = int(np.argmin(costs))
+        if len(self._costs) < WINDOW_FRAMES or usual < MIN_USUAL:
+            return
+        if costs[kind] < MAX_DELAY_RESIDUAL * usual and undelayed > MIN_UNDELAYED_RATIO * costs[kind]:
+            self._note(list(MIRRORED_SIGNS)[kind])
+        elif undelayed > UNRELATED_RATIO * usual and best > MIN_UNEXPLAINED * usual and self._is_rigid():
+            self._note(math.nan)
+
+    def _is_rigid(self) -> bool:
+        """True if depth images of the window fit rigidly, without objects that move."""
+        known = [one.excess for one in self._rotations[-WINDOW_FRAMES:] if one is not None]
+        return float(np.median(known)) < MAX_RIGID_EXCESS
+
+    def _note(self, estimate: float | str) -> None:
+        """Note an estimate: the delay, NaN if none fits, or how an image is mirrored."""
         if self.current is None:
-            self.current = Apart(self.synchronized, last, delay, seconds)
-            self.apart.append(self.current)
-        else:
-            first = self.current.first
-            self.current = self.apart[-1] = Apart(first, last, delay, seconds)
+            self._estimates = []
+        self._estimates.append(estimate)
+        delays = np.array([math.nan if isinstance(one, str) else one for one in self._estimates])
+        named = delays[~np.isnan(delays)]
+        delay, min_count = float(np.median(named)) if len(named) else math.nan, MIN_AGREEING * len(delays)
+        if (np.abs(named - delay) < SAME_DELAY).sum() <= min_count:
+            delay = math.nan
+        mirrored = next((kind for kind in MIRRORED_SIGNS if self._estimates.count(kind) > min_count), "")
+        first, before = (
+            (self.synchronized, self.apart) if self.current is None else (self.current.first, self.apart[:-1])
+        )
+        self.current = Apart(first, self._count - 1, delay, delay * self._step(), mirrored)
+        self.apart = [*before, self.current]
 
     def _step(self) -> float:
         times = [time for time in self._times if time is not None]
         return float(np.median(np.diff(times))) if len(times) == len(self._times) > 1 else math.nan
+
+
+def shortest_delay(mean: Floats, limit: float) -> int:
+    """The local minimum of the shortest delay whose residual is at most `limit`."""
+    padded = np.pad(mean, 1, constant_values=math.inf)
+    is_minimum = (mean <= padded[:-2]) & (mean <= padded[2:]) & (mean <= limit)
+    found = np.flatnonzero(is_minimum)
+    return int(found[np.argmin(np.abs(found - MAX_DELAY))])
 
 
 def between(values: Floats, best: int) -> float:
@@ -306,6 +394,16 @@ def costs_at_delays(rotations: Sequence[Rotations | None]) -> Floats:
         out[1, delays] = pair.determined.sum(axis=-1)
         out[2, delays] = pair.along(color).sum(axis=-1)
     return out
+
+
+def mirrored_costs(rotations: Rotations | None) -> Floats:
+    """Capped squared differences of the rotations if one image is mirrored, float64 [3] as of MIRRORED_SIGNS."""
+    if rotations is None:
+        return np.zeros(len(MIRRORED_SIGNS))
+    signs = np.array(list(MIRRORED_SIGNS.values()))
+    one = dataclasses.replace(rotations, axes=rotations.axes[None], variances=rotations.variances[None])
+    squares = one.along(signs * rotations.color - rotations.depth)
+    return np.minimum(squares, MAX_SQUARED_DIFFERENCE).sum(axis=-1)
 
 
 class FrozenDepth:

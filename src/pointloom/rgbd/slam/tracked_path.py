@@ -13,10 +13,11 @@ from ...cameras.trajectory import Trajectory
 from ...core.dropped_results import returns_new
 from ...core.number_ranges import some_frames
 from ...core.reports import Assessed, Fields, in_columns, quality
-from ...core.wording import format_fraction
+from ...core.wording import format_fraction, plain
 from ...io.frames.frames import why_out_of_range
 from ...registration.pose_errors import PoseCovariance
 from ...registration.trajectories.trajectory_error import TrajectoryError
+from .camera_check import FocalCheck
 from .map_joins import MapJoin
 from .path_statistics import error_against_truth, path_length
 from .results import rotated_covariance
@@ -55,6 +56,7 @@ class TrackedPath(Assessed):
         other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
             lost for long.
         source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
+        camera: Whether the keyframes fit better with another camera. None if they do not determine it.
         joins: A MapJoin for each two maps with a relative pose: the evidence, and the reason if rejected.
     """
 
@@ -81,6 +83,7 @@ class TrackedPath(Assessed):
     covered: tuple[int, ...] = ()
     notes: tuple[str, ...] = ()
     source_warnings: tuple[str, ...] = ()
+    camera: FocalCheck | None = None
 
     def __str__(self) -> str:
         return in_columns([*self.fields(), ("model", f"voxels of {self.voxel_size * 1000:g} mm")])
@@ -116,7 +119,7 @@ class TrackedPath(Assessed):
         if unreadable := self.unreadable:
             first = next(iter(unreadable.values()))
             reasons.append(f"{len(unreadable)} of {count} frames cannot be read and are left out: {first}")
-        return (*reasons, *self.source_warnings)
+        return (*reasons, *self.source_warnings, *(() if self.camera is None else self.camera.warnings))
 
     def _apart(self) -> str:
         numbers_by_map = [_numbers(path) for path in self.other_maps]
@@ -170,6 +173,7 @@ class TrackedPath(Assessed):
             "joined_maps": sum(not join.refused for join in self.joins),
             "path_length_m": path_length(self.trajectory.poses),
             "notes": list(self.notes),
+            "camera_check": plain(self.camera),
             **quality(self),
         }
 

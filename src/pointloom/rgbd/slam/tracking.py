@@ -181,7 +181,7 @@ class _Tally:
             pose_covariances=tuple(found for n in main if (found := results[n].pose_covariance) is not None),
             drifted=tuple(n for n, result in located.items() if result.has_drifted),
             covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ())),
-            depth_fraction=depth_fraction, used_fraction=used_fraction, **sizes,
+            depth_fraction=depth_fraction, used_fraction=used_fraction, camera=self.slam.check_camera(), **sizes,
         )  # fmt: skip
 
     def _trajectory(self, numbers: list[int], results: dict[int, TrackingResult]) -> Trajectory:
