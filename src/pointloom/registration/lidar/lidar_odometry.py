@@ -40,10 +40,10 @@ from .gaps import (
     GAP_OVERLAP,
     SEARCH_VOXELS,
     ScanClock,
-    costs_more,
     intervals_between,
     is_doubtful,
     loses_overlap,
+    may_follow_gap,
     motion_in,
     poses_after,
 )
@@ -81,7 +81,6 @@ START_VOXELS = 3.0  # for the second scan, to select among many starts
 MIN_POINTS = 32  # minimum to estimate the fraction of the interval
 START_ITERATIONS = 2  # repeated registrations of the second scan, each with a better deskewing motion
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
-MIN_OVERLAP = 0.75  # fitness relative to the previous scan, below which all headings are tried
 SENSOR_HEIGHT = 1.7  # [m] above the ground, on a car or in hands: rings at range r move by r^2 tilt / height
 MAX_RING_SHIFT = 1.5  # of UNMATCHED_VOXELS: rings that a tilt moved farther look like new surfaces
 UNMATCHED_VOXELS = 0.75  # voxels: farther points of a stationary scan are new
@@ -387,19 +386,20 @@ class LidarOdometry(Serialized):
         search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
         match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further, search_range)
         step = self._step_of(match, predicted, sigma, has_prior)
-        known = None if path is None or self._known.is_starting(index) else self._last_matched()
-        if path is not None and known is not None and (path.gap != 1.0 or is_doubtful(step, known)):
+        last_matched = self._last_matched()
+        known = None if path is None or self._known.is_starting(index) else last_matched
+        if path is not None and known is not None and (path.gap != 1.0 or may_follow_gap(step, known)):
             poses = path.poses(self._last_pose(), self._max_gap(), SEARCH_VOXELS * self.voxel_size)
             guess, min_fitness = predicted if path.gap > 1 else None, GAP_OVERLAP * known.fitness
             other = search_poses(self._aligner, scan, voxel_map, match, poses, guess, min_fitness)
             found = self._step_of(other, predicted, sigma, has_prior)
             if found.is_sound:
                 step, match = replace(found, gap=path.intervals_to(found.pose, self._last_pose())), other
-                if not is_doubtful(step, known):
+                if not may_follow_gap(step, known):
                     return step
         searches = (
             WiderSearch(partial(rotated_guesses, predicted, self._last_pose()), disagrees, attrgetter("disagreement")),
-            WiderSearch(partial(headings, predicted), self._loses_overlap, attrgetter("cost")),
+            WiderSearch(partial(headings, predicted), partial(loses_overlap, known=last_matched), attrgetter("cost")),
         )
         for search in searches:
             if search.is_needed(step):
@@ -407,9 +407,10 @@ class LidarOdometry(Serialized):
                 candidate = self._step_of(other, predicted, sigma, has_prior)
                 if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
                     step, match = replace(candidate, gap=step.gap), other
-        if known is None:
+        if known is None or path is None:
             return step
-        return replace(step, is_doubtful=loses_overlap(step, known) and costs_more(step, known))
+        way = float(norm(step.pose[:3, 3] - self._last_pose()[:3, 3])) if step.gap > path.gap == 1.0 else 0.0
+        return replace(step, is_doubtful=is_doubtful(step, known, way, self.voxel_size))
 
     def _last_matched(self) -> OdometryStep | None:
         """The last step of a scan that was matched with the map."""
@@ -420,11 +421,6 @@ class LidarOdometry(Serialized):
     def _max_gap(self) -> float:
         return GAP_FRACTION * self.max_range
 
-    def _loses_overlap(self, step: OdometryStep) -> bool:
-        """True if the overlap with the map is much less than before, as after a fast rotation."""
-        last = self._steps[-1]
-        return not step.is_sound or (last.is_sound and step.fitness < MIN_OVERLAP * last.fitness)
-
     def _step_of(self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool) -> OdometryStep:
         status = ("converged" if match.converged else "max_iteration") if match.is_matched else "no overlap"
         rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
@@ -434,7 +430,7 @@ class LidarOdometry(Serialized):
             status=status, misfit=rmse / self.voxel_size, disagreement=match.disagreement,
             undetermined=() if match.open is None else match.open.translations(),
             undetermined_turns=() if match.open is None else match.open.rotations(),
-            rivals=match.ways_to_rivals(), has_prior=has_prior,
+            rivals=match.ways_to_rivals(), has_prior=has_prior, voxel_size=self.voxel_size,
         )  # fmt: skip
         if not match.is_matched:
             return step
