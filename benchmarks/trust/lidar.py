@@ -108,6 +108,7 @@ CASES: dict[str, tuple[Callable[[int], made.Run], float]] = {
     "hall, 0.3 m a scan": (lambda seed: far(seed, made.hall(seed=seed), 0.3, start=5), 60),
     "wood, 0.5 m a scan": (lambda seed: far(seed, made.forest(seed=seed), 0.5), 60),
     "wood, 1.5 m a scan": (lambda seed: far(seed, made.forest(seed=seed), 1.5), 60),
+    "sparse wood, 0.5 m a scan": (lambda seed: far(seed, made.forest(seed=seed, trunks=150), 0.5), 60),
     "in the hand, turned by 12 deg a scan": (lambda seed: hand_run(seed, 12.0), 100),
     "in the hand, turned by 30 deg a scan": (lambda seed: hand_run(seed, 30.0), 100),
     "in the hand, turned by 40 deg a scan": (lambda seed: hand_run(seed, 40.0), 100),

@@ -6,7 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.registration import LidarOdometry
 from pointloom.registration.lidar.deskewing import twist_of
-from pointloom.registration.lidar.gaps import MIN_GAP, ScanClock, intervals_between, motion_in, poses_after
+from pointloom.registration.lidar.gaps import MIN_GAP, ScanClock, intervals_between, is_doubtful, motion_in, poses_after
 from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
 
 from .drives import random_street, scan_at, street_of_equal_houses
@@ -125,6 +125,16 @@ def test_intervals_of_a_motion():
     assert intervals_between(np.eye(4), as_pose(shift=[4.5, 0, 0]), motion) == pytest.approx(9.0)
     assert intervals_between(np.eye(4), as_pose(shift=[0.5 * MIN_GAP - 0.01, 0, 0]), motion) == 1.0
     assert intervals_between(np.eye(4), as_pose(shift=[4.5, 0, 0]), np.eye(4)) == 1.0
+
+
+def test_a_jump_over_an_unknown_gap_is_doubtful_if_it_costs_more():
+    def step(cost, fitness=0.9):
+        return OdometryStep(5, np.eye(4), 1.0, 10, fitness, 0.1, 3, True, False, "converged", disagreement=cost)
+
+    known = step(0.05)
+    assert is_doubtful(step(0.13), known, 4.0, 1.0) and not is_doubtful(step(0.12), known, 4.0, 1.0)
+    assert not is_doubtful(step(0.13), known, 0.9, 1.0)
+    assert is_doubtful(step(0.11, 0.6), known, 0.0, 1.0) and not is_doubtful(step(0.09, 0.6), known, 0.0, 1.0)
 
 
 def test_a_scan_that_fits_much_worse_is_reported():

@@ -173,6 +173,56 @@ def test_a_stationary_scanner_among_moving_objects_is_reported():
     assert summarize_steps(steps(0.98)).reliable and summarize_steps(steps(0.95, 0.5)).reliable
 
 
+def test_ground_that_moves_within_walls_that_move_along_contradicts_a_stationary_scanner(device, rng):
+    floor = np.concatenate(
+        [r * np.array([[np.cos(a), np.sin(a)] for a in np.arange(0, 6.28, 0.02)]) for r in (2, 3, 4)]
+    )
+    wall = np.column_stack([rng.uniform(-5, 5, 3000), rng.choice([-5.0, 5.0], 3000), rng.uniform(-1, 1, 3000)])
+    wall[::2, :2] = wall[::2, 1::-1]
+
+    def scan(at):
+        x, y = floor[:, 0] + at, floor[:, 1]
+        z = -1.5 + 0.15 * np.sin(1.7 * x + 0.4 * y) * np.cos(1.3 * y - 0.3 * x)
+        points = np.concatenate([wall, np.column_stack([floor, z])])
+        return points + rng.normal(0, 0.005, points.shape)
+
+    moving, still = run([scan(0.4 * k) for k in range(10)], device), run([scan(0.0) for _ in range(10)], device)
+    assert np.abs(moving.poses[:, :3, 3]).max() < 0.1
+    assert moving.summary.is_contradicted and still.summary.reliable
+
+
+def test_a_scanner_at_rest_whose_scans_fit_worse_than_the_first_one_is_reported():
+    def summary(costs, speed=0.0):
+        poses = [as_pose([0, 0, 0.1 * k], [speed * k, 0, 0]) for k in range(len(costs))]
+        return summarize_steps([
+            OdometryStep(k, T, 1.0, 100, 1.0, 0.1, 5 * (k > 0), True, False, "converged", disagreement=cost)
+            for k, (T, cost) in enumerate(zip(poses, costs, strict=True))
+        ])  # fmt: skip
+
+    worse = summary([0.0, 0.04] + 10 * [0.08])
+    assert worse.contradicted == tuple(range(3, 12)) and worse.resting == 9 and worse.is_contradicted
+    assert summary([0.0, 0.04] + 10 * [0.05]).reliable and summary([0.0, 0.01] + 10 * [0.027]).reliable
+    assert summary([0.0, 0.04] + 5 * [0.08, 0.05]).reliable and summary([0.0, 0.04] + 10 * [0.08], 0.5).reliable
+
+
+def test_many_scans_in_a_row_that_determine_the_position_weakly_make_the_path_unreliable():
+    def summary(sigmas):
+        errors = [MatchError(np.diag([0, 0, 0, sigma**2, 0, 0])) for sigma in sigmas]
+        return summarize_steps([
+            OdometryStep(
+                k, as_pose(shift=[k, 0, 0]), 1.0, 100, 1.0, 0.1, 5, True, False, "converged", match_error=error,
+                voxel_size=0.5,
+            )
+            for k, error in enumerate(errors)
+        ])  # fmt: skip
+
+    weak = summary(10 * [0.01] + 15 * [0.11] + 20 * [0.01])
+    assert set(range(10, 25)) <= set(weak.weak) and 40 not in weak.weak and not weak.reliable
+    assert 0.09 < weak.weak_sigma < 0.12 and "within 0.11 m each" in weak.warnings[0]
+    assert weak.to_dict()["weak"] == list(weak.weak)
+    assert summary(30 * [0.09]).reliable and summary(14 * [0.2]).reliable and summary([]).weak == ()
+
+
 def test_a_residual_increase_counts_if_large_and_significant():
     rows = np.array([[0.03, 0.0, 1.0, 0.0], [3.1, 0.9, 100.0, 0.0], [15.0, 1.0, 1000.0, 0.0], [4.0, 4.0, 100.0, 0.0]])
     assert MIN_RISE == 0.02 and rises_clearly(rows).tolist() == [False, True, False, False]

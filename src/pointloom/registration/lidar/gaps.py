@@ -30,6 +30,9 @@ AROUND_VOXELS = 15.0  # voxels: radius of the search around a sensor that was at
 # pose is right, and 2.8 to 3.6 at wrong poses; 3 to 5 at wrong poses of a synthetic street. 2026-11-29.
 MAX_COST_RATIO = 2.0
 MIN_COST = 0.02  # mean plane cost of a noise-free scan in its map, below which ratios mean little
+MAX_JUMP_COST_RATIO = (
+    2.5  # over an unknown gap: up to 1.9 at right poses of those scans, 10 left out; 2.5 to 8 at wrong
+)
 GAP_OVERLAP = 0.75  # fitness relative to that scan, likewise
 
 
@@ -66,17 +69,27 @@ def motion_in(gap: float, motion: Matrix, max_distance: float = math.inf) -> Mat
     return pose_of(min(gap, max_distance / speed if speed > 0 else gap) * twist)
 
 
-def is_doubtful(step: OdometryStep, known: OdometryStep) -> bool:
+def may_follow_gap(step: OdometryStep, known: OdometryStep) -> bool:
     """True if a scan fits the map much worse than the last `known` one: scans may be missing before it."""
-    return not step.is_sound or loses_overlap(step, known) or costs_more(step, known)
+    return loses_overlap(step, known) or costs_more(step, known)
 
 
-def loses_overlap(step: OdometryStep, known: OdometryStep) -> bool:
-    return step.fitness < GAP_OVERLAP * known.fitness
+def loses_overlap(step: OdometryStep, known: OdometryStep | None) -> bool:
+    """True if a scan does not fit, or overlaps the map much less than the last `known` one, if any."""
+    return not step.is_sound or (known is not None and step.fitness < GAP_OVERLAP * known.fitness)
 
 
-def costs_more(step: OdometryStep, known: OdometryStep) -> bool:
-    return step.disagreement > MAX_COST_RATIO * max(known.disagreement, MIN_COST)
+def costs_more(step: OdometryStep, known: OdometryStep, ratio: float = MAX_COST_RATIO) -> bool:
+    return step.disagreement > ratio * max(known.disagreement, MIN_COST)
+
+
+def is_doubtful(step: OdometryStep, known: OdometryStep, way: float, voxel_size: float) -> bool:
+    """True if a scan costs more than the last `known` one, and overlaps less or has jumped over an unknown gap.
+
+    `way` [m] is the distance since the last scan over a gap that only the search along the path indicates, or zero.
+    """
+    has_jumped = way > voxel_size and costs_more(step, known, MAX_JUMP_COST_RATIO)
+    return has_jumped or (costs_more(step, known) and loses_overlap(step, known))
 
 
 def poses_after(last: Matrix, twist: Matrix, gap: float, max_distance: float, spacing: float) -> Matrix:

@@ -40,10 +40,10 @@ from .gaps import (
     GAP_OVERLAP,
     SEARCH_VOXELS,
     ScanClock,
-    costs_more,
     intervals_between,
     is_doubtful,
     loses_overlap,
+    may_follow_gap,
     motion_in,
     poses_after,
 )
@@ -84,7 +84,6 @@ START_VOXELS = 3.0  # for the second scan, to select among many starts
 MIN_POINTS = 32  # minimum to estimate the fraction of the interval
 START_ITERATIONS = 2  # repeated registrations of the second scan, each with a better deskewing motion
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
-MIN_OVERLAP = 0.75  # fitness relative to the previous scan, below which all headings are tried
 SENSOR_HEIGHT = 1.7  # [m] above the ground, on a car or in hands: rings at range r move by r^2 tilt / height
 MAX_RING_SHIFT = 1.5  # of UNMATCHED_VOXELS: rings that a tilt moved farther look like new surfaces
 UNMATCHED_VOXELS = 0.75  # voxels: farther points of a stationary scan are new
@@ -404,29 +403,30 @@ class LidarOdometry(Serialized):
         if voxel_map.count == 0:
             return unaligned_step(index, predicted, sigma, FIRST_SCAN)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
-        known = None if path is None or self._known.is_starting(index) else self._last_matched()
+        last_matched = self._last_matched()
+        known = None if path is None or self._known.is_starting(index) else last_matched
         search_range = self._search_range(has_prior)
         match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further)
         if is_skewed is not None and not self._steps[-1].is_undetermined and match.is_matched and is_skewed(match.pose):
             step = self._step_of(match, predicted, has_prior, is_assessed=False)
-            is_worse = known is not None and is_doubtful(step, known)
+            is_worse = known is not None and may_follow_gap(step, known)
             is_searched = search_range > 0 and len(weak_directions(match.information, scan.sparse.size)) > 0
             if self._fits(step) and not is_worse and not is_searched:
                 return step
         match = assess_match(self._aligner, scan, voxel_map, match, predicted, search_range, is_blind_open=not further)
         step = self._step_of(match, predicted, has_prior)
-        if path is not None and known is not None and (path.gap != 1.0 or is_doubtful(step, known)):
+        if path is not None and known is not None and (path.gap != 1.0 or may_follow_gap(step, known)):
             poses = path.poses(self._last_pose(), self._max_gap(), SEARCH_VOXELS * self.voxel_size)
             guess, min_fitness = predicted if path.gap > 1 else None, GAP_OVERLAP * known.fitness
             other = search_poses(self._aligner, scan, voxel_map, match, poses, guess, min_fitness)
             found = self._step_of(other, predicted, has_prior)
             if found.is_sound:
                 step, match = replace(found, gap=path.intervals_to(found.pose, self._last_pose())), other
-                if not is_doubtful(step, known):
+                if not may_follow_gap(step, known):
                     return step
         searches = (
             WiderSearch(partial(rotated_guesses, predicted, self._last_pose()), disagrees, attrgetter("disagreement")),
-            WiderSearch(partial(headings, predicted), self._loses_overlap, attrgetter("cost")),
+            WiderSearch(partial(headings, predicted), partial(loses_overlap, known=last_matched), attrgetter("cost")),
         )
         for search in searches:
             if search.is_needed(step):
@@ -435,11 +435,10 @@ class LidarOdometry(Serialized):
                 candidate = self._step_of(other, predicted, has_prior)
                 if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
                     step, match = replace(candidate, gap=step.gap), other
-        if known is None:
+        if known is None or path is None:
             return step
-        if loses_overlap(step, known) and costs_more(step, known):
-            return replace(step, is_doubtful=True)
-        return step
+        way = float(norm(step.pose[:3, 3] - self._last_pose()[:3, 3])) if step.gap > path.gap == 1.0 else 0.0
+        return replace(step, is_doubtful=is_doubtful(step, known, way, self.voxel_size))
 
     def _sigma(self) -> float:
         ends = np.array([step.pose for step in (*self._steps[:1], *self._steps[-1:])])
@@ -465,12 +464,7 @@ class LidarOdometry(Serialized):
         return GAP_FRACTION * self.max_range
 
     def _fits(self, step: OdometryStep) -> bool:
-        return step.is_sound and not disagrees(step) and not self._loses_overlap(step)
-
-    def _loses_overlap(self, step: OdometryStep) -> bool:
-        """True if the overlap with the map is much less than before, as after a fast rotation."""
-        last = self._steps[-1]
-        return not step.is_sound or (last.is_sound and step.fitness < MIN_OVERLAP * last.fitness)
+        return not disagrees(step) and not loses_overlap(step, self._last_matched())
 
     def _step_of(
         self, match: ScanMatch, predicted: Matrix, has_prior: bool, *, is_assessed: bool = True
@@ -486,7 +480,7 @@ class LidarOdometry(Serialized):
             status=status, misfit=rmse / self.voxel_size, disagreement=match.disagreement,
             undetermined=() if match.open is None else match.open.translations(),
             undetermined_turns=() if match.open is None else match.open.rotations(),
-            rivals=match.ways_to_rivals(), has_prior=has_prior, match_error=error,
+            rivals=match.ways_to_rivals(), has_prior=has_prior, match_error=error, voxel_size=self.voxel_size,
         )  # fmt: skip
 
     def _next_state(

@@ -45,9 +45,18 @@ MAX_FAR_CHANGE = 0.015
 # slow for single scans: up to 0.09 in a street at rest, 0.13 with passing trucks, 0.16 in a corridor (median 0.03);
 # 0.1 to 0.4 and growing among trucks that drive along at 0.1 to 0.2 m a scan.
 MAX_REST_CHANGE, MAX_REST = 0.15, 30
+# Ratio of a scan's plane cost to that of the first matched scan at the same position, the smallest cost of the latter,
+# and the fraction of such scans. Rings of a scanner at rest repeat, so that the cost falls, also while it turns or
+# rocks, or at 1 to 3 cm a scan: no scan is above, with passing trucks up to 0.47 of the scans. If all walls move along
+# and the ground shows the motion, 0.94 to 1.0 are. Synthetic open ground, woods, halls and streets, 2026-11-29.
+MAX_REST_COST_RATIO, MIN_REST_COST, MAX_WORSE = 1.4, 0.02, 0.7
 # Difference [rad] of a scan's rotation from the gyroscope's, and the fraction of scans with a larger one: correct
 # readings differ by 0.01 to 0.7 degrees at rates up to 600 degrees/s.
 MAX_IMU_DIFFERENCE, MAX_IMU_DIFFERING = math.radians(2), 0.1
+# Mean standard deviation of the position in the map over as many consecutive matched scans, in voxel edges. In sparse
+# woods (16 beams, 120 to 250 trunks on 200 x 80 m, seeds 200 to 211) wrong paths had 0.17 to 0.31, correct ones up to
+# 0.18; in woods of 500 trunks up to 0.19; 16 real scans of a street with 64 and 16 beams up to 0.11. 2026-11-29.
+MAX_MATCH_SIGMA, MIN_WEAK = 0.19, 15
 ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
@@ -86,6 +95,7 @@ class OdometryStep(AssessedRecord):
         has_imu: True if readings of an IMU predicted the motion.
         imu_difference: Angle [rad] between the rotations since the last scan by the gyroscope and by the scans. None if
             one of them is unknown.
+        voxel_size: Voxel edge of the map [m].
     """
 
     index: int
@@ -113,6 +123,7 @@ class OdometryStep(AssessedRecord):
     match_error: MatchError = field(default_factory=MatchError)
     has_imu: bool = False
     imu_difference: float | None = None
+    voxel_size: float = 0.0
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -174,8 +185,9 @@ class OdometrySummary(Report, Assessed):
         undetermined_distance: Path length [m] of these scans.
         ambiguous: Scans with equally good poses while the motion was unknown, or after a gap.
         rival: Translation [m] from the first of them to the nearest such pose. Empty if none.
-        contradicted: Scans that appear stationary with much new content: moving objects may be taken for static.
-        resting: Number of scans that appear stationary.
+        contradicted: Scans that appear stationary with much new content, or that fit the map worse than the first scan
+            at their position: moving objects may be taken for static.
+        resting: Number of scans that appear stationary, or at the same position.
         gaps: Scans after a gap, by their times.
         doubtful: Scans that fit the map much worse than those before, which may be off after an unknown gap.
         out_of_order: Scans whose time is not after that of the scan before.
@@ -183,6 +195,9 @@ class OdometrySummary(Report, Assessed):
             position [m]. Empty without scans.
         without_imu: Scans after the first without IMU readings, if others have them.
         imu_differing: Scans whose rotation differs by more than 2 degrees from that of the gyroscope.
+        weak: At least 15 consecutive matched scans with large standard deviations of the position in the map, so that
+            small errors add up.
+        weak_sigma: Root mean square of these [m].
     """
 
     scan_count: int
@@ -206,6 +221,8 @@ class OdometrySummary(Report, Assessed):
     out_of_order: tuple[int, ...] = ()
     without_imu: tuple[int, ...] = ()
     imu_differing: tuple[int, ...] = ()
+    weak: tuple[int, ...] = ()
+    weak_sigma: float = 0.0
 
     @property
     def is_contradicted(self) -> bool:
@@ -266,7 +283,7 @@ class OdometrySummary(Report, Assessed):
             )
         if self.is_contradicted:
             reasons.append(
-                f"the scanner appears stationary while {len(self.contradicted)} scans show many surfaces that were not "
+                f"the scanner appears stationary while {len(self.contradicted)} scans show surfaces that were not "
                 f"there before ({_scans(self.contradicted)}): objects that move with it may be mistaken for the scene"
             )
         if len(self.imu_differing) > MAX_IMU_DIFFERING * count:
@@ -274,6 +291,12 @@ class OdometrySummary(Report, Assessed):
                 f"{len(self.imu_differing)} of {count} scans rotate by another angle than the gyroscope "
                 f"({_scans(self.imu_differing)}). Check the pose T_sensor_imu of the IMU, its clock, and that its "
                 "angular velocities are in rad/s"
+            )
+        if self.weak:
+            reasons.append(
+                f"{len(self.weak)} of {count} scans determine the position only within {self.weak_sigma:.2f} m each "
+                f"({_scans(self.weak)}), so the path may drift. Use a sensor with more beams, a larger max_range, or "
+                "priors"
             )
         if self.is_undetermined:
             reasons.append(
@@ -307,6 +330,7 @@ class OdometrySummary(Report, Assessed):
                 "out_of_order": self.out_of_order,
                 "without_imu": self.without_imu,
                 "imu_differing": self.imu_differing,
+                "weak": self.weak,
                 "last_rotation_sigma_deg": [math.degrees(sigma) for sigma in self.sigmas[:3]],
                 "last_position_sigma_m": list(self.sigmas[3:]),
                 **quality(self),
@@ -354,7 +378,7 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
     lengths = np.linalg.norm(np.diff(path, axis=0, prepend=path[:1]), axis=1)
     free = [step for step in steps if step.is_undetermined and not step.has_prior]
     split = [step for step in steps if step.rivals]
-    resting = _stationary(steps)
+    (contradicted, resting), (weak, weak_sigma) = _rests(steps), _weak(steps)
     return OdometrySummary(
         len(steps),
         float(lengths[1:].sum()),
@@ -369,15 +393,28 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         float(sum(lengths[i] for i, step in enumerate(steps) if step.is_undetermined and not step.has_prior)),
         tuple(step.index for step in split),
         min(split[0].rivals, key=lambda way: math.hypot(*way)) if split else (),
-        tuple(step.index for step in resting if _is_contradicted(step)),
-        len(resting),
+        contradicted,
+        resting,
         tuple(steps[-1].covariance.sigmas.tolist()) if steps else (),
         tuple(step.index for step in steps if step.gap > 1),
         tuple(step.index for step in steps if step.is_doubtful and step.is_sound),
         tuple(step.index for step in steps if step.gap <= 0),
         tuple(step.index for step in steps[1:] if not step.has_imu) if any(step.has_imu for step in steps) else (),
         tuple(step.index for step in steps if (step.imu_difference or 0.0) > MAX_IMU_DIFFERENCE),
+        weak,
+        weak_sigma,
     )
+
+
+def _weak(steps: Sequence[OdometryStep]) -> tuple[tuple[int, ...], float]:
+    """The scans that determine the position weakly, and the root mean square of its standard deviations [m]."""
+    matched = [step for step in steps if step.is_sound and step.iterations and not step.is_undetermined]
+    variances = np.array([np.trace(step.match_error.matrix[3:, 3:]) for step in matched])
+    excess = np.sqrt(variances) - MAX_MATCH_SIGMA * np.array([step.voxel_size for step in matched])
+    sums = np.concatenate([[0.0], np.cumsum(excess)])
+    starts = np.flatnonzero(sums[MIN_WEAK:] > sums[:-MIN_WEAK])
+    chosen = np.unique(starts[:, None] + np.arange(MIN_WEAK))
+    return tuple(matched[k].index for k in chosen), math.sqrt(variances[chosen].mean()) if len(chosen) else 0.0
 
 
 def _is_contradicted(step: OdometryStep) -> bool:
@@ -385,16 +422,32 @@ def _is_contradicted(step: OdometryStep) -> bool:
     return is_new or step.fitness < STATIONARY_FITNESS
 
 
-def _stationary(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
-    """Matched scans whose pose equals that of three scans before."""
-    return [step for before, step in zip(steps, steps[3:], strict=False) if appears_stationary(before, step)]
+def _rests(steps: Sequence[OdometryStep]) -> tuple[tuple[int, ...], int]:
+    """The scans that contradict a rest, and the number of scans at rest.
+
+    Matched scans are at rest if the pose, or only the position, is that of three scans before.
+    """
+    still = [step for before, step in zip(steps, steps[3:], strict=False) if appears_stationary(before, step)]
+    new, worse, count, first = [step.index for step in still if _is_contradicted(step)], [], 0, None
+    for k, step in enumerate(steps[3:]):
+        if not keeps_position(steps[k], step):
+            first = None
+            continue
+        first, count = first or next(matched for matched in steps[k:] if matched.iterations), count + 1
+        if step.disagreement > MAX_REST_COST_RATIO * max(first.disagreement, MIN_REST_COST):
+            worse.append(step.index)
+    is_worse = len(worse) >= MIN_STATIONARY and len(worse) > MAX_WORSE * count
+    return (tuple(worse), count) if is_worse else (tuple(new), len(still))
+
+
+def keeps_position(before: OdometryStep, step: OdometryStep) -> bool:
+    way = norm(step.pose[:3, 3] - before.pose[:3, 3])
+    return bool(step.is_sound and step.iterations and way < MAX_STATIONARY_MOTION[0])
 
 
 def appears_stationary(before: OdometryStep, step: OdometryStep) -> bool:
-    way = norm(step.pose[:3, 3] - before.pose[:3, 3])
     angle = norm(step.pose[:3, :3] - before.pose[:3, :3]) / math.sqrt(2)
-    max_way, max_angle = MAX_STATIONARY_MOTION
-    return bool(step.is_sound and step.iterations and way < max_way and angle < max_angle)
+    return keeps_position(before, step) and bool(angle < MAX_STATIONARY_MOTION[1])
 
 
 def _open_motions(steps: Sequence[OdometryStep]) -> str:
