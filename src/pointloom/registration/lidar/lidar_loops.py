@@ -41,7 +41,8 @@ class LidarLoop(AssessedRecord):
         source, target: Numbers of the submaps. The source is the later one.
         transformation: T_target_source of the registration, float64 [4, 4].
         similarity: Correlation of their images from above, 0..1.
-        score: Confidence that their surfaces agree, 0..1, as of `assess_registration`, without free space.
+        score: Confidence that their surfaces agree, 0..1: as of `assess_registration`, without free space, and at most
+            that of the details that agree relative to those that contradict each other.
         shift: Distance [m] from the pose that was estimated before. 0 between sessions that were not joined.
         deviation: The same in standard deviations of all six motions. Up to 4.7 is plausible.
         status: "accepted"; "waiting" for another loop that makes it plausible; "ambiguous" if several poses explain
