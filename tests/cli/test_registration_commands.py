@@ -403,7 +403,8 @@ def test_map_takes_positions_and_continues_a_map(drive, tmp_path):
     assert "session" in result.stdout and "2, joined" in result.stdout and "the first scan is at" in result.stdout
     assert (result.exit_code, report["sessions"]) == (0, 1)
     assert "has a map already" in refusal(*words, "--force")
-    assert "--max-range is that of the map" in refusal(*words[:4], "--force", "--continue", submaps, *INDOORS)
+    wrong = run(*words[:4], "--force", "--continue", submaps, *INDOORS)
+    assert wrong.exit_code == 2 and "--max-range is that of the map" in wrong.stderr
     (submaps / "map.npz").write_bytes(b"damaged")
     assert "map.npz" in refusal(*words[:4], "--force", "--continue", submaps)
     positions.write_text("1,2")
