@@ -165,6 +165,15 @@ def read_submaps(folder: Path) -> Any:
     return PointStore(folder).points(0)
 
 
+def lidar_map(folder: Path) -> None:
+    """A saved map of one scan, and the position of its submap."""
+    points = np.random.default_rng(15).random((200, 3)) * [10, 10, 3]
+    slam = loom.registration.LidarSLAM(max_range=20, min_range=0.1, folder=folder)
+    readings = loom.registration.PositionReadings([0.0], [[1.0, 2.0, 3.0]])
+    slam.register(loom.PointCloud(points), time=0.0, positions=readings)
+    slam.finish()
+
+
 def scans(folder: Path) -> None:
     rng = np.random.default_rng(14)
     folder.mkdir()
@@ -306,6 +315,7 @@ FOLDERS = [
     member("paged volume, state", paged, "volume.npz", arrays, read_paged),
     member("paged volume, page", paged, "00000001.npz", arrays, read_paged),
     member("LiDAR submap", submaps, "submap-000000.npz", arrays, read_submaps),
+    member("LiDAR map", lidar_map, "map.npz", arrays, loom.registration.LidarSLAM.open),
     in_job("job of registration, plan", registration, loom.tiling.finish_registration, "plan"),
     in_job("job of registration, task", registration, loom.tiling.finish_registration, "told"),
     in_job("job of fusion, plan", fusion, finish_fusion, "plan"),

@@ -261,6 +261,7 @@ CONTROL = "name,x,y,z,sigma\nA,1,2,3,0.01\nB,4,5,6,0.02\n"
 TARGETS = "station,name,x,y,z\n0,A,1,2,3\n1,A,4,5,6\n"
 MATRIX = "1 0 0 0\n0 1 0 0\n0 0 1 2\n0 0 0 1\n"
 POSITIONS = "a 1 0 0\nb 3 0 0.5\n"
+GNSS = ["0 1 2 3\n1 2 3 4\n", "time,x,y,z,sigma\n0,1,2,3,0.5\n1,2,3,4,0.5\n", "0 1 2 3 0 0 0 1\n1 2 3 4 0 0 0 1\n"]
 NAMES = ["0001_a.jpg", "0002_b.jpg"]
 
 
@@ -309,6 +310,7 @@ PUBLIC = [
     ("view", ".json", written(".json", view), values, loom.read_view, anything),
     ("positions", ".txt", text(POSITIONS), mutations.text,
      lambda p: loom.registration.read_positions(p, NAMES), anything),
+    ("given positions", ".txt", text(*GNSS), mutations.text, loom.registration.PositionReadings.read, anything),
     ("cameras of frames", ".json", job_cases.transforms, values, loom.read_cameras, anything),
     ("color .png", ".png", lambda: [image("PNG"), image("PNG", "P")], mutations.binary, loom.read_color, anything),
     ("color .jpg", ".jpg", lambda: [image("JPEG"), image("JPEG", "CMYK")], mutations.binary, loom.read_color, anything),

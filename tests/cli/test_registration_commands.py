@@ -401,6 +401,31 @@ def test_map_shows_its_page_until_it_is_closed(drive, tmp_path, monkeypatch):
     assert shown == [(["map/0", "path"], True)] and "viewer: http://127.0.0.1" in result.stderr
 
 
+def test_map_takes_positions_and_continues_a_map(drive, tmp_path):
+    submaps, positions, cloud = tmp_path / "submaps", tmp_path / "gnss.csv", tmp_path / "map.ply"
+    rows = [(k, 100 + T[0, 3], 200 + T[1, 3], 5 + T[2, 3], 0.01) for k, T in enumerate(path_of(5))]
+    positions.write_text("time,x,y,z,sigma\n" + "\n".join(",".join(map(str, row)) for row in rows))
+    words = ["map", drive, "-o", cloud, "--submap-length", 0.1, *INDOORS, "--submaps", submaps]
+    report = answer(*words, "--positions", positions)
+    assert report["positions"]["used"] >= 4 and report["joined"] and str(submaps) in report["files"]
+    T = np.array(report["T_reference_world"])
+    np.testing.assert_allclose(T[:3, 3], [100, 200, 5], atol=0.05)
+    result = run("map", drive, "-o", cloud, "--continue", submaps, "--force", "--positions", positions)
+    assert "session" in result.stdout and "2, joined" in result.stdout and "the first scan is at" in result.stdout
+    assert (result.exit_code, report["sessions"]) == (0, 1)
+    assert "has a map already" in refusal(*words, "--force")
+    wrong = run(*words[:4], "--force", "--continue", submaps, *INDOORS)
+    assert wrong.exit_code == 2 and "--max-range is that of the map" in wrong.stderr
+    (submaps / "map.npz").write_bytes(b"damaged")
+    assert "map.npz" in refusal(*words[:4], "--force", "--continue", submaps)
+    positions.write_text("1,2")
+    assert "gnss.csv" in refusal("map", drive, "-o", tmp_path / "b.ply", "--positions", positions)
+    late = tmp_path / "late.txt"
+    late.write_text("900 0 0 0\n901 1 0 0\n")
+    report = unreliable("map", drive, "-o", tmp_path / "b.ply", *INDOORS, "--positions", late)
+    assert "within the times" in str(report["warnings"])
+
+
 def test_map_rejects_invalid_calls_first(drive, tmp_path):
     cloud = tmp_path / "map.ply"
     assert "poses are not written to .json" in refusal("map", drive, "-o", cloud, "--trajectory", tmp_path / "a.json")

@@ -6,6 +6,7 @@ Result records are excluded, too.
 
 import contextlib
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -49,7 +50,10 @@ reg.PoseGraphEdge(source_node_id=0, target_node_id=1, transformation=pose, infor
 reg.LidarOdometry(voxel_size=0.1, max_range=10.0, min_range=0.1, max_points_per_voxel=5, interval=0.1, initial_threshold=2.0, min_motion=0.1, device="cpu")
 odometry().register(scan=source, timestamps=times, prior=pose, imu=readings, time=1.0)
 reg.LidarSLAM(submap_length=2.0, folder="map", device="cpu")
-slam().register(scan=source, timestamps=times, prior=pose, imu=readings, time=1.0)
+slam().register(scan=source, timestamps=times, prior=pose, imu=readings, time=1.0, positions=located)
+reg.LidarSLAM.open(folder=saved, device="cpu")
+reg.PositionReadings(times=times, positions=track, sigma=0.1, offset=three)
+reg.PositionReadings.read(path=gnss, sigma=0.1)
 slam().localize(cloud=source)
 reg.correspondences_from_features(source_features=features, target_features=features, mutual_consistency_ratio=0.1, ratio=0.9, device="cpu")
 reg.deskew_point_cloud(cloud=source, T_start_end=pose, timestamps=times)
@@ -111,6 +115,9 @@ def things() -> dict[str, Any]:
     cloud = loom.PointCloud(points, colors=rng.random((60, 3)), dopplers=rng.random(60)).estimate_normals(max_nn=10)
     gps = hostile.temporary_folder() / "gps.txt"
     gps.write_text("a 1 0 0\nb 3 0 0\nc 1 2 0\nd 1 0 2\n")
+    gnss, saved = hostile.temporary_folder() / "gnss.txt", hostile.temporary_folder() / "map"
+    gnss.write_text("0 1 2 3\n1 2 3 4\n")
+    slam_of(cloud, folder=saved)
     poses = np.tile(np.eye(4), (4, 1, 1))
     poses[1:, :3, 3] = -np.eye(3)
     lens = loom.CameraModel("PINHOLE", 16, 12, [10.0, 10.0, 8.0, 6.0])
@@ -132,11 +139,13 @@ def things() -> dict[str, Any]:
         positions={"a": (1, 0, 0), "b": (3, 0, 0), "c": (1, 2, 0), "d": (1, 0, 2)},
         seen=reg.TargetObservation(0, "A", [1.0, 0.5, 0.2]), held=reg.ControlPoint("A", [1.0, 0.5, 0.2]),
         odometry=lambda: reg.LidarOdometry(max_range=10.0, min_range=0.01), slam=lambda: slam_of(cloud),
+        saved=str(saved), gnss=str(gnss), track=rng.random((60, 3)),
+        located=reg.PositionReadings(np.linspace(0, 1, 60), np.zeros((60, 3))),
     )  # fmt: skip
 
 
-def slam_of(cloud: loom.PointCloud) -> Any:
-    slam = reg.LidarSLAM(max_range=10.0, min_range=0.01)
+def slam_of(cloud: loom.PointCloud, folder: Path | None = None) -> Any:
+    slam = reg.LidarSLAM(max_range=10.0, min_range=0.01, folder=folder)
     slam.register(cloud)
     slam.finish()
     return slam

@@ -24,6 +24,7 @@ Matrix = NDArray[np.float64]
 
 MAP_FILE = "map.npz"
 FILE_VERSION = 1
+MAX_NUMBER = 1e12  # [m] and [m^2]: larger ones are damage, and their squares overflow
 # Kind and shape of each array: n submaps, m edges, p given positions, r references (0 or 1).
 MAP_ARRAYS: dict[str, tuple[str, tuple[int | str, ...]]] = {
     "version": ("i", ()), "sizes": ("f", (4,)), "scans": ("i", ("n", 3)), "point_counts": ("i", ("n",)),
@@ -146,17 +147,18 @@ def _check_arrays(arrays: dict[str, NDArray[Any]]) -> None:
                     for size, each in zip(shape, values.shape, strict=False)]  # fmt: skip
         if values.dtype.kind != kind or values.ndim != len(shape) or list(values.shape) != expected:
             raise ValueError(f"{name}: expected shape {list(shape)}, got {values.dtype} {list(values.shape)}")
-        if not np.isfinite(values).all():
-            raise ValueError(f"{name}: expected finite numbers, got NaN or infinity")
+        if not (np.abs(values) < MAX_NUMBER).all():
+            raise ValueError(f"{name}: expected numbers below {MAX_NUMBER:g}, got others or NaN")
         for k, T in enumerate(values if shape[1:] == (4, 4) else ()):
             check_rigid(f"{name}[{k}]", T)
     n, (sessions, firsts, lasts) = rows["n"], arrays["scans"].T
     ends, nodes, covariances = arrays["edge_ends"], arrays["prior_nodes"], arrays["edge_covariances"]
     scales = np.sqrt(np.maximum(np.einsum("kii->ki", covariances), 1e-300))
     scaled = covariances / (scales[:, :, None] * scales[:, None])
-    weights, shares = arrays["prior_weights"], arrays["prior_shares"]
+    sizes, weights, shares = arrays["sizes"], arrays["prior_weights"], arrays["prior_shares"]
     checks = {
-        "version": arrays["version"] == FILE_VERSION, "sizes": (arrays["sizes"] > 0).sum() >= 3 and n > 0,
+        "version": arrays["version"] == FILE_VERSION,
+        "sizes": sizes.min() >= 0 and sizes[[0, 3]].min() > 0 and sizes[2] < sizes[1] and n > 0,
         "scans": (firsts >= 0).all() and (lasts >= firsts).all() and (np.diff(sessions) >= 0).all(),
         "path": (arrays["path"] >= 0).all(), "point_counts": (arrays["point_counts"] >= 0).all(),
         "edge_ends": ((ends >= 0) & (ends < n)).all() and (ends[:, 0] > ends[:, 1]).all(),

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.pose_text import parse_floats, read_lines
 from ...cameras.trajectory import read_trajectory
-from ...core.checks import check_finite, check_numeric, check_shape, shown
+from ...core.checks import check_finite, check_numeric, check_positive, check_shape, shown
 from ...core.errors import FileError, FilePath
 from ...core.time_checks import check_seconds
 from ...io.ascii_rows import is_float
@@ -63,7 +63,10 @@ class PositionReadings:
             reason = f"expected times that increase, got {times[row]:.6f} after {times[row - 1]:.6f} at index {row}"
             raise ValueError(f"times: {reason}. Sort the positions by time")
         positions = check_finite("positions", check_shape("positions", self.positions, (count, 3)))
-        given = check_numeric("sigma", self.sigma).astype(np.float64)
+        given = check_numeric("sigma", self.sigma)
+        if not given.ndim:
+            given = np.array(check_positive("sigma", self.sigma))  # rejects True
+        given = given.astype(np.float64)
         if given.shape not in ((), (count,), (3,), (count, 3)):
             raise ValueError(f"sigma: expected one number, or shape [{count}], [3] or [{count}, 3], got {shown(given)}")
         if not ((given >= MIN_SIGMA) & (given <= MAX_SIGMA)).all():
