@@ -119,8 +119,8 @@ class MapError:
         """
         fraction = min(max(voxels - self.voxels, 0) / self.points, 1.0)
         added = fraction * self._spread
-        common = matmul(self.shared, added.T)
-        matrix = self.covariance.matrix + common + common.T + matmul(added, added.T) + self.last.lasting
+        half = matmul(self.shared + added / 2, added.T)
+        matrix = self.covariance.matrix + half + half.T + self.last.lasting
         return matrix, (1 - fraction) * (self.shared + added)
 
     def of_pose(self, voxels: int, position: NDArray[np.float64], error: MatchError) -> PoseCovariance:
@@ -134,9 +134,10 @@ class MapError:
     def after(self, voxels: int, points: int, position: NDArray[np.float64], error: MatchError) -> MapError:
         """The error of the map with one more scan."""
         matrix, shared = self.with_last(voxels)
-        center, moved = self.covariance.center, shared.copy()
-        moved[3:] -= matmul(skew(position - center), shared[:3])
-        return MapError(PoseCovariance(matrix, center).about(position), error, voxels, max(points, 1), moved)
+        A = np.eye(6)
+        A[3:, :3] = -skew(position - self.covariance.center)
+        covariance = PoseCovariance(matmul(A, matrix, A.T), position.copy())
+        return MapError(covariance, error, voxels, max(points, 1), matmul(A, shared))
 
     def without_voxels(self, count: int) -> MapError:
         """The same after `count` voxels far away were removed."""
