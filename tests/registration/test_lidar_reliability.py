@@ -174,19 +174,17 @@ def test_a_stationary_scanner_among_moving_objects_is_reported():
 
 
 def test_ground_that_moves_within_walls_that_move_along_contradicts_a_stationary_scanner(device, rng):
-    floor = np.concatenate(
-        [r * np.array([[np.cos(a), np.sin(a)] for a in np.arange(0, 6.28, 0.02)]) for r in (2, 3, 4)]
-    )
-    wall = np.column_stack([rng.uniform(-5, 5, 3000), rng.choice([-5.0, 5.0], 3000), rng.uniform(-1, 1, 3000)])
+    floor, wall = rng.uniform(-5, 5, (6000, 2)), rng.uniform([-5, -5, -1], [5, 5, 1], (3000, 3))
+    wall[:, 1] = np.where(wall[:, 1] > 0, 5.0, -5.0)
     wall[::2, :2] = wall[::2, 1::-1]
 
     def scan(at):
         x, y = floor[:, 0] + at, floor[:, 1]
-        z = -1.5 + 0.15 * np.sin(1.7 * x + 0.4 * y) * np.cos(1.3 * y - 0.3 * x)
+        z = -1.5 + 0.1 * np.sin(x + 0.4 * y) * np.cos(1.3 * y - 0.3 * x)
         points = np.concatenate([wall, np.column_stack([floor, z])])
         return points + rng.normal(0, 0.005, points.shape)
 
-    moving, still = run([scan(0.4 * k) for k in range(10)], device), run([scan(0.0) for _ in range(10)], device)
+    moving, still = run([scan(0.08 * k * min(k, 5)) for k in range(10)], device), run(10 * [scan(0.0)], device)
     assert np.abs(moving.poses[:, :3, 3]).max() < 0.1
     assert moving.summary.is_contradicted and still.summary.reliable
 
@@ -218,7 +216,7 @@ def test_many_scans_in_a_row_that_determine_the_position_weakly_make_the_path_un
 
     weak = summary(10 * [0.01] + 15 * [0.11] + 20 * [0.01])
     assert set(range(10, 25)) <= set(weak.weak) and 40 not in weak.weak and not weak.reliable
-    assert 0.09 < weak.weak_sigma < 0.12 and "within 0.11 m each" in weak.warnings[0]
+    assert 0.09 < weak.weak_sigma < 0.12 and "within 0.10 m each" in weak.warnings[0]
     assert weak.to_dict()["weak"] == list(weak.weak)
     assert summary(30 * [0.09]).reliable and summary(14 * [0.2]).reliable and summary([]).weak == ()
 

@@ -292,22 +292,26 @@ class OdometrySummary(Report, Assessed):
                 f"({_scans(self.imu_differing)}). Check the pose T_sensor_imu of the IMU, its clock, and that its "
                 "angular velocities are in rad/s"
             )
+        reasons += self._undetermined_motions()
+        if not strayed and len(self.unsettled) > MAX_UNSETTLED * (count - 1):
+            reasons.append(
+                f"{len(self.unsettled)} of {count} scans did not converge on the map ({_scans(self.unsettled)})"
+            )
+        return tuple(reasons)
+
+    def _undetermined_motions(self) -> list[str]:
+        reasons, count = [], self.scan_count
         if self.weak:
             reasons.append(
                 f"{len(self.weak)} of {count} scans determine the position only within {self.weak_sigma:.2f} m each "
-                f"({_scans(self.weak)}), so the path may drift. Use a sensor with more beams, a larger max_range, or "
-                "priors"
+                f"({_scans(self.weak)}), so the path may drift. Use a sensor with more beams or a larger max_range"
             )
         if self.is_undetermined:
             reasons.append(
                 f"{len(self.undetermined)} of {count} scans do not determine the motion {self.open_motions} "
                 f"({_scans(self.undetermined)}), which is that of constant velocity, or none. Pass priors"
             )
-        if not strayed and len(self.unsettled) > MAX_UNSETTLED * (count - 1):
-            reasons.append(
-                f"{len(self.unsettled)} of {count} scans did not converge on the map ({_scans(self.unsettled)})"
-            )
-        return tuple(reasons)
+        return reasons
 
     def to_dict(self) -> dict[str, Any]:
         return plain(
