@@ -80,7 +80,7 @@ def camera(center: Array, extent: float, tilt: float) -> loom.View:
     return loom.View(pinhole, T)
 
 
-def draw(cloud: loom.PointCloud, path: CityPath, close: bool) -> Array:
+def draw(cloud: loom.PointCloud, path: CityPath, close: bool) -> NDArray[np.uint8]:
     """The map from above: all of it, or the street that is driven twice."""
     positions = path.poses[:, :3, 3]
     above = np.array([0.0, 0.0, 0.5 if close else 12.0])  # [m] from afar, no roof hides the lines
