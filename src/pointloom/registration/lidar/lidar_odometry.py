@@ -117,9 +117,9 @@ class LidarOdometry(Serialized):
     Notes:
         Memory O(map): 12 B times `max_points_per_voxel` per voxel. Exact over any travel distance: points are
         float32 within integer voxels, poses float64. Bitwise reproducible for any number of threads. One host
-        synchronization for the sizes of a scan, one for all iterations and one for the surfaces, twice if it is
-        deskewed again. Sparse scans take up to six more: their surfaces are searched in a coarser map. An interrupted
-        `register` (Ctrl-C, out of memory) leaves the scan fully in or out: see `len(steps)`.
+        synchronization for the sizes of a scan, one for all iterations and one for the surfaces. The first two twice if
+        it is deskewed again. Sparse scans take up to six more: their surfaces are searched in a coarser map. An
+        interrupted `register` (Ctrl-C, out of memory) leaves the scan fully in or out: see `len(steps)`.
         Differences from the paper:
 
         - Point-to-plane iterations follow: scan rings move with the sensor, so point-to-point ICP alone underestimates
@@ -127,7 +127,8 @@ class LidarOdometry(Serialized):
           of the kernel width.
         - Scans refer to their end, motions are screws, and a wrongly predicted scan is deskewed again with its
           estimated motion.
-        - The second scan is tried from 25 positions within 1.5 initial thresholds. Its motion also deskews the first.
+        - The second scan is tried from 25 positions within 1.5 initial thresholds, and the best third are continued.
+          Its motion also deskews the first.
         - Map points keep a minimum spacing.
         - A scan that does not fit the map is searched for farther away, rotated by up to 40 degrees, then at all
           headings, also if its overlap drops. If not found, it is reported and keeps the predicted pose. It is added
