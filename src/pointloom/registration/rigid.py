@@ -16,7 +16,7 @@ MAX_FLOAT64_DEVIATION = 1e-12  # deviation of R R^T above which it is rounded to
 TRIANGLE_INDICES = np.zeros((6, 6), np.int64)
 TRIANGLE_INDICES[np.triu_indices(6)] = np.arange(21)
 TRIANGLE_INDICES = np.maximum(TRIANGLE_INDICES, TRIANGLE_INDICES.T)
-IDENTITY = np.eye(4)
+IDENTITY_POSE = np.eye(4)
 SMALL_ANGLE = 1e-6  # [rad] below it second-order series are exact in float64
 
 
@@ -81,7 +81,7 @@ def pose_of(twist: NDArray[np.float64]) -> Matrix:
 
 
 def make_pose(R: Matrix, t: NDArray[np.float64]) -> Matrix:
-    T = IDENTITY.copy()
+    T = IDENTITY_POSE.copy()
     T[:3, :3], T[:3, 3] = R, t
     return T
 

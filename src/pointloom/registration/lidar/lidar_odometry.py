@@ -116,9 +116,9 @@ class LidarOdometry(Serialized):
     Notes:
         Memory O(map): 12 B times `max_points_per_voxel` per voxel. Exact over any travel distance: points are
         float32 within integer voxels, poses float64. Bitwise reproducible for any number of threads. One host
-        synchronization for the sizes of a scan, one for all iterations and one for the surfaces, twice if it is
-        deskewed again. Sparse scans take up to six more: their surfaces are searched in a coarser map. An interrupted
-        `register` (Ctrl-C, out of memory) leaves the scan fully in or out: see `len(steps)`.
+        synchronization for the sizes of a scan, one for all iterations and one for the surfaces. The first two twice if
+        it is deskewed again. Sparse scans take up to six more: their surfaces are searched in a coarser map. An
+        interrupted `register` (Ctrl-C, out of memory) leaves the scan fully in or out: see `len(steps)`.
         Differences from the paper:
 
         - Point-to-plane iterations follow: scan rings move with the sensor, so point-to-point ICP alone underestimates
@@ -126,7 +126,8 @@ class LidarOdometry(Serialized):
           of the kernel width.
         - Scans refer to their end, motions are screws, and a wrongly predicted scan is deskewed again with its
           estimated motion.
-        - The second scan is tried from 25 positions within 1.5 initial thresholds. Its motion also deskews the first.
+        - The second scan is tried from 25 positions within 1.5 initial thresholds, and the best third are continued.
+          Its motion also deskews the first.
         - Map points keep a minimum spacing.
         - A scan that does not fit the map is searched for farther away, rotated by up to 40 degrees, then at all
           headings, also if its overlap drops. If not found, it is reported and keeps the predicted pose. It is added
@@ -323,10 +324,7 @@ class LidarOdometry(Serialized):
         if is_skewed is not None and step.is_sound and step.iterations and step.gap == 1.0 and is_skewed(step.pose):
             again = self._deskew_start if state.first is not None else self._deskew_again
             deskewed = again(raw, step.pose, voxel_map, predicted, has_prior)
-            if deskewed is None:
-                step = match()
-            else:
-                step, downsampled, voxel_map = deskewed
+            step, downsampled, voxel_map = deskewed or (match(), downsampled, voxel_map)
         if len(self._steps) >= 3 and appears_stationary(self._steps[-3], step):
             step = replace(step, far_change=self._far_change(downsampled, voxel_map, self._steps[-3], step))
             if state.rest is not None and state.rest.lasts_to(step):
@@ -408,18 +406,18 @@ class LidarOdometry(Serialized):
         search_range = self._search_range(has_prior)
         match = match_scan(self._aligner, scan, voxel_map, predicted, sigma, further)
         if is_skewed is not None and not self._steps[-1].is_undetermined and match.is_matched and is_skewed(match.pose):
-            step = self._step_of(match, predicted, has_prior, is_assessed=False)
+            step = self._step_of(match, predicted, sigma, has_prior, is_assessed=False)
             is_worse = known is not None and may_follow_gap(step, known)
             is_searched = search_range > 0 and len(weak_directions(match.information, scan.sparse.size)) > 0
             if self._fits(step) and not is_worse and not is_searched:
                 return step
         match = assess_match(self._aligner, scan, voxel_map, match, predicted, search_range, is_blind_open=not further)
-        step = self._step_of(match, predicted, has_prior)
+        step = self._step_of(match, predicted, sigma, has_prior)
         if path is not None and known is not None and (path.gap != 1.0 or may_follow_gap(step, known)):
             poses = path.poses(self._last_pose(), self._max_gap(), SEARCH_VOXELS * self.voxel_size)
             guess, min_fitness = predicted if path.gap > 1 else None, GAP_OVERLAP * known.fitness
             other = search_poses(self._aligner, scan, voxel_map, match, poses, guess, min_fitness)
-            found = self._step_of(other, predicted, has_prior)
+            found = self._step_of(other, predicted, sigma, has_prior)
             if found.is_sound:
                 step, match = replace(found, gap=path.intervals_to(found.pose, self._last_pose())), other
                 if not may_follow_gap(step, known):
@@ -432,7 +430,7 @@ class LidarOdometry(Serialized):
             if search.is_needed(step):
                 other = match_scan(self._aligner, scan, voxel_map, predicted, sigma, search.guesses())
                 other = assess_match(self._aligner, scan, voxel_map, other, predicted, is_blind_open=False)
-                candidate = self._step_of(other, predicted, has_prior)
+                candidate = self._step_of(other, predicted, sigma, has_prior)
                 if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
                     step, match = replace(candidate, gap=step.gap), other
         if known is None or path is None:
@@ -467,14 +465,14 @@ class LidarOdometry(Serialized):
         return not disagrees(step) and not loses_overlap(step, self._last_matched())
 
     def _step_of(
-        self, match: ScanMatch, predicted: Matrix, has_prior: bool, *, is_assessed: bool = True
+        self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool, *, is_assessed: bool = True
     ) -> OdometryStep:
         status = ("converged" if match.converged else "max_iteration") if match.is_matched else "no overlap"
         rmse, error = math.sqrt(match.sqsum / max(match.inliers, 1)), MatchError()
         if match.is_matched and is_assessed:
             error = match.error(self.voxel_size, self._known.threshold.initial, self.max_range)
         return OdometryStep(
-            index=len(self._steps), pose=match.pose if match.is_matched else predicted, threshold=self._sigma(),
+            index=len(self._steps), pose=match.pose if match.is_matched else predicted, threshold=sigma,
             inliers=match.inliers, fitness=match.fitness,
             inlier_rmse=rmse, iterations=match.iterations, converged=match.converged, is_predicted=not match.is_matched,
             status=status, misfit=rmse / self.voxel_size, disagreement=match.disagreement,
@@ -558,18 +556,19 @@ class LidarOdometry(Serialized):
         """As `_deskew_again` for the second scan, with both first scans deskewed, so that the map is not skewed."""
         start, first = self._last_pose(), self._known.first
         assert first is not None
-        left = START_ITERATIONS
+        iterations = START_ITERATIONS
         while True:
-            motion, left = matmul(invert_pose(start), pose), left - 1
+            iterations -= 1
+            motion = matmul(invert_pose(start), pose)
             voxel_map = self._empty_map(voxel_map.device)
             voxel_map.add(self._downsample(first, motion).dense, start, self.max_range)
             scan = self._downsample(raw, motion)
             match = match_scan(self._aligner, scan, voxel_map, pose, self._sigma())
-            step = self._step_again(match, scan, voxel_map, predicted, has_prior, is_assessed=not left)
-            pose = step.pose
+            step = self._step_again(match, scan, voxel_map, predicted, has_prior, is_assessed=iterations == 0)
             if not step.is_sound:
                 return None
-            if not left:
+            pose = step.pose
+            if iterations == 0:
                 return step, self._downsample(raw, matmul(invert_pose(start), pose)), voxel_map
 
     def _step_again(
@@ -583,13 +582,14 @@ class LidarOdometry(Serialized):
         is_assessed: bool = True,
     ) -> OdometryStep:
         """The step of a scan that was deskewed again. It is searched for as at first if it does not fit well."""
-        step = self._step_of(match, predicted, has_prior, is_assessed=False)
+        sigma = self._sigma()
+        step = self._step_of(match, predicted, sigma, has_prior, is_assessed=False)
         if not self._fits(step):
             return self._match(voxel_map, scan, match.pose, has_prior=has_prior)
         if not is_assessed:
             return step
         match = assess_match(self._aligner, scan, voxel_map, match, predicted, self._search_range(has_prior))
-        return self._step_of(match, predicted, has_prior)
+        return self._step_of(match, predicted, sigma, has_prior)
 
     def _prune(self) -> None:
         """Remove points out of range, not after every scan: no scan reaches them."""
