@@ -186,8 +186,8 @@ def test_a_wrong_focal_length_is_reported_with_a_better_one(turning, factor):
 
 
 def test_a_wrong_principal_point_is_reported(turning):
-    check = check_focal(Wrong(turning, shift=0.3), path_of(turning), depth_max=4.0)
-    assert abs(check.center[0] + 0.3 * turning.intrinsic.fx) < 0.05 * turning.intrinsic.fx and not check.center[1]
+    check = check_focal(Wrong(turning, shift=0.4), path_of(turning), depth_max=4.0)
+    assert abs(check.center[0] + 0.4 * turning.intrinsic.fx) < 0.05 * turning.intrinsic.fx and not check.center[1]
     assert "a principal point moved by" in str(check.warnings)
 
 
