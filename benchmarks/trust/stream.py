@@ -77,6 +77,19 @@ def late(frames: Sequence[Any], count: int) -> list[Any]:
     return [of(g.depth, f.color, f.T_world_camera, f.timestamp) for f, g in zip(frames, frames[count:], strict=False)]
 
 
+def two_rates(frames: Sequence[Any], rate: float) -> list[Any]:
+    """Frames with the depth of another rate, paired by number: frame k has the depth of frame `rate` k."""
+    count = int((len(frames) - 1) / max(rate, 1.0))
+    return [
+        of(frames[round(rate * k)].depth, f.color, f.T_world_camera, f.timestamp) for k, f in enumerate(frames[:count])
+    ]
+
+
+def mirrored(frames: Sequence[Any]) -> list[Any]:
+    """Frames whose depth is mirrored left-right, and color is not."""
+    return [of(np.ascontiguousarray(f.depth[:, ::-1]), f.color, f.T_world_camera, f.timestamp) for f in frames]
+
+
 def frozen(frames: Sequence[Any], first: int, noise: float = 0.0) -> list[Any]:
     """Frames whose depth is frozen from one on, up to noise [mm]."""
     rng, still = np.random.default_rng(first), frames[first].depth
@@ -136,6 +149,8 @@ def judge() -> Iterator[Judged]:
     yield run("room, nothing wrong", frames, camera)
     yield run("room, depth 0.1 s later", late(frames[:63], 3), camera)
     yield judge_stall("room, depth frozen from frame 60", frames[:80], camera, 60, held_out=True)
+    yield run("room, depth at 25 images a second, color at 30", two_rates(frames, 25 / 30), camera, is_sound=False)
+    yield run("room, depth mirrored", mirrored(frames), camera, is_sound=False)
     yield run("room, something fixed in 35 % of the image", with_object(frames[:60], 0.35), camera)
     yield run("room, something over 45 % sways", with_object(frames[:60], 0.45, 0.2), camera)
     frames, camera = room(110, person=True, seed=3)
@@ -164,6 +179,10 @@ def judge_kitchen(frames: list[Any], camera: Any) -> Iterator[Judged]:
     for count in (2, LATE // 2, LATE):
         name = f"kitchen, depth {count / LATE:.2g} s later"
         yield run(name, late(frames[: 90 + count], count), camera, is_sound=False, held_out=False)
+    for rate in (25 / 30, 30 / 25, 2.0):
+        name = f"kitchen, depth at {30 * rate:.0f} images a second, color at 30"
+        yield run(name, two_rates(frames, rate), camera, is_sound=False, held_out=False)
+    yield run("kitchen, depth mirrored", mirrored(frames), camera, is_sound=False, held_out=False)
 
 
 if __name__ == "__main__":
