@@ -27,6 +27,7 @@ from .mesh_reconstruction import MIN_DEPTH, NormalsWarning, why_flat
 from .mesh_summary import describe_surface
 from .surface_result import (
     MADE_UP,
+    MAX_OUTER_AREA,
     MAX_SPARSE_AREA,
     NEAR_DISTANCE,
     MadeUp,
@@ -45,13 +46,13 @@ MADE_UP_AT_ALL = 0.001  # fraction of the area: ten samples of 10,000; below, th
 NORMAL_NEIGHBORS = 30  # for normal estimation, and in the orientation graph
 
 SPACING_NEIGHBORS = 10
-# Times the median distance of a point to its 10th neighbor. Poisson closes smaller gaps well. An alpha shape hides a
-# hollow behind one.
-MAX_SPACINGS = {"poisson": 3.0, "alpha": 1.0}
+MAX_SPACINGS = 3.0  # times the median distance of a point to its 10th neighbor: Poisson closes smaller gaps well
 SURFACE_SAMPLES, POINT_SAMPLES, SUPPORT_SAMPLES = 10_000, 2_000, 2_000
 MAX_GAP = 0.6  # times the distance of a point to its 10th neighbor
 ADJUGATE_SQUARINGS = 6  # of an adjugate: the 64th power
 MIN_COSINE = 0.6  # of the angle between the surface and a tangent plane
+ONE_SIDED = 0.7  # distance to the mean of the 10 nearest points along the surface, relative to their mean distance
+NOISE_MEDIANS = 3 / 0.6745  # three standard deviations of normal errors, in medians of their magnitudes
 PROPOSED_QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # the first that removes the extrapolated surface is proposed
 
 _OWNERS = {"depth": "poisson", "density_quantile": "poisson", "radii": "ball", "alpha": "alpha"}
@@ -125,7 +126,7 @@ def create_surface(
     report("check", 0, 0)
     positions = points.remove_duplicated_points()  # copies would make the spacing 0
     mesh, made_up = _without_made_up(positions, made, method, settings)
-    off, support = _find_fit(positions, mesh)
+    off, support = _find_fit(positions, mesh, method)
     if made.cut is not None:
         made_up = _with_remedy(positions, made.cut, made_up, support, settings["density_quantile"])
     return SurfaceResult(
@@ -200,14 +201,14 @@ def _without_made_up(
     """Mesh trimmed by density, and its fraction far from points; sets a default quantile in `settings`."""
     quantile = settings.get("density_quantile")
     mesh = made.mesh if quantile is None or made.cut is None else made.cut(quantile)
-    if method not in MAX_SPACINGS or not mesh.get_surface_area() > 0:
+    if method != "poisson" or not mesh.get_surface_area() > 0:
         if method == "poisson":
             settings["density_quantile"] = quantile or 0.0
         return mesh, MadeUp()
     search = NearestNeighborSearch(points)
     probes = points.points[:: max(1, len(points) // POINT_SAMPLES)]
     farthest = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(points))).sqdists[:, -1]
-    far = MAX_SPACINGS[method] * float(np.sqrt(np.median(farthest)))
+    far = MAX_SPACINGS * float(np.sqrt(np.median(farthest)))
 
     fraction = _made_up_fraction(search, mesh, far)
     if made.cut is not None and quantile is None:
@@ -225,22 +226,19 @@ def _made_up_fraction(search: NearestNeighborSearch, mesh: TriangleMesh, far: fl
 
 def _with_remedy(points: PointCloud, cut: Cut, made_up: MadeUp, support: Support, quantile: float) -> MadeUp:
     """`made_up` with the smallest larger quantile that makes the surface agree with its points, if any."""
-    if (
-        made_up.fraction is None
-        or made_up.far is None
-        or (made_up.fraction <= MADE_UP and support.sparse <= MAX_SPARSE_AREA)
-    ):
+    is_within = support.sparse <= MAX_SPARSE_AREA["poisson"] and support.outer <= MAX_OUTER_AREA
+    if made_up.fraction is None or made_up.far is None or (made_up.fraction <= MADE_UP and is_within):
         return made_up
     search = NearestNeighborSearch(points)
     for larger in (tried for tried in PROPOSED_QUANTILES if tried > quantile):
         mesh = cut(larger)
-        fraction, (_, support) = _made_up_fraction(search, mesh, made_up.far), _find_fit(points, mesh)
+        fraction, (_, support) = _made_up_fraction(search, mesh, made_up.far), _find_fit(points, mesh, "poisson")
         if fraction <= MADE_UP and support.problem("poisson", None, None) is None:
             return replace(made_up, better_quantile=larger)
     return made_up
 
 
-def _find_fit(points: PointCloud, mesh: TriangleMesh) -> tuple[PointsOff, Support]:
+def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[PointsOff, Support]:
     """Distances of the points from the surface, and its agreement with the points near it."""
     if not mesh.get_surface_area() > 0:
         return PointsOff(), Support()
@@ -249,9 +247,13 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh) -> tuple[PointsOff, Suppor
     tree = TriangleTree(mesh.arrays["vertices"], mesh.arrays["triangles"])
     distances = download(distances_to(points_about(probes.arrays["points"], probes.origin, mesh.origin), tree))
     size = math.dist(points.get_min_bound(), points.get_max_bound())
-    near = NEAR_DISTANCE * size
+    near, median = NEAR_DISTANCE * size, float(np.median(distances))
     samples = mesh.sample_points_uniformly(SUPPORT_SAMPLES, use_triangle_normal=True)
-    indices, sqdists, _ = search.knn_search(samples, 1)
+    indices, sqdists, _ = search.knn_search(samples, min(SPACING_NEIGHBORS, len(host)))
+    is_far = np.sqrt(sqdists[:, 0]) > near
+    offsets = host[indices] - samples.points[:, None]
+    offsets -= np.sum(offsets * samples.normals[:, None], axis=2, keepdims=True) * samples.normals[:, None]
+    to_mean, lengths = (np.sqrt(np.sum(x * x, axis=-1)) for x in (offsets.mean(axis=1), offsets))
     rows, owners = np.unique(indices[:, 0], return_inverse=True)
     neighbors = search.knn_search(host[rows], min(SPACING_NEIGHBORS + 1, len(host)))
     spacing = np.sqrt(neighbors.sqdists[:, -1])[owners]
@@ -263,9 +265,10 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh) -> tuple[PointsOff, Suppor
         sparse=float(np.mean(np.sqrt(sqdists[:, 0]) > np.maximum(near, MAX_GAP * spacing))),
         bent=float(np.mean(heights > near)),
         turned=float(np.mean(cosines < MIN_COSINE)),
-        missed=float(np.mean(distances > near)),
+        missed=float(np.mean(distances > max(near, NOISE_MEDIANS * median if method == "poisson" else 0.0))),
+        outer=float(np.mean(is_far & (to_mean > ONE_SIDED * lengths.mean(axis=1)))),
     )
-    return PointsOff(float(np.median(distances)), size, points.unit), support
+    return PointsOff(median, size, points.unit, float(np.quantile(distances, 0.9))), support
 
 
 def _normals_of(groups: NDArray[np.float64]) -> NDArray[np.float64]:
