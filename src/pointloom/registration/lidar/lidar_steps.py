@@ -412,7 +412,7 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
 
 def _weak(steps: Sequence[OdometryStep]) -> tuple[tuple[int, ...], float]:
     """The scans that determine the position weakly, and the root mean square of its standard deviations [m]."""
-    matched = [step for step in steps if step.is_sound and step.iterations and not step.is_undetermined]
+    matched = [s for s in steps if s.is_sound and s.iterations and s.voxel_size and not s.is_undetermined]
     variances = np.array([np.trace(step.match_error.matrix[3:, 3:]) for step in matched])
     excess = np.sqrt(variances) - MAX_MATCH_SIGMA * np.array([step.voxel_size for step in matched])
     sums = np.concatenate([[0.0], np.cumsum(excess)])
