@@ -132,9 +132,12 @@ def test_a_jump_over_an_unknown_gap_is_doubtful_if_it_costs_more():
         return OdometryStep(5, np.eye(4), 1.0, 10, fitness, 0.1, 3, True, False, "converged", disagreement=cost)
 
     known = step(0.05)
-    assert is_doubtful(step(0.13), known, 4.0, 1.0) and not is_doubtful(step(0.12), known, 4.0, 1.0)
-    assert not is_doubtful(step(0.13), known, 0.9, 1.0)
-    assert is_doubtful(step(0.11, 0.6), known, 0.0, 1.0) and not is_doubtful(step(0.09, 0.6), known, 0.0, 1.0)
+    sizes = 1.0, 100.0
+    assert is_doubtful(step(0.13), known, 4.0, *sizes) and not is_doubtful(step(0.12), known, 4.0, *sizes)
+    assert not is_doubtful(step(0.13), known, 0.9, *sizes)
+    assert is_doubtful(step(0.11, 0.6), known, 0.0, *sizes) and not is_doubtful(step(0.09, 0.6), known, 0.0, *sizes)
+    assert is_doubtful(step(0.095, 0.7), known, 2.0, *sizes), "overlap is lost"
+    assert not is_doubtful(step(0.095, 0.7), known, 20.0, *sizes), "by the distance"
 
 
 def test_a_scan_that_fits_much_worse_is_reported():

@@ -22,8 +22,8 @@ MADE_UP = 0.05  # fraction of a Poisson surface far from all points
 NEAR_DISTANCE = 0.02  # of the points' extent
 MAX_MEDIAN_DISTANCE = 0.006  # of the points' extent: limit of their median distance from the surface; not of Poisson
 # The same of the distance that a tenth of the points exceed. With noise of 1, 1.5, 2, 2.5 and 3% of the extent it is
-# 0.014, 0.022, 0.028, 0.034 and 0.04, and 0 of 14, 0 of 12, 1 of 10, 3 of 8 and 10 of 12 surfaces of 800 to 8,000 points
-# are wrong.
+# 0.014, 0.022, 0.028, 0.034 and 0.04, and 0 of 14, 0 of 12, 1 of 10, 3 of 8 and 10 of 12 surfaces of 800 points and
+# more are wrong.
 MAX_TENTH_DISTANCE = 0.0298
 MAX_BOUNDARY_LENGTH = 8.0  # times the points' extent: limit of the boundary length
 MAX_SPARSE_AREA = {"poisson": 0.05, "alpha": 0.04}  # fraction of the area

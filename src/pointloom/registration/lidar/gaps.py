@@ -30,9 +30,10 @@ AROUND_VOXELS = 15.0  # voxels: radius of the search around a sensor that was at
 # pose is right, and 2.8 to 3.6 at wrong poses; 3 to 5 at wrong poses of a synthetic street. 2026-11-29.
 MAX_COST_RATIO = 2.0
 MIN_COST = 0.02  # mean plane cost of a noise-free scan in its map, below which ratios mean little
-MAX_JUMP_COST_RATIO = (
-    2.5  # over an unknown gap: up to 1.9 at right poses of those scans, 10 left out; 2.5 to 8 at wrong
-)
+# The same over an unknown gap, relative to the square of the overlap that remains beside what the distance explains: up
+# to 1.9 at right poses of those scans, 10 left out, and 2.4 at those of synthetic streets; 2.9 at a wrong pose of a
+# handheld recording (BALM), 3.2 and more at those of the streets. 2026-11-29.
+MAX_JUMP_COST_RATIO = 2.5
 GAP_OVERLAP = 0.75  # fitness relative to that scan, likewise
 
 
@@ -83,12 +84,13 @@ def costs_more(step: OdometryStep, known: OdometryStep, ratio: float = MAX_COST_
     return step.disagreement > ratio * max(known.disagreement, MIN_COST)
 
 
-def is_doubtful(step: OdometryStep, known: OdometryStep, way: float, voxel_size: float) -> bool:
+def is_doubtful(step: OdometryStep, known: OdometryStep, way: float, voxel_size: float, max_range: float) -> bool:
     """True if a scan costs more than the last `known` one, and overlaps less or has jumped over an unknown gap.
 
     `way` [m] is the distance since the last scan over a gap that only the search along the path indicates, or zero.
     """
-    has_jumped = way > voxel_size and costs_more(step, known, MAX_JUMP_COST_RATIO)
+    overlap = min(step.fitness / known.fitness + way / max_range, 1.0)
+    has_jumped = way > voxel_size and costs_more(step, known, MAX_JUMP_COST_RATIO * overlap**2)
     return has_jumped or (costs_more(step, known) and loses_overlap(step, known))
 
 

@@ -420,7 +420,7 @@ class LidarOdometry(Serialized):
             found = self._step_of(other, predicted, sigma, has_prior)
             if found.is_sound:
                 step, match = replace(found, gap=path.intervals_to(found.pose, self._last_pose())), other
-                if not may_follow_gap(step, known):
+                if not may_follow_gap(step, known) and not self._is_doubtful(step, known, path):
                     return step
         searches = (
             WiderSearch(partial(rotated_guesses, predicted, self._last_pose()), disagrees, attrgetter("disagreement")),
@@ -432,11 +432,19 @@ class LidarOdometry(Serialized):
                 other = assess_match(self._aligner, scan, voxel_map, other, predicted, is_blind_open=False)
                 candidate = self._step_of(other, predicted, sigma, has_prior)
                 if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
-                    step, match = replace(candidate, gap=step.gap), other
+                    gap = (
+                        step.gap
+                        if path is None or path.gap != 1.0
+                        else path.intervals_to(other.pose, self._last_pose())
+                    )
+                    step, match = replace(candidate, gap=gap), other
         if known is None or path is None:
             return step
+        return replace(step, is_doubtful=self._is_doubtful(step, known, path))
+
+    def _is_doubtful(self, step: OdometryStep, known: OdometryStep, path: PathSearch) -> bool:
         way = float(norm(step.pose[:3, 3] - self._last_pose()[:3, 3])) if step.gap > path.gap == 1.0 else 0.0
-        return replace(step, is_doubtful=is_doubtful(step, known, way, self.voxel_size))
+        return is_doubtful(step, known, way, self.voxel_size, self.max_range)
 
     def _sigma(self) -> float:
         ends = np.array([step.pose for step in (*self._steps[:1], *self._steps[-1:])])
