@@ -18,7 +18,7 @@ from pointloom.kernels.memory import download, upload
 from pointloom.kernels.odometry.deskewing import bound_times, deskew_along_path
 from pointloom.registration import deskew_point_cloud
 from pointloom.registration.lidar.deskewing import SMALL_ANGLE, point_times, twist_of
-from pointloom.registration.lidar.lidar_odometry import part_of_interval
+from pointloom.registration.lidar.raw_scan import part_of_interval
 from pointloom.registration.rigid import pose_of, rotation_vector
 
 from .poses import as_pose

@@ -214,11 +214,11 @@ def test_many_scans_in_a_row_that_determine_the_position_weakly_make_the_path_un
             for k, error in enumerate(errors)
         ])  # fmt: skip
 
-    weak = summary(10 * [0.01] + 15 * [0.11] + 20 * [0.01])
+    weak = summary(10 * [0.01] + 15 * [0.065] + 20 * [0.01])
     assert set(range(10, 25)) <= set(weak.weak) and 40 not in weak.weak and not weak.reliable
-    assert 0.09 < weak.weak_sigma < 0.12 and "within 0.10 m each" in weak.warnings[0]
+    assert 0.05 < weak.weak_sigma < 0.07 and "within 0.06 m each" in weak.warnings[0]
     assert weak.to_dict()["weak"] == list(weak.weak)
-    assert summary(30 * [0.09]).reliable and summary(14 * [0.2]).reliable and summary([]).weak == ()
+    assert summary(30 * [0.05]).reliable and summary(14 * [0.2]).reliable and summary([]).weak == ()
 
 
 def test_a_residual_increase_counts_if_large_and_significant():

@@ -10,8 +10,8 @@ import pointloom as loom
 from pointloom.registration import LidarOdometry, LidarSLAM
 from pointloom.registration.lidar import lidar_slam
 from pointloom.registration.lidar.deskewing import point_times
-from pointloom.registration.lidar.lidar_odometry import RawScan
 from pointloom.registration.lidar.lidar_steps import FIRST_SCAN, OdometryStep
+from pointloom.registration.lidar.raw_scan import RawScan
 from pointloom.registration.pose_errors import PoseCovariance
 from pointloom.registration.rigid import pose_of
 from tests.registration.block_drives import drive_along, make_blocks, unit

@@ -33,7 +33,7 @@ from ..rigid import invert_pose
 from .deskewing import point_times
 from .lidar_graph import in_axes, odometry_edge, positive_part
 from .lidar_loops import LidarLoop, LoopSearch, close_loops, find_loops
-from .lidar_odometry import LidarOdometry, RawScan
+from .lidar_odometry import LidarOdometry
 from .lidar_sessions import MAP_FILE, MapSizes, SlamState, SubmapRecord, place_of, read_map, submap_range, write_map
 from .lidar_steps import FIRST_SCAN, OdometryStep
 from .lidar_submaps import CompactPoints, LidarSubmap, PointStore, SubmapBuilder, make_folder
@@ -41,6 +41,7 @@ from .localization import Localization, localize_cloud
 from .place_descriptor import describe_place
 from .position_priors import MAX_PRIOR_SQUARE, PositionRow
 from .position_readings import PositionReadings
+from .raw_scan import RawScan
 from .slam_summary import LidarSLAMSummary, PositionCounts, summarize_slam
 from .submap_pairs import SubmapSurfaces, SurfaceCache
 

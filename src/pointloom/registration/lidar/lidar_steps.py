@@ -54,9 +54,10 @@ MAX_REST_COST_RATIO, MIN_REST_COST, MAX_WORSE = 1.4, 0.02, 0.7
 # readings differ by 0.01 to 0.7 degrees at rates up to 600 degrees/s.
 MAX_IMU_DIFFERENCE, MAX_IMU_DIFFERING = math.radians(2), 0.1
 # Mean standard deviation of the position in the map over as many consecutive matched scans, in voxel edges. In sparse
-# woods (16 beams, 120 to 250 trunks on 200 x 80 m, seeds 200 to 211) wrong paths had 0.17 to 0.31, correct ones up to
-# 0.18; in woods of 500 trunks up to 0.19; 16 real scans of a street with 64 and 16 beams up to 0.11. 2026-11-29.
-MAX_MATCH_SIGMA, MIN_WEAK = 0.19, 15
+# woods (16 beams, 120 to 250 trunks on 200 x 80 m, seeds 200 to 207 and 100 to 106) 9 of 14 wrong paths had 0.109 to
+# 0.16, the others 0.09 and more; correct ones up to 0.107; 16 real scans of a street with 64 and 16 beams up to 0.054,
+# 177 of a handheld scanner 0.033. 2026-11-29.
+MAX_MATCH_SIGMA, MIN_WEAK = 0.108, 15
 ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
