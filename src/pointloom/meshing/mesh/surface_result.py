@@ -15,12 +15,12 @@ from .mesh_summary import SurfaceSummary
 # Thresholds of the quality checks.
 MAX_BOUNDARY_FRACTION = 0.1  # fraction of boundary edges: 4% for 30 x 30 squares, 30% if the ball falls through gaps
 MAX_NON_MANIFOLD_FRACTION = 0.01  # fraction of non-manifold edges, except of alpha shapes, which are often two-sided
-MAX_SMALL_PART_AREA = 0.1  # fraction of the area in small parts; not of alpha shapes, which have cavities
+MAX_SMALL_PART_AREA = 0.1  # fraction of the area in small parts. Alpha shapes have cavities, which are parts
 MADE_UP = 0.05  # fraction of a Poisson surface far from all points
 # Chosen on benchmarks/trust/surface_shapes.py, `CHOOSING`, for surfaces within 2% of the points' extent. Those of
 # Poisson surfaces and alpha shapes were chosen on 594 and 307 surfaces of seed 7, 2026-11-29.
 NEAR_DISTANCE = 0.02  # of the points' extent
-MAX_MEDIAN_DISTANCE = 0.006  # of the points' extent: limit of their median distance from the surface; not of Poisson
+MAX_MEDIAN_DISTANCE = 0.006  # of the points' extent: limit of their median distance from balls and alpha shapes
 # The same of the distance that a tenth of the points exceed. With noise of 1, 1.5, 2, 2.5 and 3% of the extent it is
 # 0.014, 0.022, 0.028, 0.034 and 0.04, and 0 of 14, 0 of 12, 1 of 10, 3 of 8 and 10 of 12 surfaces of 800 points and
 # more are wrong.
@@ -31,7 +31,7 @@ MAX_BENT_AREA = 0.05  # fraction of the area of Poisson surfaces and alpha shape
 MAX_OUTER_AREA = 0.05  # fraction of the area of Poisson surfaces
 # Fraction of the points that are not near the surface.
 MAX_MISSED_POINTS = {"poisson": 0.1, "ball": 0.07, "alpha": 0.05}
-MAX_TURNED_AREA = {"poisson": 1.0, "ball": 0.05, "alpha": 0.2}  # fraction of the area; noise turns Poisson surfaces
+MAX_TURNED_AREA = {"poisson": 1.0, "ball": 0.05, "alpha": 0.2}  # fraction of the area. Noise turns Poisson surfaces
 
 _LARGER = {"poisson": "a smaller density_quantile or depth", "ball": "larger radii", "alpha": "a larger alpha"}
 

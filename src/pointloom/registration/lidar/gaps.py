@@ -26,13 +26,13 @@ BACKWARD_FRACTION = 0.25  # of the search distance: the sensor may have turned b
 MAX_SAMPLES = 60  # poses along the path
 AROUND_VOXELS = 15.0  # voxels: radius of the search around a sensor that was at rest
 # Ratio of the mean plane cost to that of the last scan in the map, above which a scan is searched for along the path.
-# Of 16 scans of a real street (64 beams, 0.8 m apart) it is up to 1.1, up to 1.5 if 2 to 4 scans are left out and the
-# pose is right, and 2.8 to 3.6 at wrong poses; 3 to 5 at wrong poses of a synthetic street. 2026-11-29.
+# Of 16 scans of a real street (64 beams, 0.8 m apart) it is up to 1.1. If 2 to 4 scans are left out, it is up to 1.5 at
+# the right pose, and 2.8 to 3.6 at wrong ones. At wrong poses of a synthetic street it is 3 to 5. 2026-11-29.
 MAX_COST_RATIO = 2.0
 MIN_COST = 0.02  # mean plane cost of a noise-free scan in its map, below which ratios mean little
-# The same over an unknown gap, relative to the square of the overlap that remains beside what the distance explains: up
-# to 1.9 at right poses of those scans, 10 left out, and 2.4 at those of synthetic streets; 2.9 at a wrong pose of a
-# handheld recording (BALM), 3.2 and more at those of the streets. 2026-11-29.
+# The same over an unknown gap, relative to the square of the overlap that remains beside what the distance explains. It
+# is up to 1.9 at right poses of those scans, 10 left out, and 2.4 at those of synthetic streets. At wrong poses it is
+# 2.9 in a handheld recording (BALM), and 3.2 and more in the streets. 2026-11-29.
 MAX_JUMP_COST_RATIO = 2.5
 GAP_OVERLAP = 0.75  # fitness relative to that scan, likewise
 

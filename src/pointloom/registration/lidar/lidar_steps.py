@@ -42,12 +42,12 @@ MAX_STATIONARY_MOTION, STATIONARY_FITNESS, MAX_CONTRADICTED, MIN_STATIONARY = (0
 # along at 0.4 to 1 m a scan.
 MAX_FAR_CHANGE = 0.015
 # The same relative to the scan since which the scanner appears stationary, at most MAX_REST scans ago, for changes too
-# slow for single scans: up to 0.09 in a street at rest, 0.13 with passing trucks, 0.16 in a corridor (median 0.03);
-# 0.1 to 0.4 and growing among trucks that drive along at 0.1 to 0.2 m a scan.
+# slow for single scans: up to 0.09 in a street at rest, 0.13 with passing trucks, 0.16 in a corridor (median 0.03).
+# Among trucks that drive along at 0.1 to 0.2 m a scan it is 0.1 to 0.4 and grows.
 MAX_REST_CHANGE, MAX_REST = 0.15, 30
 # Ratio of a scan's plane cost to that of the first matched scan at the same position, the smallest cost of the latter,
 # and the fraction of such scans. Rings of a scanner at rest repeat, so that the cost falls, also while it turns or
-# rocks, or at 1 to 3 cm a scan: no scan is above, with passing trucks up to 0.47 of the scans. If all walls move along
+# rocks, or at 1 to 3 cm a scan. Then no scan is above, with passing trucks up to 0.47 of them. If all walls move along
 # and the ground shows the motion, 0.94 to 1.0 are. Synthetic open ground, woods, halls and streets, 2026-11-29.
 MAX_REST_COST_RATIO, MIN_REST_COST, MAX_WORSE = 1.4, 0.02, 0.7
 # Difference [rad] of a scan's rotation from the gyroscope's, and the fraction of scans with a larger one: correct
@@ -55,8 +55,8 @@ MAX_REST_COST_RATIO, MIN_REST_COST, MAX_WORSE = 1.4, 0.02, 0.7
 MAX_IMU_DIFFERENCE, MAX_IMU_DIFFERING = math.radians(2), 0.1
 # Mean standard deviation of the position in the map over as many consecutive matched scans, in voxel edges. In sparse
 # woods (16 beams, 120 to 250 trunks on 200 x 80 m, seeds 200 to 207 and 100 to 106) 9 of 14 wrong paths had 0.109 to
-# 0.16, the others 0.09 and more; correct ones up to 0.107; 16 real scans of a street with 64 and 16 beams up to 0.054,
-# 177 of a handheld scanner 0.033. 2026-11-29.
+# 0.16, the others 0.09 and more. Correct ones had up to 0.107. Real scans had up to 0.054 (16 of a street, with 64 and
+# with 16 beams) and 0.033 (177 of a handheld scanner). 2026-11-29.
 MAX_MATCH_SIGMA, MIN_WEAK = 0.108, 15
 ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 

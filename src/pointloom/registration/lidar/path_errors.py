@@ -24,10 +24,10 @@ Matrix = NDArray[np.float64]
 # |             | few and far apart, so that errors that neighboring points share are part of that distance |
 # | SHIFT_FACTOR | bias: of the outer product of the motion to that pose |
 # | RANGE_SCALE | of the sensor, an error common to all scans: data sheets state 2 cm at 20 m |
-# Chosen on 2026-11-29 on 30 synthetic drives (seeds 500 to 504 of benchmarks/trust/drives.py) and on two recordings,
-# forward and backward: scans 0 to 87 of 64 beams over 90 degrees, handheld (hku-mars/BALM), and 64 beams on a car
-# (udacity/SFND_Lidar_Obstacle_Detection, data_2), so that each kind has at least 65 and 93 % within one and two sigma.
-# Coverage on other seeds and recordings: docs/trust.md.
+# Chosen on 2026-11-29 so that each kind has at least 65 and 93 % within one and two sigma: on 30 synthetic drives
+# (seeds 500 to 504 of benchmarks/trust/drives.py) and on two recordings, forward and backward. These are scans 0 to 87
+# of a handheld scanner with 64 beams (hku-mars/BALM), and a car with 64 beams (udacity/SFND_Lidar_Obstacle_Detection,
+# data_2). Coverage on other seeds and recordings: docs/trust.md.
 MODEL_ERROR = 0.02
 STEP_FACTOR = 0.5
 SHIFT_FACTOR = 0.7
