@@ -60,7 +60,7 @@ MAX_RIGID_EXCESS = 0.6
 MIN_DELAYS = 15  # minimum number of compared delays without one that fits
 MIN_UNEXPLAINED = 0.45  # minimum residual of the best delay, likewise: constant delays up to 0.4 | two rates 0.6
 # Frames after which unrelated rotations make a frame uncertain before they are reported, and their minimum residual as
-# UNRELATED_RATIO: 0 of 300 frames of the kitchen, and 0 of 490 of four synthetic sites (2026-11-29).
+# UNRELATED_RATIO: 0 of 300 frames of the kitchen, 2 of 150 of a synthetic room, 0 of two other sites (2026-11-29).
 DOUBT_FRAMES, DOUBT_RATIO, MIN_DOUBT_DELAYS = 15, 0.87, 9
 SAME_DELAY, MIN_AGREEING = 1.5, 0.5  # frames, and fraction of the estimates of a stretch that agree with their median
 MIRRORED_SIGNS = {  # of the components of a rotation
