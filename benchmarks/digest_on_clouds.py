@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 import tempfile
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,12 @@ def there_and_back(value: Any, ending: str, write: str, read: str, **options: An
 
 def cloud_file(cloud: Any, ending: str, **options: Any) -> Any:
     return there_and_back(cloud, ending, "write_point_cloud", "read_point_cloud", **options)
+
+
+def ground_of(p: SampledSurface, **options: Any) -> Any:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # the surface is steeper than the slope
+        return loom().classify_ground(p.cloud, 4 * p.spacing, 0.05, 30 * p.spacing, p.spacing, **options)
 
 
 def alpha_shape(p: SampledSurface, alpha: Any, **options: Any) -> Any:
@@ -197,10 +204,8 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     "smooth_laplacian, fixed": lambda p: p.cloud.smooth_laplacian(3, 0.3, 12, use_fixed_neighborhoods=True),
     "smooth_taubin": lambda p: p.cloud.smooth_taubin(2),
     "smooth_taubin, fixed": lambda p: p.cloud.smooth_taubin(3, knn=12, use_fixed_neighborhoods=True),
-    "classify_ground": lambda p: loom().classify_ground(p.cloud, 4 * p.spacing, 0.05, 30 * p.spacing, p.spacing),
-    "classify_ground, corner": lambda p: loom().classify_ground(
-        p.cloud, 4 * p.spacing, 0.05, 30 * p.spacing, p.spacing, corner=(0, 0)
-    ),
+    "classify_ground": lambda p: ground_of(p),
+    "classify_ground, corner": lambda p: ground_of(p, corner=(0, 0)),
     "height_above_ground": lambda p: loom().height_above_ground(halved(p), reach=20 * p.spacing, cell=2 * p.spacing),
     "rasterize": lambda p: loom().rasterize(halved(p), 3 * p.spacing, "chm").values,
     "rasterize, triangles": lambda p: loom().rasterize(halved(p), 3 * p.spacing, "dtm", method="tin").values,

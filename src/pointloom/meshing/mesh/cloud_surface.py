@@ -268,7 +268,7 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[Poin
         missed=float(np.mean(distances > max(near, NOISE_MEDIANS * median if method == "poisson" else 0.0))),
         outer=float(np.mean(is_far & (to_mean > ONE_SIDED * lengths.mean(axis=1)))),
     )
-    return PointsOff(median, size, points.unit, float(np.quantile(distances, 0.9))), support
+    return PointsOff(median, size, points.unit, float(np.quantile(distances, 0.9, method="higher"))), support
 
 
 def _normals_of(groups: NDArray[np.float64]) -> NDArray[np.float64]:
