@@ -29,7 +29,7 @@ from .map_course import (
     step_pose_kernel,
     sum_planes_kernel,
 )
-from .map_icp import SYSTEM_SIZE, plane
+from .map_icp import SYSTEM_SIZE
 from .pose_probes import find_map_planes
 from .voxel_map import VoxelMap
 
@@ -118,11 +118,11 @@ class MapAligner:
         self._counts = (points.size, few_count)
         launch(load_scan_kernel, total, [points, points if few is None else few, self._course])
         self._has_map_planes = has_many_starts
-        if has_many_starts:
+        if has_many_starts and self._course is not None:
             find_map_planes(voxel_map, self._radius(voxel_map), self._course.map_planes)
 
     @property
-    def map_planes(self) -> Array1[plane] | None:
+    def map_planes(self) -> Array1[Any] | None:
         """The planes around all points of the loaded map by their position, if they were computed."""
         return self._course.map_planes if self._course is not None and self._has_map_planes else None
 

@@ -4,6 +4,8 @@ Only points with planes at both poses count: scan rings differ between scans, so
 Related to Tuna et al. 2023, "X-ICP". Here the curvature of the error is measured with new pairs at each pose.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.rigid_solve import rotate
@@ -29,7 +31,7 @@ def find_map_planes_kernel(voxel_map: VoxelMap, radius: float, planes: array(dty
         planes[slot] = plane_around(corner + widen(voxel_map.offsets[slot]), radius, voxel_map)
 
 
-def find_map_planes(voxel_map: VoxelMap, radius: float, planes: Array1[plane] | None = None) -> Array1[plane]:
+def find_map_planes(voxel_map: VoxelMap, radius: float, planes: Array1[Any] | None = None) -> Array1[Any]:
     """Planes around all points of a map by their position, within `radius` [m]. `planes`: an array to fill."""
     if planes is None:
         planes = empty(voxel_map.count * voxel_map.room, plane, voxel_map.device)
@@ -124,7 +126,7 @@ def compare_poses(
     voxel_map: VoxelMap,
     poses: np.ndarray,
     radius: float,
-    map_planes: Array1[plane] | None = None,
+    map_planes: Array1[Any] | None = None,
 ) -> np.ndarray:
     """Cost changes of a scan from its pose (the first) to others, (k, 4) as of `compare_costs`. One sync.
     `max_points`: approximate points used; `radius` [m] of plane neighborhoods, planes are searched twice as far.
