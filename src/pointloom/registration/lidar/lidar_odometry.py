@@ -323,9 +323,10 @@ class LidarOdometry(Serialized):
         if step.gap == 1.0 != gap:  # of a scan that was not found along the path
             step = replace(step, gap=gap)
         if is_skewed is not None and step.is_sound and step.iterations and step.gap == 1.0 and is_skewed(step.pose):
-            again = self._deskew_start if state.first is not None else self._deskew_again
+            again, is_doubted = self._deskew_start if state.first is not None else self._deskew_again, step.is_doubtful
             deskewed = again(raw, step.pose, voxel_map, predicted, has_prior)
             step, downsampled, voxel_map = deskewed or (match(), downsampled, voxel_map)
+            step = replace(step, is_doubtful=step.is_doubtful or (is_doubted and not self._fits(step)))
         if len(self._steps) >= 3 and appears_stationary(self._steps[-3], step):
             step = replace(step, far_change=self._far_change(downsampled, voxel_map, self._steps[-3], step))
             if state.rest is not None and state.rest.lasts_to(step):
