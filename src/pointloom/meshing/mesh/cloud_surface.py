@@ -250,7 +250,7 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[Poin
     near, median = NEAR_DISTANCE * size, float(np.median(distances))
     samples = mesh.sample_points_uniformly(SUPPORT_SAMPLES, use_triangle_normal=True)
     indices, sqdists, _ = search.knn_search(samples, min(SPACING_NEIGHBORS, len(host)))
-    is_far = np.sqrt(sqdists[:, 0]) > near
+    nearest = np.sqrt(sqdists[:, 0])
     offsets = host[indices] - samples.points[:, None]
     offsets -= np.sum(offsets * samples.normals[:, None], axis=2, keepdims=True) * samples.normals[:, None]
     to_mean, lengths = (np.sqrt(np.sum(x * x, axis=-1)) for x in (offsets.mean(axis=1), offsets))
@@ -262,11 +262,11 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[Poin
     cosines = np.abs(np.sum(samples.normals * tangents, axis=1))
     support = Support(
         near=near,
-        sparse=float(np.mean(np.sqrt(sqdists[:, 0]) > np.maximum(near, MAX_GAP * spacing))),
+        sparse=float(np.mean(nearest > np.maximum(near, MAX_GAP * spacing))),
         bent=float(np.mean(heights > near)),
         turned=float(np.mean(cosines < MIN_COSINE)),
         missed=float(np.mean(distances > max(near, NOISE_MEDIANS * median if method == "poisson" else 0.0))),
-        outer=float(np.mean(is_far & (to_mean > ONE_SIDED * lengths.mean(axis=1)))),
+        outer=float(np.mean((nearest > near) & (to_mean > ONE_SIDED * lengths.mean(axis=1)))),
     )
     return PointsOff(median, size, points.unit, float(np.quantile(distances, 0.9, method="higher"))), support
 

@@ -414,18 +414,18 @@ class LidarOdometry(Serialized):
             if self._fits(step) and not is_worse and not is_searched:
                 return step
         match = assess_match(self._aligner, scan, voxel_map, match, predicted, search_range, is_blind_open=not further)
-        step = self._step_of(match, predicted, sigma, has_prior)
+        step, last_pose = self._step_of(match, predicted, sigma, has_prior), self._last_pose()
         if path is not None and known is not None and (path.gap != 1.0 or may_follow_gap(step, known)):
-            poses = path.poses(self._last_pose(), self._max_gap(), SEARCH_VOXELS * self.voxel_size)
+            poses = path.poses(last_pose, self._max_gap(), SEARCH_VOXELS * self.voxel_size)
             guess, min_fitness = predicted if path.gap > 1 else None, GAP_OVERLAP * known.fitness
             other = search_poses(self._aligner, scan, voxel_map, match, poses, guess, min_fitness)
             found = self._step_of(other, predicted, sigma, has_prior)
             if found.is_sound:
-                step, match = replace(found, gap=path.intervals_to(found.pose, self._last_pose())), other
+                step, match = replace(found, gap=path.intervals_to(found.pose, last_pose)), other
                 if not may_follow_gap(step, known) and not self._is_doubtful(step, known, path):
                     return step
         searches = (
-            WiderSearch(partial(rotated_guesses, predicted, self._last_pose()), disagrees, attrgetter("disagreement")),
+            WiderSearch(partial(rotated_guesses, predicted, last_pose), disagrees, attrgetter("disagreement")),
             WiderSearch(partial(headings, predicted), partial(loses_overlap, known=last_matched), attrgetter("cost")),
         )
         for search in searches:
@@ -434,11 +434,7 @@ class LidarOdometry(Serialized):
                 other = assess_match(self._aligner, scan, voxel_map, other, predicted, is_blind_open=False)
                 candidate = self._step_of(other, predicted, sigma, has_prior)
                 if candidate.is_sound and (search.cost(other) < search.cost(match) or not step.is_sound):
-                    gap = (
-                        step.gap
-                        if path is None or path.gap != 1.0
-                        else path.intervals_to(other.pose, self._last_pose())
-                    )
+                    gap = step.gap if path is None or path.gap != 1.0 else path.intervals_to(other.pose, last_pose)
                     step, match = replace(candidate, gap=gap), other
         if known is None or path is None:
             return step

@@ -107,9 +107,10 @@ def fuse(
     report_progress("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     clock.stop("extract")
+    camera, depth_factor = check.camera_and_factor()
     checks: dict[str, Any] = {
         "fraction_off": None if refine else check.fraction_off(fold.volume), "seen_extent": check.seen_extent(),
-        "camera": check.camera(), "depth_factor": check.depth_factor(), "source_warnings": source_warnings(frames),
+        "camera": camera, "depth_factor": depth_factor, "source_warnings": source_warnings(frames),
     }  # fmt: skip
     clock.stop("check")
     return FusionResult(mesh, fold.volume, poses, max_depth, *fractions, threshold, fold.refinement, **checks)

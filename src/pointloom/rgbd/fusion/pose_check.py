@@ -60,25 +60,17 @@ class PoseCheck:
     def _is_valid(self, z: NDArray[np.float64]) -> NDArray[np.bool_]:
         return np.isfinite(z) & (z > 0) & (z <= self.depth_max)
 
-    def camera(self) -> FocalCheck | None:
-        """Check whether the sampled frames fit better with another camera. None if they do not determine it."""
-        return assess_camera(self._views(), self._poses, self._intrinsic)
+    def camera_and_factor(self) -> tuple[FocalCheck | None, float]:
+        """Check whether the sampled frames fit better with another camera, and the factor of their depth that does.
 
-    def depth_factor(self) -> float:
-        """The factor of the depth that fits the poses of the sampled frames better. 1 without a better one."""
-        return depth_factor(self._views(), self._poses)
-
-    @property
-    def _poses(self) -> list[Pose]:
-        return [pose for _, pose in self._samples]
-
-    def _views(self) -> list[CameraView]:
-        K, views = self._camera, []
+        None if they do not determine the camera, and 1 without a better factor.
+        """
+        K, views, poses = self._camera, list[CameraView](), [pose for _, pose in self._samples]
         for depth, _ in self._samples:
             z = self._in_meters(depth)
             nearness = np.divide(1.0, z, out=np.zeros(z.shape), where=self._is_valid(z))
             views.append(CameraView(nearness.astype(np.float32), (K.fx, K.fy, K.cx, K.cy)))
-        return views
+        return assess_camera(views, poses, self._intrinsic), depth_factor(views, poses)
 
     def fraction_off(self, volume: TSDFVolume) -> float | None:
         """Median fraction of frame pixels off the surface by half the truncation. None for fewer than two frames."""
