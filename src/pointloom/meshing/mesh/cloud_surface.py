@@ -122,7 +122,7 @@ def create_surface(
     flat = why_flat(points) if method == "alpha" else None
     empty = flat is not None or not len(points)
     made = _Made(TriangleMesh(device=cloud.device)) if empty else _make(points, method, settings)
-    made.mesh.unit = cloud.unit
+    made.mesh.unit, made.mesh.crs = cloud.unit, cloud.crs
     report("check", 0, 0)
     positions = points.remove_duplicated_points()  # copies would make the spacing 0
     mesh, made_up = _without_made_up(positions, made, method, settings)

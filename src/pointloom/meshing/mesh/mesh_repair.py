@@ -14,7 +14,6 @@ from ...core.checks import check_positive
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
 from ...core.reports import AssessedRecord, failed
-from ...core.units import common_unit
 from ...core.wording import format_fraction
 from ...kernels.array_types import Mask
 from ...kernels.arrays.concatenation import concatenate_points
@@ -35,6 +34,7 @@ from ...kernels.meshes.surface_samples import triangle_areas
 from ...kernels.meshes.vertex_neighbors import VertexNeighbors
 from ...kernels.rays.cutting_triangles import find_meeting_pairs
 from ...kernels.rays.triangle_tree import TriangleTree
+from ...pcd.units import common_reference
 from .finite_corners import REMEDY, check_finite_corners, find_wrong_corner
 from .flat_polygons import LIBRARY, load_manifold
 from .mesh_arrays import MeshArrays, check_mesh
@@ -629,7 +629,7 @@ class MeshRepair(MeshMeasures):
             device=self.device,
             origin=self.arrays.origin,
         )
-        mesh.unit = common_unit(f"{name}: the meshes", (self.unit, other.unit))
+        mesh.unit, mesh.crs = common_reference(f"{name}: the meshes", (self, other))
         both_have_normals = "vertex_normals" in self.arrays and "vertex_normals" in other.arrays
         return mesh.compute_vertex_normals() if both_have_normals else mesh
 
