@@ -213,7 +213,7 @@ def test_reprojection_to_degrees_and_of_meshes(cloud, mesh):
 def test_wrong_arguments_of_reprojection(cloud):
     with pytest.raises(TypeError, match=r"^epsg: expected a coordinate system such as 25832, got None"):
         cloud.reproject(None)
-    with pytest.raises(ValueError, match=r"^epsg: pyproj does not know the coordinate system"):
+    with pytest.raises(ValueError, match=r"^epsg: pyproj does not contain the coordinate system"):
         cloud.reproject(99999)
     with pytest.raises(ValueError, match=r"^epsg: x and y would be in US survey foot, and heights stay in metre"):
         cloud.reproject(2229)

@@ -23,7 +23,7 @@ _CODES = re.compile(r"EPSG:(\d+)(?:\+(\d+))?", re.IGNORECASE)
 _WKT_NAME = re.compile(r'\s*[A-Za-z_]\w*\s*[\[(]\s*"((?:[^"]|"")*)"')
 _ROOT_CODE = re.compile(r'(?:AUTHORITY|ID)\s*\[\s*"EPSG"\s*,\s*"?(\d+)"?\s*\]\s*\]\s*$')
 MAX_UNIT_DIFFERENCE = 1e-9  # of a unit's length, rounding of its text
-TANGENT = 1.0  # [units of the source] length of the tangents that are transformed with a normal
+TANGENT_LENGTH = 1.0  # [units of the source] length of the tangents that are transformed with a normal
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -185,13 +185,13 @@ def pyproj_crs(name: str, system: CoordinateSystem) -> Any:
 
     Raises:
         PointloomError: pyproj is not installed.
-        ValueError: pyproj does not know the system.
+        ValueError: pyproj does not contain the system.
     """
     pyproj = _pyproj()
     try:
         return pyproj.CRS.from_user_input(system.text)
     except pyproj.exceptions.CRSError as error:
-        raise ValueError(f"{name}: pyproj does not know the coordinate system {shown(system.name)}") from error
+        raise ValueError(f"{name}: pyproj does not contain the coordinate system {shown(system.name)}") from error
 
 
 class Reprojection:
@@ -258,5 +258,5 @@ class Reprojection:
         start, first = self.points(points), np.cross(normals, axes)
         first /= np.maximum(np.linalg.norm(first, axis=1, keepdims=True), np.finfo(float).tiny)
         second = np.cross(normals, first) / np.maximum(lengths, np.finfo(float).tiny)
-        turned = np.cross(*(self.points(points + TANGENT * tangent) - start for tangent in (first, second)))
+        turned = np.cross(*(self.points(points + TANGENT_LENGTH * tangent) - start for tangent in (first, second)))
         return turned * (lengths / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), np.finfo(float).tiny))

@@ -42,7 +42,7 @@ _TIME_STAMP = (1980, 1, 1, 0, 0, 0)
 
 _TABLE_KEYS = ("points", "normals", "colors", "grid")
 _UNIT, _CRS = "unit", "crs"
-_LONGEST = {_UNIT: 200, _CRS: 1 << 16}  # letters
+_MAX_LETTERS = {_UNIT: 200, _CRS: 1 << 16}  # letters
 _NOT_NUMERIC = "expected real numbers or booleans"
 
 
@@ -142,7 +142,7 @@ def read_npy(path: FilePath) -> NDArray[Any]:
 def _read_array(path: FilePath, stream: IO[bytes], name: str, size: int, where: str) -> NDArray[Any]:
     """Read an array from a stream of `size` bytes after checking its header."""
     shape, fortran, dtype = _read_array_header(path, stream, name)
-    is_text = dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _LONGEST.get(name, 0)
+    is_text = dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _MAX_LETTERS.get(name, 0)
     if not is_text and (dtype.kind not in "biuf" or dtype.itemsize > 8):
         raise FileError(path, f"{name}: {_NOT_NUMERIC}, got {dtype}")
     if any(isinstance(extent, bool) for extent in shape):
@@ -176,7 +176,7 @@ def _table(path: FilePath, arrays: dict[str, NDArray[Any]]) -> PointTable:
         if values is not None:
             _check_shape(path, name, values, count)
     grid = _grid(path, arrays.pop("grid"), count) if "grid" in arrays else None
-    texts = {name: arrays.pop(name) for name in _LONGEST if name in arrays and arrays[name].dtype.kind == "U"}
+    texts = {name: arrays.pop(name) for name in _MAX_LETTERS if name in arrays and arrays[name].dtype.kind == "U"}
     unit = _unit(path, texts[_UNIT]) if _UNIT in texts else None
     crs = crs_of_text(str(texts[_CRS])) if _CRS in texts else None
     for name, values in arrays.items():
