@@ -45,15 +45,27 @@ class Batch(NamedTuple):
             return torch.ones(self.shape, dtype=torch.bool, device=self.points.device)
         return (self.labels < self.count).reshape(self.shape)
 
+    def starts(self) -> torch.Tensor:
+        """First row of each cloud, int32 (count)."""
+        clouds = torch.arange(self.count, device=self.points.device, dtype=torch.int32)
+        if self.width or self.labels is None:
+            return clouds * self.width
+        return torch.searchsorted(self.labels, clouds.long(), out_int32=True)
+
     def sizes(self) -> torch.Tensor:
-        """Points of each cloud, int64 (count)."""
+        """Points of each cloud, int32 (count)."""
+        device = self.points.device
         if self.labels is None:
-            return torch.full((self.count,), self.width, device=self.points.device)
-        clouds = torch.arange(self.count, device=self.points.device)
+            return torch.full((self.count,), self.width, device=device, dtype=torch.int32)
         if self.width:
-            return (self.labels.reshape(self.count, self.width) < self.count).sum(1)
-        ends = torch.searchsorted(self.labels, clouds, right=True)
-        return ends - torch.searchsorted(self.labels, clouds)
+            return (self.labels.reshape(self.count, self.width) < self.count).sum(1, dtype=torch.int32)
+        clouds = torch.arange(self.count, device=device)
+        return torch.searchsorted(self.labels, clouds, right=True, out_int32=True) - self.starts()
+
+    def is_same_layout(self, other: "Batch") -> bool:
+        """True if the clouds of another batch are known to have the same rows."""
+        is_dense = self.labels is None and other.labels is None
+        return (is_dense and self.shape == other.shape) or (self.labels is not None and self.labels is other.labels)
 
 
 def take_batch(
@@ -122,7 +134,8 @@ def take_pair(
     ):
         batch_size = max(count_clouds(first["batch"]), count_clouds(second["batch"]))
     a = take_batch(names[0], query, **first, batch_size=batch_size, width=width)
-    b = take_batch(names[1], points, **second, batch_size=batch_size, width=width)
+    is_same = all(one is two for one, two in zip((query, *first.values()), (points, *second.values()), strict=True))
+    b = a if is_same else take_batch(names[1], points, **second, batch_size=batch_size, width=width)
     if a.count != b.count or (a.width == 0) != (b.width == 0) or len(a.shape) != len(b.shape):
         counts = f"{list(query.shape)} ({a.count} clouds) and {list(points.shape)} ({b.count} clouds)"
         raise ValueError(f"{names[0]} and {names[1]}: expected the same number of clouds and layout, got {counts}")
@@ -130,6 +143,8 @@ def take_pair(
         given = f"{list(query.shape)} and {list(points.shape)}"
         raise ValueError(f"{names[0]} and {names[1]}: expected the same number of coordinates, got {given}")
     dtype = torch.promote_types(a.points.dtype, b.points.dtype)
+    if a is b:
+        return a, a
     return a._replace(points=a.points.to(dtype)), b._replace(points=b.points.to(dtype))
 
 
