@@ -6,3 +6,8 @@ from .neighbors import knn as knn
 from .neighbors import nearest as nearest
 from .operators import gather_rows as gather_rows
 from .operators import scatter_sum as scatter_sum
+from .sampling import VoxelPool as VoxelPool
+from .sampling import farthest_points as farthest_points
+from .sampling import interpolate as interpolate
+from .sampling import voxel_indices as voxel_indices
+from .sampling import voxel_pool as voxel_pool
