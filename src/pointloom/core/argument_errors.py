@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, ParamSpec, TypeVar
 
 from .attribute_hints import nearest_name
-from .open3d_names import ARGUMENTS, hint, row_of
+from .open3d_names import ARGUMENTS, COMMON, hint, row_of
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -64,7 +64,9 @@ def _unknown(call_name: str, name: str, value: object, keywords: list[str]) -> s
     if "radius" in keywords and type(value).__name__.startswith("KDTreeSearchParam"):
         return f"{message}; here: {call_name.rpartition('.')[2]}({_search(value)})"
     row = hint(row_of(name, (ARGUMENTS,)))
-    return message + (row or nearest_name(name, keywords)) + f"; it takes {', '.join(keywords) or 'none'}"
+    same = (row_of(name, (f"{COMMON}.{ARGUMENTS}",)) or "").split(", ")
+    near = next((f"; did you mean {other!r}?" for other in same if other in keywords), nearest_name(name, keywords))
+    return message + (row or near) + f"; it takes {', '.join(keywords) or 'none'}"
 
 
 def _search(value: object) -> str:
