@@ -7,7 +7,7 @@ from ..array_types import Array2, Points
 from ..arrays.blocks import WARPS, block_threads
 from ..arrays.packed_keys import INDEX_MASK
 from ..lang import BLOCK_THREADS, array, float_bits, func, int64, isfinite, kernel, launch, tid, vec3
-from ..memory import empty
+from ..memory import empty, full
 from ..search.cloud_batch import CloudRows
 from ..search.point_tree import square_distance
 from .farthest_points import UNREACHED_KEY, index_of, largest_of_block
@@ -112,10 +112,9 @@ def choose_in_batch(points: Points, clouds: CloudRows, sample_count: int) -> Arr
     cloud in order of choice, -1 after the last. No wait for the device.
     """
     device, count = points.device, clouds.starts.size
-    chosen = empty((count, sample_count), int64, device)
     if not points.size:
-        chosen.fill_(-1)
-        return chosen
+        return full((count, sample_count), -1, int64, device)
+    chosen = empty((count, sample_count), int64, device)
     threads = block_threads(device)
     tops = empty(count * WARPS if threads > 1 else 1, int64, device)
     keys = empty(points.size, int64, device)
