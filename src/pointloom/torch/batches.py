@@ -28,7 +28,7 @@ class Batch(NamedTuple):
 
     points: torch.Tensor
     labels: torch.Tensor | None
-    count: int
+    count: int  # pyright: ignore[reportIncompatibleMethodOverride]
     width: int
     shape: tuple[int, ...]
 
