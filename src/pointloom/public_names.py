@@ -97,7 +97,11 @@ def _no_module(package: str, name: str, homes: dict[str, str]) -> str:
     module = f"{package}.{name}"
     if PathFinder.find_spec(module, sys.modules[package].__path__) is None:
         return ""
+    from .core.open3d_names import COMMON, MODULES, hint, row_of
+
     message = f"module {package!r} has no attribute {name!r}: it is a private module"
+    if row := hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}"))):
+        return message + row
     inside = [other for other, home in homes.items() if home == module or home.startswith(f"{module}.")]
     nearest = get_close_matches(f"{package.rpartition('.')[2]}_{name}", inside, MAX_HINTS, cutoff=0.0)
     return message + (f"; did you mean {' or '.join(map(repr, nearest))}?" if nearest else "")
@@ -108,7 +112,7 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     if name.startswith("_"):
         return message
     from .core.attribute_hints import nearest_name
-    from .core.open3d_names import BRIDGE, hint, row_of
+    from .core.open3d_names import BRIDGE, COMMON, MODULES, hint, row_of
     from .core.renamed_names import renamed
 
     if package == OPEN3D or package.startswith(f"{OPEN3D}."):
@@ -118,7 +122,8 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
         return message + (own or hint(row_of(name)) or _also(package, name) or nearest_name(name, known))
     if new := renamed(package.replace(package.partition(".")[0], SHORT_NAME, 1), name):
         return f"{message}; it is {new}"
-    return message + (_also(package, name) or hint(row_of(name)) or nearest_name(name, known))
+    row = hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}")))
+    return message + (_also(package, name) or row or nearest_name(name, known))
 
 
 def _also(package: str, name: str) -> str:

@@ -12,8 +12,13 @@ from collections.abc import Callable, Mapping
 from types import CodeType, FunctionType
 from typing import Any, ParamSpec, TypeVar
 
+<<<<<<< HEAD
 from .attribute_hints import internal_names, nearest_name
 from .open3d_names import ARGUMENTS, hint, row_of
+=======
+from .attribute_hints import nearest_name
+from .open3d_names import ARGUMENTS, COMMON, hint, row_of
+>>>>>>> b5250a56d4cbf71c12fed94c044a8d7d0112fbe7
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -125,7 +130,9 @@ def _unknown(call_name: str, name: str, value: object, keywords: list[str]) -> s
     if "radius" in keywords and type(value).__name__.startswith("KDTreeSearchParam"):
         return f"{message}; here: {call_name.rpartition('.')[2]}({_search(value)})"
     row = hint(row_of(name, (ARGUMENTS,)))
-    return message + (row or nearest_name(name, keywords)) + f"; it takes {', '.join(keywords) or 'none'}"
+    same = (row_of(name, (f"{COMMON}.{ARGUMENTS}",)) or "").split(", ")
+    near = next((f"; did you mean {other!r}?" for other in same if other in keywords), nearest_name(name, keywords))
+    return message + (row or near) + f"; it takes {', '.join(keywords) or 'none'}"
 
 
 def _search(value: object) -> str:

@@ -12,4 +12,13 @@ Examples:
 
 from ..public_names import attach  # pyright: ignore[reportMissingImports]
 
-__getattr__, __dir__ = attach(__name__)
+_load, __dir__ = attach(__name__)
+
+
+def __getattr__(name: str) -> object:
+    try:
+        return _load(name)
+    except ModuleNotFoundError as error:
+        if error.name != "torch":
+            raise
+        raise ImportError("pointloom.torch needs torch 2.4 or later: pip install pointloom[torch]") from error

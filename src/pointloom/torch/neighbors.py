@@ -162,7 +162,7 @@ def _save(ctx: Any, inputs: tuple[Any, ...], output: tuple[torch.Tensor, torch.T
 
 
 def _backward(ctx: Any, _: Any, grad: torch.Tensor) -> tuple[Any, ...]:
-    """The gradients of |q - p|^2: 2 (q - p) and its negative, summed over the neighbors and over the queries of a point.
+    """Gradients of |q - p|^2: 2 (q - p), and its negative, summed over the neighbors and over the queries of a point.
     Made of operators with gradients, so that second derivatives are right.
     """
     query, points, query_starts, starts, indices = ctx.saved_tensors

@@ -1,12 +1,12 @@
 """Sums of rows by index, without float atomics: bitwise identical in each run.
 
 The CPU divides the rows of the result among threads, each of which reads all indices: 1 ns per index and thread. CUDA
-sorts the indices, and one or more lanes add up the rows of an index, in float64 and in order. 24 B of scratch per index.
+sorts the indices, and one or more lanes add up the rows of an index. Sums are float64, in order. 24 B per index.
 """
 
 from ..array_types import AnyArray, Array2, LongIntegers
 from ..lang import array, float32, float64, int32, int64, kernel, launch, tid
-from ..memory import cast, empty
+from ..memory import cast, empty, fill
 from .key_starts import find_key_starts
 from .sort import SortKeys, put_key
 
@@ -125,7 +125,7 @@ def sum_by_index(values: AnyArray, index: LongIntegers, rows: int) -> AnyArray:
     if not sums.size:
         return empty((rows, columns), values.dtype, device)
     if not index.size:
-        sums.zero_()
+        fill(sums, 0.0)
     elif device.is_cuda:
         _sum_sorted(values, index, sums)
     else:

@@ -4,7 +4,7 @@ Float32 on the CPU in groups of eight queries as in group_search.py, else each q
 and bounded in float32 about the first point of their cloud, with a margin for rounding, and measured in float64.
 """
 
-from ..array_types import AnyArray, Array2, Points
+from ..array_types import AnyArray, Array2
 from ..arrays.packed_keys import key_index, key_limit, key_number, pack_key
 from ..lang import (
     INFINITY,
@@ -26,7 +26,7 @@ from ..lang import (
     vec3,
     vec3d,
 )
-from ..memory import empty, flat
+from ..memory import empty, fill, flat
 from .cloud_batch import CloudBatch, CloudRows, SortedRows, cloud_of_rank, find_start, leaves_of_cloud, owner_of_row
 from .group_scratch import GroupScratch, LaunchPart
 from .group_search import SQDIST_GROWTH, grown_sqradius, is_repeated, pick_within
@@ -282,8 +282,8 @@ def search_batch(
     if not count:
         return indices, sqdists
     if not points.size:
-        indices.fill_(-1)
-        sqdists.fill_(INFINITY)
+        fill(indices, -1)
+        fill(sqdists, INFINITY)
         return indices, sqdists
     is_self = queries.ptr == points.ptr and queries.size == points.size and query_clouds is clouds
     near_queries, near_points = queries, points

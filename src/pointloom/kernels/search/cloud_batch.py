@@ -112,7 +112,7 @@ def bound_clouds_kernel(runs: array(dtype=float32), clouds: CloudRows, run: int,
 
 
 def bound_clouds(points: Points, clouds: CloudRows) -> Scalars:
-    """Boxes of the finite points of each cloud, float32 (6 clouds): low corner, high corner. Infinite if there are none."""
+    """Boxes of the finite points of each cloud, float32 (6 clouds): low and high corner, infinite without points."""
     run = MIN_RUN
     while run * run < clouds.largest:
         run *= 2
