@@ -12,13 +12,8 @@ from collections.abc import Callable, Mapping
 from types import CodeType, FunctionType
 from typing import Any, ParamSpec, TypeVar
 
-<<<<<<< HEAD
 from .attribute_hints import internal_names, nearest_name
-from .open3d_names import ARGUMENTS, hint, row_of
-=======
-from .attribute_hints import nearest_name
 from .open3d_names import ARGUMENTS, COMMON, hint, row_of
->>>>>>> b5250a56d4cbf71c12fed94c044a8d7d0112fbe7
 
 P = ParamSpec("P")
 R = TypeVar("R")
