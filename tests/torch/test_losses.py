@@ -80,7 +80,8 @@ def test_normals_are_compared_without_their_sign_and_length():
 
 @pytest.mark.parametrize("axes", [1, 2, 3])
 def test_gradients_of_both_orders_match_finite_differences(axes):
-    a, b, m, n = leaves(clouds(3, 7, axes), clouds(3, 6, axes, seed=1), clouds(3, 7, 3, seed=2), clouds(3, 6, 3, seed=3))
+    sizes = (7, 6, 7, 6)
+    a, b, m, n = leaves(*(clouds(3, size, axes, seed=seed) for seed, size in enumerate(sizes)))
     calls = {
         "squared": (lambda a, b: loom.torch.chamfer_distance(a, b, lengths=LAYOUT), (a, b)),
         "norm": (lambda a, b: loom.torch.chamfer_distance(a, b, norm=1), (a, b)),
