@@ -84,8 +84,8 @@ for library in ("torch", "cupy"):
     assert type(labels).__module__.split(".")[0] == library
 
 # %%
-# **Out again.** ``cloud.array("points")`` is the device's array, which ``torch.from_dlpack`` and its kin take;
-# ``numpy.from_dlpack`` does on the CPU. ``.points`` is NumPy always.
+# **Out again.** ``cloud.array("points")`` is an array of the cloud's library without a copy: here Warp's, which
+# ``numpy.from_dlpack`` reads on the CPU. ``.points`` is NumPy always.
 same = np.from_dlpack(shared.array("points"))
 print("DLPack gives", same.shape, same.dtype, "at the same address:", same.ctypes.data == warp_array.ptr)
 assert same.ctypes.data == warp_array.ptr

@@ -136,7 +136,8 @@ def take_pair(
     a = take_batch(names[0], query, **first, batch_size=batch_size, width=width)
     is_same = all(one is two for one, two in zip((query, *first.values()), (points, *second.values()), strict=True))
     b = a if is_same else take_batch(names[1], points, **second, batch_size=batch_size, width=width)
-    if a.count != b.count or (a.width == 0) != (b.width == 0) or len(a.shape) != len(b.shape):
+    is_one_ragged = len(a.shape) == 1 and (a.labels is None) != (b.labels is None)
+    if a.count != b.count or len(a.shape) != len(b.shape) or is_one_ragged:
         counts = f"{list(query.shape)} ({a.count} clouds) and {list(points.shape)} ({b.count} clouds)"
         raise ValueError(f"{names[0]} and {names[1]}: expected the same number of clouds and layout, got {counts}")
     if a.points.shape[1] != b.points.shape[1]:
