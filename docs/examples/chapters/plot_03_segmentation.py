@@ -1,17 +1,17 @@
 """
-3. Take a cloud apart
-=====================
+3. Segmentation: planes, clusters, hidden points
+================================================
 
-What belongs to the floor, what is one thing and what another, how large is it, how far is this from that, and what
-can be seen from here? You learn the tools with which a cloud becomes things: boxes, colors, distances, hulls,
-planes, clusters and hidden points.
+In this chapter you separate the floor of a room from the objects on it, find the objects as clusters, and measure their
+size and distance. You also compute which points are visible from a given position. The tools are bounding boxes, plane
+segmentation, DBSCAN, convex hulls, cloud-to-cloud distances and hidden point removal.
 """
 
 # %%
 # Crop
 # ----
-# A box keeps what is inside. Here: the part of the room with the sofa and the coffee table. The six numbers are the
-# lowest and the highest corner, in meters, along the axes of the cloud.
+# A bounding box selects the points inside it. This one contains the sofa and the coffee table of the room. It is
+# defined by its lowest and its highest corner, in meters along the axes.
 
 import tempfile
 from pathlib import Path
@@ -22,20 +22,21 @@ import pointloom as loom
 
 room = loom.datasets.room_cloud(voxel_size=0.02)
 corner = room.crop(loom.AxisAlignedBoundingBox([0.1, 1.0, -0.05], [2.5, 3.2, 1.2]))
-print(f"{len(corner)} of {len(room)} points lie in the box")
+print(f"{len(corner)} of {len(room)} points are in the box")
 
-above = {"front": [0.75, -0.55, 0.6], "up": [0, 0, 1], "zoom": 0.62}
-cropped = loom.render(corner, above, (960, 640))
+from_above = {"front": [0.75, -0.55, 0.6], "up": [0, 0, 1], "zoom": 0.62}
+cropped = loom.render(corner, from_above, (960, 640))
 
 # %%
-# Take the floor away: planes
-# ---------------------------
-# Things that stand on a floor are joined by it. So the floor goes first. ``segment_plane`` finds the plane with the
-# most points (RANSAC: three points at random make a plane; the plane that most points lie on wins). Three numbers:
-# how far a point may lie off the plane (more than the noise of the scan, here 2 cm, so that the rug counts as floor),
-# how many points make a guess (3), how many guesses are made.
+# Remove the floor: plane segmentation
+# ------------------------------------
+# The floor connects the objects on it, so it is removed first. ``segment_plane`` finds the plane with the most points
+# by RANSAC: it draws three random points, counts the points close to their plane, and repeats. ``distance_threshold``
+# is the maximum distance of a point from the plane. It should exceed the noise of the scan. Here it is 2 cm, so that
+# the rug belongs to the floor. ``ransac_n`` is the number of points per sample, ``num_iterations`` the number of
+# samples.
 #
-# The plane comes as a, b, c, d with a x + b y + c z + d = 0; (a, b, c) is its normal.
+# The result is (a, b, c, d) with a x + b y + c z + d = 0. The normal is (a, b, c).
 
 (a, b, c, d), rows = corner.segment_plane(distance_threshold=0.02, ransac_n=3, num_iterations=1000)
 print(f"{a:.3f} x + {b:.3f} y + {c:.3f} z + {d:.3f} = 0 with {len(rows)} points")
@@ -46,12 +47,12 @@ assert abs(c) > 0.99, "the floor is level"
 assert abs(d) < 0.02, "and at height 0"
 
 # %%
-# Which are the things? Clusters
-# ------------------------------
-# DBSCAN joins points that are closer than ``eps``, if they have at least ``min_points`` neighbors within it. With
-# voxels of 2 cm an ``eps`` of 5 cm bridges one missing voxel. Label -1 means: belongs to nothing, mostly noise.
+# Find the objects: clusters
+# --------------------------
+# DBSCAN joins points that are closer than ``eps`` and have at least ``min_points`` neighbors within that distance. With
+# voxels of 2 cm, an ``eps`` of 5 cm bridges one missing voxel. The label -1 marks noise.
 #
-# In Open3D the same; there ``labels`` is an ``IntVector``, here an array.
+# Open3D's ``cluster_dbscan`` returns an ``IntVector``. Here the labels are an array.
 
 labels = np.asarray(things.cluster_dbscan(eps=0.05, min_points=8))
 count = labels.max() + 1
@@ -62,41 +63,41 @@ assert count >= 2
 painted = things.copy()
 painted["cluster"] = labels
 gray = floor.paint_uniform_color([0.85, 0.85, 0.85])
-clusters_seen = loom.render([{"geometry": painted, "color_by": "cluster"}, gray], above, (960, 640))
+clusters_seen = loom.render([{"geometry": painted, "color_by": "cluster"}, gray], from_above, (960, 640))
 
 # %%
-# ``eps`` decides. Too small, and a thing falls to pieces; too large, and all is one. Try it on a scale and take the
-# middle of the range in which the count stays put:
+# If ``eps`` is too small, an object breaks into several clusters. If it is too large, objects merge. Try several
+# values, and use one from the middle of the range in which the number of clusters is stable:
 
 for eps in (0.02, 0.05, 0.1, 0.3):
     cluster_labels = np.asarray(things.cluster_dbscan(eps, 8))
     print(f"eps {eps:4} m: {cluster_labels.max() + 1:3} clusters, {(cluster_labels < 0).sum():5} points of noise")
 
-assert np.asarray(things.cluster_dbscan(1.0, 8)).max() == 0, "at one metre all is one"
+assert np.asarray(things.cluster_dbscan(1.0, 8)).max() == 0, "with 1 m there is one cluster"
 
 # %%
-# How large is a thing? Boxes and hulls
-# -------------------------------------
-# Of the sofa, the largest cluster: the box along the axes, the smallest box that may be turned, and the convex hull,
-# the shape of a rubber skin pulled over it. The turned box tells length, width and height of a thing that stands
-# askew. (``get_oriented_bounding_box`` turns with the spread of the points, which is quick, and seldom the smallest.)
+# Measure an object: boxes and hulls
+# ----------------------------------
+# The largest cluster is the sofa. The script computes its axis-aligned bounding box, its minimal oriented bounding box
+# and its convex hull. The oriented box gives length, width and height of a rotated object.
+# ``get_oriented_bounding_box`` uses the principal axes of the points. It is faster, but its box is rarely minimal.
 
 sofa = things.select_by_mask(labels == int(np.argmax(sizes)))
-upright, oriented = sofa.get_axis_aligned_bounding_box(), sofa.get_minimal_oriented_bounding_box()
+aligned, oriented = sofa.get_axis_aligned_bounding_box(), sofa.get_minimal_oriented_bounding_box()
 hull, _ = sofa.compute_convex_hull()
-print("box along the axes:", upright.get_extent().round(2), "m")
-print("turned box:", np.sort(oriented.extent)[::-1].round(2), "m")
+print("box along the axes:", aligned.get_extent().round(2), "m")
+print("oriented box:", np.sort(oriented.extent)[::-1].round(2), "m")
 print(f"hull: {loom.TriangleMesh(hull.vertices, hull.triangles).get_volume():.2f} m3, boxes"
-      f" {upright.volume():.2f} and {oriented.volume():.2f} m3")  # fmt: skip
+      f" {aligned.volume():.2f} and {oriented.volume():.2f} m3")  # fmt: skip
 
-assert oriented.volume() <= 1.01 * upright.volume()
-assert np.all(upright.get_min_bound() <= sofa.points.min(axis=0) + 1e-6)
-assert loom.TriangleMesh(hull.vertices, hull.triangles).get_volume() <= upright.volume()
+assert oriented.volume() <= 1.01 * aligned.volume()
+assert np.all(aligned.get_min_bound() <= sofa.points.min(axis=0) + 1e-6)
+assert loom.TriangleMesh(hull.vertices, hull.triangles).get_volume() <= aligned.volume()
 
 measured = loom.render(
     [
         sofa,
-        {"geometry": upright, "color": (0.85, 0.15, 0.1), "line_width": 3},
+        {"geometry": aligned, "color": (0.85, 0.15, 0.1), "line_width": 3},
         {"geometry": hull, "wireframe": True, "color": (0.0, 0.55, 0.8)},
     ],
     {"front": [0.85, -0.35, 0.45], "up": [0, 0, 1], "zoom": 0.75},
@@ -104,10 +105,10 @@ measured = loom.render(
 )  # fmt: skip
 
 # %%
-# Paint, and measure distances
-# ----------------------------
-# ``compute_point_cloud_distance`` gives, for each point of one cloud, how far the nearest point of another is. So
-# what is near the sofa can be shown, or what changed between two scans of a place.
+# Compute distances
+# -----------------
+# ``compute_point_cloud_distance`` returns, for each point of a cloud, the distance to the nearest point of another
+# cloud. Use it to measure the gap between objects, or to detect changes between two scans.
 
 things["distance"] = things.compute_point_cloud_distance(sofa)
 table = things.select_by_mask(labels == int(np.argsort(sizes)[-2]))
@@ -117,46 +118,49 @@ print(f"the top of the coffee table is {gap * 100:.0f} cm from the sofa, at a he
 
 distances = loom.render(
     [sofa.paint_uniform_color([1.0, 0.706, 0.0]), {"geometry": table, "color_by": "distance", "colormap": "turbo"}],
-    above,
+    from_above,
     (960, 640),
     color_bar=True,
 )  # fmt: skip
-assert 0.05 < gap < 1.0, "one walks through, but not with a bicycle"
+assert 0.05 < gap < 1.0, "the gap is between 5 cm and 1 m"
 
 # %%
-# What is seen from here? Hidden points
-# -------------------------------------
-# A cloud has no surface, so one looks through it. ``hidden_point_removal`` keeps what an eye at a place would see. Its
-# radius is no size of the room: the larger, the more points count as seen, of the hidden ones too. A thousand times
-# the diameter is a start, as in Open3D's tutorial.
+# Visible and hidden points
+# -------------------------
+# Points have no area and do not hide each other. ``hidden_point_removal`` estimates which points are visible from a
+# position. Its ``radius`` is the radius of a sphere that is used for the projection, not a size in the scene. A larger
+# radius classifies more points as visible, including hidden ones. A good first value is 1,000 times the diameter of the
+# cloud, as in Open3D's tutorial.
 
 diameter = float(np.linalg.norm(corner.get_max_bound() - corner.get_min_bound()))
-eye = np.array([4.0, 0.2, 1.6])
-_, seen = corner.hidden_point_removal(eye, 1000 * diameter)
-visible, hidden = corner.select_by_index(seen), corner.select_by_index(seen, invert=True)
-print(f"{len(visible) / len(corner):.0%} of the points are seen from {eye} m")
+viewpoint = np.array([4.0, 0.2, 1.6])
+_, visible_rows = corner.hidden_point_removal(viewpoint, 1000 * diameter)
+visible, hidden = corner.select_by_index(visible_rows), corner.select_by_index(visible_rows, invert=True)
+print(f"{len(visible) / len(corner):.0%} of the points are visible from {viewpoint} m")
 assert 0.05 < len(visible) / len(corner) < 0.9
 
 from_the_other_side = {"front": [-0.45, 0.45, 0.75], "up": [0, 0, 1], "zoom": 0.66}
-shadow = loom.render(
-    {"seen": visible, "hidden": {"geometry": hidden, "color": (0.78, 0.78, 0.82)}},
-    from_the_other_side, (960, 640), legend=[("gray: hidden from the eye", (0.78, 0.78, 0.82))],
+visibility = loom.render(
+    {"visible": visible, "hidden": {"geometry": hidden, "color": (0.78, 0.78, 0.82)}},
+    from_the_other_side, (960, 640), legend=[("gray: hidden", (0.78, 0.78, 0.82))],
 )  # fmt: skip
 
 # %%
-# Does the radius suit your cloud? Test it from the scanner's own place, where nearly all points should be seen. Fewer:
-# take a larger one. One frame of the noisy camera, from where it stood:
+# Check the radius from the position of the scanner, where nearly all points should be visible. If fewer are, use a
+# larger radius. This is one frame of the noisy camera, seen from the camera position:
 
 frame = loom.datasets.room_frames(24)[20]
 scan = loom.PointCloud.create_from_depth_image(frame.depth, frame.intrinsic)
-across = float(np.linalg.norm(scan.get_max_bound() - scan.get_min_bound()))
-fractions = {times: len(scan.hidden_point_removal([0, 0, 0], times * across)[1]) / len(scan) for times in (100, 1000)}
+diameter_of_scan = float(np.linalg.norm(scan.get_max_bound() - scan.get_min_bound()))
+fractions = {
+    times: len(scan.hidden_point_removal([0, 0, 0], times * diameter_of_scan)[1]) / len(scan) for times in (100, 1000)
+}
 for times, fraction in fractions.items():
-    print(f"{times:4} times the diameter: {fraction:.0%} of what the camera saw counts as seen")
+    print(f"{times:4} times the diameter: {fraction:.0%} of the camera's points are classified as visible")
 assert fractions[100] < 0.6 and fractions[1000] > 0.9
 
 # %%
-# The clusters one after another, as a page that plays:
+# A recording of the clustering:
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 with loom.record(folder / "clusters.html", max_points=40_000, title="Clusters") as recording:
@@ -164,13 +168,13 @@ with loom.record(folder / "clusters.html", max_points=40_000, title="Clusters") 
 page = folder / "clusters.html"
 
 # %%
-# What goes wrong
+# Common mistakes
 # ---------------
-# **Radii in the wrong unit.** ``eps=50`` on a cloud in meters makes one cluster, ``eps=0.05`` on millimeters none.
-# Look at the extent, as in chapter 1.
+# **A radius in the wrong unit.** On a cloud in meters, ``eps=50`` gives one cluster. On a cloud in millimeters,
+# ``eps=0.05`` gives none. Print the extent first, as in chapter 1.
 #
-# **The plane is a wall.** The plane with most points need not be the floor. Ask its normal, or take several planes and
-# choose:
+# **The largest plane is a wall.** The plane with the most points is not always the floor. Check its normal, or segment
+# several planes and choose one:
 
 labels_of_planes, planes = room.segment_planes(distance_threshold=0.03, num_iterations=500, max_planes=6)
 for k, (nx, ny, nz, _) in enumerate(planes):
@@ -191,14 +195,15 @@ planes_seen = loom.render(
 )
 
 # %%
-# Try it
-# ------
-# - Take the box off the floor by its lower corner alone (z from 0.03). When is that enough, and when are planes needed?
-# - Which clusters are the legs of the table, and why are they not part of it? Look from below.
-# - Move ``eye`` to (2, 2, 4) and look from above.
+# What to change
+# --------------
+# - ``distance_threshold`` [m]: with 0.005 the rug no longer belongs to the floor.
+# - ``eps`` [m] and ``min_points``: find the values at which the table and the sofa merge.
+# - The crop box: set its lowest z to 0.03. When is that sufficient, and when is plane segmentation needed?
+# - ``viewpoint`` [m]: (2, 2, 4) looks down from above.
 #
-# Where to go next
-# ----------------
-# :ref:`Chapter 4 <sphx_glr_chapters_plot_04_thin_and_clean.py>` cleans clouds. The page
-# :doc:`Ground classification </terrain>` has what to take for uneven ground in the open, where no plane fits. The page
-# :doc:`Rendering images and plots </pictures>` has all styles of boxes, hulls and labels.
+# Next
+# ----
+# - :ref:`Chapter 4 <sphx_glr_chapters_plot_04_downsampling_and_outliers.py>`: downsampling and outlier removal.
+# - :doc:`Ground classification </terrain>`: uneven ground outdoors, where no plane fits.
+# - :doc:`Rendering images and plots </pictures>`: styles of boxes, hulls and labels.

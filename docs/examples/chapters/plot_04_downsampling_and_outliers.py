@@ -1,26 +1,25 @@
 """
-4. Thin and clean
-=================
+4. Downsampling and outlier removal
+===================================
 
-Every scan has points that belong to nothing: rays that hit an edge half, dust, people who walked by. And it has more
-points than you need. You learn four ways of thinning and two ways of cleaning, what their numbers mean, and to check
-that what went was rubbish.
+Every scan contains outliers: rays that hit an edge partially, dust, moving people. It also contains more points than
+needed. In this chapter you compare four downsampling methods and two outlier filters, choose their parameters, and
+check which points were removed.
 """
 
 # %%
-# Four ways to have fewer points
-# ------------------------------
+# Four downsampling methods
+# -------------------------
 # ================================= ====================================================== ==========================
-# call                              what it keeps                                          take it
+# call                              result                                                 use
 # ================================= ====================================================== ==========================
-# ``voxel_down_sample(0.05)``       one mean point for each cube of 5 cm                   as a rule
-# ``uniform_down_sample(10)``       every tenth point, in the order of the file            to look at a large file
-# ``random_down_sample(0.1)``       a tenth, drawn at random                               for statistics
-# ``farthest_point_down_sample(n)`` n points as far from each other as can be              for a fixed count: networks
+# ``voxel_down_sample(0.05)``       one mean point for each voxel of 5 cm                  default
+# ``uniform_down_sample(10)``       every tenth point, in the order of the file            preview of a large file
+# ``random_down_sample(0.1)``       a random tenth of the points                           statistics
+# ``farthest_point_down_sample(n)`` n points with the largest possible spacing             fixed count for networks
 # ================================= ====================================================== ==========================
 #
-# In Open3D all four have the same names and numbers. What is drawn at random takes a ``seed`` here, and the same call
-# gives the same points.
+# All four have the names and parameters of Open3D. Random methods have a ``seed``. The same seed gives the same points.
 
 import tempfile
 from pathlib import Path
@@ -36,35 +35,34 @@ print(cloud, f"of a figure {size:.3f} m across")
 
 voxel_size = 0.03 * size
 by_voxels = cloud.voxel_down_sample(voxel_size)
-ways = {
+methods = {
     "voxels": by_voxels,
     "every k-th": cloud.uniform_down_sample(len(cloud) // len(by_voxels)),
     "random": cloud.random_down_sample(len(by_voxels) / len(cloud), seed=0),
     "farthest": cloud.farthest_point_down_sample(len(by_voxels)),
 }
-for name, thin in ways.items():
-    holes = cloud.compute_point_cloud_distance(thin).max()
+for name, thin in methods.items():
+    largest_gap = cloud.compute_point_cloud_distance(thin).max()
     print(
-        f"{name:11} {len(thin):5} points; no point of the cloud is farther than {holes / size:.1%} of its size from one"
+        f"{name:11} {len(thin):5} points; largest distance to a point of the cloud: {largest_gap / size:.1%} of its size"
     )
 
 step = np.array([1.15 * (figure.get_max_bound() - figure.get_min_bound())[0], 0, 0])
-row = [thin.translate(k * step) for k, thin in enumerate(ways.values())]
-labels = [(name, figure.get_center() + k * step - [0, 0, 0.62 * size]) for k, name in enumerate(ways)]
+row = [thin.translate(k * step) for k, thin in enumerate(methods.values())]
+labels = [(name, figure.get_center() + k * step - [0, 0, 0.62 * size]) for k, name in enumerate(methods)]
 front = {"front": [0, -1, 0.12], "up": [0, 0, 1], "zoom": 0.42}
-four_ways = loom.render([{"geometry": thin, "point_size": 5} for thin in row], front, (960, 640), labels=labels)
+method_comparison = loom.render([{"geometry": thin, "point_size": 5} for thin in row], front, (960, 640), labels=labels)
 
-gaps = {name: cloud.compute_point_cloud_distance(thin).max() for name, thin in ways.items()}
-assert gaps["farthest"] < gaps["voxels"] < gaps["random"], "even samples leave smaller holes"
+gaps = {name: cloud.compute_point_cloud_distance(thin).max() for name, thin in methods.items()}
+assert gaps["farthest"] < gaps["voxels"] < gaps["random"], "uniform spacing leaves smaller gaps"
 
 # %%
-# Farthest points and voxels leave no holes; random ones do, as rain leaves dry spots. ``uniform_down_sample`` depends
-# on the order of the points in the file: on a scan that was written line by line it draws stripes.
+# Farthest point sampling and voxels leave no gaps. Random samples do. ``uniform_down_sample`` depends on the order of
+# the points in the file. On a scan that is stored line by line, it leaves stripes.
 #
-# Rubbish
-# -------
-# Now we make rubbish ourselves, so that we know what it is: points anywhere in the box around the figure, and a crust
-# of points that are a little off the surface.
+# Add outliers
+# ------------
+# The script adds known outliers: 600 random points in a box around the object.
 
 rng = np.random.default_rng(0)
 low, high = cloud.get_min_bound(), cloud.get_max_bound()
@@ -72,82 +70,84 @@ anywhere = rng.uniform(low - 0.1 * size, high + 0.1 * size, (600, 3))
 scan = cloud.random_down_sample(0.5, seed=2)
 noisy = loom.PointCloud(np.vstack([scan.points, anywhere]))
 noisy.colors = np.vstack([scan.colors, np.full((600, 3), 0.5)])
-is_rubbish = np.arange(len(noisy)) >= len(scan)
-# those that happened to fall on the surface cannot be told, by anybody
-is_rubbish &= np.asarray(noisy.compute_point_cloud_distance(cloud)) > 0.01 * size
-print(len(noisy), "points,", is_rubbish.sum(), "of them rubbish")
+is_outlier = np.arange(len(noisy)) >= len(scan)
+# outliers that are on the surface by chance cannot be detected
+is_outlier &= np.asarray(noisy.compute_point_cloud_distance(cloud)) > 0.01 * size
+print(len(noisy), "points,", is_outlier.sum(), "of them outliers")
 
 # %%
-# Statistical outliers
-# --------------------
-# For each point: the mean distance to its 20 nearest neighbors. Over the whole cloud these distances have a mean and a
-# standard deviation. Points with more than the mean plus ``std_ratio`` deviations go. No length is to be chosen, so it
-# fits any unit; a smaller ratio cuts more. Try 2, then 1, then 0.5, and look at what went; the 0.5 taken below suits
-# this evenly dense cloud only.
+# Statistical outlier removal
+# ---------------------------
+# For each point, the filter computes the mean distance to its 20 nearest neighbors. It removes points whose mean
+# distance exceeds the mean over the cloud by more than ``std_ratio`` standard deviations. The parameter has no unit. A
+# smaller ratio removes more points. Try 2, then 1, then 0.5, and check the removed points. The value 0.5 used below is
+# suitable for this uniformly dense cloud only.
 
 
-def judged(rows: np.ndarray) -> tuple[float, float]:
-    """The fraction of the rubbish that went, and the fraction of good points that went with it."""
-    went = np.ones(len(noisy), bool)
-    went[np.asarray(rows)] = False
-    return float(went[is_rubbish].mean()), float(went[~is_rubbish].mean())
+def removal_rates(rows: np.ndarray) -> tuple[float, float]:
+    """Return the fraction of outliers that were removed, and the fraction of inliers that were removed."""
+    removed = np.ones(len(noisy), bool)
+    removed[np.asarray(rows)] = False
+    return float(removed[is_outlier].mean()), float(removed[~is_outlier].mean())
 
 
 for ratio in (2.0, 1.0, 0.5, 0.1):
     _, rows = noisy.remove_statistical_outlier(nb_neighbors=20, std_ratio=ratio)
-    caught, lost = judged(rows)
-    print(f"std_ratio {ratio:3}: {caught:4.0%} of the rubbish went, and {lost:5.1%} of the good points")
+    caught, lost = removal_rates(rows)
+    print(f"std_ratio {ratio:3}: {caught:4.0%} of the outliers and {lost:5.1%} of the inliers removed")
 
 inliers, rows = noisy.remove_statistical_outlier(nb_neighbors=20, std_ratio=0.5)
-caught, lost = judged(rows)
+caught, lost = removal_rates(rows)
 assert caught > 0.9 and lost < 0.02
 
 # %%
-# Look at what goes, always, and not only at what stays. Red goes:
+# Always check the removed points, not only the remaining ones. Removed points are red:
 
-gone = noisy.select_by_index(rows, invert=True)
+removed_points = noisy.select_by_index(rows, invert=True)
 side = {"front": [0.3, -1, 0.25], "up": [0, 0, 1], "zoom": 0.62}
 cleaned = loom.render(
-    [inliers, {"geometry": gone, "color": (0.9, 0.1, 0.1), "point_size": 5}], side, (960, 640),
-    legend=[("goes", (0.9, 0.1, 0.1))],
+    [inliers, {"geometry": removed_points, "color": (0.9, 0.1, 0.1), "point_size": 5}], side, (960, 640),
+    legend=[("removed", (0.9, 0.1, 0.1))],
 )  # fmt: skip
 
 # %%
-# Outliers by radius
-# ------------------
-# Points with fewer than ``nb_points`` others within ``radius`` go. Here a length is to be chosen: six times the
-# spacing of the points is a start, which ``compute_nearest_neighbor_distance`` tells. Both ways
-# suit clouds that are evenly dense. Where a scanner's points thin out with the distance, both eat the far end, as in a
-# LiDAR scan: look at the range of what went, and thin by voxels first or clean the near part alone.
+# Radius outlier removal
+# ----------------------
+# The filter removes points with fewer than ``nb_points`` neighbors within ``radius``. A good first value is six times
+# the point spacing, which ``compute_nearest_neighbor_distance`` returns. Both filters assume a uniform density. If the
+# density decreases with the distance, as in LiDAR scans, both remove distant points. Check the range of the removed
+# points. Downsample by voxels first, or filter only the points close to the scanner.
 
 spacing = float(np.median(noisy.compute_nearest_neighbor_distance()))
 for radius in (1.5 * spacing, 6 * spacing, 20 * spacing):
     _, rows = noisy.remove_radius_outlier(nb_points=6, radius=radius)
-    caught, lost = judged(rows)
-    print(f"radius {radius / spacing:4.1f} spacings: {caught:4.0%} of the rubbish went, {lost:5.1%} of the good points")
+    caught, lost = removal_rates(rows)
+    print(
+        f"radius {radius / spacing:4.1f} spacings: {caught:4.0%} of the outliers and {lost:5.1%} of the inliers removed"
+    )
 
 _, by_radius = noisy.remove_radius_outlier(nb_points=6, radius=6 * spacing)
-caught, lost = judged(by_radius)
+caught, lost = removal_rates(by_radius)
 assert caught > 0.9 and lost < 0.02
 _, nothing = noisy.remove_radius_outlier(nb_points=6, radius=1000 * spacing)
 assert len(nothing) == len(noisy), "a radius larger than the cloud removes nothing"
 
 # %%
-# The same to turn: gray stays, red goes.
+# An interactive page: remaining points in gray, removed points in red.
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
-with loom.record(folder / "outliers.html", automatic=False, title="What goes is red") as recording:
-    recording.add("kept", inliers, color=(0.6, 0.65, 0.7))
-    recording.add("gone", gone, color=(0.9, 0.1, 0.1), point_size=4)
+with loom.record(folder / "outliers.html", automatic=False, title="Outliers are red") as recording:
+    recording.add("inliers", inliers, color=(0.6, 0.65, 0.7))
+    recording.add("outliers", removed_points, color=(0.9, 0.1, 0.1), point_size=4)
     recording.step("before")
-    recording.remove("gone")
+    recording.remove("outliers")
     recording.step("after")
 page = folder / "outliers.html"
 
 # %%
-# What goes wrong
+# Common mistakes
 # ---------------
-# **The two numbers swapped.** Both cleaners take a count and a length. The wrong way round is an error:
+# **Swapped parameters.** Both filters take a count and a number. The wrong order raises an error:
 
 try:
     noisy.remove_radius_outlier(0.05, 16)
@@ -157,19 +157,20 @@ except TypeError as error:
 assert "nb_points" in message
 
 # %%
-# **Twice is too often.** Each pass of the statistical way finds a new mean, and cuts again: thin but true parts (a
-# cable, a chair's leg) go in the end. Clean once, look, stop.
+# **Repeated filtering.** Each pass of the statistical filter computes a new mean and removes more points. Thin
+# structures such as cables and chair legs disappear. Filter once, and check the result.
 #
-# **A smooth crust is no outlier.** Noise that lies close to the surface has neighbors. Chapter 11 averages it away
-# by a surface; ``smooth_mls`` moves points onto theirs.
+# **Noise on the surface** is not removed, since these points have neighbors. ``smooth_mls`` moves points onto the local
+# surface. Chapter 11 averages the noise by surface reconstruction.
 #
-# Try it
-# ------
-# - Give 5 and 100 for ``nb_neighbors``. Which one catches rubbish that comes in small clumps?
-# - Thin to a tenth first, then clean. Which order is better, and which is quicker?
+# What to change
+# --------------
+# - ``nb_neighbors``: compare 5 and 100. Which value detects small groups of outliers?
+# - ``std_ratio``: 2.0 removes only distant outliers, 0.1 removes many inliers.
+# - The order: downsample to a tenth first, then filter. Which order is more accurate, and which is faster?
 #
-# Where to go next
-# ----------------
-# :ref:`Chapter 5 <sphx_glr_chapters_plot_05_depth_pictures_to_clouds.py>` makes clouds of depth images. The shell
-# does this chapter as ``pointloom clean scan.ply clean.ply``. For scans larger than the memory see the page
-# :doc:`Large clouds </large-clouds>`.
+# Next
+# ----
+# - :ref:`Chapter 5 <sphx_glr_chapters_plot_05_depth_images_to_clouds.py>`: point clouds from depth images.
+# - :doc:`Command line </shell>`: ``pointloom clean scan.ply clean.ply`` does the same.
+# - :doc:`Tiled processing </tiles>`: clouds larger than the memory.
