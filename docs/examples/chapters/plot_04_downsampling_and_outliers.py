@@ -43,9 +43,7 @@ methods = {
 }
 for name, thin in methods.items():
     largest_gap = cloud.compute_point_cloud_distance(thin).max()
-    print(
-        f"{name:11} {len(thin):5} points; largest distance to a point of the cloud: {largest_gap / size:.1%} of its size"
-    )
+    print(f"{name:11} {len(thin):5} points; largest gap {largest_gap / size:.1%} of the size")
 
 step = np.array([1.15 * (figure.get_max_bound() - figure.get_min_bound())[0], 0, 0])
 row = [thin.translate(k * step) for k, thin in enumerate(methods.values())]

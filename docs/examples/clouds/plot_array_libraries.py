@@ -1,10 +1,10 @@
 """
-Clouds from NumPy, pandas, PyTorch and CuPy, and back
-=====================================================
+Arrays of NumPy, pandas, PyTorch and CuPy
+=========================================
 
-A cloud is a table of points with named columns, and the library you already use holds its columns as well. NumPy
-arrays are copied in; arrays of PyTorch, CuPy, JAX and Warp are shared, on the CPU and on the GPU, and what you ask
-for comes back in their form. What is not installed here is said, and the rest runs.
+A point cloud is a table of points with named columns. On this page you create clouds from arrays of other libraries and
+convert results back. NumPy arrays are copied. Arrays of PyTorch, CuPy, JAX and Warp are shared without a copy, on the
+CPU and on the GPU, and results have the type of the input. If a library is not installed, its cell prints a message.
 """
 
 import importlib.util
@@ -15,7 +15,9 @@ import warp as wp
 import pointloom as loom
 
 # %%
-# **NumPy.** Columns are attributes, of any number type, whose rows follow the points through every operation.
+# NumPy
+# -----
+# Columns are attributes of any numeric type. All operations preserve them.
 rng = np.random.default_rng(0)
 points = rng.uniform(-1, 1, (40_000, 3)) * [1.0, 1.0, 0.25]
 cloud = loom.PointCloud(points, intensity=np.hypot(points[:, 0], points[:, 1]).astype(np.float32))
@@ -25,7 +27,7 @@ bright = cloud.select_by_mask(cloud["intensity"] < 0.5)
 assert bright["intensity"].max() < 0.5 and len(bright["ring"]) == len(bright)
 
 # %%
-# Masks and indices are NumPy's own, so one filters with what one knows. Colors are numbers from 0 to 1.
+# Masks and indices are NumPy arrays. Colors range from 0 to 1.
 swirl = np.sin(8 * cloud["intensity"] + np.arctan2(points[:, 1], points[:, 0]))
 cloud["swirl"] = swirl.astype(np.float32)
 image = loom.render(
@@ -35,26 +37,30 @@ image = loom.render(
 )
 
 # %%
-# **pandas**, and every other table that speaks columns: a dictionary there, a dictionary back.
+# pandas
+# ------
+# Data frames and other tables are converted column by column.
 columns = dict(zip("xyz", cloud.points.T, strict=True)) | {name: cloud[name] for name in ("intensity", "ring")}
 if importlib.util.find_spec("pandas"):
     import pandas
 
     table = pandas.DataFrame(columns)
     nearest = table.sort_values("intensity").head(1000)
-    back = loom.PointCloud(nearest[["x", "y", "z"]].to_numpy(), intensity=nearest["intensity"].to_numpy())
+    selection = loom.PointCloud(nearest[["x", "y", "z"]].to_numpy(), intensity=nearest["intensity"].to_numpy())
     print(table.groupby("ring")["intensity"].mean().round(3).to_dict())
 else:
     order = np.argsort(columns["intensity"])[:1000]
-    back = loom.PointCloud(
+    selection = loom.PointCloud(
         np.column_stack([columns[axis][order] for axis in "xyz"]), intensity=columns["intensity"][order]
     )
-    print("pandas is not installed: the same by NumPy")
-assert len(back) == 1000 and back["intensity"].max() <= np.partition(cloud["intensity"], 999)[999]
+    print("pandas is not installed: the same with NumPy")
+assert len(selection) == 1000 and selection["intensity"].max() <= np.partition(cloud["intensity"], 999)[999]
 
 # %%
-# **Without a copy.** float32 arrays of shape [n, 3] are taken as they are: no memory moves, and the cloud sees what
-# you write afterward. Shown with Warp, which is always here; torch, cupy and jax arrays are passed just the same.
+# Sharing memory
+# --------------
+# Arrays of type float32 and shape ``(n, 3)`` are not copied. Later changes of the array change the cloud. The example
+# uses Warp, which is always installed. Arrays of PyTorch, CuPy and JAX work in the same way.
 warp_array = wp.array(points.astype(np.float32), dtype=wp.vec3f, device="cpu")
 shared = loom.PointCloud(warp_array)
 assert shared.array("points").ptr == warp_array.ptr
@@ -63,8 +69,10 @@ print("labels of a cloud made of", shared.array_library, "arrays:", type(labels)
 assert isinstance(labels, wp.array)
 
 # %%
-# **PyTorch, CuPy.** A tensor on the GPU stays there: the cloud lies on that device, and so do its labels, which
-# select as a mask of that library. Nothing of it goes to the host. On a machine without them this cell says so.
+# PyTorch and CuPy
+# ----------------
+# A tensor on the GPU remains there: the cloud uses the same device, and its labels are tensors on this device that
+# select points as a mask. No data is copied to the host.
 for library in ("torch", "cupy"):
     if importlib.util.find_spec(library) is None:
         print(f"{library} is not installed: pip install {library}")
@@ -84,9 +92,30 @@ for library in ("torch", "cupy"):
     assert type(labels).__module__.split(".")[0] == library
 
 # %%
-# **Out again.** ``cloud.array("points")`` is the device's array, which ``torch.from_dlpack`` and its kin take;
-# ``numpy.from_dlpack`` does on the CPU. ``.points`` is NumPy always.
-same = np.from_dlpack(shared.array("points"))
-print("DLPack gives", same.shape, same.dtype, "at the same address:", same.ctypes.data == warp_array.ptr)
-assert same.ctypes.data == warp_array.ptr
+# Export
+# ------
+# ``cloud.array("points")`` is the array on the device. ``torch.from_dlpack`` and similar functions accept it. On the
+# CPU, ``numpy.from_dlpack`` does, too. ``cloud.points`` is always a NumPy array.
+dlpack_array = np.from_dlpack(shared.array("points"))
+print(
+    "DLPack gives",
+    dlpack_array.shape,
+    dlpack_array.dtype,
+    "at the same address:",
+    dlpack_array.ctypes.data == warp_array.ptr,
+)
+assert dlpack_array.ctypes.data == warp_array.ptr
 assert np.array_equal(np.asarray(shared.points, np.float32), points.astype(np.float32))
+
+# %%
+# What to change
+# --------------
+# - ``on_gpu``: ``False`` keeps the tensor on the CPU.
+# - The type of ``points``: float64 arrays are copied, since positions are float32 about an origin in float64.
+# - ``eps`` of ``cluster_dbscan`` [m]: 0.02 instead of 0.05 splits the cloud into many clusters.
+#
+# Next
+# ----
+# - :doc:`Array libraries </arrays>`: all conversions.
+# - :ref:`Devices, threads, and the same bits <sphx_glr_gallery_clouds_plot_devices_and_threads.py>`
+# - :ref:`Chapter 14 <sphx_glr_chapters_plot_14_robust_kernels_and_numpy.py>`: modify points with NumPy.

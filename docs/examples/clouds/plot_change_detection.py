@@ -1,10 +1,10 @@
 """
-What changed between two scans
-==============================
+Change detection between two scans
+==================================
 
-Scan a place twice, and subtract: what is only in the second came, what is only in the first went. The distance from
-each point to the other scan tells it, if the scans lie in one frame and one knows how far apart two scans of the
-same thing lie.
+Two scans of the same scene show which objects were added and which were removed. The distance from each point to the
+other scan is the measure, if both scans are registered. On this page you choose the threshold, find added and removed
+objects, and compute summary metrics.
 """
 
 import numpy as np
@@ -12,8 +12,10 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# Two scans of a room in one frame, in meters. In the second one a box was put onto the floor, and what stood in a
-# corner was carried away. Both have their own points and 3 mm of noise, as two scans have.
+# Two registered scans
+# --------------------
+# Both scans of a room are in the same coordinate system in meters. In the second one, a box is added and the objects in
+# a corner are removed. Each scan has its own points and noise of 3 mm.
 room = loom.datasets.room_cloud()
 rng = np.random.default_rng(5)
 low, high = room.get_min_bound(), room.get_max_bound()
@@ -23,47 +25,52 @@ first = room.select_by_mask(is_first).voxel_down_sample(0.03)
 base = room.select_by_mask(~is_first).voxel_down_sample(0.03)
 
 floor = low[2]
-gone_box = loom.AxisAlignedBoundingBox(
+removed_box = loom.AxisAlignedBoundingBox(
     [0.5 * (low[0] + high[0]), low[1] + 0.3, floor + 0.06], [high[0] - 0.3, 0.5 * (low[1] + high[1]), floor + 1.1]
 )
-gone = gone_box.get_point_indices_within_bounding_box(base.points)
-went = base.select_by_index(gone)
-stayed = base.select_by_index(gone, invert=True)
+removed_rows = removed_box.get_point_indices_within_bounding_box(base.points)
+removed = base.select_by_index(removed_rows)
+remaining = base.select_by_index(removed_rows, invert=True)
 corner = [0.5 * (low[0] + high[0]) - 1.0, high[1] - 1.9, floor]
-came = loom.TriangleMesh.create_box(0.5, 0.4, 0.35).translate(corner).sample_points_uniformly(1500, seed=3)
-second = loom.PointCloud(np.vstack([stayed.points, came.points]))
-truth = np.r_[np.zeros(len(stayed), bool), np.ones(len(came), bool)]
+added = loom.TriangleMesh.create_box(0.5, 0.4, 0.35).translate(corner).sample_points_uniformly(1500, seed=3)
+second = loom.PointCloud(np.vstack([remaining.points, added.points]))
+truth = np.r_[np.zeros(len(remaining), bool), np.ones(len(added), bool)]
 first = loom.PointCloud(first.points + rng.normal(scale=0.003, size=(len(first), 3)))
 second = loom.PointCloud(second.points + rng.normal(scale=0.003, size=(len(second), 3)))
-print(f"{len(first)} and {len(second)} points; {len(went)} went and {len(came)} came")
+print(f"{len(first)} and {len(second)} points; {len(removed)} removed and {len(added)} added")
 
 # %%
-# How far do two scans of the *same* thing lie apart? About the spacing of the points, 3 cm here: nothing below two
-# spacings is a change that anybody can see. 8 cm is the limit taken.
-apart = second.compute_point_cloud_distance(first)
-back = first.compute_point_cloud_distance(second)
+# Choose the threshold
+# --------------------
+# The distance between two scans of an unchanged surface is about the point spacing, here 3 cm. Changes below two
+# spacings are not detectable. The threshold here is 8 cm.
+distances = second.compute_point_cloud_distance(first)
+reverse_distances = first.compute_point_cloud_distance(second)
 limit = 0.08
-print(f"median {1000 * np.median(apart):.0f} mm, 95th percentile {1000 * np.percentile(apart, 95):.0f} mm")
-new, missing = apart > limit, back > limit
+print(f"median {1000 * np.median(distances):.0f} mm, 95th percentile {1000 * np.percentile(distances, 95):.0f} mm")
+is_new, is_missing = distances > limit, reverse_distances > limit
 
 # %%
-# Single points beyond the limit are gaps of a scan; a change is a cluster. DBSCAN keeps those.
-detected_new = second.select_by_mask(new)
-came_label = detected_new.cluster_dbscan(0.1, 15)
-detected_missing = first.select_by_mask(missing)
-went_label = detected_missing.cluster_dbscan(0.1, 15)
-detected_new = detected_new.select_by_mask(came_label >= 0)
-detected_missing = detected_missing.select_by_mask(went_label >= 0)
-on_new = detected_new.compute_point_cloud_distance(came) < 0.02
-print(f"came: {len(detected_new)} points, {100 * on_new.mean():.1f} % of them on the new box")
-print(f"went: {len(detected_missing)} points")
-assert on_new.mean() > 0.98
-assert np.linalg.norm(detected_new.get_center() - came.get_center()) < 0.15
-assert len(detected_missing) > 0.3 * len(went)
+# Cluster the changes
+# -------------------
+# Isolated points above the threshold are gaps in a scan. A changed object is a cluster. DBSCAN keeps clusters only.
+detected_new = second.select_by_mask(is_new)
+added_labels = detected_new.cluster_dbscan(0.1, 15)
+detected_missing = first.select_by_mask(is_missing)
+removed_labels = detected_missing.cluster_dbscan(0.1, 15)
+detected_new = detected_new.select_by_mask(added_labels >= 0)
+detected_missing = detected_missing.select_by_mask(removed_labels >= 0)
+on_added = detected_new.compute_point_cloud_distance(added) < 0.02
+print(f"added: {len(detected_new)} points, {100 * on_added.mean():.1f} % of them on the new box")
+print(f"removed: {len(detected_missing)} points")
+assert on_added.mean() > 0.98
+assert np.linalg.norm(detected_new.get_center() - added.get_center()) < 0.15
+assert len(detected_missing) > 0.3 * len(removed)
 
 # %%
-# What is one number for it? ``compute_metrics`` gives Chamfer distance, Hausdorff distance and F-scores, in meters
-# and percent.
+# Summary metrics
+# ---------------
+# ``compute_metrics`` returns the Chamfer distance and the Hausdorff distance in meters, and F-scores in percent.
 chamfer, hausdorff, fscore = loom.compute_metrics(first, second, fscore_radius=[0.03, 0.08])
 print(
     f"Chamfer {chamfer:.4f} m, Hausdorff {hausdorff:.2f} m, F-score within 3 cm {fscore[0]:.1f} %, within "
@@ -74,17 +81,29 @@ assert fscore[1] > fscore[0]
 view = loom.View.fit(first.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
 change = loom.render(
     {
-        "same": {"geometry": second.select_by_mask(~new), "color": (0.78, 0.78, 0.76)},
-        "came": {"geometry": detected_new, "color": (0.1, 0.6, 0.25), "point_size": 6},
-        "went": {"geometry": detected_missing, "color": (0.85, 0.2, 0.15), "point_size": 6},
+        "unchanged": {"geometry": second.select_by_mask(~is_new), "color": (0.78, 0.78, 0.76)},
+        "added": {"geometry": detected_new, "color": (0.1, 0.6, 0.25), "point_size": 6},
+        "removed": {"geometry": detected_missing, "color": (0.85, 0.2, 0.15), "point_size": 6},
     },
     view,
     legend=True,
 )
 
 # %%
-# The same numbers as a color, and their distribution as a plot.
-second["apart [m]"] = apart
-distances = loom.render(
-    {"geometry": second, "color_by": "apart [m]", "limits": (0, 0.3), "colormap": "turbo"}, view, color_bar=True
+# The distances as colors:
+second["distance [m]"] = distances
+distance_image = loom.render(
+    {"geometry": second, "color_by": "distance [m]", "limits": (0, 0.3), "colormap": "turbo"}, view, color_bar=True
 )
+
+# %%
+# What to change
+# --------------
+# - ``limit`` [m]: 0.05 detects smaller objects and more noise.
+# - ``eps`` and ``min_points`` of ``cluster_dbscan``: 0.1 m and 15 points are the smallest detected change.
+# - The noise [m]: with ``scale=0.02`` the threshold must increase, too.
+#
+# Next
+# ----
+# - :doc:`Change detection between two epochs </change>`: significance tests and stable areas.
+# - :ref:`Compare two meshes: distances, F-score, error map <sphx_glr_gallery_meshes_plot_compare_meshes.py>`
