@@ -162,7 +162,8 @@ for k, (name, T) in enumerate({"L2": start.transformation, "Tukey": best.transfo
     print(f"{name}: {fraction:.0%} of the correct points are within 3 mm of the target")
     panels[name] = panel.translate([0.3 * k, 0, 0])
 errors = loom.render(
-    [{"geometry": panel, "color_by": "distance", "limits": (0.0, 15.0), "colormap": "turbo"} for panel in panels.values()],
+    [{"geometry": panel, "color_by": "distance", "limits": (0.0, 15.0), "colormap": "turbo"}
+     for panel in panels.values()],
     view, (960, 640), color_bar=True,
     labels=[("L2", np.array([0, 0, -0.19])), ("Tukey", np.array([0.3, 0, -0.19]))],
 )  # fmt: skip
@@ -198,7 +199,8 @@ point_to_point_noise = 1.48 * float(
     np.median(source.transform(best.transformation).compute_point_cloud_distance(target))
 )
 print(
-    f"noise along the normals {1000 * noise(best.transformation):.1f} mm, from point to point {1000 * point_to_point_noise:.1f} mm"
+    f"noise along the normals {1000 * noise(best.transformation):.1f} mm, "
+    f"from point to point {1000 * point_to_point_noise:.1f} mm"
 )
 assert 0.0005 < noise(best.transformation) < 0.002 < point_to_point_noise
 
