@@ -41,7 +41,7 @@ def pose_error(T: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
 arbitrary_pose = np.array([[0.36, 0.48, -0.8, 2.0], [-0.8, 0.6, 0.0, -3.0], [0.48, 0.64, 0.6, 1.0], [0, 0, 0, 1]])
 source, target = scan(6).transform(arbitrary_pose), scan(14)
 truth = np.linalg.inv(frames[14].T_world_camera) @ frames[6].T_world_camera @ np.linalg.inv(arbitrary_pose)
-print("initial error: {:.0f} degrees and {:.0f} cm".format(*pose_error(np.sensor_position(4), truth)))
+print("initial error: {:.0f} degrees and {:.0f} cm".format(*pose_error(np.eye(4), truth)))
 
 ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.55, 0.85)
 before = loom.render(

@@ -1,9 +1,9 @@
 """
-An image for a paper
-=====================
+Figures for publications
+========================
 
-Figures want the same view each time, a legend, labels, a scale and no window. ``loom.render`` draws without a display
-or a graphics library, on any machine the same bits; views come from Open3D's viewer too.
+Figures need a reproducible view, a legend, labels and a color bar. On this page you create them with ``loom.render``,
+which needs no display or graphics library. The images are bitwise identical on all machines.
 """
 
 import tempfile
@@ -16,10 +16,10 @@ import pointloom as loom
 folder = Path(tempfile.mkdtemp())
 
 # %%
-# What is drawn
-# -------------
+# The scene
+# ---------
 #
-# A mapping from names to geometries, each with its style. The names make the legend.
+# The scene is a dictionary of names and geometries with styles. The names become the legend.
 
 mesh = loom.datasets.object_mesh()
 scan = loom.datasets.object_scans(3).in_world(0)
@@ -36,42 +36,42 @@ labels = [
 ]
 
 # %%
-# The same view each time
-# -----------------------
+# A reproducible view
+# -------------------
 #
-# ``front``, ``up``, ``zoom`` and ``field_of_view`` are Open3D's. A ``View`` is a camera and its pose; it can be kept as
-# the JSON that Open3D's viewer copies with Ctrl+C, so a view that you found there by hand is the figure's.
+# ``front``, ``up``, ``zoom`` and ``field_of_view`` are Open3D's parameters. A ``View`` is a camera with its pose. It is
+# stored as the JSON that Open3D's viewer copies with Ctrl+C, so views selected there can be used here.
 
 bounds = mesh.get_min_bound(), mesh.get_max_bound()
 view = loom.View.from_open3d(
     bounds, zoom=0.75, front=[0.5, -1, 0.35], up=[0, 0, 1], field_of_view=30, width=960, height=640
 )
 loom.write_view(folder / "view.json", view, bounds)
-again = loom.read_view(folder / "view.json", width=960, height=640)
-assert np.allclose(again.T_world_camera, view.T_world_camera, atol=1e-6)
+from_file = loom.read_view(folder / "view.json", width=960, height=640)
+assert np.allclose(from_file.T_world_camera, view.T_world_camera, atol=1e-6)
 
 figure = loom.render(scene, view, legend=True, labels=labels)
-assert np.array_equal(figure, loom.render(scene, view, legend=True, labels=labels)), "the same bits each time"
+assert np.array_equal(figure, loom.render(scene, view, legend=True, labels=labels)), "images are bitwise identical"
 
 # %%
-# Depth as numbers
-# ----------------
+# Depth
+# -----
 #
-# ``depth=True`` gives the depth of each pixel [m] along the optical axis, for a figure of your own or as a sensor.
+# ``depth=True`` also returns the depth of each pixel along the optical axis [m].
 
 depth = loom.render(mesh, view, depth=True)[1]
 print(
     f"the model covers {100 * (depth > 0).mean():.0f} % of the "
-    f"image, {depth[depth > 0].min():.3f} to {depth.max():.3f} m away"
+    f"image, {depth[depth > 0].min():.3f} to {depth.max():.3f} m depth"
 )
 assert (depth > 0).mean() > 0.05
 
 # %%
-# A value as color, with its scale
-# ---------------------------------
+# Color by attribute
+# ------------------
 #
-# Of clouds and meshes: "height", "normal", "label", or any attribute. Color maps are viridis, turbo, coolwarm, gray
-# and jet.
+# ``color_by`` is "height", "normal", "label", or any attribute of clouds and meshes. The color maps are viridis, turbo,
+# coolwarm, gray and jet.
 
 scene = loom.RaycastingScene()
 scene.add_triangles(mesh)
@@ -80,6 +80,18 @@ values = scan["distance from the model [mm]"]
 print(f"median distance of the scan from the model: {np.median(values):.2f} mm")
 assert np.median(values) < 2
 
-shown = {"geometry": scan, "color_by": "distance from the model [mm]", "colormap": "turbo", "point_size": 4}
-errors = loom.render(shown, view, color_bar=True, background=(0.94, 0.95, 0.96))
+style = {"geometry": scan, "color_by": "distance from the model [mm]", "colormap": "turbo", "point_size": 4}
+errors = loom.render(style, view, color_bar=True, background=(0.94, 0.95, 0.96))
 loom.write_image(folder / "figure.png", errors)
+
+# %%
+# What to change
+# --------------
+# - The size [pixels]: 1920 x 1280 for print.
+# - ``background``: red, green and blue from 0 to 1.
+# - ``colormap`` and ``limits``: use the same values in all figures of a publication.
+#
+# Next
+# ----
+# - :ref:`Colors, legends and saved views <sphx_glr_gallery_clouds_plot_colors_legends_and_views.py>`
+# - :doc:`Rendering images and plots </pictures>`

@@ -1,9 +1,9 @@
 """
-Record what an algorithm does, and send it
-==========================================
+Record an algorithm and share the result
+========================================
 
-A fusion, a registration or a track as one page that plays offline: turn it, scrub it, no server and no install. The
-same as .gif or .mp4 for slides. And a viewer's scene saved as a page for others.
+On this page you record a fusion as a web page that plays offline, create an animation for slides, and save a scene of
+the viewer as a page for others.
 """
 
 import tempfile
@@ -16,11 +16,11 @@ import pointloom as loom
 folder = Path(tempfile.mkdtemp())
 
 # %%
-# Watch a fusion
-# --------------
+# Record a fusion
+# ---------------
 #
-# Everything that fuses, registers, tracks or clusters inside the block is recorded; results are the same bits with and
-# without. The suffix says the format.
+# Fusion, registration, tracking and clustering inside the block are recorded. The results are bitwise identical with
+# and without recording. The suffix selects the format.
 
 frames = loom.datasets.room_frames(16)
 camera = frames[0].intrinsic
@@ -31,11 +31,11 @@ print(f"{page.name}: {page.stat().st_size / 1e6:.1f} MB; mesh of {len(result.mes
 assert page.read_text(encoding="utf-8", errors="ignore").lstrip().lower().startswith("<!doctype html")
 
 # %%
-# Steps of your own
-# -----------------
+# Record your own steps
+# ---------------------
 #
-# ``add`` shows a geometry, ``set_pose`` moves it, ``plot`` adds a number, ``step`` ends a frame of the recording. Here
-# as an animation file.
+# ``add`` adds a geometry, ``set_pose`` moves it, ``plot`` adds a value to a plot, and ``step`` ends a frame. The output
+# is an animation.
 
 figure = loom.datasets.object_mesh().simplify_quadric_decimation(6000)
 turning = folder / "turn.gif"
@@ -52,11 +52,10 @@ print(f"{turning.name}: {turning.stat().st_size / 1e3:.0f} kB")
 assert turning.read_bytes()[:4] == b"GIF8"
 
 # %%
-# A scene for a colleague
-# -----------------------
+# Share a scene
+# -------------
 #
-# ``loom.Viewer`` is the live viewer; ``save_html`` writes what it shows as one page that opens anywhere. No browser is
-# needed for that.
+# ``loom.Viewer`` is the live viewer. ``save_html`` writes its scene as a single page. This does not need a browser.
 
 viewer = loom.Viewer(port=0)
 viewer.add("room", result.mesh)
@@ -66,7 +65,7 @@ viewer.close()
 print(f"room.html: {(folder / 'room.html').stat().st_size / 1e6:.1f} MB")
 
 # %%
-# The room that was fused, from behind the camera.
+# The fused room, from behind the camera:
 
 T = frames[8].T_world_camera.copy()
 T[:3, 3] -= 0.7 * T[:3, 2]
@@ -74,3 +73,15 @@ view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.
 cameras = [loom.CameraFrustum(camera, frame.T_world_camera, scale=0.15, color=(0.9, 0.35, 0.1)) for frame in frames]
 image = loom.render([{"geometry": result.mesh, "shaded": False, "back_faces": False}, *cameras], view)
 loom.write_image(folder / "room.png", image)
+
+# %%
+# What to change
+# --------------
+# - ``fps`` and ``size`` [frames/s, pixels] of the animation.
+# - ``automatic``: ``True`` also records pointloom's algorithms.
+# - The suffix: ``.mp4`` if ffmpeg is installed.
+#
+# Next
+# ----
+# - :ref:`Chapter 12 <sphx_glr_chapters_plot_12_animation.py>`: recordings, step by step.
+# - :doc:`Recordings </recordings>`

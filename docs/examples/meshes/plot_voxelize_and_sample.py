@@ -1,9 +1,9 @@
 """
-A mesh as voxels and as points
-==============================
+Voxelize a mesh and sample points
+=================================
 
-Robots plan in voxels, networks eat points. ``voxelize`` gives the cells that a surface touches, or the whole solid;
-points are drawn from a surface at random or evenly spread.
+Path planning uses voxels, neural networks use points. On this page you convert a mesh to surface or solid voxels with
+``voxelize``, and sample points from its surface, randomly or evenly.
 """
 
 import numpy as np
@@ -14,37 +14,37 @@ import pointloom as loom
 # Voxels of 8 mm
 # --------------
 #
-# ``solid=True`` fills the inside; the mesh has to be closed. The volume of the filled voxels is that of the mesh and
-# half of the skin.
+# ``solid=True`` also fills the interior and requires a closed mesh. The volume of the voxels exceeds that of the mesh
+# by about half of the surface voxels.
 
 mesh = loom.datasets.object_mesh()
 shell, solid = mesh.voxelize(0.008), mesh.voxelize(0.008, solid=True)
 filled = len(solid.coordinates) * 0.008**3
-skin = len(shell.coordinates) * 0.008**3
+surface_volume = len(shell.coordinates) * 0.008**3
 print(
     f"{len(shell.coordinates)} voxels on the surface, "
-    f"{len(solid.coordinates)} in all, of {np.prod(solid.counts)} in the box"
+    f"{len(solid.coordinates)} with the interior, {np.prod(solid.counts)} in the grid"
 )
 print(
     f"mesh {mesh.get_volume() * 1e6:.0f} cm^3, voxels {filled * 1e6:.0f}, "
-    f"less half of the skin {(filled - skin / 2) * 1e6:.0f}"
+    f"minus half of the surface voxels {(filled - surface_volume / 2) * 1e6:.0f}"
 )
-assert abs((filled - skin / 2) / mesh.get_volume() - 1) < 0.05
+assert abs((filled - surface_volume / 2) / mesh.get_volume() - 1) < 0.05
 
 # %%
-# Asking a grid: is a place occupied, which voxel is it in, and the whole grid as an array for a planner.
+# Queries of a grid: occupancy of points, the voxel of a point, and the complete grid as an array.
 
-middle = mesh.get_center()
-assert solid.check_if_included([middle, middle + 1.0]).tolist() == [True, False]
-assert solid.dense()[tuple(solid.get_voxel(middle))]
-print(f"the middle is in voxel {solid.get_voxel(middle).tolist()}, dense array {solid.dense().shape}")
+center = mesh.get_center()
+assert solid.check_if_included([center, center + 1.0]).tolist() == [True, False]
+assert solid.dense()[tuple(solid.get_voxel(center))]
+print(f"the center is in voxel {solid.get_voxel(center).tolist()}, dense array {solid.dense().shape}")
 
 # %%
 # Points
 # ------
 #
-# Uniform samples are quick, and by chance some lie close together. Poisson-disk samples keep apart: what a network or a
-# registration gets of the same number of points is more even. Colors and normals come along.
+# Random samples are fast, but some are close to each other. Poisson-disk samples have a minimum distance, so the same
+# number of points covers the surface more evenly. Both include colors and normals.
 
 uniform = mesh.sample_points_uniformly(6000, seed=0)
 disk = mesh.sample_points_poisson_disk(6000, seed=0)
@@ -54,12 +54,12 @@ for name, cloud in {"uniform": uniform, "Poisson disk": disk}.items():
     gaps[name] = np.quantile(distances, 0.01)
     print(
         f"{name:12} {len(cloud)} points, nearest neighbor {distances.mean() * 1e3:.2f} "
-        f"mm, 1 of 100 nearer than {gaps[name] * 1e3:.2f} mm"
+        f"mm, 1st percentile {gaps[name] * 1e3:.2f} mm"
     )
 assert gaps["Poisson disk"] > 4 * gaps["uniform"]
 
 # %%
-# Two sizes of voxels, random points, even points.
+# Two voxel sizes, random points and evenly spaced points:
 
 width = 0.24
 offsets = [np.array([i * width, 0, 0]) for i in range(4)]
@@ -75,7 +75,19 @@ scene = [
 top = float(mesh.get_max_bound()[2]) + 0.02
 labels = [
     (name, offset + np.array([0, 0, top]))
-    for name, offset in zip(["voxels of 8 mm", "of 4 mm", "random points", "even points"], offsets, strict=False)
+    for name, offset in zip(["voxels of 8 mm", "voxels of 4 mm", "random", "Poisson disk"], offsets, strict=False)
 ]
 view = {"front": [-0.2, -1, 0.3], "up": [0, 0, 1], "field_of_view": 20, "zoom": 0.36}
 image = loom.render(scene, view, (1080, 600), labels=labels)
+
+# %%
+# What to change
+# --------------
+# - The voxel size [m]: 0.004 has about four times as many surface voxels.
+# - The number of points: 1,000 instead of 6,000.
+# - ``seed``: other samples with the same statistics.
+#
+# Next
+# ----
+# - :ref:`Downsampling methods <sphx_glr_gallery_clouds_plot_down_sampling.py>`
+# - :doc:`Occupancy grids and distance fields </occupancy>`

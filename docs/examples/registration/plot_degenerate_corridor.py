@@ -86,7 +86,7 @@ assert not bare.reliable and len(bare.undetermined) > 10 and "x" in bare.open_mo
 # ``prior`` is the motion since the previous scan, here from wheels with a scale error of 5%. In the empty corridor, a
 # part of the error remains, and most scans are reported as undetermined. In the furnished corridor, the scans correct
 # it.
-wheels = np.origins(4)
+wheels = np.eye(4)
 wheels[0, 3] = 0.3 * 1.05
 final_positions, poses, determined_count = {}, {}, {}
 for name, scans in {"bare": bare_scans, "furnished": furnished_scans}.items():
@@ -112,14 +112,14 @@ assert determined_count["bare"] < 7 and determined_count["furnished"] > 10
 # edges of the corridor are sufficient to hide the degeneracy. Fitness does not measure reliability.
 target, source = (scan.voxel_down_sample(0.1).estimate_normals(max_nn=15) for scan in bare_scans[:2])
 plane = reg.TransformationEstimation.point_to_plane()
-result = reg.registration_icp(source, target, 0.5, np.origins(4), plane)
+result = reg.registration_icp(source, target, 0.5, np.eye(4), plane)
 print(
     f"corridor: fitness {result.fitness:.3f}, {result.transformation[0, 3]:.3f} m along x, "
     f"{len(result.degenerate_directions)} motions undetermined"
 )
 assert result.fitness > 0.98 and abs(result.transformation[0, 3] - 0.3) > 0.1
 wall = target.select_by_mask((target.points[:, 1] > 1.05) & (np.abs(target.normals[:, 1]) > 0.99))
-result = reg.registration_icp(wall, wall, 0.5, np.origins(4), plane)
+result = reg.registration_icp(wall, wall, 0.5, np.eye(4), plane)
 print(f"one wall: fitness {result.fitness:.3f}, {len(result.degenerate_directions)} motions undetermined")
 assert len(result.degenerate_directions) == 3  # two translations along the wall, and the rotation in its plane
 

@@ -45,7 +45,7 @@ def scan(x, seed):
 
 first, second = scan(0.0, 1), scan(speed * period, 2)
 target = second.estimate_normals(max_nn=20)
-truth = np.origins(4)
+truth = np.eye(4)
 truth[0, 3] = -speed * period  # T_second_first: static points are 2.5 m closer
 print(first)
 
@@ -53,7 +53,7 @@ print(first)
 # Geometry only
 # -------------
 # Every point has a correspondence and the rmse is that of the noise, but the translation has an error of meters.
-plane = reg.registration_icp(first, target, 1.0, np.origins(4), reg.TransformationEstimation.point_to_plane())
+plane = reg.registration_icp(first, target, 1.0, np.eye(4), reg.TransformationEstimation.point_to_plane())
 print(
     f"point to plane: {plane.transformation[0, 3]:+.3f} m along the tunnel, fitness {plane.fitness:.3f}, "
     f"rmse {plane.inlier_rmse:.3f} m"
@@ -68,7 +68,7 @@ assert plane.fitness > 0.9 and abs(plane.transformation[0, 3] - truth[0, 3]) > 1
 # vehicles, can be removed.
 doppler = reg.TransformationEstimationForDopplerICP(period=period, lambda_doppler=0.05, reject_dynamic_outliers=True)
 criteria = reg.ICPConvergenceCriteria(max_iteration=100)
-result = reg.registration_icp(first, target, 1.0, np.origins(4), doppler, criteria)
+result = reg.registration_icp(first, target, 1.0, np.eye(4), doppler, criteria)
 print(f"with velocities: {result.transformation[0, 3]:+.3f} m along the tunnel; ground truth {truth[0, 3]:+.3f} m")
 angle = np.degrees(np.arccos(np.clip((np.trace(result.transformation[:3, :3]) - 1) / 2, -1, 1)))
 print(

@@ -64,7 +64,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert np.array_equal(one_call.poses, path.poses[:8])  # bitwise identical
     loom.write_trajectory(Path(folder) / "path.kitti", path)
     read_back = loom.read_trajectory(Path(folder) / "path.kitti")
-print("read back:", read_back.poses.shape, f"to {np.abs(read_back.poses - path.poses).max():.1e}")
+print("read back:", read_back.poses.shape, f"error {np.abs(read_back.poses - path.poses).max():.1e}")
 
 # %%
 # Map

@@ -75,7 +75,7 @@ fit = reg.fit_to_positions(model, positions)
 outliers = [name for name, good in zip(fit.names, fit.inliers, strict=True) if not good]
 print(
     f"scale {fit.scale:.5f}, rmse {1000 * fit.rmse:.1f} mm, rotation uncertainty {fit.rotation_uncertainty:.2f} "
-    f"degrees; left out: {outliers}"
+    f"degrees; outliers: {outliers}"
 )
 assert outliers == [names[4], names[9]]
 assert abs(fit.scale * unit - 1) < 0.01
