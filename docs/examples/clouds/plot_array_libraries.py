@@ -112,10 +112,10 @@ assert np.array_equal(np.asarray(shared.points, np.float32), points.astype(np.fl
 # --------------
 # - ``on_gpu``: ``False`` keeps the tensor on the CPU.
 # - The type of ``points``: float64 arrays are copied, since positions are float32 about an origin in float64.
-# - ``eps`` of ``cluster_dbscan`` [m]: 0.02 instead of 0.05 splits the cloud into many clusters.
+# - ``eps`` of ``cluster_dbscan`` [m]: 0.02 instead of 0.05. How many points become noise?
 #
 # Next
 # ----
 # - :doc:`Array libraries </arrays>`: all conversions.
-# - :ref:`Devices, threads, and the same bits <sphx_glr_gallery_clouds_plot_devices_and_threads.py>`
+# - :ref:`Devices, threads and reproducible results <sphx_glr_gallery_clouds_plot_devices_and_threads.py>`
 # - :ref:`Chapter 14 <sphx_glr_chapters_plot_14_robust_kernels_and_numpy.py>`: modify points with NumPy.

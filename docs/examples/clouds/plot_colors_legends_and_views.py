@@ -99,4 +99,4 @@ assert nearest < 0.02 * size
 # Next
 # ----
 # - :doc:`Rendering images and plots </pictures>`: all styles.
-# - :ref:`An image for a paper <sphx_glr_gallery_images_plot_figure_for_a_paper.py>`
+# - :ref:`Figures for publications <sphx_glr_gallery_images_plot_figure_for_a_paper.py>`

@@ -117,5 +117,5 @@ assert len(on_hull) == len(hull.vertices)
 # Next
 # ----
 # - :ref:`Chapter 3 <sphx_glr_chapters_plot_03_segmentation.py>`: planes, clusters and hidden points.
-# - :ref:`Cast rays: what is visible, inside, how far <sphx_glr_gallery_meshes_plot_ray_casting.py>`: exact visibility
+# - :ref:`Ray casting: visibility, distance, occupancy <sphx_glr_gallery_meshes_plot_ray_casting.py>`: exact visibility
 #   for meshes.

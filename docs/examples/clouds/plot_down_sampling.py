@@ -87,7 +87,7 @@ side_by_side = loom.render(scene, view, labels=labels, color_bar=True)
 # attributes. Integer classes are never averaged: the result has no class 4 between classes 2 and 6.
 cloud["class"] = np.where(cloud.points[:, 2] > 0, 6, 2).astype(np.int32)
 thin = cloud.voxel_down_sample(0.06, reduction="nearest")
-print("classes after thinning:", np.unique(thin["class"]))
+print("classes after downsampling:", np.unique(thin["class"]))
 assert set(np.unique(thin["class"])) <= {2, 6}
 assert thin.compute_point_cloud_distance(cloud).max() == 0.0  # all points are measured points
 assert voxels.compute_point_cloud_distance(cloud).max() > 0.001  # a mean is up to some millimeters inside the sphere
@@ -102,4 +102,4 @@ assert voxels.compute_point_cloud_distance(cloud).max() > 0.001  # a mean is up 
 # Next
 # ----
 # - :ref:`Chapter 4 <sphx_glr_chapters_plot_04_downsampling_and_outliers.py>`: downsampling and outlier removal.
-# - :ref:`Neighbors of a million places at once <sphx_glr_gallery_clouds_plot_neighbor_search.py>`
+# - :ref:`Neighbor search for all points at once <sphx_glr_gallery_clouds_plot_neighbor_search.py>`

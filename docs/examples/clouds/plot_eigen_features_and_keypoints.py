@@ -14,7 +14,7 @@ import pointloom as loom
 # %%
 # A test scene
 # ------------
-# The scene is a box-shaped building with a wire above it and a bush beside it, with noise of 5 mm. The class of each
+# The scene is a box-shaped building with a wire above it and a bush next to it, with noise of 5 mm. The class of each
 # point is known.
 rng = np.random.default_rng(2)
 box = loom.TriangleMesh.create_box(2.0, 1.5, 1.2).sample_points_uniformly(24_000, seed=1).points
@@ -98,12 +98,12 @@ keypoint_image = loom.render(
 # %%
 # What to change
 # --------------
-# - ``radius`` [m]: 0.05 is close to the noise, 0.5 is larger than the wire's distance from the roof.
+# - ``radius`` [m]: 0.02 is close to the noise, and 1.2 exceeds the distance of the wire from the roof.
 # - ``salient_radius`` [m]: a larger value gives fewer keypoints.
 # - The noise [m]: with ``scale=0.02`` a larger radius is needed.
 #
 # Next
 # ----
-# - :ref:`Features, RANSAC and FGR: poses from no guess, by hand
-#   <sphx_glr_gallery_registration_plot_features_ransac_fgr.py>`: features for registration.
+# - :ref:`Features, RANSAC and FGR <sphx_glr_gallery_registration_plot_features_ransac_fgr.py>`: features for
+#   registration.
 # - :doc:`Shape detection </shapes>`: planes, spheres, cylinders, cones and tori.

@@ -101,7 +101,7 @@ image = loom.render(
 # %%
 # What to change
 # --------------
-# - ``warnings.simplefilter``: ``"error"`` for all categories, ``"ignore"`` for none.
+# - ``warnings.simplefilter``: ``"error"`` raises warnings as errors, ``"ignore"`` suppresses them.
 # - The level of the logger: ``logging.INFO`` displays progress, ``logging.ERROR`` only errors.
 #
 # Next

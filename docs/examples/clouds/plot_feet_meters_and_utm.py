@@ -117,4 +117,4 @@ image = loom.render(
 # Next
 # ----
 # - :doc:`File formats and units </files>`: which formats store a unit.
-# - :ref:`Ground, houses and trees of an airborne scan <sphx_glr_gallery_clouds_plot_ground_and_buildings.py>`
+# - :ref:`Ground, buildings and trees in an airborne scan <sphx_glr_gallery_clouds_plot_ground_and_buildings.py>`

@@ -142,5 +142,5 @@ heights = loom.render(
 # Next
 # ----
 # - :doc:`Ground classification and terrain models </terrain>`
-# - :ref:`Count the trees of a scan <sphx_glr_gallery_clouds_plot_count_trees.py>`
-# - :ref:`A terrain model with hill shade and contour lines <sphx_glr_gallery_clouds_plot_terrain_and_hillshade.py>`
+# - :ref:`Count trees in an airborne scan <sphx_glr_gallery_clouds_plot_count_trees.py>`
+# - :ref:`Terrain model with hillshade and contour lines <sphx_glr_gallery_clouds_plot_terrain_and_hillshade.py>`

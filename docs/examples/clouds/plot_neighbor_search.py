@@ -97,5 +97,5 @@ painted = loom.render(
 # Next
 # ----
 # - :ref:`Downsampling methods <sphx_glr_gallery_clouds_plot_down_sampling.py>`
-# - :ref:`An operator of one's own <sphx_glr_gallery_kernels_plot_own_operator.py>`: neighbor search inside your own
+# - :ref:`Write your own GPU operator <sphx_glr_gallery_kernels_plot_own_operator.py>`: neighbor search inside your own
 #   kernel.

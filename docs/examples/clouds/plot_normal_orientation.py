@@ -90,4 +90,4 @@ closed = loom.render(
 # Next
 # ----
 # - :ref:`Chapter 2 <sphx_glr_chapters_plot_02_voxels_and_normals.py>`: normals, step by step.
-# - :ref:`Points to a surface: which method when <sphx_glr_gallery_meshes_plot_surface_methods.py>`
+# - :ref:`Surface reconstruction methods <sphx_glr_gallery_meshes_plot_surface_methods.py>`

@@ -75,7 +75,7 @@ after = loom.render({"geometry": filtered} | style, loom.View(camera, pose_behin
 # --------------
 # - ``value_sigma`` [m]: 0.02 smooths less, 0.5 averages across edges.
 # - The depth threshold of ``erode_depth_edges`` [m]: 0.05 removes more pixels.
-# - The radius [m] and count of the radius filter: 0.03 and 12 remove most distant points.
+# - The radius [m] and count of the radius filter: a smaller radius removes more distant points.
 #
 # Next
 # ----

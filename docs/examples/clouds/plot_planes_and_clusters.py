@@ -93,8 +93,8 @@ object_image = loom.render(scene, view, labels=[(f"object {k}", box.center) for 
 # %%
 # What to change
 # --------------
-# - The distance threshold [m]: 0.01 splits uneven walls into several planes.
-# - ``min_points``: a smaller value also finds table tops and shelves.
+# - The distance threshold [m]: 0.01 assigns fewer points to each plane.
+# - ``min_points``: a smaller value also finds smaller planes.
 # - The radius of ``cluster_dbscan`` [m]: 0.15 merges adjacent objects.
 #
 # Next

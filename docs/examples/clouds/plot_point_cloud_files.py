@@ -117,11 +117,11 @@ image = loom.render(
 # %%
 # What to change
 # --------------
-# - ``formats``: add ``.csv`` or ``.ply.gz``, if your pipeline uses them.
+# - ``formats``: add ``.csv``. Which attributes does it store?
 # - The voxel size [m]: compare file sizes for 0.02 and 0.04.
 # - ``columns``: the order of the columns in your own text file.
 #
 # Next
 # ----
 # - :doc:`File formats, ROS recordings and units </files>`
-# - :ref:`Meshes in files: GLB, PLY, OBJ, STL <sphx_glr_gallery_meshes_plot_mesh_files.py>`
+# - :ref:`File formats of meshes: GLB, PLY, OBJ, STL <sphx_glr_gallery_meshes_plot_mesh_files.py>`

@@ -94,5 +94,5 @@ image = loom.render(
 #
 # Next
 # ----
-# - :ref:`Smooth a mesh without shrinking it <sphx_glr_gallery_meshes_plot_smooth.py>`
+# - :ref:`Mesh smoothing without shrinkage <sphx_glr_gallery_meshes_plot_smooth.py>`
 # - :ref:`Chapter 11 <sphx_glr_chapters_plot_11_surfaces.py>`: surface reconstruction, which also averages noise.

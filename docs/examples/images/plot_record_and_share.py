@@ -38,8 +38,8 @@ assert page.read_text(encoding="utf-8", errors="ignore").lstrip().lower().starts
 # is an animation.
 
 figure = loom.datasets.object_mesh().simplify_quadric_decimation(6000)
-turning = folder / "turn.gif"
-with loom.record(turning, fps=12, size=(240, 240), automatic=False) as recorder:
+animation = folder / "rotation.gif"
+with loom.record(animation, fps=12, size=(240, 240), automatic=False) as recorder:
     recorder.add("figure", figure)
     for i in range(12):
         angle = 2 * np.pi * i / 12
@@ -48,8 +48,8 @@ with loom.record(turning, fps=12, size=(240, 240), automatic=False) as recorder:
         recorder.set_pose("figure", T)
         recorder.plot("angle [degrees]", np.degrees(angle))
         recorder.step(f"{np.degrees(angle):.0f} degrees")
-print(f"{turning.name}: {turning.stat().st_size / 1e3:.0f} kB")
-assert turning.read_bytes()[:4] == b"GIF8"
+print(f"{animation.name}: {animation.stat().st_size / 1e3:.0f} kB")
+assert animation.read_bytes()[:4] == b"GIF8"
 
 # %%
 # Share a scene

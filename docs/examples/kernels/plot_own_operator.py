@@ -62,7 +62,7 @@ def measure_roughness_kernel(
 
 
 def measure_roughness(cloud: loom.PointCloud, radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Roughness [m] of each point and how many points lie within `radius` [m] of it."""
+    """Roughness [m] of each point and the number of points within `radius` [m] of it."""
     if not radius > 0:
         raise ValueError(f"radius: expected a number above 0, got {radius}")
     tree = cloud.search_tree()
@@ -85,7 +85,7 @@ noisy = (np.abs(x - 0.25) < 0.1) & (np.abs(y) < 0.1)
 z[noisy] += rng.normal(0.0, 0.004, noisy.sum())
 cloud = loom.PointCloud(np.column_stack([x, y, z]))
 
-radius = 0.02  # [m]: about 110 neighbors here; use a radius that contains 20 to 100 points
+radius = 0.02  # [m]: about 110 neighbors here, use 20 to 100
 roughness, counts = measure_roughness(cloud, radius)
 
 some = rng.integers(0, len(cloud), 50)

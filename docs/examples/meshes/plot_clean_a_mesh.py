@@ -92,5 +92,5 @@ image = loom.render(scene, view, (960, 640), legend=True)
 #
 # Next
 # ----
-# - :ref:`Simplify a mesh, with its error <sphx_glr_gallery_meshes_plot_simplify.py>`
+# - :ref:`Mesh simplification with error measurement <sphx_glr_gallery_meshes_plot_simplify.py>`
 # - :doc:`Triangle meshes </meshes>`: all checks and repairs.

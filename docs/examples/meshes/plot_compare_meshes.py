@@ -70,10 +70,10 @@ image = loom.render(style, view, (640, 640), color_bar=True)
 # What to change
 # --------------
 # - ``thresholds`` [m]: choose them by the required tolerance.
-# - ``limit`` [m]: 0.002 instead of 0.02 adds a warning.
+# - ``limit`` [m]: a value below the Hausdorff distance adds a warning.
 # - ``samples``: more samples give more accurate metrics and take longer.
 #
 # Next
 # ----
 # - :ref:`Change detection between two scans <sphx_glr_gallery_clouds_plot_change_detection.py>`
-# - :ref:`Points to a surface: which method when <sphx_glr_gallery_meshes_plot_surface_methods.py>`
+# - :ref:`Surface reconstruction methods <sphx_glr_gallery_meshes_plot_surface_methods.py>`

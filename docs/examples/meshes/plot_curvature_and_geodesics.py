@@ -83,5 +83,5 @@ distances = loom.render(
 #
 # Next
 # ----
-# - :ref:`Smooth a mesh without shrinking it <sphx_glr_gallery_meshes_plot_smooth.py>`
-# - :ref:`Remesh to an edge length, and subdivide <sphx_glr_gallery_meshes_plot_remesh_and_subdivide.py>`
+# - :ref:`Mesh smoothing without shrinkage <sphx_glr_gallery_meshes_plot_smooth.py>`
+# - :ref:`Isotropic remeshing and subdivision <sphx_glr_gallery_meshes_plot_remesh_and_subdivide.py>`

@@ -79,5 +79,6 @@ image = loom.render(scene, view, (800, 800), shading="flat", legend=True)
 #
 # Next
 # ----
-# - :ref:`Make solids: extrude, revolve, join <sphx_glr_gallery_meshes_plot_extrude_revolve_join.py>`
-# - :ref:`Cast rays: what is visible, inside, how far <sphx_glr_gallery_meshes_plot_ray_casting.py>`
+# - :ref:`Create solids: extrusion, revolution, boolean operations
+#   <sphx_glr_gallery_meshes_plot_extrude_revolve_join.py>`
+# - :ref:`Ray casting: visibility, distance, occupancy <sphx_glr_gallery_meshes_plot_ray_casting.py>`

@@ -89,4 +89,4 @@ image = loom.render(scene, view, (960, 640), labels=labels)
 # Next
 # ----
 # - :doc:`Non-rigid registration </bending>`: deformation to fit another scan.
-# - :ref:`Smooth a mesh without shrinking it <sphx_glr_gallery_meshes_plot_smooth.py>`
+# - :ref:`Mesh smoothing without shrinkage <sphx_glr_gallery_meshes_plot_smooth.py>`

@@ -22,7 +22,7 @@ outline = [[0, 0], [0.12, 0], [0.12, 0.03], [0.05, 0.08], [0, 0.08]]
 holes = [0.012 * circle[::-1] + [0.095, 0.018], 0.02 * circle[::-1] + [0.03, 0.04]]
 plate = loom.TriangleMesh.from_polygon(outline, holes).extrude_linear([0, 0, 0.015])
 
-area = 0.12 * 0.08 - 0.5 * 0.07 * 0.05  # of the outline; the polygons of the holes have 48 corners
+area = 0.12 * 0.08 - 0.5 * 0.07 * 0.05  # of the outline, the holes are polygons with 48 corners
 drilled = 24 * np.sin(2 * np.pi / 48) * (0.012**2 + 0.02**2)
 print(f"plate: {plate.get_volume() * 1e6:.3f} cm^3, exact {(area - drilled) * 0.015 * 1e6:.3f}")
 assert plate.is_watertight() and np.isclose(plate.get_volume(), (area - drilled) * 0.015)
@@ -105,9 +105,9 @@ image = loom.render(scene, view, (960, 640))
 # --------------
 # - ``resolution`` of ``revolve``: 12 instead of 96. How large is the error of the volume?
 # - The height of the extrusion [m] and the holes of the outline.
-# - The radius of the bores [m]: 0.03 leaves separate corners.
+# - The radius of the bores [m]: how many openings does the part have with 0.01?
 #
 # Next
 # ----
 # - :ref:`Cut a mesh and compute sections <sphx_glr_gallery_meshes_plot_cut_and_section.py>`
-# - :ref:`Meshes in files: GLB, PLY, OBJ, STL <sphx_glr_gallery_meshes_plot_mesh_files.py>`
+# - :ref:`File formats of meshes: GLB, PLY, OBJ, STL <sphx_glr_gallery_meshes_plot_mesh_files.py>`

@@ -79,6 +79,7 @@ image = loom.render(
 #
 # Next
 # ----
-# - :ref:`Fuse posed depth frames into a mesh (TSDF) <sphx_glr_gallery_rgbd_plot_fuse_posed_frames.py>`: the isosurface
+# - :ref:`TSDF fusion of depth frames with known poses <sphx_glr_gallery_rgbd_plot_fuse_posed_frames.py>`: the
+#   isosurface
 #   of a TSDF.
 # - :doc:`Occupancy grids and distance fields </occupancy>`

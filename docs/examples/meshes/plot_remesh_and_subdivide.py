@@ -99,5 +99,5 @@ image = loom.render(scene, view, (960, 640), shading="flat")
 #
 # Next
 # ----
-# - :ref:`Simplify a mesh, with its error <sphx_glr_gallery_meshes_plot_simplify.py>`
+# - :ref:`Mesh simplification with error measurement <sphx_glr_gallery_meshes_plot_simplify.py>`
 # - :ref:`As-rigid-as-possible deformation <sphx_glr_gallery_meshes_plot_deform.py>`

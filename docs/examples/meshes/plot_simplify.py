@@ -63,7 +63,7 @@ image = loom.render(scene, view, (960, 640), shading="flat", labels=labels)
 # What to change
 # --------------
 # - ``ratio``: 0.001. Which details remain?
-# - ``max_error`` [m]: 0.0005 stops early.
+# - ``max_error`` [m]: 0.0005 limits the error to 0.5 mm.
 # - ``voxel_size`` [m]: half the value has about four times as many triangles.
 #
 # Next

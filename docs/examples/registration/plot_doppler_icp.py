@@ -102,5 +102,5 @@ image = loom.render(colored, view, color_bar=True)
 #
 # Next
 # ----
-# - :ref:`What scans of a corridor do not tell <sphx_glr_gallery_registration_plot_degenerate_corridor.py>`
+# - :ref:`Degenerate geometry: odometry in a corridor <sphx_glr_gallery_registration_plot_degenerate_corridor.py>`
 # - :doc:`Registration </registration>`: all estimation methods.

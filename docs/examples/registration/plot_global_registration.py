@@ -138,4 +138,4 @@ image = loom.render(
 # ----
 # - :ref:`Chapter 8 <sphx_glr_chapters_plot_08_global_registration.py>`: features, RANSAC and FGR.
 # - :doc:`How a registration is assessed </assessment>`
-# - :ref:`An object from ten scans, without a turntable <sphx_glr_gallery_registration_plot_object_from_ten_views.py>`
+# - :ref:`Register ten scans of an object <sphx_glr_gallery_registration_plot_object_from_ten_views.py>`

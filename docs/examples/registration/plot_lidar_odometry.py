@@ -119,6 +119,6 @@ print(f"{page.stat().st_size / 2**20:.1f} MiB")
 #
 # Next
 # ----
-# - :ref:`A loop closed: pose graphs <sphx_glr_gallery_registration_plot_pose_graph_loop_closure.py>`
-# - :ref:`What scans of a corridor do not tell <sphx_glr_gallery_registration_plot_degenerate_corridor.py>`
+# - :ref:`Pose graphs and loop closure <sphx_glr_gallery_registration_plot_pose_graph_loop_closure.py>`
+# - :ref:`Degenerate geometry: odometry in a corridor <sphx_glr_gallery_registration_plot_degenerate_corridor.py>`
 # - :doc:`Registration </registration>`: LiDAR SLAM with loop closure.

@@ -124,4 +124,4 @@ image = loom.render(
 # Next
 # ----
 # - :ref:`Chapter 7 <sphx_glr_chapters_plot_07_icp.py>`: ICP, step by step.
-# - :ref:`ICP when a third of the points do not belong <sphx_glr_gallery_registration_plot_robust_kernels.py>`
+# - :ref:`Robust kernels for ICP with clutter <sphx_glr_gallery_registration_plot_robust_kernels.py>`

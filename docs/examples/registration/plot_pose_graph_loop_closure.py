@@ -155,6 +155,6 @@ image = loom.render(scene, loom.View.fit(corners, direction=(0.2, 0.7, -0.8), wi
 #
 # Next
 # ----
-# - :ref:`Join volumes: several scans, one model <sphx_glr_gallery_rgbd_plot_submaps.py>`: loop closure for RGB-D
+# - :ref:`Merge TSDF volumes and submaps <sphx_glr_gallery_rgbd_plot_submaps.py>`: loop closure for RGB-D
 #   frames.
-# - :ref:`How good is a path: ATE and RPE <sphx_glr_gallery_registration_plot_compare_trajectories.py>`
+# - :ref:`Compare trajectories: ATE and RPE <sphx_glr_gallery_registration_plot_compare_trajectories.py>`

@@ -91,7 +91,7 @@ image = loom.render(
 # %%
 # What to change
 # --------------
-# - ``k`` [m]: 0.002 is below the noise, 0.2 is equivalent to least squares.
+# - ``k`` [m]: 0.002 is below the noise, 0.2 is as large as the distance of the clutter.
 # - The fraction of clutter: a third here. Which kernel fails first?
 # - The correspondence distance [m]: 0.4. A smaller value also removes clutter, but needs a better initial pose.
 #

@@ -107,5 +107,5 @@ image = loom.render([owl, *frusta, *markers], view)
 #
 # Next
 # ----
-# - :ref:`Read cameras of COLMAP, Metashape and NeRF files <sphx_glr_gallery_images_plot_read_cameras.py>`
+# - :ref:`Read cameras of COLMAP, Metashape and NeRF <sphx_glr_gallery_images_plot_read_cameras.py>`
 # - :doc:`Cameras and models from photographs </models>`

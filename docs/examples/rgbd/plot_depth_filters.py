@@ -106,4 +106,4 @@ image = np.hstack(images)
 # Next
 # ----
 # - :ref:`Outliers of a depth camera <sphx_glr_gallery_clouds_plot_outliers_of_a_depth_camera.py>`
-# - :ref:`The motion between two depth frames <sphx_glr_gallery_rgbd_plot_odometry.py>`
+# - :ref:`RGB-D odometry of two frames <sphx_glr_gallery_rgbd_plot_odometry.py>`

@@ -107,4 +107,4 @@ image = loom.render([{"geometry": result.mesh, "shaded": False, "back_faces": Fa
 # Next
 # ----
 # - :doc:`RGB-D frames: folders, streams, cameras </frames>`
-# - :ref:`Fuse posed depth frames into a mesh (TSDF) <sphx_glr_gallery_rgbd_plot_fuse_posed_frames.py>`
+# - :ref:`TSDF fusion of depth frames with known poses <sphx_glr_gallery_rgbd_plot_fuse_posed_frames.py>`

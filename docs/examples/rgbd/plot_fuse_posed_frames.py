@@ -108,6 +108,6 @@ image = loom.render(scene_items, view)
 #
 # Next
 # ----
-# - :ref:`Sharp colors for a scan <sphx_glr_gallery_rgbd_plot_texture_a_scan.py>`
-# - :ref:`Reconstruct a room from frames without poses <sphx_glr_gallery_rgbd_plot_reconstruct_a_room.py>`:
+# - :ref:`Color map optimization and texture <sphx_glr_gallery_rgbd_plot_texture_a_scan.py>`
+# - :ref:`Reconstruct a room without camera poses <sphx_glr_gallery_rgbd_plot_reconstruct_a_room.py>`:
 #   reconstruction without poses.

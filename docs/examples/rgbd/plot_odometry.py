@@ -106,4 +106,4 @@ image = np.hstack(images)
 # Next
 # ----
 # - :ref:`Chapter 13 <sphx_glr_chapters_plot_13_rgbd_odometry.py>`: odometry, step by step.
-# - :ref:`Track a depth camera live <sphx_glr_gallery_rgbd_plot_track_live.py>`
+# - :ref:`Track a depth camera in real time <sphx_glr_gallery_rgbd_plot_track_live.py>`

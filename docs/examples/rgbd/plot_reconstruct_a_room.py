@@ -102,4 +102,4 @@ image = loom.render(
 # Next
 # ----
 # - :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>`: from frames to a model, step by step.
-# - :ref:`Reconstruct in stages that can resume <sphx_glr_gallery_rgbd_plot_reconstruct_in_stages.py>`
+# - :ref:`RGB-D reconstruction in stages that can resume <sphx_glr_gallery_rgbd_plot_reconstruct_in_stages.py>`

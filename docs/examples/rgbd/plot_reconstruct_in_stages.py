@@ -93,4 +93,4 @@ image = loom.render([{"geometry": mesh, "shaded": False, "back_faces": False}, *
 # Next
 # ----
 # - :doc:`RGB-D reconstruction </reconstruction>`: all stages and options.
-# - :ref:`Join volumes: several scans, one model <sphx_glr_gallery_rgbd_plot_submaps.py>`
+# - :ref:`Merge TSDF volumes and submaps <sphx_glr_gallery_rgbd_plot_submaps.py>`

@@ -84,7 +84,7 @@ del fused, sharp
 # What to change
 # --------------
 # - ``size`` [texels]: 2048 is sharper.
-# - ``maximum_iteration``: 50 instead of 10 decreases the residual further.
+# - ``maximum_iteration``: 50 instead of 10. How much does the residual decrease?
 # - ``voxel_size`` [m]: a coarser mesh with the same texture.
 #
 # Next

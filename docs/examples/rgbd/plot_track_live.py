@@ -37,7 +37,7 @@ def live(frames, rate):
 # processes fewer frames with larger motions in between. The thread ends with the ``with`` block, also after an error or
 # Ctrl-C.
 
-start = recorded[0].T_world_camera  # makes the map upright; not needed with a real camera
+start = recorded[0].T_world_camera  # makes the map upright, not needed with a real camera
 slam = loom.rgbd.DenseSLAM(camera, voxel_size=0.04, T_init=start, depth_scale=1.0)
 stream = loom.frames_from(live(recorded, rate=8.0), camera, depth_scale=1.0)
 with loom.LatestFrames(stream) as frames:
