@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 _homes: dict[str, dict[str, str]] = {}  # results of `_read`
+_results: dict[str, frozenset[str]] = {}  # of `results_of`
 
 MAX_HINTS = 3  # names of a private module in an error
 SHORT_NAME = "loom"  # usual import name
@@ -51,6 +52,7 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
         value = module if homes[name] == f"{package}.{name}" else getattr(module, name, None)
         if value is None:  # a module in another folder
             value = importlib.import_module(f"{homes[name]}.{name}")
+        value = _explained(package, name, value)
         vars(sys.modules[package])[name] = value
         return value
 
@@ -58,6 +60,21 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
         return sorted({*(name for name in vars(sys.modules[package]) if name.startswith("__")), *_read(package)})
 
     return load, names
+
+
+def _explained(package: str, name: str, value: Any) -> Any:
+    """A public name with helpful argument errors, as for the loaded classes of results. Open3D's names have their own."""
+    if package == OPEN3D or package.startswith(f"{OPEN3D}.") or isinstance(value, ModuleType):
+        return value
+    from .core.argument_errors import explain
+
+    for result in results_of(package):
+        if (module := sys.modules.get(_read(package)[result])) is not None:
+            explain(getattr(module, result, None))
+    made, module = explain(value), sys.modules[_read(package)[name]]
+    if getattr(module, name, None) is value:  # there, too: `pickle` compares them
+        setattr(module, name, made)
+    return made
 
 
 def private(package: str) -> Callable[[str], Any]:
@@ -182,7 +199,9 @@ def _package_of(module: str, home: str) -> str:
 
 def results_of(package: str) -> frozenset[str]:
     """Public names of classes that functions return and users do not construct: the last block of the stub."""
-    return frozenset(_imports_of(package, _stub(package).partition(RESULTS)[2]))
+    if package not in _results:
+        _results[package] = frozenset(_imports_of(package, _stub(package).partition(RESULTS)[2]))
+    return _results[package]
 
 
 def _read(package: str) -> dict[str, str]:

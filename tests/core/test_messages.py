@@ -450,7 +450,7 @@ def public_classes(module):
         value = getattr(module, name)
         if inspect.isclass(value):
             yield value
-        elif isinstance(value, ModuleType) and hasattr(value, "__all__"):
+        elif isinstance(value, ModuleType) and hasattr(value, "__all__") and name != "torch":  # it has functions alone
             yield from public_classes(value)
 
 
