@@ -127,7 +127,9 @@ def common_crs(name: str, systems: Iterable[CoordinateSystem | None]) -> Coordin
                 f"{name}: expected one coordinate system, got {known[0].name} and {system.name}. Convert one with "
                 f"reproject({known[0].name!r}), or set its crs if it is wrong"
             )
-    return max(known, key=lambda system: _parts(system)[1] is not None, default=None)
+    if len(known) > 1:
+        known.sort(key=lambda system: _parts(system)[1] is None)  # one with heights first
+    return known[0] if known else None
 
 
 def is_same_crs(a: CoordinateSystem | None, b: CoordinateSystem | None) -> bool:
@@ -159,7 +161,7 @@ def _parts_of_text(text: str) -> tuple[Any, Any]:
     if codes is not None:
         return codes
     try:
-        system = _pyproj().CRS.from_user_input(text)
+        system = pyproj_crs("crs", CoordinateSystem(text))
     except (PointloomError, ValueError):  # no pyproj, or unknown to it: cannot be compared
         return None, None
     system = system.source_crs if system.is_bound else system
