@@ -29,14 +29,24 @@ TABLES = [(clouds.TABLE, clouds.things), (registrations.TABLE, registrations.thi
 TABLES += [(table, partial(frames.things, package)) for package, table in frames.TABLES.items()]
 CALLS = {call: (things, *entry) for table, things in TABLES for call, entry in table.items() if "device" in entry[1]}
 # The tests of these tables pass a device of torch themselves (tests/photogrammetry/argument_tests.py).
-ELSEWHERE = {call for table in (depth, maps, sfm, video) for call, (_, given) in table.TABLE.items() if "device" in given}
+ELSEWHERE = {
+    call for table in (depth, maps, sfm, video) for call, (_, given) in table.TABLE.items() if "device" in given
+}
 BELOW = {"run_tiles", "run_job", "Recording.scans", "Raster.fill_gaps"}
 IN_OPEN3D_TESTS = {"PointCloud.from_open3d"}
 
 
 def test_the_tables_contain_every_public_call_with_a_device():
-    modules = [loom] + [value for value in (getattr(loom, name) for name in loom.__all__) if isinstance(value, ModuleType)]
-    found = {call for m in modules if m.__name__ != "pointloom.open3d" for call, names in public_arguments(m, set()).items() if "device" in names}
+    modules = [loom] + [
+        value for value in (getattr(loom, name) for name in loom.__all__) if isinstance(value, ModuleType)
+    ]
+    found = {
+        call
+        for m in modules
+        if m.__name__ != "pointloom.open3d"
+        for call, names in public_arguments(m, set()).items()
+        if "device" in names
+    }
     assert found == {*CALLS} | ELSEWHERE | BELOW | IN_OPEN3D_TESTS
 
 

@@ -89,7 +89,9 @@ def test_degenerate_triangles_and_points_on_the_surface_have_finite_gradients():
         assert all(torch.isfinite(grad).all() for grad in torch.autograd.grad(found.sum(), (vertices, points)))
     lost = torch.tensor([[torch.nan, 0, 0], [0.5, 1, 0]], dtype=torch.float64)
     found = loom.torch.point_to_mesh_distance((vertices, torch.tensor([[0, 1, 2]])), lost)
-    assert found.isnan().tolist() == [True, False] and loom.torch.point_to_mesh_distance(sphere()[2], lost[:0]).shape == (0,)
+    assert found.isnan().tolist() == [True, False] and loom.torch.point_to_mesh_distance(
+        sphere()[2], lost[:0]
+    ).shape == (0,)
 
 
 @pytest.mark.parametrize("layout", ["dense", "lengths", "offsets", "single"])
@@ -99,7 +101,9 @@ def test_normals_are_those_of_each_cloud(layout):
     sizes = given["lengths"].tolist() if given else [80] * 3
     if layout == "offsets":
         given = {"offsets": torch.tensor([0, 80, 160, 240])}
-    found = loom.torch.normals(points.reshape(-1, 3) if layout == "offsets" else points[0] if layout == "single" else points, 9, **given)
+    found = loom.torch.normals(
+        points.reshape(-1, 3) if layout == "offsets" else points[0] if layout == "single" else points, 9, **given
+    )
     for number, (cloud, size) in enumerate(zip(points, sizes, strict=True)):
         if layout == "single" and number:
             break
@@ -126,7 +130,9 @@ def test_clouds_are_transformed_with_gradients():
     torch.testing.assert_close(loom.torch.transform(points, poses), expected, rtol=1e-14, atol=1e-15)
     for layout in ({"offsets": offsets}, {"batch": batch}):
         torch.testing.assert_close(loom.torch.transform(rows, poses, **layout).reshape(3, 8, 3), expected)
-        assert torch.autograd.gradcheck(lambda p, T, layout=layout: loom.torch.transform(p, T, **layout), (rows, poses), fast_mode=True)
+        assert torch.autograd.gradcheck(
+            lambda p, T, layout=layout: loom.torch.transform(p, T, **layout), (rows, poses), fast_mode=True
+        )
     one = loom.torch.transform(points, poses[1])
     torch.testing.assert_close(one[1], expected[1])
     torch.testing.assert_close(loom.torch.transform(points[1], poses[1]), expected[1])
@@ -173,7 +179,9 @@ def test_poses_that_are_not_determined_have_no_gradient():
     up = torch.tensor([0.0, 0, 1]).expand(2, 100, 3)
     source = (flat + torch.tensor([0, 0, 0.01])).requires_grad_()
     poses = loom.torch.icp(source, flat, max_distance=0.2, normals=up)
-    with pytest.raises(RuntimeError, match="icp: 1 of 2 poses have no gradient, such as that of cloud 1: .*detach these"):
+    with pytest.raises(
+        RuntimeError, match="icp: 1 of 2 poses have no gradient, such as that of cloud 1: .*detach these"
+    ):
         poses[1].sum().backward()
     far = loom.torch.icp(source, flat + 9, max_distance=0.2)
     with pytest.raises(RuntimeError, match="icp: 2 of 2 poses have no gradient"):

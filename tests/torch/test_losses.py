@@ -89,7 +89,7 @@ def test_gradients_of_both_orders_match_finite_differences(axes):
         "hausdorff": (lambda a, b: loom.torch.hausdorff_distance(a, b, lengths=LAYOUT), (a, b)),
     }
     for call, given in calls.values():
-        call = (lambda *given, call=call: [each[:2] for each in _tuple(call(*given))])  # the third is infinite or 0
+        call = lambda *given, call=call: [each[:2] for each in _tuple(call(*given))]  # the third is infinite or 0
         assert torch.autograd.gradcheck(call, given, fast_mode=True)
         assert torch.autograd.gradgradcheck(call, given, fast_mode=True)
 
