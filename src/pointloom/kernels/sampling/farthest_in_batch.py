@@ -1,4 +1,4 @@
-"""Farthest point samples of each cloud of a batch, all in one launch: one block per cloud on CUDA, one thread on the CPU.
+"""Farthest point samples of each cloud of a batch, in one launch: one block per cloud on CUDA, one thread on the CPU.
 
 As farthest_points.py, without a tree: each choice measures all points of its cloud, 20 B per point.
 """
