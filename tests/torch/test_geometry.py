@@ -114,7 +114,7 @@ def test_normals_are_those_of_each_cloud(layout):
 
 def test_normals_have_no_gradient_and_the_type_of_the_points():
     points = hills(50).requires_grad_()
-    with pytest.raises(RuntimeError, match="^normals has no derivative. Detach"):
+    with pytest.raises(RuntimeError, match=r"^normals has no derivative\. Detach"):
         loom.torch.normals(points).sum().backward()
     for dtype in (torch.float32, torch.float16, torch.bfloat16):
         assert loom.torch.normals(points.detach().to(dtype), 9).dtype == dtype
@@ -180,7 +180,7 @@ def test_poses_that_are_not_determined_have_no_gradient():
     source = (flat + torch.tensor([0, 0, 0.01])).requires_grad_()
     poses = loom.torch.icp(source, flat, max_distance=0.2, normals=up)
     with pytest.raises(
-        RuntimeError, match="icp: 1 of 2 poses have no gradient, such as that of cloud 1: .*detach these"
+        RuntimeError, match=r"icp: 1 of 2 poses have no gradient, such as that of cloud 1: .*detach these"
     ):
         poses[1].sum().backward()
     far = loom.torch.icp(source, flat + 9, max_distance=0.2)
@@ -194,8 +194,31 @@ def test_poses_that_are_not_determined_have_no_gradient():
         grad.sum().backward()
 
 
+@pytest.mark.parametrize("shape", ["cone", "box"])
+def test_a_cone_turns_about_its_axis_and_a_box_does_not(shape):
+    """Surfaces that MIN_DETERMINED was not chosen on."""
+    height, angle = seeded(1, 600) + 0.2, 2 * torch.pi * seeded(1, 600, seed=1)
+    axes = angle.cos(), angle.sin()
+    points, normals = (
+        torch.stack([height * axes[0], height * axes[1], height], -1),
+        torch.stack([*axes, -(axes[0] ** 0)], -1),
+    )
+    if shape == "box":
+        normals = torch.eye(3, dtype=torch.float64)[torch.arange(600) % 3][None]
+        points = torch.where(normals > 0, 1, seeded(1, 600, 3))
+    normals = normals / normals.norm(dim=-1, keepdim=True)
+    source = (points[:, :300] + 0.005).requires_grad_()
+    poses = loom.torch.icp(source, points, max_distance=0.2, normals=normals)
+    if shape == "cone":
+        with pytest.raises(RuntimeError, match="icp: 1 of 1 poses have no gradient"):
+            poses.sum().backward()
+    else:
+        poses.sum().backward()
+        assert source.grad.abs().max() < 1
+
+
 def test_graphs_are_compiled_without_breaks_and_runs_are_identical():
-    source, target, normals = (each.detach().float() for each in pair())
+    source, target, _ = (each.detach().float() for each in pair())
     vertices, triangles, _ = sphere()
 
     def loss(source, target, vertices):
@@ -218,22 +241,22 @@ P, F, V = torch.rand(2, 5, 3), torch.tensor([[0, 1, 2]]), torch.rand(3, 3)
 @pytest.mark.parametrize(
     ("call", "error", "message"),
     [
-        (lambda: loom.torch.signed_distance((V, F), P[..., :2]), ValueError, r"^points: expected shape \[..., 3\], got \[2, 5, 2\]"),
-        (lambda: loom.torch.signed_distance((V, F.float()), P), TypeError, "^triangles: expected integers, got torch.float32"),
-        (lambda: loom.torch.signed_distance((V[:2], F), P), ValueError, r"^triangles: expected vertices 0..1, got 0..2"),
+        (lambda: loom.torch.signed_distance((V, F), P[..., :2]), ValueError, r"^points: expected shape \[..., 3\], got \[2, 5, 2\]"),  # noqa: E501
+        (lambda: loom.torch.signed_distance((V, F.float()), P), TypeError, "^triangles: expected integers, got torch.float32"),  # noqa: E501
+        (lambda: loom.torch.signed_distance((V[:2], F), P), ValueError, r"^triangles: expected vertices 0..1, got 0..2"),  # noqa: E501
         (lambda: loom.torch.signed_distance((V, F[:0]), P), ValueError, r"^triangles: expected shape .* got \[0, 3\]"),
         (lambda: loom.torch.signed_distance(V, P), TypeError, "^mesh: expected a pair of vertices and triangles"),
-        (lambda: loom.torch.signed_distance((V, F), P.numpy()), TypeError, "^points: expected a torch tensor, got ndarray"),
+        (lambda: loom.torch.signed_distance((V, F), P.numpy()), TypeError, "^points: expected a torch tensor, got ndarray"),  # noqa: E501
         (lambda: loom.torch.normals(P, 0), ValueError, "^k: expected an integer >= 1, got 0"),
-        (lambda: loom.torch.transform(P, torch.eye(3)), ValueError, r"^poses: expected shape \[4, 4\] or \[2, 4, 4\], got \[3, 3\]"),
-        (lambda: loom.torch.icp(P, P, max_distance=0.0), ValueError, "^max_distance: expected a number above 0, got 0.0"),
-        (lambda: loom.torch.icp(P, P, max_distance=None), TypeError, "^max_distance: expected a number above 0, got NoneType"),
-        (lambda: loom.torch.icp(P, P, torch.eye(3), max_distance=1.0), ValueError, r"^init: expected shape .* got \[3, 3\]"),
-        (lambda: loom.torch.icp(P, P, max_distance=1.0, normals=P[0]), ValueError, r"^normals: expected shape \[2, 5, 3\]"),
-        (lambda: loom.torch.icp(P, P, max_distance=1.0, max_iterations=0), ValueError, "^max_iterations: expected an integer >= 1"),
-        (lambda: loom.torch.icp(P[:0], P[:0], max_distance=1.0), ValueError, r"^source: expected at least one cloud, got shape \[0, 5, 3\]"),
+        (lambda: loom.torch.transform(P, torch.eye(3)), ValueError, r"^poses: expected shape \[4, 4\] or \[2, 4, 4\], got \[3, 3\]"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=0.0), ValueError, "^max_distance: expected a number above 0, got 0.0"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=None), TypeError, "^max_distance: expected a number above 0, got NoneType"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, torch.eye(3), max_distance=1.0), ValueError, r"^init: expected shape .* got \[3, 3\]"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=1.0, normals=P[0]), ValueError, r"^normals: expected shape \[2, 5, 3\]"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=1.0, max_iterations=0), ValueError, "^max_iterations: expected an integer >= 1"),  # noqa: E501
+        (lambda: loom.torch.icp(P[:0], P[:0], max_distance=1.0), ValueError, r"^source: expected at least one cloud, got shape \[0, 5, 3\]"),  # noqa: E501
     ],
-)  # fmt: skip
+)  # fmt: skip  # one case per line
 def test_errors_name_the_argument_and_the_shapes(call, error, message):
     with pytest.raises(error, match=message):
         call()
