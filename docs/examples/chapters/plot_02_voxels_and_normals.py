@@ -114,7 +114,7 @@ by_normal = loom.render(
 
 floor = thin.points[:, 2] < 0.03
 tilt = np.degrees(np.arccos(np.clip(thin.normals[floor, 2], -1, 1)))
-print(f"{floor.sum()} points of the floor; the normals of {np.mean(tilt < 1):.0%} are upright to a degree")
+print(f"{floor.sum()} points of the floor; the normals of {np.mean(tilt < 1):.0%} are vertical within a degree")
 assert np.median(tilt) < 8
 
 # %%
