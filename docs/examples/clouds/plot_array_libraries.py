@@ -94,8 +94,8 @@ for library in ("torch", "cupy"):
 # %%
 # Export
 # ------
-# ``cloud.array("points")`` is the array on the device. ``torch.from_dlpack`` and similar functions accept it. On the
-# CPU, ``numpy.from_dlpack`` does, too. ``cloud.points`` is always a NumPy array.
+# ``cloud.array("points")`` is an array of the cloud's library without a copy, here a Warp array. On the CPU,
+# ``numpy.from_dlpack`` accepts it. ``cloud.points`` is always a NumPy array.
 dlpack_array = np.from_dlpack(shared.array("points"))
 print(
     "DLPack gives",
