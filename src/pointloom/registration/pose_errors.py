@@ -16,11 +16,14 @@ from ..kernels.linear_algebra import eigh, eigvalsh, inv, matmul, solve
 from ..kernels.poses.alignment_rows import AlignmentRows, PairedSurfaces
 from ..kernels.surface.hollow_side import Surface
 from . import assessment_constants as constants
-from .rigid import invert_pose, skew, symmetric_matrices
+from .rigid import invert_pose, make_pose, skew, symmetric_matrices
 from .surfaces import SurfacePair
 from .unobservable_motions import Localizability
 
 Matrix = NDArray[np.float64]
+# T_blocks_frame. Along the axes of the frame, a face of blocks would divide the points of a floor or wall by the sign
+# of their noise, as if both parts had an error in common.
+BLOCK_AXES = make_pose(np.array([[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]) / 3, np.zeros(3))
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,7 +174,7 @@ def _solve(
         _, matrix, right, _ = _normal_equations(rows, motion, free)
         motion[free] = -solve(matrix, right)
     weight, matrix, _, width = _normal_equations(rows, motion, free)
-    blocks, scores = rows.block_scores(motion, width, block_size, frame)
+    blocks, scores = rows.block_scores(motion, width, block_size, matmul(BLOCK_AXES, frame))
     inverse, count = inv(matrix), len(scores)
     influences = -matmul(scores[:, free], inverse.T) * math.sqrt(count / max(count - len(free), 1))
     unit, noise = weight * (inverse + inverse.T) / 2, width / constants.WEIGHT_WIDTH
