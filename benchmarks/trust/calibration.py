@@ -289,7 +289,7 @@ def frame_lines(is_fitted: bool, count: int) -> list[str]:
         for method, one in frame_components(seed).items():
             found.setdefault(("rooms, RGB-D frames", method), []).append(one)
     paths = frame_errors.path_errors(range(first + 1, first + 1 + max(count // PAIRS_OF_WALK, 1)))
-    ends = frame_errors.errors_there_and_back(is_fitted, count)
+    ends = frame_errors.errors_there_and_back(is_fitted, max(count // 4, 1))
     for error in (*frame_errors.half_errors(count, not is_fitted), *paths, *ends):
         row = found.setdefault((error.scenes, error.method), [])
         row.append(whitened(error.error, error.matrix, error.center))
