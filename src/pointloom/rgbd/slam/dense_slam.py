@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
+from ...cameras.frame_check import FrameCheck
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_progress, check_rigid, check_seed
 from ...core.devices import DeviceLike
@@ -39,15 +40,16 @@ from .map_merging import Joining
 from .maps import FusedFrame, Maps, SlamMap, map_sizes
 from .model import SlamModel
 from .results import TrackingResult, with_pose
-from .stream_check import STALE, StreamCheck
+from .stream_check import DOUBTFUL, STALE, WINDOW_FRAMES, StreamCheck
 from .submaps import SubmapRecorder
 from .tracker import Tracker, clean_pose
 
 Pose = NDArray[np.float64]
 
 # Fused frames that can be withdrawn, 2 MB each at 640 x 480. A time offset is detected after 20 to 25 frames with
-# rotation. Earlier frames before it had no rotation, so their color and depth agree.
+# rotation. Streams of moving cameras were known to be synchronized at most 63 frames ago, cameras at rest are not.
 MAX_UNCHECKED = 90
+REMAINS = f"it remains in the model: only the last {MAX_UNCHECKED} fused frames can be removed"
 MAX_RESTART_FRAMES = 60  # frames in which a model with moving objects restarts: two seconds at 30 Hz
 
 
@@ -75,6 +77,8 @@ class DenseSLAM(Serialized):
             frame's do not match, `stream.problems` those of all frames.
         foreground: The Foreground: detection of near objects that move independently and are excluded.
         fixed_parts: The FixedParts: detection of objects fixed to the camera, which are excluded.
+        images: The FrameCheck of depth and color: `images.warnings` reports mirrored or unregistered images and a wrong
+            depth scale of the frames so far.
 
     Raises:
         ValueError: A size is not positive, or a pose is not rigid.
@@ -123,8 +127,10 @@ class DenseSLAM(Serialized):
             check_count("submap_frames", submap_frames, minimum=2)
         self.results: list[TrackingResult] = []
         self.stream, self.foreground, self.fixed_parts = StreamCheck(), Foreground(), FixedParts()
+        self.images = FrameCheck(intrinsic, depth_scale)
         self._latest: tuple[Any, SensorFrame] | None = None
         self._unchecked: deque[FusedFrame] = deque(maxlen=MAX_UNCHECKED)
+        self._doubted: deque[int] = deque()  # frames that wait for the comparison of later ones
         self._maps = Maps(self._new_map)
         self._joining = Joining(self._maps, self.results, self._seed)
 
@@ -227,8 +233,11 @@ class DenseSLAM(Serialized):
             ValueError: The image size is not the camera's.
         """
         prepared = self.model.prepare(frame)
+        self.images.add(getattr(frame, "depth", None), getattr(frame, "color", None))
         with unwatched():  # a lost camera may be found by registration
             result = self._track(prepared)
+        if result.warnings == (DOUBTFUL,):
+            self._doubted.append(len(self.results))
         self.results.append(result)
         self._latest = frame, prepared
         report("track", slam=self, result=result)
@@ -419,6 +428,7 @@ class DenseSLAM(Serialized):
         while self._unchecked and self._unchecked[0].number < first:
             self._unchecked.popleft()
         if apart is None:
+            self._clear_doubts()
             return
         withdrawn = [frame.number for frame in self._unchecked if frame.owner in self._maps.searchable]
         for frame in self._unchecked:
@@ -426,9 +436,22 @@ class DenseSLAM(Serialized):
                 frame.owner.withdraw(frame)
                 self.results[frame.number] = dataclasses.replace(self.results[frame.number], fused=False)
         self._unchecked.clear()
+        self._doubted.clear()
         for i in range(first, len(self.results)):
-            if self.results[i].is_tracked and not self.results[i].fused:
-                self.results[i] = dataclasses.replace(self.results[i], status="uncertain", warnings=(str(apart),))
+            if (result := self.results[i]).is_tracked or result.warnings == (DOUBTFUL,):
+                warnings = (str(apart), REMAINS) if result.fused else (str(apart),)
+                self.results[i] = dataclasses.replace(result, status="uncertain", warnings=warnings)
+
+    def _clear_doubts(self) -> None:
+        """Accept doubtful frames if the comparison of the frames after them found no problem. They are not fused."""
+        if self.stream.lag.is_doubtful:
+            return
+        while self._doubted and self._doubted[0] <= len(self.results) - WINDOW_FRAMES:
+            number = self._doubted.popleft()
+            result = self.results[number]
+            if result.warnings == (DOUBTFUL,):
+                accepted = dataclasses.replace(result, status="tracked", warnings=())
+                self.results[number] = judge_drift(accepted, self.model.volume.truncation)
 
     def _restarts(self, frame: SensorFrame) -> bool:
         """True if near pixels move independently while a young model contains them, which must then restart."""
