@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.reports import failed
 from .camera import PinholeCameraIntrinsic
 
 Floats = NDArray[np.float64]
@@ -26,6 +27,8 @@ SCALES = np.array([0.625, 0.68, 0.74, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.11, 1.1
 MIN_EDGES, MIN_IN_VIEW = 800, 0.25  # cells, and fraction of them in the color image
 # Registered: five recordings within 2 cells, of which a moving camera shifts one by time, scale 1.
 MAX_REGISTERED_SHIFT, MAX_REGISTERED_SCALE = 3, 0.06
+# Colors of such a scale hardly affect poses: those of the kitchen, of an unregistered Kinect, fit at 0.9 (2026-11-29).
+MAX_HARMLESS_SCALE = 1.15
 MIN_PEAK = 4.0  # excess of the best fit over the median of all, in standard deviations of all
 MAX_REGISTERED_RATIO = 0.6  # of the excess of the images as given to that of the best fit
 KINDS = {
@@ -57,6 +60,13 @@ class _Sample(NamedTuple):
     shade: NDArray[np.float32]
 
 
+class _Registration(NamedTuple):
+    """How color is not registered to depth, and whether it affects poses."""
+
+    problem: str | None = None
+    is_severe: bool = False
+
+
 class FrameCheck:
     """Keeps a few small frames of a stream, and checks whether their images and the camera belong together.
 
@@ -71,7 +81,7 @@ class FrameCheck:
         self._samples: list[_Sample] = []
         self._steps: list[float] = []
         self._every, self._count = 1, 0
-        self._pairing: tuple[int, str] = -1, ""
+        self._pairing = -1, _Registration()
 
     def add(self, depth: object, color: object) -> None:
         """Add the next frame on the host. Others are skipped."""
@@ -88,25 +98,33 @@ class FrameCheck:
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed checks of the frames so far."""
-        return tuple(filter(None, (self._why_unregistered(), self._why_scaled())))
+        pairing = self._registered
+        return failed(pairing.problem if pairing.is_severe else None, self._why_scaled())
 
-    def _why_unregistered(self) -> str:
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """A registration of color that is not exact, which affects colors, not poses."""
+        pairing = self._registered
+        return () if pairing.is_severe else failed(pairing.problem)
+
+    @property
+    def _registered(self) -> _Registration:
         if self._pairing[0] != self._count:
             self._pairing = self._count, _registration(self._samples, self._side)
         return self._pairing[1]
 
-    def _why_scaled(self) -> str:
+    def _why_scaled(self) -> str | None:
         known = [step for step in self._steps if np.isfinite(step)]
         if len(known) <= 0.5 * len(self._steps) or self._intrinsic.width > MAX_STRUCTURED_LIGHT_WIDTH:
-            return ""
+            return None
         step, given = float(np.median(known)), self._depth_scale
         likely = min(UNITS, key=lambda unit: abs(math.log(unit * step / given / USUAL_STEP)))
         is_unit = max(likely * step / given / USUAL_STEP, given * USUAL_STEP / step / likely) < MAX_UNIT_ERROR
         if not is_unit or max(likely / given, given / likely) < MIN_SCALE_ERROR:
-            return ""
+            return None
         return (
-            f"depth_scale: depth values are {step:.2g} z^2 apart [m], which is usual with {likely:g} units per meter, not "
-            f"with {given:g}; pass depth_scale={likely:g}"
+            f"depth_scale: depth values are {step:.2g} z^2 apart [m], which is usual with {likely:g} units per meter, "
+            f"not with {given:g}; pass depth_scale={likely:g}"
         )
 
 
@@ -191,12 +209,12 @@ def _hypotheses() -> list[tuple[tuple[int, int], float]]:
     return [(signs, 1.0) for signs in KINDS.values()] + [((1, 1), float(s)) for s in SCALES if s != 1.0]
 
 
-def _registration(samples: list[_Sample], side: int) -> str:
-    """How color and depth images are not registered, or an empty string."""
+def _registration(samples: list[_Sample], side: int) -> _Registration:
+    """Compare color with depth over flips, scales and shifts."""
     scores = [_scores(sample) for sample in samples]
     count = sum(number for *_, number in scores)
     if count < MIN_EDGES:
-        return ""
+        return _Registration()
     seen = np.sum([one for _, one, _ in scores], axis=0)
     mean = np.sum([one for one, *_ in scores], axis=0) / np.maximum(seen, 1.0)[:, None]
     is_tested = seen >= MIN_IN_VIEW * count
@@ -213,11 +231,10 @@ def _registration(samples: list[_Sample], side: int) -> str:
     is_registered &= bool(np.abs(shift).max() < MAX_REGISTERED_SHIFT)
     best = float(excess.max())
     if is_registered or best < MIN_PEAK * spread or given > MAX_REGISTERED_RATIO * best:
-        return ""
+        return _Registration()
     how = [next(name for name, its_signs in KINDS.items() if its_signs == signs)] if signs != (1, 1) else []
     how += [f"scaled by {scale:.2g}"] if scale != 1.0 else []
     how += [f"shifted by {shift[0] * side:d}, {shift[1] * side:d} px"] if np.abs(shift).max() > 1 else []
-    return (
-        f"color and depth are not registered: the edges of depth fit the color image if they are {' and '.join(how)}; "
-        "register color to depth before"
-    )
+    is_severe = signs != (1, 1) or abs(np.log(scale)) > np.log(MAX_HARMLESS_SCALE)
+    text = f"color and depth are not registered: the edges of depth fit the color image if they are {' and '.join(how)}"
+    return _Registration(f"{text}; register color to depth before", bool(is_severe))

@@ -111,7 +111,7 @@ def fuse(
     checks: dict[str, Any] = {
         "fraction_off": None if refine else check.fraction_off(fold.volume), "seen_extent": check.seen_extent(),
         "camera": camera, "depth_factor": depth_factor,
-        "source_warnings": (*source_warnings(frames), *check.images.warnings),
+        "source_warnings": (*source_warnings(frames), *check.images.warnings), "notes": check.images.notes,
     }  # fmt: skip
     clock.stop("check")
     return FusionResult(mesh, fold.volume, poses, max_depth, *fractions, threshold, fold.refinement, **checks)

@@ -130,7 +130,7 @@ class DenseSLAM(Serialized):
         self.images = FrameCheck(intrinsic, depth_scale)
         self._latest: tuple[Any, SensorFrame] | None = None
         self._unchecked: deque[FusedFrame] = deque(maxlen=MAX_UNCHECKED)
-        self._doubted: deque[int] = deque()  # frames that wait for the comparison of later ones
+        self._doubted: dict[int, FusedFrame | None] = {}  # frames that wait for the comparison of later ones
         self._maps = Maps(self._new_map)
         self._joining = Joining(self._maps, self.results, self._seed)
 
@@ -237,7 +237,7 @@ class DenseSLAM(Serialized):
         with unwatched():  # a lost camera may be found by registration
             result = self._track(prepared)
         if result.warnings == (DOUBTFUL,):
-            self._doubted.append(len(self.results))
+            self._doubted[len(self.results)] = None
         self.results.append(result)
         self._latest = frame, prepared
         report("track", slam=self, result=result)
@@ -249,7 +249,7 @@ class DenseSLAM(Serialized):
         Raises:
             ValueError: No frame was tracked yet, or the last one was fused already.
         """
-        if not self.results or self.results[-1].fused:
+        if not self.results or self.results[-1].fused or self._doubted.get(self.results[-1].index):
             raise ValueError(
                 "frame: expected the last tracked frame, which can be integrated once; call track with it first"
             )
@@ -258,15 +258,21 @@ class DenseSLAM(Serialized):
         if given is not frame:  # the same images in another array
             prepared = self.model.prepare(frame)
         result = self.results[-1]
-        if result.pose is None or not (result.is_tracked or result.has_drifted):
+        is_doubtful = result.index in self._doubted
+        if result.pose is None or not (result.is_tracked or result.has_drifted or is_doubtful):
             return False
         depth, pixels = self.model.fuse(prepared, result.pose)
         here = self._maps.here
-        if prepared.pixels is not None:  # without color the streams cannot be compared
-            self._unchecked.append(FusedFrame(result.index, here, depth, pixels, result.pose))
+        fused = FusedFrame(result.index, here, depth, pixels, result.pose)
         if here.recorder is not None:
             with unwatched():
                 record_frame(here.recorder, prepared, depth, pixels, result)
+        if is_doubtful:  # only tracking uses it until the next frames are compared
+            here.withdraw(fused)
+            self._doubted[result.index] = fused
+            return False
+        if prepared.pixels is not None:  # without color the streams cannot be compared
+            self._unchecked.append(fused)
         is_new = self.keyframes.is_new_view(result.pose)
         if is_new:
             self.keyframes.add(prepared.pyramid, result.pose, result.index, view_of(prepared, self.stream.view))
@@ -333,6 +339,7 @@ class DenseSLAM(Serialized):
         report_progress = check_progress(progress)
         self.join_maps()
         self._unchecked.clear()  # the poses change
+        self._doubted = dict.fromkeys(self._doubted)
         largest = self._largest
         with unwatched():
             for other in self._maps.searchable:
@@ -443,15 +450,20 @@ class DenseSLAM(Serialized):
                 self.results[i] = dataclasses.replace(result, status="uncertain", warnings=warnings)
 
     def _clear_doubts(self) -> None:
-        """Accept doubtful frames if the comparison of the frames after them found no problem. They are not fused."""
+        """Accept doubtful frames if the comparison of the frames after them found no problem."""
         if self.stream.lag.is_doubtful:
             return
-        while self._doubted and self._doubted[0] <= len(self.results) - WINDOW_FRAMES:
-            number = self._doubted.popleft()
-            result = self.results[number]
-            if result.warnings == (DOUBTFUL,):
-                accepted = dataclasses.replace(result, status="tracked", warnings=())
-                self.results[number] = judge_drift(accepted, self.model.volume.truncation)
+        for number in [n for n in self._doubted if n <= len(self.results) - WINDOW_FRAMES]:
+            fused, result = self._doubted.pop(number), self.results[number]
+            if result.warnings != (DOUBTFUL,):  # of a map that was discarded
+                continue
+            is_kept = fused is not None and fused.owner in self._maps.searchable
+            accepted = dataclasses.replace(result, status="tracked", warnings=(), fused=is_kept)
+            self.results[number] = judge_drift(accepted, self.model.volume.truncation)
+            if fused is not None and is_kept:
+                fused.owner.restore(fused)
+                known = sorted([*self._unchecked, fused], key=lambda frame: frame.number)
+                self._unchecked = deque(known, MAX_UNCHECKED)
 
     def _restarts(self, frame: SensorFrame) -> bool:
         """True if near pixels move independently while a young model contains them, which must then restart."""
@@ -467,6 +479,7 @@ class DenseSLAM(Serialized):
             return False
         self._maps.here.begin_again(clean_pose(pose), self._new_recorder(self.model))
         self._unchecked.clear()
+        self._doubted.clear()
         return True
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:

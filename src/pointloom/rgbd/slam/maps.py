@@ -59,6 +59,12 @@ class SlamMap:
         if self.recorder is not None:
             self.recorder._withdraw(frame.number, frame.depth, frame.pose, frame.pixels)
 
+    def restore(self, frame: FusedFrame) -> None:
+        """Add a withdrawn frame to the surface and the submaps again."""
+        self.model._restore(frame.depth, frame.pixels, frame.pose)
+        if self.recorder is not None:
+            self.recorder._restore(frame.number, frame.depth, frame.pose, frame.pixels)
+
     def leave(self) -> None:
         """Mark the camera as lost here since it continues in another map."""
         motion = self.tracker.motion

@@ -184,7 +184,7 @@ class _Tally:
             stream=stream, deviations=tuple(results[n].position_deviation for n in main),
             pose_covariances=tuple(found for n in main if (found := results[n].pose_covariance) is not None),
             drifted=tuple(n for n, result in located.items() if result.has_drifted),
-            covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ())),
+            covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ()), *self.slam.images.notes),
             depth_fraction=depth_fraction, used_fraction=used_fraction, camera=self.slam.check_camera(), **sizes,
         )  # fmt: skip
 
