@@ -19,11 +19,11 @@ from .camera import PinholeCameraIntrinsic
 Floats = NDArray[np.float64]
 
 MAX_FRAMES = 8  # sampled frames
-COLUMNS = 160  # cells of a row: 4 px of 640
+CELL_COLUMNS = 160  # cells of a row: 4 px of 640
 MIN_JUMP = 0.08  # relative depth difference of neighboring cells at an edge
 STRONG_PERCENTILE = 90.0  # of the gradients of an image: those above it are equal
 MAX_SHIFT = 8  # [cells] tested shifts: 5% of the width
-SCALES = np.array([0.625, 0.68, 0.74, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.11, 1.18, 1.25, 1.35, 1.47, 1.6])
+TESTED_SCALES = np.array([0.625, 0.68, 0.74, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.11, 1.18, 1.25, 1.35, 1.47, 1.6])
 MIN_EDGES, MIN_IN_VIEW = 800, 0.25  # cells, and fraction of them in the color image
 # Registered: five recordings within 2 cells, of which a moving camera shifts one by time, scale 1.
 MAX_REGISTERED_SHIFT, MAX_REGISTERED_SCALE = 3, 0.06
@@ -31,7 +31,7 @@ MAX_REGISTERED_SHIFT, MAX_REGISTERED_SCALE = 3, 0.06
 MAX_HARMLESS_SCALE = 1.15
 MIN_PEAK = 4.0  # excess of the best fit over the median of all, in standard deviations of all
 MAX_REGISTERED_RATIO = 0.6  # of the excess of the images as given to that of the best fit
-KINDS = {
+FLIP_SIGNS = {
     "": (1, 1),
     "mirrored left-right": (1, -1),
     "mirrored upside down": (-1, 1),
@@ -41,7 +41,7 @@ KINDS = {
 # Usual step of the depth by squared depth [1/m] of structured light: Kinects of four recordings 0.0027 to 0.0029, an
 # Xtion 0.0036 (2026-11-29). A wrong unit multiplies it. Stereo cameras of 640 px have 0.0009 to 0.0016 by their data.
 USUAL_STEP = 0.003
-UNITS = (1000.0, 5000.0)  # per meter, of such sensors: millimeters, and the unit of TUM
+UNITS_PER_METER = (1000.0, 5000.0)  # per meter, of such sensors: millimeters, and the unit of TUM
 MAX_UNIT_ERROR, MIN_SCALE_ERROR = 1.25, 2.0  # factors: of the estimated unit, and of a wrong one
 MAX_STRUCTURED_LIGHT_WIDTH = 640  # [px] stereo cameras with larger images have steps of 0.0006
 MIN_STEPS, MAX_STEP_SPREAD = 40, 0.12  # number of steps, and their median relative deviation
@@ -77,7 +77,7 @@ class FrameCheck:
 
     def __init__(self, intrinsic: PinholeCameraIntrinsic, depth_scale: float):
         self._intrinsic, self._depth_scale = intrinsic, depth_scale
-        self._side = max(1, intrinsic.width // COLUMNS)
+        self._side = max(1, intrinsic.width // CELL_COLUMNS)
         self._samples: list[_Sample] = []
         self._steps: list[float] = []
         self._every, self._count = 1, 0
@@ -118,7 +118,7 @@ class FrameCheck:
         if len(known) <= 0.5 * len(self._steps) or self._intrinsic.width > MAX_STRUCTURED_LIGHT_WIDTH:
             return None
         step, given = float(np.median(known)), self._depth_scale
-        likely = min(UNITS, key=lambda unit: abs(math.log(unit * step / given / USUAL_STEP)))
+        likely = min(UNITS_PER_METER, key=lambda unit: abs(math.log(unit * step / given / USUAL_STEP)))
         is_unit = max(likely * step / given / USUAL_STEP, given * USUAL_STEP / step / likely) < MAX_UNIT_ERROR
         if not is_unit or max(likely / given, given / likely) < MIN_SCALE_ERROR:
             return None
@@ -190,7 +190,10 @@ def _scores(sample: _Sample) -> tuple[Floats, Floats, int]:
     gradient = np.minimum(gradient / (np.percentile(gradient, STRONG_PERCENTILE) + 0.5), 1.0)
     (v, u), (rows, columns) = np.nonzero(is_edge), is_edge.shape
     gradient, size = gradient - gradient.mean(), 2 * MAX_SHIFT + 1
-    sums, seen = np.zeros((len(KINDS) + len(SCALES) - 1, size * size)), np.zeros(len(KINDS) + len(SCALES) - 1)
+    sums, seen = (
+        np.zeros((len(FLIP_SIGNS) + len(TESTED_SCALES) - 1, size * size)),
+        np.zeros(len(FLIP_SIGNS) + len(TESTED_SCALES) - 1),
+    )
     pad = MAX_SHIFT
     offsets = (np.arange(size)[:, None] * (columns + 2 * pad) + np.arange(size)).ravel()
     for k, (signs, scale) in enumerate(_hypotheses()):
@@ -206,7 +209,7 @@ def _scores(sample: _Sample) -> tuple[Floats, Floats, int]:
 
 def _hypotheses() -> list[tuple[tuple[int, int], float]]:
     """Signs of the axes, and scale. The images as given are the first."""
-    return [(signs, 1.0) for signs in KINDS.values()] + [((1, 1), float(s)) for s in SCALES if s != 1.0]
+    return [(signs, 1.0) for signs in FLIP_SIGNS.values()] + [((1, 1), float(s)) for s in TESTED_SCALES if s != 1.0]
 
 
 def _registration(samples: list[_Sample], side: int) -> _Registration:
@@ -232,7 +235,7 @@ def _registration(samples: list[_Sample], side: int) -> _Registration:
     best = float(excess.max())
     if is_registered or best < MIN_PEAK * spread or given > MAX_REGISTERED_RATIO * best:
         return _Registration()
-    how = [next(name for name, its_signs in KINDS.items() if its_signs == signs)] if signs != (1, 1) else []
+    how = [next(name for name, its_signs in FLIP_SIGNS.items() if its_signs == signs)] if signs != (1, 1) else []
     how += [f"scaled by {scale:.2g}"] if scale != 1.0 else []
     how += [f"shifted by {shift[0] * side:d}, {shift[1] * side:d} px"] if np.abs(shift).max() > 1 else []
     is_severe = signs != (1, 1) or abs(np.log(scale)) > np.log(MAX_HARMLESS_SCALE)

@@ -450,7 +450,7 @@ class DenseSLAM(Serialized):
                 self.results[i] = dataclasses.replace(result, status="uncertain", warnings=warnings)
 
     def _clear_doubts(self) -> None:
-        """Accept doubtful frames if the comparison of the frames after them found no problem."""
+        """Accept suspect frames if the comparison of the frames after them found no problem."""
         if self.stream.lag.is_doubtful:
             return
         for number in [n for n in self._doubted if n <= len(self.results) - WINDOW_FRAMES]:
@@ -461,7 +461,7 @@ class DenseSLAM(Serialized):
             accepted = dataclasses.replace(result, status="tracked", warnings=(), fused=is_kept)
             self.results[number] = judge_drift(accepted, self.model.volume.truncation)
             if fused is not None and is_kept:
-                fused.owner.restore(fused)
+                fused.owner.withdraw(fused, is_restored=True)
                 known = sorted([*self._unchecked, fused], key=lambda frame: frame.number)
                 self._unchecked = deque(known, MAX_UNCHECKED)
 

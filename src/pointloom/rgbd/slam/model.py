@@ -118,20 +118,18 @@ class SlamModel(Serialized):
         self.volume, self._without, self.movers = volume, surface, Movers()
         self._withdrawn = 0 if surface is None else surface.frame_count + 1  # its frames are not added again
 
-    def _withdraw(self, depth: AnyArray, pixels: AnyArray | None, pose: Pose) -> None:
-        """Remove what `fuse` returned for a frame from the surface. Tracking continues with the complete volume."""
-        if self._without is None:
-            self._without = self.volume.copy()
-        self._without.remove_device_frame(depth, self.intrinsic, pose, pixels, self.depth_max)
-        self._withdrawn += 1
-
-    def _restore(self, depth: AnyArray, pixels: AnyArray | None, pose: Pose) -> None:
-        """Add a withdrawn frame to the surface again."""
-        self._withdrawn -= 1
+    def _withdraw(self, depth: AnyArray, pixels: AnyArray | None, pose: Pose, is_restored: bool) -> None:
+        """Remove what `fuse` returned for a frame from the surface, or add it again. Tracking uses all frames."""
+        self._withdrawn += -1 if is_restored else 1
         if not self._withdrawn:
             self._without = None
-        elif self._without is not None:
+            return
+        if self._without is None:
+            self._without = self.volume.copy()
+        if is_restored:
             self._without.integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
+        else:
+            self._without.remove_device_frame(depth, self.intrinsic, pose, pixels, self.depth_max)
 
     def begin_anew(self, pose: Pose) -> None:
         """Reset the volume. The next frame is at the given T_world_camera."""
