@@ -160,7 +160,7 @@ class StreamCheck:
         assert self.view is not None
         motion = self.lag.add(frame.pyramid if frame.pixels is not None else None, frame.timestamp)
         count = self._frozen.add(motion, self.view)
-        self.lag.leave_out(max(count, min(self.stalled, 1)))
+        self.lag.leave_out(count)
         return STALE if count else self.problem or (DOUBTFUL if self.lag.is_doubtful and not self.stalled else "")
 
     @property
