@@ -38,7 +38,7 @@ def kitchen(count: int) -> tuple[list[Any], Any]:
     data = loom.open_dataset(real_data("rgbd-7scenes-redkitchen"))
     frames = []
     for index in range(count):
-        f = data.read(index)
+        f: Any = data.read(index)
         height, width = f.depth.shape
         color = f.color.reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3)).astype(np.uint8)
         frames.append(of(np.ascontiguousarray(f.depth[::2, ::2]), color, f.T_world_camera, index / 30))
@@ -50,7 +50,7 @@ def room(count: int, **effects: Any) -> tuple[list[Any], Any]:
     from room_loops import room_loop_sequence
 
     sequence = room_loop_sequence(400, "eight", width=160, height=120, **effects)
-    frames = [sequence.read(index) for index in range(count)]
+    frames: list[Any] = [sequence.read(index) for index in range(count)]
     return [of(f.depth, f.color, f.T_world_camera, f.timestamp) for f in frames], sequence.intrinsic
 
 
