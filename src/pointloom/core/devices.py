@@ -11,9 +11,8 @@ from .cuda_driver import why_no_gpu
 from .errors import DeviceError
 
 if TYPE_CHECKING:
-    import warp as wp
-
     import torch  # pyright: ignore[reportMissingImports]  an optional package
+    import warp as wp
 
 #: Argument of `resolve_device`.
 DeviceLike: TypeAlias = "str | wp.Device | torch.device | None"

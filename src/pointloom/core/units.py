@@ -14,8 +14,8 @@ import warnings
 from collections.abc import Iterable, Iterator
 from contextvars import ContextVar
 
-from .checks import check_positive, shown
 from .argument_errors import HIDDEN_FILE
+from .checks import check_positive, shown
 from .escaped_text import escaped
 
 SAME_FRACTION = 1e-7  # relative rounding tolerance of a known unit: the two feet differ by 2e-6

@@ -124,6 +124,7 @@ def take_pair(
     """
     check_tensor(names[0], query)
     check_tensor(names[1], points)
+    check_device(names[0], query)
     check_device(names[1], points, query)
     layouts = zip(_pair("lengths", lengths), _pair("batch", batch), _pair("offsets", offsets), strict=True)
     first, second = (dict(zip(("lengths", "batch", "offsets"), layout, strict=True)) for layout in layouts)

@@ -1,4 +1,4 @@
-"""Meshes, normals and poses of batches: distances to triangles with gradients, transformations, and the nearest surface.
+"""Distances to meshes with gradients, normals of batches of clouds, and transformations.
 
 Distances to a mesh are formulas of torch about the closest triangles, so gradients of every order are right where the
 closest part of the mesh does not change. They are computed in float64.
@@ -28,15 +28,15 @@ from .operators import (
     tensor_of,
 )
 
-Mesh = Any  # TriangleMesh, or a pair of vertices (V, 3) and triangles (F, 3)
+Mesh = TriangleMesh | tuple[torch.Tensor, torch.Tensor]  # the latter: vertices (V, 3) and triangles (F, 3)
 
 
 def point_to_mesh_distance(mesh: Mesh, points: torch.Tensor) -> torch.Tensor:
     """Compute the distance of each point to a mesh, with gradients with respect to the points and the vertices.
 
     Args:
-        mesh: A pair of tensors, vertices (V, 3) and triangles (F, 3) of integers, or a TriangleMesh, whose vertices have
-            no gradient.
+        mesh: A pair of tensors, vertices (V, 3) and triangles (F, 3) of integers, or a TriangleMesh, which has no
+            gradient.
         points: Shape (..., 3). Batches of clouds have the same mesh.
 
     Returns:
@@ -121,11 +121,7 @@ def normals(
 
 
 def transform(
-    points: torch.Tensor,
-    poses: torch.Tensor,
-    *,
-    batch: torch.Tensor | None = None,
-    offsets: torch.Tensor | None = None,
+    points: torch.Tensor, poses: torch.Tensor, *, batch: torch.Tensor | None = None, offsets: torch.Tensor | None = None
 ) -> torch.Tensor:
     """Transform each cloud by its pose, with gradients with respect to both.
 
@@ -181,7 +177,7 @@ def _mesh_distances(mesh: Mesh, points: torch.Tensor, *, is_signed: bool) -> tup
     return distances.reshape(points.shape[:-1]).to(points.dtype), is_inside.reshape(points.shape[:-1])
 
 
-def _take_mesh(mesh: Mesh, points: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+def _take_mesh(mesh: object, points: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
     """Vertices, float64 (V, 3), and triangles, int64 (F, 3), on the device of the points."""
     if isinstance(mesh, TriangleMesh):
         corners = torch.tensor(mesh.triangles, dtype=torch.int64, device=points.device)
@@ -240,14 +236,15 @@ def closest_triangles(
     """The closest triangle of each point, int64 (n), -1 if there is none, and which points are inside the mesh."""
     scene = RaycastingScene(device=resolve_device(points.device))
     scene.add_triangles(vertices, triangles.int())
-    faces = scene.compute_closest_points(points)["primitive_ids"].view(torch.int32).long()
+    found: Any = scene.compute_closest_points(points)["primitive_ids"]  # a tensor, as the points
+    faces = found.view(torch.int32).long()
     if not is_signed:
         return faces, torch.zeros(len(points), dtype=torch.bool, device=points.device)
     return faces, scene.compute_signed_distance(points) < 0
 
 
 @closest_triangles.register_fake
-def _(vertices: Any, triangles: Any, points: Any, is_signed: bool) -> Any:
+def _(vertices: torch.Tensor, triangles: torch.Tensor, points: torch.Tensor, is_signed: bool) -> Any:
     return points.new_empty(len(points), dtype=torch.int64), points.new_empty(len(points), dtype=torch.bool)
 
 
@@ -258,7 +255,7 @@ def listed_normals(points: torch.Tensor, rows: torch.Tensor) -> torch.Tensor:
 
 
 @listed_normals.register_fake
-def _(points: Any, rows: Any) -> Any:
+def _(points: torch.Tensor, rows: torch.Tensor) -> Any:
     return points.new_empty((len(points), 3), dtype=torch.float64)
 
 

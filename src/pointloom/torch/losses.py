@@ -1,11 +1,11 @@
 """Distances between batches of clouds: Chamfer and Hausdorff distance with gradients, and F-scores.
 
-All are made of the nearest neighbors in both directions and of `gather_rows` and `scatter_sum`. Gradients of every order
-are right where the nearest neighbors do not change, and results are bitwise identical in each run.
+All are made of the nearest neighbors in both directions, `gather_rows` and `scatter_sum`. Gradients of every order are
+right where the nearest neighbors do not change, and results are bitwise identical in each run.
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import torch
 
@@ -13,7 +13,8 @@ from .batches import Batch, take_batch, take_pair
 from .neighbors import batch_neighbors
 from .operators import gather_rows, scatter_sum
 
-NAMES = ("source", "target")
+ARGUMENT_NAMES = ("source", "target")
+Layout = torch.Tensor | tuple[torch.Tensor | None, torch.Tensor | None] | None  # of both clouds, or of each
 
 
 class FScore(NamedTuple):
@@ -36,11 +37,11 @@ def chamfer_distance(
     *,
     norm: int = 2,
     normals: tuple[torch.Tensor, torch.Tensor] | None = None,
-    lengths: Any = None,
-    batch: Any = None,
-    offsets: Any = None,
+    lengths: Layout = None,
+    batch: Layout = None,
+    offsets: Layout = None,
     batch_size: int | None = None,
-) -> Any:
+) -> torch.Tensor | tuple[torch.Tensor, torch.Tensor]:
     """Compute the Chamfer distance of each pair of clouds: the mean distances to the nearest points, both ways, added.
 
     Args:
@@ -50,16 +51,16 @@ def chamfer_distance(
         lengths, batch, offsets, batch_size: Layout of the batches, as of `knn`.
 
     Returns:
-        Distances (B), or a number for single clouds. With normals, a pair: the distances and the mean of 1 - |cos| of the
-        angles between the normals of nearest points, both ways, added. Two clouds without points have distance 0. If one
-        has no points, the distance is infinite.
+        Distances (B), or a number for single clouds. With normals, a pair: the distances, and the means of 1 - |cos| of
+        the angles between the normals of nearest points, both ways, added. Two clouds without points have distance 0.
+        If only one has no points, the distance is infinite.
 
     Raises:
         TypeError, ValueError: Wrong types or shapes, clouds that do not match, or another norm.
 
     Notes:
-        The gradient of a Euclidean distance of 0 is 0. Fan, Su and Guibas, "A point set generation network for 3D object
-        reconstruction from a single image", CVPR 2017.
+        The gradient of a Euclidean distance of 0 is 0. Fan, Su and Guibas, "A point set generation network for 3D
+        object reconstruction from a single image", CVPR 2017.
 
     Example:
         >>> import torch, pointloom as loom
@@ -70,7 +71,7 @@ def chamfer_distance(
     if norm not in (1, 2) or isinstance(norm, bool):
         raise ValueError(f"norm: expected 1 or 2, got {norm!r}")
     layout = {"lengths": lengths, "batch": batch, "offsets": offsets, "batch_size": batch_size}
-    a, b = take_pair(source, target, NAMES, width=None, **layout)
+    a, b = take_pair(source, target, ARGUMENT_NAMES, width=None, **layout)
     there, back = _nearest(a, b), _nearest(b, a)
     measure = root if norm == 1 else torch.Tensor.clone
     distances = _means(a, measure(there[1])) + _means(b, measure(back[1]))
@@ -86,9 +87,9 @@ def hausdorff_distance(
     source: torch.Tensor,
     target: torch.Tensor,
     *,
-    lengths: Any = None,
-    batch: Any = None,
-    offsets: Any = None,
+    lengths: Layout = None,
+    batch: Layout = None,
+    offsets: Layout = None,
     batch_size: int | None = None,
 ) -> torch.Tensor:
     """Compute the Hausdorff distance of each pair of clouds: the largest distance to a nearest point, of both ways.
@@ -112,7 +113,7 @@ def hausdorff_distance(
         4.0
     """
     layout = {"lengths": lengths, "batch": batch, "offsets": offsets, "batch_size": batch_size}
-    a, b = take_pair(source, target, NAMES, width=None, **layout)
+    a, b = take_pair(source, target, ARGUMENT_NAMES, width=None, **layout)
     both = torch.stack([_maxima(a, _nearest(a, b)[1]), _maxima(b, _nearest(b, a)[1])])
     larger = both.argmax(0, keepdim=True)  # the first of equal ones, so that one of them has the gradient
     return _shaped(a, root(both.gather(0, larger)[0]), torch.promote_types(source.dtype, target.dtype))
@@ -123,9 +124,9 @@ def f_score(
     target: torch.Tensor,
     threshold: float,
     *,
-    lengths: Any = None,
-    batch: Any = None,
-    offsets: Any = None,
+    lengths: Layout = None,
+    batch: Layout = None,
+    offsets: Layout = None,
     batch_size: int | None = None,
 ) -> FScore:
     """Compute the F-score of each pair of clouds: how many points have a point of the other cloud within a distance.
@@ -158,7 +159,7 @@ def f_score(
         raise ValueError(f"threshold: expected a number above 0, got {threshold}")
     layout = {"lengths": lengths, "batch": batch, "offsets": offsets, "batch_size": batch_size}
     with torch.no_grad():
-        a, b = take_pair(source, target, NAMES, width=None, **layout)
+        a, b = take_pair(source, target, ARGUMENT_NAMES, width=None, **layout)
         limit = threshold * threshold
         precision = _means(a, (_nearest(a, b)[1] < limit).to(a.points.dtype))
         recall = _means(b, (_nearest(b, a)[1] < limit).to(a.points.dtype))
@@ -179,7 +180,9 @@ def nearest_rows(a: Batch, b: Batch, k: int = 1) -> tuple[torch.Tensor, torch.Te
     axes = a.points.shape[1]
     if not 0 < axes <= 3:
         raise ValueError(f"source and target: expected at most 3 coordinates, got {axes}")
-    first, second = (torch.nn.functional.pad(each.points, (0, 3 - axes)) if axes < 3 else each.points for each in (a, b))
+    first, second = (
+        torch.nn.functional.pad(each.points, (0, 3 - axes)) if axes < 3 else each.points for each in (a, b)
+    )
     layout = a.starts(), a.sizes(), b.starts(), b.sizes(), a.width or first.shape[0], b.width or second.shape[0]
     return batch_neighbors(first, second, *layout, k, math.inf, False)
 
@@ -209,7 +212,7 @@ def _maxima(a: Batch, values: torch.Tensor) -> torch.Tensor:
     return gather_rows(values[:, None], first[: a.count])[:, 0]
 
 
-def _normals(normals: Any, source: torch.Tensor, target: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+def _normals(normals: object, source: torch.Tensor, target: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
     if not isinstance(normals, (tuple, list)) or len(normals) != 2:
         raise TypeError("normals: expected a pair of tensors, of the source and of the target")
     for name, each, points in (("source", normals[0], source), ("target", normals[1], target)):

@@ -9,7 +9,7 @@ from ..kernels.lang import vec3, vec3d
 from ..kernels.search.batch_neighbors import search_batch
 from ..kernels.search.cloud_batch import CloudRows
 from .batches import Batch, take_pair
-from .operators import check_count, device_array, gather_rows, operator, scatter_sum, tensor_of
+from .operators import check_count, device_array, gather_rows, operator, scatter_sum, tensor_of, unbatched
 
 
 class Neighbors(NamedTuple):
@@ -180,3 +180,18 @@ def _backward(ctx: Any, _: Any, grad: torch.Tensor) -> tuple[Any, ...]:
 
 
 batch_neighbors.register_autograd(_backward, setup_context=_save)
+
+
+@batch_neighbors.register_vmap
+def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
+    """The batches of an axis as one: the clouds of each follow those of the one before."""
+    query, points, a, b, c, d, *rest, k, radius, is_local = unbatched(info.batch_size, in_dims, given)
+    size, (rows, columns) = info.batch_size, (query.shape[1], points.shape[1])
+    shifts = torch.arange(size, device=query.device, dtype=torch.int32)[:, None]
+    starts, others = (a + shifts * rows).reshape(-1), (c + shifts * columns).reshape(-1)
+    tables = (starts, b.reshape(-1), others, d.reshape(-1))
+    found = batch_neighbors(query.reshape(-1, 3), points.reshape(-1, 3), *tables, *rest, k, radius, is_local)
+    indices, sqdists = (each.reshape(size, rows, k) for each in found)
+    if not is_local:
+        indices = torch.where(indices < 0, indices, indices - shifts[..., None] * columns)
+    return (indices, sqdists), (0, 0)

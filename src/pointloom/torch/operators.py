@@ -141,6 +141,35 @@ scatter_sum.register_autograd(
 )
 
 
+def unbatched(size: int, in_dims: tuple[int | None, ...], given: tuple[Any, ...]) -> list[Any]:
+    """The arguments of an operator under `torch.vmap`, each tensor with the axis of the batches first."""
+    moved = []
+    for value, axis in zip(given, in_dims, strict=True):
+        if not isinstance(value, torch.Tensor):
+            moved.append(value)
+        else:
+            moved.append(value.expand(size, *value.shape) if axis is None else value.movedim(axis, 0))
+    return moved
+
+
+@gather_rows.register_vmap
+def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
+    values, index = unbatched(info.batch_size, in_dims, given)
+    size, rows, columns = values.shape
+    shifts = torch.arange(size, device=index.device)[:, None] * rows
+    flat = torch.where((index < 0) | (index >= rows), -1, index + shifts).reshape(-1)
+    return gather_rows(values.reshape(-1, columns), flat).reshape(size, -1, columns), 0
+
+
+@scatter_sum.register_vmap
+def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
+    values, index, rows = unbatched(info.batch_size, in_dims, given)
+    size, _, columns = values.shape
+    shifts = torch.arange(size, device=index.device)[:, None] * rows
+    flat = torch.where((index < 0) | (index >= rows), -1, index + shifts).reshape(-1)
+    return scatter_sum(values.reshape(-1, columns), flat, size * rows).reshape(size, rows, columns), 0
+
+
 def checks_values(tensor: torch.Tensor) -> bool:
     """True if checks may read values: not on a GPU, where the host would wait, nor while torch traces."""
     return tensor.device.type == "cpu" and not torch.compiler.is_compiling()

@@ -20,6 +20,7 @@ from .operators import (
     refuse_gradients,
     scatter_sum,
     tensor_of,
+    unbatched,
 )
 
 KEY_BITS = 62  # of a cloud and a voxel
@@ -103,6 +104,15 @@ def batch_farthest_points(
 @batch_farthest_points.register_fake
 def _(points: torch.Tensor, starts: torch.Tensor, sizes: torch.Tensor, num_samples: int) -> torch.Tensor:
     return points.new_empty((starts.shape[0], num_samples), dtype=torch.int64)
+
+
+@batch_farthest_points.register_vmap
+def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
+    points, starts, sizes, num_samples = unbatched(info.batch_size, in_dims, given)
+    shifts = torch.arange(info.batch_size, device=points.device, dtype=torch.int32)[:, None] * points.shape[1]
+    tables = (starts + shifts).reshape(-1), sizes.reshape(-1)
+    chosen = batch_farthest_points(points.reshape(-1, 3), *tables, num_samples)
+    return chosen.reshape(info.batch_size, -1, num_samples), 0
 
 
 refuse_gradients(batch_farthest_points, "farthest_points")

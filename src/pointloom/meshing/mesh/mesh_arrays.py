@@ -311,14 +311,14 @@ class MeshArrays(StoredArrays, Movable):
 
         Operations keep them: floating values are interpolated at new vertices, others copied from the nearest.
         """
-        vertices = self.arrays["vertices"].size
-        return MeshAttributes(self.arrays, "vertex_attributes", vertices, "vertex", tuple(PER_VERTEX))
+        vertices, own = self.arrays["vertices"].size, self.arrays.attributes["vertex_attributes"]
+        return MeshAttributes(self.arrays, own, vertices, "vertex", tuple(PER_VERTEX))
 
     @property
     def triangle_attributes(self) -> MeshAttributes:
         """Additional triangle values, shape (t,) or (t, c). Parts of a triangle inherit its values."""
-        fields = tuple(PER_TRIANGLE)
-        return MeshAttributes(self.arrays, "triangle_attributes", len(self), "triangle", fields)
+        own = self.arrays.attributes["triangle_attributes"]
+        return MeshAttributes(self.arrays, own, len(self), "triangle", tuple(PER_TRIANGLE))
 
     def _read(self, name: str, width: int = 3) -> NDArray[np.float32] | None:
         return read_only(owned(self.arrays[name]).reshape(-1, width)) if name in self.arrays else None

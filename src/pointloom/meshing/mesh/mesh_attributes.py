@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
@@ -13,10 +13,8 @@ from ...core.checks import check_name, shown
 from ...core.escaped_text import escaped
 from ...kernels.arrays.select import gather_rows
 from ...pcd.attribute_columns import upload_column
+from ...pcd.point_store import ArrayStore
 from ...pcd.stored_arrays import read_only
-
-if TYPE_CHECKING:
-    from .mesh_store import MeshStore
 
 Arrays = dict[str, wp.array]
 
@@ -25,8 +23,8 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     """Read-only NumPy attributes of shape (n,) or (n, c) by name, n the mesh's vertices or triangles. Assignment
     accepts numbers of up to 64 bits and booleans, and keeps the type."""
 
-    def __init__(self, store: MeshStore, name: str, count: int, of: str, fields: tuple[str, ...]):
-        self._store, self._arrays, self._count, self._of, self._fields = store, store.attributes[name], count, of, fields
+    def __init__(self, store: ArrayStore, arrays: Arrays, count: int, of: str, fields: tuple[str, ...]):
+        self._store, self._arrays, self._count, self._of, self._fields = store, arrays, count, of, fields
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         return read_only(owned(self._arrays[name]))
