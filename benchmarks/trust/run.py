@@ -35,6 +35,7 @@ OWN = (
     "depth",
     "lidar",
     "stream",
+    "cameras",
     "tracking",
     "maps",
     "registration",
