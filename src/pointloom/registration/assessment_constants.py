@@ -31,6 +31,7 @@ PAIRS = "fitted: 93 correct poses of the fitted half of benchmarks/trust/alignme
 WALLS = "fitted: bare corridors and tunnels 0.0001 to 0.03; streets, halls, woods 0.02 to 0.3, 2026-11-22"
 BLOCKED = "fitted: LiDAR and moving cameras up to 0.013, half of the wrong poses above 0.02, 2026-11-25"
 PLACES = "fitted: benchmarks/trust/fit_assessment.py, rooms, sites, streets and real scans, seeds 0 to 11, 2026-11-28"
+FEATURES = "fitted: TODO"
 OPEN_SITES = "fitted: three synthetic corridors, a tunnel, a field; doors of 6 cm and far boxes, 2026-11-25"
 
 # Surfaces
@@ -82,6 +83,9 @@ RELIEF_MATCHES: Annotated[int, Constant("number of these slopes", IMAGES)] = 400
 MIN_VISIBLE_WITH_RELIEF: Annotated[float, Constant("fraction of all matches with relief", IMAGES)] = 0.45
 CONFLICT_SIGMAS: Annotated[float, Constant("contradicting distance", "0.3 % of a normal distribution", SIGMA)] = 3.0
 NOISE_RADIUS: Annotated[float, Constant("radius of the noise", "2 voxels", MATCH)] = 4 / 3
+# Score: features that agree with the pose of a search
+MIN_FEATURE_RATIO: Annotated[float, Constant("agreeing features relative to the best other pose", FEATURES)] = 2.2
+CHANCE_FEATURES: Annotated[float, Constant("agreeing features of a pose by chance", FEATURES)] = 10.0
 
 # Displacement and covariance
 PAIR_RADIUS: Annotated[float, Constant("distance of pairs", "twice the match distance", VOXEL)] = 3.0

@@ -18,13 +18,15 @@ from ...kernels.arrays.row_numbers import distinct_pairs
 from ...kernels.arrays.subsets import draw_rows
 from ...kernels.features.feature_matching import pair_features
 from ...kernels.features.fpfh import compute_features
-from ...kernels.lang import int32
+from ...kernels.lang import int32, mat44d
 from ...kernels.linear_algebra import matmul
-from ...kernels.memory import upload
+from ...kernels.memory import download, upload, zeros
 from ...kernels.poses.consensus_poses import find_consensus
 from ...kernels.poses.pair_fits import PairCoordinates
+from ...kernels.poses.pose_hypotheses import score_poses
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
+from ..assessment_constants import CHANCE_FEATURES
 from ..correspondence_input import check_clouds, check_pairs, pairs_on_device
 from ..evidence import Evidence, Witness, compare_under, complete, rate_surfaces
 from ..icp.evaluation import evaluate_registration
@@ -158,7 +160,8 @@ def register_described(
             tilt = np.degrees(MAX_TILT)
             return _unknown(f"all {len(consensus.poses)} candidate poses tilt by {tilt:.0f} degrees or more", source)
     rivals = int((support >= MIN_RIVAL_SUPPORT * support[0]).sum())
-    result, evidence, others = _choose(*witnesses, poses[:MAX_CANDIDATES], rivals, NOISE_VOXELS * size, refine, free)
+    limits = rivals, NOISE_VOXELS * size, refine, free
+    result, evidence, others = _choose(*witnesses, pairs, poses[:MAX_CANDIDATES], *limits)
     score, equals = evidence.score, 1 + len(others)
     origins = source.arrays.origin, target.arrays.origin
     T = to_world(result.transformation, *origins)
@@ -170,7 +173,7 @@ def register_described(
         lambda: evaluate_registration(*pair, NOISE_VOXELS * size, T).correspondence_set,
         outcome=Outcome(result.iterations, score / equals > 0.5),
         motions=Motions(result.degenerate_directions, result.free),
-        clouds=Registered(*pair, NOISE_VOXELS * size),
+        clouds=Registered(*pair, NOISE_VOXELS * size, feature_ratio=evidence.feature_ratio),
     )
     chosen.score = score / equals
     if score <= 0.5:
@@ -187,6 +190,7 @@ def register_described(
 def _choose(
     source: Witness,
     target: Witness,
+    pairs: wp.array,
     candidates: NDArray[np.float64],
     rivals: int,
     distance: float,
@@ -214,7 +218,8 @@ def _choose(
         # The reported free motions are those of ICP, which include weakly determined ones.
         last = refined(result.transformation[None], distance, 1, free)[0]
         result.degenerate_directions = last.degenerate_directions
-    evidence = rate_surfaces(source, target, result.transformation, distance, details=True)
+    ratio = _compare_features(source.surface, target.surface, pairs, result.transformation, candidates, distance)
+    evidence = rate_surfaces(source, target, result.transformation, distance, details=True, feature_ratio=ratio)
     if evidence.score <= 0.5:
         equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
         return result, evidence, [poses[k] for k in equals]
@@ -230,6 +235,25 @@ def _choose(
         alike = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
     others = [k for k in alike if _is_equal(rate_surfaces(source, target, poses[k], distance, details=True), evidence)]
     return result, evidence, [poses[k] for k in others]
+
+
+def _compare_features(
+    source: Surface,
+    target: Surface,
+    pairs: wp.array,
+    pose: NDArray[np.float64],
+    others: NDArray[np.float64],
+    distance: float,
+) -> float:
+    """Correspondences within the distance under a pose, relative to the best distinct pose of others. Two syncs."""
+    moved, center = moved_samples(source, np.stack([pose, *others])), np.zeros(3, np.float32)
+    is_distinct = ((moved[1:] - moved[0]) ** 2).sum(axis=2).mean(axis=1) > (POSE_SEPARATION * distance) ** 2
+    poses = np.stack([pose, *others[is_distinct]])
+    counts = zeros(len(poses), int32, source.device)
+    coordinates = PairCoordinates(source.points, target.points, pairs, center, center)
+    score_poses(coordinates, upload(poses, mat44d, source.device), distance, counts)
+    agreeing = download(counts).astype(float)  # sync
+    return float(agreeing[0] / max(CHANCE_FEATURES, *agreeing[1:]))
 
 
 def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
