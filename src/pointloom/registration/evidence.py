@@ -94,26 +94,24 @@ class Evidence(NamedTuple):
 
     @property
     def score_of_details(self) -> float:
-        """Score of the number of matches, and of those beside the planes or of the relief on them, 0..1.
-
-        Features that agree with this pose much more than with any other pose of a search replace all of them.
-        """
+        """Score of the number of matches, and of those beside the planes or of the relief on them, 0..1."""
         usual = min(self.score_of_number, self.score_beside_planes)
         if self.details is None:
-            return max(usual, self.score_of_features)
+            return self._weighed(usual)
         visible, rest, matches, relief, relief_matches, _ = self.details
         number = visible * math.sqrt(self.matches) / constants.VISIBLE_CHANCE
         beside = _exceeds(min(rest / constants.MIN_DETAIL, visible / constants.MIN_VISIBLE, number))
-        few = _exceeds(rest * math.sqrt(matches) / constants.DETAIL_CHANCE)
+        few = _exceeds(min(rest * math.sqrt(matches) / constants.DETAIL_CHANCE, matches / constants.MIN_DETAIL_MATCHES))
         slopes = min(relief / constants.MIN_RELIEF, relief_matches / constants.RELIEF_MATCHES)
         on_planes = min(slopes, visible / constants.MIN_VISIBLE_WITH_RELIEF)
-        on_all = min(max(usual, beside), few, self.details.score_of_agreement)
-        return max(on_all, _exceeds(on_planes), self.score_of_features)
+        all_matches = self._weighed(min(max(usual, beside), few, self.details.score_of_agreement))
+        return max(all_matches, _exceeds(on_planes))
 
-    @property
-    def score_of_features(self) -> float:
-        """Score of the features that agree with the pose, 0..1."""
-        return _exceeds(self.feature_ratio / constants.MIN_FEATURE_RATIO)
+    def _weighed(self, score: float) -> float:
+        """The score if its quantities are multiplied by a weight above 1 for features that agree with this pose alone."""
+        weight = min(max(self.feature_ratio / constants.MANY_FEATURES, 1.0), constants.MAX_FEATURE_WEIGHT)
+        odds = score * weight**constants.LIMIT_STEEPNESS
+        return odds / (odds + 1 - score)
 
     @property
     def score_of_number(self) -> float:

@@ -334,7 +334,7 @@ def _motion(source: PointCloud, T: Matrix) -> tuple[float, float]:
 
 
 def _feature_ratio(searched: RegistrationResult | None, T: Matrix, distance: float) -> float:
-    """The ratio of features of a search, if the refined pose is still the one that was found; 0 otherwise."""
+    """The ratio of features of a search, if the refined pose is still the one that was found; else 0."""
     if searched is None or searched._clouds is None:
         return 0.0
     source, change = searched._clouds.source, (T - searched.transformation)[:3]
