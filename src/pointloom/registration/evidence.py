@@ -102,13 +102,14 @@ class Evidence(NamedTuple):
         number = visible * math.sqrt(self.matches) / constants.VISIBLE_CHANCE
         beside = _exceeds(min(rest / constants.MIN_DETAIL, visible / constants.MIN_VISIBLE, number))
         few = _exceeds(min(rest * math.sqrt(matches) / constants.DETAIL_CHANCE, matches / constants.MIN_DETAIL_MATCHES))
-        slopes = min(relief / constants.MIN_RELIEF, relief_matches / constants.RELIEF_MATCHES)
+        unexplained = (1 - constants.MIN_RELIEF) / max(1 - relief, 1e-9)
+        slopes = min(unexplained, relief_matches / constants.RELIEF_MATCHES)
         on_planes = min(slopes, visible / constants.MIN_VISIBLE_WITH_RELIEF)
         all_matches = self._weighed(min(max(usual, beside), few, self.details.score_of_agreement))
         return max(all_matches, _exceeds(on_planes))
 
     def _weighed(self, score: float) -> float:
-        """The score if its quantities are multiplied by a weight above 1 for features that agree with this pose alone."""
+        """The score if its quantities are multiplied by a weight, above 1 if features agree with this pose alone."""
         weight = min(max(self.feature_ratio / constants.MANY_FEATURES, 1.0), constants.MAX_FEATURE_WEIGHT)
         odds = score * weight**constants.LIMIT_STEEPNESS
         return odds / (odds + 1 - score)
