@@ -30,7 +30,6 @@ from calibration import HELD_OUT, Pair  # noqa: E402
 from judged import Judged, share_in_words  # noqa: E402
 from pages import write_between  # noqa: E402
 
-from pointloom.registration import assessment_constants as constants  # noqa: E402
 from pointloom.registration.evidence import compare_surfaces, witness_of  # noqa: E402
 from pointloom.registration.rigid import to_local  # noqa: E402
 
@@ -38,8 +37,8 @@ Array = NDArray[np.float64]
 DOCS = FOLDER.parent.parent / "docs"
 PAIRS = 12  # of each kind of scene
 SCORE, DISPLACEMENT, ICP = "score of a global search", "displacement of a pose", "reliability of ICP"
-LIMITS = {SCORE: constants.MIN_SCORE, DISPLACEMENT: constants.MAX_DISTANCE, ICP: constants.MIN_SCORE}
-LABELS = {SCORE: "score", DISPLACEMENT: "standard deviations", ICP: "agreement"}
+QUANTITIES = {SCORE: "limit of the score", DISPLACEMENT: "limit of the displacement", ICP: "limit of the agreement"}
+UNSUPPORTED = 1e3  # [voxels] displacement of a pose without enough matches
 SMALL = ("shifted by 0.5 voxels", "shifted by 2 voxels", "rotated by 2 degrees")  # wrong poses of the displacement
 
 
@@ -75,9 +74,10 @@ def posed(count: int) -> Iterator[Case]:
             for what, is_right, points, T in fit_assessment.poses(pair, before):
                 source = loom.PointCloud(points)
                 if what in ("registered", *SMALL):
-                    found = loom.registration.assess_registration(source, target, T, 1.5 * pair.voxel).alignment
-                    value = -found.distance if found.is_supported else -np.inf
-                    yield Case(DISPLACEMENT, is_right, max(value, -1e6), found.aligned)
+                    found = loom.registration.assess_registration(source, target, T, 1.5 * pair.voxel)
+                    alignment, is_small = found.alignment, bool(found.notes)
+                    value = alignment.displacement / pair.voxel if alignment.is_supported else UNSUPPORTED
+                    yield Case(DISPLACEMENT, is_right, -value, alignment.aligned or is_small)
                 if not what.endswith("then ICP") or "another" in what:
                     yield _refined(source, target, T, pair, is_other_place="another" in what)
             before = None if kind in fit_assessment.SAME_PLACE else pair.source
@@ -112,10 +112,12 @@ def draw(cases: Sequence[Case], path: Path) -> None:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(12, 4), layout="constrained")
-    for axes, decision in zip(figure.subplots(1, len(LIMITS)), LIMITS, strict=True):
+    for axes, decision in zip(figure.subplots(1, len(QUANTITIES)), QUANTITIES, strict=True):
         mine = [case for case in cases if case.decision == decision]
         rejected, accepted = curve(mine)
-        axes.step(100 * rejected, 100 * accepted, where="post", color="tab:blue")
+        axes.step(
+            100 * rejected, 100 * accepted, where="post", color="tab:blue", label=f"for each {QUANTITIES[decision]}"
+        )
         x, y = (100 * np.mean(rates) if rates else 0.0 for rates in _errors(mine))
         axes.plot([x], [y], "o", color="tab:red", label=f"in use: {x:.1f} % rejected, {y:.1f} % accepted")
         right = sum(case.is_right for case in mine)
@@ -138,7 +140,7 @@ def table(cases: Sequence[Case]) -> list[str]:
     """Rows of Markdown: the operating points, and the limits that reject 5% of the correct results."""
     lines = ["| decision | wrong accepted | correct rejected | wrong accepted if 5% of the correct were rejected |"]
     lines.append("|---|---|---|---|")
-    for decision in LIMITS:
+    for decision in QUANTITIES:
         mine = [case for case in cases if case.decision == decision]
         refused, passed = _errors(mine)
         rejected, accepted = curve(mine)
@@ -156,8 +158,10 @@ def main() -> None:
     parser.add_argument("--write", action="store_true", help="write docs/trust_curves.png and its table")
     arguments = parser.parse_args()
     if not arguments.poses.exists():
-        rows = [json.dumps(asdict(case)) for case in posed(arguments.pairs)]
-        arguments.poses.write_text("\n".join(rows) + "\n")
+        with arguments.poses.open("w") as lines:
+            for case in posed(arguments.pairs):
+                lines.write(json.dumps(asdict(case)) + "\n")
+                lines.flush()
     cases = [Case(**json.loads(line)) for line in arguments.poses.read_text().splitlines()]
     cases += scored(arguments.scores)
     print("\n".join(table(cases)))
