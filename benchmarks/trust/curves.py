@@ -92,9 +92,9 @@ def _refined(source: object, target: object, start: Array, pair: Pair, *, is_oth
     result = loom.registration.registration_icp(left, right, 1.5 * pair.voxel, start, plane)
     middle = np.append(pair.source.mean(axis=0), 1)
     is_right = not is_other_place and bool(np.linalg.norm((result.transformation - pair.T)[:3] @ middle) < pair.voxel)
-    surfaces = [witness_of(cloud, 1.5 * pair.voxel).surface for cloud in (left, right)]
-    local = to_local(result.transformation, left.origin, right.origin)
-    return Case(ICP, is_right, compare_surfaces(*surfaces, local, 1.5 * pair.voxel).score_with_planes, result.reliable)
+    a, b = (witness_of(cloud, 1.5 * pair.voxel).surface for cloud in (left, right))
+    pose = to_local(result.transformation, left.origin, right.origin)
+    return Case(ICP, is_right, compare_surfaces(a, b, pose, 1.5 * pair.voxel).score_with_planes, result.reliable)
 
 
 def curve(cases: Sequence[Case]) -> tuple[Array, Array]:
@@ -119,7 +119,7 @@ def draw(cases: Sequence[Case], path: Path) -> None:
             100 * rejected, 100 * accepted, where="post", color="tab:blue", label=f"for each {QUANTITIES[decision]}"
         )
         x, y = (100 * np.mean(rates) if rates else 0.0 for rates in _errors(mine))
-        axes.plot([x], [y], "o", color="tab:red", label=f"in use: {x:.1f} % rejected, {y:.1f} % accepted")
+        axes.plot([x], [y], "o", color="tab:red", label=f"in use: {x:.1f} % and {y:.1f} %")
         right = sum(case.is_right for case in mine)
         axes.set_title(f"{decision}\n{right:,} correct and {len(mine) - right:,} wrong results")
         axes.set(xlabel="correct results rejected [%]", ylabel="wrong results accepted [%]", xlim=(-1, 60))
@@ -127,7 +127,7 @@ def draw(cases: Sequence[Case], path: Path) -> None:
         axes.set_ylim(-0.05, 100)
         axes.set_yticks([0, 1, 10, 100], ["0", "1", "10", "100"])
         axes.grid(alpha=0.3)
-        axes.legend(loc="upper right")
+        axes.legend(loc="upper right", fontsize=8)
     figure.savefig(path, dpi=100)
 
 
