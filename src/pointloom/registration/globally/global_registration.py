@@ -26,7 +26,7 @@ from ...kernels.poses.pair_fits import PairCoordinates
 from ...kernels.poses.pose_hypotheses import score_poses
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ..assessment_constants import CHANCE_FEATURES
+from ..assessment_constants import CHANCE_FEATURES, MIN_DETAIL_MATCHES, MIN_RELIEF
 from ..correspondence_input import check_clouds, check_pairs, pairs_on_device
 from ..evidence import Evidence, Witness, compare_under, complete, rate_surfaces
 from ..icp.evaluation import evaluate_registration
@@ -45,6 +45,7 @@ MIN_RIVAL_SUPPORT = 0.3  # minimum relative support of a rival
 # Relative share above which evidence is equal, chosen with those of rating.py. Second poses of right results have up to
 # 0.33 beside the planes. A staircase moved by one step has 0.74.
 EQUAL_EVIDENCE_RATIO = 0.7
+EQUAL_RELIEF = 0.75  # correlation of the slopes above which ground or steps are an alternative
 POSE_SEPARATION = 2.0  # match distances between distinct poses
 # Motions with eigenvalues below this fraction of the largest are not refined. ICP leaves out those below 5e-3, such as
 # shifts along ground with slopes of 3 degrees, and 7 poses stayed 0.03 to 0.3 m off there. All converged with 1e-3.
@@ -269,6 +270,10 @@ def _is_equal(evidence: Evidence, best: Evidence) -> bool:
     """True if a pose has about as much evidence as the best, in total and without planes."""
     if best.score <= 0.5:
         return 0 < EQUAL_EVIDENCE_RATIO * best.fraction <= evidence.fraction
+    if evidence.details is not None:  # an alternative needs less proof than a result
+        unexplained = (1 - evidence.details.relief) * (1 - MIN_RELIEF) / (1 - EQUAL_RELIEF)
+        matches = max(evidence.details.matches, MIN_DETAIL_MATCHES)
+        evidence = evidence._replace(details=evidence.details._replace(relief=1 - unexplained, matches=matches))
     return (
         evidence.score > 0.5
         and EQUAL_EVIDENCE_RATIO * best.fraction <= evidence.fraction
