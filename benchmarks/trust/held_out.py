@@ -291,6 +291,7 @@ def registering() -> Iterator[Judged]:
             int(accepted and not right),
             int(right and not accepted),
             "; ".join(result.warnings),
+            f"score {result.score:.3f}",
         )
 
 
@@ -334,6 +335,7 @@ def judged(belief: beliefs.Belief, area: str) -> Judged:
         int(belief.believed and not belief.right),
         int(refused),
         "; ".join(belief.warnings),
+        f"score {belief.score:.3f}",
     )
 
 

@@ -32,6 +32,10 @@ PAIRS = "fitted: 93 correct poses of the fitted half of benchmarks/trust/alignme
 WALLS = "fitted: bare corridors and tunnels 0.0001 to 0.03; streets, halls, woods 0.02 to 0.3, 2026-11-22"
 BLOCKED = "fitted: LiDAR and moving cameras up to 0.013, half of the wrong poses above 0.02, 2026-11-25"
 PLACES = "fitted: benchmarks/trust/fit_assessment.py, rooms, sites, streets and real scans, seeds 0 to 11, 2026-11-28"
+FEATURES = (
+    "fitted: depth images of a kitchen (every 15th) and of benchmarks/trust/places.py, seeds 60 to 63, 2026-11-29"
+)
+RELIEFS = f"{FEATURES}: 34 of 35 correct ones from 0.93, wrong ones up to 0.88"
 OPEN_SITES = "fitted: three synthetic corridors, a tunnel, a field; doors of 6 cm and far boxes, 2026-11-25"
 
 # Surfaces
@@ -76,13 +80,20 @@ MAX_BLOCKED: Annotated[float, Constant("occluding points relative to matches", B
 # Score: details
 MIN_DETAIL: Annotated[float, Constant("fraction beside the planes, within the borders", IMAGES)] = 0.19
 DETAIL_CHANCE: Annotated[float, Constant("the same times the root of its matches", IMAGES)] = 1.35
+MIN_DETAIL_MATCHES: Annotated[int, Constant("number of these matches", FEATURES)] = 25
 MIN_VISIBLE: Annotated[float, Constant("fraction of all matches, within the borders", IMAGES)] = 0.3
 VISIBLE_CHANCE: Annotated[float, Constant("the same times the root of the matches", IMAGES)] = 6.0
-MIN_RELIEF: Annotated[float, Constant("correlation of the slopes on planes", IMAGES)] = 0.75
+MIN_RELIEF: Annotated[float, Constant("correlation of the slopes on planes", RELIEFS)] = 0.9
 RELIEF_MATCHES: Annotated[int, Constant("number of these slopes", IMAGES)] = 400
 MIN_VISIBLE_WITH_RELIEF: Annotated[float, Constant("fraction of all matches with relief", IMAGES)] = 0.45
 CONFLICT_SIGMAS: Annotated[float, Constant("contradicting distance", "0.3 % of a normal distribution", SIGMA)] = 3.0
 NOISE_RADIUS: Annotated[float, Constant("radius of the noise", "2 voxels", MATCH)] = 4 / 3
+# Score: features that agree with the pose of a search, relative to the best other pose
+CHANCE_FEATURES: Annotated[int, Constant("features that agree with any pose by chance", FEATURES)] = 10
+MANY_FEATURES: Annotated[float, Constant("ratio of features from which less other evidence is needed", FEATURES)] = 1.6
+MAX_FEATURE_WEIGHT: Annotated[
+    float, Constant("maximum factor of the other evidence", "highest ratio of a wrong pose 4.1")
+] = 3.0
 
 # Displacement and covariance
 PAIR_RADIUS: Annotated[float, Constant("distance of pairs", "twice the match distance", VOXEL)] = 3.0
