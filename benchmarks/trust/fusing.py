@@ -22,7 +22,7 @@ from sensors import DepthCamera
 
 NEAR, MIN_FRACTION = 0.03, 0.9  # [m], fraction of the vertices
 FRAMES = 24
-SEEDS, FOCAL_SEEDS = range(300, 324), range(400, 444)  # of the sites: 7 kinds, 4 and 2 results each
+SEEDS, FOCAL_SEEDS = range(300, 322), range(400, 443)  # of the sites: 7 kinds, 4 and 2 results each
 SITE_FRAMES, FOCAL_FRAMES, SCALE, SITE_VOXEL = 12, 30, 0.5, 0.02
 WRONG_FOCAL = 0.05  # relative focal length error that should be reported
 
