@@ -26,6 +26,7 @@ FULL := .venv/.stamp-full
 EMULATION := .venv/.stamp-emulation
 BROWSER := .venv/.stamp-browser
 BENCH := .venv/.stamp-bench
+TORCH := build/torch/.stamp
 
 # find_python.sh's choice, or the message that says why there is none
 FIND_PYTHON = python=$$(scripts/find_python.sh "$(PYTHON)")
@@ -38,7 +39,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime setup-bench setup-browser test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage emulated-set rest-set test-browser oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel release trust bench speed docs docs-clean demo clean distclean
+.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime setup-bench setup-browser test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage emulated-set rest-set test-browser test-torch oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel release trust bench speed docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -104,6 +105,10 @@ oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 # In one process: a second Chromium would only take the cores that the first draws with.
 test-browser: $(BROWSER) ## Run the viewer's tests in Chromium
 	@$(BIN)/python -m pytest -n 0 $(if $(filter tests%,$(ARGS)),,tests/browser) $(ARGS)
+
+# In an environment with torch beside .venv, whose packages it uses.
+test-torch: $(TORCH) ## Run the tests and examples of pointloom.torch
+	@build/torch/bin/python -m pytest -n 0 $(if $(filter tests%,$(ARGS)),,tests/torch tests/test_doctests.py -k torch) $(ARGS)
 
 # Where the machine's speed matters most: pages, threads, processes.
 RUNS ?= 20
@@ -222,6 +227,14 @@ $(EMULATION): scripts/install_system_libraries.sh $(FULL)
 
 $(BROWSER): scripts/install_system_libraries.sh $(FULL)
 	@scripts/install_system_libraries.sh browser $(BIN)/python
+	@touch $@
+
+$(TORCH): constraints/torch.txt $(TEST)
+	@echo "Installing torch into build/torch"
+	@$(BIN)/python -m venv --clear build/torch
+	@site() { $$1 -c 'import sysconfig; print(sysconfig.get_path("purelib"))'; }; \
+	echo "import site; site.addsitedir('$$(site $(BIN)/python)')" > "$$(site build/torch/bin/python)/beside.pth"
+	@build/torch/bin/python -m pip --no-input --disable-pip-version-check install --quiet -r constraints/torch.txt
 	@touch $@
 
 $(BENCH): constraints/bench.txt $(FULL)

@@ -8,6 +8,7 @@ first GPU if there is one. Without a GPU these runs are skipped, and one line of
 from __future__ import annotations
 
 import gc
+import importlib.util
 import logging
 import os
 import sys
@@ -84,6 +85,10 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
         terminalreporter.write_line("SKIPPED CUDA: no device here, its tests did not run")
     if not (choice.HAS_TAICHI and oracle.HAS_OPEN3D) and not terminalreporter.config.getoption(choice.OPTION):
         terminalreporter.write_line("SKIPPED Taichi or Open3D: not installed, tests that need them did not run")
+    if importlib.util.find_spec("torch") is None and not terminalreporter.config.getoption(choice.OPTION):
+        terminalreporter.write_line(
+            "SKIPPED torch: not installed, tests/torch did not run. `make test-torch` runs them"
+        )
 
 
 @pytest.fixture
