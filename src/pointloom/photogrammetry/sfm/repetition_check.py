@@ -35,7 +35,7 @@ MAX_FEATURES = 2048  # features per image, those of the largest scale
 MAX_VOTES = 1000  # similar features per image that vote for a shift
 MIN_VOTES = 10  # for a shift, in addition to those by chance: if each feature votes for the partner of another
 # The next four were chosen on photographs of Sceaux, a fountain, a kitchen and skimage.data, and on the facades 0 to 47
-# of benchmarks/trust, 2026-11-29. If fewer than two periods fit, one of the last two must hold.
+# of benchmarks/trust, 2026-11-29. If fewer than two periods fit, the last two are alternatives.
 MAX_ROTATION = math.radians(20)  # [rad] between copies, with 1.5: facades keep 99 % of the votes, text 44 %
 MAX_SIZE_RATIO = 1.5  # of the scales of copies
 MIN_COVERAGE = 0.2  # votes per feature with a copy in the image: wings of a castle 0.1, windows 0.4, stained ones 0.02
