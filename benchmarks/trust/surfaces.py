@@ -8,12 +8,12 @@ chosen. Meshes are simplified, smoothed, cleaned and compared on real and synthe
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-from judged import Judged
-from real_data import DataMissingError, real_data
+from judged import Case, Judged
+from real_data import real_data
 from surface_shapes import HELD_OUT, Sampled, sampled
 
 NEAR, MIN_FRACTION = 0.02, 0.95  # fraction of the diagonal; fraction of the surface
@@ -24,18 +24,19 @@ SMOOTH, ALPHA_CASES = ("star", "hills", "rounded"), 600  # further clouds for al
 LONGEST = 8.0  # maximum border length, in diagonals
 
 
-def shapes() -> Iterator[tuple[str, Any]]:
-    """Meshes of size one, including real ones if available."""
+def shapes() -> dict[str, Callable[[], Any]]:
+    """Functions that make meshes of size one; those of real meshes raise `DataMissingError` without data."""
     import pointloom as loom
 
-    yield "torus", loom.TriangleMesh.create_torus(0.4, 0.12)
-    yield "tall box", loom.TriangleMesh.create_box(0.3, 0.3, 0.9)
-    for name in SHAPES:
-        try:
-            mesh = loom.read_triangle_mesh(real_data(f"mesh-common3d/{name}.obj"))
-        except DataMissingError:
-            continue
-        yield name, mesh.scale(1 / float(np.ptp(mesh.vertices, axis=0).max()), (0, 0, 0))
+    def real(name: str) -> Any:
+        mesh = loom.read_triangle_mesh(real_data(f"mesh-common3d/{name}.obj"))
+        return mesh.scale(1 / float(np.ptp(mesh.vertices, axis=0).max()), (0, 0, 0))
+
+    made = {
+        "torus": lambda: loom.TriangleMesh.create_torus(0.4, 0.12),
+        "tall box": lambda: loom.TriangleMesh.create_box(0.3, 0.3, 0.9),
+    }
+    return made | {name: lambda name=name: real(name) for name in SHAPES}
 
 
 class Truth:
@@ -77,12 +78,17 @@ def _border_of(mesh: Any) -> float:
     return float(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum())
 
 
-def judge() -> Iterator[Judged]:
-    for points in sampled(HELD_OUT, range(CASES), SEED):
-        yield from _through_points(points)
+def cases() -> Iterator[Case]:
     smooth = {name: HELD_OUT[name] for name in SMOOTH}
-    for points in sampled(smooth, range(CASES, CASES + ALPHA_CASES), SEED):
-        yield from _through_points(points, ("alpha",))
+    for k in range(CASES):
+        yield Case(f"cloud {k}", lambda k=k: _surfaces(HELD_OUT, k))
+    for k in range(CASES, CASES + ALPHA_CASES):
+        yield Case(f"cloud {k}", lambda k=k: _surfaces(smooth, k, ("alpha",)))
+
+
+def _surfaces(shapes: dict[str, Any], k: int, *methods: tuple[str, ...]) -> Iterator[Judged]:
+    for points in sampled(shapes, [k], SEED):
+        yield from _through_points(points, *methods)
 
 
 def _through_points(sample: Sampled, methods: tuple[str, ...] = ("poisson", "ball", "alpha")) -> Iterator[Judged]:
