@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -35,6 +35,7 @@ class Sampled:
         points, normals: Shape (n, 3). `normals` is None if the surface is to be reconstructed without given ones.
         is_complete: False if points are missing in a part of the shape.
         alpha: Radius for an alpha shape. None for the default.
+        present: Selects the points of the shape that are not in a part without points.
     """
 
     case: str
@@ -43,6 +44,7 @@ class Sampled:
     normals: Array | None
     is_complete: bool
     alpha: float | None
+    present: Callable[[Array], NDArray[np.bool_]]
 
 
 def _mesh_of(field: Callable[[Array], Array]) -> Any:
@@ -269,17 +271,18 @@ def _sample(name: str, truth: Any, rng: Random) -> Sampled:
     if noise:
         points = points + rng.normal(0, noise * size, points.shape)
         words.append(f"noise of {100 * noise:g} %")
-    is_complete, given = True, None
+    is_complete, given, present = True, None, _all
     fault = rng.choice(
         ["none", "half of it missing", "a hole", "outliers", "normals given", "opposite normals"],
         p=[0.67, 0.05, 0.06, 0.07, 0.11, 0.04],
     )
     if fault == "half of it missing":
-        rows = points[:, 0] < np.median(points[:, 0])
-        points, is_complete = points[rows], False
+        middle = np.median(points[:, 0])
+        present = partial(_left_of, middle)
+        points, is_complete = points[present(points)], False
     elif fault == "a hole":
-        rows = np.linalg.norm(points - points[0], axis=1) > rng.uniform(0.05, 0.3) * size
-        points, is_complete = points[rows], False
+        present = partial(_outside, points[0], rng.uniform(0.05, 0.3) * size)
+        points, is_complete = points[present(points)], False
     elif fault == "outliers":
         low, high = points.min(0) - 0.1 * size, points.max(0) + 0.1 * size
         rows = rng.random(len(points)) < 10 ** rng.uniform(-2.5, -0.5)
@@ -290,7 +293,19 @@ def _sample(name: str, truth: Any, rng: Random) -> Sampled:
         given = normals * np.where(rng.random(len(normals)) < rng.uniform(0.02, 0.5), -1.0, 1.0)[:, None]
     words += [str(fault)] if fault != "none" else []
     alpha = float(rng.uniform(2.5, 8)) * _spacing(points) if rng.random() < 0.5 else None
-    return Sampled(f"{name}, {', '.join(words)}", truth, points, given, is_complete, alpha)
+    return Sampled(f"{name}, {', '.join(words)}", truth, points, given, is_complete, alpha, present)
+
+
+def _all(points: Array) -> NDArray[np.bool_]:
+    return np.ones(len(points), bool)
+
+
+def _left_of(x: float, points: Array) -> NDArray[np.bool_]:
+    return points[:, 0] < x
+
+
+def _outside(center: Array, radius: float, points: Array) -> NDArray[np.bool_]:
+    return np.linalg.norm(points - center, axis=1) > radius
 
 
 def _spacing(points: Array) -> float:
