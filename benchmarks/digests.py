@@ -111,7 +111,7 @@ def parts_of(value: Any) -> dict[str, Any]:
 
 def cloud_parts(cloud: Any) -> dict[str, Any]:
     """The complete contents of a cloud, with positions as stored on the device."""
-    parts = {"origin": cloud.origin, "points": cloud.array("points").numpy(), "grid": cloud.grid}
+    parts = {"origin": cloud.origin, "points": cloud.arrays["points"].numpy(), "grid": cloud.grid}
     parts |= {name: cloud[name] for name in ("normals", "colors") if name in cloud}
     return parts | {"attributes": cloud.attributes}
 

@@ -125,7 +125,7 @@ def cloud_operations() -> dict[str, Callable[[], Any]]:
     return {
         "normals k30": lambda: cloud.estimate_normals(max_nn=30),
         "voxel_down_sample": lambda: cloud.voxel_down_sample(0.2),
-        "knn 20": lambda: search.knn_search(cloud.array("points"), 20),
+        "knn 20": lambda: search.knn_search(cloud.arrays["points"], 20),
         "statistical outliers": lambda: cloud.remove_statistical_outlier(20, 2.0),
         "planar patches": lambda: rooms.detect_planar_patches(max_nn=20),
         "dbscan": lambda: cloud.cluster_dbscan(0.1, 8),

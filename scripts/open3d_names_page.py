@@ -1,7 +1,7 @@
 """Text of docs/open3d-names.md: each name of the installed Open3D in `pointloom.open3d`, and its equivalent in `loom`.
 
-`scripts/write_open3d_names.py` writes the page. A test compares the stored page with this text. Differences in behavior
-are the rows of scripts/open3d_differences.toml.
+Also of docs/other-libraries.md. `scripts/write_open3d_names.py` writes both pages. Tests compare the stored pages.
+Differences in behavior are the rows of scripts/open3d_differences.toml.
 """
 
 from __future__ import annotations
@@ -12,11 +12,12 @@ import inspect
 import itertools
 import re
 import tomllib
+from collections.abc import Iterable
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from pointloom.core.open3d_names import BRIDGE, SHAPES, row_of, sections
+from pointloom.core.open3d_names import BRIDGE, COMMON, SHAPES, row_of, sections
 from pointloom.core.open3d_names import MODULES as MODULE_SECTIONS
 
 MODULES = (
@@ -51,6 +52,16 @@ in [open3d.md](open3d.md).
 Not here as a whole:
 
 {without}
+"""
+COMMON_HEAD = """# Names of other libraries
+
+Names that users of PCL, trimesh, PyVista, PyTorch3D, SciPy and torch try, with the equivalents in pointloom. Accessing
+such a name, or passing such an argument, raises an error with its row of this table, for example `loom.load` or
+`mesh.faces`. The names of Open3D are on a [page of their own](open3d-names.md).
+`.venv/bin/python scripts/write_open3d_names.py` writes this page.
+
+| name | pointloom |
+|---|---|
 """
 EQUIVALENTS = """## In `pointloom`
 
@@ -176,12 +187,21 @@ def page() -> str:
 
 
 def equivalents() -> str:
+    names = (name for name in sections() if name.partition(".")[0] not in (BRIDGE, COMMON))
+    return EQUIVALENTS + table_of_sections(names)
+
+
+def common_page() -> str:
+    """The text of docs/other-libraries.md."""
+    return COMMON_HEAD + table_of_sections(name for name in sections() if name.partition(".")[0] == COMMON)
+
+
+def table_of_sections(chosen: Iterable[str]) -> str:
     rows = []
-    for section, names in sections().items():
-        if section.partition(".")[0] == BRIDGE:
-            continue
-        rows += [f"| **{section}** | |", *(f"| `{name}` | {row} |" for name, row in names.items())]
-    return EQUIVALENTS + "\n".join(map(escaped, rows)) + "\n"
+    for section in chosen:
+        names = sections()[section].items()
+        rows += [f"| **{section.removeprefix(f'{COMMON}.')}** | |", *(f"| `{name}` | {row} |" for name, row in names)]
+    return "\n".join(map(escaped, rows)) + "\n"
 
 
 def escaped(row: str) -> str:

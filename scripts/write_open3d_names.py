@@ -1,4 +1,7 @@
-"""Write docs/open3d-names.md from the installed Open3D: `.venv/bin/python scripts/write_open3d_names.py`."""
+"""Write docs/open3d-names.md from the installed Open3D, and docs/other-libraries.md.
+
+.venv/bin/python scripts/write_open3d_names.py
+"""
 
 import sys
 from pathlib import Path
@@ -8,8 +11,9 @@ ROOT = Path(__file__).parents[1]
 
 def main() -> None:
     sys.path.insert(0, str(ROOT))
-    from scripts.open3d_names_page import page
+    from scripts.open3d_names_page import common_page, page
 
+    (ROOT / "docs/other-libraries.md").write_text(common_page())
     (ROOT / "docs/open3d-names.md").write_text(page())
 
 

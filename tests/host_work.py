@@ -22,7 +22,12 @@ import warp as wp
 
 import pointloom as loom
 from pointloom.kernels import lang  # noqa: F401  starts Warp without its banner
+from pointloom.kernels.arrays.scattered_sums import sum_by_index
 from pointloom.kernels.language import device_arrays, prepared_launches, warp_parts
+from pointloom.kernels.memory import upload
+from pointloom.kernels.sampling.farthest_in_batch import choose_in_batch
+from pointloom.kernels.search.batch_neighbors import search_batch
+from pointloom.kernels.search.cloud_batch import CloudRows
 
 from .small_scenes import COUNT, ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest_scenes, scenes
 
@@ -122,7 +127,7 @@ class Operations:
         for works in (self.on_clouds, self.on_scenes):
             for name in [name for name in works if name.startswith(left_out)]:
                 del works[name]
-        self.on_scenes |= lidar_scans(data)
+        self.on_scenes |= {**lidar_scans(data), **cloud_batches(data)}
         self.all = {**self.on_clouds, **self.on_scenes}
 
     def sizes_of(self, name: str) -> tuple[int, ...]:
@@ -166,6 +171,31 @@ def shared_arrays(data: CountedScenes) -> dict[str, Preparation]:
             *("constructor", "constructor and estimate_normals"),
             *(f"{name} again{frozen}" for name in again for frozen in ("", ", frozen")),
         )
+    }
+
+
+def cloud_batches(data: CountedScenes) -> dict[str, Preparation]:
+    """What pointloom.torch runs on a batch: few large clouds and many small ones of the same points, as Warp arrays."""
+    points = scenes.bumpy_surface(4_096, 91).astype(np.float32)
+
+    def work(count: int, run: Callable[[Any, Any], Any]) -> Work:
+        size = len(points) // count
+        tables = np.arange(count) * size, np.full(count, size)
+        rows = CloudRows(*(upload(table, wp.int32, data.device) for table in tables), len(points))
+        given = upload(points, wp.vec3, data.device)
+        return lambda: run(given, rows)
+
+    index = upload(np.arange(3 * len(points)) * 7 % len(points), wp.int64, data.device)
+    values = upload(np.ones((index.size, 3), np.float32), wp.float32, data.device)
+    runs: dict[str, Callable[[Any, Any], Any]] = {
+        "neighbors": lambda p, rows: search_batch(p, rows, p, rows, 8, np.inf, True),
+        "farthest points": lambda p, rows: choose_in_batch(p, rows, 8),
+        "sums by index": lambda p, rows: sum_by_index(values, index, len(points)),
+    }
+    return {
+        f"batch of {count} clouds, {name}": lambda _, run=run, count=count: work(count, run)
+        for name, run in runs.items()
+        for count in (4, 512)
     }
 
 

@@ -11,7 +11,7 @@ import tempfile
 import warnings
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -57,6 +57,14 @@ NO_POINTS = loom.PointCloud()
 OTHERS: dict[str, Any] = {"nothing": None, "a function": len, "a class": int, "a set": {1}, "a cloud": NO_POINTS}
 HOSTILE = NO_NUMBERS | NUMBERS | ARRAYS | OTHERS
 
+
+def stand_in(name: str, **attributes: Any) -> Any:
+    """An object of a class of another library, by its full name, with these attributes."""
+    module, _, kind = name.rpartition(".")
+    return type(kind, (SimpleNamespace,), {"__module__": module})(**attributes)
+
+
+TORCH_CPU = stand_in("torch.device", type="cpu", index=None)
 NOT_FINITE = {"NaN", "-infinity", "-10^400"}
 PATHS, CALLBACKS = {"path", "folder", "scans"}, {"progress", "callback_after_iteration"}
 

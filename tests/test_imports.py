@@ -31,7 +31,7 @@ LAYERS = [
     ["pcd"],
     ["io"],
     ["registration", "meshing"],
-    ["rgbd", "visualization"],
+    ["rgbd", "visualization", "torch"],
     ["photogrammetry", "tiling"],
     ["datasets"],
     ["cli", "open3d"],

@@ -309,7 +309,7 @@ def _members(module: ModuleType, prefix: str) -> Iterator[tuple[str, Any]]:
             continue
         value = getattr(module, name)
         if isinstance(value, ModuleType):
-            if name != "open3d" and value.__name__.startswith("pointloom"):
+            if name not in ("open3d", "torch") and value.__name__.startswith("pointloom"):
                 yield from _members(value, f"{prefix}.{name}")
         elif inspect.isclass(value) and not issubclass(value, BaseException):
             yield f"{prefix}.{name}", value

@@ -5,11 +5,13 @@ from __future__ import annotations
 import dataclasses
 import enum
 import importlib
+import importlib.util
 import inspect
 import sys
 import types
 from functools import cache
 from typing import Any
+from unittest import mock
 
 import pointloom
 from pointloom import public_names
@@ -32,11 +34,14 @@ GROUPS = {
     "rgbd": "Frames of depth cameras",
     "registration": "Registration",
     "photogrammetry": "Photographs",
+    "torch": "Networks",
     "pcd.terrain": "Terrain",
     "tiling": "Clouds larger than memory",
     "visualization": "Images, recordings, the viewer",
     "core": "Settings, errors, warnings",
 }
+if importlib.util.find_spec("torch") is None:  # the reference of pointloom.torch needs no more than its names
+    sys.modules["torch"] = mock.MagicMock()
 ORDER = list(dict.fromkeys(GROUPS.values()))
 OTHER = "Others"
 

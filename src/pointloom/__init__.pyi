@@ -6,6 +6,7 @@ from . import photogrammetry as photogrammetry
 from . import registration as registration
 from . import rgbd as rgbd
 from . import tiling as tiling
+from . import torch as torch
 from .cameras.camera import PinholeCameraIntrinsic as PinholeCameraIntrinsic
 from .cameras.camera_models import CameraModel as CameraModel
 from .cameras.depth_filters import create_depth_pyramid as create_depth_pyramid

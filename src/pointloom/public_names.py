@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 _homes: dict[str, dict[str, str]] = {}  # results of `_read`
+_results: dict[str, frozenset[str]] = {}  # of `results_of`
 
 MAX_HINTS = 3  # names of a private module in an error
 SHORT_NAME = "loom"  # usual import name
@@ -51,6 +52,7 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
         value = module if homes[name] == f"{package}.{name}" else getattr(module, name, None)
         if value is None:  # a module in another folder
             value = importlib.import_module(f"{homes[name]}.{name}")
+        value = _explained(package, name, value)
         vars(sys.modules[package])[name] = value
         return value
 
@@ -58,6 +60,21 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
         return sorted({*(name for name in vars(sys.modules[package]) if name.startswith("__")), *_read(package)})
 
     return load, names
+
+
+def _explained(package: str, name: str, value: Any) -> Any:
+    """A public name with helpful argument errors, as for the loaded classes of results. Open3D's names have their own."""
+    if package == OPEN3D or package.startswith(f"{OPEN3D}.") or isinstance(value, ModuleType):
+        return value
+    from .core.argument_errors import explain
+
+    for result in results_of(package):
+        if (module := sys.modules.get(_read(package)[result])) is not None:
+            explain(getattr(module, result, None))
+    made, module = explain(value), sys.modules[_read(package)[name]]
+    if getattr(module, name, None) is value:  # there, too: `pickle` compares them
+        setattr(module, name, made)
+    return made
 
 
 def private(package: str) -> Callable[[str], Any]:
@@ -80,7 +97,11 @@ def _no_module(package: str, name: str, homes: dict[str, str]) -> str:
     module = f"{package}.{name}"
     if PathFinder.find_spec(module, sys.modules[package].__path__) is None:
         return ""
+    from .core.open3d_names import COMMON, MODULES, hint, row_of
+
     message = f"module {package!r} has no attribute {name!r}: it is a private module"
+    if row := hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}"))):
+        return message + row
     inside = [other for other, home in homes.items() if home == module or home.startswith(f"{module}.")]
     nearest = get_close_matches(f"{package.rpartition('.')[2]}_{name}", inside, MAX_HINTS, cutoff=0.0)
     return message + (f"; did you mean {' or '.join(map(repr, nearest))}?" if nearest else "")
@@ -91,7 +112,7 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     if name.startswith("_"):
         return message
     from .core.attribute_hints import nearest_name
-    from .core.open3d_names import BRIDGE, hint, row_of
+    from .core.open3d_names import BRIDGE, COMMON, MODULES, hint, row_of
     from .core.renamed_names import renamed
 
     if package == OPEN3D or package.startswith(f"{OPEN3D}."):
@@ -101,7 +122,8 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
         return message + (own or hint(row_of(name)) or _also(package, name) or nearest_name(name, known))
     if new := renamed(package.replace(package.partition(".")[0], SHORT_NAME, 1), name):
         return f"{message}; it is {new}"
-    return message + (_also(package, name) or hint(row_of(name)) or nearest_name(name, known))
+    row = hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}")))
+    return message + (_also(package, name) or row or nearest_name(name, known))
 
 
 def _also(package: str, name: str) -> str:
@@ -177,7 +199,9 @@ def _package_of(module: str, home: str) -> str:
 
 def results_of(package: str) -> frozenset[str]:
     """Public names of classes that functions return and users do not construct: the last block of the stub."""
-    return frozenset(_imports_of(package, _stub(package).partition(RESULTS)[2]))
+    if package not in _results:
+        _results[package] = frozenset(_imports_of(package, _stub(package).partition(RESULTS)[2]))
+    return _results[package]
 
 
 def _read(package: str) -> dict[str, str]:

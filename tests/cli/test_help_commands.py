@@ -99,14 +99,14 @@ def test_the_chapters_name_existing_commands_and_functions():
 
 
 def test_docs_searches_chapters_by_words_and_numbers():
-    assert run("docs").stdout.splitlines()[6] == " 7  ICP: bring two clouds together"
+    assert run("docs").stdout.splitlines()[6] == " 7  ICP: align two point clouds"
     icp = run("docs", "icp").stdout
     assert "loom.registration.registration_icp" in icp and "pointloom register" in icp and "Poisson" not in icp
     report = json.loads(run("docs", "POISSON", "density", "--json").stdout)
     assert [row["number"] for row in report["chapters"]] == [11]
     assert [row["number"] for row in json.loads(run("docs", "3", "--json").stdout)["chapters"]] == [3]
     nothing = run("docs", "elephants")
-    assert nothing.exit_code == 2 and "no chapter contains elephants; the chapters are 1 Read a cloud" in nothing.stderr
+    assert nothing.exit_code == 2 and "no chapter contains elephants; the chapters are 1 Read a point cloud" in nothing.stderr
 
 
 def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):

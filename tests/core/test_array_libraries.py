@@ -45,7 +45,7 @@ def test_a_cloud_shares_the_memory_of_its_input(library, device, surface):
     cloud = loom.PointCloud(points, normals=normals, label=label)
     assert str(cloud.device) == device
     for name, given in (("points", points), ("normals", normals), ("label", label)):
-        assert cloud.array(name).ptr == library.address(given)
+        assert cloud.arrays[name].ptr == library.address(given)
     np.testing.assert_array_equal(cloud.points, surface.astype(np.float64))
     cloud.points = library.make(surface + 1)
     np.testing.assert_array_equal(cloud.points, surface + np.float32(1))
@@ -250,12 +250,12 @@ def test_depth_and_color_images_are_used_on_their_device(library, device, rng):
 def test_a_cloud_with_zero_origin_exports_dlpack(library, clouds, surface):
     reference = clouds[1]
     for cloud in clouds:
-        given, stored = (each.__dlpack_device__() for each in (cloud, reference.array("points")))
+        given, stored = (each.__dlpack_device__() for each in (cloud, reference.arrays["points"]))
         assert tuple(map(int, given)) == tuple(map(int, stored))
     if reference.device.is_cpu:
         points = np.from_dlpack(reference)
         np.testing.assert_array_equal(points, surface)
-        assert points.ctypes.data == reference.array("points").ptr
+        assert points.ctypes.data == reference.arrays["points"].ptr
     far = loom.PointCloud(surface + np.float64([5e5, 5.4e6, 0]))
     with pytest.raises(BufferError, match=r"the points are relative to the origin \[5000.*add cloud.origin"):
         np.from_dlpack(far)
@@ -265,7 +265,7 @@ def test_a_cloud_from_a_file_exports_to_the_requested_library(library, device, s
     cloud = loom.PointCloud(surface, device=device)
     exported = cloud.to(device, arrays=library.name)
     assert_same(library, exported.cluster_dbscan(0.1, 4), cloud.cluster_dbscan(0.1, 4))
-    assert exported.array("points") is cloud.array("points")
+    assert exported.arrays["points"] is cloud.arrays["points"]
     assert package(exported.to(device, arrays="numpy").cluster_dbscan(0.1, 4)) == "numpy"
     assert package(cloud.cluster_dbscan(0.1, 4)) == "numpy"
 
@@ -598,7 +598,7 @@ def test_arrays_overrides_the_library_of_the_input(library, surface):
     points = library.make(surface)
     cloud = loom.PointCloud(points, arrays="numpy")
     assert package(cloud.compute_nearest_neighbor_distance()) == "numpy"
-    assert cloud.array("points").ptr == library.address(points)
+    assert cloud.arrays["points"].ptr == library.address(points)
 
 
 @pytest.mark.slow

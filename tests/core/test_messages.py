@@ -151,6 +151,16 @@ MESSAGES = [
     ("loom.registration.compute_iss_keypoints", "it is loom.compute_iss_keypoints"),
     ("loom.registration.OdometryFrame", "it is loom.rgbd.OdometryFrame"),
     ("loom.PointClouds", "did you mean 'PointCloud'"),
+    ("loom.load('a.ply')", r"here: loom\.read_point_cloud\(path\) for points, loom\.read_triangle_mesh"),
+    ("loom.KDTree(points)", r"here: loom\.NearestNeighborSearch\(points\)"),
+    ("loom.registration.icp", r"here: loom\.registration\.registration_icp"),
+    ("loom.registration.load", r"here: loom\.read_point_cloud"),
+    ("cloud.shape", r"PointCloud has no attribute 'shape'; here: len\(cloud\)"),
+    ("mesh.faces", r"here: mesh\.triangles"),
+    ("mesh.export('a.stl')", r"here: loom\.write_triangle_mesh\(path, mesh\)"),
+    ("mesh.center", r"here: get_center\(\)"),
+    ("loom.PointCloud.from_depth", r"here: loom\.PointCloud\.create_from_depth_image"),
+    ("loom.LineSet([[0, 0, 0]], []).centroid", r"here: get_center\(\)"),
     ("loom.registration.registration_ipc", r"did you mean 'registration_icp'\?"),
     ("cloud.normal", r"PointCloud has no attribute 'normal'; did you mean 'normals'\?"),
     ("cloud.color = [1, 0, 0]", r"PointCloud has no attribute 'color'; did you mean 'colors'\? .*cloud\['color'\]"),
@@ -440,7 +450,7 @@ def public_classes(module):
         value = getattr(module, name)
         if inspect.isclass(value):
             yield value
-        elif isinstance(value, ModuleType) and hasattr(value, "__all__"):
+        elif isinstance(value, ModuleType) and hasattr(value, "__all__") and name != "torch":  # it has functions alone
             yield from public_classes(value)
 
 

@@ -44,11 +44,11 @@ def test_each_type_is_converted_for_points_and_kept_for_attributes(library, poin
     given = library.cast(library.make(points * 10), name)
     expected = library.host(given)
     cloud = loom.PointCloud(given, a=given)
-    assert (cloud.array("points").ptr == library.address(given)) == (name == "float32")
+    assert (cloud.arrays["points"].ptr == library.address(given)) == (name == "float32")
     np.testing.assert_array_equal(cloud.points, expected.astype(np.float64))
-    assert cloud.array("a").ptr == library.address(given) and cloud["a"].dtype == name
+    assert cloud.arrays["a"].ptr == library.address(given) and cloud["a"].dtype == name
     np.testing.assert_array_equal(cloud["a"], expected)
-    assert loom.PointCloud.from_dlpack(library.make(points), a=given).array("a").ptr == library.address(given)
+    assert loom.PointCloud.from_dlpack(library.make(points), a=given).arrays["a"].ptr == library.address(given)
     if name != "float32":
         with pytest.raises(TypeError, match=f"points: expected float32, the type of a cloud's arrays, got {name}"):
             loom.PointCloud.from_dlpack(given)
@@ -91,11 +91,11 @@ def test_tensors_with_strides_are_copied_or_rejected(points):
         cloud = loom.PointCloud(given, normals=given)
         np.testing.assert_array_equal(cloud.points, given.numpy().astype(np.float64), err_msg=name)
         np.testing.assert_array_equal(cloud.normals, given.numpy(), err_msg=name)
-        assert cloud.array("points").ptr != given.data_ptr()
+        assert cloud.arrays["points"].ptr != given.data_ptr()
         with pytest.raises(ValueError, match=r"points: expected a contiguous array, got strides .*; copy it first"):
             loom.PointCloud.from_dlpack(given)
     view = torch.tensor(np.repeat(points, 2, axis=0))[50:]  # contiguous, with an offset
-    assert loom.PointCloud.from_dlpack(view).array("points").ptr == view.data_ptr()
+    assert loom.PointCloud.from_dlpack(view).arrays["points"].ptr == view.data_ptr()
     with pytest.raises(ValueError, match=r"points: expected shape \[n, 3\], got \[3, 50\]; pass its transpose"):
         loom.PointCloud(layouts["transposed"].T)
 
@@ -125,9 +125,9 @@ def test_a_cloud_is_read_by_each_library_at_its_address(library, points):
     cloud = loom.PointCloud(points, normals=points, label=np.arange(50, dtype=np.int32), a=points.astype(np.float16))
     for name in ("points", "normals", "label", "a"):
         seen = library.read(cloud.array(name))
-        assert library.address(seen) == cloud.array(name).ptr
+        assert library.address(seen) == cloud.arrays[name].ptr
         np.testing.assert_array_equal(library.host(seen), cloud[name].astype(library.host(seen).dtype))
-    assert library.address(library.read(cloud)) == cloud.array("points").ptr
+    assert library.address(library.read(cloud)) == cloud.arrays["points"].ptr
     labels = cloud.to("cpu", arrays="warp").cluster_dbscan(0.1, 4)
     assert library.address(library.read(labels)) == labels.ptr
 
@@ -135,10 +135,10 @@ def test_a_cloud_is_read_by_each_library_at_its_address(library, points):
 def test_a_requested_copy_is_one(points):
     cloud = loom.PointCloud(points)
     torch.from_dlpack(cloud, copy=True)[:] = 0
-    assert np.from_dlpack(cloud, copy=True).ctypes.data != cloud.array("points").ptr
+    assert np.from_dlpack(cloud, copy=True).ctypes.data != cloud.arrays["points"].ptr
     np.testing.assert_array_equal(cloud.points, points.astype(np.float64))
-    assert torch.from_dlpack(cloud, copy=False).data_ptr() == cloud.array("points").ptr
-    assert torch.from_dlpack(cloud, device="cpu").data_ptr() == cloud.array("points").ptr
+    assert torch.from_dlpack(cloud, copy=False).data_ptr() == cloud.arrays["points"].ptr
+    assert torch.from_dlpack(cloud, device="cpu").data_ptr() == cloud.arrays["points"].ptr
     with pytest.raises(BufferError, match=r"the points are on cpu. Use cloud.to\(device\)"):
         cloud.__dlpack__(dl_device=(2, 0))
 
@@ -191,7 +191,7 @@ def test_tensors_that_require_a_gradient_are_rejected(points):
             for attempt in attempts:
                 with pytest.raises(TypeError, match=rf"^{argument}: .*requires a gradient.*; pass tensor.detach\(\)"):
                     attempt()
-        assert loom.PointCloud(given.detach()).array("points").ptr == given.data_ptr()
+        assert loom.PointCloud(given.detach()).arrays["points"].ptr == given.data_ptr()
     for argument, attempt in {
         "transformation": lambda: cloud.transform(torch.eye(4, requires_grad=True)),
         "voxel_size": lambda: cloud.voxel_down_sample(number),

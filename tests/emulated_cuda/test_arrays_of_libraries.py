@@ -131,7 +131,7 @@ def everything(library, surface, rng):
 def test_frozen_points_wait_no_more_than_points_of_the_cloud(everything, emulated, name):
     waits = {}
     for title, options in (("shared", {}), ("frozen", {"frozen": True}), ("own", None)):
-        normals = everything.cloud.array("normals")
+        normals = everything.cloud.arrays["normals"]
         points = everything.points if options is not None else np.asarray(everything.cloud.points)
         cloud = loom.PointCloud(points, normals=normals, device=DEVICE, **(options or {})).to(DEVICE, arrays="cupy")
         for _ in range(2):
@@ -191,7 +191,7 @@ def test_the_stream_of_the_cuda_array_interface_is_waited_for(library, surface, 
     wp.launch(move_kernel, COUNT, [memory, 2.0], stream=library.stream)
     with traffic() as sizes:
         cloud = loom.PointCloud(Speaker(memory, library.stream.cuda_stream))
-    assert cloud.array("points").ptr == memory.ptr
+    assert cloud.arrays["points"].ptr == memory.ptr
     assert not sizes["wp_cuda_context_synchronize"]
     np.testing.assert_array_equal(cloud.points[:, 0], (surface[:, 0] + np.float32(2)).astype(np.float64))
 

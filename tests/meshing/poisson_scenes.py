@@ -48,7 +48,7 @@ def poisson(points: Any, normals: Any = None, depth: int = 5, *, device: Any = N
 
 def bits(result: Any) -> tuple[bytes, ...]:
     mesh, densities = result
-    arrays = (mesh.array(name).numpy() for name in ("vertices", "triangles", "vertex_normals"))
+    arrays = (mesh.arrays[name].numpy() for name in ("vertices", "triangles", "vertex_normals"))
     return (*(values.tobytes() for values in arrays), densities.tobytes())
 
 

@@ -28,8 +28,8 @@ def meshes(library, ball, device):
 def test_a_mesh_shares_its_input_arrays(library, device, ball):
     vertices, triangles = library.make(ball.vertices.astype(np.float32)), library.make(ball.triangles)
     mesh = loom.TriangleMesh(vertices, triangles)
-    assert str(mesh.device) == device and mesh.array("vertices").ptr == library.address(vertices)
-    assert mesh.array("triangles").ptr == library.address(triangles)
+    assert str(mesh.device) == device and mesh.arrays["vertices"].ptr == library.address(vertices)
+    assert mesh.arrays["triangles"].ptr == library.address(triangles)
     np.testing.assert_array_equal(mesh.triangles, ball.triangles)
 
 

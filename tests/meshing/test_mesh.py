@@ -163,8 +163,8 @@ def test_unreferenced_vertices_are_removed_and_the_rest_is_unchanged(device):
 def test_operations_return_new_meshes_that_share_unchanged_arrays(device):
     mesh = rough_ball(device)
     with_normals = mesh.compute_vertex_normals()
-    assert mesh.vertex_normals is None and with_normals.array("vertices") is mesh.array("vertices")
-    assert with_normals.array("triangles") is mesh.array("triangles") and mesh.to(device) is mesh
+    assert mesh.vertex_normals is None and with_normals.arrays["vertices"] is mesh.arrays["vertices"]
+    assert with_normals.arrays["triangles"] is mesh.arrays["triangles"] and mesh.to(device) is mesh
 
 
 def test_arrays_are_read_only_copies(device):
@@ -178,7 +178,7 @@ def test_arrays_are_read_only_copies(device):
 def test_far_vertices_move_the_origin_but_a_given_origin_stays(device):
     vertices = np.array(TETRAHEDRON[0]) + FAR
     mesh = TriangleMesh(vertices, TETRAHEDRON[1], device=device)
-    assert np.abs(mesh.origin - FAR).max() <= 1 and np.abs(mesh.array("vertices").numpy()).max() <= 1
+    assert np.abs(mesh.origin - FAR).max() <= 1 and np.abs(mesh.arrays["vertices"].numpy()).max() <= 1
     given = TriangleMesh(vertices, TETRAHEDRON[1], origin=FAR - 2, device=device)
     np.testing.assert_array_equal(given.origin, FAR - 2)
     np.testing.assert_array_equal(given.vertices, vertices)

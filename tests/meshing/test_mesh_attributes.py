@@ -39,7 +39,13 @@ def test_values_keep_their_types_and_shapes(device):
     names = "vertex_attributes[place, number], triangle_attributes[row, middle, even]"
     assert repr(mesh).endswith(f"{names}, {mesh.device})")
     np.testing.assert_array_equal(mesh.vertex_attributes["place"], mesh.vertices)
-    assert mesh.vertex_attributes.array("number").device == mesh.device
+    for attributes in (mesh.vertex_attributes, mesh.triangle_attributes):
+        for name, values in attributes.items():
+            shared = attributes.array(name)
+            if device == "cpu":
+                assert (type(shared), shared.shape, shared.dtype) == (np.ndarray, values.shape, values.dtype)
+            else:
+                assert shared.device == mesh.device
     with pytest.raises(ValueError, match="read-only"):
         mesh.vertex_attributes["place"][0] = 0
 
@@ -116,7 +122,7 @@ def test_simplified_triangles_take_values_at_their_position(name):
 def test_operations_that_drop_attributes_warn():
     mesh, box = labeled(), TriangleMesh.create_box()
     with pytest.warns(UserWarning, match="vertex_attributes place, number:"):
-        arrays = {name: box.array(name) for name in ("vertices", "triangles")}
+        arrays = {name: box.arrays[name] for name in ("vertices", "triangles")}
         bare = mesh.with_arrays(**arrays, triangle_attributes=None)
     assert not bare.vertex_attributes and not bare.triangle_attributes
 

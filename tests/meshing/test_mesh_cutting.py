@@ -215,7 +215,7 @@ def test_one_triangle_is_clipped_as_a_polygon(device, values):
 
 def test_a_cut_ball_matches_brute_force(device):
     mesh, _ = poisson(sphere(600), depth=4, device=device)
-    vertices, triangles = mesh.array("vertices").numpy().astype(float), mesh.triangles
+    vertices, triangles = mesh.arrays["vertices"].numpy().astype(float), mesh.triangles
     values = np.random.default_rng(0).normal(size=len(vertices)) + vertices[:, 2]
     left = mesh.trim(values, 0.25, island_ratio=0)
     polygons = (clip(vertices[t], values[t], 0.25) for t in triangles)

@@ -348,8 +348,8 @@ def test_results_far_from_zero_equal_those_near_it(device):
     near, far = (TriangleMesh(vertices + o, triangles, device=device, origin=o) for o in (np.zeros(3), UTM))
     handles, targets = pulled(near)
     targets = np.round(targets * 1024) / 1024
-    result = far.deform_as_rigid_as_possible(handles, targets + UTM, 5).array("vertices").numpy()
-    wanted = near.deform_as_rigid_as_possible(handles, targets, 5).array("vertices").numpy()
+    result = far.deform_as_rigid_as_possible(handles, targets + UTM, 5).arrays["vertices"].numpy()
+    wanted = near.deform_as_rigid_as_possible(handles, targets, 5).arrays["vertices"].numpy()
     np.testing.assert_array_equal(result, wanted)
 
 

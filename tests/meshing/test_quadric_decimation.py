@@ -117,7 +117,7 @@ def test_isolated_triangles_are_removed_last_and_small_ones_first(device):
 def test_a_reached_target_leaves_the_mesh_unchanged(device, target):
     mesh = TriangleMesh(*grid(21), device=device)
     same = mesh.simplify_quadric_decimation(target)
-    assert same.array("triangles").ptr == mesh.array("triangles").ptr
+    assert same.arrays["triangles"].ptr == mesh.arrays["triangles"].ptr
     assert len(TriangleMesh(device=device).simplify_quadric_decimation(0)) == 0
 
 

@@ -24,6 +24,12 @@ def test_the_page_of_all_names_is_fresh(o3d):
     assert [name for name in differences() if "*" not in name and of_path(o3d, name) is None] == []
 
 
+def test_the_page_of_other_libraries_is_fresh():
+    from scripts.open3d_names_page import common_page
+
+    assert (ROOT / "docs/other-libraries.md").read_text() == common_page(), "run scripts/write_open3d_names.py"
+
+
 MOVED = "registration", "integration", "odometry", "color_map"
 
 

@@ -27,7 +27,7 @@ def full_cloud(rng, device, count=200, shift=0.0):
 
 def contents(cloud):
     names = ["points", *(n for n in ("normals", "colors") if n in cloud), *cloud.attributes]
-    return {n: cloud.array(n).numpy().copy() for n in names} | {"origin": cloud.origin, "grid": cloud.grid}
+    return {n: cloud.arrays[n].numpy().copy() for n in names} | {"origin": cloud.origin, "grid": cloud.grid}
 
 
 def assert_same(left, right):

@@ -53,7 +53,7 @@ def queries_for(points, rng):
 def square_distances(cloud, queries):
     """float64 squared distances of the stored coordinates; infinite if one is not finite."""
     origin = cloud.origin
-    points = cloud.array("points").numpy().astype(np.float64)
+    points = cloud.arrays["points"].numpy().astype(np.float64)
     with np.errstate(over="ignore"):
         positions = (np.asarray(queries, np.float64) - origin).astype(np.float32).astype(np.float64)
     d = np.zeros((len(positions), len(points)))

@@ -64,7 +64,7 @@ def test_an_operation_shares_the_arrays_that_it_did_not_change(device, name, rng
     changed = {"copy": (), "transform": ("points", "normals")}.get(name, ("normals",))
     assert result.grid == (20, 10)
     for array in ("points", "normals", "colors", *EXTRAS):
-        assert (result.array(array) is cloud.array(array)) == (array not in changed), array
+        assert (result.arrays[array] is cloud.arrays[array]) == (array not in changed), array
 
 
 @pytest.mark.parametrize(
@@ -80,7 +80,7 @@ def test_each_selected_point_keeps_its_own_attributes(device, name, rng):
 
 
 def claim_another_device(cloud, monkeypatch):
-    device_of = property(lambda c: "cuda:7" if c is cloud else c.array("points").device)
+    device_of = property(lambda c: "cuda:7" if c is cloud else c.arrays["points"].device)
     monkeypatch.setattr(loom.PointCloud, "device", device_of)
 
 
@@ -239,7 +239,7 @@ def test_painted_cloud_has_one_color_and_its_other_attributes(device, rng):
     cloud.grid = (7, 1)
     result = cloud.paint_uniform_color([0.1, 1, 0])
     np.testing.assert_array_equal(result.colors, np.tile(np.float32([0.1, 1, 0]), (7, 1)))
-    assert result.array("points") is cloud.array("points") and result.grid == (7, 1)
+    assert result.arrays["points"] is cloud.arrays["points"] and result.grid == (7, 1)
     assert result["row"].tolist() == [*range(7)]
     assert (cloud.colors != result.colors).any()
     assert loom.PointCloud(device=device).paint_uniform_color((0, 0, 0)).colors.shape == (0, 3)

@@ -44,7 +44,7 @@ CASES = [
 
 def uncertain_points(cloud, radius, max_nn, tolerances):
     """Points whose neighbors are ambiguous, and all points with one of these among their neighbors."""
-    p = cloud.array("points").numpy().astype(float)
+    p = cloud.arrays["points"].numpy().astype(float)
     tree = cKDTree(p)
     uncertain = np.zeros(len(p), bool)
     if max_nn is not None:

@@ -85,7 +85,7 @@ def test_the_points_that_kernels_rule_out_are_no_vertices(device, shape, rng):
 def test_the_filter_leaves_few_points(device, rng):
     points = rng.random((50_000, 3))
     cloud = loom.PointCloud(points, device=device)
-    left = outer_rows(scale_points(cloud.array("points"), np.full(3, 0.5), np.full(3, 2.0)))
+    left = outer_rows(scale_points(cloud.arrays["points"], np.full(3, 0.5), np.full(3, 2.0)))
     assert 100 < len(left) < 10_000
 
 

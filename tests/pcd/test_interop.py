@@ -85,14 +85,13 @@ def test_the_source_lives_as_long_as_the_cloud_and_no_longer():
 def test_pointloom_arrays_are_shared_with_numpy_and_warp(cloud):
     for name, shape in (("points", (200, 3)), ("colors", (200, 3)), ("label", (200,)), ("pair", (200, 2))):
         array = cloud.array(name)
-        if array.device.is_cpu:
-            assert np.from_dlpack(array).shape == shape
-            assert np.shares_memory(np.from_dlpack(array), array.numpy())
+        if cloud.device.is_cpu:
+            assert array.shape == shape and np.shares_memory(np.from_dlpack(cloud.arrays[name]), array)
         else:
             assert tuple(array.__cuda_array_interface__["shape"]) == shape
     arrays = {name: cloud.array(name) for name in ("colors", "label")}
     again = loom.PointCloud.from_dlpack(cloud.array("points"), origin=cloud.origin, **arrays)
-    assert again.array("points").ptr == cloud.array("points").ptr
+    assert again.arrays["points"].ptr == cloud.arrays["points"].ptr
     assert again.device == cloud.device
     np.testing.assert_array_equal(again.points, cloud.points)
 
@@ -247,11 +246,11 @@ def test_deep_copies_share_nothing_and_shallow_copies_everything(cloud):
     shallow, deep = copy.copy(cloud), copy.deepcopy(cloud)
     assert_same(contents(deep), contents(cloud))
     for name in ("points", "normals", "label", "pair"):
-        assert shallow.array(name) is cloud.array(name)
-        assert deep.array(name).ptr != cloud.array(name).ptr
+        assert shallow.arrays[name] is cloud.arrays[name]
+        assert deep.arrays[name].ptr != cloud.arrays[name].ptr
     shallow["label"] = np.zeros(200)
     assert cloud["label"].any()
-    cloud.array("points").fill_(0)
+    cloud.arrays["points"].fill_(0)
     assert deep.points.std() > 1
 
 

@@ -103,7 +103,7 @@ def test_a_point_too_far_for_a_squared_distance_is_nobodys_neighbor_and_an_outli
 def test_gathering_traversal_and_overflow_are_bitwise_identical(device, radius, k, rng, monkeypatch):
     """The density changes by a factor of 400, so that the result of one group misleads the next."""
     points = np.concatenate([sphere(rng, 3001), 0.05 * sphere(rng, 1000)])
-    cloud = loom.PointCloud(points, device=device).array("points")
+    cloud = loom.PointCloud(points, device=device).arrays["points"]
     results = {}
     for room in (0, 8 * LEAF, 500 * LEAF):  # none gathered; too many; all of them
         monkeypatch.setattr(group_scratch, "candidate_room", lambda device, k, room=room: room)
@@ -119,7 +119,7 @@ def test_gathering_traversal_and_overflow_are_bitwise_identical(device, radius, 
 @pytest.mark.parametrize("radius", [np.inf, 0.3])
 def test_search_in_parts_is_bitwise_identical(device, radius, rng, monkeypatch):
     cloud = loom.PointCloud(sphere(rng, 1001), device=device)
-    points = cloud.array("points")
+    points = cloud.arrays["points"]
     full = search_nearest(PointTree(points), points, 7, radius)
     monkeypatch.setattr(tree_search, "MAX_ROWS", 7 * 96 + 3)  # parts of 96 queries
     for part, expected in zip(search_nearest(PointTree(points), points, 7, radius), full, strict=True):
@@ -319,7 +319,7 @@ def test_overwritten_points_are_detected(device, rng, builds):
     cloud = loom.PointCloud.from_dlpack(points)
     borrowed = loom.PointCloud(points, device=device)
     borrowed.search_tree()
-    view = borrowed.array("points").numpy()
+    view = borrowed.array("points")
     for changed, array in ((cloud, points), (borrowed, view)):
         for step in range(3):
             array[step] += 5.0
@@ -336,7 +336,7 @@ def test_overwritten_points_are_detected(device, rng, builds):
 def test_only_frozen_points_are_not_compared_with_those_of_the_tree(device, rng, monkeypatch, make):
     first, second = (upload(rng.random((300, 3)).astype(np.float32), vec3, resolve_device(device)) for _ in range(2))
     cloud = make(first, frozen=True)
-    assert cloud.array("points").ptr == first.ptr
+    assert cloud.arrays["points"].ptr == first.ptr
     tree = cloud.search_tree()
     with monkeypatch.context() as patch:
         patch.setattr(cached_tree, "fingerprint", lambda _: pytest.fail("compared"))

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from ..hostile import faults_of
+from ..hostile import TORCH_CPU, faults_of
 
 Table = dict[str, tuple[str, dict[str, str]]]
 
@@ -28,7 +28,7 @@ def argument_tests(table: Table) -> tuple[Callable[..., None], Callable[..., Non
     @pytest.mark.parametrize("name", table)
     def accepts(name: str, things: dict[str, Any]) -> None:
         call, good = call_of(table, name, things)
-        call(**good)
+        call(**good | ({"device": TORCH_CPU} if "device" in good else {}))
 
     @pytest.mark.parametrize(("name", "argument"), [(name, key) for name, (_, given) in table.items() for key in given])
     def rejects(name: str, argument: str, things: dict[str, Any], tmp_path: Any, monkeypatch: Any) -> None:

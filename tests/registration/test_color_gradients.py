@@ -95,9 +95,9 @@ def test_covariances_come_from_the_cloud_its_normals_or_its_neighbors(device, rn
     np.testing.assert_array_equal(near, plane_covariances(cloud.search_tree(), 20, 1e-3).numpy())
     tilted = cloud.estimate_normals(max_nn=5)
     by_normals = generalized_covariances(tilted, 0.01).numpy()
-    np.testing.assert_array_equal(by_normals, plane_covariances_from_normals(tilted.array("normals"), 0.01).numpy())
+    np.testing.assert_array_equal(by_normals, plane_covariances_from_normals(tilted.arrays["normals"], 0.01).numpy())
     measured = tilted.estimate_covariances(max_nn=9)
-    assert generalized_covariances(measured, 0.5) is measured.array("covariances")
+    assert generalized_covariances(measured, 0.5) is measured.arrays["covariances"]
     wide = cloud.copy()
     wide["covariances"] = measured["covariances"].astype(np.float64)
     result = generalized_covariances(wide, 0.5)

@@ -135,7 +135,7 @@ def test_normals_point_to_the_hollow_side_for_any_rotation(device, rng):
     ball /= np.linalg.norm(ball, axis=1, keepdims=True)
     for T in (np.eye(4), as_pose([1.0, 2.0, -0.5], [5, 6, 7])):
         cloud = loom.PointCloud(moved(ball, T), device=device)
-        surface = Surface.select(cloud.array("points"), 0.2, 0.3)
+        surface = Surface.select(cloud.arrays["points"], 0.2, 0.3)
         normals = surface.normals.numpy()
         assert len(surface) == 6000 and (np.einsum("ij,ij->i", normals, -(ball @ T[:3, :3].T)) > 0.99).all()
 
@@ -145,8 +145,8 @@ def test_points_without_a_surface_are_excluded(device, rng):
     line = np.linspace(0, 1, 50)[:, None] * [1, 0, 0] + [0, 0, 10]
     points = np.r_[surface, line, [[0, 0, 20.0]], [[np.nan, 0, 0]]]
     cloud = loom.PointCloud(points, device=device)
-    result = Surface.select(cloud.array("points"), 0.25, 0.4)
-    assert len(result) == 3000 and (result.points.numpy() == cloud.array("points").numpy()[:3000]).all()
+    result = Surface.select(cloud.arrays["points"], 0.25, 0.4)
+    assert len(result) == 3000 and (result.points.numpy() == cloud.arrays["points"].numpy()[:3000]).all()
     normals = find_sides(result.tree, 1e-6, 1e-6).numpy()
     assert np.isnan(normals).all()
 
@@ -286,7 +286,7 @@ def directions_of(normals, where):
 
 
 def test_matches_square_to_two_planes_count_as_aligned(device, rng):
-    where = loom.PointCloud(np.zeros((1, 3)), device=device).array("points").device
+    where = loom.PointCloud(np.zeros((1, 3)), device=device).arrays["points"].device
     square = directions_of(np.array([[0, 0, 1.0], [1, 0, 0]]), where)
     np.testing.assert_allclose(np.abs(square), [[0, 0, 1], [1, 0, 0], [0, 1, 0]], atol=1e-6)
     assert len(directions_of(np.array([[0, 0, 1.0], [0.8, 0, 0.6]]), where)) == 2

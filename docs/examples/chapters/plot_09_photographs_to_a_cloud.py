@@ -1,34 +1,34 @@
 """
-9. Photographs and videos to a cloud
-====================================
+9. Point clouds from photographs and videos
+===========================================
 
-No depth camera, only images: what several of them show from different places has a depth. You learn what the chain
-from photographs to points consists of, how to run it where the cameras' places are known, the one command for videos
-where nothing is known, and why its unit is arbitrary.
+Photographs from several positions determine depth without a depth camera. In this chapter you learn the steps from
+photographs to points, run them with known camera poses, and use the single command for videos with unknown poses. You
+also learn why the scale of such a model is arbitrary.
 """
 
 # %%
-# The chain
+# The steps
 # ---------
 # =============  ===================================================  ===========================================
-# step           what it finds                                        call
+# step           result                                               function
 # =============  ===================================================  ===========================================
-# frames         sharp images of a video, where the camera has moved  ``loom.photogrammetry.choose_frames``
-# poses          where each image was taken, and the lens             ``loom.photogrammetry.reconstruct_images``
-# sparse points  some thousand corners that several images show       ``loom.photogrammetry.triangulate``
-# depth          how far every pixel is                               ``loom.photogrammetry.estimate_depth_maps``
-# filter         what several images say alike                        ``loom.photogrammetry.filter_depth_maps``
-# cloud or mesh  each place once                                      ``loom.photogrammetry.fuse_depth_maps``
+# frames         sharp images of a video with sufficient motion       ``loom.photogrammetry.choose_frames``
+# poses          poses of the images, and the camera                  ``loom.photogrammetry.reconstruct_images``
+# sparse points  some thousand points visible in several images       ``loom.photogrammetry.triangulate``
+# depth          depth of each pixel                                  ``loom.photogrammetry.estimate_depth_maps``
+# filter         depth that several images confirm                    ``loom.photogrammetry.filter_depth_maps``
+# cloud or mesh  all images merged                                    ``loom.photogrammetry.fuse_depth_maps``
 # =============  ===================================================  ===========================================
 #
-# For a video all of it is one command, which needs ``pip install "pointloom[sfm]"`` and some minutes:
+# For a video, one command runs all steps. It requires ``pip install "pointloom[sfm]"`` and takes some minutes:
 #
 # .. code-block:: console
 #
 #    $ pointloom video walk.mp4 -o room.ply --picture room.png
 #
-# Open3D has nothing for images alone; its users take COLMAP or Metashape, whose cameras ``loom.read_cameras`` reads.
-# In this chapter the poses are known, as from there, or from a robot's arm, or a turntable.
+# Open3D has no photogrammetry. Its users run COLMAP or Metashape, whose cameras ``loom.read_cameras`` reads. In this
+# chapter the poses are known, as from these programs, a robot arm or a turntable.
 
 import tempfile
 import warnings
@@ -44,23 +44,23 @@ height, width = images[0].shape[:2]
 print(f"{len(images)} images of {width} x {height} pixels, {intrinsic}")
 
 # %%
-# Images must **overlap and move**: the same place seen from 5 to 30 degrees apart, two thirds of each image in the
-# next. A camera that only turns on the spot sees no depth.
+# The images must **overlap**, and the camera must **move**. Consecutive images should share two thirds of their
+# content, with viewing directions that differ by 5 to 30 degrees. A camera that only rotates provides no depth.
 
 step = np.degrees(np.arccos(np.clip(np.einsum("ij,ij->i", poses[1:, :3, 2], poses[:-1, :3, 2]), -1, 1)))
 print("from one image to the next:", step.round(0), "degrees")
 assert (step > 3).all() and (step < 35).all()
 
 # %%
-# Half the size, and the middle columns, are quick and enough to learn on. Whoever changes images has to change the
-# camera with them: half the size is half the focal length, and cutting columns off moves the principal point. (The
-# mean of 2 x 2 pixels has its center half a pixel off, which the principal point follows, too.)
+# To save time, the script uses half the resolution and the middle columns. The camera parameters change accordingly:
+# half the resolution halves the focal length, and cropping shifts the principal point. Averaging 2 x 2 pixels shifts
+# pixel centers by half a pixel, which also changes the principal point.
 
 LEFT, RIGHT = 85, 235
 
 
 def halved(image: np.ndarray) -> np.ndarray:
-    """The mean of 2 x 2 pixels, and of that the middle columns."""
+    """Average 2 x 2 pixels and select the middle columns."""
     averaged = image.reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3))
     return averaged[:, LEFT:RIGHT].round().astype(np.uint8)
 
@@ -72,8 +72,8 @@ camera = loom.PinholeCameraIntrinsic(
 )  # fmt: skip
 
 # %%
-# Multi-view stereo wants world to camera: the **inverse** of the poses. Wrong ones are the commonest mistake; the
-# result is then empty or fog.
+# Multi-view stereo expects world-to-camera transformations: the **inverse** of the poses. Wrong transformations are the
+# most common mistake. The result is then empty or mostly noise.
 
 cameras = [loom.photogrammetry.PosedCamera(camera, np.linalg.inv(pose)) for pose in poses]
 maps = loom.photogrammetry.estimate_depth_maps(small, cameras)
@@ -82,8 +82,9 @@ fraction = np.mean([(filtered[k].depth > 0).mean() for k in range(len(small))])
 print(f"{fraction:.0%} of the pixels have a depth that other images confirm")
 
 # %%
-# How far off is it? The truth is known here. Confirmed pixels are right to a fraction of a per cent; what nobody
-# confirms (the plain background, edges, what one image alone sees) is left out rather than guessed.
+# The ground truth is known here, so the error can be measured. The error of confirmed pixels is a fraction of a
+# percent. Unconfirmed pixels are removed: the uniform background, edges, and surfaces that are visible in one image
+# only.
 
 truth = shots.depths[2][::2, ::2][:, LEFT:RIGHT]
 depth = filtered[2].depth
@@ -94,12 +95,11 @@ print(f"half of the pixels within {np.median(relative):.2%} of the true depth, n
 assert np.median(relative) < 0.01
 
 # %%
-# One cloud
-# ---------
-# Pixels of several images that show one place become one point, with its color, its normal, and ``views``: how
-# many images agree on it. The gray behind the figure is plain, so its depth is unknown, and
-# estimates of it are unreliable. It is removed by its
-# color, and specks in the air by clusters (chapter 3).
+# Merge the depth maps
+# --------------------
+# Pixels of several images that show the same surface are merged to one point with color, normal and ``views``, the
+# number of images that agree. The depth of the uniform gray background is unreliable. The script removes it by its
+# color, and small isolated groups of points by clustering (chapter 3).
 
 cloud = loom.photogrammetry.fuse_depth_maps(filtered, small)
 print(cloud, "views from", int(cloud["views"].min()), "to", int(cloud["views"].max()))
@@ -108,7 +108,7 @@ plain = np.linalg.norm(cloud.colors - gray, axis=1) < 0.12
 figure = cloud.select_by_mask(~plain)
 labels = np.asarray(figure.cluster_dbscan(eps=0.01, min_points=10))
 figure = figure.select_by_mask(labels == np.bincount(labels[labels >= 0]).argmax())
-print(f"{len(cloud) - len(figure)} points of the background are cut off")
+print(f"{len(cloud) - len(figure)} points of the background removed")
 view = {"front": poses[2][:3, 3].tolist(), "up": [0, 0, 1], "zoom": 0.52}
 fused = loom.render(
     [figure] + [{"geometry": loom.CameraFrustum(camera, pose, 0.08), "color": (0.1, 0.4, 0.9)} for pose in poses],
@@ -118,8 +118,8 @@ fused = loom.render(
 close = loom.render(figure, view, (960, 640))
 
 # %%
-# Against the true figure
-# -----------------------
+# Compare with the ground truth
+# -----------------------------
 
 owl = figure.select_by_mask((figure.points[:, 2] > -0.13) & (np.linalg.norm(figure.points[:, :2], axis=1) < 0.12))
 scene = loom.RaycastingScene()
@@ -136,7 +136,7 @@ errors = loom.render(
 )
 
 # %%
-# To turn, as points:
+# The result as an interactive page:
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 with loom.record(folder / "owl.html", automatic=False, max_points=60_000, title="From four photographs") as recording:
@@ -147,36 +147,39 @@ with loom.record(folder / "owl.html", automatic=False, max_points=60_000, title=
 page = folder / "owl.html"
 
 # %%
-# The unit
-# --------
-# These poses are in meters, so the cloud is. Where poses are found from images alone, the unit is **arbitrary**: a
-# doll's house and a house make the same images. One known distance settles it: ``--known IMG_0012,IMG_0040,1.5``
-# says that two images were taken 1.5 m apart.
+# Scale
+# -----
+# The poses are in meters, so the cloud is, too. If the poses are estimated from images alone, the scale is
+# **arbitrary**: a small and a large model give the same images. One known distance determines it: ``--known
+# IMG_0012,IMG_0040,1.5`` states that two cameras are 1.5 m apart.
 #
-# What goes wrong
+# Common mistakes
 # ---------------
-# **Poses the wrong way round.** With the poses themselves in place of their inverse nothing agrees:
+# **Inverted poses.** With poses instead of their inverses, images do not agree:
 
 wrong = [loom.photogrammetry.PosedCamera(camera, pose) for pose in poses[:2]]
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     mistaken = loom.photogrammetry.filter_depth_maps(loom.photogrammetry.estimate_depth_maps(small[:2], wrong))
-left = np.mean([(mistaken[k].depth > 0).mean() for k in range(2)])
+confirmed_fraction = np.mean([(mistaken[k].depth > 0).mean() for k in range(2)])
 print(caught[0].message)
-print(f"confirmed with wrong poses: {left:.0%}, with right ones: {fraction:.0%}")
-assert left < 0.02 < fraction and "T_camera_world is world to camera" in str(caught[0].message)
+print(f"confirmed with wrong poses: {confirmed_fraction:.0%}, with right ones: {fraction:.0%}")
+assert confirmed_fraction < 0.02 < fraction and "T_camera_world is world to camera" in str(caught[0].message)
 
 # %%
-# **Plain, shiny and moving things** have nothing that can be recognized, or change from image to image: white
-# walls, glass, people. Move closer, add a tablecloth with a pattern, ask people to wait.
+# **Uniform, reflective and moving surfaces** cannot be matched: white walls, glass, people. Take images from a shorter
+# distance, add texture such as a patterned cloth, and avoid motion.
 #
-# Try it
-# ------
-# - Take every second image. What is lost first?
-# - ``loom.photogrammetry.fuse_depth_maps(kept, small, to="tsdf")`` gives a mesh.
-# - Film a thing on a table, once round, and run ``pointloom video``.
+# What to change
+# --------------
+# - The images: use every second one. Which part of the surface is lost first?
+# - ``to``: ``loom.photogrammetry.fuse_depth_maps(filtered, small, to="tsdf")`` returns a mesh.
+# - The threshold 0.12 of the background color (0 to 1): a larger value removes more of the object.
+# - The input: record a video around an object on a table, and run ``pointloom video``.
 #
-# Where to go next
-# ----------------
-# The page :doc:`From a video to a mesh </video>` has the command in full, :doc:`Structure from motion </sfm>` the
-# search for poses, :doc:`Photographs with known poses </mvs>` this chapter's steps with figures.
+# Next
+# ----
+# - :ref:`Chapter 10 <sphx_glr_chapters_plot_10_colored_icp.py>`: ICP with colors.
+# - :doc:`Video or photographs to mesh </video>`: all options of the command.
+# - :doc:`Structure from motion </sfm>`: estimation of the poses.
+# - :doc:`Multi-view stereo </mvs>`: the steps of this chapter with measurements.

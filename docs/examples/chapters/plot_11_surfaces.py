@@ -1,17 +1,17 @@
 """
-11. Surfaces from points
-========================
+11. Surface reconstruction
+==========================
 
-Points have no inside, no area, nothing to print or to put an image on: for these one needs a surface. You learn the
-three classic ways, which one suits which scan, what their one number means, and how to cut away what a method made
-up.
+Volume, area, 3D printing and texture require a surface. In this chapter you reconstruct a surface from points with
+three methods: alpha shapes, ball pivoting and Poisson. You choose the method and its parameter, and remove parts of the
+surface that no points support.
 """
 
 # %%
-# Points of a known figure
-# ------------------------
-# Samples of a figure 30 cm high, so that each surface can be held against the true one. Poisson-disk samples are spread
-# evenly; scans are not, and we shall see who minds.
+# Points with a known surface
+# ---------------------------
+# The points are samples of an object 30 cm high, so each surface can be compared with the true one. Poisson-disk
+# samples are evenly spaced. Real scans are not, as the last part of this chapter shows.
 
 import tempfile
 from pathlib import Path
@@ -23,14 +23,14 @@ import pointloom as loom
 figure = loom.datasets.object_mesh()
 cloud = figure.sample_points_poisson_disk(8000, seed=0)
 spacing = float(np.median(cloud.compute_nearest_neighbor_distance()))
-print(cloud, f"some {spacing * 1000:.1f} mm apart")
+print(cloud, f"point spacing {spacing * 1000:.1f} mm")
 
 scene = loom.RaycastingScene()
 scene.add_triangles(figure)
 
 
 def error(mesh: loom.TriangleMesh) -> float:
-    """Half of the mesh is within this distance of the true surface [mm]."""
+    """Median distance of the mesh from the true surface [mm]."""
     samples = mesh.sample_points_uniformly(5000, seed=1).points
     return 1000 * float(np.median(scene.compute_distance(samples.astype(np.float32))))
 
@@ -40,7 +40,7 @@ view = {"front": [0.1, -1, 0.15], "up": [0, 0, 1], "zoom": 0.5}
 
 
 def side_by_side(meshes: list, names: list[str]) -> np.ndarray:
-    """An image of meshes in a row, with what each is."""
+    """An image of meshes in a row, with labels."""
     row = [mesh.translate(k * step) for k, mesh in enumerate(meshes)]
     labels = [(name, k * step - [0, 0, 0.2]) for k, name in enumerate(names)]
     return loom.render([mesh.compute_vertex_normals() for mesh in row], view, (960, 640), labels=labels)
@@ -49,44 +49,46 @@ def side_by_side(meshes: list, names: list[str]) -> np.ndarray:
 # %%
 # Alpha shapes
 # ------------
-# A ball of radius alpha rolls everywhere around and, where the points let it, between them; what it cannot reach is
-# inside. It needs no normals. Alpha is a length: a bit above the spacing keeps detail and tears holes, a large one
-# fills hollows, an infinite one is the convex hull.
+# A sphere of radius alpha moves through all space that contains no points. The alpha shape is the boundary of the space
+# that it cannot reach. The method needs no normals. Alpha is a length. A value slightly above the point spacing
+# preserves detail and leaves holes. A large value fills concave regions. An infinite value gives the convex hull.
 #
-# In Open3D: ``TriangleMesh.create_from_point_cloud_alpha_shape(cloud, alpha)``; that name works here too, as do those
-# below.
+# Open3D's name works here, too: ``TriangleMesh.create_from_point_cloud_alpha_shape(cloud, alpha)``. The same is true of
+# the following methods.
 
 alphas = [1.5 * spacing, 4 * spacing, 20 * spacing]
 shapes = loom.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, alphas)
 for alpha, mesh in zip(alphas, shapes, strict=True):
     closed = "closed" if mesh.is_watertight() else "open"
-    print(f"alpha {alpha * 1000:5.1f} mm: {len(mesh.triangles):6} triangles, {closed}, {error(mesh):.2f} mm off")
+    print(f"alpha {alpha * 1000:5.1f} mm: {len(mesh.triangles):6} triangles, {closed}, error {error(mesh):.2f} mm")
 alpha_shapes = side_by_side(shapes, [f"alpha {alpha * 1000:.0f} mm" for alpha in alphas])
 
-assert error(shapes[1]) < error(shapes[2]), "a large alpha fills hollows"
+assert error(shapes[1]) < error(shapes[2]), "a large alpha fills concave regions"
 
 # %%
 # Ball pivoting
 # -------------
-# A ball lies on three points, which become a triangle, and tips over each edge until it meets the next point. It
-# keeps the points themselves, so it keeps their noise, and where points are thin it leaves holes. It needs normals
-# that look outwards. Give two or three radii, from the spacing up; ``None`` chooses them.
+# A ball that touches three points creates a triangle. It then rotates about each edge until it touches the next point.
+# The vertices are the input points, including their noise. Holes remain in sparse regions. The method requires
+# normals that point outward. Give two or three radii, beginning with the point spacing. ``None`` selects them
+# automatically.
 
 ball = loom.TriangleMesh.create_from_point_cloud_ball_pivoting(cloud, [1.2 * spacing, 2.5 * spacing])
-print(f"ball pivoting: {len(ball.triangles)} triangles, {error(ball):.2f} mm off, closed: {ball.is_watertight()}")
+print(f"ball pivoting: {len(ball.triangles)} triangles, error {error(ball):.2f} mm, closed: {ball.is_watertight()}")
 assert len(ball.vertices) == len(cloud), "its vertices are the points"
 
 # %%
-# Poisson
-# -------
-# The smoothest closed surface whose normals agree with those of the points. It averages noise and closes holes, also
-# those that should stay open; of a scan of one side it may be cut open where it leaves the box that it is computed in.
-# ``depth`` is its resolution: 2^depth cells along the longest side; 8 for an object, 9 or 10 for detail. Each step is
-# four times the triangles, until cells are finer than the points are apart: from there on it adds nothing.
+# Poisson reconstruction
+# ----------------------
+# Poisson reconstruction computes a smooth closed surface whose normals agree with those of the points. It averages
+# noise and closes holes, even those that are real. If a scan shows one side only, the surface may be open at the border
+# of its bounding box. ``depth`` is the resolution: 2^depth cells along the longest side. Use 8 for an object, 9 or 10
+# for more detail. Each increment gives four times as many triangles, until the cells are smaller than the point
+# spacing. Beyond that there is no improvement.
 
 poisson, densities = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, depth=7)
 cell = float(np.max(figure.get_max_bound() - figure.get_min_bound())) / 2**7 * 1000
-print(f"Poisson: {len(poisson.triangles)} triangles, {error(poisson):.2f} mm off, cells of some {cell:.0f} mm,"
+print(f"Poisson: {len(poisson.triangles)} triangles, error {error(poisson):.2f} mm, cells of {cell:.0f} mm,"
       f" closed: {poisson.is_watertight()}")  # fmt: skip
 assert poisson.is_watertight() and error(poisson) < 1.0
 
@@ -97,10 +99,10 @@ three = side_by_side(
 )  # fmt: skip
 
 # %%
-# A real scan: one side only, and noise
-# -------------------------------------
-# Now what a camera gives: two scans from the front, in their true places. No camera saw the back. Normals have to be
-# made; since we know where each camera stood, they are turned toward it.
+# A partial scan with noise
+# -------------------------
+# This scan consists of two views from the front, with known poses and noise. The back was not observed. Normals are
+# estimated and oriented toward the cameras.
 
 scans = loom.datasets.object_scans(10)
 parts = []
@@ -110,96 +112,104 @@ for k in (0, 1):
 scan = loom.PointCloud.concatenate(parts).voxel_down_sample(0.5 * spacing).normalize_normals()
 surface, densities = loom.TriangleMesh.create_from_point_cloud_poisson(scan, depth=7)
 densities = np.asarray(densities)
-closed = "and is closed" if surface.is_watertight() else "and is cut open where it leaves the box"
-print(f"{len(scan)} points of two sides; Poisson makes up the rest {closed}")
+closed = "and is closed" if surface.is_watertight() else "and is open at the border of the box"
+print(f"{len(scan)} points of two views; Poisson completes the surface {closed}")
 
 # %%
-# What is made up? Each vertex has a **density**: how many points speak for it, as a depth of the tree, so that one
-# less means a quarter of the points. Low ones are guesses. Colored by density, the guess at the back shows, and a
-# mask cuts it. Here a third of the vertices is guessed; of a scan from all sides it is a hundredth. Raise the fraction
-# until nothing is left that nobody saw.
+# Each vertex has a **density**. It is the logarithm of the number of supporting points, in units of octree levels: one
+# less is a quarter of the points. Vertices of low density are extrapolated. The image shows the density by color and
+# the surface after removal of low densities. Here a third of the vertices is extrapolated. With scans from all sides it
+# would be a hundredth. Increase the fraction until all unobserved parts are removed.
 
 fraction = (densities - densities.min()) / np.ptp(densities)
-shown = surface.copy()
-shown.vertex_colors = (1 - fraction)[:, None] * [0.25, 0.25, 0.75] + fraction[:, None] * [1.0, 0.75, 0.2]
+colored_by_density = surface.copy()
+colored_by_density.vertex_colors = (1 - fraction)[:, None] * [0.25, 0.25, 0.75] + fraction[:, None] * [1.0, 0.75, 0.2]
 low = float(np.quantile(densities, 0.35))
-sure = surface.remove_vertices_by_mask(densities < low)
+masked_surface = surface.remove_vertices_by_mask(densities < low)
 trimmed = surface.trim(densities, low)
-print(f"below {low:.1f}: {(densities < low).mean():.0%} of the vertices go")
+print(f"below {low:.1f}: {(densities < low).mean():.0%} of the vertices are removed")
 
 side_view = {"front": [1.0, -0.35, 0.2], "up": [0, 0, 1], "zoom": 0.52}
 along = np.array([0.07, 0.19, 0])
 trimmed_mesh = trimmed.compute_vertex_normals().paint_uniform_color([0.95, 0.75, 0.45])
 masked = loom.render(
-    [shown.translate(-along), trimmed_mesh.translate(along)],
-    side_view, (960, 640), labels=[("by density", -along - [0, 0, 0.2]), ("cut", along - [0, 0, 0.2])],
+    [colored_by_density.translate(-along), trimmed_mesh.translate(along)],
+    side_view, (960, 640), labels=[("by density", -along - [0, 0, 0.2]), ("trimmed", along - [0, 0, 0.2])],
 )  # fmt: skip
 
 
 def worst(mesh: loom.TriangleMesh) -> float:
-    """A twentieth of the mesh is farther off the true surface than this [mm]."""
+    """95th percentile of the distance from the true surface [mm]."""
     samples = mesh.sample_points_uniformly(5000, seed=1).points
     return 1000 * float(np.quantile(scene.compute_distance(samples.astype(np.float32)), 0.95))
 
 
-print(f"the worst twentieth is {worst(surface):.0f} mm off before, {worst(sure):.0f} mm after the mask,"
+print(f"95th percentile of the error: {worst(surface):.0f} mm before, {worst(masked_surface):.0f} mm after the mask,"
       f" {worst(trimmed):.0f} mm after trim")  # fmt: skip
-assert worst(sure) < 0.5 * worst(surface)
-assert not sure.is_watertight(), "it is open where nobody looked"
+assert worst(masked_surface) < 0.5 * worst(surface)
+assert not masked_surface.is_watertight(), "it is open where there are no points"
 
 # %%
-# ``remove_vertices_by_mask`` cuts along triangles, as in Open3D; ``trim`` cuts along a smooth line and drops islands.
+# ``remove_vertices_by_mask`` removes whole triangles, as in Open3D. ``trim`` cuts along a smooth line and removes
+# isolated parts.
 #
-# All in one call: ``create_surface`` estimates missing normals and checks whether the result is reliable.
+# ``create_surface`` performs all steps in one call. It estimates missing normals and checks whether the result is
+# reliable.
 
 result = loom.meshing.create_surface(scan, "poisson", depth=7)
 print(result)
 assert not result.reliable and result.warnings[0] in str(result)
 
 # %%
-# To turn: all of it by density, then what is left, in the colors of the scan.
+# An interactive page: the complete surface colored by density, then the trimmed surface.
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
-with loom.record(folder / "surface.html", automatic=False, title="Poisson, and what points bear out") as recording:
-    recording.add("surface", shown)
-    recording.step("all of it, by density")
+with loom.record(
+    folder / "surface.html", automatic=False, title="Poisson surface, before and after trimming"
+) as recording:
+    recording.add("surface", colored_by_density)
+    recording.step("complete, by density")
     recording.update("surface", trimmed.compute_vertex_normals())
-    recording.step("cut")
+    recording.step("trimmed")
 page = folder / "surface.html"
 
 # %%
-# What goes wrong
+# Common mistakes
 # ---------------
-# **Normals on both sides.** ``estimate_normals`` does not know outside from inside: its signs change from patch to
-# patch. Poisson and ball pivoting then make a crumpled thing. ``normal_disagreement`` tells the fraction of neighbors
-# that look to opposite sides: it should be near 0. It counts the borders between patches, not their size: 2 % may be
-# half the surface, so look at it, colored by its normals. From a tenth on Poisson warns; a closed figure may be spoilt
-# below that. ``orient_normals_consistent_tangent_plane`` mends it.
+# **Inconsistent normals.** ``estimate_normals`` does not determine the sign, so the normals of different regions may
+# point to opposite sides. Poisson reconstruction and ball pivoting then create a wrong surface. ``normal_disagreement``
+# is the fraction of neighbors with opposite normals. It should be close to 0. It counts the borders between regions,
+# not their area: with 2%, half of the surface may be inverted. Display the normals as colors. Poisson warns above 10%,
+# but smaller values may also damage the result. ``orient_normals_consistent_tangent_plane`` makes them consistent.
 
-guessed = loom.PointCloud(cloud.points).estimate_normals(max_nn=20)
-oriented = guessed.orient_normals_consistent_tangent_plane(20)
-crumpled, _ = loom.TriangleMesh.create_from_point_cloud_poisson(guessed, depth=6)
-repaired, _ = loom.TriangleMesh.create_from_point_cloud_poisson(oriented, depth=6)
-print(f"as guessed: {guessed.normal_disagreement():.1%} disagree, the surface is {error(crumpled):.1f} mm off")
-print(f"oriented:   {oriented.normal_disagreement():.1%} disagree, the surface is {error(repaired):.1f} mm off")
-assert oriented.normal_disagreement() < 0.2 * guessed.normal_disagreement()
-assert error(repaired) < 0.5 * error(crumpled)
+unoriented = loom.PointCloud(cloud.points).estimate_normals(max_nn=20)
+oriented = unoriented.orient_normals_consistent_tangent_plane(20)
+from_unoriented, _ = loom.TriangleMesh.create_from_point_cloud_poisson(unoriented, depth=6)
+from_oriented, _ = loom.TriangleMesh.create_from_point_cloud_poisson(oriented, depth=6)
+print(
+    f"estimated: {unoriented.normal_disagreement():.1%} disagree, error of the surface {error(from_unoriented):.1f} mm"
+)
+print(f"oriented:  {oriented.normal_disagreement():.1%} disagree, error of the surface {error(from_oriented):.1f} mm")
+assert oriented.normal_disagreement() < 0.2 * unoriented.normal_disagreement()
+assert error(from_oriented) < 0.5 * error(from_unoriented)
 
-inside_out = side_by_side([crumpled, repaired], ["signs as guessed", "oriented"])
+orientation_comparison = side_by_side([from_unoriented, from_oriented], ["estimated normals", "oriented normals"])
 
 # %%
-# **Inside out.** If all normals look inwards, the surface is right and dark: ``cloud.flip_normals()``.
+# **Inverted normals.** If all normals point inward, the shape is correct but the shading is dark. Use
+# ``cloud.flip_normals()``.
 #
-# **A radius in the wrong unit.** An alpha of 0.03 on a cloud in millimeters gives no triangle at all.
+# **A radius in the wrong unit.** An alpha of 0.03 on a cloud in millimeters gives no triangles.
 #
-# Try it
-# ------
-# - Add 2 mm of noise to ``cloud.points``. Which of the three surfaces suffers most?
-# - Poisson with depth 5 and 9. How do triangles and error change?
-# - Ball pivoting with one radius: where are the holes?
+# What to change
+# --------------
+# - The noise: add 2 mm to ``cloud.points``. Which method is the most sensitive?
+# - ``depth`` of Poisson: compare triangles and error for 5 and 9.
+# - The radii of ball pivoting [m]: use one radius only. Where are the holes?
 #
-# Where to go next
-# ----------------
-# :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` makes surfaces of depth images, which is better
-# still where one has them. The page :doc:`Surfaces from points </surfaces>` has figures for each method,
-# :doc:`Meshes </meshes>` what to do with a mesh: clean, simplify, smooth, texture.
+# Next
+# ----
+# - :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>`: surfaces from depth images, which are more
+#   accurate if such images are available.
+# - :doc:`Surface reconstruction </surfaces>`: measurements for each method.
+# - :doc:`Triangle meshes </meshes>`: cleaning, simplification, smoothing, texture.

@@ -2,17 +2,16 @@
 15. From frames to a model
 ==========================
 
-The last step: many images of a depth camera become one model. You learn to put frames together where their poses
-are known, to fuse them into a surface that averages the noise, to do it where nobody knows the poses, and to ask how
-good the model is.
+The final chapter reconstructs a model from many frames of a depth camera. You merge frames with known poses, fuse them
+to a surface that averages the noise, reconstruct a scene with unknown poses, and measure the accuracy of the model.
 """
 
 # %%
-# Cameras and paths in files
-# --------------------------
-# A camera is a JSON file, a path a file of poses. Open3D's files are read and written as they stand. In Open3D a
-# trajectory holds extrinsics (world to camera); here it holds poses (camera to world): ``np.linalg.inv`` goes from
-# one to the other.
+# Files of cameras and trajectories
+# ---------------------------------
+# A camera is stored as JSON, a trajectory as a text file. Both are compatible with Open3D. Open3D's trajectories
+# contain extrinsics (world to camera). pointloom's contain poses (camera to world). ``np.linalg.inv`` converts between
+# them.
 
 import tempfile
 from pathlib import Path
@@ -33,10 +32,10 @@ print(loom.read_trajectory(folder / "path.log"))
 assert loom.PinholeCameraIntrinsic.read(folder / "camera.json") == camera
 
 # %%
-# Merge clouds
-# ------------
-# The simplest way: a cloud of each frame, moved by its pose, all of them in one, thinned. Every wrong pixel is in it,
-# and surfaces are as thick as the noise.
+# Merge point clouds
+# ------------------
+# The simplest model is the union of all point clouds in world coordinates, downsampled. It contains every wrong pixel,
+# and its surfaces are as thick as the noise.
 
 clouds = []
 for frame in frames[::3]:
@@ -44,26 +43,26 @@ for frame in frames[::3]:
     clouds.append(loom.PointCloud.create_from_rgbd_image(image, camera, np.linalg.inv(frame.T_world_camera)))
 merged = loom.PointCloud.concatenate(clouds)
 thin = merged.voxel_down_sample(0.02)
-print(f"{len(merged)} points of {len(clouds)} frames, {len(thin)} after thinning")
+print(f"{len(merged)} points of {len(clouds)} frames, {len(thin)} after downsampling")
 
 
-def inside(geometry: loom.PointCloud | loom.TriangleMesh) -> loom.PointCloud | loom.TriangleMesh:
-    """What is below the ceiling and before the window's wall, so that one sees in."""
+def interior(geometry: loom.PointCloud | loom.TriangleMesh) -> loom.PointCloud | loom.TriangleMesh:
+    """Remove the ceiling and the wall with the window, which hide the interior."""
     return geometry.crop(loom.AxisAlignedBoundingBox([-1, -1, -1], [6, 3.8, 2.45]))
 
 
 view = {"front": [0.62, 0.62, 0.55], "up": [0, 0, 1], "zoom": 0.54}
-as_points = loom.render(inside(thin), view, (960, 640))
+merged_points = loom.render(interior(thin), view, (960, 640))
 
 # %%
 # Fuse a surface
 # --------------
-# A **TSDF volume** keeps, for each voxel near a surface, how far the surface is, as the mean over all frames. Noise
-# averages out, and what one frame alone saw is outvoted by the others. The surface is where the distance is 0. Two
-# numbers: the voxel (as fine as the detail you want, 1 to 2 cm for rooms), and the truncation: how far beside the
-# surface is kept, some four voxels, and more than the noise.
+# A **TSDF volume** stores, for each voxel close to a surface, the mean signed distance from the surface over all
+# frames. This averages noise and suppresses errors of single frames. The surface is at distance 0. There are two
+# parameters. The voxel size is the size of the smallest detail, 1 to 2 cm for rooms. The truncation is the largest
+# stored distance, about four voxels and more than the noise.
 #
-# In Open3D: ``ScalableTSDFVolume(voxel_length, sdf_trunc, color_type)``, ``integrate(rgbd, intrinsic, extrinsic)``.
+# In Open3D: ``ScalableTSDFVolume(voxel_length, sdf_trunc, color_type)`` and ``integrate(rgbd, intrinsic, extrinsic)``.
 
 volume = loom.TSDFVolume(voxel_size=0.02, truncation=0.08)
 for frame in frames:
@@ -71,28 +70,28 @@ for frame in frames:
     volume.integrate(image, camera, np.linalg.inv(frame.T_world_camera))
 mesh = volume.extract_triangle_mesh()
 print(mesh)
-fused = loom.render(inside(mesh), view, (960, 640), shading="none")
+fused = loom.render(interior(mesh), view, (960, 640), shading="none")
 
 # %%
-# Is it better than the points? The data has the room's true surface, so we ask both how far they are off.
+# The true surface of the room is known, so the errors of the points and of the fused surface can be compared:
 
 scene = loom.RaycastingScene()
 scene.add_triangles(loom.datasets.room_mesh())
 
 
 def errors(points: np.ndarray) -> np.ndarray:
-    """How far points are from the room's surface [mm]."""
+    """Distances [mm] of points from the surface of the room."""
     return 1000 * np.asarray(scene.compute_distance(points[:: max(len(points) // 20_000, 1)].astype(np.float32)))
 
 
 for name, points in (("points", merged.points), ("surface", mesh.vertices)):
-    far = errors(points)
-    print(f"{name}: half within {np.median(far):.1f} mm of the room, nine tenths within {np.quantile(far, 0.9):.0f} mm")
+    distances = errors(points)
+    print(f"{name}: median error {np.median(distances):.1f} mm, 90th percentile {np.quantile(distances, 0.9):.0f} mm")
 assert np.median(errors(mesh.vertices)) < np.median(errors(merged.points))
 
 # %%
-# All of it is one call where frames have poses: ``loom.rgbd.fuse``, which checks the result. Frames come from
-# ``loom.open_dataset(folder)``, a camera, or a list:
+# ``loom.rgbd.fuse`` performs all steps in one call and checks the result. Its frames come from
+# ``loom.open_dataset(folder)``, a camera or a list:
 
 source = loom.frames_from(frames[::2], camera)
 result = loom.rgbd.fuse(source, voxel_size=0.03)
@@ -100,40 +99,41 @@ print(result)
 assert result.reliable
 
 # %%
-# Nobody knows the poses
-# ----------------------
-# That is the usual case. ``loom.rgbd.reconstruct`` holds each frame against the model of all frames before it, adds it
-# there, and closes loops where the camera comes back to a place. It is told no pose, not even the first, so its world
-# is the first camera's. We give it the frames without their poses:
+# Unknown poses
+# -------------
+# Usually the poses are unknown. ``loom.rgbd.reconstruct`` registers each frame with a model of all previous frames,
+# adds it to the model, and closes loops when the camera returns to a known location. Its world coordinates are those of
+# the first camera. The input here consists of the frames without poses:
 
-blind = loom.frames_from([(frame.color, frame.depth) for frame in frames], camera)
-reconstruction = loom.rgbd.reconstruct(blind, voxel_size=0.02)
+frames_without_poses = loom.frames_from([(frame.color, frame.depth) for frame in frames], camera)
+reconstruction = loom.rgbd.reconstruct(frames_without_poses, voxel_size=0.02)
 print(reconstruction)
 assert reconstruction.reliable
 assert len(reconstruction.trajectory) == len(frames)
 
 # %%
-# How good is the path? It is laid onto the true one, and compared (chapter 13). "se3" says how: by a turn and a
-# step ("sim3" would scale it too). **ATE** is how far positions are off then, **RPE** what one step is off.
+# To evaluate the trajectory, it is aligned with the ground truth and compared (chapter 13). "se3" is an alignment by
+# rotation and translation, "sim3" would include scale. **ATE** is the error of the positions, **RPE** that of single
+# motions.
 #
-# Where frames are lost the path is shorter than the truth; ``reconstruction.trajectory.ids[:, 0]`` holds the numbers of
-# the frames that have a pose.
+# If frames are lost, the trajectory has fewer poses than the ground truth. ``reconstruction.trajectory.ids[:, 0]``
+# contains the indices of the tracked frames.
 
 tracked = reconstruction.trajectory.ids[:, 0]
 path_errors = loom.registration.evaluate_trajectory(reconstruction.trajectory, loom.Trajectory(truth.poses[tracked]))
 print(path_errors)
 
-at_home = reconstruction.mesh.transform(truth.poses[0] @ np.linalg.inv(reconstruction.trajectory.poses[0]))
-far = errors(at_home.vertices)
-print(f"the model: half within {np.median(far):.1f} mm of the room, nine tenths within {np.quantile(far, 0.9):.0f} mm")
-assert np.median(far) < 15
+in_room_frame = reconstruction.mesh.transform(truth.poses[0] @ np.linalg.inv(reconstruction.trajectory.poses[0]))
+distances = errors(in_room_frame.vertices)
+print(f"the model: median error {np.median(distances):.1f} mm, 90th percentile {np.quantile(distances, 0.9):.0f} mm")
+assert np.median(distances) < 15
 
 path = loom.Trajectory(
     truth.poses[0] @ np.linalg.inv(reconstruction.trajectory.poses[0]) @ reconstruction.trajectory.poses
 )
 model = loom.render(
     {
-        "room": inside(at_home),
+        "room": interior(in_room_frame),
         "path": {"geometry": path, "color": (0.9, 0.15, 0.1), "line_width": 4},
         **{f"camera {k}": {"geometry": loom.CameraFrustum(camera, path.poses[k], 0.2), "color": (0.9, 0.15, 0.1)}
            for k in range(0, 24, 4)},
@@ -144,57 +144,58 @@ model = loom.render(
 # %%
 # The reconstruction system
 # -------------------------
-# Open3D's system works in stages: fragments of some hundred frames, their registration, its refinement, and the
-# integration of the scene. ``loom.rgbd`` has them under the same names, reads the same configuration, and
-# goes on where it was interrupted. Take it for long recordings, or where tracking loses the camera: fragments find
-# each other again.
+# Open3D's reconstruction system has stages: fragments of about 100 frames, their registration, its refinement, and the
+# integration. ``loom.rgbd`` has the same stages, reads the same configuration, and can resume an interrupted run. Use
+# it for long recordings, or if tracking loses the camera. Fragments are registered with each other.
 #
 # .. code-block:: python
 #
 #    stages = loom.rgbd.FragmentOptions("kitchen-job", resume=True)
 #    result = loom.rgbd.reconstruct(loom.open_frames("kitchen"), fragments=stages)
 #
-# Watch the model grow:
+# A recording of the fusion:
 
-with loom.record(folder / "fusion.html", max_points=30_000, title="Frames become a model") as recording:
+with loom.record(folder / "fusion.html", max_points=30_000, title="Fusion of frames") as recording:
     loom.rgbd.fuse(loom.frames_from(frames[::4], camera), voxel_size=0.04)
 page = folder / "fusion.html"
 print(f"{page.stat().st_size / 1e6:.1f} MB")
 
 # %%
-# Keep it
-# -------
+# Save the model
+# --------------
 
 loom.write_triangle_mesh(folder / "room.ply", reconstruction.mesh)
-loom.write_trajectory(folder / "found.log", reconstruction.trajectory)
+loom.write_trajectory(folder / "estimated.log", reconstruction.trajectory)
 assert len(loom.read_triangle_mesh(folder / "room.ply").triangles) == len(reconstruction.mesh.triangles)
 
 # %%
-# What goes wrong
+# Common mistakes
 # ---------------
-# **Extrinsics and poses mixed up** (chapter 5): the fused room is fog. ``integrate`` takes the extrinsic,
-# trajectories hold poses.
+# **Extrinsics instead of poses**, or the reverse (chapter 5): the fused surface is noise. ``integrate`` expects the
+# extrinsic. Trajectories contain poses.
 #
-# **A voxel in millimeters.** ``voxel_size=20`` makes a room of one voxel; nothing is left of it. ``loom.rgbd.fuse``
-# says so:
+# **A voxel size in millimeters.** With ``voxel_size=20``, the whole room is smaller than a voxel. ``loom.rgbd.fuse``
+# warns:
 
 huge = loom.rgbd.fuse(loom.frames_from(frames[:3], camera), voxel_size=20.0)
 print(huge.warnings)
 assert "voxel_size: 20 m is larger than the scene" in huge.warnings[0]
 
 # %%
-# **Too fast a camera.** Frames that overlap by less than two thirds, or that are blurred, are lost;
-# ``reconstruction.warnings`` and ``print(reconstruction)`` name them. Film slowly, at 10 frames a second and more, and
-# come back to where you began.
+# **Fast camera motion.** Frames with less than two thirds of overlap, and blurred frames, are lost.
+# ``reconstruction.warnings`` and ``print(reconstruction)`` list them. Move slowly, record at least 10 frames per
+# second, and return to the start.
 #
-# Try it
-# ------
-# - A voxel of 1 cm: how many triangles more, and what for?
-# - ``frames[::2]``, ``frames[::4]``: from where on does ``loom.rgbd.reconstruct`` lose the camera?
-# - ``pointloom reconstruct FOLDER -o room.ply --picture room.png`` does this chapter from the shell.
+# What to change
+# --------------
+# - ``voxel_size`` [m]: 0.01 instead of 0.02. How many more triangles are created, and how does the error change?
+# - The frame rate: ``frames[::2]``, ``frames[::4]``. At which rate does ``loom.rgbd.reconstruct`` lose the camera?
+# - ``truncation`` [m]: values below the noise leave holes.
+# - The command line: ``pointloom reconstruct FOLDER -o room.ply --picture room.png``.
 #
-# Where to go next
-# ----------------
-# The page :doc:`Reconstruction </reconstruction>` has the stages, :doc:`SLAM </slam>` how tracking and loops work,
-# :doc:`Surfaces from points </surfaces>` how to sharpen colors. The gallery has some fifty more examples, each about
-# one task.
+# Next
+# ----
+# - :doc:`RGB-D reconstruction </reconstruction>`: the stages and their options.
+# - :doc:`RGB-D SLAM and odometry </slam>`: tracking and loop closure.
+# - :doc:`Surface reconstruction </surfaces>`: sharper colors.
+# - The gallery: more than sixty examples, each for one task.

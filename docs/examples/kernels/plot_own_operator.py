@@ -1,18 +1,16 @@
 """
-An operator of one's own
-========================
+Write your own GPU operator
+===========================
 
-Where no operation does what you need, write it: a kernel is a Python function that runs once per point, compiled
-for CUDA and for all cores of the CPU from one text. Here it is the *roughness* of a surface: how far each point lies
-from the mean of what surrounds it. You learn what a kernel may hold, how it searches for neighbors, how it is
-launched on either device, and how to show that it is right.
+A kernel is a Python function that runs once per point, compiled for CUDA and for all cores of the CPU from one source.
+On this page you write a kernel with a neighbor search, launch it on both devices, and verify it. The example is the
+*roughness* of a surface: the distance of each point from the mean of its neighbors.
 """
 
 # %%
-# The words of the kernel language come from one module, whatever the device. Everything else of pointloom that a
-# kernel may use (searches, small matrices, sorts) lies in the rooms that ``kernels/README.md`` lists. These
-# modules are no public names: they may change from one minor version to the next, so pin the version where you
-# build on them.
+# The kernel language is defined in one module for all devices. Kernels can also use the modules listed in
+# ``kernels/README.md``: searches, small matrices, sorting. These modules are not public and may change in minor
+# versions. Pin the version of pointloom if you depend on them.
 
 import numpy as np
 
@@ -25,14 +23,12 @@ from pointloom.kernels.search.point_tree import BUCKET, PointTree
 # %%
 # The kernel
 # ----------
+# ``tid()`` is the index of the thread, here the index of a point in the order of the search tree. Adjacent points have
+# adjacent indices, so threads read the same memory. ``points_within`` iterates over the neighbors. The tree is a single
+# parameter, a structure. Only the fields that the kernel uses are passed.
 #
-# ``tid()`` is the number of the thread, here of a point in the order of the search tree: points that lie side by
-# side in space have numbers side by side, so that threads share what they read. ``points_within`` loops over
-# the neighbors. The tree is one parameter, a structure; only the fields that the kernel uses travel.
-#
-# A thread writes its own elements and nobody else's, so the result is the same bits for any number of threads. A
-# variable keeps the type of its first value: ``count = 0`` is a whole number, ``total = vec3(0.0)`` a vector of
-# float32.
+# Each thread writes its own elements only, so the result is bitwise identical for any number of threads. A variable
+# keeps the type of its first value: ``count = 0`` is an integer, ``total = vec3(0.0)`` a float32 vector.
 
 
 @func
@@ -53,38 +49,34 @@ def measure_roughness_kernel(
     for j, _ in points_within(i // BUCKET, p, radius * radius, tree):
         total += tree.points[j]
         count += 1
-    row = tree.order[i]  # the point's place in the cloud
+    row = tree.order[i]  # the index of the point in the cloud
     counts[row] = count
     roughness[row] = distance_from_mean(p, total, count)
 
 
 # %%
-# The function around it
-# ----------------------
-#
-# It checks, allocates where the cloud lies, launches one thread per point, and returns. The search tree is the
-# cloud's own: it is built at the first search and kept.
+# The host function
+# -----------------
+# The function checks its arguments, allocates memory on the device of the cloud, and launches one thread per point. The
+# search tree is built at the first search and cached by the cloud.
 
 
 def measure_roughness(cloud: loom.PointCloud, radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Roughness [m] of each point and how many points lie within `radius` [m] of it."""
+    """Roughness [m] of each point and the number of points within `radius` [m] of it."""
     if not radius > 0:
         raise ValueError(f"radius: expected a number above 0, got {radius}")
     tree = cloud.search_tree()
-    roughness = full(
-        len(cloud), np.nan, float32, cloud.device
-    )  # NaN stays where a point is not finite: no tree holds it
+    roughness = full(len(cloud), np.nan, float32, cloud.device)  # NaN for non-finite points, which are not in the tree
     counts = zeros(len(cloud), int32, cloud.device)
     launch(measure_roughness_kernel, tree.count, [float(radius), tree, roughness, counts])
     return download(roughness), download(counts)
 
 
 # %%
-# Is it right?
-# ------------
-#
-# A surface whose answer is known: a plane with a bump, 4 cm high and 10 cm wide, and one patch of noise. NumPy
-# gives the same answer for some points the slow way; an operator of yours deserves the same.
+# Verify the result
+# -----------------
+# The test surface is a plane with a bump 4 cm high and 10 cm wide, and a region with noise. The result is compared with
+# brute force in NumPy for some points. Write such a test for each of your operators.
 
 rng = np.random.default_rng(0)
 y, x = np.mgrid[-0.5:0.5:300j, -0.5:0.5:300j].reshape(2, -1) + rng.uniform(-0.001, 0.001, (2, 90_000))
@@ -93,18 +85,20 @@ noisy = (np.abs(x - 0.25) < 0.1) & (np.abs(y) < 0.1)
 z[noisy] += rng.normal(0.0, 0.004, noisy.sum())
 cloud = loom.PointCloud(np.column_stack([x, y, z]))
 
-radius = 0.02  # [m]: some 110 neighbors here; take a radius in which 20 to 100 points of your scan lie
+radius = 0.02  # [m]: about 110 neighbors here, use 20 to 100
 roughness, counts = measure_roughness(cloud, radius)
 
 some = rng.integers(0, len(cloud), 50)
 points = cloud.points
 for row in some:
-    near = np.linalg.norm(points - points[row], axis=1) <= radius
-    assert abs(int(near.sum()) - counts[row]) <= 1  # a point on the very edge may fall either way in float32
-    expected = np.linalg.norm(points[row] - points[near].mean(axis=0))
+    is_neighbor = np.linalg.norm(points - points[row], axis=1) <= radius
+    assert (
+        abs(int(is_neighbor.sum()) - counts[row]) <= 1
+    )  # float32 rounding may include or exclude a point at the radius
+    expected = np.linalg.norm(points[row] - points[is_neighbor].mean(axis=0))
     assert abs(expected - roughness[row]) < 1e-3
 
-inside = (np.abs(x) < 0.45) & (np.abs(y) < 0.45)  # neighborhoods at the rim are cut off
+inside = (np.abs(x) < 0.45) & (np.abs(y) < 0.45)  # neighborhoods at the border are incomplete
 calm, rough = np.median(roughness[inside & ~noisy]), np.median(roughness[inside & noisy])
 print(
     f"{counts.mean():.0f} neighbors a point; roughness {1000 * calm:.2f} mm, {1000 * rough:.2f} mm in the noisy patch"
@@ -112,33 +106,43 @@ print(
 assert rough > 5 * calm
 
 # %%
-# As an attribute the answer travels with the cloud through every operation, is written to files, and colors a
-# image.
+# As an attribute, the result is preserved by all operations, stored in files, and displayed as a color.
 
 cloud["roughness"] = roughness
-eye = {"front": [0.2, -0.7, 0.65], "lookat": [0.04, -0.06, 0.0], "up": [0.0, 0.0, 1.0], "zoom": 0.62}
-shown = {"name": "roughness [m]", "geometry": cloud, "color_by": "roughness", "point_size": 3.0}
-image = loom.render([shown], eye, size=(960, 640), color_bar=True)
+view_options = {"front": [0.2, -0.7, 0.65], "lookat": [0.04, -0.06, 0.0], "up": [0.0, 0.0, 1.0], "zoom": 0.62}
+style = {"name": "roughness [m]", "geometry": cloud, "color_by": "roughness", "point_size": 3.0}
+image = loom.render([style], view_options, size=(960, 640), color_bar=True)
 
 # %%
-# On the other device
-# -------------------
-#
-# ``cloud.to("cuda:0")`` moves the cloud, and the same function compiles the same kernel for the GPU. Sums run in
-# the order of the walk, which is the device's own, so answers agree to rounding and not to the bit. Where there
-# is no GPU nothing is lost: ``make test-cuda-emulated`` runs kernels as CUDA compiles them on an emulated one.
+# The GPU
+# -------
+# ``cloud.to("cuda:0")`` moves the cloud, and the same function compiles the kernel for the GPU. The order of summation
+# depends on the device, so results agree up to rounding. On machines without a GPU, ``make test-cuda-emulated`` runs
+# the kernels on an emulated CUDA device.
 
 try:
     moved = cloud.to("cuda:0")
 except loom.DeviceError as error:
-    print(f"no GPU here: {error}")
+    print(f"no GPU available: {error}")
 else:
     on_gpu, counts_on_gpu = measure_roughness(moved, radius)
     assert np.abs(counts_on_gpu - counts).max() <= 1 and np.abs(on_gpu - roughness).max() < 1e-3
-    print(f"on {moved.device}: at most {1e6 * np.abs(on_gpu - roughness).max():.2f} micrometres apart")
+    print(f"on {moved.device}: difference at most {1e6 * np.abs(on_gpu - roughness).max():.2f} micrometers")
 
 # %%
-# What a kernel may hold, in short: arithmetic, ``if``, ``for`` over ranges and walks, vectors and small matrices,
-# calls of ``@func``. No lists, no strings, no closures, no ``return`` of a value. What breaks a rule is refused
-# with its file and line when the function is decorated. The whole list of rules, with their reasons:
-# :doc:`/project/contributing`; what there is to build from: :doc:`/project/kernels`.
+# A kernel may contain arithmetic, ``if``, ``for`` over ranges and traversals, vectors, small matrices, and calls of
+# ``@func`` functions. It may not contain lists, strings, closures, or ``return`` with a value. Violations raise an
+# error with file and line when the function is decorated.
+#
+# What to change
+# --------------
+# - ``radius`` [m]: a larger value measures the roughness at a larger scale, and takes longer.
+# - ``distance_from_mean``: return the squared distance instead, or the distance along the normal.
+# - The size of the test cloud: 90,000 points. Compare the run time on CPU and GPU.
+#
+# Next
+# ----
+# - :doc:`/project/contributing`: all rules of the kernel language.
+# - :doc:`/project/kernels`: the available building blocks.
+# - :ref:`Neighbor search for all points at once <sphx_glr_gallery_clouds_plot_neighbor_search.py>`: neighbor search
+#   without a kernel.

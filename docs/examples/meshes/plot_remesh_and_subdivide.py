@@ -1,10 +1,10 @@
 """
-Remesh to an edge length, and subdivide
-=======================================
+Isotropic remeshing and subdivision
+===================================
 
-Simulation, physics and learning want triangles of one size and good shape. ``remesh_isotropic`` makes them;
-``subdivide_loop`` rounds a coarse cage into a smooth surface, and ``subdivide_midpoint`` makes more triangles without
-moving the surface.
+Simulation and learning need triangles of uniform size and good shape. On this page you create them with
+``remesh_isotropic``, smooth a coarse mesh with ``subdivide_loop``, and increase the number of triangles without
+changing the surface with ``subdivide_midpoint``.
 """
 
 import numpy as np
@@ -12,11 +12,11 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# What is wrong with the triangles of a CAD export
-# ------------------------------------------------
+# Triangle quality
+# ----------------
 #
-# They are needles: as few as the shape allows. We measure the smallest angle of each triangle; 60 degrees is the best
-# there is.
+# CAD exports contain long, narrow triangles. The smallest angle of each triangle measures the quality. The optimum is
+# 60 degrees.
 
 
 def smallest_angles(mesh):
@@ -36,53 +36,68 @@ plate = loom.TriangleMesh.from_polygon(
 )
 part = plate.extrude_linear([0, 0, 0.03])
 print(
-    f"before: {len(part.triangles)} triangles, smallest angles {smallest_angles(part).mean():.1f} degrees in the mean"
+    f"before: {len(part.triangles)} triangles, mean of the smallest angles {smallest_angles(part).mean():.1f} degrees"
 )
 
 # %%
-# Edges of 4 mm
-# -------------
+# Remesh to edges of 4 mm
+# -----------------------
 #
-# Borders and creases of more than ``feature_angle`` (30 degrees) stay where they are, so the part keeps its edges.
+# Boundaries and edges with an angle above ``feature_angle`` (30 degrees) are preserved.
 
-even = part.remesh_isotropic(0.004)
-edges = loom.LineSet.create_from_triangle_mesh(even)
+remeshed = part.remesh_isotropic(0.004)
+edges = loom.LineSet.create_from_triangle_mesh(remeshed)
 lengths = np.linalg.norm(np.diff(edges.points[edges.lines], axis=1)[:, 0], axis=1)
-print(f"after: {len(even.triangles)} triangles, smallest angles {smallest_angles(even).mean():.1f} degrees in the mean")
-print(f"edges {lengths.mean() * 1e3:.2f} mm in the mean, nine tenths from {np.quantile(lengths, 0.05) * 1e3:.2f} to "
+print(
+    f"after: {len(remeshed.triangles)} triangles, "
+    f"mean of the smallest angles {smallest_angles(remeshed).mean():.1f} degrees"
+)
+print(f"edges {lengths.mean() * 1e3:.2f} mm mean, 90 % from {np.quantile(lengths, 0.05) * 1e3:.2f} to "
       f"{np.quantile(lengths, 0.95) * 1e3:.2f}")  # fmt: skip
-off = loom.meshing.compare_meshes(even, part, samples=20_000)
-print(f"the surface moved by {max(off.metrics.mean) * 1e6:.1f} um in the mean")
-assert even.is_watertight() and smallest_angles(even).mean() > 45
-assert abs(even.get_volume() / part.get_volume() - 1) < 0.005
+difference = loom.meshing.compare_meshes(remeshed, part, samples=20_000)
+print(f"the surface moved by {max(difference.metrics.mean) * 1e6:.1f} um (mean)")
+assert remeshed.is_watertight() and smallest_angles(remeshed).mean() > 45
+assert abs(remeshed.get_volume() / part.get_volume() - 1) < 0.005
 assert 0.8 < lengths.mean() / 0.004 < 1.2
 
 # %%
-# From a cage to a smooth surface
-# -------------------------------
+# Subdivision
+# -----------
 #
-# Each round of either subdivision makes four triangles of one. Loop's moves vertices, so that the limit has no creases:
-# the volume of a cube shrinks. Midpoints change nothing but the number.
+# Each step of both methods replaces a triangle by four. Loop subdivision moves vertices to a smooth limit surface, so
+# the volume of a cube decreases. Midpoint subdivision does not change the shape.
 
 cube = loom.TriangleMesh.create_box(0.07, 0.07, 0.07)
-smooth, same = cube.subdivide_loop(4), cube.subdivide_midpoint(4)
-assert len(smooth.triangles) == len(same.triangles) == 4**4 * 12
-assert np.isclose(same.get_volume(), cube.get_volume()) and smooth.get_volume() < 0.6 * cube.get_volume()
+smooth, by_midpoints = cube.subdivide_loop(4), cube.subdivide_midpoint(4)
+assert len(smooth.triangles) == len(by_midpoints.triangles) == 4**4 * 12
+assert np.isclose(by_midpoints.get_volume(), cube.get_volume()) and smooth.get_volume() < 0.6 * cube.get_volume()
 print(
-    f"cube {cube.get_volume() * 1e6:.0f} cm^3, by midpoints "
-    f"{same.get_volume() * 1e6:.0f}, by Loop {smooth.get_volume() * 1e6:.0f}"
+    f"cube {cube.get_volume() * 1e6:.0f} cm^3, midpoints "
+    f"{by_midpoints.get_volume() * 1e6:.0f}, Loop {smooth.get_volume() * 1e6:.0f}"
 )
 
 # %%
-# The CAD part before and after, the cube as it is, and after two rounds of Loop.
+# The part before and after remeshing, the cube, and the cube after two steps of Loop subdivision:
 
-shown = [
+meshes = [
     part,
-    even.translate([0.15, 0, 0]),
+    remeshed.translate([0.15, 0, 0]),
     cube.translate([0.3, 0.01, 0]),
     cube.subdivide_loop(2).translate([0.39, 0.01, 0]),
 ]
 colors = [(0.85, 0.6, 0.45), (0.55, 0.7, 0.82), (0.85, 0.6, 0.45), (0.55, 0.7, 0.82)]
-scene = [{"geometry": mesh, "color": color, "wireframe": True} for mesh, color in zip(shown, colors, strict=False)]
+scene = [{"geometry": mesh, "color": color, "wireframe": True} for mesh, color in zip(meshes, colors, strict=False)]
 view = {"front": [0.15, -1, 1.1], "up": [0, 0, 1], "field_of_view": 25, "zoom": 0.37}
 image = loom.render(scene, view, (960, 640), shading="flat")
+
+# %%
+# What to change
+# --------------
+# - The edge length [m]: 0.002 instead of 0.004 has four times as many triangles.
+# - ``feature_angle`` [degrees]: 100 does not preserve the edges of the part.
+# - The steps of subdivision: each one multiplies the number of triangles by 4.
+#
+# Next
+# ----
+# - :ref:`Mesh simplification with error measurement <sphx_glr_gallery_meshes_plot_simplify.py>`
+# - :ref:`As-rigid-as-possible deformation <sphx_glr_gallery_meshes_plot_deform.py>`

@@ -1,10 +1,9 @@
 """
-A first pose from points picked by hand
-=======================================
+Initial pose from picked point pairs
+====================================
 
-Three pairs of points that somebody clicked in both clouds give a pose, ICP does the rest. Take this page when two
-scans hardly look alike, or when an automatic pose is refused: a person sees what belongs together. How many pairs,
-and how exact?
+Three pairs of corresponding points, selected manually in both clouds, determine a pose that ICP refines. Use this if
+automatic registration is unreliable. On this page you compute a pose from pairs, include scale, and handle wrong pairs.
 """
 
 import numpy as np
@@ -14,7 +13,9 @@ import pointloom as loom
 reg = loom.registration
 
 # %%
-# Two scans of an object, the second one anyhow: turned by 130 degrees and moved by half a metre.
+# Two scans
+# ---------
+# The source is rotated by 130 degrees and translated by half a meter.
 truth = np.array(
     [[-0.642788, -0.766044, 0.0, 0.4], [0.766044, -0.642788, 0.0, -0.3], [0.0, 0.0, 1.0, 0.1], [0, 0, 0, 1.0]]
 )
@@ -26,78 +27,91 @@ source = mesh.sample_points_uniformly(15_000, seed=2).transform(np.linalg.inv(tr
 size = float(np.linalg.norm(target.get_max_bound() - target.get_min_bound()))
 
 
-def off(T):
-    """Degrees and meters from the truth, at the middle of the object."""
-    middle = np.r_[source.get_center(), 1]
+def pose_error(T):
+    """Error at the center of the object: rotation [degrees] and translation [m]."""
+    center = np.r_[source.get_center(), 1]
     return (
         np.degrees(np.arccos(np.clip((np.trace(T[:3, :3].T @ truth[:3, :3]) - 1) / 2, -1, 1))),
-        np.linalg.norm(((T - truth) @ middle)[:3]),
+        np.linalg.norm(((T - truth) @ center)[:3]),
     )
 
 
 # %%
-# **Picking.** In the viewer of ``pointloom view`` one clicks; here the clicks are made: five places of the target,
-# far from each other, and the same places in the source, each missed by some 3 % of the object's size, as one clicks.
+# Pick points
+# -----------
+# In ``pointloom view``, points are selected with the mouse. Here the selection is simulated: five distant points of the
+# target and the same points in the source, with an error of 3% of the size of the object.
 rng = np.random.default_rng(4)
 picked_target = target.farthest_point_indices(5)
-beside = target.points[picked_target] + rng.normal(scale=0.015 * size, size=(5, 3))
-in_source = (beside - truth[:3, 3]) @ truth[:3, :3]
+clicked = target.points[picked_target] + rng.normal(scale=0.015 * size, size=(5, 3))
+in_source = (clicked - truth[:3, 3]) @ truth[:3, :3]
 picked_source = loom.NearestNeighborSearch(source).knn_search(in_source, 1).indices[:, 0]
 pairs = np.column_stack([picked_source, picked_target]).astype(np.int32)
 print(pairs)
 
 
 # %%
-# **The pose** of the pairs in least squares: the picked points as two small clouds, and all pairs accepted, as the
-# distance within which they count is as large as the object. Three pairs do; five average the hand's errors. Pick far
-# apart: a pose from pairs on one end is a lever that ends in the air.
+# Compute the pose
+# ----------------
+# The pose minimizes the distances of the pairs. The correspondence distance is as large as the object, so that all
+# pairs are used. Three pairs are sufficient. Five pairs average the error of the selection. Select points far away from
+# each other, since pairs on one side do not determine the rotation accurately.
 def pose_of(pairs, source=source, with_scaling=False):
-    """T_target_source that brings the picked points together best."""
-    left, right = source.select_by_index(pairs[:, 0]), target.select_by_index(pairs[:, 1])
-    together = np.column_stack([np.arange(len(pairs))] * 2).astype(np.int32)
+    """Return the T_target_source that minimizes the distances of the pairs."""
+    source_points, target_points = source.select_by_index(pairs[:, 0]), target.select_by_index(pairs[:, 1])
+    rows_of_pairs = np.column_stack([np.arange(len(pairs))] * 2).astype(np.int32)
     method = reg.TransformationEstimation.point_to_point(with_scaling)
-    return reg.registration_ransac_based_on_correspondence(left, right, together, size, method, len(pairs))
+    return reg.registration_ransac_based_on_correspondence(
+        source_points, target_points, rows_of_pairs, size, method, len(pairs)
+    )
 
 
 first = {}
 for count in (3, 5):
     result = pose_of(pairs[:count])
     first[count] = result.transformation
-    angle, distance = off(first[count])
+    angle, distance = pose_error(first[count])
     print(
-        f"{count} pairs: {angle:.2f} degrees and {1000 * distance:.1f} mm off; the pairs fit to "
+        f"{count} pairs: error {angle:.2f} degrees and {1000 * distance:.1f} mm; rmse of the pairs "
         f"{1000 * result.inlier_rmse:.1f} mm"
     )
-assert off(first[5])[0] < 8
+assert pose_error(first[5])[0] < 8
 
 # %%
-# **With a scale**, where one cloud has no known unit (a photogrammetric model): the same pairs tell it.
+# With scale
+# ----------
+# If one cloud has an arbitrary unit, as a photogrammetric model, the pairs also determine the scale.
 half = source.scale(0.5, center=[0, 0, 0])
 scaled = pose_of(pairs, half, with_scaling=True).transformation
 factor = np.cbrt(np.linalg.det(scaled[:3, :3]))
-print(f"scale from five pairs: {factor:.3f}, the truth is 2")
+print(f"scale from five pairs: {factor:.3f}, ground truth 2")
 assert abs(factor - 2) < 0.1
 
 # %%
-# **A wrong click** ruins least squares. ``registration_robust_based_on_correspondence`` finds the pairs that agree
-# and leaves the others: here twenty pairs, of which seven were clicked anywhere. ``noise_bound`` is how far a good
-# click may miss [m].
+# Wrong pairs
+# -----------
+# A single wrong pair distorts the least-squares pose. ``registration_robust_based_on_correspondence`` selects
+# consistent pairs. In this example, seven of twenty pairs are wrong. ``noise_bound`` is the largest error of a correct
+# pair [m].
 many = target.farthest_point_indices(20)
-beside = target.points[many] + rng.normal(scale=0.008 * size, size=(20, 3))
-rows = loom.NearestNeighborSearch(source).knn_search((beside - truth[:3, 3]) @ truth[:3, :3], 1).indices[:, 0]
+clicked = target.points[many] + rng.normal(scale=0.008 * size, size=(20, 3))
+rows = loom.NearestNeighborSearch(source).knn_search((clicked - truth[:3, 3]) @ truth[:3, :3], 1).indices[:, 0]
 rows[:7] = rng.integers(0, len(source), 7)
 clicks = np.column_stack([rows, many]).astype(np.int32)
 plain = pose_of(clicks).transformation
 robust = reg.registration_robust_based_on_correspondence(source, target, clicks, noise_bound=0.05 * size)
 print(
-    f"least squares {off(plain)[0]:.1f} degrees off, robust {off(robust.transformation)[0]:.2f} degrees, "
+    f"error of least squares {pose_error(plain)[0]:.1f} degrees, "
+    f"robust {pose_error(robust.transformation)[0]:.2f} degrees, "
     f"score {robust.score:.2f}"
 )
-assert 2 * off(robust.transformation)[0] < off(plain)[0] and off(robust.transformation)[0] < 3
+assert 2 * pose_error(robust.transformation)[0] < pose_error(plain)[0] and pose_error(robust.transformation)[0] < 3
 
 # %%
-# **ICP** ends the work. ``evaluate_registration`` tells how well it lies: the fraction of points with a partner nearer
-# than the distance, and how near.
+# Refine
+# ------
+# ICP refines the pose. ``evaluate_registration`` measures the improvement: the fraction of points with a
+# correspondence, and its rmse.
 before = reg.evaluate_registration(source, target, 0.03 * size, first[5])
 result = reg.registration_icp(
     source, target.estimate_normals(max_nn=20), 0.08 * size, first[5], reg.TransformationEstimation.point_to_plane()
@@ -107,25 +121,37 @@ print(
     f"picked: fitness {before.fitness:.3f}, rmse {1000 * before.inlier_rmse:.2f} mm; refined: "
     f"{after.fitness:.3f}, {1000 * after.inlier_rmse:.2f} mm"
 )
-print(f"{off(result.transformation)[0]:.4f} degrees off")
-assert off(result.transformation)[0] < 0.2 and after.inlier_rmse < before.inlier_rmse
+print(f"error {pose_error(result.transformation)[0]:.4f} degrees")
+assert pose_error(result.transformation)[0] < 0.2 and after.inlier_rmse < before.inlier_rmse
 
 # %%
-# The picked pairs as lines, and the result beside it.
+# The pairs as lines, and the result:
 show = np.eye(4)
 show[:3, :3] = truth[:3, :3]
 show[:3, 3] = target.get_center() - truth[:3, :3] @ source.get_center() - [1.25 * size, 0, 0]
-apart = source.transform(show)
-lines = loom.LineSet.create_from_point_cloud_correspondences(apart, target, pairs)
+source_before = source.transform(show)
+lines = loom.LineSet.create_from_point_cloud_correspondences(source_before, target, pairs)
 right = np.array([1.25 * size, 0, 0])
 scene = {
-    "source": {"geometry": apart.paint_uniform_color([0.95, 0.6, 0.1])},
+    "source": {"geometry": source_before.paint_uniform_color([0.95, 0.6, 0.1])},
     "target": {"geometry": target.paint_uniform_color([0.2, 0.5, 0.8])},
     "pairs": {"geometry": lines, "color": (0.85, 0.1, 0.2), "line_width": 3},
-    "done": {
+    "registered": {
         "geometry": source.transform(result.transformation).translate(right).paint_uniform_color([0.95, 0.6, 0.1])
     },
-    "done target": {"geometry": target.translate(right).paint_uniform_color([0.2, 0.5, 0.8])},
+    "registered target": {"geometry": target.translate(right).paint_uniform_color([0.2, 0.5, 0.8])},
 }
 corners = np.vstack([style["geometry"].points for style in scene.values()])
 image = loom.render(scene, loom.View.fit(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420))
+
+# %%
+# What to change
+# --------------
+# - The number of pairs: 3, 5 or 10.
+# - The error of the selection as a fraction of the size: 0.015 here.
+# - ``noise_bound`` [m]: a value below the error of the selection rejects correct pairs.
+#
+# Next
+# ----
+# - :ref:`Chapter 7 <sphx_glr_chapters_plot_07_icp.py>`: ICP, step by step.
+# - :doc:`The viewer </viewer>`: point selection.

@@ -1,9 +1,9 @@
 """
-Frames in and out of folders
+Record and read RGB-D frames
 ============================
 
-Record a depth camera, look into the recording, and read data sets in the layouts of others (7-Scenes, Redwood, TUM,
-plain images). Whatever gives frames is a source, and every source goes into everything that takes frames.
+On this page you record a depth camera, read the recording, and read data sets in the layouts of 7-Scenes, Redwood and
+TUM, or as plain images. All functions that process frames accept any of these sources.
 """
 
 import tempfile
@@ -17,11 +17,11 @@ from pointloom.io.frames.recordings import FrameRecorder
 folder = Path(tempfile.mkdtemp())
 
 # %%
-# A source of your own
-# --------------------
+# Frames from your own code
+# -------------------------
 #
-# Pairs of color and depth, from a list, a generator or your camera's loop. Depth is uint16 in units of
-# ``depth_scale``, or float32 in meters; 8-bit depth is refused, since it is an image of depth and holds none.
+# A source consists of pairs of color and depth from a list, a generator or the loop of a camera. Depth is uint16 in
+# units of ``depth_scale``, or float32 in meters. 8-bit images raise an error, since they do not contain depth.
 
 frames = loom.datasets.room_frames(12)
 camera = frames[0].intrinsic
@@ -29,14 +29,14 @@ source = loom.frames_from(frames, camera, depth_scale=1000.0)
 try:
     list(loom.frames_from([(frames[0].color, frames[0].color[..., 0])], camera))
 except TypeError as error:
-    print("refused:", error)
+    print("rejected:", error)
 
 # %%
-# Record it
-# ---------
+# Record
+# ------
 #
-# A recording is a folder of PNGs in the layout of 7-Scenes, with the camera and the times. It can be read at any
-# moment, after a full disk too. ``FrameRecorder`` writes single frames, for a loop that does something else as well.
+# A recording is a folder of PNG files in the layout of 7-Scenes, with camera parameters and timestamps. It is readable
+# at any time, even after an interruption. ``FrameRecorder`` writes single frames in your own loop.
 
 count = loom.record_frames(source, folder / "take-1")
 print(count, "frames,", sorted(path.name for path in (folder / "take-1").iterdir())[:4])
@@ -46,22 +46,22 @@ for frame in loom.frames_from(frames[:5], camera, depth_scale=1000.0):
 assert count == 12 and recorder.count == 5
 
 # %%
-# Read it back
-# ------------
+# Read
+# ----
 #
-# ``open_frames`` finds the layout by itself; frames are decoded when they come. Depth was rounded to whole millimeters.
+# ``open_frames`` detects the layout. Frames are decoded on demand. Depth is rounded to millimeters.
 
 recorded = loom.open_frames(folder / "take-1")
 print(recorded.intrinsic, "depth scale", recorded.depth_scale)
-back = list(recorded)
-assert np.array_equal(back[3].color, frames[3].color)
-difference = np.abs(back[3].depth / recorded.depth_scale - frames[3].depth).max()
-print(f"depth differs by {difference * 1e3:.2f} mm at most")
+read_back = list(recorded)
+assert np.array_equal(read_back[3].color, frames[3].color)
+difference = np.abs(read_back[3].depth / recorded.depth_scale - frames[3].depth).max()
+print(f"largest difference of the depth: {difference * 1e3:.2f} mm")
 assert difference <= 0.00051
 assert len(list(loom.open_frames(folder / "take-1", every=4))) == 3
 
 # %%
-# Single images, cameras and paths have readers of their own.
+# Images, cameras and trajectories can also be read separately.
 
 color = loom.read_color(folder / "take-1" / "frame-000003.color.png")
 depth = loom.read_depth(folder / "take-1" / "frame-000003.depth.png")
@@ -73,7 +73,8 @@ assert np.allclose(loom.read_trajectory(folder / "trajectory.log").poses, path.p
 print(color.shape, color.dtype, depth.shape, depth.dtype, lens)
 
 # %%
-# A folder that is no data set says what it lacks, and a typo names what is near.
+# A folder that is not a data set raises an error with the missing files. A misspelled path raises an error with similar
+# names.
 
 for wrong in (folder, folder / "take-3"):
     try:
@@ -82,8 +83,10 @@ for wrong in (folder, folder / "take-3"):
         print(str(error).replace(str(folder), "..."))
 
 # %%
-# Straight into the rest: the recording as a mesh. Our frames came with poses, so the folder has them; ``open_dataset``
-# wants them.
+# Use a recording
+# ---------------
+#
+# This cell fuses the recording to a mesh. ``open_dataset`` requires poses, which this recording contains.
 
 result = loom.rgbd.fuse(loom.open_dataset(folder / "take-1"), voxel_size=0.03)
 assert result.reliable and result.frame_count == 12
@@ -93,3 +96,15 @@ T[:3, 3] -= 0.7 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
 cameras = [loom.CameraFrustum(camera, frame.T_world_camera, scale=0.15, color=(0.9, 0.35, 0.1)) for frame in frames]
 image = loom.render([{"geometry": result.mesh, "shaded": False, "back_faces": False}, *cameras], view)
+
+# %%
+# What to change
+# --------------
+# - ``every``: 4 reads every fourth frame.
+# - ``depth_scale``: 5000 stores depth in units of 0.2 mm, as TUM.
+# - The path: open a folder of your own data set.
+#
+# Next
+# ----
+# - :doc:`RGB-D frames: folders, streams, cameras </frames>`
+# - :ref:`TSDF fusion of depth frames with known poses <sphx_glr_gallery_rgbd_plot_fuse_posed_frames.py>`

@@ -1,9 +1,10 @@
 """
-Reconstruct in stages that can resume
-=====================================
+RGB-D reconstruction in stages that can resume
+==============================================
 
-Long recordings are cut into fragments, each is made by odometry, fragments are registered and fused. The
-stages have Open3D's names, leave whole files, and go on where they were interrupted.
+On this page you reconstruct a long recording in stages: fragments by odometry, registration of the fragments,
+integration. The stages have the names of Open3D's reconstruction system, write their results atomically, and can resume
+after an interruption.
 """
 
 import tempfile
@@ -17,11 +18,12 @@ system = loom.rgbd
 job = Path(tempfile.mkdtemp()) / "job"
 
 # %%
-# Frames and a configuration
-# --------------------------
+# Frames and configuration
+# ------------------------
 #
-# 24 frames without poses; frames are read three times, so they lie in a folder. ``ReconstructionConfig.read`` takes
-# Open3D's JSON as it is; an unknown name in it is an error that names the nearest one. Lengths are meters.
+# The input consists of 24 frames without poses. They are read three times, so they are stored in a folder.
+# ``ReconstructionConfig.read`` reads Open3D's JSON files. An unknown name raises an error with the most similar name.
+# Lengths are in meters.
 
 recorded = loom.datasets.room_frames(24)
 camera = recorded[0].intrinsic
@@ -31,12 +33,11 @@ frames = loom.open_frames(job.parent / "frames")
 config = system.ReconstructionConfig(n_frames_per_fragment=12, tsdf_voxel_size=0.03, depth_max=4.0)
 
 # %%
-# Stage by stage
-# --------------
+# Single stages
+# -------------
 #
-# Each stage writes its result and a record of its inputs to the job's folder. A pair of frames whose odometry is
-# unreliable ends a fragment: no motion is assumed. Without the optional ``stages``, the run ends with registered
-# fragments.
+# Each stage writes its result and a record of its inputs to the folder of the job. A pair of frames with unreliable
+# odometry ends a fragment. Without the optional ``stages``, the run ends with registered fragments.
 
 registered = system.run_reconstruction_system(frames, config, job, stages=())
 for fragment in registered.fragments:
@@ -44,10 +45,10 @@ for fragment in registered.fragments:
 assert registered.reliable and not registered.lost and not registered.files
 
 # %%
-# Or all at once
-# --------------
+# All stages
+# ----------
 #
-# With ``resume=True`` the results of finished stages are kept. An interrupted job loses at most one fragment, and its
+# With ``resume=True``, results of completed stages are reused. An interrupted job repeats at most one fragment. Its
 # result is bitwise identical.
 
 report = system.run_reconstruction_system(frames, config, job, resume=True)
@@ -55,29 +56,41 @@ print(report)
 assert report.reliable and not report.lost
 
 # %%
-# Against the truth
-# -----------------
+# Accuracy
+# --------
 #
-# The path lies in the frame of its first camera.
+# The trajectory is relative to the first camera.
 
 path = loom.read_trajectory(job / "scene" / "trajectory.log")
 mesh = loom.read_triangle_mesh(job / "scene" / "integrated.ply")
-start = recorded[0].T_world_camera @ np.linalg.inv(path.poses[0])
-positions = (start @ path.poses)[:, :3, 3]
+T_room_path = recorded[0].T_world_camera @ np.linalg.inv(path.poses[0])
+positions = (T_room_path @ path.poses)[:, :3, 3]
 error = np.linalg.norm(positions - np.array([frame.T_world_camera[:3, 3] for frame in recorded]), axis=1)
-print(f"{len(path)} poses, {np.sqrt((error**2).mean()) * 1e3:.1f} mm off (rms), {error.max() * 1e3:.1f} mm at most")
+print(f"{len(path)} poses, error {np.sqrt((error**2).mean()) * 1e3:.1f} mm (rms), {error.max() * 1e3:.1f} mm maximum")
 assert len(path) == len(recorded) and error.max() < 0.05
 
 # %%
-# The scene, and the path in two colors: one for each fragment.
+# The scene with the camera poses. Each fragment has its own color.
 
-mesh = mesh.transform(start)
+mesh = mesh.transform(T_room_path)
 colors = [(0.9, 0.35, 0.1), (0.1, 0.4, 0.85), (0.2, 0.6, 0.3)]
 T = recorded[12].T_world_camera.copy()
 T[:3, 3] -= 0.7 * T[:3, 2]
 view = loom.View(loom.PinholeCameraIntrinsic(960, 640, 760.0, 760.0, 479.5, 319.5), T)
 cameras = [
-    loom.CameraFrustum(camera, start @ pose, scale=0.15, color=colors[i // config.n_frames_per_fragment])
+    loom.CameraFrustum(camera, T_room_path @ pose, scale=0.15, color=colors[i // config.n_frames_per_fragment])
     for i, pose in enumerate(path.poses)
 ]
 image = loom.render([{"geometry": mesh, "shaded": False, "back_faces": False}, *cameras], view)
+
+# %%
+# What to change
+# --------------
+# - ``n_frames_per_fragment``: 100 in a recording at 30 frames per second.
+# - ``tsdf_voxel_size`` [m]: 0.01 for a final model.
+# - ``depth_max`` [m]: 3.0 for cameras with noisy distant depth.
+#
+# Next
+# ----
+# - :doc:`RGB-D reconstruction </reconstruction>`: all stages and options.
+# - :ref:`Merge TSDF volumes and submaps <sphx_glr_gallery_rgbd_plot_submaps.py>`

@@ -1,19 +1,29 @@
-"""Helpful errors for mismatched calls: argument names, Open3D's equivalents, the intended call."""
+"""Helpful errors for mismatched calls: argument names, Open3D's equivalents, the intended call.
+
+`explain` adds them to each public name when it is loaded. Functions that warn with a fixed stack level have the decorator.
+"""
 
 from __future__ import annotations
 
+import enum
 import functools
 import inspect
 from collections.abc import Callable, Mapping
+from types import CodeType, FunctionType
 from typing import Any, ParamSpec, TypeVar
 
-from .attribute_hints import nearest_name
-from .open3d_names import ARGUMENTS, hint, row_of
+from .attribute_hints import internal_names, nearest_name
+from .open3d_names import ARGUMENTS, COMMON, hint, row_of
 
 P = ParamSpec("P")
 R = TypeVar("R")
 
 MAX_CHARACTERS = 24  # of a value in the suggested call
+MARK = "explains_errors"  # attribute of functions whose argument errors are helpful
+# `warnings` does not count frames of such file names, so that fixed stack levels still refer to the user's line.
+HIDDEN_FILE = "<importlib._bootstrap of pointloom>"
+_CONSTRUCTORS = ("__init__", "__call__")
+_explained: set[type] = set()
 
 
 def explain_argument_errors(operation: Callable[P, R]) -> Callable[P, R]:
@@ -24,16 +34,67 @@ def explain_argument_errors(operation: Callable[P, R]) -> Callable[P, R]:
         try:
             return operation(*args, **kwargs)
         except TypeError as error:
-            if not is_of_call(error):
+            if fits(operation, args, kwargs):
                 raise
             raise mismatch(operation, args, kwargs, error) from None
 
+    setattr(call, MARK, True)
     return call
 
 
-def is_of_call(error: TypeError) -> bool:
-    """True if a call did not match the signature, so that nothing of the function has run."""
-    return error.__traceback__ is not None and error.__traceback__.tb_next is None
+def explain(value: Any) -> Any:
+    """Add helpful argument errors to a public function, which is returned, or to all public calls of a class."""
+    if isinstance(value, FunctionType):
+        return _hidden(value)
+    if not isinstance(value, type) or issubclass(value, enum.Enum):
+        return value
+    for base in value.__mro__:
+        if base in _explained or not base.__module__.startswith("pointloom."):
+            continue
+        _explained.add(base)
+        for name, member in list(vars(base).items()):
+            is_public = not name.startswith("_") and name not in internal_names(base)
+            if is_public or name in _CONSTRUCTORS or (name == "__new__" and issubclass(base, tuple)):
+                if isinstance(member, FunctionType):
+                    setattr(base, name, _hidden(member))
+                elif isinstance(member, classmethod | staticmethod) and isinstance(member.__func__, FunctionType):
+                    setattr(base, name, type(member)(_hidden(member.__func__)))
+    return value
+
+
+def _hidden(operation: FunctionType) -> FunctionType:
+    """`explain_argument_errors` in a frame that warnings do not count, with the globals of the operation."""
+    if hasattr(operation, MARK):
+        return operation
+    does_fit, explained, wrong_call = fits, mismatch, TypeError  # the globals of a named tuple have no builtins
+
+    def call(*args: Any, **kwargs: Any) -> Any:
+        try:
+            return operation(*args, **kwargs)
+        except wrong_call as error:
+            if does_fit(operation, args, kwargs):
+                raise
+            raise explained(operation, args, kwargs, error) from None
+
+    code = _hidden_code(call.__code__)
+    made = FunctionType(code, operation.__globals__, operation.__name__, None, call.__closure__)
+    functools.wraps(operation)(made)
+    setattr(made, MARK, True)
+    return made
+
+
+@functools.cache
+def _hidden_code(code: CodeType) -> CodeType:
+    return code.replace(co_filename=HIDDEN_FILE)
+
+
+def fits(operation: Callable[..., Any], args: tuple[Any, ...], kwargs: Mapping[str, Any]) -> bool:
+    """True if a call matches the signature. Otherwise nothing of the function has run."""
+    try:
+        inspect.signature(operation).bind(*args, **kwargs)
+    except TypeError:
+        return False
+    return True
 
 
 def mismatch(
@@ -41,10 +102,10 @@ def mismatch(
 ) -> TypeError:
     parameters = list(inspect.signature(operation).parameters.values())
     call_name, given = operation.__name__, list(args)
-    if parameters and parameters[0].name in ("self", "cls") and given:
+    if parameters and parameters[0].name in ("self", "cls", "_cls") and given:
         kind = given[0] if isinstance(given[0], type) else type(given[0])
         parameters, given = parameters[1:], given[1:]
-        call_name = kind.__name__ if call_name == "__init__" else f"{kind.__name__}.{call_name}"
+        call_name = kind.__name__ if call_name in ("__init__", "__new__") else f"{kind.__name__}.{call_name}"
     keywords = [p.name for p in parameters if p.kind is not p.VAR_KEYWORD and p.kind is not p.VAR_POSITIONAL]
     unknown = [name for name in kwargs if name not in keywords]
     if unknown:
@@ -64,7 +125,9 @@ def _unknown(call_name: str, name: str, value: object, keywords: list[str]) -> s
     if "radius" in keywords and type(value).__name__.startswith("KDTreeSearchParam"):
         return f"{message}; here: {call_name.rpartition('.')[2]}({_search(value)})"
     row = hint(row_of(name, (ARGUMENTS,)))
-    return message + (row or nearest_name(name, keywords)) + f"; it takes {', '.join(keywords) or 'none'}"
+    same = (row_of(name, (f"{COMMON}.{ARGUMENTS}",)) or "").split(", ")
+    near = next((f"; did you mean {other!r}?" for other in same if other in keywords), nearest_name(name, keywords))
+    return message + (row or near) + f"; it takes {', '.join(keywords) or 'none'}"
 
 
 def _search(value: object) -> str:

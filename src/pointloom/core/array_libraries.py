@@ -79,6 +79,16 @@ def hand_out(
         return _import(library).from_dlpack(array)
 
 
+def shared_view(array: wp.array, library: str) -> Any:
+    """A device array as an array of a library over the same memory, with the components of vectors as last axis.
+
+    NumPy has no memory on a GPU and gets Warp's array there. Warp has vectors, so its arrays are unchanged.
+    """
+    if library != NUMPY:
+        return hand_out(array, library)
+    return host_view(array) if array.device.is_cpu else array
+
+
 def hand_out_copy(array: wp.array, library: str, dtype: DTypeLike | None = None) -> Any:
     """`hand_out`, but NumPy arrays share no memory with the CPU's device arrays."""
     result = hand_out(array, library, dtype=dtype)

@@ -1,4 +1,4 @@
-"""Helpful errors for unknown names: Open3D's equivalents and misspellings."""
+"""Helpful errors for unknown names: equivalents of names of other libraries, and misspellings."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .open3d_names import BRIDGE, SHAPES, hint, row_of
+from .open3d_names import BRIDGE, COMMON, SHAPES, hint, row_of
 
 
 def nearest_name(name: str, known: Iterable[str]) -> str:
@@ -107,7 +107,9 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
         return message
     classes = [base.__name__ for base in kind.__mro__]
     own = [f"{BRIDGE}.{each}" for each in classes] if _in_bridge(kind) else []
-    row = hint(row_of(name, (*own, *classes, SHAPES)))
+    is_shape = any("get_center" in vars(base) for base in kind.__mro__)
+    common = [f"{COMMON}.{each}" for each in (*classes, *(["Shape"] if is_shape else []))]
+    row = hint(row_of(name, (*own, *classes, SHAPES, *([] if own else common))))
     fields = [field for base in kind.__mro__ for field in _annotated(base)]  # names without default are not in dir()
     near = "" if row else nearest_name(name, sorted({*dir(kind), *fields} - internal_names(kind)))
     if how_to_add:

@@ -51,7 +51,7 @@ def unreadable(values: object) -> str:
     kind, dtype, layout = type(values).__name__, getattr(values, "dtype", ""), str(getattr(values, "layout", ""))
     type_name = getattr(dtype, "__name__", str(dtype)).removeprefix("torch.")
     if getattr(values, "requires_grad", False) is True and hasattr(values, "detach"):
-        return f"a {kind} that requires a gradient, which pointloom does not compute; pass tensor.detach()"
+        return f"a {kind} that requires a gradient, which only the functions of pointloom.torch compute; pass tensor.detach()"
     if str(getattr(values, "device", "")) == "meta":
         return f"a {kind} on the device meta, which has a shape, but no numbers"
     if "sparse" in layout:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import sys
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .checks import shown
@@ -12,12 +13,31 @@ from .errors import DeviceError
 if TYPE_CHECKING:
     import warp as wp
 
+    import torch  # pyright: ignore[reportMissingImports]  an optional package
+
 #: Argument of `resolve_device`.
-DeviceLike: TypeAlias = "str | wp.Device | None"
+DeviceLike: TypeAlias = "str | wp.Device | torch.device | None"
+
+
+def device_name(device: object) -> Any:
+    """The name of a device of torch, cupy or jax, such as "cuda:0". Other values are returned unchanged."""
+    package = type(device).__module__.partition(".")[0]
+    given: Any = device
+    if package == "torch":
+        index = given.index
+        if index is None and given.type == "cuda" and (torch := sys.modules["torch"]).cuda.is_available():
+            index = torch.cuda.current_device()
+        return given.type if index is None or given.type == "cpu" else f"{given.type}:{index}"
+    if package == "cupy":
+        return f"cuda:{given.id}"
+    if package in ("jax", "jaxlib"):
+        return f"cuda:{given.id}" if given.platform in ("gpu", "cuda") else given.platform
+    return device
 
 
 def resolve_device(device: object = None) -> Any:
-    """The Warp device for "cpu", "cuda", "cuda:N", "auto" (first GPU, else CPU), a Warp device, or None ("cpu").
+    """The Warp device for "cpu", "cuda", "cuda:N", "auto" (first GPU, else CPU), a device of Warp, torch, cupy or jax,
+    or None ("cpu").
 
     Raises:
         DeviceError: No such device, or CUDA in a forked process. There is no silent fallback.
@@ -29,6 +49,7 @@ def resolve_device(device: object = None) -> Any:
     from ..kernels.language import warp_compiler  # noqa: F401  starts Warp without its banner
     from ..kernels.language.device_lock import why_no_cuda_here
 
+    device = device_name(device)
     if isinstance(device, str) and device == "auto":
         device = "cuda:0" if wp.get_cuda_device_count() else "cpu"
     try:

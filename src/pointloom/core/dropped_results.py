@@ -10,7 +10,7 @@ from collections.abc import Callable
 from types import CodeType
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
-from .argument_errors import is_of_call, mismatch
+from .argument_errors import MARK, fits, mismatch
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -55,7 +55,7 @@ def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
         try:
             result = operation(*args, **kwargs)
         except TypeError as error:
-            if not is_of_call(error):
+            if fits(operation, args, kwargs):
                 raise
             raise mismatch(operation, args, kwargs, error) from None
         if READS_BYTECODE:
@@ -64,6 +64,7 @@ def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
                 warnings.warn(_message(operation, args, result), DroppedResultWarning, stacklevel=2)
         return cast(R, Pair(result)) if type(result) is tuple else result
 
+    setattr(call, MARK, True)
     return call
 
 

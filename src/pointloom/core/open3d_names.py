@@ -1,4 +1,7 @@
-"""Equivalents of Open3D's names from `open3d_names.toml`, for error messages and docs/open3d.md."""
+"""Equivalents of names of other libraries, for error messages, docs/open3d-names.md and docs/other-libraries.md.
+
+`open3d_names.toml` has those of Open3D, `common_names.toml` those that users of other libraries try.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,7 @@ MODULES = (  # sections of Open3D's modules. The others are of classes or argume
 )  # fmt: skip
 SHAPES = "Geometry"  # common to all shapes of Open3D
 ARGUMENTS = "arguments"
+COMMON = "common"  # names of other libraries: "common.loom", "common.PointCloud"
 BRIDGE = "o3d"  # names that `pointloom.open3d` lacks, with its own equivalents; "o3d.Name" are members of its classes
 
 
@@ -20,7 +24,8 @@ BRIDGE = "o3d"  # names that `pointloom.open3d` lacks, with its own equivalents;
 def sections() -> dict[str, dict[str, str]]:
     import tomllib  # slow import, needed for errors only
 
-    return tomllib.loads(Path(__file__).with_name("open3d_names.toml").read_text("utf-8"))
+    files = [Path(__file__).with_name(name) for name in ("open3d_names.toml", "common_names.toml")]
+    return {section: rows for file in files for section, rows in tomllib.loads(file.read_text("utf-8")).items()}
 
 
 def row_of(name: str, among: Iterable[str] = MODULES) -> str | None:

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator
 from contextvars import ContextVar
 
 from .checks import check_positive, shown
+from .argument_errors import HIDDEN_FILE
 from .escaped_text import escaped
 
 SAME_FRACTION = 1e-7  # relative rounding tolerance of a known unit: the two feet differ by 2e-6
@@ -235,5 +236,5 @@ def _user_level() -> int:
     """The stack level of the user's code, as seen from `warn_of_units`."""
     level, frame = 2, sys._getframe(2)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(_PASSED_OVER):
-        level, frame = level + 1, frame.f_back
+        level, frame = level + (frame.f_code.co_filename != HIDDEN_FILE), frame.f_back  # as `warnings` counts
     return level

@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ..core.array_libraries import NUMPY, check_library, library_of, owned
+from ..core.array_libraries import NUMPY, check_library, library_of, owned, shared_view
 from ..core.callable_bool import CallableBool
 from ..core.checks import check_colors, check_name, check_rows, is_on_gpu
 from ..core.coordinates import split_origin, warn_if_coarse
@@ -198,13 +198,29 @@ class PointArrays(StoredArrays):
     def __iter__(self) -> Iterator[Any]:
         raise TypeError("a PointCloud is not a sequence; iterate over cloud.points")
 
-    def array(self, name: str) -> wp.array:
-        """Get a device array without a copy: `points` (relative to `origin`), `normals`, `colors`, or another name.
+    def array(self, name: str) -> Any:
+        """Get an array by name without a copy, in the library of the cloud (`array_library`) and on its device.
 
-        Supports DLPack and `__cuda_array_interface__`. Writes affect all clouds that share the array. The next
-        operation detects changed points and rebuilds the search tree. Points of a `frozen` cloud are not checked.
+        Writes affect all clouds that share the array. The next operation detects changed points and rebuilds the search
+        tree. Points of a `frozen` cloud are not checked.
+
+        Args:
+            name: "points" (relative to `origin`), "normals" or "colors", each (n, 3), or another attribute.
+
+        Returns:
+            A NumPy array, a torch tensor, and so on. Warp's arrays of points are vec3 (n,). A cloud of NumPy on a GPU
+            returns Warp's array, which `torch.from_dlpack` and similar functions accept.
+
+        Raises:
+            ValueError: If the cloud has no such array.
+
+        Example:
+            >>> import pointloom as loom
+            >>> loom.PointCloud([[0, 0, 0], [1, 0, 0]]).array("points").shape
+            (2, 3)
         """
-        return self.arrays.tree.share() if check_name("name", name) == "points" else self.arrays[name]
+        is_points = check_name("name", name) == "points"
+        return shared_view(self.arrays.tree.share() if is_points else self.arrays[name], self.arrays.library)
 
     @returns_new
     def to(self, device: DeviceLike, *, arrays: str | None = None) -> Self:
@@ -261,7 +277,7 @@ class PointArrays(StoredArrays):
             )
         if dl_device is not None and plain_device(dl_device) != plain_device(self.__dlpack_device__()):
             raise BufferError(f"the points are on {self.device}. Use cloud.to(device) to copy them to another device")
-        points = clone(self.arrays["points"]) if copy else self.array("points")
+        points = clone(self.arrays["points"]) if copy else self.arrays.tree.share()
         if points.device.is_cpu:  # as in array_libraries.hand_out
             return host_view(points).__dlpack__()
         with lock_for(self.device):

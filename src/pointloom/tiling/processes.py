@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
-from ..core.devices import resolve_device
+from ..core.devices import DeviceLike, device_name, resolve_device
 from ..core.errors import DeviceError, FileError, FilePath
 from ..core.verbosity import LOGGER
 from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, worker_lock
@@ -63,13 +63,13 @@ def run_tasks(
     workers: int = 0,
     scheduler: str | None = None,
     security: Any = None,
-    device: str = "cpu",
+    device: DeviceLike = "cpu",
 ) -> None:
     """Run all tasks that this run can claim. FileError or DeviceError if workers cannot be started. `book_of` returns
     the book of the named run, `call` is imported by workers and gets a task and a device, `tell` is called after each
     task. Without `workers` and `scheduler` (an address, with `security`) tasks run in this process. With "cuda" each
     process gets its own GPU."""
-    path = manifest.folder / NAME
+    path, device = manifest.folder / NAME, "cpu" if device is None else str(device_name(device))
     try:
         with contextlib.ExitStack() as stack:
             computes = scheduler is None and not workers

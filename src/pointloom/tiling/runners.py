@@ -8,6 +8,7 @@ from functools import partial
 from typing import Any
 
 from ..core.checks import check_count, check_progress, shown
+from ..core.devices import DeviceLike
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress
@@ -28,7 +29,7 @@ def run_tiles(
     tile: str | None = None,
     scheduler: str | None = None,
     security: Any = None,
-    device: str = "cpu",
+    device: DeviceLike = "cpu",
     functions: Iterable[Callable[..., Any]] = (),
     progress: ReportProgress | None = None,
 ) -> TileStatus:

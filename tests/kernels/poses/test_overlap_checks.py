@@ -109,7 +109,7 @@ def plate(x, y=(-1.0, 1.0), z=(-1.0, 1.0), step=0.03):
 
 def shifted(rows, device):
     cloud = loom.PointCloud(rows, device=device)
-    return cloud.array("points"), np.asarray(cloud.origin, float)
+    return cloud.arrays["points"], np.asarray(cloud.origin, float)
 
 
 @pytest.mark.parametrize(

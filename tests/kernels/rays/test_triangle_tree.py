@@ -12,7 +12,7 @@ from pointloom.kernels.rays.triangle_tree import FAN, LEAF_SIZE, TriangleTree
 
 def tree_over(vertices, triangles, device) -> TriangleTree:
     mesh = TriangleMesh(vertices, triangles, device=device)
-    return TriangleTree(mesh.array("vertices"), mesh.array("triangles"))
+    return TriangleTree(mesh.arrays["vertices"], mesh.arrays["triangles"])
 
 
 def soup(count: int, seed: int = 0):

@@ -20,7 +20,7 @@ def faces_of(points, normals, radius, device):
     cloud = loom.PointCloud(points, normals=normals, device=device, origin=[0, 0, 0])
     tree = cloud.search_tree()
     mask = full(tree.count, 1, uint8, tree.device)
-    ball = BallPoints(tree, gather_rows(cloud.array("normals"), tree.order), mask, radius)
+    ball = BallPoints(tree, gather_rows(cloud.arrays["normals"], tree.order), mask, radius)
     corners, widths, _ = list_faces(ball, positions(tree.count, tree.device))
     rows = download(tree.order)[download(corners).reshape(-1, 3)]
     first = rows.argmin(axis=1)

@@ -23,7 +23,7 @@ class System:
         rng = np.random.default_rng(0)
         vertices, triangles = icosphere(rounds)
         self.count, mesh = len(vertices), TriangleMesh(vertices, triangles, device=device)
-        self.edges, where = MeshEdges(mesh.array("triangles"), self.count), mesh.device
+        self.edges, where = MeshEdges(mesh.arrays["triangles"], self.count), mesh.device
         self.weights = 10.0 ** rng.uniform(-3, 3, self.edges.count) * (rng.random(self.edges.count) > 0.2)
         self.fixed = np.arange(self.count) % 9 == 0
         self.start, self.right = rng.normal(size=(2, self.count, 3))

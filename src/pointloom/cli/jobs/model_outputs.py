@@ -39,7 +39,7 @@ class ModelOutputs:
         """Write a mesh and its image from the side of the cameras. Returns the file names."""
         written = mesh
         if Path(self.mesh).suffix.lower() == ".stl":
-            arrays = {name: mesh.array(name) for name in ("vertices", "triangles")}
+            arrays = {name: mesh.arrays[name] for name in ("vertices", "triangles")}
             written = TriangleMesh.from_device_arrays(arrays, mesh.origin)
         write_triangle_mesh(self.mesh, written, overwrite=overwrite)
         if self.picture is None:

@@ -94,7 +94,7 @@ class Task:
     def to_dict(self) -> dict[str, Any]:
         files = {"command": "texture", "mesh": self.mesh, "dataset": self.dataset, "layout": self.layout}
         how = {"device": str(self.shape.device), "method": self.method, "frames": self.frame_count}
-        sizes = {"vertices": self.shape.array("vertices").size, "triangles": len(self.shape)}
+        sizes = {"vertices": self.shape.arrays["vertices"].size, "triangles": len(self.shape)}
         return files | how | {"depth_max": self.depth_max} | sizes
 
 

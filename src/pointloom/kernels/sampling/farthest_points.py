@@ -198,13 +198,13 @@ def choose_sequentially_kernel(first: int, last: int, state: SampleDistances):
 
 
 @cuda_func
-def largest_of_block(i: int, key: int64, tops: array(dtype=int64)) -> int64:
-    """The largest key of the threads of a block, the same for all of them. `tops` (8) is scratch."""
+def largest_of_block(i: int, key: int64, first: int, tops: array(dtype=int64)) -> int64:
+    """The largest key of the threads of a block, the same for all of them. `tops` is scratch (8) from `first` on."""
     top = max_long_of_lanes(key)
     if i % WARP == 0:
-        tops[i // WARP] = top
+        tops[first + i % BLOCK_THREADS // WARP] = top
     sync_block()
-    for warp in range(WARPS):
+    for warp in range(first, first + WARPS):
         top = max(top, tops[warp])
     sync_block()
     return top
@@ -227,7 +227,7 @@ def choose_in_block_kernel(first: int, last: int, state: SampleDistances):
                     state.leaf_tops[leaf] = near
                 top = max(top, near)
                 leaf += BLOCK_THREADS
-        key = largest_of_block(i, top, state.tops)
+        key = largest_of_block(i, top, 0, state.tops)
         if i == 0:
             state.chosen[choice + 1] = key
 

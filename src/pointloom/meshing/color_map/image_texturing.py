@@ -99,7 +99,7 @@ def texture_from_images(
     images = take_images(images, cameras, extrinsics, mesh.device, report)
     choice = _choose(mesh, images, option, report)
     report("seams", 0, 0)
-    levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.images, choice.exposures)
+    levels = SeamLevels(mesh.arrays["vertices"], choice.seams, choice.images, choice.exposures)
     before = levels.mean_step()
     if option.seam_leveling:
         levels.solve(level=bool(option.exposures))
@@ -132,9 +132,9 @@ class _Choice:
 
 
 def _choose(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption, report: ReportProgress) -> _Choice:
-    vertices = mesh.array("vertices")
+    vertices = mesh.arrays["vertices"]
     owners = find_equal_points(vertices)
-    triangles = rename_corners(mesh.array("triangles"), owners, positions(vertices.size, mesh.device))
+    triangles = rename_corners(mesh.arrays["triangles"], owners, positions(vertices.size, mesh.device))
     stack = images.stacked(mesh.origin, 0)
     looks = FaceVisibility(vertices, triangles, stack, plant_trees(vertices, triangles), float(option.depth_max))
     all_views = looks.views(lambda done: report("views", done, stack.count))
@@ -168,9 +168,9 @@ class _Painted:
 def _paint(
     mesh: TriangleMesh, choice: _Choice, levels: SeamLevels, size: int | None, option: ImageTextureOption
 ) -> _Painted:
-    vertices, seams, images = mesh.array("vertices"), choice.seams, choice.images
+    vertices, seams, images = mesh.arrays["vertices"], choice.seams, choice.images
     charts = cut_charts(vertices, seams.triangles, seams.twins, seams.views, images)
-    colors: wp.array | None = mesh.array("vertex_colors") if mesh.vertex_colors is not None else None
+    colors: wp.array | None = mesh.arrays["vertex_colors"] if mesh.vertex_colors is not None else None
     blind = int((download(seams.views) < 0).sum())  # sync
     packing = pack_charts(charts.boxes(), blind, colors is not None, CHART_PADDING, size, MAX_TEXTURE_SIZE)
     side = packing.size

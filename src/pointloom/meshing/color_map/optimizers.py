@@ -93,7 +93,7 @@ def optimize_color_map(
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
     stack, sightings = _look(mesh, images, chosen, occlusion)
-    vertices, iterations = mesh.array("vertices"), chosen.maximum_iteration
+    vertices, iterations = mesh.arrays["vertices"], chosen.maximum_iteration
     search: ColorSearch
     if method == "rigid":
         warps = Warps(stack.layout, 0, mesh.device)
@@ -115,7 +115,7 @@ def _check_input(mesh: object, images: object, trajectory: object, intrinsic: ob
         raise TypeError(
             f"camera_trajectory: expected a Trajectory, got {kind}. Build one with Trajectory(poses), camera to world"
         )
-    if not len(mesh.array("vertices")):
+    if not len(mesh.arrays["vertices"]):
         raise ValueError("mesh: expected vertices to color, got none")
     checked = check_images(NAMES, images, intrinsic, trajectory.poses, mesh.device)
     inverse = [inv(pose) for pose in checked.T_camera_world]
@@ -155,12 +155,12 @@ def _masks(
         option.half_dilation_kernel_size_for_discontinuity_map,
     )
     for i, depth in enumerate(depths):
-        yield mask_by_depth(mesh.array("vertices"), i, stack, depth, rule)
+        yield mask_by_depth(mesh.arrays["vertices"], i, stack, depth, rule)
 
 
 def _depths_by_rays(mesh: TriangleMesh, stack: StackedImages) -> Iterator[wp.array]:
     """Depth of the mesh in each image."""
-    trees = plant_trees(mesh.array("vertices"), mesh.array("triangles"))
+    trees = plant_trees(mesh.arrays["vertices"], mesh.arrays["triangles"])
     for i in range(stack.count):
         yield render_depth(i, stack, trees)
 
@@ -193,7 +193,7 @@ def _fill_unseen(mesh: TriangleMesh, colors: wp.array, seen: wp.array, neighbor_
     rows = positions_of(invert_mask(seen), seen.size - known.size)
     if not neighbor_count or not known.size or not rows.size:
         return
-    vertices = mesh.array("vertices")
+    vertices = mesh.arrays["vertices"]
     known_points = PointCloud.from_device_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
     nearest = min(neighbor_count, known.size)
     neighbors, _, _ = search_nearest(known_points.search_tree(), gather_rows(vertices, rows), nearest)

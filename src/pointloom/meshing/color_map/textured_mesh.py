@@ -68,7 +68,7 @@ class TexturedMesh(Report, Assessed):
             "method": self.method,
             "frames": self.frame_count,
             "depth_max": self.depth_max,
-            "vertices": shape.array("vertices").size,
+            "vertices": shape.arrays["vertices"].size,
             "triangles": len(shape),
             "seen_fraction": self.seen_fraction,
             "blind_frames": self.blind_frames,
@@ -102,7 +102,7 @@ class TexturedMesh(Report, Assessed):
 
 def task_fields(mesh: TriangleMesh, frame_count: int, depth_max: float) -> Fields:
     return [
-        ("mesh", f"{mesh.array('vertices').size:,} vertices, {len(mesh):,} triangles"),
+        ("mesh", f"{mesh.arrays['vertices'].size:,} vertices, {len(mesh):,} triangles"),
         ("frames", f"{frame_count} up to {depth_max:g} m, on {mesh.device}"),
     ]
 

@@ -26,15 +26,15 @@ class ChangedMesh(Report, Assessed):
     def sizes_to_dict(self) -> dict[str, Any]:
         """Numbers of vertices, triangles and parts before and after."""
         before = {"device": str(self.mesh.device), "vertices_in": self.vertices_in, "triangles_in": self.triangles_in}
-        return before | {"vertices": self.mesh.array("vertices").size, "triangles": len(self.mesh)}
+        return before | {"vertices": self.mesh.arrays["vertices"].size, "triangles": len(self.mesh)}
 
     def size_fields(self) -> Fields:
         """Numbers of vertices, triangles and parts before and after, as text."""
         return [
-            ("vertices", f"{self.mesh.array('vertices').size:,} of {self.vertices_in:,}"),
+            ("vertices", f"{self.mesh.arrays['vertices'].size:,} of {self.vertices_in:,}"),
             ("triangles", f"{len(self.mesh):,} of {self.triangles_in:,}"),
         ]
 
 
 def sizes_before(mesh: TriangleMesh) -> dict[str, Any]:
-    return {"vertices_in": mesh.array("vertices").size, "triangles_in": len(mesh)}
+    return {"vertices_in": mesh.arrays["vertices"].size, "triangles_in": len(mesh)}

@@ -77,7 +77,7 @@ def _with_pieces(
                 size = np.linalg.norm(middle, axis=1, keepdims=True)
                 middle = np.where(size > 0, middle / np.where(size > 0, size, 1), one)
         arrays[name] = upload(np.concatenate([current, middle.astype(current.dtype)]), values.dtype, device)
-    old = mesh.array("vertices").size
+    old = mesh.arrays["vertices"].size
     numbers = upload(np.arange(old, old + len(ends), dtype=np.int32), int32, device)
     middles = with_vertices_on_edges(old, numbers, lower, upper, full(len(ends), 0.5, float64, device))
     arrays["vertex_attributes"] = each(mesh.arrays.attributes["vertex_attributes"], middles.of)

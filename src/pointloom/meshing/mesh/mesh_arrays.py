@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.array_libraries import NUMPY, check_library, library_of, owned
+from ...core.array_libraries import NUMPY, check_library, library_of, owned, shared_view
 from ...core.callable_bool import CallableBool
 from ...core.checks import (
     check_color,
@@ -224,7 +224,7 @@ class MeshArrays(StoredArrays, Movable):
         made = kind(values, device=self.device)
         count = self.arrays["vertices"].size
         per_vertex = [name for name in PER_VERTEX if name in self.arrays and name != "vertices"]
-        if made.array("vertices").size != count and (per_vertex or len(self)):
+        if made.arrays["vertices"].size != count and (per_vertex or len(self)):
             has = f"{count} vertices" + "".join(
                 f", {name}" for name in ("triangles", *per_vertex) if name in self.arrays
             )
@@ -312,32 +312,33 @@ class MeshArrays(StoredArrays, Movable):
         Operations keep them: floating values are interpolated at new vertices, others copied from the nearest.
         """
         vertices = self.arrays["vertices"].size
-        return MeshAttributes(
-            self.arrays.attributes["vertex_attributes"], vertices, self.device, "vertex", tuple(PER_VERTEX)
-        )
+        return MeshAttributes(self.arrays, "vertex_attributes", vertices, "vertex", tuple(PER_VERTEX))
 
     @property
     def triangle_attributes(self) -> MeshAttributes:
         """Additional triangle values, shape (t,) or (t, c). Parts of a triangle inherit its values."""
         fields = tuple(PER_TRIANGLE)
-        return MeshAttributes(self.arrays.attributes["triangle_attributes"], len(self), self.device, "triangle", fields)
+        return MeshAttributes(self.arrays, "triangle_attributes", len(self), "triangle", fields)
 
     def _read(self, name: str, width: int = 3) -> NDArray[np.float32] | None:
         return read_only(owned(self.arrays[name]).reshape(-1, width)) if name in self.arrays else None
 
-    def array(self, name: str) -> wp.array:
-        """Get a device array by name without a copy (DLPack, `__cuda_array_interface__`).
+    def array(self, name: str) -> Any:
+        """Get an array by name without a copy, in the library of the mesh (`array_library`) and on its device.
 
         Args:
-            name: "vertices" (vec3 (m,), relative to `origin`), "triangles" (vec3i (t,)), "vertex_normals" or
-                "vertex_colors" (vec3 (m,)), "triangle_uvs" (vec2 (3 t,)), "triangle_material_ids" (int32 (t,)).
+            name: "vertices" (relative to `origin`), "vertex_normals" or "vertex_colors", each float32 (m, 3),
+                "triangles" (int32 (t, 3)), "triangle_uvs" (float32 (3 t, 2)), "triangle_material_ids" (int32 (t,)).
+
+        Returns:
+            A NumPy array, a torch tensor, and so on, as of `PointCloud.array`. Warp's arrays have vectors.
 
         Raises:
             KeyError: If the mesh has no such array.
         """
         if check_name("name", name) not in self.arrays:
             raise KeyError(f"{escaped(name)}: expected one of the mesh's arrays: {', '.join(self.arrays)}")
-        return self.arrays[name]
+        return shared_view(self.arrays[name], self.arrays.library)
 
     @returns_new
     def to(self, device: DeviceLike, *, arrays: str | None = None) -> Self:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.array_libraries import owned
+from ...core.array_libraries import owned, shared_view
 from ...core.checks import check_name, shown
 from ...core.escaped_text import escaped
-from ...kernels.array_types import Device
 from ...kernels.arrays.select import gather_rows
 from ...pcd.attribute_columns import upload_column
 from ...pcd.stored_arrays import read_only
+
+if TYPE_CHECKING:
+    from .mesh_store import MeshStore
 
 Arrays = dict[str, wp.array]
 
@@ -23,8 +25,8 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     """Read-only NumPy attributes of shape (n,) or (n, c) by name, n the mesh's vertices or triangles. Assignment
     accepts numbers of up to 64 bits and booleans, and keeps the type."""
 
-    def __init__(self, arrays: Arrays, count: int, device: Device, of: str, fields: tuple[str, ...]):
-        self._arrays, self._count, self._device, self._of, self._fields = arrays, count, device, of, fields
+    def __init__(self, store: MeshStore, name: str, count: int, of: str, fields: tuple[str, ...]):
+        self._store, self._arrays, self._count, self._of, self._fields = store, store.attributes[name], count, of, fields
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         return read_only(owned(self._arrays[name]))
@@ -32,7 +34,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if check_name("name", name) in self._fields:
             raise KeyError(f"{name}: not a custom attribute. Assign mesh.{name}")
-        self._arrays[name] = upload_column(name, values, self._count, self._device, of=self._of)
+        self._arrays[name] = upload_column(name, values, self._count, self._store.device, of=self._of)
 
     def __delitem__(self, name: str) -> None:
         del self._arrays[name]
@@ -55,9 +57,9 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     def arrays(self) -> Arrays:
         return dict(self._arrays)
 
-    def array(self, name: str) -> wp.array:
-        """Device array of an attribute, shared. KeyError if missing."""
-        return self._arrays[name]
+    def array(self, name: str) -> Any:
+        """Shared array of an attribute, as of `TriangleMesh.array`. KeyError if missing."""
+        return shared_view(self._arrays[name], self._store.library)
 
 
 def assign_all(attributes: MeshAttributes, given: Mapping[str, Any] | None) -> None:

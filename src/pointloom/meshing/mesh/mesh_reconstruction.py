@@ -417,7 +417,7 @@ def _check_scale(scale: float, depth: int, samples: float, point_count: int) -> 
 def _nearest_colors(cloud: PointCloud, vertices: wp.array) -> wp.array | None:
     if not cloud.has_colors or not vertices.size:
         return None
-    return gather_rows(cloud.array("colors"), find_nearest_rows(cloud.search_tree(), vertices))
+    return gather_rows(cloud.arrays["colors"], find_nearest_rows(cloud.search_tree(), vertices))
 
 
 def _cube_around(points: wp.array, normals: wp.array, scale: float) -> tuple[Cube, Indices]:
@@ -448,9 +448,9 @@ def _check_envelope(envelope: object, cloud: PointCloud) -> Envelope:
         )
     if not envelope.is_watertight():
         raise ValueError("envelope: expected a closed mesh, got one that is not watertight")
-    vertices = transform_points(envelope.array("vertices"), np.eye(3), envelope.origin - cloud.origin)
+    vertices = transform_points(envelope.arrays["vertices"], np.eye(3), envelope.origin - cloud.origin)
     low, high, _ = bound_points(vertices)
-    return Envelope(vertices, envelope.array("triangles"), low, high)
+    return Envelope(vertices, envelope.arrays["triangles"], low, high)
 
 
 def _warn_of_sides(cloud: PointCloud, side: float) -> None:

@@ -87,7 +87,7 @@ def _boundary_length(mesh: TriangleMesh) -> float:
 
 
 def _vertex_count(mesh: TriangleMesh) -> int:
-    return mesh.array("vertices").size
+    return mesh.arrays["vertices"].size
 
 
 def _bounds_of(mesh: TriangleMesh) -> tuple[Corner, Corner] | None:

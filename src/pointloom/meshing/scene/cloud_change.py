@@ -121,7 +121,7 @@ def compare_cloud_to_mesh(
     error = check_positive("registration_error", registration_error, allow_zero=True)
     within = None if radius is None else check_positive("radius", radius)
     limit = np.inf if max_distance is None else check_positive("max_distance", max_distance)
-    vertices, triangles = mesh.array("vertices"), mesh.array("triangles")
+    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
     tree, queries = TriangleTree(vertices, triangles), cloud.arrays.about(mesh.origin)
     signed, beside = (download(values) for values in face_distances(tree, vertices, triangles, queries))  # sync
     distances, is_beside = signed.astype(np.float64), beside != 0

@@ -126,7 +126,7 @@ def orthophoto(
     box = None if bounds is None else check_box(bounds)
     system = _check_system(mesh, frame, epsg, crs)
     vertices, origin = _vertices_in_frame(mesh, frame, epsg)
-    tree = TriangleTree(vertices, mesh.array("triangles"))
+    tree = TriangleTree(vertices, mesh.arrays["triangles"])
     if box is not None:
         grid = grid_within(box, start, side)
     elif tree.count:
@@ -167,7 +167,7 @@ def _vertices_in_frame(
 ) -> tuple[Any, NDArray[np.float64]]:
     """Projected vertices: a device array of vec3 about an origin, float64 (3,)."""
     if frame is None:
-        return mesh.array("vertices"), mesh.origin
+        return mesh.arrays["vertices"], mesh.origin
     positions = np.array(mesh.vertices)
     for first in range(0, len(positions), VERTICES_PER_PART):
         part = positions[first : first + VERTICES_PER_PART]

@@ -242,7 +242,7 @@ class SceneDistances(SceneGeometries):
         number = self._mesh_of[geometry]
         if number not in self._side_data:
             mesh = self._meshes[number]
-            vertices, triangles = mesh.array("vertices"), mesh.array("triangles")
+            vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
             volume = volume_of_shell(vertices, triangles)  # sync
             if volume is not None and meet_anywhere(self._trees[number], vertices, triangles):
                 volume = None

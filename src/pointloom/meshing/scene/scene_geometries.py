@@ -80,7 +80,7 @@ class SceneGeometries(Serialized, KnownNames):
                 raise ValueError(f"poses: expected one for each of {len(numbers)} geometries, got {len(poses)}")
         self.__init__(device)
         self._meshes, self._mesh_of, self._poses = [*meshes], numbers, poses
-        self._trees = [TriangleTree(mesh.array("vertices"), mesh.array("triangles")) for mesh in self._meshes]
+        self._trees = [TriangleTree(mesh.arrays["vertices"], mesh.arrays["triangles"]) for mesh in self._meshes]
 
     @property
     def device(self) -> Any:
@@ -123,7 +123,7 @@ class SceneGeometries(Serialized, KnownNames):
         if (wrong := find_wrong_corner(added)) is not None:
             message = f"mesh: {wrong}; such triangles are ignored, so distances and occupancy refer to an open surface"
             warnings.warn(message, UserWarning, stacklevel=2)
-        self._trees.append(TriangleTree(added.array("vertices"), added.array("triangles")))
+        self._trees.append(TriangleTree(added.arrays["vertices"], added.arrays["triangles"]))
         self._meshes.append(added)
         return self._add_instance(len(self._meshes) - 1, T)
 

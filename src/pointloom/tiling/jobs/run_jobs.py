@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...core.checks import check_count, check_progress
+from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ..manifest import NAME, Manifest, damage_as_file_errors, message_of
@@ -32,7 +33,7 @@ def run_job(
     *,
     workers: int = 0,
     part: tuple[int, int] | None = None,
-    device: str = "cpu",
+    device: DeviceLike = "cpu",
     progress: ReportProgress | None = None,
 ) -> JobStatus:
     """Run the tasks of a job. Finished ones stay.

@@ -84,7 +84,7 @@ class Choices:
 
 def choices_of(cloud: PointCloud) -> list[str]:
     given = ["rgb"] * bool(cloud.has_colors) + ["normal"] * bool(cloud.has_normals)
-    columns = [name for name in cloud.attributes if len(cloud.array(name).shape) == 1]
+    columns = [name for name in cloud.attributes if len(cloud.arrays[name].shape) == 1]
     return [*given, "height", "x", "y", *columns]
 
 

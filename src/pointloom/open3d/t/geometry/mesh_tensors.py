@@ -143,7 +143,7 @@ class MeshTensors(Geometry):
         made = TensorMap(old.primary_key)
         for name, own in names.items():
             if own in native.arrays:
-                array = positions_of(native) if name == "positions" else native.array(own)
+                array = positions_of(native) if name == "positions" else native.arrays[own]
                 shape = (len(native), 3, 2) if name == "texture_uvs" else (array.shape[0], 3)
                 made[name] = new_tensor(array, types.get(name, floats), shape)
         for name, array in attributes.items():
@@ -164,7 +164,7 @@ class MeshTensors(Geometry):
 
 def positions_of(native: NativeMesh | NativeCloud, name: str = "vertices") -> Any:
     """Vertices or points as a device array with the origin added."""
-    array = native.array(name)
+    array = native.arrays[name]
     return add_origin(array, native.origin) if native.origin.any() else array
 
 
@@ -180,5 +180,5 @@ def cloud_of(native: NativeCloud, dtype: Dtype) -> Any:
     cloud = geometry.PointCloud(new_tensor(positions_of(native, "points"), dtype.numpy, shape))
     for name in ("normals", "colors"):
         if name in native.arrays:
-            cloud.point[name] = new_tensor(native.array(name), dtype.numpy, shape)
+            cloud.point[name] = new_tensor(native.arrays[name], dtype.numpy, shape)
     return cloud

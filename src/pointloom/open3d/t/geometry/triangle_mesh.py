@@ -135,7 +135,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
             self.triangle["normals"] = self._floats(made.triangle_normals)
             return self
         self.vertex["normals"] = new_tensor(
-            native.compute_vertex_normals().array("vertex_normals"), self._float_dtype.numpy
+            native.compute_vertex_normals().arrays["vertex_normals"], self._float_dtype.numpy
         )
         return self.compute_triangle_normals()
 
@@ -145,7 +145,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
             return self
         native = self.surface
         if normalized:
-            normals = mesh_measures.triangle_normals(native.array("vertices"), native.array("triangles"))
+            normals = mesh_measures.triangle_normals(native.arrays["vertices"], native.arrays["triangles"])
             self.triangle["normals"] = new_tensor(normals, self._float_dtype.numpy, (len(native), 3))
         else:
             made = legacy.TriangleMesh.from_native(native).compute_triangle_normals(False)
@@ -162,7 +162,7 @@ class TriangleMesh(MeshFactories, BakedTextures):
         for part in (self.vertex, self.triangle):
             if "normals" in part:
                 normals = part["normals"]
-                made = _as_normals(normals).normalize_normals().array("vertex_normals")
+                made = _as_normals(normals).normalize_normals().arrays["vertex_normals"]
                 part["normals"] = new_tensor(made, normals.dtype.numpy, tuple(normals.shape))
         return self
 

@@ -1,0 +1,146 @@
+"""Custom operators of torch over kernels: tensors as device arrays, and two operators from which gradients are built.
+
+`gather_rows` and `scatter_sum` are each other's gradients, so formulas made of them and of torch's own operations have
+derivatives of every order. Neither uses float atomics: results are bitwise identical in each run.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import torch
+import warp as wp
+
+from ..core.array_libraries import hand_out, view_as
+from ..core.devices import resolve_device
+from ..core.exchange import share
+from ..kernels.arrays.scattered_sums import sum_by_index
+from ..kernels.lang import float32, float64, int32, int64
+from ..kernels.memory import upload
+
+NAMESPACE = "pointloom"
+HALF_TYPES = (torch.float16, torch.bfloat16)
+ELEMENTS = {torch.float32: float32, torch.float64: float64, torch.int32: int32, torch.int64: int64}
+
+
+def operator(function: Callable[..., Any]) -> Any:
+    """Register a function of tensors and numbers as the operator `pointloom::<name>`, which changes no argument. It
+    runs without gradients. Give it a fake implementation (`register_fake`), so that graphs of `torch.compile` include
+    it, and a formula (`register_autograd`), or `refuse_gradients`.
+    """
+    return torch.library.custom_op(f"{NAMESPACE}::{function.__name__}", function, mutates_args=())
+
+
+def device_array(tensor: torch.Tensor, dtype: Any = None) -> wp.array:
+    """A tensor as a device array. Shares its memory if it is contiguous. On CUDA it is ordered after torch's current
+    stream, without a wait of the host. `dtype`: the type of elements, such as vec3 for float32 (n, 3).
+    """
+    tensor = tensor.detach().contiguous()
+    scalar = ELEMENTS[tensor.dtype]
+    dtype = dtype or scalar
+    if tensor.device.type == "cpu":
+        return upload(tensor.numpy(), dtype, resolve_device("cpu"), copied=False)
+    array = share("tensor", tensor)
+    width = len(getattr(dtype, "_shape_", ()))
+    return array if dtype == scalar else view_as(array, dtype, tuple(tensor.shape[: tensor.ndim - width]))
+
+
+def tensor_of(array: wp.array) -> torch.Tensor:
+    """A device array that has no other owner as a tensor over its memory. On CUDA torch's stream waits for it."""
+    return hand_out(array, "torch")
+
+
+def computed(tensor: torch.Tensor) -> torch.Tensor:
+    """The tensor in the type of the computation: float16 and bfloat16 as float32."""
+    return tensor.float() if tensor.dtype in HALF_TYPES else tensor
+
+
+def check_device(name: str, tensor: torch.Tensor, like: torch.Tensor | None = None) -> None:
+    if tensor.device.type not in ("cpu", "cuda"):
+        raise ValueError(f"{name}: expected a tensor on the CPU or on a CUDA device, got {tensor.device}")
+    if like is not None and tensor.device != like.device:
+        raise ValueError(f"{name}: expected a tensor on {like.device}, as the points, got one on {tensor.device}")
+
+
+def check_tensor(name: str, value: object) -> None:
+    if not isinstance(value, torch.Tensor):
+        raise TypeError(f"{name}: expected a torch tensor, got {type(value).__name__}. Convert it by torch.as_tensor")
+
+
+def check_floats(name: str, tensor: torch.Tensor) -> None:
+    check_tensor(name, tensor)
+    if tensor.dtype not in (torch.float32, torch.float64, *HALF_TYPES):
+        raise TypeError(f"{name}: expected float32, float64, float16 or bfloat16, got {tensor.dtype}")
+
+
+def check_integers(name: str, tensor: torch.Tensor) -> None:
+    check_tensor(name, tensor)
+    if tensor.dtype not in (torch.int32, torch.int64, torch.int16, torch.int8, torch.uint8):
+        raise TypeError(f"{name}: expected integers, got {tensor.dtype}")
+
+
+def check_count(name: str, value: object) -> int:
+    if not isinstance(value, int) or isinstance(value, bool):
+        raise TypeError(f"{name}: expected an integer >= 1, got {type(value).__name__}")
+    if value < 1:
+        raise ValueError(f"{name}: expected an integer >= 1, got {value}")
+    return value
+
+
+def refuse_gradients(made: Any, what: str) -> None:
+    """Let the gradient of an operator raise, for functions that have none."""
+
+    def backward(ctx: Any, *grads: Any) -> Any:
+        raise RuntimeError(f"{what} has no derivative. Detach its arguments, or its result")
+
+    made.register_autograd(backward)
+
+
+@operator
+def gather_rows(values: torch.Tensor, index: torch.Tensor) -> torch.Tensor:
+    """Rows `index`, int64 (n), of values (r, c): (n, c). Rows outside 0 .. r - 1 are 0."""
+    rows = values.shape[0]
+    if not rows:
+        return values.new_zeros((index.shape[0], values.shape[1]))
+    gathered = values.index_select(0, index.clamp(0, rows - 1))
+    return gathered.masked_fill_(((index < 0) | (index >= rows))[:, None], 0)
+
+
+@gather_rows.register_fake
+def _(values: torch.Tensor, index: torch.Tensor) -> torch.Tensor:
+    return values.new_empty((index.shape[0], values.shape[1]))
+
+
+@operator
+def scatter_sum(values: torch.Tensor, index: torch.Tensor, rows: int) -> torch.Tensor:
+    """Sums (rows, c) of the rows of values (n, c), float32 or float64, with each index, int64 (n). Others, such as -1,
+    are skipped. Added up in float64.
+    """
+    return tensor_of(sum_by_index(device_array(values), device_array(index), rows))
+
+
+@scatter_sum.register_fake
+def _(values: torch.Tensor, index: torch.Tensor, rows: int) -> torch.Tensor:
+    return values.new_empty((rows, values.shape[1]))
+
+
+def _save_gather(ctx: Any, inputs: tuple[Any, ...], output: Any) -> None:
+    values, index = inputs
+    ctx.save_for_backward(index)
+    ctx.rows = values.shape[0]
+
+
+def _save_scatter(ctx: Any, inputs: tuple[Any, ...], output: Any) -> None:
+    ctx.save_for_backward(inputs[1])
+
+
+gather_rows.register_autograd(
+    lambda ctx, grad: (scatter_sum(grad, ctx.saved_tensors[0], ctx.rows), None), setup_context=_save_gather
+)
+scatter_sum.register_autograd(
+    lambda ctx, grad: (gather_rows(grad, ctx.saved_tensors[0]), None, None), setup_context=_save_scatter
+)
+
+
+def checks_values(tensor: torch.Tensor) -> bool:
+    """True if checks may read values: not on a GPU, where the host would wait, nor while torch traces."""
+    return tensor.device.type == "cpu" and not torch.compiler.is_compiling()
