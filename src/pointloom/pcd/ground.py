@@ -30,7 +30,7 @@ MAX_RADIUS = 512  # cells: number of windows, about 80,000 reads per cell in tot
 # Terrain steeper than `slope`: many of the other points are ground at a steeper slope, which still removes buildings.
 # They are at most 0.35 of them on nine ISPRS tiles. With a margin, they are at least 0.46 in 19 of 24 synthetic
 # quarries, and the other 5 lost at most 3.3 % of the ground (2026-11-29).
-SLOPE, STEEP_SLOPE = 0.15, 0.45
+TERRAIN_SLOPE, STEEP_SLOPE = 0.15, 0.45
 MAX_CHANGED = 0.42  # of the other points
 MIN_CHANGED = 0.03  # of all points: the mean type I error of the tiles
 STEEP_MARGIN = 0.5  # windows of extrapolated terrain around steep one: 0.5, 1 and 2 have equal errors in 6 quarries
@@ -89,7 +89,7 @@ def classify_ground(
     """
     check_cloud("cloud", cloud)
     cell = check_positive("cell_size", cell_size)
-    steepest = SLOPE if slope is None else check_positive("slope", slope, allow_zero=True)
+    steepest = TERRAIN_SLOPE if slope is None else check_positive("slope", slope, allow_zero=True)
     window = check_positive("max_window", max_window)
     threshold = check_positive("elevation_threshold", elevation_threshold, allow_zero=True)
     fraction = check_positive("scaling", scaling, allow_zero=True)
