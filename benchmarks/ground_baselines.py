@@ -4,7 +4,7 @@
 
 PMF is the progressive morphological filter (Zhang et al., IEEE TGRS 41, 2003) with windows that grow exponentially, as
 PDAL's `filters.pmf`. CSF is the cloth simulation filter (Zhang et al., Remote Sensing 8, 2016), by its authors. Both
-have the settings with the highest mean kappa on the tiles, of 24 and 18 settings (2026-11-29). `--write` writes the
+have the settings with the highest mean kappa on the tiles, of 24 and 7 settings (2026-11-29). `--write` writes the
 table into docs/terrain.md.
 """
 

@@ -27,8 +27,8 @@ MAX_MEDIAN_DISTANCE = 0.006  # of the points' extent: limit of their median dist
 MAX_TENTH_DISTANCE = 0.0298
 MAX_BOUNDARY_LENGTH = 8.0  # times the points' extent: limit of the boundary length
 MAX_SPARSE_AREA = MAX_BENT_AREA = 0.05  # fraction of the area of Poisson surfaces
-# Alpha shapes: limit of sparse + 0.35 bent + 0.1 turned + 0.2 noise, which predicts the wrong fraction of the area. The
-# weights and limits made the smallest number of wrong decisions on 244 wrong and 76 correct alpha shapes of seed 7, 2026-11-29.
+# Alpha shapes: limit of sparse + 0.35 bent + 0.1 turned + 0.2 noise, which predicts the wrong fraction of the area.
+# These weights made the smallest number of wrong decisions on 244 wrong and 76 correct ones of seed 7, 2026-11-29.
 MAX_STRAY_AREA, BENT_WEIGHT, TURNED_WEIGHT, NOISE_WEIGHT = 0.08, 0.35, 0.1, 0.2
 MAX_OUTER_AREA = 0.05  # fraction of the area of Poisson surfaces
 # Fraction of the points that are not near the surface.
