@@ -239,13 +239,13 @@ def test_points_far_from_an_alpha_shape_count_by_area_unless_they_are_noise():
 
 
 def test_noise_bends_and_gaps_of_an_alpha_shape_add_up():
-    limit = Support(0.02, sparse=0.02, bent=0.04, turned=0.1, noise=0.17)
+    limit = Support(0.02, sparse=0.02, bent=0.04, turned=0.1, noise=0.18)
     assert (
         limit.stray == pytest.approx(MAX_STRAY_AREA)
         and Support(0.02, sparse=0.079).problem("alpha", None, None) is None
     )
     more = dataclasses.replace(limit, noise=0.2).problem("alpha", None, None)
-    assert more is not None and more.startswith("2.0% of the area has no point within 0.02 units, and 4.0% is farther")
+    assert more is not None and more.startswith("2.0% of the area has no point within 0.02 m, and 4.0% is farther")
 
 
 def shape_of_size_one(shape):
