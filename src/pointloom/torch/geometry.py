@@ -121,11 +121,7 @@ def normals(
 
 
 def transform(
-    points: torch.Tensor,
-    poses: torch.Tensor,
-    *,
-    batch: torch.Tensor | None = None,
-    offsets: torch.Tensor | None = None,
+    points: torch.Tensor, poses: torch.Tensor, *, batch: torch.Tensor | None = None, offsets: torch.Tensor | None = None
 ) -> torch.Tensor:
     """Transform each cloud by its pose, with gradients with respect to both.
 

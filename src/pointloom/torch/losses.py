@@ -179,7 +179,9 @@ def nearest_rows(a: Batch, b: Batch, k: int = 1) -> tuple[torch.Tensor, torch.Te
     axes = a.points.shape[1]
     if not 0 < axes <= 3:
         raise ValueError(f"source and target: expected at most 3 coordinates, got {axes}")
-    first, second = (torch.nn.functional.pad(each.points, (0, 3 - axes)) if axes < 3 else each.points for each in (a, b))
+    first, second = (
+        torch.nn.functional.pad(each.points, (0, 3 - axes)) if axes < 3 else each.points for each in (a, b)
+    )
     layout = a.starts(), a.sizes(), b.starts(), b.sizes(), a.width or first.shape[0], b.width or second.shape[0]
     return batch_neighbors(first, second, *layout, k, math.inf, False)
 

@@ -276,7 +276,7 @@ def icp_gradients(
     axis = (turned - turned.transpose(1, 2))[:, (2, 0, 1), (1, 2, 0)]
     about = axis + torch.linalg.cross(t - m.center, grad[:, :3, 3])
     factors, determined = _solved(hessian, -torch.cat([about, grad[:, :3, 3]], 1), m)
-    if (lost := (~determined & (grad != 0).flatten(1).any(1)).nonzero()[:, 0].tolist()):
+    if lost := (~determined & (grad != 0).flatten(1).any(1)).nonzero()[:, 0].tolist():
         raise RuntimeError(
             f"icp: {len(lost)} of {len(poses)} poses have no gradient, such as that of cloud {lost[0]}: their "
             "correspondences do not determine the pose. Increase max_distance, use surfaces that cannot slide along "

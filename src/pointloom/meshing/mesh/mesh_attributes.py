@@ -26,7 +26,13 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     accepts numbers of up to 64 bits and booleans, and keeps the type."""
 
     def __init__(self, store: MeshStore, name: str, count: int, of: str, fields: tuple[str, ...]):
-        self._store, self._arrays, self._count, self._of, self._fields = store, store.attributes[name], count, of, fields
+        self._store, self._arrays, self._count, self._of, self._fields = (
+            store,
+            store.attributes[name],
+            count,
+            of,
+            fields,
+        )
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         return read_only(owned(self._arrays[name]))
