@@ -106,7 +106,10 @@ def test_docs_searches_chapters_by_words_and_numbers():
     assert [row["number"] for row in report["chapters"]] == [11]
     assert [row["number"] for row in json.loads(run("docs", "3", "--json").stdout)["chapters"]] == [3]
     nothing = run("docs", "elephants")
-    assert nothing.exit_code == 2 and "no chapter contains elephants; the chapters are 1 Read a point cloud" in nothing.stderr
+    assert (
+        nothing.exit_code == 2
+        and "no chapter contains elephants; the chapters are 1 Read a point cloud" in nothing.stderr
+    )
 
 
 def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):
