@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
+import torch
 
-torch = pytest.importorskip("torch")
-
-import pointloom as loom  # noqa: E402  after the check for torch
+import pointloom as loom
 
 
 def seeded(*shape, seed=0, dtype=torch.float64):

@@ -1,10 +1,9 @@
 """Distances of batches of clouds against torch.cdist in float64, their gradients, layouts, types and errors."""
 
 import pytest
+import torch
 
-torch = pytest.importorskip("torch")
-
-import pointloom as loom  # noqa: E402  after the check for torch
+import pointloom as loom
 
 LAYOUT = (torch.tensor([7, 4, 0]), torch.tensor([6, 2, 3]))
 

@@ -236,7 +236,8 @@ def closest_triangles(
     """The closest triangle of each point, int64 (n), -1 if there is none, and which points are inside the mesh."""
     scene = RaycastingScene(device=resolve_device(points.device))
     scene.add_triangles(vertices, triangles.int())
-    faces = scene.compute_closest_points(points)["primitive_ids"].view(torch.int32).long()
+    found: Any = scene.compute_closest_points(points)["primitive_ids"]  # a tensor, as the points
+    faces = found.view(torch.int32).long()
     if not is_signed:
         return faces, torch.zeros(len(points), dtype=torch.bool, device=points.device)
     return faces, scene.compute_signed_distance(points) < 0
