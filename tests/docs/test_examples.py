@@ -37,8 +37,9 @@ def test_the_page_of_the_gallery_runs(path, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("path", [*CHAPTERS, *OTHERS], ids=lambda path: f"{path.parent.name}-{path.stem}")
-def test_each_page_ends_with_parameters_to_change_and_links(path):
+def test_each_page_shows_an_image_and_ends_with_parameters_to_change_and_links(path):
     text = path.read_text(encoding="utf-8")
+    assert "loom.render(" in text
     change, following = text.index("# What to change\n"), text.index("# Next\n")
     assert text[change:following].count("\n# - ") >= 2
     assert LINK.search(text, following)

@@ -133,9 +133,9 @@ assert np.allclose(meters.points, cloud.points, atol=1e-4)
 
 flip = np.diag([1.0, -1.0, -1.0, 1.0])
 from_camera = loom.PointCloud.create_from_depth_image(frame.depth, frame.intrinsic)
-upright = from_camera.transform(flip)
-print("y of the floor before:", from_camera.points[:, 1].max().round(2), " after:", upright.points[:, 1].min().round(2))
-assert np.isclose(upright.points[:, 1].min(), -from_camera.points[:, 1].max())
+y_up = from_camera.transform(flip)
+print("y of the floor before:", from_camera.points[:, 1].max().round(2), " after:", y_up.points[:, 1].min().round(2))
+assert np.isclose(y_up.points[:, 1].min(), -from_camera.points[:, 1].max())
 
 # %%
 # **A discarded result.** Operations return a new cloud and do not modify their input. Write ``cloud =

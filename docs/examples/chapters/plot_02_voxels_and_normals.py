@@ -114,7 +114,7 @@ by_normal = loom.render(
 
 floor = thin.points[:, 2] < 0.03
 tilt = np.degrees(np.arccos(np.clip(thin.normals[floor, 2], -1, 1)))
-print(f"{floor.sum()} points of the floor; the normals of {np.mean(tilt < 1):.0%} are upright to a degree")
+print(f"{floor.sum()} points of the floor; the normals of {np.mean(tilt < 1):.0%} are vertical within a degree")
 assert np.median(tilt) < 8
 
 # %%
@@ -131,7 +131,9 @@ for radius in (0.06, 0.12, 0.5):
     up = abs(noisy.estimate_normals(radius=radius, max_nn=200).normals[:, 2])
     errors[radius] = float(np.median(np.degrees(np.arccos(np.clip(up[floor], 0, 1)))))
     slanted[radius] = float(((up > 0.2) & (up < 0.8)).mean())
-    print(f"radius {radius} m: floor {errors[radius]:4.1f} degrees error, {slanted[radius]:.0%} of all points on a slope")
+    print(
+        f"radius {radius} m: floor {errors[radius]:4.1f} degrees error, {slanted[radius]:.0%} of all points on a slope"
+    )
 
 assert errors[0.12] < errors[0.06], "a small radius does not average the noise"
 assert slanted[0.12] < slanted[0.5], "a large radius rounds edges"

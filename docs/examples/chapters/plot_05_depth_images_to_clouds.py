@@ -183,8 +183,8 @@ assert np.all(extents[0] < [5.6, 4.8, 3.0]) and np.prod(extents[1]) > 1.5 * np.p
 to_opengl = np.diag([1.0, -1.0, -1.0, 1.0])
 pose_of_arkit = pose @ to_opengl  # in ARKit's convention
 assert np.allclose(pose_of_arkit @ to_opengl, pose), "the matrix is its own inverse"
-upright = colored.transform(to_opengl)
-assert upright.points[:, 2].max() < 0, "all points are in front of the camera, along -z"
+y_up = colored.transform(to_opengl)
+assert y_up.points[:, 2].max() < 0, "all points are in front of the camera, along -z"
 
 # %%
 # Resized images

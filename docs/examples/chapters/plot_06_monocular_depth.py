@@ -162,7 +162,7 @@ image = loom.render(cloud, from_side, (960, 640))
 
 exact = loom.PointCloud.create_from_depth_image(truth, frame.intrinsic)
 cloud["error"] = cloud.compute_point_cloud_distance(exact)
-print(f"half of the points are within {np.median(cloud['error']) * 100:.1f} cm of the true surface")
+print(f"median error of the points: {np.median(cloud['error']) * 100:.1f} cm")
 by_error = loom.render(
     {"geometry": cloud, "color_by": "error", "limits": (0.0, 0.1)}, from_side, (960, 640), color_bar=True
 )

@@ -128,7 +128,7 @@ moved["distance"] = moved.compute_point_cloud_distance(target)
 distance_image = loom.render(
     {"geometry": moved, "color_by": "distance", "limits": (0.0, 0.1), **SIZE}, view, (960, 640), color_bar=True
 )
-print(f"half of the points are within {np.median(moved['distance']) * 1000:.0f} mm of the other scan")
+print(f"median distance from the other scan: {np.median(moved['distance']) * 1000:.0f} mm")
 
 # %%
 # Choose the correspondence distance

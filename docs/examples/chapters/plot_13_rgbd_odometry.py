@@ -205,7 +205,7 @@ assert check is not None and not check.reliable
 #
 # What to change
 # --------------
-# - ``every`` in the loop over frame rates: 12 or more frames between two images. At which value does odometry fail?
+# - ``every`` in the loop over frame rates: 2, 6 or 12 frames. From which value on is the result unreliable?
 # - The brightness: reduce it by half in every second image. Which method is affected?
 # - The implementation: ``pointloom.open3d.pipelines.odometry.compute_rgbd_odometry`` has Open3D's parameters. Is it as
 #   accurate?

@@ -59,8 +59,8 @@ assert len(selection) == 1000 and selection["intensity"].max() <= np.partition(c
 # %%
 # Sharing memory
 # --------------
-# Arrays of type float32 and shape ``(n, 3)`` are not copied. Later changes of the array change the cloud. The example
-# uses Warp, which is always installed. Arrays of PyTorch, CuPy and JAX work in the same way.
+# Arrays of Warp, PyTorch, CuPy and JAX with type float32 and shape ``(n, 3)`` are not copied. Later changes of the
+# array change the cloud. The example uses Warp, which is always installed.
 warp_array = wp.array(points.astype(np.float32), dtype=wp.vec3f, device="cpu")
 shared = loom.PointCloud(warp_array)
 assert shared.array("points").ptr == warp_array.ptr

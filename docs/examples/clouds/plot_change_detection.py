@@ -100,7 +100,7 @@ distance_image = loom.render(
 # What to change
 # --------------
 # - ``limit`` [m]: 0.05 detects smaller objects and more noise.
-# - ``eps`` and ``min_points`` of ``cluster_dbscan``: 0.1 m and 15 points are the smallest detected change.
+# - ``eps`` and ``min_points`` of ``cluster_dbscan``: fewer points detect smaller changes and more noise.
 # - The noise [m]: with ``scale=0.02`` the threshold must increase, too.
 #
 # Next

@@ -95,7 +95,7 @@ width = np.array(
         for k in trees
     ]
 )
-print(f"heights {np.median(heights):.1f} m in the median, crowns {np.median(width):.1f} m wide")
+print(f"median height {np.median(heights):.1f} m, median crown diameter {np.median(width):.1f} m")
 
 rng = np.random.default_rng(2)
 palette = np.column_stack(

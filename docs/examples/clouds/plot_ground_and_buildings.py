@@ -103,15 +103,10 @@ for number, building in enumerate(buildings):
     )
     box = plan.get_minimal_oriented_bounding_box()
     boxes.append(box)
-    names.append(
-        (
-            f"{number + 1}: {building['height height_above_ground ground [m]'].max():.1f} m",
-            box.center + np.array([0, 0, 6]),
-        )
-    )
+    names.append((f"{number + 1}: {building['height above ground [m]'].max():.1f} m", box.center + np.array([0, 0, 6])))
     print(
         f"building {number + 1}: " + " x ".join(f"{edge:.1f}" for edge in sorted(box.extent)[::-1]) + " m, ridge",
-        f"{building['height height_above_ground ground [m]'].max():.1f} m above ground",
+        f"{building['height above ground [m]'].max():.1f} m above ground",
     )
 
 colors = np.where(is_ground[:, None], [0.72, 0.66, 0.52], [0.35, 0.6, 0.3])

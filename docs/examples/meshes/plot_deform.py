@@ -45,7 +45,7 @@ stretch = np.linalg.norm(np.diff(bent.vertices[ends], axis=1)[:, 0], axis=1) / l
 print(f"error of the handles {np.abs(bent.vertices[indices] - positions).max() * 1e6:.2f} um")
 print(
     f"edges are {np.median(np.abs(stretch - 1)) * 100:.1f} % longer or shorter "
-    f"(median), {np.quantile(np.abs(stretch - 1), 0.99) * 100:.0f} % (99 of 100)"
+    f"(median), {np.quantile(np.abs(stretch - 1), 0.99) * 100:.0f} % (99th percentile)"
 )
 assert np.allclose(bent.vertices[indices], positions, atol=1e-6)
 assert np.median(np.abs(stretch - 1)) < 0.1
@@ -58,7 +58,7 @@ moved_vertices = (bar.vertices - center) @ rotation.T + [0.12, 0, 0.33]
 blend = bar.copy()
 blend.vertices = (1 - fraction) * bar.vertices + fraction * moved_vertices
 blend_stretch = np.linalg.norm(np.diff(blend.vertices[ends], axis=1)[:, 0], axis=1) / lengths
-print(f"edges of the blend: {np.quantile(np.abs(blend_stretch - 1), 0.99) * 100:.0f} % (99 of 100)")
+print(f"edges of the blend: {np.quantile(np.abs(blend_stretch - 1), 0.99) * 100:.0f} % (99th percentile)")
 print(
     f"volume ratio: {bent.get_volume() / bar.get_volume():.2f}, "
     f"of the blend {blend.get_volume() / bar.get_volume():.2f}"
