@@ -7,7 +7,7 @@ import torch
 import pointloom as loom
 
 STEPS, SHAPES, POINTS = 50, 24, 128
-# Losses are 0.061 to 0.069 with seeds 0 to 2. The best of the shapes in place of all has 0.116 to 0.120 (29 November 2026).
+# Losses end at 0.061 to 0.069 with seeds 0 to 2. One shape in place of all has 0.116 at best (29 November 2026).
 FINAL_LOSS = 0.08
 
 
