@@ -68,7 +68,7 @@ def test_fpfh_of_real_scans_is_open3ds(device, scene, search, scenes, o3d, toler
     result = loom.compute_fpfh_feature(cloud, **search)
     limits = {"radius": None, "max_nn": 100} | search
     assert result.dtype == np.float32 and result.shape == (len(cloud), 33)
-    expected = features_of(o3d, cloud.array("points").numpy(), cloud.normals, **limits)
+    expected = features_of(o3d, cloud.arrays["points"].numpy(), cloud.normals, **limits)
     different = np.flatnonzero(np.abs(result - expected).max(axis=1) > tolerances.fpfh_block)
     assert len(different) < tolerances.fpfh_ties * len(cloud), f"{len(different)} of {len(cloud)} rows differ"
     uncertain = uncertain_points(scenes[scene], **limits, tolerances=tolerances) if len(different) else set()

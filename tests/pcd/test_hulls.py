@@ -199,7 +199,7 @@ def test_filter_removes_the_bulk_of_hidden_points(device, rng):
     points = rng.random((40_000, 3))
     points[:, 2] = np.where(rng.random(40_000) < 0.5, 0, -1)
     cloud = loom.PointCloud(points, device=device)
-    rows, _ = visible_rows(cloud.array("points"), cloud.origin - np.array([0.5, 0.5, 3]), 400.0)
+    rows, _ = visible_rows(cloud.arrays["points"], cloud.origin - np.array([0.5, 0.5, 3]), 400.0)
     assert 15_000 < rows.size < 25_000
 
 

@@ -1,4 +1,4 @@
-"""Farthest points, voxels and interpolation of batches of clouds against NumPy, torch and PyTorch's finite differences."""
+"""Farthest points, voxels and interpolation of batches of clouds against NumPy, torch and finite differences."""
 
 import math
 

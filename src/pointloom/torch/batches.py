@@ -6,13 +6,13 @@
 - A single cloud: points (N, D).
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import torch
 
 from .operators import check_device, check_floats, check_integers, check_tensor, checks_values, computed
 
-MAX_AXES = 3  # coordinates
+Pair: TypeAlias = torch.Tensor | tuple[torch.Tensor | None, torch.Tensor | None] | None  # one tensor for both, or two
 
 
 class Batch(NamedTuple):
@@ -113,9 +113,9 @@ def take_pair(
     points: torch.Tensor,
     names: tuple[str, str] = ("query", "points"),
     *,
-    lengths: Any = None,
-    batch: Any = None,
-    offsets: Any = None,
+    lengths: Pair = None,
+    batch: Pair = None,
+    offsets: Pair = None,
     batch_size: int | None = None,
     width: int | None = 3,
 ) -> tuple[Batch, Batch]:
@@ -156,7 +156,7 @@ def count_clouds(batch: object) -> int:
     return int(batch.max()) + 1 if batch.numel() else 0  # type: ignore[attr-defined]
 
 
-def _pair(name: str, value: Any) -> tuple[Any, Any]:
+def _pair(name: str, value: Pair) -> tuple[torch.Tensor | None, torch.Tensor | None]:
     if isinstance(value, (tuple, list)):
         if len(value) != 2:
             raise ValueError(f"{name}: expected a tensor for both arguments or a pair of tensors, got {len(value)}")

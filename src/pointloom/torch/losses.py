@@ -10,7 +10,7 @@ from typing import NamedTuple
 import torch
 
 from .batches import Batch, take_batch, take_pair
-from .neighbors import batch_neighbors
+from .neighbors import batch_neighbors, layout_of
 from .operators import gather_rows, scatter_sum
 
 ARGUMENT_NAMES = ("source", "target")
@@ -183,8 +183,7 @@ def nearest_rows(a: Batch, b: Batch, k: int = 1) -> tuple[torch.Tensor, torch.Te
     first, second = (
         torch.nn.functional.pad(each.points, (0, 3 - axes)) if axes < 3 else each.points for each in (a, b)
     )
-    layout = a.starts(), a.sizes(), b.starts(), b.sizes(), a.width or first.shape[0], b.width or second.shape[0]
-    return batch_neighbors(first, second, *layout, k, math.inf, False)
+    return batch_neighbors(first, second, layout_of(a, b), b.width or len(second), k, math.inf, False, False)
 
 
 def _nearest(a: Batch, b: Batch) -> tuple[torch.Tensor, torch.Tensor]:

@@ -1,14 +1,14 @@
 """Nearest neighbors in batches of clouds, with gradients of the squared distances."""
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import torch
 
 from ..kernels.lang import vec3, vec3d
 from ..kernels.search.batch_neighbors import search_batch
 from ..kernels.search.cloud_batch import CloudRows
-from .batches import Batch, take_pair
+from .batches import Batch, Pair, take_pair
 from .operators import check_count, device_array, gather_rows, operator, scatter_sum, tensor_of, unbatched
 
 
@@ -29,9 +29,9 @@ def knn(
     points: torch.Tensor,
     k: int,
     *,
-    lengths: Any = None,
-    batch: Any = None,
-    offsets: Any = None,
+    lengths: Pair = None,
+    batch: Pair = None,
+    offsets: Pair = None,
     batch_size: int | None = None,
 ) -> Neighbors:
     """Find the k nearest points of each query in its cloud. Exact, and bitwise identical in each run.
@@ -71,9 +71,9 @@ def ball_query(
     radius: float,
     k: int,
     *,
-    lengths: Any = None,
-    batch: Any = None,
-    offsets: Any = None,
+    lengths: Pair = None,
+    batch: Pair = None,
+    offsets: Pair = None,
     batch_size: int | None = None,
 ) -> Neighbors:
     """Find up to k nearest points closer than a radius of each query in its cloud. As `knn` otherwise.
@@ -94,9 +94,9 @@ def nearest(
     query: torch.Tensor,
     points: torch.Tensor,
     *,
-    lengths: Any = None,
-    batch: Any = None,
-    offsets: Any = None,
+    lengths: Pair = None,
+    batch: Pair = None,
+    offsets: Pair = None,
     batch_size: int | None = None,
 ) -> Neighbors:
     """Find the nearest point of each query in its cloud. As `knn` with k = 1, without the last axis."""
@@ -113,85 +113,86 @@ def _search(query: torch.Tensor, a: Batch, b: Batch, k: int, radius: float) -> N
     if axes < 3:
         first = torch.nn.functional.pad(first, (0, 3 - axes))
         second = first if b.points is a.points else torch.nn.functional.pad(second, (0, 3 - axes))
-    starts, sizes = a.starts(), a.sizes()
-    rows = (starts, sizes) if b.is_same_layout(a) else (b.starts(), b.sizes())
-    largest = (a.width or first.shape[0], b.width or second.shape[0])
-    indices, sqdists = batch_neighbors(first, second, starts, sizes, *rows, *largest, k, radius, b.width > 0)
+    indices, sqdists = batch_neighbors(
+        first, second, layout_of(a, b), b.width or len(second), k, radius, b.width > 0, b.is_same_layout(a)
+    )
     shape = (*a.shape, k)
     return Neighbors(indices.reshape(shape), sqdists.reshape(shape).to(query.dtype))
+
+
+def layout_of(a: Batch, b: Batch) -> torch.Tensor:
+    """First rows and sizes of the clouds of the queries, then of the points, int32 (4, clouds)."""
+    return torch.stack([a.starts(), a.sizes(), b.starts(), b.sizes()])
 
 
 @operator
 def batch_neighbors(
     query: torch.Tensor,
     points: torch.Tensor,
-    query_starts: torch.Tensor,
-    query_sizes: torch.Tensor,
-    starts: torch.Tensor,
-    sizes: torch.Tensor,
-    largest_query: int,
+    layout: torch.Tensor,
     largest: int,
     k: int,
     radius: float,
     is_local: bool,
+    is_same: bool,
 ) -> tuple[torch.Tensor, torch.Tensor]:
-    """Indices and squared distances (m, k) of queries (m, 3) in clouds given by their first rows and sizes, int32."""
+    """Indices and squared distances (m, k) of queries (m, 3) in the clouds of a `layout_of` two batches, of at most
+    `largest` points. `is_same`: the clouds of both have the same rows.
+    """
     element = vec3 if query.dtype == torch.float32 else vec3d
-    clouds = CloudRows(device_array(starts), device_array(sizes), largest)
+    clouds = CloudRows(device_array(layout[2]), device_array(layout[3]), largest)
     near = device_array(points, element)
-    is_same = starts.data_ptr() == query_starts.data_ptr() and sizes.data_ptr() == query_sizes.data_ptr()
-    if is_same and query.data_ptr() == points.data_ptr() and query.shape == points.shape:
+    if is_same and query.data_ptr() == points.data_ptr():
         found = search_batch(near, clouds, near, clouds, k, radius, is_local)
     else:
-        others = CloudRows(device_array(query_starts), device_array(query_sizes), largest_query)
+        others = CloudRows(device_array(layout[0]), device_array(layout[1]), query.shape[0])
         found = search_batch(device_array(query, element), others, near, clouds, k, radius, is_local)
     return tensor_of(found[0]), tensor_of(found[1])
 
 
 @batch_neighbors.register_fake
-def _(query: Any, points: Any, a: Any, b: Any, c: Any, d: Any, e: Any, f: Any, k: int, *rest: Any) -> Any:
-    shape = (query.shape[0], k)
-    return query.new_empty(shape, dtype=torch.int64), query.new_empty(shape)
+def _(query, points, layout, largest, k, *rest):
+    return query.new_empty((query.shape[0], k), dtype=torch.int64), query.new_empty((query.shape[0], k))
 
 
-def _save(ctx: Any, inputs: tuple[Any, ...], output: tuple[torch.Tensor, torch.Tensor]) -> None:
-    query, points, query_starts, _, starts, *_, is_local = inputs
+def _save(ctx, inputs, output) -> None:
+    query, points, layout, *_, is_local, _ = inputs
     ctx.mark_non_differentiable(output[0])
-    ctx.save_for_backward(query, points, query_starts, starts, output[0])
+    ctx.save_for_backward(query, points, layout, output[0])
     ctx.is_local = is_local
 
 
-def _backward(ctx: Any, _: Any, grad: torch.Tensor) -> tuple[Any, ...]:
+def _backward(ctx, _, grad: torch.Tensor) -> tuple[torch.Tensor | None, ...]:
     """Gradients of |q - p|^2: 2 (q - p), and its negative, summed over the neighbors and over the queries of a point.
     Made of operators with gradients, so that second derivatives are right.
     """
-    query, points, query_starts, starts, indices = ctx.saved_tensors
+    query, points, layout, indices = ctx.saved_tensors
     if ctx.is_local:
         rows = torch.arange(query.shape[0], device=query.device)
-        clouds = torch.searchsorted(query_starts.long(), rows, right=True) - 1
-        indices = torch.where(indices < 0, indices, indices + starts.long()[clouds][:, None])
+        clouds = torch.searchsorted(layout[0].long(), rows, right=True) - 1
+        indices = torch.where(indices < 0, indices, indices + layout[2].long()[clouds][:, None])
     count, k = indices.shape
     flat = indices.reshape(-1)
     near = gather_rows(points, flat).reshape(count, k, 3)
     weights = torch.where(indices < 0, 0, 2 * grad)[..., None]
     steps = torch.where(weights == 0, 0, query[:, None, :] - near) * weights
     grad_points = -scatter_sum(steps.reshape(-1, 3), flat, points.shape[0]) if ctx.needs_input_grad[1] else None
-    return (steps.sum(1), grad_points, *[None] * 9)
+    return (steps.sum(1), grad_points, *[None] * 6)
 
 
 batch_neighbors.register_autograd(_backward, setup_context=_save)
 
 
 @batch_neighbors.register_vmap
-def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
+def _(info, in_dims, *given):
     """The batches of an axis as one: the clouds of each follow those of the one before."""
-    query, points, a, b, c, d, *rest, k, radius, is_local = unbatched(info.batch_size, in_dims, given)
-    size, (rows, columns) = info.batch_size, (query.shape[1], points.shape[1])
-    shifts = torch.arange(size, device=query.device, dtype=torch.int32)[:, None]
-    starts, others = (a + shifts * rows).reshape(-1), (c + shifts * columns).reshape(-1)
-    tables = (starts, b.reshape(-1), others, d.reshape(-1))
-    found = batch_neighbors(query.reshape(-1, 3), points.reshape(-1, 3), *tables, *rest, k, radius, is_local)
-    indices, sqdists = (each.reshape(size, rows, k) for each in found)
+    query, points, layout, *rest, is_local, is_same = unbatched(info.batch_size, in_dims, given)
+    size, rows, columns = info.batch_size, query.shape[1], points.shape[1]
+    shifts = torch.arange(size, device=query.device, dtype=torch.int32)[:, None, None]
+    steps = torch.tensor([rows, 0, columns, 0], device=query.device, dtype=torch.int32)
+    joined = (layout + shifts * steps[:, None]).movedim(1, 0).reshape(4, -1)
+    found = batch_neighbors(query.reshape(-1, 3), points.reshape(-1, 3), joined, *rest, is_local, is_same)
+    indices, sqdists = (each.reshape(size, rows, -1) for each in found)
     if not is_local:
-        indices = torch.where(indices < 0, indices, indices - shifts[..., None] * columns)
+        indices = torch.where(indices < 0, indices, indices - shifts * columns)
     return (indices, sqdists), (0, 0)

@@ -30,7 +30,7 @@ def operator(function: Callable[..., Any]) -> Any:
     return torch.library.custom_op(f"{NAMESPACE}::{function.__name__}", function, mutates_args=())
 
 
-def device_array(tensor: torch.Tensor, dtype: Any = None) -> wp.array:
+def device_array(tensor: torch.Tensor, dtype: type | None = None) -> wp.array:
     """A tensor as a device array. Shares its memory if it is contiguous. On CUDA it is ordered after torch's current
     stream, without a wait of the host. `dtype`: the type of elements, such as vec3 for float32 (n, 3).
     """
@@ -86,10 +86,10 @@ def check_count(name: str, value: object) -> int:
     return value
 
 
-def refuse_gradients(made: Any, what: str) -> None:
+def refuse_gradients(made, what: str) -> None:
     """Let the gradient of an operator raise, for functions that have none."""
 
-    def backward(ctx: Any, *grads: Any) -> Any:
+    def backward(ctx, *grads):
         raise RuntimeError(f"{what} has no derivative. Detach its arguments, or its result")
 
     made.register_autograd(backward)
@@ -123,13 +123,13 @@ def _(values: torch.Tensor, index: torch.Tensor, rows: int) -> torch.Tensor:
     return values.new_empty((rows, values.shape[1]))
 
 
-def _save_gather(ctx: Any, inputs: tuple[Any, ...], output: Any) -> None:
+def _save_gather(ctx, inputs, output) -> None:
     values, index = inputs
     ctx.save_for_backward(index)
     ctx.rows = values.shape[0]
 
 
-def _save_scatter(ctx: Any, inputs: tuple[Any, ...], output: Any) -> None:
+def _save_scatter(ctx, inputs, output) -> None:
     ctx.save_for_backward(inputs[1])
 
 
@@ -141,7 +141,7 @@ scatter_sum.register_autograd(
 )
 
 
-def unbatched(size: int, in_dims: tuple[int | None, ...], given: tuple[Any, ...]) -> list[Any]:
+def unbatched(size: int, in_dims: tuple[int | None, ...], given: tuple) -> list:
     """The arguments of an operator under `torch.vmap`, each tensor with the axis of the batches first."""
     moved = []
     for value, axis in zip(given, in_dims, strict=True):
@@ -153,7 +153,7 @@ def unbatched(size: int, in_dims: tuple[int | None, ...], given: tuple[Any, ...]
 
 
 @gather_rows.register_vmap
-def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
+def _(info, in_dims, *given):
     values, index = unbatched(info.batch_size, in_dims, given)
     size, rows, columns = values.shape
     shifts = torch.arange(size, device=index.device)[:, None] * rows
@@ -162,7 +162,7 @@ def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
 
 
 @scatter_sum.register_vmap
-def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
+def _(info, in_dims, *given):
     values, index, rows = unbatched(info.batch_size, in_dims, given)
     size, _, columns = values.shape
     shifts = torch.arange(size, device=index.device)[:, None] * rows

@@ -228,7 +228,7 @@ def icp_poses(
     poses = torch.tensor([result.transformation.tolist() for result in found], dtype=torch.float64).to(source.device)
     labels = _labels(len(source), layout[0].long(), layout[1])
     moved = _moved(source, poses, labels)
-    rows = batch_neighbors(moved, target, *layout.unbind(), *largest, 1, max_distance, False)[0][:, 0]
+    rows = batch_neighbors(moved, target, layout, largest[1], 1, max_distance, False, False)[0][:, 0]
     for _ in range(NEWTON_STEPS):
         m = _matches(source, target, normals, poses, labels, rows)
         hessian, gradient = _systems(m)

@@ -1,13 +1,13 @@
 """Sampling and pooling of batches of clouds: farthest points, voxels, interpolation from neighbors."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import torch
 
 from ..kernels.lang import vec3
 from ..kernels.sampling.farthest_in_batch import choose_in_batch
 from ..kernels.search.cloud_batch import CloudRows
-from .batches import Batch, take_batch
+from .batches import Batch, Pair, take_batch
 from .neighbors import knn
 from .operators import (
     check_count,
@@ -107,7 +107,7 @@ def _(points: torch.Tensor, starts: torch.Tensor, sizes: torch.Tensor, num_sampl
 
 
 @batch_farthest_points.register_vmap
-def _(info: Any, in_dims: tuple[int | None, ...], *given: Any) -> Any:
+def _(info, in_dims, *given):
     points, starts, sizes, num_samples = unbatched(info.batch_size, in_dims, given)
     shifts = torch.arange(info.batch_size, device=points.device, dtype=torch.int32)[:, None] * points.shape[1]
     tables = (starts + shifts).reshape(-1), sizes.reshape(-1)
@@ -238,9 +238,9 @@ def interpolate(
     features: torch.Tensor,
     k: int = 3,
     *,
-    lengths: Any = None,
-    batch: Any = None,
-    offsets: Any = None,
+    lengths: Pair = None,
+    batch: Pair = None,
+    offsets: Pair = None,
     batch_size: int | None = None,
 ) -> torch.Tensor:
     """Interpolate the features of the k nearest points of each query, weighted by the inverse squared distances.

@@ -218,7 +218,7 @@ def test_the_choice_is_that_of_the_rule_written_in_numpy(device, rng):
     for x, y in rng.uniform((160, 120), (480, 360), (40, 2)):
         expected = oracle(stored, view, x, y, 6.0)
         assert pick_point(cloud, view, x, y) == expected
-        assert pick_point(cloud, view, x, y, hidden=marks.array("hidden")) == oracle(stored, view, x, y, 6.0, hidden)
+        assert pick_point(cloud, view, x, y, hidden=marks.arrays["hidden"]) == oracle(stored, view, x, y, 6.0, hidden)
         n_hits += expected is not None
     assert n_hits > 20
 

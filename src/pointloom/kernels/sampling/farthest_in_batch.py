@@ -12,13 +12,13 @@ from ..search.cloud_batch import CloudRows
 from ..search.point_tree import square_distance
 from .farthest_points import UNREACHED_KEY, index_of, largest_of_block
 
-CHOSEN = -1  # key of a chosen point, and of one that is not finite
+CHOSEN_KEY = -1  # key of a chosen point, and of one that is not finite
 
 
 @func
 def first_key(j: int, p: vec3) -> int64:
     """Key of point j of a cloud before the first choice: infinite distance, the lowest index first."""
-    return int64(UNREACHED_KEY) | (int64(INDEX_MASK) - int64(j)) if isfinite(p) else int64(CHOSEN)
+    return int64(UNREACHED_KEY) | (int64(INDEX_MASK) - int64(j)) if isfinite(p) else int64(CHOSEN_KEY)
 
 
 @func
@@ -40,7 +40,7 @@ def choose_in_clouds_kernel(
     i = tid()
     start = clouds.starts[i]
     size = clouds.sizes[i]
-    top = int64(CHOSEN)
+    top = int64(CHOSEN_KEY)
     for j in range(size):
         key = first_key(j, points[start + j])
         keys[start + j] = key
@@ -51,8 +51,8 @@ def choose_in_clouds_kernel(
             at = index_of(top)
             row = int64(at)
             q = points[start + at]
-            keys[start + at] = int64(CHOSEN)
-            top = int64(CHOSEN)
+            keys[start + at] = int64(CHOSEN_KEY)
+            top = int64(CHOSEN_KEY)
             for j in range(start, start + size):
                 key = keys[j]
                 if key >= int64(0):
@@ -76,7 +76,7 @@ def choose_in_blocks_kernel(
     thread = i % BLOCK_THREADS
     start = clouds.starts[cloud]
     size = clouds.sizes[cloud]
-    top = int64(CHOSEN)
+    top = int64(CHOSEN_KEY)
     j = thread + 0
     while j < size:
         key = first_key(j, points[start + j])
@@ -90,12 +90,12 @@ def choose_in_blocks_kernel(
             at = index_of(top)
             row = int64(at)
             q = points[start + at]
-            own = int64(CHOSEN)
+            own = int64(CHOSEN_KEY)
             j = thread + 0
             while j < size:
                 key = keys[start + j]
                 if j == at:
-                    key = int64(CHOSEN)
+                    key = int64(CHOSEN_KEY)
                 if key >= int64(0):
                     key = nearer_key(key, points[start + j], q)
                 keys[start + j] = key

@@ -30,7 +30,7 @@ from .point_tree import BUCKET, FAN, LEAF, SIDES, highest_corner, lowest_corner,
 
 NODE_POINTS = BUCKET * (FAN - 1) // FAN  # points per node of a large tree: the sum of 1 / (BUCKET * FAN^level)
 MIN_RUN = 64  # points of a thread that bounds a cloud
-BITS = 62  # of a key: cloud, code and, on the CPU, row
+KEY_BITS = 62  # of a key: cloud, code and, on the CPU, row
 MAX_LEVELS = 12  # of the curve: 4,096 cells per axis
 
 
@@ -169,7 +169,7 @@ class SortedRows:
         """`boxes`: of the curves."""
         cloud_bits = (clouds.starts.size - 1).bit_length()
         self.clouds = clouds
-        self.levels = min(MAX_LEVELS, (BITS - max(1, (points.size - 1).bit_length()) - cloud_bits) // 3)
+        self.levels = min(MAX_LEVELS, (KEY_BITS - max(1, (points.size - 1).bit_length()) - cloud_bits) // 3)
         keys = SortKeys(points.size, points.device)
         launch(encode_rows_kernel, -(-points.size // VECTOR_LANES), [points, clouds, boxes, self.levels, keys])
         self.keys, self.order = keys.sort(3 * self.levels + 1 + cloud_bits)
