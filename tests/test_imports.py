@@ -204,8 +204,7 @@ def device_faults(source: str, path: str) -> list[str]:
         if path in DEVICE_FILES or not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
             continue
         called = ast.unparse(node.func)
-        # Methods of the tensors of Open3D, which take the lock, and of torch have these names.
-        is_of_tensor = path.startswith(("open3d/", "torch/"))
+        is_of_tensor = path.startswith(("open3d/", "torch/"))  # methods of other libraries' tensors have these names
         is_method = node.func.attr in DEVICE_METHODS and (path, called) not in HOST_METHODS and not is_of_tensor
         is_function = called.startswith("wp.") and called[len("wp.") :] in DEVICE_FUNCTIONS and id(node) not in locked
         if is_method or is_function:

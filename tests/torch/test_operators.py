@@ -28,7 +28,8 @@ def operators():
         "gather_rows": (gather_rows, (values, index)),
         "scatter_sum": (scatter_sum, (values, index[:20], 9)),
         "batch_neighbors": (
-            batch_neighbors, (query, points, *tables(3, 4), *tables(3, 5), 4, 5, 2, float("inf"), True),
+            batch_neighbors,
+            (query, points, torch.stack([*tables(3, 4), *tables(3, 5)]), 5, 2, float("inf"), True, False),
         ),
         "batch_farthest_points": (batch_farthest_points, (points.detach(), *tables(3, 5), 2)),
     }  # fmt: skip
