@@ -140,7 +140,7 @@ def is_same_crs(a: CoordinateSystem | None, b: CoordinateSystem | None) -> bool:
     return _can_be_same(plane_a, plane_b) and _can_be_same(heights_a, heights_b)
 
 
-def _can_be_same(a: Any, b: Any) -> bool:
+def _can_be_same(a: int | str | None, b: int | str | None) -> bool:
     return a is None or b is None or a == b
 
 
@@ -156,7 +156,7 @@ def map_crs(name: str, given: str | None, own: CoordinateSystem | None) -> str |
 
 
 @functools.lru_cache(256)
-def _parts_of_text(text: str) -> tuple[Any, Any]:
+def _parts_of_text(text: str) -> tuple[int | str | None, int | str | None]:
     codes = CoordinateSystem(text).codes
     if codes is not None:
         return codes
@@ -170,7 +170,7 @@ def _parts_of_text(text: str) -> tuple[Any, Any]:
     return identities[0], identities[1] if len(identities) > 1 else None
 
 
-def _parts(system: CoordinateSystem) -> tuple[Any, Any]:
+def _parts(system: CoordinateSystem) -> tuple[int | str | None, int | str | None]:
     """Identities of the horizontal and vertical part: EPSG codes, else names; None if unknown."""
     return _parts_of_text(system.text)
 

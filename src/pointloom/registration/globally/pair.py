@@ -248,13 +248,8 @@ def register_pair(
     if start is None:
         report_progress("search", 0, 0)
         searched = register_globally(source, target, voxel_size=size, free=level)
-        start, search_score, problem, scales = (
-            searched.transformation,
-            searched.score or 0.0,
-            "; ".join(searched.warnings),
-            AT_ONCE,
-        )
-        alternatives = searched.alternatives
+        start, search_score, scales = searched.transformation, searched.score or 0.0, AT_ONCE
+        problem, alternatives = "; ".join(searched.warnings), searched.alternatives
     report_progress("refine", 0, 0)
     limits = [max_distance or PAIR_DISTANCE_VOXELS * scale * size for scale in scales]
     coarse_to_fine = [scale * size for scale in scales], [ICPConvergenceCriteria()] * len(scales), limits, start
@@ -262,9 +257,9 @@ def register_pair(
     result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)
     report_progress("rate", 0, 0)
     rated = source.copy(), target.copy(), RATED_WITHIN * size
-    assert result._clouds is not None
-    ratio = _feature_ratio(searched, result.transformation, RATED_WITHIN * size)
-    result._clouds = Registered(*rated, *result._clouds[3:-1], ratio)
+    ratio, registered = _feature_ratio(searched, result.transformation, RATED_WITHIN * size), result._clouds
+    assert registered is not None
+    result._clouds = Registered(*rated, *registered[3:-1], ratio)
     estimated = tuple(role for role in estimation.needs_normals if "normals" not in clouds[role].arrays)
     return PairRegistration(
         result,
@@ -335,12 +330,13 @@ def _motion(source: PointCloud, T: Matrix) -> tuple[float, float]:
 
 def _feature_ratio(searched: RegistrationResult | None, T: Matrix, distance: float) -> float:
     """The ratio of features of a search, if the refined pose is still the one that was found; else 0."""
-    if searched is None or searched._clouds is None:
+    clouds = None if searched is None else searched._clouds
+    if searched is None or clouds is None:
         return 0.0
-    source, change = searched._clouds.source, (T - searched.transformation)[:3]
+    source, change = clouds.source, (T - searched.transformation)[:3]
     corners = np.array(list(itertools.product(*zip(source.get_min_bound(), source.get_max_bound(), strict=True))))
     moved = np.linalg.norm(matmul(corners, change[:, :3].T) + change[:, 3], axis=1).max()
-    return searched._clouds.feature_ratio if moved < POSE_SEPARATION * distance else 0.0
+    return clouds.feature_ratio if moved < POSE_SEPARATION * distance else 0.0
 
 
 def _by_role(counts: tuple[int, int]) -> dict[str, int]:
