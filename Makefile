@@ -116,7 +116,7 @@ LOADED_RUNS ?= 10
 flakes: $(BROWSER) ## Run the tests of pages, threads and processes RUNS times, LOADED_RUNS times beside busy processes
 	@$(BIN)/python tests/flakes.py --runs $(RUNS) --loaded-runs $(LOADED_RUNS) $(ARGS)
 
-mutants: $(FULL) ## Small changes of behavior, one at a time: do the tests notice? (half an hour, not in CI)
+mutants: $(FULL) ## Small changes of behavior, one at a time: do the tests notice? (an hour on two cores, continues where it ended, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)
 
 nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
@@ -172,7 +172,7 @@ gpu-kit: $(FULL) ## Pack what a GPU machine without network needs, N MiB a call 
 gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on where it ended (ARGS=--dry without a GPU)
 	@$(BIN)/python benchmarks/gpu_kit $(ARGS)
 
-trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected (half an hour, not in CI)
+trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected (an hour on two cores, continues where it ended, not in CI)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
 bench: $(BENCH) ## Run the benchmarks beside the best peers

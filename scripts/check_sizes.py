@@ -27,10 +27,10 @@ KERNEL_LINES = 80  # of device code, whose state must stay in the registers of o
 MAX_PARAMETERS = 8
 
 LIMITS = {
-    "code lines": 139_100,  # without docstrings, comments, blank lines and imports
+    "code lines": 139_400,  # without docstrings, comments, blank lines and imports
     "private members of other objects": 66,
     "parameters annotated Any": 815,
-    f"host functions with more than {MAX_PARAMETERS} parameters": 43,
+    f"host functions with more than {MAX_PARAMETERS} parameters": 44,
     "numeric constants named by one word": 44,
     "modules in import cycles with type imports": 2,
 }

@@ -28,6 +28,7 @@ import frame_errors  # noqa: E402
 import made_rooms  # noqa: E402
 import places  # noqa: E402
 import recordings  # noqa: E402
+import sensor_pairs  # noqa: E402
 import street  # noqa: E402
 import surveys  # noqa: E402
 from judged import share_in_words  # noqa: E402
@@ -135,7 +136,7 @@ def _measured(rays: Array, distances: Array, noise: float, farthest: float, rng:
     return rays[is_hit] * (distances[is_hit] + rng.normal(0, noise, is_hit.sum()))[:, None]
 
 
-def components(pair: Pair, operation: str) -> Array | None:
+def components(pair: Pair | sensor_pairs.SensorPair, operation: str) -> Array | None:
     """The error of a registration along the eigenvectors of its covariance, in standard deviations [6]. None for a pair
     that hardly overlaps.
     """
@@ -269,6 +270,17 @@ def pair_lines(is_fitted: bool, count: int) -> list[str]:
     return lines
 
 
+def sensor_lines(is_fitted: bool, count: int) -> list[str]:
+    """Coverage of registered pairs of real scans, by sensor: at most half as many as of other kinds."""
+    rows: dict[tuple[str, str], list[Array]] = {}
+    for number, pair in enumerate(sensor_pairs.sensor_pairs(is_fitted, count // 2), 1):
+        print(f"{pair.kind} {number}", file=sys.stderr, flush=True)
+        for operation in OPERATIONS:
+            if (found := components(pair, operation)) is not None:
+                rows.setdefault((pair.kind, operation), []).append(found)
+    return [_line(*names, some) for names, some in rows.items()]
+
+
 def frame_lines(is_fitted: bool, count: int) -> list[str]:
     """Coverage of pairs of RGB-D frames, synthetic ones and halves of real ones, and of tracked paths."""
     first = _first_seed(is_fitted)
@@ -277,7 +289,8 @@ def frame_lines(is_fitted: bool, count: int) -> list[str]:
         for method, one in frame_components(seed).items():
             found.setdefault(("rooms, RGB-D frames", method), []).append(one)
     paths = frame_errors.path_errors(range(first + 1, first + 1 + max(count // PAIRS_OF_WALK, 1)))
-    for error in (*frame_errors.half_errors(count, not is_fitted), *paths):
+    ends = frame_errors.errors_there_and_back(is_fitted, max(count // 4, 1))
+    for error in (*frame_errors.half_errors(count, not is_fitted), *paths, *ends):
         row = found.setdefault((error.scenes, error.method), [])
         row.append(whitened(error.error, error.matrix, error.center))
     return [_line(*names, some) for names, some in found.items()]
@@ -310,6 +323,7 @@ def _line(kind: str, operation: str, found: Sequence[Array]) -> str:
 
 AREAS = {
     "pairs": pair_lines,
+    "sensors": sensor_lines,
     "frames": frame_lines,
     "drives": drive_lines,
     "recordings": recording_lines,

@@ -24,7 +24,7 @@ from pathlib import Path
 from unittest import mock
 
 import numpy as np
-from judged import Judged
+from judged import Case, Judged
 from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
@@ -47,13 +47,17 @@ MIN_ORDER = 0.9  # rank correlation
 ROWS, COLUMNS = 120, 160
 
 
-def judge() -> Iterator[Judged]:
+def cases() -> Iterator[Case]:
     """Each file, in each of its forms, under every preset."""
+    for name in FILES:
+        yield Case(name, lambda name=name: _judge_network(name))
+
+
+def _judge_network(name: str) -> Iterator[Judged]:
     with tempfile.TemporaryDirectory() as folder:
-        for name in FILES:
-            path = published(Path(folder) / f"{name.replace(' ', '_')}.onnx", name)
-            for form, changed in _forms(path):
-                yield from _judge_file(f"{name}, {form}", FILES[name][0], changed)
+        path = published(Path(folder) / f"{name.replace(' ', '_')}.onnx", name)
+        for form, changed in _forms(path):
+            yield from _judge_file(f"{name}, {form}", FILES[name][0], changed)
 
 
 def _forms(path: Path) -> Iterator[tuple[str, Path]]:
@@ -144,5 +148,5 @@ def _camera() -> loom.PinholeCameraIntrinsic:
 if __name__ == "__main__":
     from judged import rates, table
 
-    cases = list(judge())
-    print("\n".join([*rates(cases), "", *table(cases)]))
+    judged = [each for case in cases() for each in case.judge()]
+    print("\n".join([*rates(judged), "", *table(judged)]))

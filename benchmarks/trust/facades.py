@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import facade_scenes as scenes
-from judged import Judged, rates, table
+from judged import Case, Judged, rates, table
 from sfm_accuracy import camera_errors
 
 import pointloom as loom
@@ -66,17 +66,18 @@ def judged(
     )
 
 
-def judge(seeds: Iterable[int] = HELD_OUT) -> Iterator[Judged]:
-    yield from map(judge_seed, seeds)
+def cases(seeds: Iterable[int] = HELD_OUT) -> Iterator[Case]:
+    for seed in seeds:
+        yield Case(scenes.facade(seed).name, lambda seed=seed: [judge_seed(seed)])
 
 
 def main() -> None:
     print(*table([])[:2], sep="\n", flush=True)
-    cases = []
-    for each in judge(CHOOSING if "choosing" in sys.argv[1:] else HELD_OUT):
-        cases.append(each)
-        print(table([each])[-1], flush=True)
-    print("\n".join(rates(cases)))
+    judged_cases = []
+    for case in cases(CHOOSING if "choosing" in sys.argv[1:] else HELD_OUT):
+        judged_cases += case.judge()
+        print(table(judged_cases)[-1], flush=True)
+    print("\n".join(rates(judged_cases)))
 
 
 if __name__ == "__main__":

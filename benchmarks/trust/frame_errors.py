@@ -11,6 +11,7 @@ import places
 import sensors
 from numpy.typing import NDArray
 from real_data import DataMissingError, real_data
+from rgbd_recordings import Frames, opened
 
 Array = NDArray[np.float64]
 
@@ -20,6 +21,7 @@ VOXEL = 0.02  # [m]
 SCALE = 0.5  # of the synthetic images: 160 x 120
 DEPTH_MAX = 6.0  # [m]
 STEPS = range(2, 7)  # frames between those of a real pair
+LENGTH = 30  # frames of a path forward and backward
 
 
 class PoseError(NamedTuple):
@@ -50,6 +52,39 @@ def path_errors(seeds: range) -> Iterator[PoseError]:
                 covariance, true = path.pose_covariances[k], start @ frames[numbers[k]].pose
                 error = true @ np.linalg.inv(poses[k])
                 yield PoseError("sites, RGB-D paths", "track", error, covariance.matrix, covariance.center)
+
+
+def errors_there_and_back(is_fitted: bool, count: int) -> Iterator[PoseError]:
+    """The same real frames tracked forward and backward: the product of both end poses is the identity but for errors.
+
+    No published pose is used. Errors that both directions share cancel. Successive paths share no frame.
+    """
+    for frames in opened(is_fitted):
+        for first in range(frames.numbers.start, frames.numbers.stop - LENGTH + 1, LENGTH)[:count]:
+            print(f"{frames.recording.camera} {first}", file=sys.stderr, flush=True)
+            error = error_there_and_back(frames, range(first, first + LENGTH))
+            if error is not None:
+                yield error
+
+
+def error_there_and_back(frames: Frames, numbers: range) -> PoseError | None:
+    """The error of one path, or None if a frame at its ends was not tracked."""
+    import pointloom as loom
+
+    ends = []
+    for way in (numbers, numbers[::-1]):
+        images = [frames.read(k) for k in way]
+        stream = loom.frames_from([(image.color, image.depth) for image in images], frames.data.intrinsic)
+        path = loom.rgbd.track(stream, voxel_size=frames.recording.voxel, depth_max=frames.recording.max_depth)
+        tracked = np.asarray(path.trajectory.ids)[:, 0]
+        if tracked[0] != 0 or tracked[-1] != len(numbers) - 1:
+            return None
+        ends.append((np.linalg.inv(path.trajectory.poses[0]) @ path.trajectory.poses[-1], path.pose_covariances[-1]))
+    (T, there), (back, of_back) = ends
+    axes = np.kron(np.eye(2), T[:3, :3])  # those of the last frame, which is the world of the way back
+    matrix = there.matrix + axes @ of_back.about(np.zeros(3)).matrix @ axes.T
+    name = f"RGB-D recording, {frames.recording.camera}"
+    return PoseError(name, "track, there and back", np.linalg.inv(T @ back), matrix, T[:3, 3].copy())
 
 
 def half_errors(count: int, held_out: bool) -> Iterator[PoseError]:

@@ -1,6 +1,7 @@
 """Reliability on scenes and faults that no constant was chosen on (places.py, sensors.py).
 
-`tracking`, `scanning`, `registering` and `picturing` yield a Judged for each case. Undetermined quantities, such as the
+`registering` and `registering_images` yield a Judged for each case, the others list their cases. Undetermined
+quantities, such as the
 distance along a bare corridor, count as wrong if accepted with an error, and do not count if rejected.
 """
 
@@ -10,6 +11,7 @@ import itertools
 import math
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +20,7 @@ import numpy as np
 import places
 import sensors
 from belief_scenes import Scan
-from judged import Judged
+from judged import Case, Judged
 from places import Site
 from sensors import CameraFrame, DepthCamera, Scanner
 
@@ -96,13 +98,13 @@ COUNT = 66  # frames of a sequence
 SMALL = 0.5  # scale of its images: 160 x 120
 
 
-def tracking() -> Iterator[Judged]:
+def tracking() -> Iterator[Case]:
     """A handheld depth camera: each site without a fault, and with two of the faults."""
     for number, (seed, kind) in enumerate(itertools.product(range(SEED, SEED + 2), places.KINDS)):
-        yield from _site(kind, seed, number)
+        yield Case(f"{kind} {seed}", partial(_site, kind, seed, number))
     for seed in (SEED + 2, SEED + 3):
-        yield from _bare(seed)
-        yield from _covered(seed)
+        yield Case(f"bare sites {seed}", partial(_bare, seed))
+        yield Case(f"covered {seed}", partial(_covered, seed))
 
 
 def _site(kind: str, seed: int, number: int) -> Iterator[Judged]:
@@ -202,36 +204,38 @@ def _kiss(scans: Sequence[Any], true: Array) -> str:
     return f"KISS-ICP: {np.linalg.norm(kiss.last_pose[:3, 3] - true[-1]):.2f} m"
 
 
-def scanning() -> Iterator[Judged]:
+def scanning() -> Iterator[Case]:
     """A spinning scanner that drives."""
     for seed in range(SEED, SEED + SCANNED_SITES):
-        sights: dict[str, tuple[Site, float, bool]] = {
-            "bare corridor": (places.corridor(seed, niches=False), 0.9, False),
-            "corridor with niches": (places.corridor(seed), 0.9, True),
-            "corridor, doors at 1.2 m": (places.corridor(seed, niches=False, doors=1.2), 1.2, False),
-            "smooth tunnel": (places.tunnel(seed, rough=0), 0.9, False),
-            "rough tunnel": (places.tunnel(seed), 0.9, True),
-            "hall with columns": (places.hall(seed), 0.8, True),
-            "forest": (places.forest(seed), 0.8, True),
-            "outdoors": (places.outdoors(seed), 0.8, True),
-            "flat field": (places.outdoors(seed, things=0, height=0.0), 0.8, False),
+        sights: dict[str, tuple[Callable[[], Site], float, bool]] = {
+            "bare corridor": (partial(places.corridor, seed, niches=False), 0.9, False),
+            "corridor with niches": (partial(places.corridor, seed), 0.9, True),
+            "corridor, doors at 1.2 m": (partial(places.corridor, seed, niches=False, doors=1.2), 1.2, False),
+            "smooth tunnel": (partial(places.tunnel, seed, rough=0), 0.9, False),
+            "rough tunnel": (partial(places.tunnel, seed), 0.9, True),
+            "hall with columns": (partial(places.hall, seed), 0.8, True),
+            "forest": (partial(places.forest, seed), 0.8, True),
+            "outdoors": (partial(places.outdoors, seed), 0.8, True),
+            "flat field": (partial(places.outdoors, seed, things=0, height=0.0), 0.8, False),
         }
-        for name, (site, step, known) in sights.items():
-            truth = sensors.drive(32, step)
-            scanner = Scanner(site, seed=seed)
-            scans = [scanner.scan(T, k) for k, T in enumerate(truth)]
-            yield judge_scans(f"{name} {seed}", scans, truth, known)
-            if known and name in ("forest", "hall with columns", "corridor with niches"):
-                foreign = Scanner(places.outdoors(seed + 7), seed=seed).scan(truth[9], 99)
-                yield judge_scans(f"{name} {seed}, one foreign scan", [*scans[:16], foreign, *scans[17:]], truth, False)
-                slow = sensors.drive(32, 0.25)
-                yield judge_scans(
-                    f"{name} {seed}, slowly", [scanner.scan(T, k) for k, T in enumerate(slow)], slow, True
-                )
-        yield _lorries(seed)
+        for name, (make, step, known) in sights.items():
+            yield Case(f"{name} {seed}", partial(_scanned, name, make, step, known, seed))
+        yield Case(f"lorries all round {seed}", partial(_lorries, seed))
 
 
-def _lorries(seed: int) -> Judged:
+def _scanned(name: str, make: Callable[[], Site], step: float, known: bool, seed: int) -> Iterator[Judged]:
+    truth = sensors.drive(32, step)
+    scanner = Scanner(make(), seed=seed)
+    scans = [scanner.scan(T, k) for k, T in enumerate(truth)]
+    yield judge_scans(f"{name} {seed}", scans, truth, known)
+    if known and name in ("forest", "hall with columns", "corridor with niches"):
+        foreign = Scanner(places.outdoors(seed + 7), seed=seed).scan(truth[9], 99)
+        yield judge_scans(f"{name} {seed}, one foreign scan", [*scans[:16], foreign, *scans[17:]], truth, False)
+        slow = sensors.drive(32, 0.25)
+        yield judge_scans(f"{name} {seed}, slowly", [scanner.scan(T, k) for k, T in enumerate(slow)], slow, True)
+
+
+def _lorries(seed: int) -> Iterator[Judged]:
     """Walls that drive along, ahead, beside and behind: they hide the geometry that determines the motion."""
     truth = sensors.drive(32, 0.9)
     scanner = Scanner(places.outdoors(seed, things=60), seed=seed)
@@ -247,7 +251,7 @@ def _lorries(seed: int) -> Judged:
         return [(np.array(low, float) + shift, np.array(high, float) + shift) for low, high in sides]
 
     scans = [scanner.scan(T, k, beside(T)) for k, T in enumerate(truth)]
-    return judge_scans(f"lorries all round {seed}", scans, truth, False)
+    yield judge_scans(f"lorries all round {seed}", scans, truth, False)
 
 
 def registering() -> Iterator[Judged]:
@@ -291,6 +295,7 @@ def registering() -> Iterator[Judged]:
             int(accepted and not right),
             int(right and not accepted),
             "; ".join(result.warnings),
+            f"score {result.score:.3f}",
         )
 
 
@@ -334,6 +339,7 @@ def judged(belief: beliefs.Belief, area: str) -> Judged:
         int(belief.believed and not belief.right),
         int(refused),
         "; ".join(belief.warnings),
+        f"score {belief.score:.3f}",
     )
 
 
@@ -371,10 +377,10 @@ def _anywhere(rng: np.random.Generator) -> Array:
 Shot = tuple[str, list[tuple[Array, float]], float | None, bool]
 
 
-def picturing() -> Iterator[Judged]:
+def picturing() -> Iterator[Case]:
     """Images alone: the model is wrong if a camera center is off by 2 % of the extent, or f by 5 %."""
-    for case, kind, shots, given, known in _albums():
-        yield _judge_album(case, places.KINDS[kind](SEED + 5), shots, given, known)
+    for case, kind, *rest in _albums():
+        yield Case(case, lambda case=case, kind=kind, rest=rest: [_judge_album(case, kind, *rest)])
 
 
 def _albums() -> Iterator[tuple[str, str, list[tuple[Array, float]], float | None, bool]]:
@@ -405,12 +411,13 @@ def _orbit(count: int) -> list[Array]:
     return poses
 
 
-def _judge_album(case: str, site: Site, shots: list[tuple[Array, float]], given: float | None, known: bool) -> Judged:
+def _judge_album(case: str, kind: str, shots: list[tuple[Array, float]], given: float | None, known: bool) -> Judged:
     from PIL import Image
     from sfm_accuracy import camera_errors
 
     import pointloom as loom
 
+    site = places.KINDS[kind](SEED + 5)
     cameras = {zoom: DepthCamera(site, 1, scale=2, zoom=zoom) for _, zoom in shots}
     with tempfile.TemporaryDirectory() as folder:
         images = Path(folder, "images")
@@ -450,7 +457,7 @@ def _judge_album(case: str, site: Site, shots: list[tuple[Array, float]], given:
     )
 
 
-AREAS: dict[str, Callable[[], Iterator[Judged]]] = {
+AREAS: dict[str, Callable[[], Iterator[Judged | Case]]] = {
     "tracking": tracking,
     "scanning": scanning,
     "registering": registering,

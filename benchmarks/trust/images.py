@@ -20,7 +20,7 @@ from typing import Any
 import image_scenes as scenes
 import numpy as np
 from image_scenes import FOCAL, Shots
-from judged import Judged, table
+from judged import Case, Judged, table
 from real_data import DataMissingError, real_data
 from sfm_accuracy import camera_errors
 
@@ -35,7 +35,7 @@ Truth = dict[str, tuple[np.ndarray | None, float]]  # by name: pose, if known, a
 
 
 @dataclass(frozen=True)
-class Case:
+class ImageSet:
     """A set of images and the reconstruction options.
 
     Attributes:
@@ -120,40 +120,42 @@ def real(
     return write
 
 
-def all_cases() -> list[Case]:
+def all_cases() -> list[ImageSet]:
     """The room and the flights whose wrong results were once accepted, and correct cases."""
     path, used = scenes.straight_path(COUNT), {"held_out": False}
     flat = lambda: flight(0.4, lens=True, tremble=0.4)  # noqa: E731
     return [
-        Case("room", made(lambda: plain_room(path)), **used),
-        Case("room, every second image at 1.5 times the focal length", made(lambda: zoomed(800 / FOCAL)), **used),
-        Case("the same with EXIF", made(lambda: with_exif(zoomed(800 / FOCAL))), **used),
-        Case("room, every second image at 1.2 times the focal length", made(lambda: zoomed(1.2))),
-        Case("room, given 600 px for 525", made(lambda: plain_room(path)), given(600.0), **used),
-        Case("room, given 700 px for 525", made(lambda: plain_room(path)), given(700.0), **used),
-        Case("room, given 490 px for 525", made(lambda: plain_room(path)), given(490.0)),
-        Case("room, given 525 px", made(lambda: plain_room(path)), given(525.0)),
-        Case("room, zoomed, given 525 px", made(lambda: zoomed(800 / FOCAL)), given(525.0)),
-        Case("straight ahead", made(lambda: plain_room(scenes.dolly())), **used),
-        Case("straight ahead with EXIF", made(lambda: with_exif(plain_room(scenes.dolly())))),
-        Case("along a wall without turning", made(lambda: plain_room(scenes.sideways(COUNT)))),
-        Case("flight over low hills, a lens with errors", made(flat)),
-        Case("flight over low hills with EXIF", made(lambda: with_exif(flat()))),
-        Case("flight over hills, a pinhole", made(lambda: flight(1.5, lens=False)), **used),
-        Case("flight over flat ground, a pinhole that sways", made(lambda: flight(0.0, lens=False)), **used),
-        Case("flight over flat ground, tilted to and fro", made(lambda: flight(0.0, lens=False, tilt=25.0)), **used),
-        Case("two rooms", made(separate_groups), **used),
-        Case("turning only", made(lambda: plain_room(scenes.turning(COUNT))), **used),
-        Case("one image twelve times", made(one_image), **used),
-        Case("room without texture", made(lambda: plain_room(path, texture=False, color_noise=2.0)), **used),
-        Case("temple", real("mvs-temple", "*.png", 1520.4 / 640)),
-        Case("Sceaux", real("mvs-sceaux/images", "*.JPG", 2905.88 / 2832)),
-        Case("fountain", real("mvs-fountain-p11/images", "*.jpg", 2761.0 / 3072)),
-        Case("kitchen", real("rgbd-7scenes-redkitchen", "*.color.jpg", 525.0 / 640, stride=15, stop=300)),
+        ImageSet("room", made(lambda: plain_room(path)), **used),
+        ImageSet("room, every second image at 1.5 times the focal length", made(lambda: zoomed(800 / FOCAL)), **used),
+        ImageSet("the same with EXIF", made(lambda: with_exif(zoomed(800 / FOCAL))), **used),
+        ImageSet("room, every second image at 1.2 times the focal length", made(lambda: zoomed(1.2))),
+        ImageSet("room, given 600 px for 525", made(lambda: plain_room(path)), given(600.0), **used),
+        ImageSet("room, given 700 px for 525", made(lambda: plain_room(path)), given(700.0), **used),
+        ImageSet("room, given 490 px for 525", made(lambda: plain_room(path)), given(490.0)),
+        ImageSet("room, given 525 px", made(lambda: plain_room(path)), given(525.0)),
+        ImageSet("room, zoomed, given 525 px", made(lambda: zoomed(800 / FOCAL)), given(525.0)),
+        ImageSet("straight ahead", made(lambda: plain_room(scenes.dolly())), **used),
+        ImageSet("straight ahead with EXIF", made(lambda: with_exif(plain_room(scenes.dolly())))),
+        ImageSet("along a wall without turning", made(lambda: plain_room(scenes.sideways(COUNT)))),
+        ImageSet("flight over low hills, a lens with errors", made(flat)),
+        ImageSet("flight over low hills with EXIF", made(lambda: with_exif(flat()))),
+        ImageSet("flight over hills, a pinhole", made(lambda: flight(1.5, lens=False)), **used),
+        ImageSet("flight over flat ground, a pinhole that sways", made(lambda: flight(0.0, lens=False)), **used),
+        ImageSet(
+            "flight over flat ground, tilted to and fro", made(lambda: flight(0.0, lens=False, tilt=25.0)), **used
+        ),
+        ImageSet("two rooms", made(separate_groups), **used),
+        ImageSet("turning only", made(lambda: plain_room(scenes.turning(COUNT))), **used),
+        ImageSet("one image twelve times", made(one_image), **used),
+        ImageSet("room without texture", made(lambda: plain_room(path, texture=False, color_noise=2.0)), **used),
+        ImageSet("temple", real("mvs-temple", "*.png", 1520.4 / 640)),
+        ImageSet("Sceaux", real("mvs-sceaux/images", "*.JPG", 2905.88 / 2832)),
+        ImageSet("fountain", real("mvs-fountain-p11/images", "*.jpg", 2761.0 / 3072)),
+        ImageSet("kitchen", real("rgbd-7scenes-redkitchen", "*.color.jpg", 525.0 / 640, stride=15, stop=300)),
     ]
 
 
-def judge_case(case: Case) -> Judged:
+def judge_case(case: ImageSet) -> Judged:
     """Create the images of a case, reconstruct them, and compare with the ground truth."""
     with tempfile.TemporaryDirectory() as name:
         truth = case.make(Path(name) / "images")
@@ -183,25 +185,20 @@ def errors_of(model: loom.SfmModel | None, truth: Truth) -> tuple[int, str]:
     return int(abs(worst) > WRONG_FOCAL or centers > WRONG_CENTERS), message
 
 
-def judge() -> Iterator[Judged]:
-    """All cases in sequence; cases with missing data are skipped with a message on standard error."""
-    yield from judged_cases(all_cases())
-
-
-def judged_cases(cases: list[Case]) -> Iterator[Judged]:
-    for case in cases:
-        try:
-            yield judge_case(case)
-        except DataMissingError as error:
-            print(f"{case.name}: left out, {error}", file=sys.stderr)
+def cases() -> Iterator[Case]:
+    for each in all_cases():
+        yield Case(each.name, lambda each=each: [judge_case(each)])
 
 
 def main() -> None:
     names = sys.argv[1:]
-    chosen = [case for case in all_cases() if not names or any(word in case.name for word in names)]
     print(*table([])[:2], sep="\n", flush=True)
-    for each in judged_cases(chosen):
-        print(table([each])[-1], flush=True)
+    for case in cases():
+        if not names or any(word in case.name for word in names):
+            try:
+                print(table(case.judge())[-1], flush=True)
+            except DataMissingError as error:
+                print(f"{case.name}: left out, {error}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 Z = 1.959963984540054  # of a normal distribution: 95 % are within
@@ -37,6 +37,14 @@ class Judged:
     error: str = ""
     peer: str = ""
     held_out: bool = True
+
+
+@dataclass(frozen=True)
+class Case:
+    """A case that has not run: its name, unique in its area, and the function that judges it."""
+
+    name: str
+    judge: Callable[[], Iterable[Judged]]
 
 
 def interval(hits: int, count: int) -> tuple[float, float]:

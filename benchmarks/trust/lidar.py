@@ -17,7 +17,7 @@ sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1])]
 
 import lidar_scenes as made  # noqa: E402
 import numpy as np  # noqa: E402
-from judged import Judged, rates, table  # noqa: E402
+from judged import Case, Judged, rates, table  # noqa: E402
 from numpy.typing import NDArray  # noqa: E402
 
 import pointloom as loom  # noqa: E402
@@ -138,24 +138,28 @@ def kiss_icp(run: made.Run, max_range: float) -> str:
     return f"KISS-ICP: {error_of(np.array(poses), run.poses):.2f} m"
 
 
-def judge(names: tuple[str, ...] = ()) -> Iterator[Judged]:
-    """Run each case: is its path correct, and is it accepted?"""
-    for seed, (name, (make, max_range)) in itertools.product(SEEDS, CASES.items()):
-        if names and not any(part in name for part in names):
-            continue
-        run = make(seed)
-        odometry = loom.registration.LidarOdometry(max_range=max_range, min_range=0.5)
-        for scan in run.scans:
-            odometry.register(loom.PointCloud(scan))
-        distance = float(np.linalg.norm(np.diff(run.poses[:, :3, 3], axis=0), axis=1).sum())
-        error, warnings = error_of(odometry.poses, run.poses), "; ".join(odometry.summary.warnings)
-        wrong = error > max(MIN_ERROR, MIN_FRACTION * distance)
-        accepted, refused = int(wrong and not warnings), int(not wrong and bool(warnings))
-        peer = kiss_icp(run, max_range) if seed == SEEDS[0] else ""
-        figure = f"{error:.2f} of {distance:.1f} m"
-        yield Judged(AREA, f"{name}, seed {seed}", 1, int(wrong), accepted, refused, warnings, figure, peer)
+def cases() -> Iterator[Case]:
+    for seed, name in itertools.product(SEEDS, CASES):
+        yield Case(f"{name}, seed {seed}", lambda seed=seed, name=name: [judge_drive(name, seed)])
+
+
+def judge_drive(name: str, seed: int) -> Judged:
+    """Is the path of a drive correct, and is it accepted?"""
+    make, max_range = CASES[name]
+    run = make(seed)
+    odometry = loom.registration.LidarOdometry(max_range=max_range, min_range=0.5)
+    for scan in run.scans:
+        odometry.register(loom.PointCloud(scan))
+    distance = float(np.linalg.norm(np.diff(run.poses[:, :3, 3], axis=0), axis=1).sum())
+    error, warnings = error_of(odometry.poses, run.poses), "; ".join(odometry.summary.warnings)
+    wrong = error > max(MIN_ERROR, MIN_FRACTION * distance)
+    accepted, refused = int(wrong and not warnings), int(not wrong and bool(warnings))
+    peer = kiss_icp(run, max_range) if seed == SEEDS[0] else ""
+    figure = f"{error:.2f} of {distance:.1f} m"
+    return Judged(AREA, f"{name}, seed {seed}", 1, int(wrong), accepted, refused, warnings, figure, peer)
 
 
 if __name__ == "__main__":
-    cases = list(judge(tuple(sys.argv[1:])))
-    print("\n".join([*table(cases), "", *rates(cases)]))
+    chosen = [case for case in cases() if not sys.argv[1:] or any(part in case.name for part in sys.argv[1:])]
+    judged = [each for case in chosen for each in case.judge()]
+    print("\n".join([*table(judged), "", *rates(judged)]))

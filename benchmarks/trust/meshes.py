@@ -7,14 +7,15 @@ by seed, on which none was.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from judged import Judged
+from judged import Case, Judged
 from surfaces import Truth, judged, shapes
 
-CHOOSING, HELD_OUT = range(100, 112), range(13)  # seeds of shapes; constants were chosen on the first
+CHOOSING = range(100, 112)  # seeds of shapes on which constants were chosen
+HELD_OUT = (*range(13), *range(200, 340))  # 300 results of each kind, correct and wrong
 KINDS = ("torus", "box", "sphere", "cylinder", "cone", "bumps")
 SMOOTHED = (
     ("taubin", 10),
@@ -27,37 +28,41 @@ SMOOTHED = (
 )
 
 
-def made_shapes(seeds: Iterable[int]) -> Iterator[tuple[str, Any]]:
-    """Meshes of random proportions and densities, by seed."""
+def made_shape(seed: int) -> tuple[str, Any]:
+    """A mesh of random proportions and density, by seed, and its name."""
     import pointloom as loom
 
-    for seed in seeds:
-        rng, kind = np.random.default_rng(seed), KINDS[seed % len(KINDS)]
-        a, b = rng.uniform(0.15, 0.5, 2)
-        fine = int(rng.integers(16, 40))
-        if kind == "torus":
-            mesh = loom.TriangleMesh.create_torus(0.5, 0.5 * b, 2 * fine, fine)
-        elif kind == "box":
-            mesh = loom.TriangleMesh.create_box(1.0, 2 * a, 2 * b).subdivide_midpoint(3)
-        elif kind == "cylinder":
-            mesh = loom.TriangleMesh.create_cylinder(a, 1.0, fine, fine // 2)
-        elif kind == "cone":
-            mesh = loom.TriangleMesh.create_cone(a, 1.0, fine, fine // 2)
-        else:
-            mesh = loom.TriangleMesh.create_sphere(0.5, fine)
-        if kind == "bumps":
-            vertices, waves = np.asarray(mesh.vertices), rng.normal(0, 6, (4, 3))
-            height = 1 + 0.05 * np.sin(vertices @ waves.T + rng.uniform(0, 6, 4)).sum(axis=1)
-            mesh = loom.TriangleMesh(vertices * height[:, None], mesh.triangles)
-        yield f"{kind} {seed}", mesh
+    rng, kind = np.random.default_rng(seed), KINDS[seed % len(KINDS)]
+    a, b = rng.uniform(0.15, 0.5, 2)
+    fine = int(rng.integers(16, 40))
+    if kind == "torus":
+        mesh = loom.TriangleMesh.create_torus(0.5, 0.5 * b, 2 * fine, fine)
+    elif kind == "box":
+        mesh = loom.TriangleMesh.create_box(1.0, 2 * a, 2 * b).subdivide_midpoint(3)
+    elif kind == "cylinder":
+        mesh = loom.TriangleMesh.create_cylinder(a, 1.0, fine, fine // 2)
+    elif kind == "cone":
+        mesh = loom.TriangleMesh.create_cone(a, 1.0, fine, fine // 2)
+    else:
+        mesh = loom.TriangleMesh.create_sphere(0.5, fine)
+    if kind == "bumps":
+        vertices, waves = np.asarray(mesh.vertices), rng.normal(0, 6, (4, 3))
+        height = 1 + 0.05 * np.sin(vertices @ waves.T + rng.uniform(0, 6, 4)).sum(axis=1)
+        mesh = loom.TriangleMesh(vertices * height[:, None], mesh.triangles)
+    return f"{kind} {seed}", mesh
 
 
-def judge() -> Iterator[Judged]:
-    for name, truth in shapes():
-        for each in _changed(name, truth):
-            yield dataclasses.replace(each, held_out=False)
-    for name, truth in made_shapes(HELD_OUT):
-        yield from _changed(name, truth)
+def cases() -> Iterator[Case]:
+    """All changes of one shape."""
+    for name, make in shapes().items():
+        yield Case(name, lambda name=name, make=make: _on_known(name, make()))
+    for seed in HELD_OUT:
+        yield Case(f"shape {seed}", lambda seed=seed: _changed(*made_shape(seed)))
+
+
+def _on_known(name: str, truth: Any) -> Iterator[Judged]:
+    for each in _changed(name, truth):
+        yield dataclasses.replace(each, held_out=False)
 
 
 def _changed(name: str, mesh: Any) -> Iterator[Judged]:

@@ -9,20 +9,25 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from real_data import DataMissingError, real_data
+from scipy.spatial import KDTree
 
 Array = NDArray[np.float64]
 Random = np.random.Generator
+Present = Callable[[Array], NDArray[np.bool_]]
 
 CELLS = 56  # of a field along each axis
 COUNTS = 60, 6000  # points of a cloud
 NOISES = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.002, 0.005, 0.01, 0.03)  # fractions of the diagonal
 POOL = 20_000  # points from which a cloud is drawn
+SCANNED = "cheburashka", "stanford-bunny", "abc part"
+SCAN_COUNTS, SCAN_ROWS = (1000, 10_000), 110  # points, rays of a side
+SCAN_NOISES = 0.0, 0.0, 0.01, 0.02  # fractions of the diagonal
 
 
 @dataclass(frozen=True)
@@ -33,16 +38,16 @@ class Sampled:
         case: A short description.
         truth: The mesh that the points were drawn from.
         points, normals: Shape (n, 3). `normals` is None if the surface is to be reconstructed without given ones.
-        is_complete: False if points are missing in a part of the shape.
         alpha: Radius for an alpha shape. None for the default.
+        present: Returns False for positions on the shape in a part without points.
     """
 
     case: str
     truth: Any
     points: Array
     normals: Array | None
-    is_complete: bool
     alpha: float | None
+    present: Present
 
 
 def _mesh_of(field: Callable[[Array], Array]) -> Any:
@@ -154,8 +159,6 @@ def machined(rng: Random) -> Any:
 
 def knot(rng: Random) -> Any:
     """A tube along a closed curve."""
-    from scipy.spatial import cKDTree
-
     t = np.linspace(0, 2 * math.pi, 400, endpoint=False)
     amplitudes, phases = rng.normal(size=(3, 3)) / [1, 2, 3], rng.uniform(0, 2 * math.pi, (3, 3))
     curve = np.column_stack(
@@ -166,7 +169,7 @@ def knot(rng: Random) -> Any:
     )
     curve *= 0.7 / np.abs(curve).max()
     radius = float(rng.uniform(0.08, 0.25))
-    return _mesh_of(lambda p: cKDTree(curve).query(p)[0] - radius)
+    return _mesh_of(lambda p: KDTree(curve).query(p)[0] - radius)
 
 
 def hills(rng: Random) -> Any:
@@ -269,32 +272,113 @@ def _sample(name: str, truth: Any, rng: Random) -> Sampled:
     if noise:
         points = points + rng.normal(0, noise * size, points.shape)
         words.append(f"noise of {100 * noise:g} %")
-    is_complete, given = True, None
+    given, present = None, _all
     fault = rng.choice(
         ["none", "half of it missing", "a hole", "outliers", "normals given", "opposite normals"],
         p=[0.67, 0.05, 0.06, 0.07, 0.11, 0.04],
     )
     if fault == "half of it missing":
-        rows = points[:, 0] < np.median(points[:, 0])
-        points, is_complete = points[rows], False
+        middle = np.median(points[:, 0])
+        present = partial(_left_of, middle)
+        points = points[present(points)]
     elif fault == "a hole":
-        rows = np.linalg.norm(points - points[0], axis=1) > rng.uniform(0.05, 0.3) * size
-        points, is_complete = points[rows], False
+        present = partial(_outside, points[0], rng.uniform(0.05, 0.3) * size)
+        points = points[present(points)]
     elif fault == "outliers":
-        low, high = points.min(0) - 0.1 * size, points.max(0) + 0.1 * size
-        rows = rng.random(len(points)) < 10 ** rng.uniform(-2.5, -0.5)
-        points = np.where(rows[:, None], rng.uniform(low, high, points.shape), points)
+        points = _with_outliers(points, size, -0.5, rng)
     elif fault == "normals given":
         given = normals
     elif fault == "opposite normals":
         given = normals * np.where(rng.random(len(normals)) < rng.uniform(0.02, 0.5), -1.0, 1.0)[:, None]
     words += [str(fault)] if fault != "none" else []
     alpha = float(rng.uniform(2.5, 8)) * _spacing(points) if rng.random() < 0.5 else None
-    return Sampled(f"{name}, {', '.join(words)}", truth, points, given, is_complete, alpha)
+    return Sampled(f"{name}, {', '.join(words)}", truth, points, given, alpha, present)
+
+
+def scanned(cases: Iterable[int], seed: int) -> Iterator[Sampled]:
+    """Scans of the real objects of `HELD_OUT` from 4 to 12 sides, with noise of 0 to 2 %, holes and outliers."""
+    for k in cases:
+        name = SCANNED[k % len(SCANNED)]
+        rng = np.random.default_rng([seed, 1, k])
+        try:
+            truth = HELD_OUT[name](rng)
+        except DataMissingError:
+            continue
+        yield _scan(f"{name} {seed + k}", truth, rng)
+
+
+def _scan(name: str, truth: Any, rng: Random) -> Sampled:
+    size, views = float(np.linalg.norm(np.ptp(truth.vertices, axis=0))), int(rng.integers(4, 13))
+    hits, normals = _visible_points(truth, size, views, rng)
+    low, high = SCAN_COUNTS
+    rows = rng.choice(len(hits), min(int(low * (high / low) ** rng.random()), len(hits)), replace=False)
+    points, given = hits[rows], normals[rows] if rng.random() < 0.5 else None
+    words, noise = [f"{views} sides", f"{len(points)} points"], rng.choice(SCAN_NOISES)
+    if noise:
+        points = points + rng.normal(0, noise * size, points.shape)
+        words.append(f"noise of {100 * noise:g} %")
+    words += ["normals given"] if given is not None else []
+    fault, is_present = rng.choice(["none", "a hole", "outliers"], p=[0.5, 0.25, 0.25]), _all
+    if fault == "a hole":
+        is_present = partial(_outside, points[0], rng.uniform(0.05, 0.15) * size)
+        rows = is_present(points)
+        points, given = points[rows], None if given is None else given[rows]
+    elif fault == "outliers":
+        points = _with_outliers(points, size, -1.0, rng)
+    words += [str(fault)] if fault != "none" else []
+    alpha = float(rng.uniform(2.5, 8)) * _spacing(points) if rng.random() < 0.5 else None
+    present = partial(_seen, KDTree(hits), 0.01 * size, is_present)
+    return Sampled(f"{name}, {', '.join(words)}", truth, points, given, alpha, present)
+
+
+def _visible_points(truth: Any, size: float, views: int, rng: Random) -> tuple[Array, Array]:
+    """Points that rays from evenly spaced directions hit, and normals toward the sensor."""
+    import pointloom as loom
+
+    scene = loom.RaycastingScene()
+    scene.add_triangles(truth)
+    k = np.arange(views) + 0.5
+    z, turn = 1 - 2 * k / views, math.pi * (1 + math.sqrt(5)) * k
+    flat = np.sqrt(1 - z * z)
+    directions = np.column_stack([flat * np.cos(turn), flat * np.sin(turn), z]) @ _rotation(rng).T
+    center, axis = (truth.vertices.min(0) + truth.vertices.max(0)) / 2, np.linspace(-0.52, 0.52, SCAN_ROWS) * size
+    right, up = (part.reshape(-1, 1) for part in np.meshgrid(axis, axis))
+    points, normals = [], []
+    for direction in directions:
+        frame = np.linalg.svd(direction[None])[2]  # the last two rows are orthogonal to the direction
+        eye, targets = center + 2 * size * direction, center + right * frame[1] + up * frame[2]
+        rays = np.hstack([np.broadcast_to(eye, targets.shape), targets - eye]).astype(np.float32)
+        hits = scene.cast_rays(rays)
+        hit = np.isfinite(hits["t_hit"])
+        points.append(rays[hit, :3] + hits["t_hit"][hit, None] * rays[hit, 3:])
+        found = hits["primitive_normals"][hit]
+        normals.append(found * -np.sign(np.sum(found * rays[hit, 3:], axis=1, keepdims=True)))
+    return np.vstack(points).astype(float), np.vstack(normals).astype(float)
+
+
+def _with_outliers(points: Array, size: float, max_power: float, rng: Random) -> Array:
+    """Replace a fraction of 10^-2.5 to 10^max_power of the points."""
+    low, high = points.min(0) - 0.1 * size, points.max(0) + 0.1 * size
+    rows = rng.random(len(points)) < 10 ** rng.uniform(-2.5, max_power)
+    return np.where(rows[:, None], rng.uniform(low, high, points.shape), points)
+
+
+def _seen(tree: KDTree, distance: float, is_present: Present, points: Array) -> NDArray[np.bool_]:
+    return is_present(points) & (tree.query(points)[0] < distance)
+
+
+def _all(points: Array) -> NDArray[np.bool_]:
+    return np.ones(len(points), bool)
+
+
+def _left_of(x: float, points: Array) -> NDArray[np.bool_]:
+    return points[:, 0] < x
+
+
+def _outside(center: Array, radius: float, points: Array) -> NDArray[np.bool_]:
+    return np.linalg.norm(points - center, axis=1) > radius
 
 
 def _spacing(points: Array) -> float:
     """Median distance to the nearest neighbor."""
-    from scipy.spatial import cKDTree
-
-    return float(np.median(cKDTree(points).query(points, 2)[0][:, 1]))
+    return float(np.median(KDTree(points).query(points, 2)[0][:, 1]))

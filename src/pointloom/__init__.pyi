@@ -106,6 +106,7 @@ from .visualization.viewer.viewer import Viewer as Viewer
 
 # Results of functions, for annotations.
 # isort: split
+from .core.coordinate_systems import CoordinateSystem as CoordinateSystem
 from .io.bags.recording import Recording as Recording
 from .io.frames.datasets import RGBDDataset as RGBDDataset
 from .io.frames.rgbd_sources import FrameStream as FrameStream

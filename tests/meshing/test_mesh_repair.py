@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from pointloom import TriangleMesh
@@ -162,7 +162,21 @@ def test_repair_report_lists_all_changes(device):
     assert report.non_manifold_vertices == report.zero_area_triangles == 0
 
 
+# Another repair would add 2 triangles, remove 1 of a part that was reversed, and remove 2 copies, in this order.
+REPEATED_CUTS = (
+    [(0, 1, 3), (1, 3, 4), (1, 3, 5), (1, 5, 2), (2, 3, 5), (0, 3, 4), (0, 3, 5)],
+    [(1, 0, 3), (0, 5, 1), (4, 3, 2), (2, 0, 5), (2, 5, 0), (3, 0, 4), (1, 2, 0), (0, 1, 3), (2, 3, 4), (3, 2, 0)],
+    [
+        *[(4, 1, 0), (2, 1, 3), (4, 3, 0), (4, 3, 2), (1, 4, 3), (3, 0, 1), (4, 1, 3)],
+        *[(4, 3, 1), (0, 2, 4), (0, 1, 4), (2, 4, 3), (1, 0, 4), (2, 3, 1)],
+    ],
+)
+
+
 @HYPOTHESIS
+@example(REPEATED_CUTS[0], None, None)
+@example(REPEATED_CUTS[1], None, None)
+@example(REPEATED_CUTS[2], None, 0.3)
 @given(SOUPS, st.sampled_from([None, 10.0]), st.sampled_from([None, 0.3]))
 def test_repairs_of_any_mesh_are_manifold_with_a_correct_report(triangles, hole_size, merge_distance):
     mesh = soup(triangles)

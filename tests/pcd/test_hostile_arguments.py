@@ -30,7 +30,7 @@ from ..io.camera_stubs import KinectStub, RealSenseStub
 
 # One line per call: the function and a valid value of each argument, as expressions over `things()`.
 CALLS = """
-loom.PointCloud(points=points, normals=normals, colors=colors, device="cpu", origin=three, unit="foot", label=row, arrays="numpy")
+loom.PointCloud(points=points, normals=normals, colors=colors, device="cpu", origin=three, unit="foot", crs=25832, label=row, arrays="numpy")
 loom.PointCloud.concatenate(clouds=[cloud, cloud])
 loom.PointCloud.create_from_depth_image(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1.0, depth_trunc=5.0, stride=1, device="cpu", arrays="numpy")
 loom.PointCloud.from_dlpack(points=points32, normals=points32, colors=points32, origin=three)
@@ -70,6 +70,7 @@ cloud.smooth_mls(radius=0.5, max_nn=10)
 cloud.smooth_taubin(iterations=2, lambda_=0.5, mu=-0.53, knn=5)
 cloud.to(device="cpu", arrays="numpy")
 cloud.to_unit(unit="foot")
+survey.reproject(epsg=25833)
 cloud.transform(transformation=pose)
 cloud.translate(translation=three)
 cloud.uniform_down_sample(every_k_points=2)
@@ -225,6 +226,7 @@ mesh.paint_uniform_color(color=three)
 mesh.rotate(R=turn, center=three)
 mesh.scale(scale=2.0, center=three)
 mesh.to_unit(unit="foot")
+surveyed.reproject(epsg=25833)
 mesh.transform(transformation=pose)
 mesh.translate(translation=three)
 mesh.compute_geodesic_distances(sources=[0, 1])
@@ -306,10 +308,10 @@ splats.translate(translation=three)
 loom.read_splats(path="nowhere.ply", device="cpu", arrays="numpy")
 loom.write_splats(path="splats.ply", splats=splats)
 loom.read_stations(path="nowhere.e57", device="cpu", arrays="numpy")
-loom.write_stations(path="stations.e57", clouds=[cloud.select_by_index([0])], poses=[pose], names=["A"])
+loom.write_stations(path="stations.e57", clouds=[cloud.select_by_index([0])], poses=[pose], names=["A"], crs=25832)
 loom.read_triangle_mesh(path="mesh.ply", device="cpu", up="y", arrays="numpy")
 camera.write(path="camera.json")
-loom.write_point_cloud(path="cloud.las", cloud=cloud, scale=0.001, like=None)
+loom.write_point_cloud(path="cloud.las", cloud=cloud, scale=0.001, like=None, crs=25832)
 loom.project_to_utm(cloud=lonlat, epsg=32632)
 loom.write_trajectory(path="trajectory.tum", trajectory=trajectory, format="tum", intrinsic=camera)
 loom.write_triangle_mesh(path="mesh.ply", mesh=mesh, up="y")
@@ -353,6 +355,9 @@ def things() -> dict[str, Any]:
     camera = loom.PinholeCameraIntrinsic(16, 12, 10.0, 10.0, 8.0, 6.0)
     color = rng.integers(0, 255, (12, 16, 3)).astype(np.uint8)
     triangles = np.array([[0, 1, 2], [2, 3, 4]])
+    corner = np.array([412300.0, 5651200.0, 120.0])
+    survey, surveyed = loom.PointCloud(points + corner, crs=25832), loom.TriangleMesh(points + corner, triangles)
+    surveyed.crs = 25832
     mesh = loom.TriangleMesh(points, triangles)
     mesh.unit = "metre"
 
@@ -391,7 +396,7 @@ def things() -> dict[str, Any]:
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
         occupancy=occupancy, occupancy_filled=seen, tsdf_filled=filled, paged=paged, paged_filled=paged_filled,
-        mapped=mapped, mesh=mesh, triangles=triangles,
+        mapped=mapped, mesh=mesh, triangles=triangles, survey=survey, surveyed=surveyed,
         corner_uvs=np.zeros((3 * len(triangles), 2)), material_ids=np.zeros(len(triangles), int),
         image=np.zeros((4, 4, 3), np.uint8), painted=painted, outline=[[1, 0], [2, 0], [2, 1], [1, 1]],
         shell=loom.TriangleMesh(np.vstack([40 * np.eye(3), [[-40] * 3]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),

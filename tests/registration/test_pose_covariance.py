@@ -59,6 +59,19 @@ def test_it_is_positive_definite_shrinks_with_points_and_grows_with_noise(device
     assert (np.diff(sigmas) > 0).all()
 
 
+def test_errors_that_neighboring_points_share_widen_it_and_noise_does_not(rng):
+    """A smooth distortion, as of a depth camera, moves the pose more than noise of the same size."""
+    points, sizes = room(rng, 24_000), {}
+    for name, errors in (
+        ("noise", rng.normal(0, 0.007, (12_000, 3))),
+        ("distortion", 0.01 * np.sin(2.0 * points[12_000:, [1, 2, 0]])),
+    ):
+        source = loom.PointCloud(points[12_000:] + errors)
+        found = reg.assess_registration(source, loom.PointCloud(points[:12_000]), np.eye(4), 1.5 * VOXEL)
+        sizes[name] = np.linalg.norm(found.covariance.sigmas[3:])
+    assert sizes["distortion"] > 2 * sizes["noise"]
+
+
 def test_it_grows_with_the_distance_from_the_best_pose(rng):
     source, target, result = registered(rng)
     shifted = as_pose([0, 0, 0], [0.03, 0, 0]) @ result.transformation

@@ -248,7 +248,26 @@ def test_details_decide_where_the_usual_evidence_does_not():
     few = details._replace(rest=0.19, matches=40)
     assert by_chance.score > 0.5 > by_chance._replace(details=few).score
     assert "beside three planes" in by_chance._replace(details=few).problem
-    assert weak._replace(details=few._replace(visible=0.5, relief=0.9)).score > 0.5
+    assert weak._replace(details=few._replace(visible=0.5, relief=0.95)).score > 0.5
+
+
+def test_features_that_agree_with_one_pose_alone_replace_some_other_evidence():
+    details = evidence.Details(visible=0.45, rest=0.14, matches=90, relief=0.4, relief_matches=500, contrary=100)
+    weak = Evidence(0.34, 0.05, 900, rest=0.08, details=details)
+    ratios = (0.0, 1.0, 1.6, 2.5, 5.0, 50.0)
+    scores = [weak._replace(feature_ratio=ratio).score for ratio in ratios]
+    assert scores[0] == scores[1] == scores[2] < 0.5 < scores[3] < scores[4] == scores[5]
+    bare = weak._replace(rest=0.0, details=details._replace(rest=0.0, matches=0, contrary=0))
+    assert bare._replace(feature_ratio=50.0).score < 0.01  # three planes alone, as in all corridors
+    assert weak._replace(matches=10, feature_ratio=50.0).score < 0.5  # of all matches
+
+
+def test_few_matches_beside_the_planes_and_weak_relief_are_chance():
+    details = evidence.Details(visible=0.6, rest=0.45, matches=30, relief=0.0, relief_matches=500)
+    some = Evidence(0.45, 0.02, 700, rest=0.3, details=details)
+    assert some.score > 0.5 > some._replace(details=details._replace(matches=20)).score
+    slopes = details._replace(rest=0.0, matches=0, relief=0.85)  # two staircases
+    assert some._replace(details=slopes).score < 0.5 < some._replace(details=slopes._replace(relief=0.93)).score
 
 
 def test_pairs_farther_apart_than_the_noise_contradict_a_pose(device, rng):

@@ -6,8 +6,14 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.kernels.lang import int32
+from pointloom.kernels.memory import upload
+from pointloom.kernels.surface.hollow_side import Surface
 from pointloom.registration.evidence import Evidence
-from pointloom.registration.globally.global_registration import _is_equal
+from pointloom.registration.globally.global_registration import _compare_features, _is_equal
+from pointloom.registration.globally.pair import _feature_ratio
+from pointloom.registration.result import Registered
+from pointloom.registration.rigid import to_local
 
 from .hilly_clouds import hills, misplacement, uneven_ground
 from .poses import moved, random_pose
@@ -186,3 +192,29 @@ def test_a_box_has_more_than_one_pose(device, rng):
     assert 1 <= len(result.alternatives) == len(result.to_dict()["alternatives"])
     for pose in result.alternatives:  # rotations of the box, which differ from the result
         assert np.abs(pose[:3, 3]).max() < 0.1 and np.abs(pose - result.transformation).max() > 0.9
+
+
+def test_features_are_compared_with_the_best_distinct_pose(device, rng):
+    points = rng.uniform(-1, 1, (60, 3)).astype(np.float32)
+    shifts = np.repeat([0.0, 1.0, 3.0], (40, 16, 4))  # [m]
+    clouds = [loom.PointCloud(points + np.outer(k * shifts, [1, 0, 0]), device=device) for k in (0, 1)]
+    surfaces = [Surface(cloud.arrays["points"], cloud.arrays["points"]) for cloud in clouds]
+    middles = [cloud.origin for cloud in clouds]
+    pairs = upload(np.column_stack([np.arange(60)] * 2), int32, surfaces[0].device)
+    same, near, far = np.eye(4), np.eye(4), np.eye(4)
+    near[0, 3], far[0, 3] = 0.05, 1.0  # the first is no distinct pose
+    same, near, far = (to_local(T, *middles) for T in (same, near, far))
+    ratios = [_compare_features(*surfaces, pairs, T, np.array([same, near, far]), 0.1) for T in (same, far)]
+    assert ratios == [40 / 16, 16 / 40]
+
+
+def test_a_pose_that_left_the_searched_one_loses_its_features(device, rng):
+    cloud = loom.PointCloud(rng.uniform(-1, 1, (100, 3)), device=device)
+    searched = loom.registration.RegistrationResult(
+        np.eye(4), 1.0, 0.0, np.empty((0, 2), np.int32), clouds=Registered(cloud, cloud, 0.1, feature_ratio=3.0)
+    )
+    moved = np.eye(4)
+    moved[0, 3] = 0.25
+    assert [_feature_ratio(searched, T, 0.1) for T in (np.eye(4), moved)] == [3.0, 0.0]
+    assert _feature_ratio(None, np.eye(4), 0.1) == 0.0
+    assert searched.assessment.evidence.feature_ratio == 3.0

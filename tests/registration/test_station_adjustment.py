@@ -186,8 +186,9 @@ def test_errors_of_a_pair_follow_the_frame_of_its_source():
 
 
 def test_blocks_are_those_of_the_survey():
+    """A shift by three blocks along x is one by 2, 2 and -1 blocks along the axes of the blocks."""
     clouds = [hills(k, 3.0) for k in range(2)]
-    one, moved = (errors_at(clouds, np.eye(4), 0.15, make_pose(np.eye(3), [shift, 0, 0])) for shift in (0.0, 3.0))
+    one, moved = (errors_at(clouds, np.eye(4), 0.15, make_pose(np.eye(3), [shift, 0, 0])) for shift in (0.0, 4.5))
     assert len(np.intersect1d(one.blocks, moved.blocks)) < len(one.blocks) == len(moved.blocks)
     np.testing.assert_allclose(moved.influences, one.influences, rtol=1e-6, atol=1e-12)
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_numeric, check_rows, check_textures
+from ..core.coordinate_systems import CoordinateSystem
 from ..core.escaped_text import escaped
 from ..core.units import LengthUnit
 
@@ -28,6 +29,7 @@ class PointTable:
         unit: Unit of the coordinates, or None.
         warnings: What contradicts the unit, in sentences.
         viewpoint: Position and quaternion w x y z of the sensor, not applied (PCD), or None.
+        crs: Coordinate system, or None.
     """
 
     points: NDArray[Any]
@@ -40,6 +42,7 @@ class PointTable:
     unit: LengthUnit | None = None
     warnings: tuple[str, ...] = ()
     viewpoint: tuple[float, ...] | None = None
+    crs: CoordinateSystem | None = None
 
     def checked(self) -> PointTable:
         """The table with validated arrays, for writers. Raises `TypeError` or `ValueError`."""
@@ -58,6 +61,7 @@ class PointTable:
             self.unit,
             self.warnings,
             self.viewpoint,
+            self.crs,
         )
 
 
@@ -76,6 +80,7 @@ class MeshTable:
         triangle_material_ids: Texture index of each triangle, int32 (t,); None: all use the first.
         textures: Images, uint8 (height, width, 3 or 4), top row first.
         unit: Unit of the positions, or None.
+        crs: Coordinate system, or None.
     """
 
     vertices: NDArray[Any]
@@ -88,6 +93,7 @@ class MeshTable:
     triangle_material_ids: NDArray[Any] | None = None
     textures: tuple[NDArray[np.uint8], ...] = ()
     unit: LengthUnit | None = field(default=None, kw_only=True)
+    crs: CoordinateSystem | None = field(default=None, kw_only=True)
 
     def checked(self) -> MeshTable:
         """The mesh with validated arrays, for writers. Raises `TypeError` or `ValueError`."""
@@ -112,6 +118,7 @@ class MeshTable:
             check_textures("textures", self.textures),
             triangle_attributes=_checked_attributes(self.triangle_attributes, len(triangles)),
             unit=self.unit,
+            crs=self.crs,
         )
 
     def without_texture(self) -> MeshTable:

@@ -10,15 +10,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import hand_out_host
 from ..core.checks import check_finite, check_positive, check_shape, check_transformation
+from ..core.coordinate_systems import Reprojection
 from ..core.coordinates import FLOAT32_MAX, origin_under
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
-from ..core.units import common_unit
 from ..kernels.algebra.transform import transform_covariances, transform_directions, transform_points
 from ..kernels.arrays.select import gather_rows
 from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_covariance
 from ..kernels.extent.visibility import direct_positions, visible_rows
-from ..kernels.lang import float32, int32
+from ..kernels.lang import float32, int32, vec3
 from ..kernels.linear_algebra import inv, matmul, pinvh
 from ..kernels.memory import download, upload
 from ..kernels.search.hilbert_order import HilbertOrder
@@ -27,9 +27,9 @@ from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .convex_hull import ConvexHull, VisibleSurface, find_outer_facets, hull_of_cloud
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .motion import Movable
-from .point_arrays import PointArrays, check_cloud
+from .point_arrays import PointArrays, check_cloud, place_points
 from .selection import Selection
-from .units import unit_under
+from .units import common_reference, crs_under, unit_under
 
 MIN_VARIANCE_RATIO = 1e-12  # of the largest variance: below it is float32 rounding
 
@@ -114,8 +114,8 @@ class Bounds(Selection, Movable):
         moved = matmul(A, self.arrays.origin) + t
         origin = origin_under(name, A, t, *self.arrays.bounds(), moved)
         cloud = self._under(A, moved - origin, origin)
-        if self._unit is not None:
-            cloud.unit = unit_under(self._unit, A)
+        if self._unit is not None or self._crs is not None:
+            cloud.unit, cloud.crs = unit_under(self._unit, A), crs_under(self._crs, A)
         return cloud
 
     def _enlarged(self, factor: float) -> Self:
@@ -125,6 +125,19 @@ class Bounds(Selection, Movable):
                 f"unit: moves points to {max_coordinate:.3g} from their origin, beyond float32. Use a larger unit"
             )
         return self._under(factor * np.eye(3), np.zeros(3), self.arrays.origin * factor)
+
+    def _reprojected(self, way: Reprojection) -> Self:
+        if "covariances" in self.arrays:
+            raise ValueError('cloud: covariances cannot be reprojected. Reproject cloud.without("covariances")')
+        positions = self.arrays.positions()
+        points, origin, _ = place_points(way.points(positions), None, self.device)
+        arrays = {**self.arrays, "points": points}
+        if "normals" in arrays:
+            normals = way.normals(positions, download(arrays["normals"]))
+            arrays["normals"] = upload(normals.astype(np.float32), vec3, self.device)
+        cloud = self.with_arrays(arrays, grid=self.grid)
+        cloud.arrays.origin = origin
+        return cloud
 
     def _under(self, A: NDArray[np.float64], shift: NDArray[np.float64], origin: NDArray[np.float64]) -> Self:
         """Change the origin and map the arrays from the old to the new one."""
@@ -267,5 +280,5 @@ class Bounds(Selection, Movable):
 def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
     """Distance of each point to the nearest point of another cloud, a float64 device array."""
     check_same_device("queries", source.device, target.device)
-    common_unit("source, target", (source.unit, target.unit))
+    common_reference("source, target", (source, target))
     return nearest_distances(target.search_tree(), source.arrays.about(target.origin))

@@ -15,12 +15,12 @@ from ..core.devices import check_same_device
 from ..core.exchange import asnumpy, hand_back, on_host
 from ..core.matched_counts import why_few_matched
 from ..core.reports import AssessedRecord, failed
-from ..core.units import common_unit
 from ..kernels.lang import float32, float64, vec3
 from ..kernels.memory import full, upload
 from ..kernels.surface.cylinder_change import Cylinder, find_flattest, measure_changes
 from .cloud import PointCloud
 from .point_arrays import check_cloud
+from .units import common_reference
 
 MIN_POINTS = 4  # per cylinder: a spread of fewer is unreliable
 
@@ -122,7 +122,7 @@ def m3c2(
     check_cloud("core_points", cores)
     check_same_device("second", first.device, second.device)
     check_same_device("core_points", first.device, cores.device)
-    common_unit("first, second, core_points", (first.unit, second.unit, cores.unit))
+    common_reference("first, second, core_points", (first, second, cores))
     radius, half_length = (
         check_positive("cylinder_radius", cylinder_radius),
         check_positive("max_distance", max_distance),

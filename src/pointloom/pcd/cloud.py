@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import library_for
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
+from ..core.coordinate_systems import CoordinateSystem, check_crs
 from ..core.devices import DeviceLike, resolve_device
 from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
@@ -38,6 +39,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         device: "cpu", "cuda:0" or "auto". If None: the points' GPU, or the CPU.
         origin: Origin of the float32 coordinates [m], shape (3,). If None: chosen.
         unit: Unit of the coordinates, such as "foot". If None: unknown, treated as meters.
+        crs: Coordinate reference system: "EPSG:25832", 25832 or well-known text. None if unknown.
         frozen: Promise that `points` and `array("points")` are never written, see `from_dlpack`.
         arrays: Library of returned arrays: "numpy", "warp", "torch", "cupy" or "jax". If None: that of the points.
         **attributes: Other arrays of shape (n,) or (n, c), such as intensity or label.
@@ -65,6 +67,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         device: DeviceLike = None,
         origin: ArrayLike | None = None,
         unit: str | LengthUnit | None = None,
+        crs: str | int | CoordinateSystem | None = None,
         frozen: bool = False,
         arrays: str | None = None,
         **attributes: ArrayLike,
@@ -80,7 +83,10 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         library, length_unit = library_for(arrays, points), None if unit is None else check_unit("unit", unit)
         placed, start, tree = place_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
         vars(self).update(
-            arrays=PointStore({"points": placed}, start, library, tree=tree), grid=None, _unit=length_unit
+            arrays=PointStore({"points": placed}, start, library, tree=tree),
+            grid=None,
+            _unit=length_unit,
+            _crs=None if crs is None else check_crs("crs", crs),
         )
         if normals is not None:
             self._set("normals", normals)

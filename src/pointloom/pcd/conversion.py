@@ -353,7 +353,7 @@ class Conversion(Selection):
     def __getstate__(self) -> dict[str, Any]:
         own = self.arrays
         state = {"origin": own.origin, "grid": self.grid, "device": str(self.device), "library": own.library}
-        return {"arrays": pickled(own), "unit": self._unit, **state}
+        return {"arrays": pickled(own), "unit": self._unit, "crs": self._crs, **state}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         with unpickling("cloud"):
@@ -370,7 +370,7 @@ class Conversion(Selection):
                 if height * width != count:
                     raise ValueError(f"grid: expected height x width = {count} points, got {height} x {width}")
                 cloud.grid = height, width
-            cloud.unit = state.get("unit")  # missing in older pickles
+            cloud.unit, cloud.crs = state.get("unit"), state.get("crs")  # missing in older pickles
         vars(self).update(vars(cloud))
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:

@@ -15,6 +15,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ..core.checks import check_count
+from ..core.coordinate_systems import check_crs
 from ..core.gpu_arrays import take_points
 from ..core.units import METRE
 from ..kernels.algebra.transverse_mercator import Mercator, project_degrees, relative_degrees, split_degrees
@@ -101,7 +102,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -
     projection = mercator(6.0 * zone - 183.0, _EQUATORIAL_RADIUS, _EARTH_FLATTENING, scale=_UTM_SCALE, start=start)
     points, origin = take_points("cloud", project_degrees(degrees, projection), None)
     projected = cloud.with_arrays({**cloud.arrays, "points": points}, grid=cloud.grid)
-    projected.arrays.origin, projected.unit = origin, METRE
+    projected.arrays.origin, projected.unit, projected.crs = origin, METRE, check_crs("crs", code)
     return projected
 
 

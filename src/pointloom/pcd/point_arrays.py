@@ -106,7 +106,8 @@ class PointArrays(StoredArrays):
 
     def __repr__(self) -> str:
         names = escaped(", ".join(n for n in self.arrays if n != "points"))
-        return f"{type(self).__name__}({len(self):,} points, {names or 'no attributes'}, {self.device})"
+        system = "" if self._crs is None else f", {escaped(self._crs.name)}"
+        return f"{type(self).__name__}({len(self):,} points, {names or 'no attributes'}{system}, {self.device})"
 
     def _repr_html_(self) -> str:
         return html_table(repr(self), ((name, array_type(values)) for name, values in self.arrays.items()))
@@ -322,7 +323,7 @@ class PointArrays(StoredArrays):
         tree = own.tree if arrays["points"] is own["points"] else None
         cloud = type(self).__new__(type(self))
         store = PointStore(arrays, own.origin, own.library, tree=tree)
-        vars(cloud).update(arrays=store, grid=grid, _unit=self._unit)  # without checks
+        vars(cloud).update(arrays=store, grid=grid, _unit=self._unit, _crs=self._crs)  # without checks
         return cloud
 
     def search_tree(self) -> PointTree:

@@ -27,7 +27,6 @@ from ..core.checks import (
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
-from ..core.units import common_unit
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.concatenation import concatenate_points
@@ -50,6 +49,7 @@ from .las_attributes import with_common_las_attributes
 from .length_checks import check_order, warn_of_far, warn_of_long, warn_of_short
 from .point_arrays import VECTORS, PointArrays, check_cloud
 from .polygon_volume import SelectionPolygonVolume, mask_volume
+from .units import common_reference
 from .voxel_trace import VoxelTrace
 
 _NO_SUM = (
@@ -118,7 +118,7 @@ class Selection(PointArrays):
         total = sum(map(len, parts))
         if total > MAX_POINTS:
             raise ValueError(f"clouds: expected at most 2^31 - 1 points, got {total:,}. Keep them in several clouds")
-        unit = common_unit("clouds", (part.unit for part in parts))
+        unit, crs = common_reference("clouds", parts)
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
         arrays = {"points": concatenate_points([part.arrays["points"] for part in parts], shifts)}
@@ -127,7 +127,7 @@ class Selection(PointArrays):
                 continue
             arrays[name] = concatenate_columns(name, [part.arrays[name] for part in parts], "clouds")
         merged = cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
-        merged.unit = unit
+        merged.unit, merged.crs = unit, crs
         return merged
 
     @returns_new

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_positive, check_shape, shown
+from ..core.coordinate_systems import map_crs
 from ..core.devices import DeviceLike, resolve_device
 from ..core.dropped_results import returns_new
 from ..core.errors import FilePath
@@ -172,7 +173,8 @@ def rasterize(
         classes: LAS classes that count. If None: ground (2) for the ground, otherwise all but noise (7 and 18).
         corner: A corner of cells, x and y.
         bounds: (x0, y0, x1, y1) of the raster. If None: those of the cloud.
-        crs: Coordinate system for files as rasterio accepts it: "EPSG:26910" or well-known text.
+        crs: Coordinate system for files as rasterio accepts it: "EPSG:26910" or well-known text. If None: that of the
+            cloud.
 
     Returns:
         A Raster. Cells without points are empty, with density 0.
@@ -214,7 +216,7 @@ def rasterize(
         surface = measured_cells(cloud, window, kind, None if kind == "chm" else class_numbers)
     values = raster_values(kind, surface, ground, window, float(cloud.origin[2]))
     low = start + np.array([window.column0, window.row0]) * side
-    return Raster(values, low, side, np.zeros(values.shape, bool), kind, crs)
+    return Raster(values, low, side, np.zeros(values.shape, bool), kind, map_crs("crs, cloud", crs, cloud.crs))
 
 
 def height_above_ground(

@@ -14,7 +14,7 @@ class Constant(NamedTuple):
     unit: str = ""
 
 
-MATCH, VOXEL, SIGMA = "match distances", "voxels", "standard deviations"
+MATCH, VOXEL, SIGMA, NOISE = "match distances", "voxels", "standard deviations", "that of independent pairs"
 CHOSEN = "chosen, not fitted"
 ODDS = "fitted: 580 ICP poses of objects, rooms and streets that overlap by 15 %, 2026-11-20"
 ROOMS = "fitted: benchmarks/beliefs.py, 33 wrong and 235 correct poses, 2026-11-25"
@@ -27,10 +27,15 @@ LEAST_FRACTION = f"{REFINED}: 574 correct ones from 0.23, 112 of clouds that sha
 OPEN_MOTIONS = f"{REFINED}: 14 of 1,587 correct ones are below it, a bare corridor has 0.003"
 SUPPORTED = f"{REFINED}: none of 513 correct ones is unsupported, 32 of 34 wrong ones are"
 FEW = "fitted: 29 wrong poses up to 4.3, 75 of 76 correct ones from 4.5, 2026-11-22"
+SENSORS = "fitted: kitchen frames 0 to 149, handheld LiDAR scans 0 to 87 (benchmarks/trust/sensor_pairs.py), 2026-11-29"
 PAIRS = "fitted: 93 correct poses of the fitted half of benchmarks/trust/alignment.py, 2026-11-27"
 WALLS = "fitted: bare corridors and tunnels 0.0001 to 0.03; streets, halls, woods 0.02 to 0.3, 2026-11-22"
 BLOCKED = "fitted: LiDAR and moving cameras up to 0.013, half of the wrong poses above 0.02, 2026-11-25"
 PLACES = "fitted: benchmarks/trust/fit_assessment.py, rooms, sites, streets and real scans, seeds 0 to 11, 2026-11-28"
+FEATURES = (
+    "fitted: depth images of a kitchen (every 15th) and of benchmarks/trust/places.py, seeds 60 to 63, 2026-11-29"
+)
+RELIEFS = f"{FEATURES}: 34 of 35 correct ones from 0.93, wrong ones up to 0.88"
 OPEN_SITES = "fitted: three synthetic corridors, a tunnel, a field; doors of 6 cm and far boxes, 2026-11-25"
 
 # Surfaces
@@ -75,13 +80,20 @@ MAX_BLOCKED: Annotated[float, Constant("occluding points relative to matches", B
 # Score: details
 MIN_DETAIL: Annotated[float, Constant("fraction beside the planes, within the borders", IMAGES)] = 0.19
 DETAIL_CHANCE: Annotated[float, Constant("the same times the root of its matches", IMAGES)] = 1.35
+MIN_DETAIL_MATCHES: Annotated[int, Constant("number of these matches", FEATURES)] = 25
 MIN_VISIBLE: Annotated[float, Constant("fraction of all matches, within the borders", IMAGES)] = 0.3
 VISIBLE_CHANCE: Annotated[float, Constant("the same times the root of the matches", IMAGES)] = 6.0
-MIN_RELIEF: Annotated[float, Constant("correlation of the slopes on planes", IMAGES)] = 0.75
+MIN_RELIEF: Annotated[float, Constant("correlation of the slopes on planes", RELIEFS)] = 0.9
 RELIEF_MATCHES: Annotated[int, Constant("number of these slopes", IMAGES)] = 400
 MIN_VISIBLE_WITH_RELIEF: Annotated[float, Constant("fraction of all matches with relief", IMAGES)] = 0.45
 CONFLICT_SIGMAS: Annotated[float, Constant("contradicting distance", "0.3 % of a normal distribution", SIGMA)] = 3.0
 NOISE_RADIUS: Annotated[float, Constant("radius of the noise", "2 voxels", MATCH)] = 4 / 3
+# Score: features that agree with the pose of a search, relative to the best other pose
+CHANCE_FEATURES: Annotated[int, Constant("features that agree with any pose by chance", FEATURES)] = 10
+MANY_FEATURES: Annotated[float, Constant("ratio of features from which less other evidence is needed", FEATURES)] = 1.6
+MAX_FEATURE_WEIGHT: Annotated[
+    float, Constant("maximum factor of the other evidence", "highest ratio of a wrong pose 4.1")
+] = 3.0
 
 # Displacement and covariance
 PAIR_RADIUS: Annotated[float, Constant("distance of pairs", "twice the match distance", VOXEL)] = 3.0
@@ -93,6 +105,8 @@ MOTION_RIDGE: Annotated[float, Constant("ridge of the step", "for undetermined m
 MODEL_ERROR: Annotated[float, Constant("error common to all points", SCANS, "residuals")] = 0.005
 NORMAL_ERROR: Annotated[float, Constant("the same by biased normals", SCANS, "squared residuals per voxel")] = 0.35
 STEP_FACTOR: Annotated[float, Constant("factor of the squared distance from the step", SCANS)] = 1.1
+SHARED_POINTS: Annotated[float, Constant("variance of blocks by noise: pairs share points", SENSORS, NOISE)] = 1.5
+SENSOR_FACTOR: Annotated[float, Constant("error of the sensor common to all points", SENSORS, "biases of blocks")] = 1.3
 COMMON_ERROR: Annotated[float, Constant("the same of lenses and motion, for the test", PAIRS, "residuals")] = 0.09
 MAX_DISTANCE: Annotated[float, Constant("distance from the step", "95 % of chi, six degrees of freedom", SIGMA)] = 3.55
 MIN_DISPLACEMENT: Annotated[float, Constant("displacement of an unreliable pose", PLACES, VOXEL)] = 0.1

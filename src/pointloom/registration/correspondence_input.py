@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from ..core.checks import check_numeric, check_rows, is_on_gpu
 from ..core.devices import check_same_device
 from ..core.gpu_arrays import take_pairs
-from ..core.units import common_unit
 from ..kernels.features.feature_matching import pair_features
 from ..kernels.lang import int32
 from ..kernels.memory import empty, upload
 from ..pcd.cloud import PointCloud
 from ..pcd.point_arrays import check_cloud as check_cloud
+from ..pcd.units import common_reference
 from .matching import Pairs, features_on_device
 
 
@@ -25,8 +25,8 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
     check_cloud("source", source)
     check_cloud("target", target)
     check_same_device("source, target", source.arrays["points"].device, target.arrays["points"].device)
-    if source.unit is not target.unit:
-        common_unit("source, target", (source.unit, target.unit))
+    if source.unit is not target.unit or source.crs is not target.crs:
+        common_reference("source, target", (source, target))
 
 
 def check_pairs(corres: object, source: PointCloud, target: PointCloud) -> Pairs:

@@ -50,7 +50,8 @@ class Evidence(NamedTuple):
     of their mean normal matrix, rotations in units of the overlap radius; `matches`: weighted count; `rest`: `fraction`
     without the three main planes (1 if not computed); `aligned` (0..1): fraction of the rest parallel or square to
     these planes; `blocked`: points that occlude what the other cloud saw, relative to the matches; `details`: None if
-    not computed.
+    not computed; `feature_ratio`: feature matches that agree with the pose, relative to the best other pose of a search
+    (0 without a search).
     """
 
     fraction: float
@@ -60,6 +61,7 @@ class Evidence(NamedTuple):
     aligned: float = 0.0
     blocked: float = 0.0
     details: Details | None = None
+    feature_ratio: float = 0.0
 
     @property
     def odds(self) -> float:
@@ -95,14 +97,22 @@ class Evidence(NamedTuple):
         """Score of the number of matches, and of those beside the planes or of the relief on them, 0..1."""
         usual = min(self.score_of_number, self.score_beside_planes)
         if self.details is None:
-            return usual
+            return self._weighed(usual)
         visible, rest, matches, relief, relief_matches, _ = self.details
         number = visible * math.sqrt(self.matches) / constants.VISIBLE_CHANCE
         beside = _exceeds(min(rest / constants.MIN_DETAIL, visible / constants.MIN_VISIBLE, number))
-        few = _exceeds(rest * math.sqrt(matches) / constants.DETAIL_CHANCE)
-        slopes = min(relief / constants.MIN_RELIEF, relief_matches / constants.RELIEF_MATCHES)
+        few = _exceeds(min(rest * math.sqrt(matches) / constants.DETAIL_CHANCE, matches / constants.MIN_DETAIL_MATCHES))
+        unexplained = (1 - constants.MIN_RELIEF) / max(1 - relief, 1e-9)
+        slopes = min(unexplained, relief_matches / constants.RELIEF_MATCHES)
         on_planes = min(slopes, visible / constants.MIN_VISIBLE_WITH_RELIEF)
-        return max(min(max(usual, beside), few, self.details.score_of_agreement), _exceeds(on_planes))
+        all_matches = self._weighed(min(max(usual, beside), few, self.details.score_of_agreement))
+        return max(all_matches, _exceeds(on_planes))
+
+    def _weighed(self, score: float) -> float:
+        """The score if its quantities are multiplied by a weight, above 1 if features agree with this pose alone."""
+        weight = min(max(self.feature_ratio / constants.MANY_FEATURES, 1.0), constants.MAX_FEATURE_WEIGHT)
+        odds = score * weight**constants.LIMIT_STEEPNESS
+        return odds / (odds + 1 - score)
 
     @property
     def score_of_number(self) -> float:
@@ -180,13 +190,20 @@ def witness_of(cloud: PointCloud, distance: float) -> Witness:
 
 
 def rate_surfaces(
-    source: Witness, target: Witness, pose: NDArray[np.float64], distance: float, *, details: bool = False
+    source: Witness,
+    target: Witness,
+    pose: NDArray[np.float64],
+    distance: float,
+    *,
+    details: bool = False,
+    feature_ratio: float = 0.0,
 ) -> Evidence:
     """The evidence for a pose; expensive parts only while the evidence supports it.
 
-    `details` accepts more poses. They are left out where no search has excluded similar places.
+    `details` accepts more poses. They are left out where no search has excluded similar places. `feature_ratio` is that
+    of Evidence.
     """
-    evidence = compare_surfaces(source.surface, target.surface, pose, distance)
+    evidence = compare_surfaces(source.surface, target.surface, pose, distance)._replace(feature_ratio=feature_ratio)
     evidence = complete(evidence, source, target, pose, distance)
     if not details or evidence.score_with_planes <= 0.5:
         return evidence

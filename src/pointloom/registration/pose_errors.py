@@ -16,11 +16,14 @@ from ..kernels.linear_algebra import eigh, eigvalsh, inv, matmul, solve
 from ..kernels.poses.alignment_rows import AlignmentRows, PairedSurfaces
 from ..kernels.surface.hollow_side import Surface
 from . import assessment_constants as constants
-from .rigid import invert_pose, skew, symmetric_matrices
+from .rigid import invert_pose, make_pose, skew, symmetric_matrices
 from .surfaces import SurfacePair
 from .unobservable_motions import Localizability
 
 Matrix = NDArray[np.float64]
+# T_blocks_frame. Along the axes of the frame, a face of blocks would divide the points of a floor or wall by the sign
+# of their noise, as if both parts had an error in common.
+BLOCK_AXES = make_pose(np.array([[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]) / 3, np.zeros(3))
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +76,7 @@ class Step(NamedTuple):
     unit: Matrix  # covariance of the motion by an error [1 m] that is common to all points
     fractions: NDArray[np.float64]  # constraint along the eigenvectors of the rows, 0..1
     noise: float
+    bias: float  # [m] standard deviation of errors common to a block, beyond the noise of its points
 
     @property
     def is_solved(self) -> bool:
@@ -122,12 +126,13 @@ def step_between(
     parts = rows, source, target, pose, distance, size, axes
     if len(rows) < constants.MIN_MATCHES:
         d = len(axes)
-        return Step(*parts, np.zeros(d), np.zeros((0, d)), None, np.eye(d), np.zeros(d), math.nan)
+        return Step(*parts, np.zeros(d), np.zeros((0, d)), None, np.eye(d), np.zeros(d), math.nan, math.nan)
     return Step(*parts, *_solve(rows, axes, constants.BLOCK_VOXELS * voxel, np.eye(4) if frame is None else frame))
 
 
 def common_covariance(step: Step, motions: Callable[[], Localizability | None]) -> Matrix:
-    """Covariance of the motion by errors common to all points: of the model, of the estimate, undetermined motions.
+    """Covariance of the motion by errors common to all points: of the model, the sensor, the estimate, undetermined
+    motions.
 
     `motions` returns the result of `judge_motions` at the pose of the step. It is called if one may be undetermined.
     """
@@ -135,7 +140,8 @@ def common_covariance(step: Step, motions: Callable[[], Localizability | None]) 
     model = step.noise * (
         constants.MODEL_ERROR + constants.NORMAL_ERROR * step.noise * constants.FINE_VOXEL_FACTOR / step.voxel
     )
-    covariance = (model**2 + constants.STEP_FACTOR * apart) * step.unit
+    sensor = constants.SENSOR_FACTOR * step.bias
+    covariance = (model**2 + sensor**2 + constants.STEP_FACTOR * apart) * step.unit
     if step.fractions[0] < constants.SUSPECT_FRACTION and (found := motions()) is not None:
         covariance = covariance + _open_motions(step, found)
     return covariance
@@ -162,17 +168,21 @@ def root_of_covariance(covariance: Matrix) -> Matrix:
 
 def _solve(
     rows: AlignmentRows, free: list[int], block_size: float, frame: Matrix
-) -> tuple[NDArray[np.float64], Matrix, LongIntegers, Matrix, NDArray[np.float64], float]:
+) -> tuple[NDArray[np.float64], Matrix, LongIntegers, Matrix, NDArray[np.float64], float, float]:
     motion = np.zeros(6)
     for _ in range(constants.REWEIGHTING_ITERATIONS):
         _, matrix, right, _ = _normal_equations(rows, motion, free)
         motion[free] = -solve(matrix, right)
     weight, matrix, _, width = _normal_equations(rows, motion, free)
-    blocks, scores = rows.block_scores(motion, width, block_size, frame)
+    blocks, scores = rows.block_scores(motion, width, block_size, matmul(BLOCK_AXES, frame))
     inverse, count = inv(matrix), len(scores)
     influences = -matmul(scores[:, free], inverse.T) * math.sqrt(count / max(count - len(free), 1))
-    unit = weight * (inverse + inverse.T) / 2
-    return motion[free], influences, blocks, unit, eigvalsh(matrix / weight), width / constants.WEIGHT_WIDTH
+    unit, noise = weight * (inverse + inverse.T) / 2, width / constants.WEIGHT_WIDTH
+    # Variance of the motion in that of an error common to all points, by all errors, and by the noise alone
+    variance = float((matmul(influences, matrix) * influences).sum()) / weight / len(free)
+    by_noise = constants.SHARED_POINTS * noise**2 / weight
+    bias = math.sqrt(max(variance - by_noise, 0.0) * count)
+    return motion[free], influences, blocks, unit, eigvalsh(matrix / weight), noise, bias
 
 
 def _normal_equations(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 from importlib import import_module
 from typing import Any, NamedTuple
@@ -53,13 +54,17 @@ class Motions(NamedTuple):
 
 
 class Registered(NamedTuple):
-    """Registered clouds. They share points with the given ones, which copy them when they are changed in place."""
+    """Registered clouds. They share points with the given ones, which copy them when they are changed in place.
+
+    `feature_ratio`: that of Evidence, of a search for the pose.
+    """
 
     source: PointCloud
     target: PointCloud
     max_distance: float
     has_scale: bool = False
     uses_surfaces_only: bool = True
+    feature_ratio: float = 0.0
 
 
 class RegistrationResult(Assessed):
@@ -123,7 +128,9 @@ class RegistrationResult(Assessed):
                     raise ValueError(f"assessment: expected a result with its clouds, {found}")
                 assess = import_module(str(__package__)).assess_registration  # by its public name, as it runs ICP
                 source, target, distance, *_ = self._clouds
-                made = self._assessment = assess(source, target, self._assessed_pose, distance)
+                made = assess(source, target, self._assessed_pose, distance)
+                evidence = made.evidence._replace(feature_ratio=self._clouds.feature_ratio)
+                made = self._assessment = replace(made, evidence=evidence)
             return made
 
     @cached_property
@@ -186,7 +193,7 @@ class RegistrationResult(Assessed):
         """Evidence of the surfaces against the pose. "" if there is none, or without clouds."""
         if self._clouds is None:
             return ""
-        source, target, distance, _, uses_surfaces_only = self._clouds
+        source, target, distance, _, uses_surfaces_only, _ = self._clouds
         coincide = self.fitness > 0.5 and self.inlier_rmse < MAX_COPY_RMSE * distance
         may_be_open = coincide or self.free is not None or not uses_surfaces_only
         return find_problem(source, target, self._assessed_pose, may_be_open=may_be_open)

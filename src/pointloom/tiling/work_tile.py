@@ -214,7 +214,7 @@ def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
     header = for_tiles(first.header, first.layout, is_only=len(plan.sources) == 1)
     scales, offsets = header.scales, offset_of(plan)
     if isinstance(plan.steps[-1] if plan.steps else None, Reproject):
-        params, table.unit = plan.steps[-1].params, None
+        params, table.unit, table.crs = plan.steps[-1].params, None, None
         scales, offsets, header = params["scales"], params["offsets"], with_system(header, params["wkt"])
     path = job_file(tile_path(plan, folder, tile))
     write_las(path, table, scale=scales, offset=offsets, like=header)

@@ -162,11 +162,18 @@ def facade(*, windows: int = 40, unique: int = 0) -> tuple[np.ndarray, np.ndarra
     return np.concatenate([points, alone]), np.rint(512 * np.sqrt(seen)).astype(np.uint8)
 
 
-def scene(path: Path, points: np.ndarray, descriptors: np.ndarray) -> loom.SfmModel:
-    """Write the database of a camera along the facade, with correct matches; returns the correct model."""
+def scene(
+    path: Path, points: np.ndarray, descriptors: np.ndarray, *, roll: float = 0.0, turned: bool = False
+) -> loom.SfmModel:
+    """Write the database of a camera along the facade, with correct matches; returns the correct model.
+
+    The camera is rotated by `roll` [rad] about its viewing direction. `turned`: features have random orientations.
+    """
+    turn = np.array([[np.cos(roll), -np.sin(roll), 0], [np.sin(roll), np.cos(roll), 0], [0, 0, 1]])
     camera = loom.CameraModel("PINHOLE", *SIZE, [FACADE_FOCAL, FACADE_FOCAL, SIZE[0] / 2, SIZE[1] / 2])
     poses = np.tile(np.eye(4), (COUNT, 1, 1))
     poses[:, 0, 3], poses[:, 2, 3] = -STEP * np.arange(COUNT), AWAY
+    poses[:, :3] = turn @ poses[:, :3]
     rows, pixels, seen = [], [], []
     with sqlite3.connect(path) as database:
         database.execute("CREATE TABLE images (image_id INTEGER, name TEXT)")
@@ -178,9 +185,11 @@ def scene(path: Path, points: np.ndarray, descriptors: np.ndarray) -> loom.SfmMo
             database.execute(f"INSERT INTO {table} VALUES (?, ?, ?, ?)", (number, *values.shape, values.tobytes()))
 
         for k, pose in enumerate(poses):
-            at = camera.project(points + pose[:3, 3])
+            at = camera.project(points @ pose[:3, :3].T + pose[:3, 3])
             inside = np.flatnonzero(((at > 0) & (at < np.array(SIZE) - 1)).all(axis=1))
-            shape = np.tile([2.0, 0, 0, 2.0], (len(inside), 1))
+            angles = np.random.default_rng(k).uniform(0, 2 * np.pi, len(inside)) if turned else np.zeros(len(inside))
+            c, s = 2 * np.cos(angles), 2 * np.sin(angles)
+            shape = np.column_stack([c, -s, s, c])
             database.execute("INSERT INTO images VALUES (?, ?)", (k + 1, f"{k}.jpg"))
             insert("keypoints", k + 1, np.column_stack([at[inside] + 0.5, shape]).astype(np.float32))
             insert("descriptors", k + 1, descriptors[inside])
@@ -219,6 +228,46 @@ def test_unique_parts_decide(tmp_path):
 def test_a_scene_without_repetition_is_not_reported(tmp_path):
     check = checked(tmp_path / "matches.db", windows=0, unique=1200)
     assert check.repeating_count == 0 and check.reasons() == []
+
+
+@pytest.mark.parametrize("roll", [np.pi / 2, np.pi / 4])
+def test_a_facade_in_vertical_and_rotated_images_is_unreliable(tmp_path, roll):
+    check = check_repetition(scene(tmp_path / "matches.db", *facade(), roll=roll), tmp_path / "matches.db")
+    assert check.repeating_count == COUNT and check.reasons()
+    assert check.period == pytest.approx(PERIOD * FACADE_FOCAL / AWAY, rel=0.1)
+
+
+def with_objects(size: float, *, count: int = 25, kinds: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """A facade without windows, and two equal objects 0.66 image widths apart, or patches of a texture of `kinds`."""
+    points, seen = facade(windows=0, unique=4000)
+    rng = np.random.default_rng(1)
+    parts, own = rng.uniform((0, -size, 0), (size, size, 0.2), (count, 3)), rng.dirichlet(np.ones(128), kinds or count)
+    for x in (-1.0, 3.2):
+        if kinds:
+            parts = rng.uniform((0, -size, 0), (size, size, 0.2), (count, 3))
+        chosen = own[rng.integers(0, kinds, count)] if kinds else own
+        points = np.concatenate([points, parts + np.array([x, 0, 0])])
+        noise = rng.integers(-6, 7, chosen.shape)
+        seen = np.concatenate([seen, np.clip(np.rint(512 * np.sqrt(chosen)) + noise, 0, 255).astype(np.uint8)])
+    return points, seen
+
+
+def test_two_equal_objects_are_no_repetition(tmp_path):
+    """Only one period fits, and the objects are small compared with the shift. Three of six images show both."""
+    check = check_repetition(scene(tmp_path / "matches.db", *with_objects(0.5)), tmp_path / "matches.db")
+    assert check.repeating_count == 0 and check.reasons() == []
+
+
+def test_patches_of_one_texture_are_no_repetition(tmp_path):
+    """Such as gravel or text: similar features, but none has a copy at a common shift."""
+    objects = with_objects(1.2, count=150, kinds=60)
+    check = check_repetition(scene(tmp_path / "matches.db", *objects), tmp_path / "matches.db")
+    assert check.repeating_count == 0 and check.reasons() == []
+
+
+def test_similar_features_of_other_orientations_are_no_repetition(tmp_path):
+    model = scene(tmp_path / "matches.db", *facade(windows=15, unique=1200), turned=True)
+    assert check_repetition(model, tmp_path / "matches.db").repeating_count == 0
 
 
 def test_poses_that_unique_parts_contradict_are_unreliable(tmp_path):

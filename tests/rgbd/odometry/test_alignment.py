@@ -6,7 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.kernels.rgbd import check_rows as at
 from pointloom.registration.rigid import rotation_vector
-from pointloom.rgbd.odometry.motion_checks import frame_noise, model_noise
+from pointloom.rgbd.odometry.motion_checks import bias_of, frame_noise, model_noise
 
 from .made_frames import CAMERA, errors_of, frame, image, pose_of
 
@@ -128,6 +128,16 @@ def test_large_residuals_count_as_errors_of_parts_of_the_image():
 
 def test_residuals_do_not_contain_the_errors_of_a_model():
     assert model_noise(sums(0.01)) == model_noise(sums(0.1)) < model_noise(sums(0.2))
+
+
+def test_the_bias_is_the_part_of_the_residuals_that_noise_does_not_explain():
+    found = []
+    for excess in (0.0, 0.1, 0.2, 1.0):
+        values = sums(excess)
+        values[at.DISTANCE_SQUARES] = 100.0 * 0.01**2
+        found.append(bias_of(values))
+    assert found == pytest.approx([0.0, 0.0, 0.01 * np.sqrt(0.5), 0.01 * np.sqrt(0.9)])
+    assert bias_of(np.zeros(28)) == 0.0
 
 
 def test_frames_without_depth_have_no_finite_covariance(device):

@@ -26,7 +26,7 @@ from pointloom.rgbd.slam.foreground import Fit, Layers, depth_between
 from pointloom.rgbd.slam.frame_checks import MAX_DEVIATION, judge_drift
 from pointloom.rgbd.slam.keyframes import Keyframes
 from pointloom.rgbd.slam.results import TrackingResult, rotated_covariance
-from pointloom.rgbd.slam.tracker import Drift, join_covariance
+from pointloom.rgbd.slam.tracker import Drift, join_covariance, noises_of
 
 from ..sequences import CAMERA, Part
 from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, fit, frame, frames, statuses
@@ -65,6 +65,15 @@ def test_uncertainty_accumulates_and_is_reduced_by_revisiting(device):
     back = frames(1)[0]
     again = np.trace(drift.of(model.prepare(back).pyramid, back.T_world_camera, noises)[0][3:, 3:])
     assert offs[0] == 0 and offs[-1] > 2 * offs[1] > 0 and again < 0.7 * offs[-1]
+
+
+def test_errors_of_the_sensor_widen_the_errors_of_poses_and_not_the_checks():
+    unit, check = np.eye(6), 1e-6 * np.eye(6)
+    result = OdometryResult(np.eye(4), np.zeros((6, 6)), check_covariance=check, unit_covariance=unit, bias=0.01)
+    checks, errors = noises_of(result)
+    assert all((matrix == check).all() for matrix in checks)
+    for matrix, without in zip(errors, noises_of(dataclasses.replace(result, bias=0.0))[1], strict=True):
+        assert 1e-6 < (matrix - without)[0, 0] < 1e-4  # at most the bias
 
 
 def test_covariances_are_symmetric_and_positive(device):

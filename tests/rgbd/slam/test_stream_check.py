@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.rgbd.slam import dense_slam
 from pointloom.rgbd.slam.frame_checks import BLANK
 from pointloom.rgbd.slam.results import TrackingResult
-from pointloom.rgbd.slam.stream_check import MIRRORED_SIGNS, STALE, Apart, Rotations, StreamLag
+from pointloom.rgbd.slam.stream_check import DOUBTFUL, MIRRORED_SIGNS, STALE, Apart, Rotations, StreamLag
 from pointloom.rgbd.slam.tracking import covered_frames
 
 from .slam_walks import begun, blank, changed, fit, frames, sequence, statuses
@@ -186,6 +187,27 @@ def test_depth_two_frames_late_is_uncertain_from_the_first_frame():
     assert "tracked" not in statuses(slam.run(late)) and "depth is 0.07 s late" in slam.stream.problem
     assert not any(r.fused and not r.has_drifted for r in slam.results)
     assert slam.volume.frame_count == sum(r.fused for r in slam.results) and slam.model.frame_count > 10
+
+
+def test_doubtful_frames_are_accepted_after_the_window_without_a_problem():
+    source, slam = frames(*range(12)), begun("cpu")
+    compare = slam.stream.compare
+    slam.stream.compare = lambda frame: compare(frame) or (DOUBTFUL if len(slam.results) == 5 else "")
+    images = [source[k if k < 12 else 22 - k] for k in range(22)]
+    slam.run([changed(f, depth=f.depth.copy(), timestamp=k / 30) for k, f in enumerate(images)])
+    assert (slam.results[5].status, slam.results[5].warnings) == ("uncertain", (DOUBTFUL,))
+    assert (slam.volume.frame_count, slam.model.frame_count) == (21, 22) and not slam.results[5].fused
+    slam.run([changed(f, depth=f.depth.copy(), timestamp=k / 30) for k, f in enumerate(images[:10], 22)])
+    assert statuses(slam.results) == ["tracked"] * 32
+    assert all(r.fused for r in slam.results) and slam.volume.frame_count == slam.model.frame_count == 32
+
+
+def test_frames_that_were_fused_too_early_to_be_removed_are_counted(monkeypatch):
+    monkeypatch.setattr(dense_slam, "MAX_UNCHECKED", 5)
+    source = frames(*np.rint(6 + 6 * np.sin(0.4 * np.arange(34) + np.sin(0.9 * np.arange(34)))).astype(int).tolist())
+    late = [(f.color, source[k].depth, k / 30) for k, f in enumerate(source[2:])]
+    path = loom.rgbd.track(loom.frames_from(late, begun("cpu").model.intrinsic))
+    assert "of these frames" in path.stream and path.stream.endswith("remain in the model")
 
 
 @pytest.mark.parametrize("submap_frames", [None, 2])

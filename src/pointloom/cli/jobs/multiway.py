@@ -12,11 +12,11 @@ import numpy as np
 from ...cameras.pose_files import FORMATS, write_poses
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
-from ...core.units import common_unit
 from ...io.meshes import tables
 from ...io.points.point_cloud import table_of
 from ...io.points.scan_files import list_scans
 from ...pcd.cloud import PointCloud
+from ...pcd.units import common_reference
 from ...registration.globally.level_poses import LEVEL
 from ...registration.pose_graphs.multiway import FragmentsResult, register_multiway
 from ...registration.pose_graphs.pose_graph_files import write_pose_graph
@@ -87,7 +87,7 @@ def register_folder(
             job.progress("read", done, len(paths))
             clouds.append(read_cloud(path, where, settings.get("columns")))
         job.progress("read", len(paths), len(paths))
-    job.unit = common_unit("clouds", (cloud.unit for cloud in clouds))
+    job.unit = common_reference("clouds", clouds)[0]
     with job.stage("voxels", reported=False):
         size = choose_voxel_size(*clouds) if voxel_size is None else voxel_size
     with job.stage("register", reported=False):

@@ -15,13 +15,13 @@ from ...cameras.pose_text import read_pose
 from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality
-from ...core.units import common_unit
 from ...io.meshes import tables
 from ...io.points.formats import columns_of
 from ...io.points.point_cloud import cloud_of, table_of
 from ...io.table import MeshTable
 from ...pcd.cloud import PointCloud
 from ...pcd.point_spacing import probe_points
+from ...pcd.units import common_reference
 from ...registration.globally.pair import METHODS, PairRegistration, UnfitCloudError, register_pair
 from ...registration.icp.constraint import Constraint, Prior
 from ...visualization.render.pair_picture import draw_pair
@@ -134,7 +134,7 @@ def register_files(
     with job.stage("read"):
         first, second = columns_of([source, target], settings.get("columns"))
         clouds = read_cloud(source, where, first), read_cloud(target, where, second)
-    job.unit = common_unit("source, target", (cloud.unit for cloud in clouds))
+    job.unit = common_reference("source, target", clouds)[0]
     try:
         with AnnouncedStages(job.clock, job.progress, silent=("voxels", "rate")) as stages:
             options: dict[str, Any] = {"method": method, "voxel_size": voxel_size}

@@ -48,7 +48,7 @@ def read_rows(job: Job) -> Rows:
         table = job.read_points()
         rows = np.arange(len(table.points), dtype=np.int32)
         cloud = PointCloud(table.points, device=where, origin=origin_of(table, job.source), row=rows)
-        cloud.unit = unit_with_warnings(table, job.source)
+        cloud.unit, cloud.crs = unit_with_warnings(table, job.source), table.crs
     return Rows(table, cloud)
 
 
@@ -57,7 +57,7 @@ def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
     normals = None if table.normals is None else table.normals[rows]
     colors = None if table.colors is None else table.colors[rows]
     attributes = {name: values[rows] for name, values in table.attributes.items()}
-    return PointTable(table.points[rows], normals, colors, attributes, unit=table.unit)
+    return PointTable(table.points[rows], normals, colors, attributes, unit=table.unit, crs=table.crs)
 
 
 def label_rows(table: PointTable, name: str, labels: NDArray[np.int32]) -> tuple[PointTable, list[str]]:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ...cameras.frame_check import why_implausible
 from ...cameras.pose_text import parse_floats, pose_or_gap, read_lines, read_pose_or_gap, timed_poses
 from ...core.atomic import restore_folder
 from ...core.checks import check_count, check_name, check_positive
@@ -105,12 +106,6 @@ MATRIX_NAMES = ("camera-intrinsics.txt", "intrinsics.K.txt", "intrinsics.txt", "
 # Patterns of other names that may contain a camera.
 _LIKE_A_CAMERA = re.compile(r"(.*intrinsic.*|.*calib.*|.*camera.*|.*\bK)\.(txt|json|ya?ml|xml)", re.I)
 
-# Real depth cameras have their principal point within 5 % of the size from the center. One farther off
-# probably belongs to images of another size.
-_MAX_FROM_MIDDLE = 0.15
-
-_FIELDS_OF_VIEW = (10.0, 150.0)  # [degrees] plausible for a pinhole camera
-
 
 @dataclasses.dataclass(frozen=True)
 class FoundCamera:
@@ -158,21 +153,7 @@ def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: f
 
 def with_warning(source: FoundCamera) -> FoundCamera:
     """Add a warning to the camera if it may not belong to these images."""
-    camera = source.intrinsic
-    for name, length, middle, focal in (
-        ("width", camera.width, camera.cx, camera.fx),
-        ("height", camera.height, camera.cy, camera.fy),
-    ):
-        off = abs(middle - (length - 1) / 2) / length
-        if off > _MAX_FROM_MIDDLE:
-            reason = f"its principal point ({camera.cx:g}, {camera.cy:g}) is far from the center of images of"
-            likely = f"it may be for {2 * camera.cx:.0f} x {2 * camera.cy:.0f}"
-            return dataclasses.replace(source, warning=f"{reason} {camera.width} x {camera.height}; {likely}")
-        view = 2 * np.degrees(np.arctan(length / (2 * focal)))
-        if not _FIELDS_OF_VIEW[0] <= view <= _FIELDS_OF_VIEW[1]:
-            reason = f"its focal length {focal:g} gives a field of view of {view:.3g} degrees for a {name} of {length}"
-            return dataclasses.replace(source, warning=reason)
-    return source
+    return dataclasses.replace(source, warning=reason) if (reason := why_implausible(source.intrinsic)) else source
 
 
 def _read_matrix(path: Path) -> NDArray[np.float64]:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ...cameras.frame_check import MAX_FRAMES, FrameCheck, why_implausible
 from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.matched_counts import why_few_matched
@@ -169,7 +170,19 @@ def source_warnings(frames: Any) -> tuple[str, ...]:
         unpaired = why_few_matched(paired, possible, "frames have all images and a pose at their time", remedy)
     if getattr(frames, "warnings", ()):
         camera = camera_problem(frames, getattr(frames, "intrinsic_source", "") or "of the frames")
+    elif not isinstance(frames, RGBDDataset) and (reason := why_implausible(frames.intrinsic)):
+        camera = f"the camera may be wrong: {reason}"
     return failed(unpaired, camera)
+
+
+def image_warnings(frames: FrameSource) -> tuple[str, ...]:
+    """Failed checks of the images of a few frames, which are read. See `FrameCheck`."""
+    check = FrameCheck(frames.intrinsic, frames.depth_scale)
+    for index in np.unique(np.linspace(0, len(frames) - 1, MAX_FRAMES).round().astype(int)).tolist():
+        with contextlib.suppress(FileError, OSError):  # reported by the caller
+            frame = frames.read(index)
+            check.add(frame.depth, frame.color)
+    return check.warnings
 
 
 def why_out_of_range(depth_fraction: float, used_fraction: float, depth_max: float) -> str | None:

@@ -13,7 +13,15 @@ from numpy.typing import NDArray
 from ...core.checks import shown
 from ...core.errors import FilePath
 from ..attribute_names import rename
-from ..points.header_units import PLY, in_metres, is_metric, unit_comment, warn_of_lost_unit, with_header_unit
+from ..points.header_units import (
+    PLY,
+    in_metres,
+    is_metric,
+    reference_comments,
+    warn_of_lost_crs,
+    warn_of_lost_reference,
+    with_header_reference,
+)
 from ..points.ply import name_rules, read_ply_mesh, write_ply_mesh
 from ..points.ply_faces import face_name_rules
 from ..source import netted
@@ -50,7 +58,7 @@ class MeshFormat:
 _read_gltf = netted(is_metric(read_glb))
 
 MESH_FORMATS = {
-    ".ply": MeshFormat(netted(with_header_unit(PLY)(read_ply_mesh)), write_ply_mesh, names_files=True),
+    ".ply": MeshFormat(netted(with_header_reference(PLY)(read_ply_mesh)), write_ply_mesh, names_files=True),
     ".obj": MeshFormat(netted(read_obj), write_obj, storable_in_obj, names_files=True),
     ".stl": MeshFormat(netted(read_stl), write_stl, storable_in_stl),
     ".off": MeshFormat(netted(read_off), write_off, storable_in_off),
@@ -82,11 +90,12 @@ def write_mesh(path: FilePath, mesh: MeshTable, *, ascii: bool, overwrite: bool,
     mesh, format = rotated_to_z_up(mesh, back=True) if up == "z" else mesh, MESH_FORMATS[suffix]
     if suffix == ".ply":
         mesh = _with_fitting_names(path, mesh)
-        format.write(path, mesh, ascii=ascii, overwrite=overwrite, comments=unit_comment(mesh))
+        format.write(path, mesh, ascii=ascii, overwrite=overwrite, comments=reference_comments(mesh))
     elif format.is_upright:
+        warn_of_lost_crs(path, mesh)
         format.write(path, in_metres(path, mesh, "glTF"), overwrite=overwrite)
     else:
-        warn_of_lost_unit(path, mesh)
+        warn_of_lost_reference(path, mesh)
         format.write(path, mesh, overwrite=overwrite)
 
 

@@ -78,4 +78,6 @@ def write_mesh_table(path: FilePath, mesh: MeshTable, *, as_text: bool = False, 
 
 
 def points_of(mesh: MeshTable) -> PointTable:
-    return PointTable(mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes, unit=mesh.unit)
+    return PointTable(
+        mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes, unit=mesh.unit, crs=mesh.crs
+    )

@@ -12,11 +12,13 @@ import importlib
 import os
 import warnings
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.coordinate_systems import CoordinateSystem
 from ...core.coordinates import quiet
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
@@ -27,6 +29,7 @@ from ..growing_columns import GrowingColumns
 from ..optional_imports import foreign_errors, import_for
 from ..source import open_source
 from ..table import PointTable
+from .header_units import crs_of_text
 
 POINTS_PER_BLOCK = 1 << 18  # points unpacked at a time
 
@@ -66,9 +69,10 @@ def read_e57(path: FilePath, *, scan: int | None = None) -> PointTable:
         if scan is not None and not 0 <= scan < len(scans):
             raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
         if scan is not None:
-            return read_scan(path, image, scans[scan])
+            return replace(read_scan(path, image, scans[scan]), crs=crs_of_image(image))
         tables = [read_scan(path, image, node) for node in scans]
-    merged = merge_scans(tables)
+        crs = crs_of_image(image)
+    merged = replace(merge_scans(tables), crs=crs)
     counts = [len(table.points) for table in tables]
     merged.attributes[SCAN_INDEX] = np.repeat(np.arange(len(tables), dtype=np.int32), counts)
     return merged
@@ -121,6 +125,12 @@ def open_e57(path: FilePath) -> Iterator[tuple[Any, list[Any]]]:
         yield image, scans
     finally:
         image.close()
+
+
+def crs_of_image(image: Any) -> CoordinateSystem | None:
+    """The coordinate system of the world coordinates (`coordinateMetadata`, ASTM E2807-11, 8.3), or None."""
+    root = image.root()
+    return crs_of_text(root["coordinateMetadata"].value()) if root.isDefined("coordinateMetadata") else None
 
 
 def _libe57() -> Any:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.array_libraries import library_for
 from ...core.atomic import check_writable
 from ...core.checks import check_list, check_rigid
+from ...core.coordinate_systems import CoordinateSystem, check_crs
 from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
@@ -19,7 +20,7 @@ from ...pcd.point_arrays import check_cloud
 from ..optional_imports import foreign_errors
 from ..source import netted
 from ..table import PointTable
-from .e57 import SCAN_INDEX, open_e57, read_pose, read_scan
+from .e57 import SCAN_INDEX, crs_of_image, open_e57, read_pose, read_scan
 from .e57_writer import check_e57, columns_of, write_scans
 from .point_cloud import cloud_of, table_of
 from .ptx import iterate_ptx
@@ -34,6 +35,7 @@ class Stations:
         clouds: Clouds in scanner coordinates.
         poses: T_world_scanner, float64 (n, 4, 4); identity if the file has none.
         posed: True if the file has a pose, bool (n,).
+        crs: Coordinate system of the world coordinates, or None.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -46,6 +48,7 @@ class Stations:
     clouds: list[PointCloud]
     poses: NDArray[np.float64]
     posed: NDArray[np.bool_]
+    crs: CoordinateSystem | None = None
 
 
 def read_stations(path: FilePath, *, device: DeviceLike = "auto", arrays: str | None = None) -> Stations:
@@ -74,15 +77,15 @@ def read_stations(path: FilePath, *, device: DeviceLike = "auto", arrays: str | 
         (('A',), [5.0, 6.0, 7.0], True)
     """
     library = library_for(arrays)
-    tables, names, poses, posed = _ptx_scans(path) if path_of(path).suffix.lower() == ".ptx" else _e57_scans(path)
+    tables, names, poses, posed, crs = _ptx_scans(path) if path_of(path).suffix.lower() == ".ptx" else _e57_scans(path)
     clouds = [cloud_of(table, path, device=device, arrays=library) for table in tables]
     if not all(names) or len(set(names)) < len(names):
         names = [f"{i} {name}".strip() for i, name in enumerate(names)]
-    return Stations(tuple(names), clouds, poses, posed)
+    return Stations(tuple(names), clouds, poses, posed, crs)
 
 
 _read_ptx = netted(lambda path: [*iterate_ptx(path)])
-_Scans = tuple[list[PointTable], list[str], NDArray[np.float64], NDArray[np.bool_]]
+_Scans = tuple[list[PointTable], list[str], NDArray[np.float64], NDArray[np.bool_], CoordinateSystem | None]
 
 
 def _e57_scans(path: FilePath) -> _Scans:
@@ -94,12 +97,13 @@ def _e57_scans(path: FilePath) -> _Scans:
             poses = np.tile(np.eye(4), (len(scans), 1, 1))
             for T, node in zip(poses, scans, strict=True):
                 T[:3, :3], T[:3, 3] = read_pose(path, node)
-    return tables, names, poses, posed
+        crs = crs_of_image(image)
+    return tables, names, poses, posed, crs
 
 
 def _ptx_scans(path: FilePath) -> _Scans:
     tables, poses = zip(*_read_ptx(path), strict=True)
-    return [*tables], [""] * len(tables), np.stack(poses), np.ones(len(tables), bool)
+    return [*tables], [""] * len(tables), np.stack(poses), np.ones(len(tables), bool), None
 
 
 def write_stations(
@@ -108,6 +112,7 @@ def write_stations(
     poses: ArrayLike,
     *,
     names: Sequence[str] | None = None,
+    crs: str | int | CoordinateSystem | None = None,
     overwrite: bool = True,
 ) -> None:
     """Write clouds as scans of an E57 file, each in its own coordinates with its pose, atomically.
@@ -117,6 +122,7 @@ def write_stations(
         clouds: One per station.
         poses: T_world_scanner of each, (n, 4, 4).
         names: Names of the scans. None numbers them.
+        crs: Coordinate system of the world coordinates.
         overwrite: Replace an existing file.
 
     Raises:
@@ -144,4 +150,4 @@ def write_stations(
     for table in tables:
         table.attributes.pop(SCAN_INDEX, None)
     scans = [(str(name), columns_of(path, table), T) for name, table, T in zip(called, tables, matrices, strict=True)]
-    write_scans(path, scans, overwrite=overwrite)
+    write_scans(path, scans, overwrite=overwrite, crs=check_crs("crs", crs))

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable, part_name
+from ...core.coordinate_systems import CoordinateSystem
 from ...core.coordinates import quiet
 from ...core.errors import FileError, FilePath
 from ...core.quaternions import rotations_to_quaternions
@@ -25,6 +26,7 @@ from ..optional_imports import foreign_errors, import_for
 from ..table import PointTable
 from .e57 import ATTRIBUTES, CARTESIAN, COLORS, NARROW, NORMALS, POINTS_PER_BLOCK, SCAN_INDEX, WIDE, ScanFrame
 from .header_units import in_metres
+from .las_wkt import wkt_of
 
 _NORMALS_URI = "http://www.libe57.org/E57_NOR_surface_normals.txt"
 _FLOATS = ("f4", "f8")
@@ -46,7 +48,7 @@ def write_e57(path: FilePath, table: PointTable, *, overwrite: bool = True, fram
         name, pose = frames[int(index)] if 0 <= index < len(frames) else ScanFrame("", None)
         scan_columns = {n: v[chosen] for n, v in columns.items()}
         scans.append((name or f"Scan {number}", scan_columns if pose is None else _in_scan(scan_columns, pose), pose))
-    write_scans(path, scans, overwrite=overwrite)
+    write_scans(path, scans, overwrite=overwrite, crs=table.crs)
 
 
 def _in_scan(columns: dict[str, NDArray[Any]], pose: NDArray[np.float64]) -> dict[str, NDArray[Any]]:
@@ -58,14 +60,14 @@ def _in_scan(columns: dict[str, NDArray[Any]], pose: NDArray[np.float64]) -> dic
     return columns
 
 
-def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:
+def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool, crs: CoordinateSystem | None = None) -> None:
     libe57 = import_for(path, "pye57.libe57", "e57")
     folder = part_name(path)
     part = folder / "part.e57"  # libE57 opens files by name
     try:
         with foreign_errors(path, "cannot be written"):
             folder.mkdir(0o700)
-            _write_image(libe57, part, scans)
+            _write_image(libe57, part, scans, crs)
         with atomic_write(path, overwrite=overwrite) as file, part.open("rb") as source:
             shutil.copyfileobj(source, file, 1 << 20)
     finally:
@@ -114,7 +116,7 @@ def columns_of(path: FilePath, table: PointTable) -> dict[str, NDArray[Any]]:
     return columns
 
 
-def _write_image(libe57: ModuleType, path: Path, scans: Sequence[Scan]) -> None:
+def _write_image(libe57: ModuleType, path: Path, scans: Sequence[Scan], crs: CoordinateSystem | None) -> None:
     image = libe57.ImageFile(str(path), "w")
     try:
         image.extensionsAdd("", libe57.E57_V1_0_URI)
@@ -126,6 +128,8 @@ def _write_image(libe57: ModuleType, path: Path, scans: Sequence[Scan]) -> None:
         root.set("guid", libe57.StringNode(image, _guid(b"".join(digests))))
         root.set("versionMajor", libe57.IntegerNode(image, libe57.E57_FORMAT_MAJOR))
         root.set("versionMinor", libe57.IntegerNode(image, libe57.E57_FORMAT_MINOR))
+        if crs is not None:
+            root.set("coordinateMetadata", libe57.StringNode(image, wkt_of(path, crs) or crs.text))
         data = libe57.VectorNode(image, True)
         root.set("data3D", data)
         root.set("images2D", libe57.VectorNode(image, True))

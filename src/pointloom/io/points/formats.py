@@ -20,7 +20,7 @@ from . import las_writer, npz, pcd, ply
 from .copc_writer import write_copc
 from .e57 import ScanFrame, read_e57
 from .e57_writer import unstorable_in_e57, write_e57
-from .header_units import PCD, PLY, unit_comment, warn_of_lost_unit, with_header_unit
+from .header_units import PCD, PLY, reference_comments, warn_of_lost_reference, with_header_reference
 from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
@@ -70,7 +70,7 @@ class Format:
 
 
 def _write_ply(path: FilePath, table: PointTable, options: WriteOptions) -> None:
-    ply.write_ply(path, table, ascii=options.ascii, overwrite=options.overwrite, comments=unit_comment(table))
+    ply.write_ply(path, table, ascii=options.ascii, overwrite=options.overwrite, comments=reference_comments(table))
 
 
 def _ply_names(_path: FilePath, table: PointTable) -> NameRules:
@@ -93,7 +93,7 @@ def _write_npz(path: FilePath, table: PointTable, options: WriteOptions) -> None
 
 
 def _write_text(path: FilePath, table: PointTable, options: WriteOptions) -> None:
-    warn_of_lost_unit(path, table)
+    warn_of_lost_reference(path, table)
     write_text(path, table, overwrite=options.overwrite)
 
 
@@ -102,7 +102,7 @@ def _storable_in_text(columns: tuple[str, ...], _path: FilePath, table: PointTab
     colors, normals = (getattr(table, name) if name in columns else None for name in ("colors", "normals"))
     removed = [name for name in ("normals", "colors") if name not in columns and getattr(table, name) is not None]
     removed += [name for name in table.attributes if name not in attributes]
-    return PointTable(table.points, normals, colors, attributes, unit=table.unit), removed
+    return PointTable(table.points, normals, colors, attributes, unit=table.unit, crs=table.crs), removed
 
 
 def _write_las(path: FilePath, table: PointTable, options: WriteOptions) -> None:
@@ -141,9 +141,9 @@ _TABLE = Format("text", netted(read_text_table), read_columns=netted(read_text_t
 _read_bin = netted(read_kitti_bin)
 
 FORMATS = {
-    ".ply": Format("PLY", netted(with_header_unit(PLY)(ply.read_ply)), _write_ply, _ply_names, _storable_in_ply),
+    ".ply": Format("PLY", netted(with_header_reference(PLY)(ply.read_ply)), _write_ply, _ply_names, _storable_in_ply),
     ".pcd": Format(
-        "PCD", netted(with_header_unit(PCD)(pcd.read_pcd)), _write_pcd, pcd.name_rules, stores_viewpoint=True
+        "PCD", netted(with_header_reference(PCD)(pcd.read_pcd)), _write_pcd, pcd.name_rules, stores_viewpoint=True
     ),
     ".npz": Format("NPZ", netted(npz.read_npz), _write_npz, npz.name_rules),
     ".xyz": replace(_text("XYZ"), read_columns=_TABLE.read),

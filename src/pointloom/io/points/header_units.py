@@ -1,4 +1,4 @@
-"""Units of length in PLY and PCD as header comments: `comment unit foot`, `# unit foot`.
+"""Units and coordinate systems in PLY and PCD as header comments: `comment unit foot`, `# crs EPSG:25832`.
 
 Unknown names and contradictory comments are ignored.
 """
@@ -10,29 +10,35 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, TypeVar
 
+from ...core.coordinate_systems import CoordinateSystem, check_crs
 from ...core.errors import FileError, FilePath
 from ...core.units import METRE, LengthUnit, is_same, text_of, unit_of_text, warn_of_units
 from ..source import MAX_HEADER_BYTES, Source, open_source
 from ..table import MeshTable, PointTable
+from .las_wkt import LostSystemWarning
 
 T = TypeVar("T", PointTable, MeshTable)
 
 PLY, PCD = ("comment", "end_header"), ("#", "DATA")  # what comments begin with, and the line that ends the header
 
 
-def unit_comment(table: PointTable | MeshTable) -> list[str]:
-    return [] if table.unit is None else [f"unit {text_of(table.unit)}"]
+def reference_comments(table: PointTable | MeshTable) -> list[str]:
+    """Comments with the unit and the coordinate system, in ASCII."""
+    unit = [] if table.unit is None else [f"unit {text_of(table.unit)}"]
+    line = "" if table.crs is None else " ".join(table.crs.text.split()).encode("ascii", "replace").decode()
+    return unit + ([f"crs {line}"] if line else [])
 
 
-def with_header_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Callable[..., T]]:
-    """Decorator: the unit is also read from the file's header. The reader gets the open file as `source`."""
+def with_header_reference(form: tuple[str, str]) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Decorator: unit and coordinate system are also read from the file's header. The reader gets the open file as
+    `source`."""
 
     def decorate(reader: Callable[..., T]) -> Callable[..., T]:
         @functools.wraps(reader)
         def read(path: FilePath, **options: Any) -> T:
             source = open_source(path)
-            unit = unit_in_header(source, form)
-            return replace(reader(path, source=source, **options), unit=unit)
+            unit, crs = reference_in_header(source, form)
+            return replace(reader(path, source=source, **options), unit=unit, crs=crs)
 
         return read
 
@@ -49,22 +55,40 @@ def is_metric(reader: Callable[..., T]) -> Callable[..., T]:
     return read
 
 
-def unit_in_header(source: Source, form: tuple[str, str]) -> LengthUnit | None:
+def reference_in_header(source: Source, form: tuple[str, str]) -> tuple[LengthUnit | None, CoordinateSystem | None]:
     mark, end = form
     head = bytes(source[:MAX_HEADER_BYTES])
     stop = head.find(f"\n{end}".encode())
-    units = set()
+    values: dict[str, set[str]] = {"unit": set(), "crs": set()}
     for line in head[: stop if stop >= 0 else head.find(end.encode())].decode("utf-8", "replace").splitlines():
         words = line.removeprefix(mark).strip() if line.startswith(mark) else ""
-        if words.startswith("unit "):
-            units.add(words.removeprefix("unit ").strip())
-    return unit_of_text(units.pop()) if len(units) == 1 else None
+        key, _, value = words.partition(" ")
+        if key in values:
+            values[key].add(value.strip())
+    unit, crs = (given.pop() if len(given) == 1 else "" for given in values.values())
+    return unit_of_text(unit), crs_of_text(crs)
 
 
-def warn_of_lost_unit(path: FilePath, table: PointTable | MeshTable) -> None:
-    """Warn that a format cannot store a unit other than meters."""
+def crs_of_text(text: str) -> CoordinateSystem | None:
+    """The coordinate system of a text in a file, or None."""
+    try:
+        return check_crs("crs", text)
+    except ValueError:
+        return None
+
+
+def warn_of_lost_reference(path: FilePath, table: PointTable | MeshTable) -> None:
+    """Warn that a format cannot store a unit other than meters, or a coordinate system."""
     if not is_same(table.unit, METRE):
         warn_of_units(f"{path}: the format cannot store the unit; coordinates are in {table.unit}")
+    warn_of_lost_crs(path, table)
+
+
+def warn_of_lost_crs(path: FilePath, table: PointTable | MeshTable) -> None:
+    """Warn that a format cannot store the coordinate system."""
+    if table.crs is not None:
+        reason = f"the format cannot store the coordinate system {table.crs.name}; .las, .ply, .npz and .e57 do"
+        warn_of_units(f"{path}: {reason}", LostSystemWarning)
 
 
 def in_metres(path: FilePath, table: T, format: str) -> T:

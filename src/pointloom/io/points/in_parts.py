@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.coordinate_systems import CoordinateSystem
 from ...core.coordinates import choose_origin
 from ...core.errors import FilePath
 from ...core.paths import path_of
@@ -20,7 +21,7 @@ from ..fixed_rows import FixedRows
 from ..source import open_source
 from ..table import PointTable
 from . import pcd, ply
-from .header_units import PCD, PLY, unit_in_header
+from .header_units import PCD, PLY, reference_in_header
 from .las import LasFile, iterate_las, open_las
 from .las_units import units_of
 from .pcd_header import read_header as read_pcd_header
@@ -41,9 +42,10 @@ class RowsInParts:
         path: Path,
         rows: FixedRows,
         table_of: Callable[[Path, Mapping[str, NDArray[Any]]], PointTable],
-        unit: LengthUnit | None,
+        reference: tuple[LengthUnit | None, CoordinateSystem | None],
     ):
-        self.path, self.count, self._rows, self._table_of, self.unit = path, rows.count, rows, table_of, unit
+        self.path, self.count, self._rows, self._table_of = path, rows.count, rows, table_of
+        self.unit, self.crs = reference
         table_of(path, rows.columns(slice(0)))  # raises an error if columns are missing
 
     def parts(self, size: int) -> Iterator[PointTable]:
@@ -60,7 +62,7 @@ class RowsInParts:
 
     def _table(self, rows: slice) -> PointTable:
         table = self._table_of(self.path, self._rows.columns(rows))
-        table.unit = self.unit
+        table.unit, table.crs = self.unit, self.crs
         return table
 
 
@@ -94,10 +96,10 @@ def open_in_parts(path: FilePath) -> RowsInParts | LasInParts | None:
         if header.ascii or header.element(path, "vertex").has_lists:
             return None
         rows = find_rows(path, source, header, "vertex")
-        return RowsInParts(path, rows, ply.table_of, unit_in_header(source, PLY))
+        return RowsInParts(path, rows, ply.table_of, reference_in_header(source, PLY))
     header = read_pcd_header(path, source)
     pcd.warn_of_viewpoint(path, header.viewpoint)
     if header.encoding != "binary":
         return None
     rows = pcd.point_rows(path, source, header)
-    return RowsInParts(path, rows, pcd.table_of, unit_in_header(source, PCD))
+    return RowsInParts(path, rows, pcd.table_of, reference_in_header(source, PCD))

@@ -23,7 +23,7 @@ from ..growing_columns import GrowingColumns
 from ..optional_imports import foreign_errors, import_for
 from ..source import SourceFile, open_source
 from ..table import PointTable
-from .las_crs import is_geographic
+from .las_crs import crs_of, is_geographic
 from .las_extra import EXTRA_BYTES, decode_extra, parameters_of, warn_of_wide_integers
 from .las_header import LasHeader, parse_las_header
 from .las_units import units_of
@@ -175,7 +175,13 @@ def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
             normals = stack_normals(file.path, [attributes.pop(name) for name in names])
     steps = np.array(file.header.scales, np.float64)
     colors, is_lonlat, units = arrays.get("colors"), is_geographic(file.header), units_of(file.header)
-    how = {"steps": steps, "is_geographic": is_lonlat, "unit": units.plane, "warnings": failed(units.warning)}
+    how = {
+        "steps": steps,
+        "is_geographic": is_lonlat,
+        "unit": units.plane,
+        "crs": crs_of(file.header),
+        "warnings": failed(units.warning),
+    }
     return PointTable(arrays["points"], normals, colors, attributes, **how)
 
 

@@ -9,6 +9,7 @@ import re
 import struct
 import warnings
 
+from ...core.coordinate_systems import CoordinateSystem
 from ...core.errors import FilePath
 from ...core.escaped_text import escaped
 from .las_header import PROJECTION, LasHeader
@@ -24,8 +25,8 @@ _GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNO
 
 # Keys that name the system, best first: citations are text, types are EPSG codes.
 _CITATION_KEYS = (3073, 1026, 2049)
-_SYSTEM_KEYS = (3072, 2048)
-_USER_DEFINED = 32767
+_SYSTEM_KEYS, _HEIGHT_KEY = (3072, 2048), 4096
+_USER_DEFINED, WKT_BIT = 32767, 16
 
 
 def crs_name(header: LasHeader) -> str | None:
@@ -51,6 +52,28 @@ def crs_name(header: LasHeader) -> str | None:
         if key in keys and location == 0 and 0 < code < _USER_DEFINED:
             return f"EPSG:{code}"
     return None
+
+
+def crs_of(header: LasHeader) -> CoordinateSystem | None:
+    """The coordinate system: WKT, or the EPSG codes of GeoTIFF keys ("EPSG:25832+7837"). None for a unit alone.
+
+    Without the WKT bit of the encoding, keys take precedence (LAS 1.4).
+    """
+    text, keys = find_text(header), find_keys(header)
+    plane = next((code for key in _SYSTEM_KEYS if (code := _code_at(keys, key))), 0)
+    height = _code_at(keys, _HEIGHT_KEY)
+    if plane and not (text and header.encoding & WKT_BIT):
+        return CoordinateSystem(f"EPSG:{plane}" + (f"+{height}" if height else ""))
+    is_unit = crs_name(header) is None or text.upper().startswith(("LOCAL_CS", "ENGCRS"))
+    try:
+        return None if is_unit or not text else CoordinateSystem(text)
+    except ValueError:  # damaged text
+        return None
+
+
+def _code_at(keys: dict[int, tuple[int, ...]], key: int) -> int:
+    location, _, code = keys.get(key, (1, 0, 0))
+    return code if location == 0 and 0 < code < _USER_DEFINED else 0
 
 
 class GeographicWarning(UserWarning):

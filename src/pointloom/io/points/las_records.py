@@ -11,18 +11,20 @@ from dataclasses import replace
 from types import ModuleType
 from typing import Any
 
-from ...core.errors import FilePath
-from ...core.units import LengthUnit, is_same, warn_of_units
+from ...core.coordinate_systems import is_same_crs
+from ...core.errors import FileError, FilePath
+from ...core.units import is_same, warn_of_units
 from ..columns import warn_of_loss
+from ..table import PointTable
 from .copc import COPC_HIERARCHY, COPC_INFO
-from .las_crs import NO_NAME, WKT_RECORD
+from .las_crs import NO_NAME, WKT_BIT, WKT_RECORD, crs_of
 from .las_extra import EXTRA_BYTES, TITLE, join_ranges, value_record
 from .las_header import PROJECTION, SPEC, LasHeader, LasRecord
 from .las_units import units_of
-from .las_wkt import text_of_keys
+from .las_wkt import text_of_keys, wkt_of
 from .laszip import LASZIP_RECORD as LASZIP
 
-GPS_TIME_BIT, WKT_BIT = 1, 16
+GPS_TIME_BIT = 1
 _WAVEFORM_BITS, _SYNTHETIC_RETURNS_BIT = 2 | 4, 8
 FIRST_OF_1_4 = 6  # point format
 _MAX_RECORD_BYTES = 0xFFFF
@@ -126,8 +128,18 @@ def _ascii(text: str) -> str:
     return text.encode("ascii", "replace").decode()
 
 
-def unit_record(laspy: ModuleType, path: FilePath, unit: LengthUnit | None, like: LasHeader | None) -> Any:
-    """The unit record, unless the coordinate system defines the unit. Warns if that differs."""
+def system_record(laspy: ModuleType, path: FilePath, table: PointTable, like: LasHeader | None) -> Any:
+    """The record of the coordinate system, or of the unit alone, unless `like` has a system. Warns if the unit differs.
+
+    Raises:
+        FileError: The coordinate system differs from that of `like`.
+    """
+    unit, declared_crs = table.unit, None if like is None else crs_of(like)
+    if not is_same_crs(table.crs, declared_crs):
+        reason = f"the coordinate system of the points is {table.crs}, that of the file in like is {declared_crs}"
+        raise FileError(path, reason, remedy="Call reproject, or set crs if one of them is wrong")
+    if table.crs is not None and declared_crs is None and (text := wkt_of(path, table.crs)):
+        return laspy.VLR(PROJECTION, WKT_RECORD, "", text.encode("utf-8") + b"\0")
     if like is not None:
         declared = units_of(like).plane
         if not is_same(unit, declared):

@@ -10,7 +10,8 @@ import warnings
 from dataclasses import replace
 from typing import Any
 
-from ...core.errors import FileError, FilePath
+from ...core.coordinate_systems import CoordinateSystem, pyproj_crs
+from ...core.errors import FileError, FilePath, PointloomError
 from ...core.escaped_text import escaped
 from ...core.units import LengthUnit
 from ..optional_imports import import_for
@@ -68,6 +69,18 @@ def text_of_keys(path: FilePath, header: LasHeader) -> bytes | None:
     if not is_2d:
         system = pyproj.crs.CompoundCRS(f"{system.name} + {heights.name}", [system, heights])
     return system.to_wkt("WKT1_GDAL").encode("utf-8") + b"\0"
+
+
+def wkt_of(path: FilePath, crs: CoordinateSystem) -> str | None:
+    """A system as well-known text: its own, else by pyproj in version 1. None, with a warning, if there is none."""
+    if crs.text.endswith(("]", ")")):
+        return crs.text
+    try:
+        return str(pyproj_crs("crs", crs).to_wkt("WKT1_GDAL"))
+    except (PointloomError, ValueError) as error:
+        message = f"{path}: the coordinate system {crs.name} is not written: {error}"
+        warnings.warn(escaped(message), LostSystemWarning, stacklevel=2)
+        return None
 
 
 def _registered(pyproj: Any, code: int) -> Any:

@@ -24,9 +24,10 @@ from ..columns import stack_colors
 from ..optional_imports import foreign_errors, import_for
 from ..table import PointTable
 from .las import COLORS, NORMALS, layout_of
+from .las_crs import WKT_BIT
 from .las_extra import EXTRA_BYTES, TITLE, TYPES, ExtraColumn, record_of, store_extra
 from .las_header import LasHeader
-from .las_records import WKT_BIT, needs_1_4, take_over, unit_record
+from .las_records import needs_1_4, system_record, take_over
 
 # Default scale: a millimeter for meters, below what scanners measure; finer for an axis along
 # which the points are within 1000 units, so that objects and degrees keep a millionth of their extent.
@@ -125,8 +126,8 @@ def lay_out(
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # raises outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
-    unit_vlr = unit_record(laspy, path, table.unit, like)
-    version = "1.4" if _is_new(table) or unit_vlr or (like is not None and needs_1_4(like)) else "1.2"
+    system_vlr = system_record(laspy, path, table, like)
+    version = "1.4" if _is_new(table) or system_vlr or (like is not None and needs_1_4(like)) else "1.2"
     header = laspy.LasHeader(point_format=_point_format(table), version=version)
     columns = _extra_columns(table, {*header.point_format.dimension_names})
     extra = store_extra(columns, None if like is None else layout_of(path, like))
@@ -136,9 +137,9 @@ def lay_out(
         header.vlrs.extract("ExtraBytesVlr")  # laspy would write ranges of single points
         header.vlrs.append(laspy.VLR(*EXTRA_BYTES, TITLE, record_of(extra, with_ranges=not is_part)))
     extended = take_over(laspy, path, header, like) if like is not None else []
-    if unit_vlr:
+    if system_vlr:
         header.global_encoding.value |= WKT_BIT
-        header.vlrs.append(unit_vlr)
+        header.vlrs.append(system_vlr)
     return LasLayout(laspy, table, header, extra, extended)
 
 

@@ -27,6 +27,7 @@ from ..npy_header import read_npy_header
 from ..optional_imports import foreign_errors
 from ..source import open_source
 from ..table import PointTable
+from .header_units import crs_of_text
 
 # Deflate needs at least one bit for 129 bytes, so its output is below 1032 times its input.
 MAX_DEFLATE_RATIO = 1032
@@ -40,8 +41,8 @@ _END_BYTES = 22
 _TIME_STAMP = (1980, 1, 1, 0, 0, 0)
 
 _TABLE_KEYS = ("points", "normals", "colors", "grid")
-_UNIT = "unit"
-_LONGEST_UNIT = 200  # letters
+_UNIT, _CRS = "unit", "crs"
+_MAX_LETTERS = {_UNIT: 200, _CRS: 1 << 16}  # letters
 _NOT_NUMERIC = "expected real numbers or booleans"
 
 
@@ -94,6 +95,8 @@ def write_npz(path: FilePath, table: PointTable, *, overwrite: bool = True) -> N
         arrays["grid"] = np.array(table.grid, np.int64)
     if table.unit is not None:
         arrays[_UNIT] = np.array(text_of(table.unit))
+    if table.crs is not None:
+        arrays[_CRS] = np.array(table.crs.text)
     for name, values in table.attributes.items():
         if name in _TABLE_KEYS or name in arrays:
             raise FileError(path, f"attribute {name!r}: the format uses this name itself", remedy="Rename it")
@@ -109,7 +112,8 @@ def write_npz(path: FilePath, table: PointTable, *, overwrite: bool = True) -> N
 
 
 def name_rules(_path: FilePath, table: PointTable) -> NameRules:
-    used = (*_TABLE_KEYS, *([_UNIT] if table.unit is not None else []))
+    texts = [name for name, value in ((_UNIT, table.unit), (_CRS, table.crs)) if value is not None]
+    used = (*_TABLE_KEYS, *texts)
     return NameRules(lambda letter: letter.isprintable() and letter not in "/\\", used, in_parts=False)
 
 
@@ -138,8 +142,8 @@ def read_npy(path: FilePath) -> NDArray[Any]:
 def _read_array(path: FilePath, stream: IO[bytes], name: str, size: int, where: str) -> NDArray[Any]:
     """Read an array from a stream of `size` bytes after checking its header."""
     shape, fortran, dtype = _read_array_header(path, stream, name)
-    is_unit = name == _UNIT and dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _LONGEST_UNIT
-    if not is_unit and (dtype.kind not in "biuf" or dtype.itemsize > 8):
+    is_text = dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _MAX_LETTERS.get(name, 0)
+    if not is_text and (dtype.kind not in "biuf" or dtype.itemsize > 8):
         raise FileError(path, f"{name}: {_NOT_NUMERIC}, got {dtype}")
     if any(isinstance(extent, bool) for extent in shape):
         raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
@@ -172,7 +176,9 @@ def _table(path: FilePath, arrays: dict[str, NDArray[Any]]) -> PointTable:
         if values is not None:
             _check_shape(path, name, values, count)
     grid = _grid(path, arrays.pop("grid"), count) if "grid" in arrays else None
-    unit = _unit(path, arrays.pop(_UNIT)) if _UNIT in arrays and arrays[_UNIT].dtype.kind == "U" else None
+    texts = {name: arrays.pop(name) for name in _MAX_LETTERS if name in arrays and arrays[name].dtype.kind == "U"}
+    unit = _unit(path, texts[_UNIT]) if _UNIT in texts else None
+    crs = crs_of_text(str(texts[_CRS])) if _CRS in texts else None
     for name, values in arrays.items():
         if values.ndim not in (1, 2) or len(values) != count:
             raise FileError(path, f"{name}: expected shape [{count}] or [{count}, c], got {list(values.shape)}")
@@ -183,6 +189,7 @@ def _table(path: FilePath, arrays: dict[str, NDArray[Any]]) -> PointTable:
         arrays,
         grid,
         unit=unit,
+        crs=crs,
     )
 
 

@@ -24,7 +24,7 @@ from ..fixed_rows import NO_TABLE, Column, FixedRows
 from ..source import SourceFile, open_source
 from ..table import PointTable
 from . import lzf
-from .header_units import unit_comment
+from .header_units import reference_comments
 from .pcd_header import ENCODINGS, IDENTITY_VIEWPOINT, Field, PcdHeader, read_header
 
 PACKED = ("rgb", "rgba")  # fields of colors 0xAARRGGBB
@@ -352,7 +352,7 @@ def _header(table: PointTable, fields: dict[str, NDArray[Any]], encoding: str) -
     return "\n".join(
         [
             "# .PCD v0.7 - Point Cloud Data file format",
-            *(f"# {comment}" for comment in unit_comment(table)),
+            *(f"# {comment}" for comment in reference_comments(table)),
             "VERSION 0.7",
             "FIELDS " + " ".join(fields),
             "SIZE " + " ".join(str(values.dtype.itemsize) for values in fields.values()),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import library_for
 from ...core.checks import check_count, check_positive
+from ...core.coordinate_systems import CoordinateSystem, check_crs, common_crs
 from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
@@ -215,7 +217,7 @@ def cloud_of(
         warn_of_names(path, "read under other names, because every cloud has arrays of these names", renamed)
     for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
         cloud[renamed.get(name, name)] = values
-    cloud.grid, cloud.unit = table.grid, unit_with_warnings(table, path)
+    cloud.grid, cloud.unit, cloud.crs = table.grid, unit_with_warnings(table, path), table.crs
     return cloud
 
 
@@ -240,6 +242,7 @@ def write_point_cloud(
     overwrite: bool = True,
     scale: ArrayLike | None = None,
     like: FilePath | None = None,
+    crs: str | int | CoordinateSystem | None = None,
 ) -> None:
     """Write a point cloud with all its attributes atomically. The extension selects the format.
 
@@ -258,15 +261,18 @@ def write_point_cloud(
         like: For .las and .laz: a LAS or LAZ file whose coordinate system, other records, identification, offset, GPS
             time type and (if not given) scale are copied. Extra dimensions keep type, scale, no_data value and
             description if this changes no value.
+        crs: Coordinate system of the file, such as "EPSG:25832". If None: that of the cloud.
 
     Raises:
-        FileError: The file cannot be written, or the format cannot store an attribute, a non-finite point or (E57)
-            degrees.
+        FileError: The file cannot be written, the format cannot store an attribute, a non-finite point or (E57)
+            degrees, or `like` has another coordinate system.
         TypeError: `cloud` is no point cloud.
-        ValueError: A scale that is not positive; `scale` or `like` for another format.
+        ValueError: A scale that is not positive; `scale` or `like` for another format; `crs` is no coordinate system
+            or not that of the cloud.
 
     Warns:
         UnitWarning: The cloud's unit differs from that of `like` or of the format, or the format cannot store it.
+        LostSystemWarning: The format cannot store the coordinate system, or pyproj is needed to write it.
         UserWarning: Attributes are renamed: unsupported characters become "_", duplicate names get the suffix "_2", and
             values outside the range of a LAS dimension go to, for example, "intensity_value". Or `like` has waveforms
             or a spatial index, which are not copied.
@@ -294,7 +300,8 @@ def write_point_cloud(
     options = WriteOptions(
         ascii=ascii, overwrite=overwrite, scale=scale, offset=offset, like=header, device=cloud.device
     )
-    write_table(path, table_of(cloud), options)
+    system = common_crs("crs, cloud", (check_crs("crs", crs), cloud.crs))
+    write_table(path, replace(table_of(cloud), crs=system), options)
 
 
 def table_of(cloud: PointCloud) -> PointTable:
@@ -305,6 +312,7 @@ def table_of(cloud: PointCloud) -> PointTable:
         attributes=dict(cloud.attributes),
         grid=cloud.grid,
         unit=cloud.unit,
+        crs=cloud.crs,
     )
 
 

@@ -464,7 +464,7 @@ def _winding(forms: Indices, parents: Indices, inwards: bool) -> Mask:
 class Sheets:
     """Pairs of half-edges that form the sheets of a mesh. `welded` are the triangles by the first vertex at each
     position; `loose` is 0 for closed, consistently oriented components. `twins` int32 [3 t] (-1 if unpaired);
-    `crowding` marks triangles unpaired at a crowded edge."""
+    `crowding` marks triangles unpaired at a crowded edge. `had_choice`: True if there is one."""
 
     def __init__(self, vertices: Points, triangles: Triangles, welded: Triangles, loose: Mask) -> None:
         device, count, vertex_count = triangles.device, triangles.size, vertices.size
@@ -476,7 +476,8 @@ class Sheets:
         natural = zeros(count, uint8, device)
         launch(pair_two_kernel, open_edges.count, [open_edges, self.twins, natural])
         rows = crowded_rows(open_edges)  # sync
-        if rows.size:
+        self.had_choice = rows.size > 0
+        if self.had_choice:
             self._match(vertices, open_edges, rows, natural)
 
     def _match(self, vertices: Points, open_edges: OpenEdges, rows: Indices, natural: Mask) -> None:

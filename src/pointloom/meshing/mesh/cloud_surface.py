@@ -46,13 +46,15 @@ MADE_UP_AT_ALL = 0.001  # fraction of the area: ten samples of 10,000; below, th
 NORMAL_NEIGHBORS = 30  # for normal estimation, and in the orientation graph
 
 SPACING_NEIGHBORS = 10
-MAX_SPACINGS = 3.0  # times the median distance of a point to its 10th neighbor: Poisson closes smaller gaps well
+MAX_SPACINGS = 3.0  # times the median distance of a point to its 10th neighbor: Poisson closes smaller gaps well. More
+# is an outlier and has no larger weight
 SURFACE_SAMPLES, POINT_SAMPLES, SUPPORT_SAMPLES = 10_000, 2_000, 2_000
 MAX_GAP = 0.6  # times the distance of a point to its 10th neighbor
 ADJUGATE_SQUARINGS = 6  # of an adjugate: the 64th power
 MIN_COSINE = 0.6  # of the angle between the surface and a tangent plane
 ONE_SIDED = 0.7  # distance to the mean of the 10 nearest points along the surface, relative to their mean distance
-NOISE_MEDIANS = 3 / 0.6745  # three standard deviations of normal errors, in medians of their magnitudes
+NOISE_DEVIATIONS = 3.0
+NOISE_MEDIANS = NOISE_DEVIATIONS / 0.6745  # three standard deviations of normal errors, in medians of their magnitudes
 PROPOSED_QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # the first that removes the extrapolated surface is proposed
 
 _OWNERS = {"depth": "poisson", "density_quantile": "poisson", "radii": "ball", "alpha": "alpha"}
@@ -122,7 +124,7 @@ def create_surface(
     flat = why_flat(points) if method == "alpha" else None
     empty = flat is not None or not len(points)
     made = _Made(TriangleMesh(device=cloud.device)) if empty else _make(points, method, settings)
-    made.mesh.unit = cloud.unit
+    made.mesh.unit, made.mesh.crs = cloud.unit, cloud.crs
     report("check", 0, 0)
     positions = points.remove_duplicated_points()  # copies would make the spacing 0
     mesh, made_up = _without_made_up(positions, made, method, settings)
@@ -226,7 +228,7 @@ def _made_up_fraction(search: NearestNeighborSearch, mesh: TriangleMesh, far: fl
 
 def _with_remedy(points: PointCloud, cut: Cut, made_up: MadeUp, support: Support, quantile: float) -> MadeUp:
     """`made_up` with the smallest larger quantile that makes the surface agree with its points, if any."""
-    is_within = support.sparse <= MAX_SPARSE_AREA["poisson"] and support.outer <= MAX_OUTER_AREA
+    is_within = support.sparse <= MAX_SPARSE_AREA and support.outer <= MAX_OUTER_AREA
     if made_up.fraction is None or made_up.far is None or (made_up.fraction <= MADE_UP and is_within):
         return made_up
     search = NearestNeighborSearch(points)
@@ -248,6 +250,9 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[Poin
     distances = download(distances_to(points_about(probes.arrays["points"], probes.origin, mesh.origin), tree))
     size = math.dist(points.get_min_bound(), points.get_max_bound())
     near, median = NEAR_DISTANCE * size, float(np.median(distances))
+    missed, noise = _find_missed(search, probes.points, host, distances, near)
+    if method != "alpha":
+        missed = float(np.mean(distances > max(near, NOISE_MEDIANS * median if method == "poisson" else 0.0)))
     samples = mesh.sample_points_uniformly(SUPPORT_SAMPLES, use_triangle_normal=True)
     indices, sqdists, _ = search.knn_search(samples, min(SPACING_NEIGHBORS, len(host)))
     nearest = np.sqrt(sqdists[:, 0])
@@ -265,10 +270,29 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[Poin
         sparse=float(np.mean(nearest > np.maximum(near, MAX_GAP * spacing))),
         bent=float(np.mean(heights > near)),
         turned=float(np.mean(cosines < MIN_COSINE)),
-        missed=float(np.mean(distances > max(near, NOISE_MEDIANS * median if method == "poisson" else 0.0))),
+        missed=missed,
         outer=float(np.mean((nearest > near) & (to_mean > ONE_SIDED * lengths.mean(axis=1)))),
+        noise=noise,
     )
     return PointsOff(median, size, points.unit, float(np.quantile(distances, 0.9, method="higher"))), support
+
+
+def _find_missed(
+    search: NearestNeighborSearch,
+    probes: NDArray[np.float64],
+    host: NDArray[np.float64],
+    distances: NDArray[np.float32],
+    near: float,
+) -> tuple[float, float]:
+    """`missed` of an alpha shape, and `noise`, of `Support`."""
+    neighbors = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(host)))
+    groups, spacing = host[neighbors.indices], np.sqrt(neighbors.sqdists[:, -1])
+    groups = groups - groups.mean(axis=1, keepdims=True)
+    heights = np.sum(groups * _normals_of(groups)[:, None], axis=2)
+    thickness = np.nan_to_num(np.sqrt(np.mean(heights * heights, axis=1)))  # NaN for points on one line
+    areas = np.minimum(spacing, MAX_SPACINGS * float(np.median(spacing))) ** 2
+    is_missed = distances > np.maximum(near, NOISE_DEVIATIONS * thickness)
+    return float(areas[is_missed].sum() / areas.sum()), float(np.median(thickness / spacing))
 
 
 def _normals_of(groups: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -25,6 +25,7 @@ from ...core.checks import (
     check_transformation,
     is_on_gpu,
 )
+from ...core.coordinate_systems import Reprojection
 from ...core.coordinates import origin_under
 from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.dropped_results import returns_new
@@ -46,9 +47,9 @@ from ...kernels.meshes import mesh_edits
 from ...kernels.meshes.mesh_edits import raise_numbers, shift_triangles
 from ...pcd.attribute_columns import concatenate_columns
 from ...pcd.motion import Movable
-from ...pcd.point_arrays import PointArrays
+from ...pcd.point_arrays import PointArrays, place_points
 from ...pcd.stored_arrays import StoredArrays, read_only
-from ...pcd.units import unit_under
+from ...pcd.units import common_reference, crs_under, unit_under
 from .finite_corners import check_finite_corners
 from .mesh_attributes import MeshAttributes, each, listed
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
@@ -170,7 +171,7 @@ class MeshArrays(StoredArrays, Movable):
         new_origin = self.arrays.origin if origin is None else origin
         textures = () if "triangle_uvs" in self.arrays and "triangle_uvs" not in remaining else self.arrays.textures
         mesh = self.from_device_arrays(remaining, new_origin, self.arrays.library, textures=textures)
-        mesh.unit, mesh.arrays.up = self.unit, self.arrays.up
+        mesh.unit, mesh.crs, mesh.arrays.up = self.unit, self.crs, self.arrays.up
         return mesh
 
     def _assign(self, name: str, values: ArrayLike) -> None:
@@ -211,6 +212,7 @@ class MeshArrays(StoredArrays, Movable):
         extras = "".join(f", {name}" for name in self.arrays if name not in ("vertices", "triangles"))
         extras += "".join(f", {kind}[{listed(columns)}]" for kind, columns in self.arrays.attributes.items() if columns)
         sizes = f"{self.arrays['vertices'].size} vertices, {len(self)} triangles"
+        extras += "" if self.crs is None else f", {escaped(self.crs.name)}"
         return f"{type(self).__name__}({sizes}{extras}, {self.device})"
 
     @property
@@ -443,13 +445,15 @@ class MeshArrays(StoredArrays, Movable):
                 name: concatenate_columns(name, [of_part[name] for of_part in columns], "meshes") for name in shared
             }
         uvs, textures = _joined_textures(parts)
-        return cls.from_device_arrays(arrays | uvs, origin, parts[0].array_library, textures=textures)
+        joined = cls.from_device_arrays(arrays | uvs, origin, parts[0].array_library, textures=textures)
+        joined.unit, joined.crs = common_reference("meshes", parts)
+        return joined
 
     def __getstate__(self) -> dict[str, Any]:
         state = {"arrays": pickled(self.arrays), "origin": self.arrays.origin, "device": str(self.device)}
         attributes = {kind: pickled(columns) for kind, columns in self.arrays.attributes.items()}
         state |= {"textures": self.arrays.textures, "library": self.arrays.library, "attributes": attributes}
-        return state | {"unit": self._unit, "up": self.arrays.up}
+        return state | {"unit": self._unit, "crs": self._crs, "up": self.arrays.up}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Restore on the saved device, or the first GPU if its index does not exist."""
@@ -464,7 +468,7 @@ class MeshArrays(StoredArrays, Movable):
             origin = check_finite("origin", check_shape("origin", state["origin"], (3,)))
             library = check_library("library", state["library"])
             mesh = self.from_device_arrays(arrays, origin, library, textures=textures)
-            mesh.unit, mesh.up = state.get("unit"), state.get("up")
+            mesh.unit, mesh.crs, mesh.up = state.get("unit"), state.get("crs"), state.get("up")
         vars(self).update(vars(mesh))
 
     @returns_new
@@ -499,8 +503,18 @@ class MeshArrays(StoredArrays, Movable):
             if "triangle_uvs" in self.arrays:
                 arrays["triangle_uvs"] = mesh_edits.flip_corners(self.arrays["triangle_uvs"])
         mesh = self.with_arrays(origin=origin, **arrays)
-        mesh.unit, mesh.arrays.up = unit_under(self.unit, A), transform_up_vector(self.arrays.up, A)
+        mesh.unit, mesh.crs = unit_under(self.unit, A), crs_under(self.crs, A)
+        mesh.arrays.up = transform_up_vector(self.arrays.up, A)
         return mesh
+
+    def _reprojected(self, way: Reprojection) -> Self:
+        positions = self.vertices
+        vertices, origin, _ = place_points(way.points(positions), None, self.device)
+        arrays: dict[str, Any] = {"vertices": vertices}
+        if "vertex_normals" in self.arrays:
+            normals = way.normals(positions, download(self.arrays["vertex_normals"]))
+            arrays["vertex_normals"] = upload(normals.astype(np.float32), vec3, self.device)
+        return self.with_arrays(origin=origin, **arrays)
 
     def _enlarged(self, factor: float) -> Self:
         vertices = transform_points(self.arrays["vertices"], factor * np.eye(3), np.zeros(3))

@@ -79,7 +79,7 @@ def mesh_of(
             device=device,
             arrays=arrays,
         )
-    mesh.unit = table.unit
+    mesh.unit, mesh.crs = table.unit, table.crs
     return mesh
 
 
@@ -153,4 +153,5 @@ def mesh_table(mesh: TriangleMesh) -> MeshTable:
         attributes=dict(mesh.vertex_attributes),
         triangle_attributes=dict(mesh.triangle_attributes),
         unit=mesh.unit,
+        crs=mesh.crs,
     )

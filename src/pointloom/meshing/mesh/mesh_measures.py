@@ -15,7 +15,6 @@ from ...core.checks import check_count, check_finite, check_numeric, check_posit
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
 from ...core.exchange import asnumpy, on_host
-from ...core.units import common_unit
 from ...kernels.arrays.bounds import bound_points, box_of, find_extremes
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.select import gather_rows
@@ -39,6 +38,7 @@ from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.stored_arrays import read_only
+from ...pcd.units import common_reference
 from .finite_corners import check_finite_corners
 from .mesh_arrays import MeshArrays, check_mesh
 from .mesh_metrics import SurfaceMetrics, measure_both_ways, points_about
@@ -235,7 +235,7 @@ class MeshMeasures(MeshSelection):
         hull, indices = self._corner_cloud().compute_convex_hull(joggle_inputs)
         make: Any = type(self)  # TriangleMesh
         mesh = make(hull.vertices, hull.triangles, device=self.device, origin=self.arrays.origin)
-        mesh.arrays.library = self.arrays.library
+        mesh.arrays.library, mesh.unit, mesh.crs = self.arrays.library, self.unit, self.crs
         return mesh, indices
 
     @returns_new
@@ -392,7 +392,7 @@ class MeshMeasures(MeshSelection):
         if "vertex_colors" in self.arrays:
             arrays["colors"] = surface.mix(self.arrays["vertex_colors"])
         cloud = PointCloud.from_device_arrays(arrays, self.arrays.origin.copy(), self.arrays.library)
-        cloud.unit = self._unit
+        cloud.unit, cloud.crs = self._unit, self._crs
         return cloud
 
     def compute_metrics(
@@ -435,7 +435,7 @@ class MeshMeasures(MeshSelection):
         """
         check_mesh("mesh2", mesh2)
         check_same_device("mesh2", self.device, mesh2.device)
-        common_unit("mesh, mesh2", (self.unit, mesh2.unit))
+        common_reference("mesh, mesh2", (self, mesh2))
         given = check_numeric("fscore_radius", fscore_radius).reshape(-1).tolist()
         radii = [check_positive("fscore_radius", radius) for radius in given]
         count, seed = check_count("n_sampled_points", n_sampled_points), check_seed(seed)
@@ -481,7 +481,7 @@ class MeshMeasures(MeshSelection):
         """
         check_mesh("mesh2", mesh2)
         check_same_device("mesh2", self.device, mesh2.device)
-        common_unit("mesh, mesh2", (self.unit, mesh2.unit))
+        common_reference("mesh, mesh2", (self, mesh2))
         check_finite_corners("compute_error_map: mesh2", mesh2)
         largest = None if max_distance is None else check_positive("max_distance", max_distance)
         points = points_about(self.arrays["vertices"], self.arrays.origin, mesh2.origin)

@@ -27,7 +27,7 @@ from ...core.checks import (
 from ...core.coordinates import choose_origin
 from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.gpu_arrays import take_numbers
-from ...core.units import common_unit, warn_of_units
+from ...core.units import warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.array_types import AnyArray, Device, Indices
 from ...kernels.arrays.bounds import bound_points
@@ -54,6 +54,7 @@ from ...kernels.volumes.marching_cubes import extract_surface
 from ...pcd.cached_tree import LARGEST_EXTENT, SMALLEST_EXTENT
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ...pcd.units import common_reference
 from .mesh_measures import MeshMeasures
 
 MIN_DEPTH = 2  # densities use the level two above the finest, and level 0 has no information
@@ -176,7 +177,7 @@ class MeshReconstruction(MeshMeasures):
             cloud.origin,
             cloud.array_library,
         )
-        mesh.unit = cloud.unit
+        mesh.unit, mesh.crs = cloud.unit, cloud.crs
         return mesh, mesh.arrays.hand_out(surface.densities)
 
     create_from_point_cloud_poisson = create_from_point_cloud_poisson
@@ -239,7 +240,7 @@ class MeshReconstruction(MeshMeasures):
         colors = cloud.arrays["colors"] if cloud.has_colors else None
         arrays = {"vertices": points, "triangles": triangles, "vertex_normals": normals, "vertex_colors": colors}
         mesh = cls.from_device_arrays(arrays, cloud.origin, cloud.array_library)
-        mesh.unit = cloud.unit
+        mesh.unit, mesh.crs = cloud.unit, cloud.crs
         return mesh
 
     create_from_point_cloud_ball_pivoting = create_from_point_cloud_ball_pivoting
@@ -351,7 +352,7 @@ class MeshReconstruction(MeshMeasures):
         corners, selected = keep_counted(triangles, used, offsets, count, list(arrays.values()))
         rows = dict(zip(arrays, selected, strict=True))
         mesh = cls.from_device_arrays({"triangles": corners, **rows}, cloud.origin, cloud.array_library)
-        mesh.unit = cloud.unit
+        mesh.unit, mesh.crs = cloud.unit, cloud.crs
         return mesh
 
     @classmethod
@@ -441,7 +442,7 @@ def _check_envelope(envelope: object, cloud: PointCloud) -> Envelope:
     if not isinstance(envelope, MeshMeasures):
         raise TypeError(f"envelope: expected a TriangleMesh, got {type(envelope).__name__}")
     check_same_device("envelope", cloud.device, envelope.device)
-    common_unit("cloud, envelope", (cloud.unit, envelope.unit))
+    common_reference("cloud, envelope", (cloud, envelope))
     if len(envelope) > MAX_ENVELOPE:
         raise ValueError(
             f"envelope: expected up to {MAX_ENVELOPE:,} triangles, got {len(envelope):,}. Use a coarser mesh"

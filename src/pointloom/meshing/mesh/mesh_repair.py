@@ -14,7 +14,6 @@ from ...core.checks import check_positive
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
 from ...core.reports import AssessedRecord, failed
-from ...core.units import common_unit
 from ...core.wording import format_fraction
 from ...kernels.array_types import Mask
 from ...kernels.arrays.concatenation import concatenate_points
@@ -30,17 +29,18 @@ from ...kernels.meshes.holes import Filling, spread_corners, spread_ids
 from ...kernels.meshes.mesh_components import has_marked
 from ...kernels.meshes.mesh_edges import find_split_vertices, mask_counts
 from ...kernels.meshes.mesh_edits import count_referenced, count_unlike, shift_triangles
-from ...kernels.meshes.orientation import Orientation, flip_some, flip_some_corners
+from ...kernels.meshes.orientation import Orientation
 from ...kernels.meshes.surface_samples import triangle_areas
 from ...kernels.meshes.vertex_neighbors import VertexNeighbors
 from ...kernels.rays.cutting_triangles import find_meeting_pairs
 from ...kernels.rays.triangle_tree import TriangleTree
+from ...pcd.units import common_reference
 from .finite_corners import REMEDY, check_finite_corners, find_wrong_corner
 from .flat_polygons import LIBRARY, load_manifold
 from .mesh_arrays import MeshArrays, check_mesh
 from .mesh_measures import MeshMeasures
 from .mesh_nesting import Parts, choose_sides, find_enclosing
-from .mesh_sheets import cut_and_stitch
+from .mesh_sheets import cut_and_stitch, find_flips, flipped_mesh
 
 MAX_INT32 = 2**31 - 1
 TRIANGLES_PER_EDGE = 2  # triangles per edge of a closed surface
@@ -126,7 +126,7 @@ class MeshRepair(MeshMeasures):
     `is_self_intersecting` and `is_intersecting` raise ValueError for them.
     """
 
-    _internal = ("fill_small_holes", "findings", "flipped", "nested", "unique_edges")
+    _internal = ("fill_small_holes", "findings", "nested", "unique_edges")
 
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> NDArray[np.int32]:
         """List the edges of more than two triangles.
@@ -255,10 +255,7 @@ class MeshRepair(MeshMeasures):
         result = orientation.Orientation(self.arrays["triangles"], self.arrays["vertices"].size)
         if outward:
             result.face_outwards(self.arrays["vertices"], self.arrays["triangles"])
-        arrays: dict[str, Any] = {"triangles": orientation.flip_some(self.arrays["triangles"], result.flips)}
-        if "triangle_uvs" in self.arrays:
-            arrays["triangle_uvs"] = orientation.flip_some_corners(self.arrays["triangle_uvs"], result.flips)
-        return self.with_arrays(**arrays), result.orientable
+        return flipped_mesh(self, result.flips), result.orientable
 
     def euler_poincare_characteristic(self) -> int:
         """Euler characteristic V - E + F: 2 for a closed surface without handles, 0 for a torus.
@@ -383,10 +380,8 @@ class MeshRepair(MeshMeasures):
         before = mesh.arrays.vertex_count
         finite = mesh if merge_distance is None else mesh.merge_close("merge_distance", merge_distance)
         stitched = cut_and_stitch(finite)
-        mesh, arrays = stitched.mesh, stitched.mesh.arrays
-        orientation = Orientation(arrays["triangles"], arrays.vertex_count)
-        orientation.follow_majority()
-        mesh, flipped = stitched.mesh.flipped(orientation.flips), orientation.flips
+        flipped = find_flips(stitched.mesh)
+        mesh = flipped_mesh(stitched.mesh, flipped)
         area, filled, left = mesh.get_surface_area(), 0, None
         if size is not None:
             mesh, filled, left = mesh.fill_small_holes(size)
@@ -400,7 +395,8 @@ class MeshRepair(MeshMeasures):
             removed_duplicated_triangles=stitched.copies,
             removed_crowding_triangles=stitched.crowding,
             split_vertices=stitched.split,
-            flipped_triangles=count_unlike(stitched.mesh.arrays["triangles"], mesh.arrays["triangles"]),
+            flipped_triangles=stitched.flipped
+            + count_unlike(stitched.mesh.arrays["triangles"], mesh.arrays["triangles"]),
             filled_holes=filled,
             added_triangles=added + stitched.halved,
             removed_vertices=stitched.unused,
@@ -446,12 +442,6 @@ class MeshRepair(MeshMeasures):
             arrays |= self.arrays.attributes_at("triangle_attributes", sources)
         return self.with_arrays(**arrays), filling.filled, filling.left
 
-    def flipped(self, flips: Mask) -> Self:
-        arrays: dict[str, Any] = {"triangles": flip_some(self.arrays["triangles"], flips)}
-        if "triangle_uvs" in self.arrays:
-            arrays["triangle_uvs"] = flip_some_corners(self.arrays["triangle_uvs"], flips)
-        return self.with_arrays(**arrays)
-
     def nested(self, flipped: Mask) -> tuple[Self, bool]:
         """(mesh with closed parts oriented by nesting, orientable); `flipped` marks inconsistently oriented input."""
         vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
@@ -464,7 +454,7 @@ class MeshRepair(MeshMeasures):
         orientation.flip_parts(
             measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), is_fixed)
         )
-        return self.flipped(orientation.flips), orientation.orientable
+        return flipped_mesh(self, orientation.flips), orientation.orientable
 
     def findings(self) -> dict[str, Any]:
         """Remaining defects, by the field names of MeshRepairReport."""
@@ -629,7 +619,7 @@ class MeshRepair(MeshMeasures):
             device=self.device,
             origin=self.arrays.origin,
         )
-        mesh.unit = common_unit(f"{name}: the meshes", (self.unit, other.unit))
+        mesh.unit, mesh.crs = common_reference(f"{name}: the meshes", (self, other))
         both_have_normals = "vertex_normals" in self.arrays and "vertex_normals" in other.arrays
         return mesh.compute_vertex_normals() if both_have_normals else mesh
 

@@ -20,6 +20,7 @@ from ...kernels.meshes import clean_triangles, merge_vertices
 from ...kernels.meshes.copies import find_copies
 from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
 from ...kernels.meshes.mesh_edits import count_referenced, repeated_positions
+from ...kernels.meshes.orientation import Orientation, flip_some, flip_some_corners
 from ...kernels.meshes.part_votes import keep_alone
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
@@ -27,6 +28,8 @@ from .doubled_edges import part_doubled_edges
 from .mesh_selection import MeshSelection
 
 MeshType = TypeVar("MeshType", bound=MeshSelection)
+MAX_PASSES = 8
+SUMMED = "copies", "copied_area", "crowding", "halved", "merged", "unused", "degenerate"
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,8 @@ class Stitched(Generic[MeshType]):
     """A mesh of sheets, and counts of changes. `copies`, `copied_area`: removed duplicates, either orientation.
     `crowding`: triangles without a partner. `halved`: triangles added to separate double edges. `merged`, `split`,
     `unused`: vertices. `open_sides`: boundary half-edges. `degenerate`: triangles with a repeated vertex or
-    position."""
+    position. `can_change`: True if another pass can find more to do. `flipped`: triangles reversed
+    between passes."""
 
     mesh: MeshType
     copies: int
@@ -46,12 +50,54 @@ class Stitched(Generic[MeshType]):
     unused: int
     open_sides: int
     degenerate: int = 0
+    can_change: bool = False
+    flipped: int = 0
+
+    @property
+    def is_unchanged(self) -> bool:
+        return not (self.degenerate or self.copies or self.crowding or self.halved or self.merged or self.split)
+
+    def after(self, first: Stitched[MeshType], flipped: int) -> Stitched[MeshType]:
+        """Add the counts of the passes before. Vertices that one pass splits and the next one merges do not count."""
+        undone = min(first.split, self.merged)
+        sums = {name: getattr(first, name) + getattr(self, name) for name in SUMMED}
+        sums["merged"] -= undone
+        return replace(self, split=first.split - undone + self.split, flipped=first.flipped + flipped, **sums)
 
 
 def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
     """Cut finite triangles at edges of more than two and stitch them in pairs. See kernels/meshes/sheets.py. Closed,
     consistently oriented parts stay. Of all others, degenerate and duplicate triangles, parts that copy others, and
-    single triangles without a partner are removed. If one triangle per vertex set leaves less border, it is kept."""
+    single triangles without a partner are removed. If one triangle per vertex set leaves less border, it is kept.
+
+    A removed triangle or a cut can leave other partners at its edges, so this is repeated until nothing changes."""
+    result = _stitch_once(mesh)
+    for _ in range(MAX_PASSES - 1):
+        if not result.can_change:
+            break
+        flips = find_flips(result.mesh)
+        again = _stitch_once(flipped_mesh(result.mesh, flips))
+        if again.is_unchanged:
+            break
+        result = again.after(result, positions_of(flips).size)  # sync
+    return result
+
+
+def find_flips(mesh: MeshSelection) -> Mask:
+    """uint8 [t]: 1 for triangles oriented against most of their part."""
+    orientation = Orientation(mesh.arrays["triangles"], mesh.arrays.vertex_count)
+    orientation.follow_majority()
+    return orientation.flips
+
+
+def flipped_mesh(mesh: MeshType, flips: Mask) -> MeshType:
+    arrays: dict[str, Any] = {"triangles": flip_some(mesh.arrays["triangles"], flips)}
+    if "triangle_uvs" in mesh.arrays:
+        arrays["triangle_uvs"] = flip_some_corners(mesh.arrays["triangle_uvs"], flips)
+    return mesh.with_arrays(**arrays)
+
+
+def _stitch_once(mesh: MeshType) -> Stitched[MeshType]:
     clean = mesh.remove_degenerate_triangles()
     vertices, triangles = clean.arrays["vertices"], clean.arrays["triangles"]
     owners = find_equal_points(vertices)
@@ -93,6 +139,7 @@ def _sew(
         split=result.arrays["vertices"].size - corner_vertices.kept_count,
         unused=vertices.size - used,
         open_sides=sum_counts(mark_negative(twins)),  # sync
+        can_change=sheets.had_choice or covered.size > 0 or len(result) > len(sewn),
     )
 
 

@@ -15,7 +15,6 @@ from ...core.devices import check_same_device
 from ...core.exchange import asnumpy, hand_back
 from ...core.matched_counts import why_few_matched
 from ...core.reports import AssessedRecord, failed
-from ...core.units import common_unit
 from ...kernels.lang import float64
 from ...kernels.memory import download, upload
 from ...kernels.rays.facing_sides import face_distances
@@ -25,6 +24,7 @@ from ...kernels.surface.value_spreads import spread_values
 from ...pcd.change import MIN_POINTS
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ...pcd.units import common_reference
 from ..mesh.finite_corners import check_finite_corners
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_arrays import check_mesh
@@ -117,7 +117,7 @@ def compare_cloud_to_mesh(
     check_mesh("mesh", mesh)
     check_same_device("mesh", cloud.device, mesh.device)
     check_finite_corners("mesh", mesh)
-    common_unit("cloud, mesh", (cloud.unit, mesh.unit))
+    common_reference("cloud, mesh", (cloud, mesh))
     error = check_positive("registration_error", registration_error, allow_zero=True)
     within = None if radius is None else check_positive("radius", radius)
     limit = np.inf if max_distance is None else check_positive("max_distance", max_distance)

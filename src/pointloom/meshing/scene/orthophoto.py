@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.array_libraries import view_as
 from ...core.checks import check_finite, check_positive, check_shape
+from ...core.coordinate_systems import map_crs
 from ...core.errors import FilePath
 from ...core.units import DEGREE, METRE, is_same
 from ...kernels.drawing import plan_view
@@ -104,7 +105,8 @@ def orthophoto(
         epsg: Another UTM zone than that of the frame, 32601..32660 or 32701..32760.
         corner: A corner of cells, x and y.
         bounds: (x0, y0, x1, y1) of the map. If None: those of the mesh.
-        crs: Coordinate system of a mesh without `frame` as rasterio accepts it: "EPSG:26910" or well-known text.
+        crs: Coordinate system of a mesh without `frame` as rasterio accepts it: "EPSG:26910" or well-known text. If
+            None: that of the mesh.
 
     Raises:
         TypeError, ValueError: If `mesh` is not a TriangleMesh, or `frame` is not a WorldFrame, or if an argument is out
@@ -151,7 +153,7 @@ def _check_system(mesh: TriangleMesh, frame: Any, epsg: Any, crs: str | None) ->
     if frame is None:
         if epsg is not None:
             raise ValueError("epsg: requires frame, which georeferences the mesh. For a mesh in UTM pass crs")
-        return crs
+        return map_crs("crs, mesh", crs, mesh.crs)
     if not isinstance(frame, WorldFrame):
         raise TypeError(f"frame: expected a WorldFrame, got {type(frame).__name__}")
     if crs is not None:

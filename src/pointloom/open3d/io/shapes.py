@@ -163,5 +163,5 @@ def _split_at_edges(mesh: NativeMesh) -> NativeMesh:
         device=mesh.device,
         origin=mesh.origin,
     )
-    made.unit = mesh.unit
+    made.unit, made.crs = mesh.unit, mesh.crs
     return made

@@ -145,7 +145,7 @@ class ControlGrid(Serialized):
         if "normals" in arrays:
             arrays["normals"] = bend_normals(points, arrays["normals"], self.lattice)
         bent = PointCloud.from_device_arrays(arrays, self._origin if len(self) else cloud.origin, cloud.array_library)
-        bent.grid = cloud.grid
+        bent.grid, bent.unit, bent.crs = cloud.grid, cloud.unit, cloud.crs
         return bent
 
     def deform_depth(

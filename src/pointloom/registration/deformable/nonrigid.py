@@ -552,7 +552,7 @@ class Deformation:
         if "normals" in arrays:
             arrays["normals"] = bend_normals(self._graph, influence, arrays["normals"])
         bent = PointCloud.from_device_arrays(arrays, self._target, points.array_library)
-        bent.grid, bent.unit = points.grid, points.unit
+        bent.grid, bent.unit, bent.crs = points.grid, points.unit, points.crs
         return bent
 
     def volumes(self, points: PointCloud | ArrayLike) -> NDArray[np.float32]:

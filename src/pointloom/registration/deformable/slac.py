@@ -15,7 +15,6 @@ from ...core.checks import LARGEST_NUMBER, check_count, check_fraction, check_li
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.quaternions import nearest_rotations
-from ...core.units import common_unit
 from ...io.points.point_cloud import read_point_cloud
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.concatenation import concatenate_rows
@@ -30,6 +29,7 @@ from ...kernels.poses.point_sums import count_agreeing
 from ...kernels.search.nearest_point import find_nearest
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ...pcd.units import common_reference
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
 from ..pose_graphs.reports import FragmentOverlap, RefinementReport
@@ -284,7 +284,7 @@ def _prepare(given: Sequence[Any], voxel_size: float) -> tuple[list[PointCloud],
         if voxel_size or "normals" not in cloud:
             cloud = cloud.estimate_normals(max_nn=NORMAL_NEIGHBORS)
         clouds.append(cloud)
-    common_unit("fragments", (cloud.unit for cloud in clouds))
+    common_reference("fragments", clouds)
     return clouds, sided
 
 

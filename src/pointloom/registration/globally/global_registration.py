@@ -18,13 +18,15 @@ from ...kernels.arrays.row_numbers import distinct_pairs
 from ...kernels.arrays.subsets import draw_rows
 from ...kernels.features.feature_matching import pair_features
 from ...kernels.features.fpfh import compute_features
-from ...kernels.lang import int32
+from ...kernels.lang import int32, mat44d
 from ...kernels.linear_algebra import matmul
-from ...kernels.memory import upload
+from ...kernels.memory import download, upload, zeros
 from ...kernels.poses.consensus_poses import find_consensus
 from ...kernels.poses.pair_fits import PairCoordinates
+from ...kernels.poses.pose_hypotheses import score_poses
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
+from ..assessment_constants import CHANCE_FEATURES, MIN_DETAIL_MATCHES, MIN_RELIEF
 from ..correspondence_input import check_clouds, check_pairs, pairs_on_device
 from ..evidence import Evidence, Witness, compare_under, complete, rate_surfaces
 from ..icp.evaluation import evaluate_registration
@@ -43,6 +45,7 @@ MIN_RIVAL_SUPPORT = 0.3  # minimum relative support of a rival
 # Relative share above which evidence is equal, chosen with those of rating.py. Second poses of right results have up to
 # 0.33 beside the planes. A staircase moved by one step has 0.74.
 EQUAL_EVIDENCE_RATIO = 0.7
+EQUAL_RELIEF = 0.75  # correlation of the slopes above which ground or steps are an alternative
 POSE_SEPARATION = 2.0  # match distances between distinct poses
 # Motions with eigenvalues below this fraction of the largest are not refined. ICP leaves out those below 5e-3, such as
 # shifts along ground with slopes of 3 degrees, and 7 poses stayed 0.03 to 0.3 m off there. All converged with 1e-3.
@@ -158,7 +161,8 @@ def register_described(
             tilt = np.degrees(MAX_TILT)
             return _unknown(f"all {len(consensus.poses)} candidate poses tilt by {tilt:.0f} degrees or more", source)
     rivals = int((support >= MIN_RIVAL_SUPPORT * support[0]).sum())
-    result, evidence, others = _choose(*witnesses, poses[:MAX_CANDIDATES], rivals, NOISE_VOXELS * size, refine, free)
+    limits = rivals, NOISE_VOXELS * size, refine, free
+    result, evidence, others = _choose(*witnesses, pairs, poses[:MAX_CANDIDATES], *limits)
     score, equals = evidence.score, 1 + len(others)
     origins = source.arrays.origin, target.arrays.origin
     T = to_world(result.transformation, *origins)
@@ -170,7 +174,7 @@ def register_described(
         lambda: evaluate_registration(*pair, NOISE_VOXELS * size, T).correspondence_set,
         outcome=Outcome(result.iterations, score / equals > 0.5),
         motions=Motions(result.degenerate_directions, result.free),
-        clouds=Registered(*pair, NOISE_VOXELS * size),
+        clouds=Registered(*pair, NOISE_VOXELS * size, feature_ratio=evidence.feature_ratio),
     )
     chosen.score = score / equals
     if score <= 0.5:
@@ -187,6 +191,7 @@ def register_described(
 def _choose(
     source: Witness,
     target: Witness,
+    pairs: wp.array,
     candidates: NDArray[np.float64],
     rivals: int,
     distance: float,
@@ -214,7 +219,8 @@ def _choose(
         # The reported free motions are those of ICP, which include weakly determined ones.
         last = refined(result.transformation[None], distance, 1, free)[0]
         result.degenerate_directions = last.degenerate_directions
-    evidence = rate_surfaces(source, target, result.transformation, distance, details=True)
+    ratio = _compare_features(source.surface, target.surface, pairs, result.transformation, candidates, distance)
+    evidence = rate_surfaces(source, target, result.transformation, distance, details=True, feature_ratio=ratio)
     if evidence.score <= 0.5:
         equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
         return result, evidence, [poses[k] for k in equals]
@@ -232,6 +238,25 @@ def _choose(
     return result, evidence, [poses[k] for k in others]
 
 
+def _compare_features(
+    source: Surface,
+    target: Surface,
+    pairs: wp.array,
+    pose: NDArray[np.float64],
+    others: NDArray[np.float64],
+    distance: float,
+) -> float:
+    """Correspondences within the distance under a pose, relative to the best distinct pose of others. Two syncs."""
+    moved, center = moved_samples(source, np.stack([pose, *others])), np.zeros(3, np.float32)
+    is_distinct = ((moved[1:] - moved[0]) ** 2).sum(axis=2).mean(axis=1) > (POSE_SEPARATION * distance) ** 2
+    poses = np.stack([pose, *others[is_distinct]])
+    counts = zeros(len(poses), int32, source.device)
+    coordinates = PairCoordinates(source.points, target.points, pairs, center, center)
+    score_poses(coordinates, upload(poses, mat44d, source.device), distance, counts)
+    agreeing = download(counts).astype(float)  # sync
+    return float(agreeing[0] / max(CHANCE_FEATURES, *agreeing[1:]))
+
+
 def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
     """Indices, in order, of poses that move the source differently from all earlier ones."""
     moved, selected = moved_samples(source, poses), [int(order[0])]
@@ -245,6 +270,10 @@ def _is_equal(evidence: Evidence, best: Evidence) -> bool:
     """True if a pose has about as much evidence as the best, in total and without planes."""
     if best.score <= 0.5:
         return 0 < EQUAL_EVIDENCE_RATIO * best.fraction <= evidence.fraction
+    if evidence.details is not None:  # an alternative needs less proof than a result
+        unexplained = (1 - evidence.details.relief) * (1 - MIN_RELIEF) / (1 - EQUAL_RELIEF)
+        matches = max(evidence.details.matches, MIN_DETAIL_MATCHES)
+        evidence = evidence._replace(details=evidence.details._replace(relief=1 - unexplained, matches=matches))
     return (
         evidence.score > 0.5
         and EQUAL_EVIDENCE_RATIO * best.fraction <= evidence.fraction

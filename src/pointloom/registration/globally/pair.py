@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -36,7 +37,7 @@ from ..pose_check import describe_open
 from ..result import MIN_FITNESS, Registered, RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
-from .global_registration import register_globally
+from .global_registration import POSE_SEPARATION, register_globally
 from .level_poses import check_level
 from .rating import score_registration
 
@@ -243,16 +244,17 @@ def register_pair(
     thinned = _count_voxels(clouds, size)
     search_score, problem, scales = 1.0, "", COARSE_TO_FINE if max_distance is None else AT_ONCE
     alternatives: tuple[Matrix, ...] = ()
+    searched: RegistrationResult | None = None
     if start is None:
         report_progress("search", 0, 0)
-        initial = register_globally(source, target, voxel_size=size, free=level)
+        searched = register_globally(source, target, voxel_size=size, free=level)
         start, search_score, problem, scales = (
-            initial.transformation,
-            initial.score or 0.0,
-            "; ".join(initial.warnings),
+            searched.transformation,
+            searched.score or 0.0,
+            "; ".join(searched.warnings),
             AT_ONCE,
         )
-        alternatives = initial.alternatives
+        alternatives = searched.alternatives
     report_progress("refine", 0, 0)
     limits = [max_distance or PAIR_DISTANCE_VOXELS * scale * size for scale in scales]
     coarse_to_fine = [scale * size for scale in scales], [ICPConvergenceCriteria()] * len(scales), limits, start
@@ -261,11 +263,12 @@ def register_pair(
     report_progress("rate", 0, 0)
     rated = source.copy(), target.copy(), RATED_WITHIN * size
     assert result._clouds is not None
-    result._clouds = Registered(*rated, *result._clouds[3:])
+    ratio = _feature_ratio(searched, result.transformation, RATED_WITHIN * size)
+    result._clouds = Registered(*rated, *result._clouds[3:-1], ratio)
     estimated = tuple(role for role in estimation.needs_normals if "normals" not in clouds[role].arrays)
     return PairRegistration(
         result,
-        min(search_score, score_registration(*rated, result.transformation)),
+        min(search_score, score_registration(*rated, result.transformation, ratio)),
         SEARCHED if init is None else GIVEN,
         method,
         size,
@@ -328,6 +331,16 @@ def _motion(source: PointCloud, T: Matrix) -> tuple[float, float]:
     middle = (source.get_min_bound() + source.get_max_bound()) / 2
     angle = float(np.degrees(pose_error(T, np.eye(4))[0]))
     return angle, float(norm(matmul(T[:3, :3], middle) + T[:3, 3] - middle))
+
+
+def _feature_ratio(searched: RegistrationResult | None, T: Matrix, distance: float) -> float:
+    """The ratio of features of a search, if the refined pose is still the one that was found; else 0."""
+    if searched is None or searched._clouds is None:
+        return 0.0
+    source, change = searched._clouds.source, (T - searched.transformation)[:3]
+    corners = np.array(list(itertools.product(*zip(source.get_min_bound(), source.get_max_bound(), strict=True))))
+    moved = np.linalg.norm(matmul(corners, change[:, :3].T) + change[:, 3], axis=1).max()
+    return searched._clouds.feature_ratio if moved < POSE_SEPARATION * distance else 0.0
 
 
 def _by_role(counts: tuple[int, int]) -> dict[str, int]:

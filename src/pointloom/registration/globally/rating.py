@@ -99,10 +99,13 @@ def assess_registration(
     )
 
 
-def score_registration(source: PointCloud, target: PointCloud, distance: float, transformation: Matrix) -> float:
-    """The score of `assess_registration` alone, of checked clouds."""
+def score_registration(
+    source: PointCloud, target: PointCloud, distance: float, transformation: Matrix, feature_ratio: float = 0.0
+) -> float:
+    """The score of `assess_registration` alone, of checked clouds, with the features of a search if there was one."""
     source, T = as_rigid(source, transformation)
-    return _evidence_of(SurfacePair(source, target, distance), to_local(T, source.origin, target.origin)).score
+    evidence = _evidence_of(SurfacePair(source, target, distance), to_local(T, source.origin, target.origin))
+    return evidence._replace(feature_ratio=feature_ratio).score
 
 
 def _evidence_of(surfaces: SurfacePair, pose: Matrix) -> Evidence:

@@ -22,9 +22,10 @@ from ...core.checks import (
     shown,
 )
 from ...core.observers import report, watched
-from ...core.units import called_by_user, common_unit, warn_of_units
+from ...core.units import called_by_user, warn_of_units
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
+from ...pcd.units import common_reference
 from ..correspondence_input import check_cloud, check_clouds
 from ..result import RegistrationResult
 from ..rigid import nearest_rotation, scale_of
@@ -279,7 +280,7 @@ def _jobs_of(
             check_cloud(f"{name}[{i}]", cloud)
     spread = [values * count if len(values) == 1 else values for values in (left, right)]
     for source, target in zip(*spread, strict=True):
-        common_unit("sources, targets", (source.unit, target.unit))
+        common_reference("sources, targets", (source, target))
     return *spread, np.repeat(poses, count, axis=0) if len(poses) == 1 else poses  # type: ignore[return-value]
 
 

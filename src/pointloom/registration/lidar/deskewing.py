@@ -74,9 +74,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
     twist = twist_of(to_local(T, cloud.origin, cloud.origin))
     moved = move_points(cloud.arrays["points"], times, np.zeros(3), span, twist)
     arrays = {name: cloud.arrays[name] for name in cloud.arrays} | {"points": moved}
-    deskewed = type(cloud).from_device_arrays(arrays, cloud.origin, cloud.array_library)
-    deskewed.grid = cloud.grid
-    return deskewed
+    return cloud.with_arrays(arrays, grid=cloud.grid)
 
 
 def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | None:

@@ -24,10 +24,10 @@ from ...core.devices import check_same_device
 from ...core.observers import report
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, with_warnings
-from ...core.units import common_unit
 from ...core.wording import few_of, plain
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ...pcd.units import common_reference
 from ..assessment_constants import MIN_SCORE
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import check_level
@@ -249,7 +249,7 @@ def register_multiway(
     clouds, chooser = _check_clouds(clouds), check_seed(seed)
     if not clouds:
         raise ValueError("clouds: expected at least one, got none")
-    common_unit("clouds", (cloud.unit for cloud in clouds))
+    common_reference("clouds", clouds)
     report_progress, level = check_progress(progress), check_level(free)
     accepted = check_known(known, len(clouds), level)
     given = {frozenset((pair.source, pair.target)) for pair in accepted}

@@ -32,11 +32,11 @@ from ...core.checks import (
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.reports import failed
-from ...core.units import common_unit
 from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
+from ...pcd.units import common_reference
 from ..assessment_constants import MIN_SCORE
 from ..assessment_constants import SOURCE_VOXEL_FACTOR as SOURCE_FINER
 from ..evidence import Witness, witness_of
@@ -259,7 +259,7 @@ class _Survey:
         for i, cloud in enumerate(self.clouds):
             check_cloud(f"stations[{i}]", cloud)
             check_same_device(f"stations[{i}]", self.clouds[0].device, cloud.device)
-        self.count, self.unit = len(self.clouds), common_unit("stations", (cloud.unit for cloud in self.clouds))
+        self.count, self.unit = len(self.clouds), common_reference("stations", self.clouds)[0]
         self.names = _check_names(names, self.count)
         if not isinstance(level, bool | np.bool_):
             raise TypeError(f"level: expected True or False, got {level!r}")

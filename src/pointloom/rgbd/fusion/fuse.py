@@ -110,7 +110,8 @@ def fuse(
     camera, depth_factor = check.camera_and_factor()
     checks: dict[str, Any] = {
         "fraction_off": None if refine else check.fraction_off(fold.volume), "seen_extent": check.seen_extent(),
-        "camera": camera, "depth_factor": depth_factor, "source_warnings": source_warnings(frames),
+        "camera": camera, "depth_factor": depth_factor,
+        "source_warnings": (*source_warnings(frames), *check.images.warnings), "notes": check.images.notes,
     }  # fmt: skip
     clock.stop("check")
     return FusionResult(mesh, fold.volume, poses, max_depth, *fractions, threshold, fold.refinement, **checks)
@@ -163,7 +164,7 @@ def _integrate_frames(
             fractions.append(measured_fractions(frame.depth, check.depth_max * depth_unit(frames, frame)))
             try:
                 poses.append(fold(frame, _pose_of(frame)))
-                check.add(frame.depth, poses[-1])
+                check.add(frame.depth, poses[-1], frame.color)
             except ValueError as error:
                 raise ValueError(f"frame {escaped(frame.name)}: {error}") from error
             clock.stop("integrate")

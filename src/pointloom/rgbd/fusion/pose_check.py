@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.frame_check import FrameCheck
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.tsdf import TSDFVolume
 from ..odometry.camera_fit import CameraView, depth_factor
@@ -22,7 +23,11 @@ MAX_OFF_SURFACE = 0.15  # fraction off the surface: correct poses have 1 to 5%, 
 
 
 class PoseCheck:
-    """Keeps a few small depth maps of a stream, and compares them with the surface."""
+    """Keeps a few small depth maps of a stream, and compares them with the surface.
+
+    Attributes:
+        images: The FrameCheck of depth and color.
+    """
 
     def __init__(self, intrinsic: PinholeCameraIntrinsic, depth_unit: float, depth_max: float):
         self._unit, self.depth_max, self._intrinsic = depth_unit, depth_max, intrinsic
@@ -32,8 +37,10 @@ class PoseCheck:
         self._camera = PinholeCameraIntrinsic(columns, rows, K.fx / s, K.fy / s, K.cx / s, K.cy / s)
         self._samples: list[tuple[NDArray[Any], Pose]] = []
         self._every, self._count = 1, 0
+        self.images = FrameCheck(intrinsic, depth_unit)
 
-    def add(self, depth: object, T_world_camera: Pose) -> None:
+    def add(self, depth: object, T_world_camera: Pose, color: object = None) -> None:
+        self.images.add(depth, color)
         if self._count % self._every == 0:
             if len(self._samples) == MAX_FRAMES:
                 self._samples = self._samples[::2]

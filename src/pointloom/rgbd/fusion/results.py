@@ -39,6 +39,7 @@ class FusionResult(Assessed):
         source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
         camera: Whether sampled frames fit better with another camera. None if they do not determine it.
         depth_factor: Factor of the depth that fits the poses better. 1 without a better one.
+        notes: Remarks that do not concern reliability: colors that are not exactly registered to depth.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -66,6 +67,7 @@ class FusionResult(Assessed):
     source_warnings: tuple[str, ...] = ()
     camera: FocalCheck | None = None
     depth_factor: float = 1.0
+    notes: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         return in_columns(with_warnings(self.fields(), self))
@@ -135,6 +137,7 @@ class FusionResult(Assessed):
             "seen_extent": self.seen_extent,
             "camera_check": plain(self.camera),
             "depth_factor": self.depth_factor,
+            "notes": list(self.notes),
             "blocks": volume.block_count,
             "voxels": volume.block_count * BLOCK_VOXELS,
             "volume_bytes": volume.memory_bytes,
@@ -155,4 +158,5 @@ class FusionResult(Assessed):
             ("mesh", f"{len(mesh.vertices):,} vertices, {len(mesh):,} triangles"),
             ("bounds", format_bounds(describe_mesh(mesh).to_dict()["bounds"])),
             ("memory", f"{format_bytes(volume.memory_bytes)} of volume"),
+            *(("note", note) for note in self.notes),
         ]

@@ -69,6 +69,7 @@ def judge(
         covariance=covariance,
         check_covariance=check_covariance,
         unit_covariance=unit_covariance(v),
+        bias=bias_of(v),
     )
 
 
@@ -108,6 +109,14 @@ def _excess(v: NDArray[np.float64], blur: float) -> float:
         return excess
     noise = v[at.DISTANCE_SQUARES] / v[at.EXCESS_SUM]  # [m^2] unit of the normalized squares
     return excess / (1.0 + blur * blur / float(noise))
+
+
+def bias_of(v: NDArray[np.float64]) -> float:
+    """Root mean square surface distance [m] beyond the largest residuals that noise alone explains."""
+    excess = _excess(v, 0.0)
+    if excess <= MIN_EXCESS:
+        return 0.0
+    return float(np.sqrt(v[at.DISTANCE_SQUARES] / v[at.PLANE_COUNT] * (1.0 - MIN_EXCESS / excess)))
 
 
 def correlation(v: NDArray[np.float64]) -> float:

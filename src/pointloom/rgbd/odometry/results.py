@@ -34,6 +34,8 @@ class OdometryResult(AssessedRecord):
             frames share, of a lens for example, are not included. Valid if the motion is not contradicted.
         check_covariance: A wider one, for the checks of tracking: residuals do not contain all errors of a model.
         unit_covariance: That of an error of 1 m along each motion of the inliers, rotations in units of their spread.
+        bias: Root mean square distance from the surface [m] beyond the noise of the sensor, by errors that neighboring
+            pixels share.
     """
 
     transformation: NDArray[np.float64]
@@ -50,6 +52,7 @@ class OdometryResult(AssessedRecord):
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
     check_covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
     unit_covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
+    bias: float = 0.0
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.reliable, self.transformation, self.information))

@@ -14,7 +14,7 @@ from ...core.paths import refuse_link
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, peak_bytes
 from ...io.frames.datasets import open_frames
-from ...io.frames.frames import FrameSource, source_warnings
+from ...io.frames.frames import FrameSource, image_warnings, source_warnings
 from ...io.frames.recordings import record_frames
 from ...io.frames.rgbd_sources import RGBDSource
 from .config import ReconstructionConfig
@@ -112,7 +112,7 @@ def run_reconstruction_system(
             clock.stop("integrate")
     figures, cost = None if bent is None else bent.figures, Cost(clock.seconds, peak_bytes())
     parts = fragment_set, placement, scene
-    warnings = source_warnings(source)
+    warnings = (*source_warnings(source), *image_warnings(frames))
     return report_of(os.fspath(folder), len(frames), *parts, slac=figures, cost=cost, source_warnings=warnings)
 
 

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
+from ...cameras.frame_check import FrameCheck
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_progress, check_rigid, check_seed
 from ...core.devices import DeviceLike
@@ -39,15 +40,16 @@ from .map_merging import Joining
 from .maps import FusedFrame, Maps, SlamMap, map_sizes
 from .model import SlamModel
 from .results import TrackingResult, with_pose
-from .stream_check import STALE, StreamCheck
+from .stream_check import DOUBTFUL, STALE, WINDOW_FRAMES, StreamCheck
 from .submaps import SubmapRecorder
 from .tracker import Tracker, clean_pose
 
 Pose = NDArray[np.float64]
 
 # Fused frames that can be withdrawn, 2 MB each at 640 x 480. A time offset is detected after 20 to 25 frames with
-# rotation. Earlier frames before it had no rotation, so their color and depth agree.
+# rotation. Streams of moving cameras were known to be synchronized at most 63 frames ago, cameras at rest are not.
 MAX_UNCHECKED = 90
+REMAINS = f"it remains in the model: only the last {MAX_UNCHECKED} fused frames can be removed"
 MAX_RESTART_FRAMES = 60  # frames in which a model with moving objects restarts: two seconds at 30 Hz
 
 
@@ -75,6 +77,8 @@ class DenseSLAM(Serialized):
             frame's do not match, `stream.problems` those of all frames.
         foreground: The Foreground: detection of near objects that move independently and are excluded.
         fixed_parts: The FixedParts: detection of objects fixed to the camera, which are excluded.
+        images: The FrameCheck of depth and color: `images.warnings` reports mirrored or unregistered images and a wrong
+            depth scale of the frames so far.
 
     Raises:
         ValueError: A size is not positive, or a pose is not rigid.
@@ -123,8 +127,10 @@ class DenseSLAM(Serialized):
             check_count("submap_frames", submap_frames, minimum=2)
         self.results: list[TrackingResult] = []
         self.stream, self.foreground, self.fixed_parts = StreamCheck(), Foreground(), FixedParts()
+        self.images = FrameCheck(intrinsic, depth_scale)
         self._latest: tuple[Any, SensorFrame] | None = None
         self._unchecked: deque[FusedFrame] = deque(maxlen=MAX_UNCHECKED)
+        self._doubted: dict[int, FusedFrame | None] = {}  # frames that wait for the comparison of later ones
         self._maps = Maps(self._new_map)
         self._joining = Joining(self._maps, self.results, self._seed)
 
@@ -227,8 +233,11 @@ class DenseSLAM(Serialized):
             ValueError: The image size is not the camera's.
         """
         prepared = self.model.prepare(frame)
+        self.images.add(getattr(frame, "depth", None), getattr(frame, "color", None))
         with unwatched():  # a lost camera may be found by registration
             result = self._track(prepared)
+        if result.warnings == (DOUBTFUL,):
+            self._doubted[len(self.results)] = None
         self.results.append(result)
         self._latest = frame, prepared
         report("track", slam=self, result=result)
@@ -240,7 +249,7 @@ class DenseSLAM(Serialized):
         Raises:
             ValueError: No frame was tracked yet, or the last one was fused already.
         """
-        if not self.results or self.results[-1].fused:
+        if not self.results or self.results[-1].fused or self._doubted.get(self.results[-1].index):
             raise ValueError(
                 "frame: expected the last tracked frame, which can be integrated once; call track with it first"
             )
@@ -249,15 +258,21 @@ class DenseSLAM(Serialized):
         if given is not frame:  # the same images in another array
             prepared = self.model.prepare(frame)
         result = self.results[-1]
-        if result.pose is None or not (result.is_tracked or result.has_drifted):
+        is_doubtful = result.index in self._doubted
+        if result.pose is None or not (result.is_tracked or result.has_drifted or is_doubtful):
             return False
         depth, pixels = self.model.fuse(prepared, result.pose)
         here = self._maps.here
-        if prepared.pixels is not None:  # without color the streams cannot be compared
-            self._unchecked.append(FusedFrame(result.index, here, depth, pixels, result.pose))
+        fused = FusedFrame(result.index, here, depth, pixels, result.pose)
         if here.recorder is not None:
             with unwatched():
                 record_frame(here.recorder, prepared, depth, pixels, result)
+        if is_doubtful:  # only tracking uses it until the next frames are compared
+            here.withdraw(fused)
+            self._doubted[result.index] = fused
+            return False
+        if prepared.pixels is not None:  # without color the streams cannot be compared
+            self._unchecked.append(fused)
         is_new = self.keyframes.is_new_view(result.pose)
         if is_new:
             self.keyframes.add(prepared.pyramid, result.pose, result.index, view_of(prepared, self.stream.view))
@@ -324,6 +339,7 @@ class DenseSLAM(Serialized):
         report_progress = check_progress(progress)
         self.join_maps()
         self._unchecked.clear()  # the poses change
+        self._doubted = dict.fromkeys(self._doubted)
         largest = self._largest
         with unwatched():
             for other in self._maps.searchable:
@@ -419,6 +435,7 @@ class DenseSLAM(Serialized):
         while self._unchecked and self._unchecked[0].number < first:
             self._unchecked.popleft()
         if apart is None:
+            self._clear_doubts()
             return
         withdrawn = [frame.number for frame in self._unchecked if frame.owner in self._maps.searchable]
         for frame in self._unchecked:
@@ -426,9 +443,27 @@ class DenseSLAM(Serialized):
                 frame.owner.withdraw(frame)
                 self.results[frame.number] = dataclasses.replace(self.results[frame.number], fused=False)
         self._unchecked.clear()
+        self._doubted.clear()
         for i in range(first, len(self.results)):
-            if self.results[i].is_tracked and not self.results[i].fused:
-                self.results[i] = dataclasses.replace(self.results[i], status="uncertain", warnings=(str(apart),))
+            if (result := self.results[i]).is_tracked or result.warnings == (DOUBTFUL,):
+                warnings = (str(apart), REMAINS) if result.fused else (str(apart),)
+                self.results[i] = dataclasses.replace(result, status="uncertain", warnings=warnings)
+
+    def _clear_doubts(self) -> None:
+        """Accept suspect frames if the comparison of the frames after them found no problem."""
+        if self.stream.lag.is_doubtful:
+            return
+        for number in [n for n in self._doubted if n <= len(self.results) - WINDOW_FRAMES]:
+            fused, result = self._doubted.pop(number), self.results[number]
+            if result.warnings != (DOUBTFUL,):  # of a map that was discarded
+                continue
+            is_kept = fused is not None and fused.owner in self._maps.searchable
+            accepted = dataclasses.replace(result, status="tracked", warnings=(), fused=is_kept)
+            self.results[number] = judge_drift(accepted, self.model.volume.truncation)
+            if fused is not None and is_kept:
+                fused.owner.withdraw(fused, is_restored=True)
+                known = sorted([*self._unchecked, fused], key=lambda frame: frame.number)
+                self._unchecked = deque(known, MAX_UNCHECKED)
 
     def _restarts(self, frame: SensorFrame) -> bool:
         """True if near pixels move independently while a young model contains them, which must then restart."""
@@ -444,6 +479,7 @@ class DenseSLAM(Serialized):
             return False
         self._maps.here.begin_again(clean_pose(pose), self._new_recorder(self.model))
         self._unchecked.clear()
+        self._doubted.clear()
         return True
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:

@@ -53,11 +53,11 @@ class SlamMap:
         self.keyframes, self.recorder = Keyframes(self.model.device, self.keyframes.seed), recorder
         self.tracker = Tracker(self.model, self.keyframes)
 
-    def withdraw(self, frame: FusedFrame) -> None:
-        """Remove a frame from the surface and the submaps. Tracking continues with the complete model."""
-        self.model._withdraw(frame.depth, frame.pixels, frame.pose)
+    def withdraw(self, frame: FusedFrame, *, is_restored: bool = False) -> None:
+        """Remove a frame from the surface and the submaps, or add it again. Tracking uses the complete model."""
+        self.model._withdraw(frame.depth, frame.pixels, frame.pose, is_restored)
         if self.recorder is not None:
-            self.recorder._withdraw(frame.number, frame.depth, frame.pose, frame.pixels)
+            self.recorder._withdraw(frame.number, frame.depth, frame.pose, frame.pixels, is_restored)
 
     def leave(self) -> None:
         """Mark the camera as lost here since it continues in another map."""

@@ -96,6 +96,7 @@ class SlamModel(Serialized):
         self.volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, device=device)
         self.device = self.volume.device
         self._without: TSDFVolume | None = None  # the volume without withdrawn frames, if there are any
+        self._withdrawn = 0  # number of these
         self.leave_out_moving, self.movers = bool(leave_out_moving), Movers()
         self._view = compared_camera(intrinsic)
 
@@ -115,12 +116,20 @@ class SlamModel(Serialized):
     def _replace_volume(self, volume: TSDFVolume, surface: TSDFVolume | None = None) -> None:
         """Replace the volume, and that of the surface if it is another one."""
         self.volume, self._without, self.movers = volume, surface, Movers()
+        self._withdrawn = 0 if surface is None else surface.frame_count + 1  # its frames are not added again
 
-    def _withdraw(self, depth: AnyArray, pixels: AnyArray | None, pose: Pose) -> None:
-        """Remove what `fuse` returned for a frame from the surface. Tracking continues with the complete volume."""
+    def _withdraw(self, depth: AnyArray, pixels: AnyArray | None, pose: Pose, is_restored: bool) -> None:
+        """Remove what `fuse` returned for a frame from the surface, or add it again. Tracking uses all frames."""
+        self._withdrawn += -1 if is_restored else 1
+        if not self._withdrawn:
+            self._without = None
+            return
         if self._without is None:
             self._without = self.volume.copy()
-        self._without.remove_device_frame(depth, self.intrinsic, pose, pixels, self.depth_max)
+        if is_restored:
+            self._without.integrate_device_frame(depth, self.intrinsic, pose, pixels, 1.0, self.depth_max)
+        else:
+            self._without.remove_device_frame(depth, self.intrinsic, pose, pixels, self.depth_max)
 
     def begin_anew(self, pose: Pose) -> None:
         """Reset the volume. The next frame is at the given T_world_camera."""

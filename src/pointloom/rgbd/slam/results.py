@@ -21,7 +21,8 @@ class TrackingResult(AssessedRecord):
 
     Attributes:
         pose: T_world_camera, float64 [4, 4] [m]. None if lost.
-        status: "tracked", "uncertain" (not fused, except with `has_drifted`), "lost".
+        status: "tracked", "uncertain", "lost". Uncertain frames are not fused, except with `has_drifted`, and except
+            frames that became uncertain too late to be removed, which have a warning.
         warnings: Why it is not tracked. Empty if it is.
         fitness: Fraction of the frame's depth pixels on the model surface.
         overlap: Fraction of the frame's depth pixels where the model has depth.

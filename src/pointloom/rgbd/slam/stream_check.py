@@ -59,9 +59,11 @@ UNRELATED_RATIO, MIN_USUAL = 0.75, 3.0  # and the minimum median in variances: a
 MAX_RIGID_EXCESS = 0.6
 MIN_DELAYS = 15  # minimum number of compared delays without one that fits
 MIN_UNEXPLAINED = 0.45  # minimum residual of the best delay, likewise: constant delays up to 0.4 | two rates 0.6
-# Frames after which unrelated rotations make a frame uncertain before they are reported, and their minimum residual as
-# UNRELATED_RATIO: 0 of 300 frames of the kitchen, 2 of 150 of a synthetic room, 0 of two other sites (2026-11-29).
-DOUBT_FRAMES, DOUBT_RATIO, MIN_DOUBT_DELAYS = 15, 0.87, 9
+# The last frames make a frame uncertain for now if their residual without a delay is as large as the median over other
+# delays, or large in variances before enough delays are known. With depth 1 s late 90 to 100% of the frames from the
+# tenth on, synchronized 0 to 8% of 300 frames of the kitchen, a synthetic room and sites, 13% at 10 Hz (2026-11-29).
+DOUBT_FRAMES, DOUBT_RATIO, MIN_DOUBT_DELAYS, MIN_DOUBT_COUNT = 8, 0.7, 5, 8
+FIRST_FRAMES, MAX_FIRST_RESIDUAL = 4, 5.0  # of the frames before: synchronized at 10 Hz 2.2, one in twenty above 4.9
 SAME_DELAY, MIN_AGREEING = 1.5, 0.5  # frames, and fraction of the estimates of a stretch that agree with their median
 MIRRORED_SIGNS = {  # of the components of a rotation
     "left-right": (1.0, -1.0, -1.0),
@@ -159,7 +161,7 @@ class StreamCheck:
         motion = self.lag.add(frame.pyramid if frame.pixels is not None else None, frame.timestamp)
         count = self._frozen.add(motion, self.view)
         self.lag.leave_out(count)
-        return STALE if count else self.problem or (DOUBTFUL if self.lag.is_doubtful else "")
+        return STALE if count else self.problem or (DOUBTFUL if self.lag.is_doubtful and not self.stalled else "")
 
     @property
     def problem(self) -> str | None:
@@ -282,13 +284,15 @@ class StreamLag:
     def _are_unrelated(self) -> bool:
         """True if the last frames rotate as differently as frames of other times."""
         residual, count, _ = np.sum(self._costs, axis=0)
-        is_known = count >= max(MIN_COUNT / 2, MIN_FRACTION * count[MAX_DELAY])
-        if len(self._costs) < DOUBT_FRAMES or not is_known[MAX_DELAY] or is_known.sum() < MIN_DOUBT_DELAYS:
-            return False
-        usual = float(np.median(residual[is_known] / count[is_known]))
+        is_known = count >= max(MIN_DOUBT_COUNT, MIN_FRACTION * count[MAX_DELAY])
+        is_known[MAX_DELAY - 1 : MAX_DELAY + 2] = False
         last, last_count, _ = np.sum(self._costs[-DOUBT_FRAMES:], axis=0)[:, MAX_DELAY]
-        is_high = last > DOUBT_RATIO * usual * last_count and last_count >= DOUBT_FRAMES
-        return bool(is_high and usual > MIN_USUAL and self._is_rigid())
+        if is_known.sum() >= MIN_DOUBT_DELAYS:
+            usual, min_count = float(np.median(residual[is_known] / count[is_known])), DOUBT_FRAMES
+            limit = DOUBT_RATIO * usual if usual > MIN_USUAL else math.inf
+        else:
+            limit, min_count = MAX_FIRST_RESIDUAL, 2 * FIRST_FRAMES
+        return bool(last_count >= min_count and last > limit * last_count and self._is_rigid())
 
     def _judge(self) -> None:
         residual, count, motion = np.sum(self._costs, axis=0)

@@ -243,8 +243,8 @@ class SubmapRecorder(Serialized):
         recording.numbers.append(number)
         recording.poses.append(pose)
 
-    def _withdraw(self, number: int, depth: AnyArray, pose: Matrix, pixels: AnyArray | None) -> None:
-        """Remove a frame from the volumes that contain it. Its pose remains, to connect the submaps.
+    def _withdraw(self, number: int, depth: AnyArray, pose: Matrix, pixels: AnyArray | None, is_restored: bool) -> None:
+        """Remove a frame from the volumes that contain it, or add it again. Its pose remains, to connect the submaps.
 
         `depth` [m] and `pixels` are those of `add`, on the device. The submaps have the poses that they had then.
         """
@@ -253,7 +253,10 @@ class SubmapRecorder(Serialized):
         for volume, T_world_submap, numbers in known:
             if number in numbers:
                 T = inv(matmul(invert_pose(pose), T_world_submap))
-                volume.remove_device_frame(depth, self._intrinsic, T, pixels, self._depth_max)
+                if is_restored:
+                    volume.integrate_device_frame(depth, self._intrinsic, T, pixels, 1.0, self._depth_max)
+                else:
+                    volume.remove_device_frame(depth, self._intrinsic, T, pixels, self._depth_max)
 
     def _fullness(self, recording: _Recording) -> float:
         return max(len(recording.numbers) / self._max_frames, recording.way / self._max_way)

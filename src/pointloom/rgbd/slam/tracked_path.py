@@ -47,7 +47,8 @@ class TrackedPath(Assessed):
         stream: Inconsistency of the color and depth streams, or None.
         covered: Lost frames of blank gaps up to half a second, after which tracking resumed. They do not make the path
             unreliable.
-        notes: Remarks that do not concern reliability: covered frames, and objects fixed to the camera.
+        notes: Remarks that do not concern reliability: covered frames, objects fixed to the camera, and colors
+            that are not exactly registered to depth.
         deviations: Accumulated standard deviation [m] of each position along its least determined direction.
         pose_covariances: Covariance of each pose of `trajectory` relative to the first one, which has zero: rotation
             [rad], then translation [m], along the axes of the first camera, about the position of the pose. Lost frames

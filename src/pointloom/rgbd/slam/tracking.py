@@ -125,7 +125,7 @@ def track_with(
     slam.join_maps()
     clock.stop("track")
     sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max, "device": str(device)}
-    return tally.path(**sizes, source_warnings=source_warnings(frames))
+    return tally.path(**sizes, source_warnings=(*source_warnings(frames), *slam.images.warnings))
 
 
 def make_slam(
@@ -163,6 +163,10 @@ class _Tally:
         main = [number for number, result in located.items() if result.map == largest]
         aligned = [result for result in located.values() if result.iterations]  # not the first frames of maps
         covered, fixed = covered_frames(results, largest), self.slam.fixed_parts.note
+        remaining = [n for n, r in located.items() if r.status == "uncertain" and r.fused and not r.has_drifted]
+        stream = self.slam.stream.problems
+        if stream and remaining:
+            stream += f"; {len(remaining)} of these frames ({some_frames(remaining)}) remain in the model"
         notes = [f"{len(covered)} frames are blank and were left out ({some_frames(covered)})"] if covered else []
         depth_fraction, used_fraction = np.mean(self.fractions, axis=0).tolist() if self.fractions else (0.0, 0.0)
         return TrackedPath(
@@ -177,10 +181,10 @@ class _Tally:
             ),
             joins=tuple(self.slam.joins),
             uncertain_warning=next(("; ".join(r.warnings) for r in located.values() if not r.is_tracked), ""),
-            stream=self.slam.stream.problems, deviations=tuple(results[n].position_deviation for n in main),
+            stream=stream, deviations=tuple(results[n].position_deviation for n in main),
             pose_covariances=tuple(found for n in main if (found := results[n].pose_covariance) is not None),
             drifted=tuple(n for n, result in located.items() if result.has_drifted),
-            covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ())),
+            covered=tuple(covered), notes=(*notes, *((fixed,) if fixed else ()), *self.slam.images.notes),
             depth_fraction=depth_fraction, used_fraction=used_fraction, camera=self.slam.check_camera(), **sizes,
         )  # fmt: skip
 

@@ -14,7 +14,7 @@ from ...cameras.trajectory import Trajectory
 from ...core.array_libraries import view_as
 from ...core.checks import check_name, check_rows, is_on_gpu
 from ...core.devices import resolve_device
-from ...core.units import LengthUnit, common_unit
+from ...core.units import LengthUnit
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import empty, move, upload
@@ -28,7 +28,7 @@ from ...pcd.line_set import LineSet
 from ...pcd.polygon_volume import SelectionPolygonVolume
 from ...pcd.splat_images import columns_of
 from ...pcd.splats import GaussianSplats
-from ...pcd.units import InUnit
+from ...pcd.units import InUnit, common_reference
 from . import outlines
 from .coloring import color_cloud
 from .frustum import CameraFrustum
@@ -82,7 +82,7 @@ def named_geometries(geometries: object) -> list[Named]:
 
 
 def check_units(geometries: Iterable[Any]) -> LengthUnit | None:
-    return common_unit("geometries", (geometry.unit for geometry in geometries if isinstance(geometry, InUnit)))
+    return common_reference("geometries", [each for each in geometries if isinstance(each, InUnit)])[0]
 
 
 def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None, Any, Style]:
@@ -387,7 +387,7 @@ def vertices_of(mesh: TriangleMesh) -> PointCloud:
     cloud = PointCloud.from_device_arrays(columns, mesh.origin)
     for name, values in mesh.vertex_attributes.items():
         cloud[name] = values
-    cloud.unit = mesh.unit
+    cloud.unit, cloud.crs = mesh.unit, mesh.crs
     return cloud
 
 

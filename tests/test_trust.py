@@ -1,0 +1,143 @@
+"""Stored results of `make trust`: what is repeated after an interruption, and after a change of the code."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "benchmarks" / "trust"), str(ROOT / "benchmarks")]
+
+import results  # noqa: E402
+import run  # noqa: E402
+from judged import Case, Judged  # noqa: E402
+
+sys.modules.pop("run")  # benchmarks/run.py has this name, too
+
+ONE = Judged("depth", "a case", 1, 0, 0, 0)
+
+
+@pytest.fixture
+def code(tmp_path, monkeypatch):
+    """A repository with one module."""
+    path = tmp_path / "src" / "module.py"
+    path.parent.mkdir()
+    path.write_text("LIMIT = 1\n")
+    monkeypatch.setattr(results, "digests_of", lambda paths: _digests(tmp_path, paths))
+    return path
+
+
+def _digests(root, paths):
+    from code_digests import digests_of
+
+    return digests_of(paths, root)
+
+
+def result(case: str, area: str = "depth") -> results.Result:
+    return results.Result(area, case, 2.0, (ONE,), ("src/module.py",))
+
+
+def test_a_result_is_valid_until_its_code_changes(tmp_path, code):
+    folder = tmp_path / "results"
+    results.Results(folder).add(result("one"))
+    assert results.Results(folder).valid["depth", "one"].judged == (ONE,)
+    code.write_text("LIMIT = 1  # the same code\n")
+    assert results.Results(folder).valid
+    code.write_text("LIMIT = 2\n")
+    assert not results.Results(folder).valid
+    code.unlink()
+    assert not results.Results(folder).valid
+
+
+def test_a_change_during_the_run_makes_results_invalid(tmp_path, code):
+    stored = results.Results(tmp_path / "results")
+    stored.add(result("before"))
+    code.write_text("LIMIT = 2\n")
+    stored.add(result("after"))
+    assert not results.Results(tmp_path / "results").valid
+
+
+def test_a_line_that_was_cut_off_is_ignored(tmp_path, code, capsys):
+    folder = tmp_path / "results"
+    results.Results(folder).add(result("one"))
+    with (folder / "depth.jsonl").open("a") as file:
+        file.write('{"case": "two", "sec')
+    stored = results.Results(folder)
+    assert list(stored.valid) == [("depth", "one")] and "cut off" in capsys.readouterr().err
+    stored.add(result("three"))
+    assert [case for _, case in results.Results(folder).valid] == ["one", "three"]
+
+
+def test_only_cases_without_a_result_are_run(tmp_path, code):
+    stored = results.Results(tmp_path / "results")
+    for name in "abcd":
+        stored.add(result(name))
+    named = {"depth": {name: Case(name, list) for name in "abcde"}, "lidar": {"f": Case("f", list)}}
+    jobs = run.jobs_of(named, stored, named)
+    assert [(job.area, job.case) for job in jobs] == [("depth", "e"), ("lidar", "f")]
+    assert jobs[0].seconds == 2.0 and jobs[1].seconds == run.SECONDS["lidar"]
+
+
+def test_a_process_keeps_its_area_and_then_takes_the_most_expensive_one_that_is_free():
+    jobs = [run.Job("a", "1", 5.0), run.Job("b", "2", 1.0), run.Job("c", "3", 2.0), run.Job("a", "4", 5.0)]
+    assert run.next_job(jobs, "b", {"a"}).case == "2"
+    assert run.next_job(jobs, "", {"a"}).case == "3"
+    assert run.next_job([jobs[0], jobs[3]], "c", {"a"}).case == "1"
+
+
+def test_every_area_lists_its_cases_once():
+    for area in run.areas():
+        assert run.cases_of(area), area
+
+
+AREA = """
+import time
+from judged import Case, Judged
+
+def judged(name):
+    time.sleep(0.5)
+    return [Judged("made", name, 1, 0, 0, 0)]
+
+def cases():
+    for k in range(8):
+        yield Case(f"case {k}", lambda k=k: judged(f"case {k}"))
+    yield Case("fails", lambda: 1 / 0)
+"""
+SCRIPT = """
+import sys
+sys.path[:0] = [{folders}]
+import run
+run.OWN["made"] = run.SECONDS["made"] = 4.0
+run.areas = lambda: ["made"]
+if __name__ == "__main__":
+    raise SystemExit(run.main())
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
+def test_an_interrupted_run_continues(tmp_path, how):
+    (tmp_path / "made.py").write_text(AREA)
+    script, output = tmp_path / "script.py", tmp_path / "output"
+    folders = ", ".join(repr(str(path)) for path in (tmp_path, ROOT / "benchmarks" / "trust", ROOT / "benchmarks"))
+    script.write_text(SCRIPT.format(folders=folders))
+    command, lines = [sys.executable, str(script), "--output", str(output)], output / "made.jsonl"
+    with (tmp_path / "errors").open("wb") as errors:
+        first = subprocess.Popen(command, stdout=errors, stderr=errors, start_new_session=True)
+    while not (lines.exists() and lines.read_text().count("\n") >= 2):
+        assert first.poll() is None, (tmp_path / "errors").read_text()
+        time.sleep(0.05)
+    os.kill(first.pid, how)
+    assert first.wait(60) != 0
+    done = [json.loads(line)["case"] for line in lines.read_text().splitlines()]
+    assert 2 <= len(done) < 8
+    second = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+    after = [json.loads(line)["case"] for line in lines.read_text().splitlines()]
+    assert after[: len(done)] == done and sorted(after) == [f"case {k}" for k in range(8)]
+    assert f"{9 - len(done)} of 9 cases left" in second.stdout
+    assert second.returncode == 1 and "made, fails: ZeroDivisionError" in second.stderr
