@@ -260,5 +260,6 @@ class Reprojection:
         start, first = self.points(points), np.cross(normals, axes)
         first /= np.maximum(np.linalg.norm(first, axis=1, keepdims=True), np.finfo(float).tiny)
         second = np.cross(normals, first) / np.maximum(lengths, np.finfo(float).tiny)
-        turned = np.cross(*(self.points(points + TANGENT_LENGTH * tangent) - start for tangent in (first, second)))
+        ends = [self.points(points + TANGENT_LENGTH * tangent) - start for tangent in (first, second)]
+        turned = np.cross(ends[0], ends[1])
         return turned * (lengths / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), np.finfo(float).tiny))

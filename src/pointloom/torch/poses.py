@@ -310,12 +310,12 @@ def _(source: torch.Tensor, target: torch.Tensor, normals: torch.Tensor, *rest: 
 refuse_gradients(icp_gradients, "the gradient of icp")
 
 
-def _save(ctx: Any, inputs: tuple[Any, ...], output: tuple[torch.Tensor, ...]) -> None:
+def _save(ctx, inputs, output) -> None:
     ctx.mark_non_differentiable(*output[1:])
     ctx.save_for_backward(*inputs[:3], *output)
 
 
-def _backward(ctx: Any, grad: torch.Tensor, *_: Any) -> tuple[Any, ...]:
+def _backward(ctx, grad: torch.Tensor, *_) -> tuple[Any, ...]:
     return (*icp_gradients(*ctx.saved_tensors, grad), *[None] * 5)
 
 
