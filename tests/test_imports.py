@@ -440,7 +440,9 @@ def test_public_packages_show_their_public_names_alone():
     for package in (loom, o3d, o3d.geometry, *packages):
         assert {name for name in dir(package) if not name.startswith("__")} == set(package.__all__)
     assert sys.modules["pointloom.registration.icp"] is icp
-    with pytest.raises(AttributeError, match=r"'icp': it is a private module; here: loom.registration.registration_icp"):
+    with pytest.raises(
+        AttributeError, match=r"'icp': it is a private module; here: loom.registration.registration_icp"
+    ):
         loom.registration.icp  # noqa: B018
     with pytest.raises(AttributeError, match=r"'border_merging': it is a private module$"):
         loom.tiling.border_merging  # noqa: B018
