@@ -40,23 +40,6 @@ PAGE = FOLDER.parent.parent / "docs" / "trust.md"
 OUTPUT = FOLDER.parent.parent / "build" / "trust"
 QUICK_SECONDS = 300.0  # of all areas with --quick
 MOST_CASES = 12  # of a kind of result in the table of failure cases
-<<<<<<< HEAD
-OWN = (
-    "images",
-    "facades",
-    "depth",
-    "lidar",
-    "stream",
-    "cameras",
-    "tracking",
-    "maps",
-    "registration",
-    "alignment",
-    "surfaces",
-    "meshes",
-    "fusing",
-)  # files with `judge`
-=======
 REPORT_SECONDS = 60.0  # between progress lines if standard error is no terminal
 ONE_THREAD = {"POINTLOOM_CPU_THREADS": "1", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 ALL = "all"  # name of the only case of an area without a list of cases
@@ -68,6 +51,7 @@ OWN = {
     "depth": 90.0,
     "lidar": 970.0,
     "stream": 240.0,
+    "cameras": 240.0,
     "tracking": 60.0,
     "maps": 120.0,
     "registration": 300.0,
@@ -79,7 +63,6 @@ OWN = {
 HELD_OUT = {"tracking": 300.0, "scanning": 300.0, "registering": 400.0, "images": 600.0, "picturing": 150.0}
 HELD_OUT_LISTS = ("tracking", "scanning", "picturing")  # areas of held_out.py that list their cases
 SECONDS = OWN | {f"held-out-{name}": seconds for name, seconds in HELD_OUT.items()}
->>>>>>> e71cc93e7aae2ce0818cd0021f85fe0ce0322d50
 
 
 def areas() -> list[str]:

@@ -12,15 +12,9 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-<<<<<<< HEAD
 from judged import Case, Judged
 from real_data import real_data
-from surface_shapes import HELD_OUT, Sampled, sampled
-=======
-from judged import Judged
-from real_data import DataMissingError, real_data
 from surface_shapes import HELD_OUT, Present, Sampled, sampled, scanned
->>>>>>> c96d8728a381f84738d829fcef7a906682a75ce3
 
 NEAR, MIN_FRACTION = 0.02, 0.95  # fraction of the diagonal; fraction of the surface
 SHAPES = ("nefertiti", "cheburashka", "fandisk", "stanford-bunny")  # .obj files of the real data
@@ -86,20 +80,19 @@ def _border_of(mesh: Any) -> float:
     return float(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum())
 
 
-<<<<<<< HEAD
 def cases() -> Iterator[Case]:
-=======
-def judge() -> Iterator[Judged]:
-    for points in scanned(range(SCANS), SEED):
-        yield from _through_points(points, area="surface of scans, {}")
-    for points in sampled(HELD_OUT, range(CASES), SEED):
-        yield from _through_points(points)
->>>>>>> c96d8728a381f84738d829fcef7a906682a75ce3
+    for k in range(SCANS):
+        yield Case(f"scan {k}", lambda k=k: _scans(k))
     smooth = {name: HELD_OUT[name] for name in SMOOTH}
     for k in range(CASES):
         yield Case(f"cloud {k}", lambda k=k: _surfaces(HELD_OUT, k))
     for k in range(CASES, CASES + ALPHA_CASES):
         yield Case(f"cloud {k}", lambda k=k: _surfaces(smooth, k, ("alpha",)))
+
+
+def _scans(k: int) -> Iterator[Judged]:
+    for points in scanned([k], SEED):
+        yield from _through_points(points, area="surface of scans, {}")
 
 
 def _surfaces(shapes: dict[str, Any], k: int, *methods: tuple[str, ...]) -> Iterator[Judged]:

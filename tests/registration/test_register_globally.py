@@ -9,6 +9,7 @@ import pointloom as loom
 from pointloom.kernels.lang import int32
 from pointloom.kernels.memory import upload
 from pointloom.kernels.surface.hollow_side import Surface
+from pointloom.registration.assessment_constants import CHANCE_FEATURES
 from pointloom.registration.evidence import Evidence
 from pointloom.registration.globally.global_registration import _compare_features, _is_equal
 from pointloom.registration.globally.pair import _feature_ratio
@@ -206,6 +207,8 @@ def test_features_are_compared_with_the_best_distinct_pose(device, rng):
     same, near, far = (to_local(T, *middles) for T in (same, near, far))
     ratios = [_compare_features(*surfaces, pairs, T, np.array([same, near, far]), 0.1) for T in (same, far)]
     assert ratios == [40 / 16, 16 / 40]
+    alone = _compare_features(*surfaces, pairs, same, np.array([near]), 0.1)  # no rival
+    assert alone == 40 / CHANCE_FEATURES
 
 
 def test_a_pose_that_left_the_searched_one_loses_its_features(device, rng):

@@ -170,7 +170,7 @@ def test_frames_are_released_after_use(tmp_path):
 
     sequence.read = read
     run_reconstruction_system(sequence, config(n_frames_per_fragment=4), tmp_path)
-    assert len(alive_counts) == 24  # twice for fragments, once for the scene
+    assert len(alive_counts) == 32  # twice for fragments, once for the scene, once for the check of the images
     assert max(alive_counts) <= 6  # frames that are decoded ahead
 
 

@@ -254,7 +254,7 @@ def _compare_features(
     coordinates = PairCoordinates(source.points, target.points, pairs, center, center)
     score_poses(coordinates, upload(poses, mat44d, source.device), distance, counts)
     agreeing = download(counts).astype(float)  # sync
-    return float(agreeing[0] / max(CHANCE_FEATURES, *agreeing[1:]))
+    return float(agreeing[0] / max([CHANCE_FEATURES, *agreeing[1:]]))
 
 
 def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
