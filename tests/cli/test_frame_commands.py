@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.cameras.frame_check import FrameCheck
 from pointloom.cameras.trajectory import read_trajectory
 from pointloom.cli.jobs.frame_folder import FolderOptions
 from pointloom.cli.jobs.fuse import fuse_folder
@@ -190,6 +191,7 @@ class Guided:
     def __init__(self, fates: dict[int, str] | None = None):
         self.fates, self.seen, self.folded = fates or {}, 0, []
         self.results, self.joins, self.stream, self.fixed_parts = [], [], StreamCheck(), FixedParts()
+        self.images = FrameCheck(loom.PinholeCameraIntrinsic.prime_sense_default(), 1000.0)
 
     def join_maps(self):
         return []

@@ -22,6 +22,7 @@ from .errors import PointloomError
 _CODES = re.compile(r"EPSG:(\d+)(?:\+(\d+))?", re.IGNORECASE)
 _WKT_NAME = re.compile(r'\s*[A-Za-z_]\w*\s*[\[(]\s*"((?:[^"]|"")*)"')
 _ROOT_CODE = re.compile(r'(?:AUTHORITY|ID)\s*\[\s*"EPSG"\s*,\s*"?(\d+)"?\s*\]\s*\]\s*$')
+MAX_CODE = 999_999  # largest number of an authority: EPSG to 32767, ESRI to 104992
 MAX_UNIT_DIFFERENCE = 1e-9  # of a unit's length, rounding of its text
 TANGENT_LENGTH = 1.0  # [units of the source] length of the tangents that are transformed with a normal
 
@@ -104,6 +105,8 @@ def check_crs(name: str, value: object) -> CoordinateSystem | None:
         system: Any = value
         value = system.to_epsg() or system.to_wkt()
     if isinstance(value, int | np.integer) and not isinstance(value, bool):
+        if not 0 < value <= MAX_CODE:
+            raise ValueError(f"{name}: expected an EPSG code 1..{MAX_CODE}, got {shown(value)}")
         value = f"EPSG:{int(value)}"
     if not isinstance(value, str):
         got = type(value).__name__

@@ -42,6 +42,9 @@ COMMON_PIXELS = 25.0  # cells of a window, whose planes have common errors
 # the normals decides: a floor alone 3 mm, a small table 3 mm | kitchen 10 and more, synthetic sites 13 and more
 # (2026-11-29).
 MIN_LEVER = 0.006
+# Minimum displacement with the fitted camera, relative to MIN_LEVER: a hall of 12 small frames, whose fit ran to three
+# times the focal length, 0.25 | a correct camera 0.9, one whose focal length doubles 0.5 (2026-11-29).
+FITTED_LEVER_RATIO = 0.5
 FIXED_DEVIATION = 1e-9  # deviation of a parameter that is not estimated
 # Standard deviations of the parameters before the fit: log focal length, principal point by the focal length (u, v),
 # and radial distortion. They keep undetermined parameters near 0.
@@ -105,10 +108,15 @@ def fit_camera(
     given = _solve(ends, starts, np.full(4, FIXED_DEVIATION))
     if given is None:
         return None
-    is_free = given.lever > MIN_LEVER
-    found = _solve(ends, given.poses, np.where(is_free, PRIOR_DEVIATIONS, FIXED_DEVIATION)) if is_free.any() else given
-    if found is None:
-        return None
+    is_free, found = given.lever > MIN_LEVER, given
+    while is_free.any():
+        found = _solve(ends, given.poses, np.where(is_free, PRIOR_DEVIATIONS, FIXED_DEVIATION))
+        if found is None:
+            return None
+        is_kept = is_free & (found.lever > MIN_LEVER * FITTED_LEVER_RATIO)
+        if np.array_equal(is_kept, is_free):
+            break
+        is_free, found = is_kept, given
     deviations = np.where(is_free, found.deviations, math.inf)
     values = np.where(is_free, found.values, 0.0)
     return CameraFit(values, deviations, given.residual, found.residual, pairs, found.poses)
