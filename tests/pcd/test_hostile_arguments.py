@@ -413,7 +413,8 @@ def things() -> dict[str, Any]:
 
 HOMES = {
     "world": "WorldFrame",
-    "photo": "Orthophoto", "cloud": "PointCloud", "survey": "PointCloud", "surveyed": "TriangleMesh", "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
+    "photo": "Orthophoto", "cloud": "PointCloud", "survey": "PointCloud", "surveyed": "TriangleMesh",
+    "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "occupancy()": "OccupancyGrid", "occupancy_filled": "OccupancyGrid",
     "paged()": "PagedTSDFVolume", "paged_filled": "PagedTSDFVolume",
