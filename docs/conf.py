@@ -7,6 +7,7 @@ import os
 import sys
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 DOCS = Path(__file__).parent
 sys.path[:0] = [str(DOCS), str(DOCS.parent / "src")]
@@ -18,6 +19,8 @@ from machinery.public import by_home, public_modules  # noqa: E402
 from pointloom import __version__  # noqa: E402
 from pointloom.visualization.recording.shared_player import write_player  # noqa: E402
 
+if importlib.util.find_spec("torch") is None:  # the reference of pointloom.torch needs no more than its names
+    sys.modules["torch"] = mock.MagicMock()
 public_modules()  # makes each importable by its public name
 
 project, author, release, version = "pointloom", "the authors of pointloom", __version__, __version__

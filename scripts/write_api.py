@@ -33,10 +33,6 @@ PACKAGE = "pointloom"
 PROTOCOL = {"reliable", "warnings", "notes", "fields", "to_dict"}  # of results, documented in core/reports.py
 
 
-if importlib.util.find_spec("torch") is None:  # signatures of pointloom.torch need no more than its names
-    sys.modules["torch"] = mock.MagicMock()
-
-
 def parameters(call: Any) -> str:
     """The parameters of a callable in one line, without their types."""
     try:
@@ -172,6 +168,8 @@ def breaking(earlier: str, current: str) -> Iterator[str]:
 
 def main() -> int:
     """The command."""
+    if importlib.util.find_spec("torch") is None:  # signatures of pointloom.torch need no more than its names
+        sys.modules["torch"] = mock.MagicMock()
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="print the difference instead of writing")
     parser.add_argument(

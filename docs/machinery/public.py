@@ -5,13 +5,11 @@ from __future__ import annotations
 import dataclasses
 import enum
 import importlib
-import importlib.util
 import inspect
 import sys
 import types
 from functools import cache
 from typing import Any
-from unittest import mock
 
 import pointloom
 from pointloom import public_names
@@ -40,8 +38,6 @@ GROUPS = {
     "visualization": "Images, recordings, the viewer",
     "core": "Settings, errors, warnings",
 }
-if importlib.util.find_spec("torch") is None:  # the reference of pointloom.torch needs no more than its names
-    sys.modules["torch"] = mock.MagicMock()
 ORDER = list(dict.fromkeys(GROUPS.values()))
 OTHER = "Others"
 

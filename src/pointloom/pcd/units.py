@@ -73,7 +73,7 @@ class InUnit:
             >>> cloud = loom.PointCloud([[412300.0, 5651200.0, 120.0]], crs=25832)
             >>> moved = cloud.reproject(25833)
             >>> moved.points.round(2).tolist(), moved.crs.epsg
-            ([[-6950.54, 5669440.3, 120.0]], 25833)
+            ([[-8383.11, 5675515.08, 120.0]], 25833)
         """
         target = check_crs("epsg", epsg)
         if target is None:

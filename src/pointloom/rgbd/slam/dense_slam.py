@@ -127,11 +127,11 @@ class DenseSLAM(Serialized):
             check_count("submap_frames", submap_frames, minimum=2)
         self.results: list[TrackingResult] = []
         self.stream, self.foreground, self.fixed_parts = StreamCheck(), Foreground(), FixedParts()
-        self.images = FrameCheck(intrinsic, depth_scale)
         self._latest: tuple[Any, SensorFrame] | None = None
         self._unchecked: deque[FusedFrame] = deque(maxlen=MAX_UNCHECKED)
         self._doubted: dict[int, FusedFrame | None] = {}  # frames that wait for the comparison of later ones
         self._maps = Maps(self._new_map)
+        self.images = FrameCheck(intrinsic, depth_scale)
         self._joining = Joining(self._maps, self.results, self._seed)
 
     def _new_map(self, number: int) -> SlamMap:
