@@ -111,7 +111,8 @@ NOT_COMPARED = {
         *("remove_degenerate_triangles", "remove_duplicated_triangles", "remove_duplicated_vertices"),  # mesh, cleaned
         *("remove_non_manifold_edges", "remove_triangles_by_index", "remove_vertices_by_index"),
         "compute_distance",  # scene, closest points and signs
-        *("clear", "to_unit", "reproject", "select_faces_by_mask", "create_isosurfaces"),  # without, scale, by index, marching_cubes
+        # by without, scale, pyproj, select_by_index, marching_cubes
+        *("clear", "to_unit", "reproject", "select_faces_by_mask", "create_isosurfaces"),
         *("slice_plane", "section_loops"),  # clip_plane
     ),
     "by the operations that hand arrays on by it": ("search_tree", "edge_topology"),
