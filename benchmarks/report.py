@@ -100,7 +100,7 @@ def collect(documents: Iterable[dict[str, Any]]) -> dict[tuple[str, str], Row]:
                 timing.seconds += [value / timing.units for value in seconds]
     for timing in (timing for row in rows.values() for timing in row.timings.values()):
         timing.seconds = timing.seconds or [timing.first_call / timing.units]
-    return rows
+    return {key: row for key, row in rows.items() if "pointloom" in row.timings}  # it may lack a package, such as torch
 
 
 HEADINGS = ("operation", "size", "contestant", "min ms", "median ms", "compile ms", "peak MB", "ratio", "target")
