@@ -28,16 +28,17 @@ def script(name: str) -> ModuleType:
 
 
 @contextmanager
-def benchmarks_on_path() -> Iterator[None]:
-    """The folder of the benchmarks on the path, as it is when they run. Its modules are removed afterward."""
-    before = set(sys.modules)
-    for path in BENCHMARKS.glob("*.py"):
+def benchmarks_on_path(*parts: str) -> Iterator[None]:
+    """The folder of the benchmarks and these parts of it on the path. Their modules are removed afterward."""
+    folders = [*(BENCHMARKS / part for part in parts), BENCHMARKS]
+    before, path_before = set(sys.modules), list(sys.path)
+    for path in (path for folder in folders for path in folder.glob("*.py")):
         sys.modules.pop(path.stem, None)  # another test's module may have the name
-    sys.path.insert(0, str(BENCHMARKS))
+    sys.path[:0] = map(str, folders)
     try:
         yield
     finally:
-        sys.path[:] = [path for path in sys.path if path != str(BENCHMARKS)]
+        sys.path[:] = path_before
         for name in set(sys.modules) - before:
             if str(getattr(sys.modules[name], "__file__", "")).startswith(str(BENCHMARKS)):
                 del sys.modules[name]

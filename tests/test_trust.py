@@ -6,20 +6,23 @@ import os
 import signal
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "benchmarks" / "trust"), str(ROOT / "benchmarks")]
+from .programs import ROOT, benchmarks_on_path
 
-import results  # noqa: E402
-import run  # noqa: E402
-from judged import Case, Judged  # noqa: E402
-
-sys.modules.pop("run")  # benchmarks/run.py has this name, too
+with benchmarks_on_path("trust"):
+    import results
+    import run
+    from judged import Case, Judged
 
 ONE = Judged("depth", "a case", 1, 0, 0, 0)
+
+
+@pytest.fixture(autouse=True)
+def folders():
+    with benchmarks_on_path("trust"):
+        yield
 
 
 @pytest.fixture
