@@ -33,6 +33,7 @@ GROUPS = {
     "registration": "Registration",
     "photogrammetry": "Photographs",
     "torch": "Networks",
+    "pcd.raster": "Terrain",
     "pcd.terrain": "Terrain",
     "tiling": "Clouds larger than memory",
     "visualization": "Images, recordings, the viewer",

@@ -83,6 +83,7 @@ from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.line_set import LineSet as LineSet
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
+from .pcd.raster import read_raster as read_raster
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
 from .pcd.shape_boxes import find_boxes as find_boxes
 from .pcd.shape_detection import detect_shapes as detect_shapes
@@ -120,7 +121,7 @@ from .pcd.shape import Shape as Shape
 from .pcd.shape_boxes import BoxShape as BoxShape
 from .pcd.shape_detection import DetectedShapes as DetectedShapes
 from .pcd.splat_images import SplatImage as SplatImage
-from .pcd.terrain import Raster as Raster
+from .pcd.raster import Raster as Raster
 from .pcd.voxel_trace import VoxelTrace as VoxelTrace
 
 __version__: str

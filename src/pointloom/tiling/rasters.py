@@ -23,7 +23,8 @@ from ..kernels.lru_cache import LruCache
 from ..pcd.cloud import PointCloud
 from ..pcd.geotiff import geotiff
 from ..pcd.raster_cells import NoGroundError
-from ..pcd.terrain import NODATA_VALUE, Raster, rasterize
+from ..pcd.raster import NODATA_VALUE, Raster
+from ..pcd.terrain import rasterize
 from .manifest import Manifest
 from .plan import Plan
 from .sources import file_of

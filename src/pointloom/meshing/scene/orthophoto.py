@@ -25,7 +25,7 @@ from ...kernels.rays.triangle_tree import TriangleTree
 from ...pcd.geodesy import WorldFrame
 from ...pcd.geotiff import BLOCK_CELLS, geotiff
 from ...pcd.raster_cells import check_box
-from ...pcd.terrain import Raster
+from ...pcd.raster import Raster
 from ..mesh.mesh import TriangleMesh
 from .plan_grid import PlanGrid, grid_over, grid_within
 
