@@ -65,6 +65,7 @@ from .meshing.mesh.mesh_files import write_triangle_mesh as write_triangle_mesh
 from .meshing.mesh.mesh_reconstruction import NormalsWarning as NormalsWarning
 from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
+from .meshing.scene.volume_change import volume_change as volume_change
 from .meshing.volume.distance_field import DistanceField as DistanceField
 from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid
 from .meshing.volume.paged_volume import PagedTSDFVolume as PagedTSDFVolume
@@ -112,16 +113,17 @@ from .io.bags.recording import Recording as Recording
 from .io.frames.datasets import RGBDDataset as RGBDDataset
 from .io.frames.rgbd_sources import FrameStream as FrameStream
 from .io.points.e57_stations import Stations as Stations
+from .meshing.scene.volume_change import VolumeChange as VolumeChange
 from .pcd.change import M3C2Result as M3C2Result
 from .pcd.convex_hull import ConvexHull as ConvexHull
 from .pcd.convex_hull import VisibleSurface as VisibleSurface
 from .pcd.metrics import CloudMetrics as CloudMetrics
+from .pcd.raster import Raster as Raster
 from .pcd.search import Neighbors as Neighbors
 from .pcd.shape import Shape as Shape
 from .pcd.shape_boxes import BoxShape as BoxShape
 from .pcd.shape_detection import DetectedShapes as DetectedShapes
 from .pcd.splat_images import SplatImage as SplatImage
-from .pcd.raster import Raster as Raster
 from .pcd.voxel_trace import VoxelTrace as VoxelTrace
 
 __version__: str

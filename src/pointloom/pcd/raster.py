@@ -157,7 +157,8 @@ class Raster:
 
 def check_raster(name: str, value: object) -> Raster:
     if not isinstance(value, Raster):
-        raise TypeError(f"{name}: expected a Raster, got {type(value).__name__}. Create one with rasterize(cloud, cell)")
+        remedy = "Create one with rasterize(cloud, cell)"
+        raise TypeError(f"{name}: expected a Raster, got {type(value).__name__}. {remedy}")
     return value
 
 
@@ -202,8 +203,8 @@ def common_cells(name: str, a: Raster, b: Raster) -> tuple[Raster, Raster]:
     stretch = abs(b.cell / a.cell - 1) * shapes[1].max()
     if not max(float(np.abs(shift - first).max()), stretch) <= MAX_SHIFT:
         raise ValueError(
-            f"{name}: expected one grid, got {_grid_text(a)} and {_grid_text(b)}. Create both with one cell and corner, "
-            f"as in rasterize(cloud, {a.cell!r}, corner={a.corner.tolist()})"
+            f"{name}: expected one grid, got {_grid_text(a)} and {_grid_text(b)}. Create both with one cell and "
+            f"corner, as in rasterize(cloud, {a.cell!r}, corner={a.corner.tolist()})"
         )
     low, high = np.maximum(first, 0.0), np.minimum(shapes[0], first + shapes[1])
     if (high <= low).any():
@@ -218,8 +219,8 @@ def common_cells(name: str, a: Raster, b: Raster) -> tuple[Raster, Raster]:
             dataclasses.replace(
                 raster, values=raster.values[window], filled=raster.filled[window], cell=a.cell, crs=crs, unit=unit,
                 corner=a.corner + low * a.cell,
-            )  # fmt: skip
-        )
+            )
+        )  # fmt: skip
     return parts[0], parts[1]
 
 

@@ -22,8 +22,8 @@ from ..io.points.las_crs import find_keys, find_text
 from ..kernels.lru_cache import LruCache
 from ..pcd.cloud import PointCloud
 from ..pcd.geotiff import geotiff
-from ..pcd.raster_cells import NoGroundError
 from ..pcd.raster import NODATA_VALUE, Raster
+from ..pcd.raster_cells import NoGroundError
 from ..pcd.terrain import rasterize
 from .manifest import Manifest
 from .plan import Plan
