@@ -84,6 +84,7 @@ from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.line_set import LineSet as LineSet
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
+from .pcd.profile import profile as profile
 from .pcd.raster import read_raster as read_raster
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
 from .pcd.shape_boxes import find_boxes as find_boxes
@@ -118,6 +119,7 @@ from .pcd.change import M3C2Result as M3C2Result
 from .pcd.convex_hull import ConvexHull as ConvexHull
 from .pcd.convex_hull import VisibleSurface as VisibleSurface
 from .pcd.metrics import CloudMetrics as CloudMetrics
+from .pcd.profile import Profile as Profile
 from .pcd.raster import Raster as Raster
 from .pcd.search import Neighbors as Neighbors
 from .pcd.shape import Shape as Shape

@@ -9,9 +9,9 @@ from numbers import Real
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from ..core.checks import check_count, check_number, check_positive
+from ..core.checks import check_count, check_finite, check_number, check_numeric, check_positive
 from ..core.coordinate_systems import check_crs, common_crs
 from ..core.devices import DeviceLike, resolve_device
 from ..core.dropped_results import returns_new
@@ -21,7 +21,9 @@ from ..kernels.lang import vec3
 from ..kernels.memory import download, upload
 from ..kernels.terrain.cells import CellGroups, FixedCells
 from ..kernels.terrain.inverse_distance import interpolate_centers
+from .contours import trace_contours
 from .geotiff import geotiff, read_geotiff
+from .line_set import LineSet
 
 NODATA_VALUE = -9999.0
 MIN_NEIGHBORS = 8  # of an interpolated height
@@ -29,6 +31,7 @@ MAX_EDGE = 1 << 24  # cells along a side for gap filling: their centers are floa
 # Maximum shift between two grids that are used as one, in cells. On a slope of 45 degrees the error is 0.1 % of a cell.
 # Rounding of corners at UTM coordinates is 1e-7 of a cell of 1 cm.
 MAX_SHIFT = 1e-3
+MAX_LEVELS = 10_000  # of contour lines: each takes a pass over the cells
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,6 +130,46 @@ class Raster:
         made = np.where(known, upright, heights.astype(np.float32)).T[::-1]
         gaps = ~np.isfinite(self.values) & np.isfinite(made)
         return dataclasses.replace(self, values=np.ascontiguousarray(made), filled=self.filled | gaps)
+
+    def contour_lines(self, interval: float | None = None, *, levels: ArrayLike | None = None) -> LineSet:
+        """Contour lines between the cell centers by marching squares, in float64.
+
+        Lines end at empty cells.
+
+        Args:
+            interval: Height difference of the lines [m], which are at its multiples.
+            levels: Heights of the lines instead, shape (n,).
+
+        Raises:
+            ValueError: If neither or both are given, a number is not finite or positive, or there are more than 10,000
+                levels.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> x, y = np.mgrid[0:20, 0:20].reshape(2, -1) + 0.5
+            >>> hill = loom.PointCloud(np.column_stack([x, y, 5 - 0.5 * np.hypot(x - 10, y - 10)]))
+            >>> lines = loom.rasterize(hill, 1.0, "lowest").contour_lines(1.0)
+            >>> np.unique(lines.points[:, 2]).tolist()
+            [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0]
+        """
+        if (interval is None) == (levels is None):
+            raise ValueError("interval, levels: expected one of them, got both or neither")
+        heights = self.values[::-1].astype(np.float64)
+        known = heights[np.isfinite(heights)]
+        if levels is not None:
+            chosen = np.unique(
+                check_finite("levels", np.atleast_1d(check_numeric("levels", levels))).astype(np.float64)
+            )
+        else:
+            step = check_positive("interval", interval)
+            low, high = (known.min(), known.max()) if known.size else (0.0, -step)
+            first, last = math.ceil(low / step), math.floor(high / step)
+            if not last - first < MAX_LEVELS:
+                raise ValueError(f"interval: {step:g} gives {last - first + 1:,} levels. Use a larger one")
+            chosen = np.arange(first, last + 1) * step
+        if len(chosen) > MAX_LEVELS:
+            raise ValueError(f"levels: expected at most {MAX_LEVELS:,}, got {len(chosen):,}")
+        return trace_contours(heights, self.corner + self.cell / 2, self.cell, chosen)
 
     def write(self, path: FilePath, *, overwrite: bool = True) -> Path:
         """Write a compressed float32 GeoTIFF atomically. The second band is 1 in filled cells.
