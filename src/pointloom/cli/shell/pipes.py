@@ -32,7 +32,9 @@ RECORDINGS = (".bag", ".mcap", ".db3")
 _MESHES = ["obj", "stl", "off", "glb", "gltf"]
 READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57", "ptx"]
 READ += _MESHES
-WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]
+WRITTEN = [
+    "ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "las", "laz", "e57", *_MESHES,
+]  # fmt: skip
 
 
 FROM = option("--from read_as=EXT", click.Choice(READ), "Format of standard input, if a file is -.")

@@ -21,7 +21,7 @@ from ..optional_imports import foreign_errors
 from ..source import netted
 from ..table import PointTable
 from .e57 import SCAN_INDEX, crs_of_image, open_e57, read_pose, read_scan
-from .e57_writer import check_e57, columns_of, write_scans
+from .e57_writer import check_e57, columns_of, unstorable_in_e57, write_scans
 from .point_cloud import cloud_of, table_of
 from .ptx import iterate_ptx
 
@@ -120,6 +120,7 @@ def write_stations(
     names: Sequence[str] | None = None,
     crs: str | int | CoordinateSystem | None = None,
     overwrite: bool = True,
+    drop_unsupported: bool = False,
 ) -> None:
     """Write clouds as scans of an E57 file, each in its own coordinates with its pose, atomically.
 
@@ -132,9 +133,10 @@ def write_stations(
         crs: Coordinate system of the world coordinates. If None: that of the stations, unless `poses` replace unknown
             ones.
         overwrite: Replace an existing file.
+        drop_unsupported: Leave out attributes that E57 cannot store, instead of an error.
 
     Raises:
-        FileError: The file cannot be written, or E57 cannot store an attribute.
+        FileError: The file cannot be written, or E57 cannot store some attributes (all are named).
         ValueError: Different numbers of poses, names and clouds, a pose that is not rigid, or clouds without poses.
 
     Example:
@@ -167,9 +169,11 @@ def write_stations(
     path = check_writable(path, overwrite=overwrite)
     if not listed:
         raise FileError(path, "would contain no scan", remedy="Give at least one cloud")
-    tables = [check_e57(path, table_of(cloud)) for cloud in listed]
+    tables = [table_of(cloud) for cloud in listed]
     for table in tables:
-        table.attributes.pop(SCAN_INDEX, None)
+        for name in [SCAN_INDEX, *(unstorable_in_e57(table) if drop_unsupported else ())]:
+            table.attributes.pop(name, None)
+    tables = [check_e57(path, table) for table in tables]
     kept = [True] * len(listed) if posed is None else posed.tolist()
     scans = [
         (str(name), columns_of(path, table), T if has_pose else None)

@@ -121,8 +121,8 @@ def lay_out(
         table = with_scan_angle(table)
     lost = unstorable_in_las(path, table)
     if lost:
-        name, reason = next(iter(lost.items()))
-        raise FileError(path, f"attribute {name!r} {reason}", remedy="Change, rename or drop it")
+        reasons = "; ".join(f"attribute {name!r} {reason}" for name, reason in lost.items())
+        raise FileError(path, reasons, remedy="Change, rename or drop it, or pass drop_unsupported=True")
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # raises outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)

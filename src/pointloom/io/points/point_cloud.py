@@ -240,6 +240,7 @@ def write_point_cloud(
     *,
     ascii: bool = False,
     overwrite: bool = True,
+    drop_unsupported: bool = False,
     scale: ArrayLike | None = None,
     like: FilePath | None = None,
     crs: str | int | CoordinateSystem | None = None,
@@ -252,10 +253,12 @@ def write_point_cloud(
     E57 coordinates are converted to meters and its scans have no poses here: use `write_stations`.
 
     Args:
-        path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
+        path: The file: .ply .pcd .npz .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57. A .csv (commas), .txt or
+            .asc (blanks) has a header and all attributes; an attribute (n, c) has columns name_0, name_1, ...
         cloud: The cloud.
         ascii: Write text instead of binary, for .ply and .pcd.
         overwrite: Replace an existing file.
+        drop_unsupported: Leave out colors, normals and attributes that the format cannot store, instead of an error.
         scale: Coordinate step [m], for .las and .laz: a number or one per axis. If None: 0.001, or finer on axes where
             most points are within 1,000 m: a millionth of that as a power of ten. Coarser steps give smaller LAZ files.
         like: For .las and .laz: a LAS or LAZ file whose coordinate system, other records, identification, offset, GPS
@@ -264,8 +267,8 @@ def write_point_cloud(
         crs: Coordinate system of the file, such as "EPSG:25832". If None: that of the cloud.
 
     Raises:
-        FileError: The file cannot be written, the format cannot store an attribute, a non-finite point or (E57)
-            degrees, or `like` has another coordinate system.
+        FileError: The file cannot be written, the format cannot store some attributes (all are named), a non-finite
+            point or (E57) degrees, or `like` has another coordinate system.
         TypeError: `cloud` is no point cloud.
         ValueError: A scale that is not positive; `scale` or `like` for another format; `crs` is no coordinate system
             or not that of the cloud.
@@ -298,8 +301,9 @@ def write_point_cloud(
     header = None if like is None else open_las(like).header
     offset = cloud.origin if cloud.origin.any() and header is None else None
     options = WriteOptions(
-        ascii=ascii, overwrite=overwrite, scale=scale, offset=offset, like=header, device=cloud.device
-    )
+        ascii=ascii, overwrite=overwrite, drop_unsupported=drop_unsupported, scale=scale, offset=offset, like=header,
+        device=cloud.device,
+    )  # fmt: skip
     system = common_crs("crs, cloud", (check_crs("crs", crs), cloud.crs))
     write_table(path, replace(table_of(cloud), crs=system), options)
 

@@ -113,7 +113,7 @@ def _columns(path: Path, kind: str, table: PointTable) -> list[NDArray[Any]]:
         else:
             columns += [*values.T]
     if lost:
-        remedy = "Write .ply, which stores them all, or drop them first"
+        remedy = "Write .csv or .ply, which store them all, or pass drop_unsupported=True"
         raise FileError(path, f"{kind} cannot store {', '.join(lost)}", remedy=remedy)
     if not len(table.points) and kind != ".pts":
         raise FileError(
