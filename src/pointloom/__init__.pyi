@@ -54,6 +54,7 @@ from .io.points.e57_stations import read_stations as read_stations
 from .io.points.e57_stations import write_stations as write_stations
 from .io.points.las_crs import GeographicWarning as GeographicWarning
 from .io.points.point_cloud import read_copc as read_copc
+from .io.points.point_cloud import read_e57_chunks as read_e57_chunks
 from .io.points.point_cloud import read_las_chunks as read_las_chunks
 from .io.points.point_cloud import read_point_cloud as read_point_cloud
 from .io.points.point_cloud import write_point_cloud as write_point_cloud

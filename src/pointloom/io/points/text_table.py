@@ -241,7 +241,7 @@ def _rows_of(path: Path, body: bytes, head: _Head) -> tuple[AsciiRows, bytes]:
     text = body[begin:]
     text = without_comments(text)
     blank = text if head.delimiter is None else text.replace(head.delimiter, b" ")
-    rows = AsciiRows(path, blank, head.lines + 1)
+    rows = AsciiRows(path, blank, head.lines + 1, is_table=True)
     if not rows.row_count:
         raise FileError(path, "contains no points")
     return rows, text
@@ -271,7 +271,7 @@ def check_fields(path: Path, rows: AsciiRows, text: bytes, delimiter: bytes | No
                 raise FileError(path, f"column {column} has no value", where=where, remedy=remedy)
             if not is_number(field):
                 shown = field[:40].decode("ascii", "backslashreplace")
-                raise FileError(path, f"not a number: {shown!r}", where=where, remedy=_PARTED)
+                raise FileError(path, f"not a number: {shown!r}", where=f"{where}, column {column}", remedy=_PARTED)
     raise FileError(path, f"expected {width} values in each line", remedy=_PARTED)
 
 
