@@ -20,7 +20,7 @@ def trace_contours(heights: Rows, corner: Rows, cell: float, levels: Rows) -> Li
     positions, lines, count = [np.empty((0, 3))], [np.empty((0, 2), np.int64)], 0
     if min(rows, columns) > 1:
         parts = np.stack([heights[:-1, :-1], heights[:-1, 1:], heights[1:, 1:], heights[1:, :-1]])
-        is_known = np.isfinite(parts).all(axis=0)
+        is_known = np.logical_and.reduce(np.isfinite(parts))
         for level in levels.tolist():
             edges = _segments(heights, parts, is_known, level)
             ends, indices = np.unique(_merged(edges, heights, level), return_inverse=True)
@@ -28,7 +28,7 @@ def trace_contours(heights: Rows, corner: Rows, cell: float, levels: Rows) -> Li
             positions.append(_positions(ends, heights, corner, cell, level))
             lines.append(count + indices[indices[:, 0] != indices[:, 1]])
             count += len(ends)
-    return LineSet(np.concatenate(positions), np.concatenate(lines))
+    return LineSet(np.concatenate(positions), np.concatenate(lines).astype(np.int32))
 
 
 def _segments(heights: Rows, parts: Rows, is_known: NDArray[np.bool_], level: float) -> NDArray[np.int64]:

@@ -166,7 +166,7 @@ class Raster:
             first, last = math.ceil(low / step), math.floor(high / step)
             if not last - first < MAX_LEVELS:
                 raise ValueError(f"interval: {step:g} gives {last - first + 1:,} levels. Use a larger one")
-            chosen = np.arange(first, last + 1) * step
+            chosen = np.arange(first, last + 1, dtype=np.float64) * step
         if len(chosen) > MAX_LEVELS:
             raise ValueError(f"levels: expected at most {MAX_LEVELS:,}, got {len(chosen):,}")
         return trace_contours(heights, self.corner + self.cell / 2, self.cell, chosen)

@@ -259,10 +259,11 @@ def _compare(before: _Heights, after: _Heights, error: float) -> VolumeChange:
     difference = dataclasses.replace(second - first, kind="difference")
     changes = second.values.astype(np.float64) - first.values
     compared = np.isfinite(changes)
-    variances = [_variance_in(first, before), _variance_in(second, after)]
-    known = [variance for variance in variances if variance is not None]
-    variance = sum(known) if known else np.zeros(changes.shape)
-    is_unknown = not known and error == 0
+    variances = (_variance_in(first, before), _variance_in(second, after))
+    variance = np.zeros(changes.shape)
+    for part in variances:
+        variance = variance if part is None else variance + part
+    is_unknown = error == 0 and all(part is None for part in variances)
     limits = np.where(compared, CONFIDENCE_95 * (np.sqrt(variance) + error), np.nan)
     if is_unknown:
         limits = np.full(changes.shape, np.nan)
