@@ -197,13 +197,6 @@ class Raster:
         return Path(path)
 
 
-def check_raster(name: str, value: object) -> Raster:
-    if not isinstance(value, Raster):
-        remedy = "Create one with rasterize(cloud, cell)"
-        raise TypeError(f"{name}: expected a Raster, got {type(value).__name__}. {remedy}")
-    return value
-
-
 def read_raster(path: FilePath) -> Raster:
     """Read a GeoTIFF of one band with its coordinate system, such as a terrain model.
 
