@@ -15,7 +15,7 @@ from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
 from .bounds import Bounds
 from .cached_tree import CachedTree
-from .conversion import Conversion
+from .conversion import Conversion, cloud_arguments
 from .normals import Normals
 from .point_arrays import place_points
 from .point_store import PointStore
@@ -33,7 +33,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
     torch, cupy, jax and Warp arrays are shared if type and layout allow, see `from_dlpack`.
 
     Args:
-        points: Shape (n, 3) [m].
+        points: Shape (n, 3) [m]. Or a cloud of Open3D, trimesh, PyVista, VTK or meshio, see `from_any`.
         normals: Shape (n, 3).
         colors: Shape (n, 3), 0..1; uint8 is divided by 255.
         device: "cpu", "cuda:0" or "auto". If None: the points' GPU, or the CPU.
@@ -78,6 +78,10 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             raise TypeError(
                 f"points: expected real numbers, got {shown(points)}. Read a file with loom.read_point_cloud(path)"
             )
+        if (given := cloud_arguments("points", points)) is not None:
+            points, device = given.points, given.device if device is None else device
+            normals, colors = given.normals if normals is None else normals, given.colors if colors is None else colors
+            unit, crs, attributes = unit or given.unit, crs or given.crs, {**given.attributes, **attributes}
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         library, length_unit = library_for(arrays, points), None if unit is None else check_unit("unit", unit)

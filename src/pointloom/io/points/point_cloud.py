@@ -18,6 +18,7 @@ from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, w
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
+from ...core.other_geometry import is_other
 from ...core.paths import path_of
 from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
@@ -288,6 +289,7 @@ def write_point_cloud(
     if extension not in WRITTEN:
         remedy = f"Use one of {' '.join(WRITTEN)}"
         raise FileError(path, f"clouds are read from {Path(path).suffix}, but not written to it", remedy=remedy)
+    cloud = PointCloud(cloud) if is_other(cloud) else cloud
     check_cloud("cloud", cloud)
     if extension not in (".las", ".laz"):
         for name, value in (("scale", scale), ("like", like)):
