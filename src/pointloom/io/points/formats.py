@@ -16,7 +16,7 @@ from ..attribute_names import NameRules, rename
 from ..columns import narrow_integers
 from ..source import netted
 from ..table import PointTable
-from . import las_writer, npz, pcd, ply
+from . import las_writer, npy, npz, pcd, ply
 from .copc_writer import write_copc
 from .e57 import ScanFrame, read_e57
 from .e57_writer import unstorable_in_e57, write_e57
@@ -92,6 +92,11 @@ def _write_npz(path: FilePath, table: PointTable, options: WriteOptions) -> None
     npz.write_npz(path, table, overwrite=options.overwrite)
 
 
+def _write_npy(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    warn_of_lost_reference(path, table)
+    npy.write_npy_points(path, table, overwrite=options.overwrite)
+
+
 def _write_text(path: FilePath, table: PointTable, options: WriteOptions) -> None:
     warn_of_lost_reference(path, table)
     write_text(path, table, overwrite=options.overwrite)
@@ -138,7 +143,7 @@ def _text(name: str, columns: tuple[str, ...] = ()) -> Format:
 _LAS = Format("LAS", netted(read_las), _write_las, las_writer.name_rules, _storable_in_las)
 
 _TABLE = Format("text", netted(read_text_table), read_columns=netted(read_text_table))
-_read_bin = netted(read_kitti_bin)
+_read_bin, _read_npy = netted(read_kitti_bin), netted(npy.read_npy_points)
 
 FORMATS = {
     ".ply": Format("PLY", netted(with_header_reference(PLY)(ply.read_ply)), _write_ply, _ply_names, _storable_in_ply),
@@ -146,6 +151,7 @@ FORMATS = {
         "PCD", netted(with_header_reference(PCD)(pcd.read_pcd)), _write_pcd, pcd.name_rules, stores_viewpoint=True
     ),
     ".npz": Format("NPZ", netted(npz.read_npz), _write_npz, npz.name_rules),
+    ".npy": Format("NPY", _read_npy, _write_npy, npy.name_rules, read_columns=_read_npy),
     ".xyz": replace(_text("XYZ"), read_columns=_TABLE.read),
     ".xyzn": _text("XYZN", ("normals",)),
     ".xyzrgb": _text("XYZRGB", ("colors",)),
@@ -166,7 +172,7 @@ READERS = {extension: format.read for extension, format in FORMATS.items()}
 #: The extensions that clouds are written to.
 WRITTEN = tuple(extension for extension, format in FORMATS.items() if format.write is not None)
 
-_NAMED_COLUMNS = (*SUFFIXES, ".bin")
+_NAMED_COLUMNS = (*SUFFIXES, ".bin", ".npy")
 
 
 def columns_of(paths: Sequence[FilePath], columns: Sequence[str] | None) -> list[Sequence[str] | None]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 from ...core.array_libraries import library_for
 from ...core.devices import DeviceLike, resolve_device
@@ -123,7 +124,8 @@ def write_triangle_mesh(
         >>> loom.write_triangle_mesh("mesh.obj", mesh)
     """
     suffix = path_of(path).suffix.lower()
-    mesh = TriangleMesh(mesh) if is_other(mesh) else mesh
+    given: Any = mesh
+    mesh = TriangleMesh(given) if is_other(given) else mesh
     if not isinstance(mesh, TriangleMesh):
         remedy = "; write_point_cloud writes clouds" if isinstance(mesh, PointArrays) else ""
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}{remedy or conversion_of(mesh)}")
