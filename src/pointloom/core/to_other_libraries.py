@@ -42,7 +42,7 @@ def to_trimesh(given: OtherGeometry) -> Any:
         given.corners.reshape(-1, 3),
         vertex_normals=given.normals,
         vertex_colors=colors if visual is None else None,
-        face_colors=None if face_colors is None else _bytes_of(face_colors),
+        face_colors=None if face_colors is None else colors_as_bytes(face_colors),
         vertex_attributes=attributes if visual is None or colors is None else {**attributes, "colors": colors},
         face_attributes=face_attributes,
         visual=visual,
@@ -112,10 +112,10 @@ def _face_values(given: OtherGeometry) -> dict[str, NDArray[Any]]:
     """Arrays per face under VTK's names."""
     named = dict(given.face_attributes)
     colors = named.pop("colors", None)
-    return named if colors is None else {COLORS: _bytes_of(colors), **named}
+    return named if colors is None else {COLORS: colors_as_bytes(colors), **named}
 
 
-def _bytes_of(colors: NDArray[Any]) -> NDArray[np.uint8]:
+def colors_as_bytes(colors: NDArray[Any]) -> NDArray[np.uint8]:
     """Colors in 0..1 as uint8, rounded. Colors outside are clamped."""
     return np.rint(np.clip(np.nan_to_num(colors), 0, 1) * MAX_BYTE).astype(np.uint8)
 
@@ -124,8 +124,8 @@ def _with_alpha(colors: NDArray[Any], attributes: dict[str, NDArray[Any]]) -> ND
     """Colors as uint8, with the attribute "alpha" of 8 bits, which is removed, as the fourth column."""
     alpha = attributes.get("alpha")
     if alpha is None or alpha.dtype != np.uint8 or alpha.ndim != 1:
-        return _bytes_of(colors)
-    return np.column_stack([_bytes_of(colors), attributes.pop("alpha")])
+        return colors_as_bytes(colors)
+    return np.column_stack([colors_as_bytes(colors), attributes.pop("alpha")])
 
 
 def _reference_of(given: OtherGeometry) -> dict[str, str]:

@@ -322,7 +322,7 @@ def _extension(path: FilePath, *, write: bool = False) -> str:
     """The extension of a file to read or write. Raises FileError for one that is in no list of formats."""
     extension = path_of(path).suffix.lower()
     if extension not in READERS:
-        if extension in (".obj", ".stl", ".off", ".glb", ".gltf"):
+        if extension in (".stl", ".off", ".glb", ".gltf"):
             raise FileError(
                 path, f"{extension} files contain meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
             )

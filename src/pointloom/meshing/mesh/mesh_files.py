@@ -131,7 +131,7 @@ def write_triangle_mesh(
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}{remedy or conversion_of(mesh)}")
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are written to {', '.join(MESH_READERS)}, not to {suffix or 'no extension'}")
-    if ascii and suffix in (".stl", ".off", ".glb", ".gltf"):
+    if ascii and suffix in (".stl", ".off", ".glb", ".gltf", ".vtp"):
         raise ValueError(f"ascii: {suffix[1:].upper()} has only one encoding")
     table = mesh_table(mesh)
     if not write_vertex_normals:
