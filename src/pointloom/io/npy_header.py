@@ -24,7 +24,7 @@ _HEADER = re.compile(rf"\s*+\{{(?:\s*+'\w++'\s*+:\s*+(?:{_VALUE})\s*+,?)*+\s*+\}
 _STRUCTURED = re.compile(r"\s*\{\s*'descr'\s*:\s*\[")
 
 
-_FIELD = re.compile(r"\('([^'\\]*)', '([<>|][biuf][1248]|\|V\d{1,4})'(?:, \((\d{1,4}),?\))?\)(?:, |,)?")
+_FIELD = re.compile(r"\('([^'\\]*)', '([<>|](?:[biu]1|[iuf][248])|\|V\d{1,4})'(?:, \((\d{1,4}),?\))?\)(?:, |,)?")
 _FIELDS = re.compile(r"\{'descr': \[(.*)\], 'fortran_order': (?:True|False), 'shape': \(([0-9]{1,19}),\),? ?\}\s*")
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.coordinates import quiet
 from ..core.errors import FileError, FilePath
 from ..core.other_geometry import CRS, UNIT, OtherGeometry
 from ..core.to_other_libraries import COLORS, NORMALS, UVS, colors_as_bytes
@@ -113,7 +114,17 @@ def _take(given: OtherGeometry, data: VtkData) -> None:
 
 
 def _floats(values: NDArray[Any] | None) -> NDArray[np.float32] | None:
-    return None if values is None else values.astype(np.float32)
+    return None if values is None else numbers_as(values, np.dtype(np.float32))
+
+
+def numbers_as(values: NDArray[Any], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Numbers in a type. Raises ValueError if it cannot represent one of them, apart from rounding of floats."""
+    with quiet():
+        result = values.astype(dtype)
+    is_wrong = np.isinf(result) & np.isfinite(values) if dtype.kind == "f" else result != values
+    if is_wrong.any():
+        raise ValueError(f"{values[is_wrong][0]} is out of the range of {dtype}")
+    return result
 
 
 def data_of(table: PointTable | MeshTable) -> VtkData:

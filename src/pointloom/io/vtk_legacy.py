@@ -18,7 +18,7 @@ from ..core.errors import FileError
 from ..core.to_other_libraries import COLORS, NORMALS, UVS
 from .ascii_rows import write_rows
 from .source import open_source
-from .vtk_data import KINDS, LEGACY_TYPES, Cells, VtkData, check_data
+from .vtk_data import KINDS, LEGACY_TYPES, Cells, VtkData, check_data, numbers_as
 
 _HEAD = re.compile(rb"# vtk DataFile Version (\d)\.(\d)\s*\n([^\n]{0,512})\n\s*(ASCII|BINARY)\s*\n", re.IGNORECASE)
 _KEYWORDS = {"VERTICES": "vertices", "LINES": "lines", "POLYGONS": "polygons", "TRIANGLE_STRIPS": "strips"}
@@ -119,17 +119,11 @@ class _Reader:
         self.at = len(self.body) - (len(words[count]) if len(words) > count else 0)
         if not count:
             return np.empty(0, dtype)
+        wide = np.float64 if dtype.kind == "f" else np.uint64 if dtype == np.uint64 else np.int64
         try:
-            texts = np.array(words[:count])
-            if dtype.kind == "f":
-                return texts.astype(np.float64).astype(dtype)
-            wide = texts.astype(np.uint64 if kind == "unsigned_long" else np.int64)
+            return numbers_as(np.array(words[:count]).astype(wide), dtype)
         except (ValueError, OverflowError) as error:
             raise self._error(f"a value is not a number of the type {kind}") from error
-        limits = np.iinfo(dtype)
-        if wide.min() < limits.min or wide.max() > limits.max:
-            raise self._error(f"a value is out of the range of {kind}")
-        return wide.astype(dtype)
 
     def _points(self) -> None:
         count, kind = self._count(), self._type()

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from ..core.to_other_libraries import NORMALS, UVS
 from .source import open_source
-from .vtk_data import KINDS, Cells, VtkData, check_data
+from .vtk_data import KINDS, Cells, VtkData, check_data, numbers_as
 from .xml_elements import LimitedBuilder
 
 _TYPES = {
@@ -140,9 +140,7 @@ class _Reader:
             if format == "ascii":
                 words = np.array((element.text or "").split(), "S")
                 wide = words.astype(np.float64 if dtype.kind == "f" else np.uint64 if dtype == "u8" else np.int64)
-                if dtype.kind != "f" and len(wide) and (wide.astype(dtype) != wide).any():
-                    raise ValueError("a number is out of range")
-                return wide.astype(dtype)
+                return numbers_as(wide, dtype)
             if format == "appended":
                 begin = self._count(element, "offset")
                 data = _Stream(self.appended[begin:] if self.is_raw else _base64(self.appended[begin:]), self.is_raw)

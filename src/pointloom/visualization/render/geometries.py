@@ -20,8 +20,8 @@ from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import empty, move, upload
 from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.other_objects import from_any, is_scene
 from ...meshing.mesh.voxel_grid import VoxelGrid
-from ...meshing.other_objects import from_any, is_scene
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.bounding_box import BoundingBox
 from ...pcd.cloud import PointCloud

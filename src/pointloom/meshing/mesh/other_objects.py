@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..core.devices import DeviceLike
-from ..core.other_geometry import read_or_refuse
-from ..pcd.cloud import PointCloud
-from .mesh.mesh import TriangleMesh
+from ...core.devices import DeviceLike
+from ...core.other_geometry import read_or_refuse
+from ...pcd.cloud import PointCloud
+from .mesh import TriangleMesh
 
 
 def from_any(geometry: object, *, device: DeviceLike = None, arrays: str | None = None) -> PointCloud | TriangleMesh:
