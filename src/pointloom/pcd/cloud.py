@@ -11,11 +11,13 @@ from ..core.array_libraries import library_for
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
 from ..core.coordinate_systems import CoordinateSystem, check_crs
 from ..core.devices import DeviceLike, resolve_device
+from ..core.escaped_text import escaped
 from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
 from .bounds import Bounds
 from .cached_tree import CachedTree
 from .conversion import Conversion, cloud_arguments
+from .extent_text import reference_text
 from .normals import Normals
 from .point_arrays import place_points
 from .point_store import PointStore
@@ -102,3 +104,13 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             moved = {name: move(values, where) for name, values in self.arrays.items()}
             tree = CachedTree(moved["points"], frozen=frozen)
             vars(self)["arrays"] = PointStore(moved, self.arrays.origin, library, tree=tree)
+
+    def __repr__(self) -> str:
+        names = escaped(", ".join(name for name in self.arrays if name != "points")) or "no attributes"
+        is_referenced = self.unit is not None or self.crs is not None  # bounds wait for the device
+        reference = reference_text(self, self.get_min_bound(), self.get_max_bound()) if is_referenced else ""
+        parts = [f"{len(self):,} points", names, *([reference] if reference else []), str(self.device)]
+        return f"{type(self).__name__}({', '.join(parts)})"
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.arrays)

@@ -17,7 +17,8 @@ from ...core.gpu_arrays import take_corners, take_points
 from ...io.table import MeshTable
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
-from .mesh_attributes import assign_all
+from ...pcd.extent_text import reference_text
+from .mesh_attributes import assign_all, listed
 from .mesh_conversion import MeshConversion, mesh_arguments
 from .mesh_primitives import MeshPrimitives
 from .mesh_reconstruction import MeshReconstruction
@@ -114,6 +115,14 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         self.textures = textures
         if device is not None and resolve_device(device) != self.device:  # arrays were on a GPU
             vars(self)["arrays"] = self.to(resolve_device(device)).arrays
+
+    def __repr__(self) -> str:
+        parts = [f"{self.arrays['vertices'].size} vertices", f"{len(self)} triangles"]
+        parts += [name for name in self.arrays if name not in ("vertices", "triangles")]
+        parts += [f"{kind}[{listed(columns)}]" for kind, columns in self.arrays.attributes.items() if columns]
+        if self.unit is not None or self.crs is not None:  # bounds wait for the device
+            parts.append(reference_text(self, self.get_min_bound(), self.get_max_bound()))
+        return f"{type(self).__name__}({', '.join([*parts, str(self.device)])})"
 
 
 def _refuse_path(vertices: ArrayLike) -> None:
