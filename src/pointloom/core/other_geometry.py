@@ -205,8 +205,9 @@ def _reader_of(given: object) -> Callable[[object], OtherGeometry] | None:
     for kind in type(given).__mro__:
         if kind.__module__.startswith("pointloom.") and not kind.__module__.startswith("pointloom.open3d."):
             return None
-        for attributes, reader in _READERS.get(kind.__name__, ()):
-            if all(hasattr(given, name) for name in attributes):
+        name = "vtkPolyData" if kind.__module__.startswith("vtkmodules.") else kind.__name__  # also named PolyData
+        for attributes, reader in _READERS.get(name, ()):
+            if all(hasattr(given, attribute) for attribute in attributes):
                 return reader
     return None
 
@@ -399,7 +400,7 @@ def _pyvista(given: object) -> OtherGeometry:
         result.left_out.append(f"{line_count} lines")
     if line_count and not len(lengths) and not vertex_count:
         raise ValueError(f"{name_of(shape)}: it has lines only. loom.LineSet(points, lines) takes them")
-    result.take_points(_named(shape.point_data))
+    result.take_points(_under_roles(shape.point_data))
     if len(lengths):
         first = line_count + vertex_count  # VTK orders the cells so
         cells = {name: np.asarray(values)[first:] for name, values in _named(shape.cell_data).items()}
@@ -408,6 +409,16 @@ def _pyvista(given: object) -> OtherGeometry:
         result.left_out += [f"cell data {name}" for name in _named(shape.cell_data)]
     result.take_metadata(_named(getattr(shape, "field_data", {})))
     return result
+
+
+def _under_roles(given: object) -> dict[str, Any]:
+    """Arrays per point. The active normals and texture coordinates get their usual names."""
+    data: Any = given
+    roles = {
+        getattr(data, "active_normals_name", None): _NORMALS[0],
+        getattr(data, "active_texture_coordinates_name", None): _UVS[1],
+    }
+    return {roles.get(name, name): values for name, values in _named(data).items()}
 
 
 def _named(given: object) -> dict[str, Any]:
@@ -441,8 +452,15 @@ def _vtk(given: object) -> OtherGeometry:
 
     def arrays_of(part: object) -> dict[str, Any]:
         data: Any = part
-        arrays = [data.GetArray(k) for k in range(data.GetNumberOfArrays())]
-        return {array.GetName() or f"array {k}": to_numpy(array) for k, array in enumerate(arrays) if array is not None}
+        arrays = [data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays())]
+        return {array.GetName() or f"array {k}": values_of(array) for k, array in enumerate(arrays)}
+
+    def values_of(given: object) -> Any:
+        array: Any = given
+        is_numeric = hasattr(array, "GetTuple")
+        return (
+            to_numpy(array) if is_numeric else np.array([array.GetValue(k) for k in range(array.GetNumberOfValues())])
+        )
 
     def cells_of(part: object) -> NDArray[Any]:
         cells: Any = part
@@ -453,9 +471,14 @@ def _vtk(given: object) -> OtherGeometry:
 
     data: Any = given
     points = data.GetPoints()
+    normals, uvs = data.GetPointData().GetNormals(), data.GetPointData().GetTCoords()
+    roles = {
+        None if array is None else array.GetName(): name for array, name in ((normals, _NORMALS[0]), (uvs, _UVS[1]))
+    }
+    named = {roles.get(name, name): values for name, values in arrays_of(data.GetPointData()).items()}
     parts = SimpleNamespace(
         points=np.empty((0, 3), np.float32) if points is None else to_numpy(points.GetData()),
-        point_data=arrays_of(data.GetPointData()),
+        point_data=named,
         cell_data=arrays_of(data.GetCellData()),
         field_data=arrays_of(data.GetFieldData()),
         verts=cells_of(data.GetVerts()),
