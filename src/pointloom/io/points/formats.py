@@ -16,7 +16,7 @@ from ..attribute_names import NameRules, rename
 from ..columns import has_type, narrow_integers
 from ..source import netted
 from ..table import PointTable
-from . import las_writer, npz, pcd, ply
+from . import las_writer, npy, npz, pcd, ply, vtk_points
 from .copc_writer import write_copc
 from .e57 import ScanFrame, read_e57
 from .e57_writer import unstorable_in_e57, write_e57
@@ -24,6 +24,7 @@ from .header_units import PCD, PLY, reference_comments, warn_of_lost_reference, 
 from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
+from .obj_points import read_obj_points
 from .ptx import read_ptx
 from .text import read_text, write_text
 from .text_table import SUFFIXES, check_columns, read_text_table, write_text_table
@@ -99,6 +100,15 @@ def _write_npz(path: FilePath, table: PointTable, options: WriteOptions) -> None
     npz.write_npz(path, table, overwrite=options.overwrite)
 
 
+def _write_npy(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    warn_of_lost_reference(path, table)
+    npy.write_npy_points(path, table, overwrite=options.overwrite)
+
+
+def _write_vtk(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    vtk_points.write_vtk_points(path, table, ascii=options.ascii, overwrite=options.overwrite)
+
+
 def _write_text(path: FilePath, table: PointTable, options: WriteOptions) -> None:
     warn_of_lost_reference(path, table)
     write_text(path, table, overwrite=options.overwrite)
@@ -148,8 +158,10 @@ def _text(name: str, columns: tuple[str, ...] = ()) -> Format:
 
 _LAS = Format("LAS", netted(read_las), _write_las, las_writer.name_rules, _storable_in_las)
 
+_VTK = Format("VTK", netted(vtk_points.read_vtk_points), _write_vtk, vtk_points.name_rules)
+
 _TABLE = Format("text", netted(read_text_table), _write_text_table, text_rules, read_columns=netted(read_text_table))
-_read_bin = netted(read_kitti_bin)
+_read_bin, _read_npy = netted(read_kitti_bin), netted(npy.read_npy_points)
 
 FORMATS = {
     ".ply": Format("PLY", netted(with_header_reference(PLY)(ply.read_ply)), _write_ply, _ply_names, _storable_in_ply),
@@ -162,6 +174,7 @@ FORMATS = {
         stores_viewpoint=True,
     ),
     ".npz": Format("NPZ", netted(npz.read_npz), _write_npz, npz.name_rules),
+    ".npy": Format("NPY", _read_npy, _write_npy, npy.name_rules, read_columns=_read_npy),
     ".xyz": replace(_text("XYZ"), read_columns=_TABLE.read),
     ".xyzn": _text("XYZN", ("normals",)),
     ".xyzrgb": _text("XYZRGB", ("colors",)),
@@ -174,6 +187,9 @@ FORMATS = {
     ".laz": _LAS,
     ".e57": Format("E57", netted(read_e57), _write_e57, storable=_storable_in_e57),
     ".ptx": Format("PTX", netted(read_ptx)),
+    ".vtk": _VTK,
+    ".vtp": _VTK,
+    ".obj": Format("OBJ", netted(read_obj_points)),
 }
 
 #: The readers by extension. They raise only FileError for invalid content.
@@ -182,7 +198,7 @@ READERS = {extension: format.read for extension, format in FORMATS.items()}
 #: The extensions that clouds are written to.
 WRITTEN = tuple(extension for extension, format in FORMATS.items() if format.write is not None)
 
-_NAMED_COLUMNS = (*SUFFIXES, ".bin")
+_NAMED_COLUMNS = (*SUFFIXES, ".bin", ".npy")
 
 
 def columns_of(paths: Sequence[FilePath], columns: Sequence[str] | None) -> list[Sequence[str] | None]:

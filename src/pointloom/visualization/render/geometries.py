@@ -14,11 +14,13 @@ from ...cameras.trajectory import Trajectory
 from ...core.array_libraries import view_as
 from ...core.checks import check_name, check_rows, is_on_gpu
 from ...core.devices import resolve_device
+from ...core.other_geometry import conversion_of, is_other
 from ...core.units import LengthUnit
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import empty, move, upload
 from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.other_objects import from_any, is_scene
 from ...meshing.mesh.voxel_grid import VoxelGrid
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.bounding_box import BoundingBox
@@ -38,9 +40,9 @@ from .styles import STYLE_KEYS, Style
 
 ACCEPTED = (
     "PointCloud, TriangleMesh, VoxelGrid, AxisAlignedBoundingBox, OrientedBoundingBox, LineSet, Trajectory, "
-    "ConvexHull, SelectionPolygonVolume, TSDFVolume, GaussianSplats, CameraFrustum, an array of points [n, 3], an "
-    'object with points, or with vertices and triangles; or {"geometry": ...} with keys of style; read '
-    "files first with loom.read_point_cloud or loom.read_triangle_mesh"
+    "ConvexHull, SelectionPolygonVolume, TSDFVolume, GaussianSplats, CameraFrustum, an array of points [n, 3], a cloud "
+    "or mesh that loom.from_any takes, an object with points, or with vertices and triangles; or "
+    '{"geometry": ...} with keys of style; read files first with loom.read_point_cloud or loom.read_triangle_mesh'
 )
 
 # Colors of several clouds without colors. The first two as in Open3D's registration tutorials.
@@ -135,9 +137,11 @@ def kind_of(geometry: object) -> str:
 
 
 def as_known(geometry: Any) -> Any:
-    """Convert Open3D's tensor geometries and tensors. Other objects are returned unchanged."""
+    """Convert clouds and meshes of other libraries, and tensors. Other objects are returned unchanged."""
     if isinstance(geometry, (type, *(kind for kind, _ in _KINDS))):
         return geometry
+    if is_other(geometry) or is_scene(geometry):
+        return from_any(geometry)
     if callable(getattr(geometry, "to_legacy", None)):
         return geometry.to_legacy()
     has_memory = hasattr(geometry, "__dlpack__") and hasattr(geometry, "__dlpack_device__")
@@ -339,7 +343,7 @@ def _entry_of(geometry: object) -> Entry:
         return "cloud", _of_points
     kind = type(geometry)  # with its module: other libraries have a VoxelGrid as well
     type_name = kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
-    raise TypeError(f"geometries: expected {ACCEPTED}; got {type_name}")
+    raise TypeError(f"geometries: expected {ACCEPTED}; got {type_name}{conversion_of(geometry)}")
 
 
 # Faces of a cube: axis, side and corners, counterclockwise seen from outside.

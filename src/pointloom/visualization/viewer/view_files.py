@@ -118,7 +118,7 @@ def read_geometry(
         return read_trajectory(path)
     if suffix == ".npz" and _is_volume(path):
         return TSDFVolume.load(path, device=device)
-    if suffix in tables.MESHES and (suffix != ".ply" or tables.is_mesh_file(path)):
+    if tables.is_mesh_file(path):
         return read_triangle_mesh(path, device=device)
     if suffix in tables.READERS:
         return read_point_cloud(path, device=device)
@@ -148,7 +148,7 @@ def _open_large(path: Path, max_points: int) -> Any:
     """Open a cloud file with more points for reading in parts. None for other files."""
     if path.suffix.lower() not in tables.READERS or not path.is_file():
         return None
-    if path.suffix.lower() == ".ply" and tables.is_mesh_file(path):
+    if tables.is_mesh_file(path):
         return None
     file = open_in_parts(path)
     return file if file is not None and file.count > max_points else None
