@@ -18,6 +18,7 @@ from ...io.table import MeshTable
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
 from .mesh_attributes import assign_all
+from .mesh_mass import MeshMass
 from .mesh_primitives import MeshPrimitives
 from .mesh_reconstruction import MeshReconstruction
 from .mesh_remeshing import MeshRemeshing
@@ -26,7 +27,7 @@ from .mesh_store import MeshStore
 from .mesh_texture import MeshTexture
 
 
-class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction, MeshTexture):
+class TriangleMesh(MeshPrimitives, MeshMass, MeshRepair, MeshRemeshing, MeshReconstruction, MeshTexture):
     """A triangle mesh with optional vertex normals and colors, texture coordinates, textures and other attributes.
 
     float32 (int32 triangles) on one device, relative to a float64 `origin`. Operations return new meshes that share
