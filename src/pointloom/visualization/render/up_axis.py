@@ -1,4 +1,4 @@
-"""Fitted views for other up axes than z."""
+"""Up axes and directions of fitted views."""
 
 from __future__ import annotations
 
@@ -9,10 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.up_axis import AXES, UP, transform_up_vector
+from ...kernels.meshes.area_vectors import vector_area
 from ...meshing.mesh.mesh_arrays import MeshArrays
+from .camera_frame import is_in_camera_frame
 from .parts import Triple
 
 VIEW_DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right
+Look = tuple[Triple, Triple]  # direction and up axis of a fitted view
+DEFAULT_LOOK: Look = (VIEW_DIRECTION, UP)
+CAMERA_UP: Triple = (0.0, -1.0, 0.0)  # in the frame of a camera, y is down
+# Fraction of the area of meshes that a view must show more from behind than from the front to be rotated: noise of
+# nearly closed meshes has less.
+MIN_BACK_FRACTION = 0.1
 
 
 def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
@@ -23,6 +31,8 @@ def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
 def up_of_geometry(geometry: object, pose: Any = None) -> Triple | None:
     """Up axis of a geometry under its 4x4 pose. None if undefined."""
     up = geometry.up if isinstance(geometry, MeshArrays) else None
+    if is_in_camera_frame(geometry):
+        up = CAMERA_UP
     return up if pose is None else transform_up_vector(up, pose[:3, :3])
 
 
@@ -42,6 +52,32 @@ def direction_under(up: Triple) -> Triple:
     axis, way = np.cross(UP, toward), np.array(VIEW_DIRECTION)
     rotated = way + np.cross(axis, way) + np.cross(axis, np.cross(axis, way)) / (1 + cosine)  # Rodrigues
     x, y, z = rotated.tolist()
+    return x, y, z
+
+
+def look_of(geometries: Iterable[tuple[Any, Any]], up: Triple | None = None) -> Look:
+    """Direction and up axis of a fitted view of geometries (with 4x4 pose or None); `up` None: that of `up_of`."""
+    placed = list(geometries)
+    axis = up_of(placed) if up is None else up
+    return _direction_of(placed, axis), axis
+
+
+def _direction_of(geometries: Iterable[tuple[Any, Any]], up: Triple) -> Triple:
+    """The default direction, or that of the quarter turns about `up` which shows meshes from the front, if the default
+    shows more backs than fronts of their triangles.
+    """
+    total, area = np.zeros(3), 0.0
+    for geometry, pose in geometries:
+        if isinstance(geometry, MeshArrays) and len(geometry):
+            vector, size = vector_area(geometry.arrays["vertices"], geometry.arrays["triangles"])  # sync
+            total, area = total + (vector if pose is None else pose[:3, :3] @ vector), area + size
+    default = direction_under(up)
+    direction, axis = np.array(default) / np.linalg.norm(default), np.array(up) / np.linalg.norm(up)
+    if not total @ direction > MIN_BACK_FRACTION * area:
+        return default
+    along = axis * (axis @ direction)
+    side, turned = direction - along, np.cross(axis, direction)
+    x, y, z = min((along + level for level in (side, turned, -turned, -side)), key=lambda d: float(total @ d)).tolist()
     return x, y, z
 
 
