@@ -16,6 +16,7 @@ import pointloom as loom
 from pointloom.visualization.render.canvas import Canvas
 from pointloom.visualization.render.coloring import Coloring
 from pointloom.visualization.render.legends import draw_color_bar, draw_labels, draw_legend
+from pointloom.visualization.render.parts import Points
 from pointloom.visualization.render.picture_files import write_image
 
 STORED = Path(__file__).with_name("stored_pictures.json")

@@ -43,6 +43,7 @@ def texture_folder(
     size: int = DEFAULT_TEXTURE_SIZE,
     depth_max: float = DEPTH_MAX,
     picture: FilePath | None = None,
+    work: FilePath | None = None,
     **settings: Unpack[Settings],
 ) -> TextureReport:
     """Write a mesh with the colors of posed frames. Outputs are checked before the work.
@@ -52,6 +53,7 @@ def texture_folder(
             replaces that of the folder.
         output: A .ply for vertex colors, an .obj, .glb or .gltf for a texture of `size` texels per side.
         picture: A .png file of the mesh with vertex colors.
+        work: Folder for finished steps. Removed after the output is written.
     """
     check_count("size", size)
     job = Job("texture", mesh, **settings)
@@ -69,6 +71,7 @@ def texture_folder(
     clock.stop("read")
     task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
     how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
+    how["work"] = work
     try:
         with AnnouncedStages(clock, job.progress, first="read", part_of={"frames": "read"}) as stages:
             result = texture_mesh(shape, dataset, **how, progress=stages)

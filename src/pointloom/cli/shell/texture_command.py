@@ -22,6 +22,7 @@ METHODS = ("rigid", "non-rigid", "none")
 @option("--method", click.Choice(METHODS), "Optimization of the images, see above.", default="rigid")
 @option("--size=N", click.IntRange(16, 16384), "Texture size [texels].", default=2048)
 @frame_options()
+@option("--work=DIR", FILE, "Folder for finished steps. Default: next to the output.")
 @in_order(DEVICE, UP, PICTURE, JSON, FORCE)
 def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Color MESH from FRAMES, a folder of posed RGB-D frames as of pointloom fuse, and write it to OUT.
@@ -37,6 +38,9 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     rigid      optimize the poses until the images agree at each vertex
     non-rigid  also warp the images, which compensates lens distortion
     none       use poses and images unchanged
+
+    Finished steps are kept in sharp-texture next to sharp.glb, or in --work, until the output is written. After an
+    interruption the same command continues from them, and writes bitwise the same output.
 
     The exit code is 3 if the frames show little or nothing of the mesh, or if the optimization did not improve the
     agreement of the images.
@@ -58,7 +62,8 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
             model_report = texture_model(mesh, frames, output, overwrite=force, progress=progress, **chosen)
         return answer_with(model_report, f"{mesh} and {frames} (model)", as_json)
     options["layout"] = {name: options.pop(name) for name in ("layout", "intrinsic", "every", "skip_missing")}
-    with Progress() as progress:
+    options["work"] = options["work"] or output.with_name(f"{output.stem}-texture")
+    with Progress(kept=options["work"]) as progress:
         report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
     return answer_with(report, f"{mesh} and {frames} ({report.task.layout})", as_json)
 

@@ -1,0 +1,78 @@
+"""Results of the steps of a long computation, kept in a folder until it ends: `KeptArrays`."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import zipfile
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .atomic import atomic_write
+from .errors import FileError, FilePath
+from .json_files import read_json_object
+from .paths import os_errors, path_of
+from .wording import json_text
+from .work_folder import check_work_folder, locked
+
+Arrays = Mapping[str, NDArray[Any]]
+
+INPUTS = "inputs.json"
+
+
+class KeptArrays:
+    """Arrays of finished steps by name. Without a folder every step is computed."""
+
+    def __init__(self, folder: Path | None = None):
+        self._folder = folder
+
+    def get(self, name: str, make: Callable[[], Arrays]) -> Arrays:
+        """The arrays of a step, read from the folder or computed and written atomically."""
+        if self._folder is None:
+            return make()
+        path = self._folder / f"{name}.npz"
+        with contextlib.suppress(OSError, ValueError, KeyError, zipfile.BadZipFile), np.load(path) as file:
+            return {key: file[key] for key in file.files}
+        arrays: Mapping[str, Any] = make()
+        with atomic_write(path) as file:
+            np.savez(file, **arrays)
+        return arrays
+
+
+@contextlib.contextmanager
+def kept_arrays(folder: FilePath | None, inputs: Callable[[], str]) -> Iterator[KeptArrays]:
+    """Keep the steps of the block in a folder, which is removed at its end, but not after an error or interruption.
+
+    `inputs` returns a digest of all inputs. Steps of other inputs are removed first. Raises FileError if the folder
+    contains other files or is in use.
+    """
+    if folder is None:
+        yield KeptArrays()
+        return
+    root = check_work_folder(path_of(folder, "work"), marker=INPUTS, resume=True, overwrite=False)
+    with os_errors(root, "written"):
+        root.mkdir(exist_ok=True)
+    with locked(root):
+        expected = {"inputs": inputs()}
+        with os_errors(root, "written"):
+            if _content_of(root / INPUTS) != expected:
+                for path in root.glob("*.npz"):
+                    path.unlink()
+                with atomic_write(root / INPUTS) as file:
+                    file.write(json_text(expected).encode() + b"\n")
+        yield KeptArrays(root)
+        shutil.rmtree(root, ignore_errors=True)
+
+
+def _content_of(path: Path) -> dict[str, Any] | None:
+    if not os.path.lexists(path):
+        return None
+    try:
+        return read_json_object(path)
+    except FileError:
+        return None
