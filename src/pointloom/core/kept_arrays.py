@@ -1,4 +1,4 @@
-"""Results of the steps of a long computation, kept in a folder until it ends: `KeptArrays`."""
+"""Results of the steps of a long computation, kept in a folder: `KeptArrays`."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ from .work_folder import check_work_folder, locked
 Arrays = Mapping[str, NDArray[Any]]
 
 INPUTS = "inputs.json"
+_DAMAGED = (OSError, EOFError, ValueError, KeyError, zipfile.BadZipFile)
 
 
 class KeptArrays:
@@ -36,8 +37,8 @@ class KeptArrays:
         if self._folder is None:
             return make()
         path = self._folder / f"{name}.npz"
-        with contextlib.suppress(OSError, ValueError, KeyError, zipfile.BadZipFile), np.load(path) as file:
-            return {key: file[key] for key in file.files}
+        with contextlib.suppress(*_DAMAGED), path.open("rb") as file, np.load(file) as stored:
+            return {key: stored[key] for key in stored.files}
         arrays: Mapping[str, Any] = make()
         with atomic_write(path) as file:
             np.savez(file, **arrays)
@@ -46,10 +47,8 @@ class KeptArrays:
 
 @contextlib.contextmanager
 def kept_arrays(folder: FilePath | None, inputs: Callable[[], str]) -> Iterator[KeptArrays]:
-    """Keep the steps of the block in a folder, which is removed at its end, but not after an error or interruption.
-
-    `inputs` returns a digest of all inputs. Steps of other inputs are removed first. Raises FileError if the folder
-    contains other files or is in use.
+    """Keep the steps of the block in a folder, if any. `inputs` returns a digest of all inputs: steps of others are
+    removed first. Raises FileError if the folder contains other files or is in use.
     """
     if folder is None:
         yield KeptArrays()
@@ -65,8 +64,17 @@ def kept_arrays(folder: FilePath | None, inputs: Callable[[], str]) -> Iterator[
                     path.unlink()
                 with atomic_write(root / INPUTS) as file:
                     file.write(json_text(expected).encode() + b"\n")
-        yield KeptArrays(root)
-        shutil.rmtree(root, ignore_errors=True)
+        try:
+            yield KeptArrays(root)
+        finally:
+            if not any(root.glob("*.npz")):
+                remove_kept_arrays(root)
+
+
+def remove_kept_arrays(folder: FilePath) -> None:
+    """Remove a folder of `kept_arrays`. Other folders are left."""
+    if (Path(folder) / INPUTS).is_file():
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _content_of(path: Path) -> dict[str, Any] | None:

@@ -91,6 +91,10 @@ def normals(rows=90):
     return {"geometry": cloud, "color": Points.plain}
 
 
+def beads():
+    return {"geometry": hills(20), "point_size": 0.08, "metric": True, "color": Points.plain}
+
+
 def room():
     """A box whose faces point inwards, and its content."""
     box = loom.TriangleMesh.create_box(2, 2, 1)
@@ -157,7 +161,10 @@ PICTURES = {
     "cloud with its normals drawn": lambda: (normals(15), {"point_show_normal": True, "point_size": 3}),
     "eye-dome cloud": lambda: ({"geometry": loom.PointCloud(hills()), "color": Points.plain}, {}),
     "cloud by height": lambda: (loom.PointCloud(hills()), {}),
-    "points in meters": lambda: ({"geometry": hills(20), "point_size": 0.08, "metric": True, "color": Points.plain}, {}),
+    "points in meters": lambda: (
+        {"geometry": hills(20), "point_size": 0.08, "metric": True, "color": Points.plain},
+        {},
+    ),
     "flat mesh": lambda: (mesh(), {}),
     "smooth mesh": lambda: (mesh(vertex_colors=colors(25)), {"shading": "smooth"}),
     "wireframe": lambda: (mesh(), {"mesh_show_wireframe": True}),

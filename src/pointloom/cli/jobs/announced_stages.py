@@ -12,7 +12,8 @@ class AnnouncedStages:
     """A `ReportProgress` that forwards progress and times each stage until the next one or the end of the block.
 
     `with AnnouncedStages(job.clock, job.progress) as stages: create_surface(cloud, progress=stages)`.
-    Of a name "stage: step" the stage is timed. Stages in `part_of` count as part of another one; `silent` ones are timed but not forwarded.
+    Of a name "stage: step" the stage is timed. Stages in `part_of` count as part of another one. `silent` ones are
+    timed but not forwarded.
     """
 
     def __init__(

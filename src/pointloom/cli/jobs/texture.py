@@ -11,6 +11,7 @@ from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...cameras.depth_range import DEPTH_MAX
 from ...core.checks import check_count
 from ...core.errors import FileError, FilePath
+from ...core.kept_arrays import remove_kept_arrays
 from ...core.outputs import check_output
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import peak_bytes
@@ -79,6 +80,8 @@ def texture_folder(
         return TextureReport(task, None, clock.seconds, [])
     files = _write(result, output, picture, up=job.up_of(output), overwrite=overwrite)
     clock.stop("write")
+    if work is not None:
+        remove_kept_arrays(work)
     return TextureReport(task, result, clock.seconds, files)
 
 

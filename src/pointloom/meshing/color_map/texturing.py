@@ -69,8 +69,9 @@ def texture_mesh(
         size: Texels per side of a texture, which replaces vertex colors. An atlas is created if necessary
             (`pip install "pointloom[mesh]"`). If None: vertex colors.
         depth_max: Maximum depth of used pixels [m].
-        work: Folder for finished steps, removed at the end. After an interruption, a call with the same inputs
-            continues from it, with bitwise the same result. If None, an interruption loses all work.
+        work: Folder for finished steps, about 100 B per vertex and triangle. After an interruption, a call with the
+            same inputs continues from it, with bitwise the same result. Delete it after the result is stored. If None,
+            an interruption loses all work.
         progress: Called with the stage ("frames", "colors", "atlas", "texture"), its progress and total, 0 if unknown.
 
     Raises:
