@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.up_axis import AXES, UP, transform_up_vector
-from ...kernels.meshes.area_vectors import vector_area
+from ...kernels.meshes.facing_areas import DIRECTIONS, facing_areas
 from ...meshing.mesh.mesh_arrays import MeshArrays
 from .camera_frame import is_in_camera_frame
 from .parts import Triple
@@ -18,9 +18,10 @@ VIEW_DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right
 Look = tuple[Triple, Triple]  # direction and up axis of a fitted view
 DEFAULT_LOOK: Look = (VIEW_DIRECTION, UP)
 CAMERA_UP: Triple = (0.0, -1.0, 0.0)  # in the frame of a camera, y is down
-# Fraction of the area of meshes that a view must show more from behind than from the front to be rotated: noise of
-# nearly closed meshes has less.
-MIN_BACK_FRACTION = 0.1
+# Decrease of the fraction of backs among the triangles for which a view is rotated. Closed meshes have equal fractions
+# from everywhere, up to holes and noise.
+MIN_BACK_GAIN = 0.1
+TINY = 1e-300  # against division by zero
 
 
 def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
@@ -63,21 +64,23 @@ def look_of(geometries: Iterable[tuple[Any, Any]], up: Triple | None = None) -> 
 
 
 def _direction_of(geometries: Iterable[tuple[Any, Any]], up: Triple) -> Triple:
-    """The default direction, or that of the quarter turns about `up` which shows meshes from the front, if the default
-    shows more backs than fronts of their triangles.
-    """
-    total, area = np.zeros(3), 0.0
+    """The default direction, or a quarter turn of it about `up` that shows more of open meshes from the front."""
+    default = direction_under(up)
+    direction, axis = np.array(default), np.array(up) / np.linalg.norm(up)
+    along, side = axis * (axis @ direction), np.cross(axis, direction)
+    level = direction - along
+    directions = np.stack([along + way for way in (level, side, -side, -level)])
+    front, back = np.zeros(DIRECTIONS), np.zeros(DIRECTIONS)
     for geometry, pose in geometries:
         if isinstance(geometry, MeshArrays) and len(geometry):
-            vector, size = vector_area(geometry.arrays["vertices"], geometry.arrays["triangles"])  # sync
-            total, area = total + (vector if pose is None else pose[:3, :3] @ vector), area + size
-    default = direction_under(up)
-    direction, axis = np.array(default) / np.linalg.norm(default), np.array(up) / np.linalg.norm(up)
-    if not total @ direction > MIN_BACK_FRACTION * area:
+            ways = directions if pose is None else directions @ pose[:3, :3]
+            areas = facing_areas(geometry.arrays["vertices"], geometry.arrays["triangles"], ways)  # sync
+            front, back = front + areas[0], back + areas[1]
+    fractions = back / np.maximum(front + back, TINY)
+    best = int(fractions.argmin())
+    if not fractions[best] < fractions[0] - MIN_BACK_GAIN:
         return default
-    along = axis * (axis @ direction)
-    side, turned = direction - along, np.cross(axis, direction)
-    x, y, z = min((along + level for level in (side, turned, -turned, -side)), key=lambda d: float(total @ d)).tolist()
+    x, y, z = directions[best].tolist()
     return x, y, z
 
 
