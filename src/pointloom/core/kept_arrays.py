@@ -6,7 +6,8 @@ import contextlib
 import os
 import shutil
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from .atomic import atomic_write
 from .errors import FileError, FilePath
 from .json_files import read_json_object
 from .paths import os_errors, path_of
+from .records import digest_of, digest_of_bytes
 from .wording import json_text
 from .work_folder import check_work_folder, locked
 
@@ -43,6 +45,14 @@ class KeptArrays:
         with atomic_write(path) as file:
             np.savez(file, **arrays)
         return arrays
+
+
+def digest_of_inputs(settings: object, arrays: Iterable[NDArray[Any]], device: object) -> str:
+    """Digest of settings (numbers, strings and lists), arrays, the device and the version of pointloom."""
+    listed = [np.ascontiguousarray(array) for array in arrays]
+    forms = [[list(array.shape), array.dtype.str] for array in listed]
+    content = digest_of_bytes(array.view(np.uint8).reshape(-1) for array in listed)
+    return digest_of([repr(settings), forms, content, str(device), metadata.version("pointloom")])
 
 
 @contextlib.contextmanager

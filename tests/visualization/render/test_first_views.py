@@ -1,4 +1,4 @@
-"""First views without options: colors of clouds without colors, clouds of depth images upright, meshes from the front."""
+"""First views without options: colors of plain clouds, clouds of depth images upright, meshes from the front."""
 
 import numpy as np
 import pytest

@@ -9,6 +9,7 @@ from typing import Any, Unpack
 
 from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.errors import FileError, FilePath
+from ...core.kept_arrays import remove_kept_arrays
 from ...core.outputs import check_output
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import peak_bytes
@@ -42,13 +43,14 @@ def texture_model(
     *,
     size: int | None = None,
     depth_max: float = UNLIMITED_DEPTH,
+    work: FilePath | None = None,
     **settings: Unpack[Settings],
 ) -> ModelTextureReport:
     """Write a mesh with a texture from the images of a model. The output is checked before the work.
 
     `folder` is a COLMAP project with images in `images`, or the work folder of `pointloom video`; `output` an .obj,
     .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See
-    `texture_from_images` for `size` and `depth_max`.
+    `texture_from_images` for `size` and `depth_max`. `work` is a folder for finished steps, removed at the end.
     """
     job = Job("texture", mesh, **settings)
     overwrite = job.form["overwrite"]
@@ -63,7 +65,7 @@ def texture_model(
     clock.stop("read")
     try:
         option = ImageTextureOption(depth_max=depth_max)
-        result = texture_from_images(shape, images, model, option=option, size=size, progress=job.progress)
+        result = texture_from_images(shape, images, model, option=option, size=size, work=work, progress=job.progress)
     except NothingSeenError:
         result = None
     clock.stop("texture")
@@ -72,6 +74,8 @@ def texture_model(
         write_triangle_mesh(output, result.mesh, up=job.up_of(output), overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
+    if work is not None:
+        remove_kept_arrays(work)
     return ModelTextureReport(os.fspath(mesh), os.fspath(folder), len(model), result, clock.seconds, files)
 
 

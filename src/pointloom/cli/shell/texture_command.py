@@ -56,14 +56,14 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
 
     refuse_same(output=output, picture=options["picture"])
     check_up(options["up"], mesh, output)
+    options["work"] = work = options["work"] or output.with_name(f"{output.stem}-texture")
     if is_model_folder(frames):
         chosen = _for_model(options)
-        with Progress() as progress:
+        with Progress(kept=work) as progress:
             model_report = texture_model(mesh, frames, output, overwrite=force, progress=progress, **chosen)
         return answer_with(model_report, f"{mesh} and {frames} (model)", as_json)
     options["layout"] = {name: options.pop(name) for name in ("layout", "intrinsic", "every", "skip_missing")}
-    options["work"] = options["work"] or output.with_name(f"{output.stem}-texture")
-    with Progress(kept=options["work"]) as progress:
+    with Progress(kept=work) as progress:
         report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
     return answer_with(report, f"{mesh} and {frames} ({report.task.layout})", as_json)
 
@@ -71,13 +71,13 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
 def _for_model(options: dict[str, Any]) -> dict[str, Any]:
     """Options for a model of images. Others cause a usage error."""
     context = click.get_current_context()
-    taken = ("size", "depth_max", "device", "up")
+    taken = ("size", "depth_max", "device", "up", "work")
     given = [name for name in options if context.get_parameter_source(name) == ParameterSource.COMMANDLINE]
     for name in given:
         if name not in taken:
             words = f"--{name.replace('_', '-')}"
             raise click.UsageError(f"{words} is for RGB-D frames; the poses of a model are not changed")
-    chosen = {name: options[name] for name in ("size", "device", "up")}
+    chosen = {name: options[name] for name in ("size", "device", "up", "work")}
     return chosen | ({"depth_max": options["depth_max"]} if "depth_max" in given else {})
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from importlib import metadata
 from typing import Any
 
 import numpy as np
@@ -15,9 +14,8 @@ from ...cameras.images import RGBDImage
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_name, check_positive, check_progress, check_rigid, shown
 from ...core.errors import FilePath
-from ...core.kept_arrays import Arrays, KeptArrays, kept_arrays
+from ...core.kept_arrays import Arrays, KeptArrays, digest_of_inputs, kept_arrays
 from ...core.progress import ReportProgress
-from ...core.records import digest_of, digest_of_bytes
 from ...core.wording import format_duration
 from ...io.frames.datasets import Frame
 from ...io.frames.frames import depth_unit, source_warnings
@@ -114,11 +112,8 @@ def _digest_of(
     arrays = [download(mesh.arrays[name]) for name in names] + [mesh.origin, path.poses]
     for image in images:
         arrays += [download(image.color_array), download(image.depth_array)]
-    sizes = [list(array.shape) for array in arrays]
     lens = [camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy]
-    others = [settings, names, sizes, lens, str(mesh.device), metadata.version("pointloom")]
-    parts = (np.ascontiguousarray(array).view(np.uint8).reshape(-1) for array in arrays)
-    return digest_of([*others, digest_of_bytes(parts)])
+    return digest_of_inputs([settings, names, lens], arrays, mesh.device)
 
 
 def _check(mesh: object, frames: object, method: object, size: object) -> None:
