@@ -18,6 +18,7 @@ from .atomic import atomic_write
 from .errors import FileError, FilePath
 from .json_files import read_json_object
 from .paths import os_errors, path_of
+from .progress import ReportProgress, ignore_progress
 from .records import digest_of, digest_of_bytes
 from .wording import json_text
 from .work_folder import check_work_folder, locked
@@ -29,10 +30,10 @@ _DAMAGED = (OSError, EOFError, ValueError, KeyError, zipfile.BadZipFile)
 
 
 class KeptArrays:
-    """Arrays of finished steps by name. Without a folder every step is computed."""
+    """Arrays of finished steps by name, and the progress of those that run. Without a folder every step is computed."""
 
-    def __init__(self, folder: Path | None = None):
-        self._folder = folder
+    def __init__(self, folder: Path | None = None, report: ReportProgress = ignore_progress):
+        self._folder, self.report = folder, report
 
     def get(self, name: str, make: Callable[[], Arrays]) -> Arrays:
         """The arrays of a step, read from the folder or computed and written atomically."""
@@ -56,12 +57,14 @@ def digest_of_inputs(settings: object, arrays: Iterable[NDArray[Any]], device: o
 
 
 @contextlib.contextmanager
-def kept_arrays(folder: FilePath | None, inputs: Callable[[], str]) -> Iterator[KeptArrays]:
+def kept_arrays(
+    folder: FilePath | None, inputs: Callable[[], str], report: ReportProgress = ignore_progress
+) -> Iterator[KeptArrays]:
     """Keep the steps of the block in a folder, if any. `inputs` returns a digest of all inputs: steps of others are
     removed first. Raises FileError if the folder contains other files or is in use.
     """
     if folder is None:
-        yield KeptArrays()
+        yield KeptArrays(None, report)
         return
     root = check_work_folder(path_of(folder, "work"), marker=INPUTS, resume=True, overwrite=False)
     with os_errors(root, "written"):
@@ -75,7 +78,7 @@ def kept_arrays(folder: FilePath | None, inputs: Callable[[], str]) -> Iterator[
                 with atomic_write(root / INPUTS) as file:
                     file.write(json_text(expected).encode() + b"\n")
         try:
-            yield KeptArrays(root)
+            yield KeptArrays(root, report)
         finally:
             if not any(root.glob("*.npz")):
                 remove_kept_arrays(root)

@@ -44,17 +44,16 @@ def texture_folder(
     size: int = DEFAULT_TEXTURE_SIZE,
     depth_max: float = DEPTH_MAX,
     picture: FilePath | None = None,
-    work: FilePath | None = None,
     **settings: Unpack[Settings],
 ) -> TextureReport:
-    """Write a mesh with the colors of posed frames. Outputs are checked before the work.
+    """Write a mesh with the colors of posed frames. Outputs are checked before the work. Finished steps are kept in
+    `work_folder_of(output)` until the output is written.
 
     Args:
         folder: See `open_dataset`, with the options `layout`. Its "intrinsic" is a camera as Open3D's JSON, which
             replaces that of the folder.
         output: A .ply for vertex colors, an .obj, .glb or .gltf for a texture of `size` texels per side.
         picture: A .png file of the mesh with vertex colors.
-        work: Folder for finished steps. Removed after the output is written.
     """
     check_count("size", size)
     job = Job("texture", mesh, **settings)
@@ -72,7 +71,7 @@ def texture_folder(
     clock.stop("read")
     task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
     how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
-    how["work"] = work
+    how["work"] = work = work_folder_of(output)
     try:
         with AnnouncedStages(clock, job.progress, first="read", part_of={"frames": "read"}) as stages:
             result = texture_mesh(shape, dataset, **how, progress=stages)
@@ -80,9 +79,13 @@ def texture_folder(
         return TextureReport(task, None, clock.seconds, [])
     files = _write(result, output, picture, up=job.up_of(output), overwrite=overwrite)
     clock.stop("write")
-    if work is not None:
-        remove_kept_arrays(work)
+    remove_kept_arrays(work)
     return TextureReport(task, result, clock.seconds, files)
+
+
+def work_folder_of(output: FilePath) -> Path:
+    """Folder of finished steps beside the output: mesh-texture for mesh.glb."""
+    return Path(output).with_name(f"{Path(output).stem}-texture")
 
 
 @dataclass(frozen=True)

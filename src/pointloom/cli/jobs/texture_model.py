@@ -21,6 +21,7 @@ from ...meshing.color_map.options import ImageTextureOption
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 from .job import Job, Settings
+from .texture import work_folder_of
 
 WRITTEN = (".obj", ".glb", ".gltf")
 SCALED_MODEL = Path("mesh")  # of a video's work folder: the model in the units of its mesh
@@ -43,14 +44,14 @@ def texture_model(
     *,
     size: int | None = None,
     depth_max: float = UNLIMITED_DEPTH,
-    work: FilePath | None = None,
     **settings: Unpack[Settings],
 ) -> ModelTextureReport:
     """Write a mesh with a texture from the images of a model. The output is checked before the work.
 
     `folder` is a COLMAP project with images in `images`, or the work folder of `pointloom video`; `output` an .obj,
     .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See
-    `texture_from_images` for `size` and `depth_max`. `work` is a folder for finished steps, removed at the end.
+    `texture_from_images` for `size` and `depth_max`. Finished steps are kept in
+    `work_folder_of(output)` until the output is written.
     """
     job = Job("texture", mesh, **settings)
     overwrite = job.form["overwrite"]
@@ -63,6 +64,7 @@ def texture_model(
         )
     model, images = _open(Path(folder))
     clock.stop("read")
+    work = work_folder_of(output)
     try:
         option = ImageTextureOption(depth_max=depth_max)
         result = texture_from_images(shape, images, model, option=option, size=size, work=work, progress=job.progress)
@@ -74,8 +76,7 @@ def texture_model(
         write_triangle_mesh(output, result.mesh, up=job.up_of(output), overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
-    if work is not None:
-        remove_kept_arrays(work)
+    remove_kept_arrays(work)
     return ModelTextureReport(os.fspath(mesh), os.fspath(folder), len(model), result, clock.seconds, files)
 
 

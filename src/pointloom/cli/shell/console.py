@@ -24,6 +24,7 @@ from ...core.wording import format_duration, json_text
 LINE_INTERVAL = 5.0
 # [s] of a stage before its remaining time is estimated: the first steps may compile kernels or read files.
 MIN_ESTIMATED_FROM = 5.0
+MIN_REPORTED_LOSS = 60.0  # [s] of interrupted work whose loss is reported
 
 
 class OutputLostError(OSError):
@@ -34,7 +35,7 @@ class Progress:
     """Progress on stderr: a bar in a terminal, lines elsewhere. A `ReportProgress`. `rates` adds steps per second.
 
     `kept` is a folder of intermediate files: the first line names it, and the last one after Ctrl-C. `resume` are the
-    additional options that continue from it.
+    additional options that continue from it. Without a folder, Ctrl-C after a minute reports that nothing is kept.
     """
 
     def __init__(self, *, rates: bool = False, kept: Path | None = None, resume: str = ""):
@@ -64,9 +65,12 @@ class Progress:
     ) -> None:
         if self._bar is not None:
             self._bar.stop()
-        if isinstance(error, KeyboardInterrupt) and self._kept is not None and self._started:
-            message = f"finished work is kept in {self._kept}; the same command{self._resume} continues from it"
-            click.echo(escaped(message), err=True)
+        if isinstance(error, KeyboardInterrupt) and self._started:
+            if self._kept is not None:
+                message = f"finished work is kept in {self._kept}; the same command{self._resume} continues from it"
+                click.echo(escaped(message), err=True)
+            elif time.monotonic() - self._began > MIN_REPORTED_LOSS:
+                click.echo("nothing is kept; the same command starts again", err=True)
 
     def __call__(self, stage: str, done: int, total: int) -> None:
         """Show that `done` of `total` steps of a stage are done; `total` 0 if unknown."""

@@ -22,7 +22,6 @@ METHODS = ("rigid", "non-rigid", "none")
 @option("--method", click.Choice(METHODS), "Optimization of the images, see above.", default="rigid")
 @option("--size=N", click.IntRange(16, 16384), "Texture size [texels].", default=2048)
 @frame_options()
-@option("--work=DIR", FILE, "Folder for finished steps. Default: next to the output.")
 @in_order(DEVICE, UP, PICTURE, JSON, FORCE)
 def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Color MESH from FRAMES, a folder of posed RGB-D frames as of pointloom fuse, and write it to OUT.
@@ -39,8 +38,8 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     non-rigid  also warp the images, which compensates lens distortion
     none       use poses and images unchanged
 
-    Finished steps are kept in sharp-texture next to sharp.glb, or in --work, until the output is written. After an
-    interruption the same command continues from them, and writes bitwise the same output.
+    Finished steps are kept in sharp-texture next to sharp.glb until the output is written. After an interruption the
+    same command continues from them, and writes bitwise the same output.
 
     The exit code is 3 if the frames show little or nothing of the mesh, or if the optimization did not improve the
     agreement of the images.
@@ -51,12 +50,12 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     pointloom texture kitchen.ply redkitchen/seq-01 -o kitchen.glb --method non-rigid --size 4096
     pointloom texture room.ply room-work -o room.glb --size 4096
     """
-    from ..jobs.texture import texture_folder
+    from ..jobs.texture import texture_folder, work_folder_of
     from ..jobs.texture_model import is_model_folder, texture_model
 
     refuse_same(output=output, picture=options["picture"])
     check_up(options["up"], mesh, output)
-    options["work"] = work = options["work"] or output.with_name(f"{output.stem}-texture")
+    work = work_folder_of(output)
     if is_model_folder(frames):
         chosen = _for_model(options)
         with Progress(kept=work) as progress:
@@ -71,13 +70,13 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
 def _for_model(options: dict[str, Any]) -> dict[str, Any]:
     """Options for a model of images. Others cause a usage error."""
     context = click.get_current_context()
-    taken = ("size", "depth_max", "device", "up", "work")
+    taken = ("size", "depth_max", "device", "up")
     given = [name for name in options if context.get_parameter_source(name) == ParameterSource.COMMANDLINE]
     for name in given:
         if name not in taken:
             words = f"--{name.replace('_', '-')}"
             raise click.UsageError(f"{words} is for RGB-D frames; the poses of a model are not changed")
-    chosen = {name: options[name] for name in ("size", "device", "up", "work")}
+    chosen = {name: options[name] for name in ("size", "device", "up")}
     return chosen | ({"depth_max": options["depth_max"]} if "depth_max" in given else {})
 
 

@@ -11,7 +11,7 @@ from ..lang import array, dot, float64, reduce, reduction, tid, vec3, vec3d, vec
 from ..memory import download, upload
 from .mesh_measures import triangle_cross
 
-DIRECTIONS = 4
+DIRECTION_COUNT = 4
 facing_sums = vector(8, float64)
 
 
@@ -36,4 +36,4 @@ def facing_areas(
     """Areas that face toward the viewers along four directions (4, 3), shape (4,), and away from them."""
     given = [vertices, triangles, upload(directions, vec3d, vertices.device)]
     sums = np.asarray(download(reduce(sum_facing_areas, triangles.size, given))[0], np.float64) / 2  # sync
-    return sums[:DIRECTIONS], sums[DIRECTIONS:]
+    return sums[:DIRECTION_COUNT], sums[DIRECTION_COUNT:]

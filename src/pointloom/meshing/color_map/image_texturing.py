@@ -107,8 +107,8 @@ def texture_from_images(
         raise TypeError(f"option: expected an ImageTextureOption, got {type(option).__name__}")
     option, report = option or ImageTextureOption(), check_progress(progress)
     images = take_images(images, cameras, extrinsics, mesh.device, report)
-    with kept_arrays(work, lambda: _digest_of(mesh, images, option)) as kept:
-        choice = _choose(mesh, images, option, report, kept)
+    with kept_arrays(work, lambda: _digest_of(mesh, images, option), report) as kept:
+        choice = _choose(mesh, images, option, kept)
     report("seams", 0, 0)
     levels = SeamLevels(mesh.arrays["vertices"], choice.seams, choice.images, choice.exposures)
     before = levels.mean_step()
@@ -151,14 +151,12 @@ def _digest_of(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOpti
     return digest_of_inputs([lenses, settings], arrays, mesh.device)
 
 
-def _choose(
-    mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption, report: ReportProgress, kept: KeptArrays
-) -> _Choice:
+def _choose(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption, kept: KeptArrays) -> _Choice:
     vertices, device = mesh.arrays["vertices"], mesh.device
     owners = find_equal_points(vertices)
     triangles = rename_corners(mesh.arrays["triangles"], owners, positions(vertices.size, device))
     stack, twins = images.stacked(mesh.origin, 0), find_twins(triangles, vertices.size)
-    arrays = kept.get("choice", lambda: _choose_views(vertices, triangles, twins, stack, option, report))
+    arrays = kept.get("choice", lambda: _choose_views(vertices, triangles, twins, stack, option, kept.report))
     gains = Exposures(*(upload(arrays[name], vec3d, device) for name in ("gains", "bends")))
     seams = Seams(triangles, twins, upload(arrays["views"], int32, device), stack.count, vertices.size)
     pairs, outliers, energy = arrays["pairs"].tolist()

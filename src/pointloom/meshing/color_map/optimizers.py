@@ -102,9 +102,8 @@ def color_mesh(
     occlusion: str | None = None,
     *,
     kept: KeptArrays | None = None,
-    report: ReportProgress = ignore_progress,
 ) -> ColorMapResult:
-    """As `optimize_color_map`. `kept` keeps the result by the name of the method. `report` receives the iterations."""
+    """As `optimize_color_map`. `kept` keeps the result by the name of the method, and receives the progress."""
     chosen = ColorMapOption() if option is None else option
     if not isinstance(chosen, ColorMapOption):
         raise TypeError(f"option: expected a ColorMapOption, got {type(chosen).__name__}")
@@ -114,6 +113,7 @@ def color_mesh(
     results: list[ColorMapResult] = []
 
     def optimize() -> Arrays:
+        report = ignore_progress if kept is None else kept.report
         search = _optimize(mesh, images, chosen, method, occlusion, report)
         results.append(_conclude(mesh, images, camera_trajectory, chosen, search))
         return {} if kept is None else results[0].to_arrays()

@@ -91,16 +91,16 @@ def texture_mesh(
     farthest, report = check_positive("depth_max", depth_max), check_progress(progress)
     images, path = _read_frames(frames, poses, farthest, mesh.device, report)
     camera = frames.intrinsic
-    with kept_arrays(work, lambda: _digest_of(mesh, images, path, camera, [method, size, farthest])) as kept:
+    with kept_arrays(work, lambda: _digest_of(mesh, images, path, camera, [method, size, farthest]), report) as kept:
         report("colors", 0, 0)
-        colors = _color(mesh, images, path, camera, method, farthest, kept, report)
+        colors = _color(mesh, images, path, camera, method, farthest, kept)
         rotated, moved = mean_motion(path, colors.trajectory)
         result = TexturedMesh(
             colors.mesh, colors, method, farthest, rotated, moved, source_warnings=source_warnings(frames)
         )
         if size is None:
             return result
-        textured, fraction = _paint_atlas(colors, camera, size, kept, report)
+        textured, fraction = _paint_atlas(colors, camera, size, kept)
         return dataclasses.replace(result, mesh=textured, size=size, texel_fraction=fraction)
 
 
@@ -171,7 +171,6 @@ def _color(
     method: str,
     depth_max: float,
     kept: KeptArrays,
-    report: ReportProgress,
 ) -> ColorMapResult:
     numbers: dict[str, Any] = {
         "maximum_allowable_depth": depth_max,
@@ -180,24 +179,23 @@ def _color(
     }
     iterations = 0 if method == "none" else RIGID_ITERATIONS
     option = ColorMapOption(maximum_iteration=iterations, **numbers)
-    where: dict[str, Any] = {"kept": kept, "report": report}
-    rigid = color_mesh(mesh, images, path, option, camera, "rigid", **where)
+    rigid = color_mesh(mesh, images, path, option, camera, "rigid", kept=kept)
     if method != "non-rigid":
         return rigid
     option = ColorMapOption(maximum_iteration=NON_RIGID_ITERATIONS, **numbers)
-    non_rigid = color_mesh(mesh, images, rigid.trajectory, option, camera, method, **where)
+    non_rigid = color_mesh(mesh, images, rigid.trajectory, option, camera, method, kept=kept)
     iterations = rigid.iterations + non_rigid.iterations
     return dataclasses.replace(non_rigid, residual_before=rigid.residual_before, iterations=iterations)
 
 
 def _paint_atlas(
-    colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: int, kept: KeptArrays, report: ReportProgress
+    colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: int, kept: KeptArrays
 ) -> tuple[TriangleMesh, float]:
     """Mesh with a texture from the optimized images, and the fraction of it that they see."""
     mesh = colors.mesh
     if mesh.triangle_uvs is None:
         seconds = SECONDS_OF_ATLAS * (len(mesh) / TRIANGLES_OF_ATLAS) ** ATLAS_EXPONENT
-        report(f"atlas: {len(mesh):,} triangles, about {format_duration(seconds)}", 0, 0)
+        kept.report(f"atlas: {len(mesh):,} triangles, about {format_duration(seconds)}", 0, 0)
 
         def lay_out() -> Arrays:
             atlas = mesh.compute_uvatlas(size, gutter=GUTTER_TEXELS)
@@ -206,7 +204,7 @@ def _paint_atlas(
         uvs = kept.get("atlas", lay_out)["triangle_uvs"]
         without = mesh.with_arrays(triangle_material_ids=None)
         mesh = without.with_arrays(triangle_uvs=upload(uvs, vec2, mesh.device))
-    report("texture", 0, 0)
+    kept.report("texture", 0, 0)
     images = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
     extrinsics = [inv(pose) for pose in colors.trajectory.poses]
     textured, fraction = mesh.with_albedo(images, camera, extrinsics, size)

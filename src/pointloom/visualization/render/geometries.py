@@ -130,7 +130,8 @@ def _with_default_colors(named: list[Named], colored: Collection[str]) -> list[N
 def _has_heights(cloud: object) -> bool:
     """True if the points have different heights, which a color shows."""
     if not isinstance(cloud, PointCloud):
-        cloud = PointCloud(getattr(cloud, "points", cloud))
+        points: Any = getattr(cloud, "points", cloud)
+        cloud = PointCloud(points)
     low, high, count = bound_points(cloud.arrays["points"])
     return bool(count) and float(high[2]) > float(low[2])
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.up_axis import AXES, UP, transform_up_vector
-from ...kernels.meshes.facing_areas import DIRECTIONS, facing_areas
+from ...kernels.meshes.facing_areas import DIRECTION_COUNT, facing_areas
 from ...meshing.mesh.mesh_arrays import MeshArrays
 from .camera_frame import is_in_camera_frame
 from .parts import Triple
@@ -21,7 +21,7 @@ CAMERA_UP: Triple = (0.0, -1.0, 0.0)  # in the frame of a camera, y is down
 # Decrease of the fraction of backs among the triangles for which a view is rotated. Closed meshes have equal fractions
 # from everywhere, up to holes and noise.
 MIN_BACK_GAIN = 0.1
-TINY = 1e-300  # against division by zero
+MIN_TOTAL_AREA = 1e-300  # [m^2] against division by zero
 
 
 def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
@@ -70,13 +70,13 @@ def _direction_of(geometries: Iterable[tuple[Any, Any]], up: Triple) -> Triple:
     along, side = axis * (axis @ direction), np.cross(axis, direction)
     level = direction - along
     directions = np.stack([along + way for way in (level, side, -side, -level)])
-    front, back = np.zeros(DIRECTIONS), np.zeros(DIRECTIONS)
+    front, back = np.zeros(DIRECTION_COUNT), np.zeros(DIRECTION_COUNT)
     for geometry, pose in geometries:
         if isinstance(geometry, MeshArrays) and len(geometry):
             ways = directions if pose is None else directions @ pose[:3, :3]
             areas = facing_areas(geometry.arrays["vertices"], geometry.arrays["triangles"], ways)  # sync
             front, back = front + areas[0], back + areas[1]
-    fractions = back / np.maximum(front + back, TINY)
+    fractions = back / np.maximum(front + back, MIN_TOTAL_AREA)
     best = int(fractions.argmin())
     if not fractions[best] < fractions[0] - MIN_BACK_GAIN:
         return default
