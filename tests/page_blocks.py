@@ -12,13 +12,8 @@ from .test_imports import ROOT
 
 PAGES = ["README.md", *sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/*.md"))]
 PAGES += [path.relative_to(ROOT).as_posix() for path in ROOT.glob("src/pointloom/cli/shell/*.md")]
-# Pages that take over a second of CPU.
-SLOW = {
-    "src/pointloom/cli/shell/SKILL.md",
-    "docs/bending.md", "docs/change.md", "docs/frames.md",
-    "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md", "docs/recordings.md", "docs/slam.md",
-    "docs/surfaces.md", "docs/terrain.md", "docs/tiles.md",
-}  # fmt: skip
+# Pages that take over 10 s of CPU.
+NIGHTLY = {"docs/mvs.md", "docs/reconstruction.md", "docs/sfm.md", "docs/slam.md", "docs/video.md"}
 NOT_RUN = re.compile(r"<!-- not run: (.+) -->")
 
 
