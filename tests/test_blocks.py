@@ -1,4 +1,4 @@
-"""The code of the README and of docs/ runs as a reader copies it: without other files and names than those of the page."""
+"""The code of the README and of docs/ runs as a reader copies it: with the files and names of its page alone."""
 
 from __future__ import annotations
 
