@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -108,8 +109,29 @@ def test_docs_searches_chapters_by_words_and_numbers():
     nothing = run("docs", "elephants")
     assert (
         nothing.exit_code == 2
-        and "no chapter contains elephants; the chapters are 1 Read a point cloud" in nothing.stderr
+        and "no chapter and no guide contains elephants; the chapters are 1 Read a point cloud" in nothing.stderr
     )
+
+
+@pytest.mark.parametrize(
+    ("word", "page"),
+    [("ground", "terrain"), ("stations", "stations"), ("change", "change"), ("e57", "files"), ("read las", "files")],
+)
+def test_docs_finds_guides(word, page):
+    found = json.loads(run("docs", word, "--json").stdout)["guides"]
+    assert any(Path(row["page"]).stem == page for row in found)
+    assert all(row["title"] in run("docs", word).stdout for row in found)
+
+
+def test_the_guides_are_those_of_the_index_of_the_documentation():
+    row = re.compile(r"^\| \[([^\]]+)\]\(([\w-]+)\.md\).*?\| (.*) \|$", re.MULTILINE)
+    listed = row.findall((ROOT / "docs" / "README.md").read_text())
+    plain = [
+        re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", text).replace(" | ", "; ").replace("`", "") for _, _, text in listed
+    ]
+    expected = [(page, title, text) for (title, page, _), text in zip(listed, plain, strict=True)]
+    assert len(expected) > 30
+    assert [(guide.page, guide.title, guide.contents) for guide in book.guides()] == expected
 
 
 def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):

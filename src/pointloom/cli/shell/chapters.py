@@ -5,8 +5,10 @@ from __future__ import annotations
 import dataclasses
 import functools
 import importlib.metadata
+import re
 import tomllib
 from pathlib import Path
+from typing import Any
 
 CHECKOUT_FOLDER = Path(__file__).resolve().parents[4]  # an installed package has none, and no pages there
 SKILL = Path(__file__).with_name("SKILL.md")
@@ -41,9 +43,33 @@ class Chapter:
         return dataclasses.asdict(self)
 
 
+@dataclasses.dataclass(frozen=True)
+class Guide:
+    """A guide, docs/<page>.md, with its contents and additional search words."""
+
+    page: str
+    title: str
+    contents: str
+    words: str
+
+    def speaks_of(self, words: tuple[str, ...]) -> bool:
+        """True if it contains all words, at the beginning of its own."""
+        text = " ".join([self.page, self.title, self.contents, self.words]).lower()
+        return all(re.search(rf"\b{re.escape(word.lower())}", text) for word in words)
+
+
+@functools.cache
+def guides() -> tuple[Guide, ...]:
+    return tuple(Guide(**row) for row in _rows("guide"))
+
+
+def _rows(kind: str) -> list[dict[str, Any]]:
+    return tomllib.loads(Path(__file__).with_name("chapters.toml").read_text(encoding="utf-8"))[kind]
+
+
 @functools.cache
 def chapters() -> tuple[Chapter, ...]:
-    rows = tomllib.loads(Path(__file__).with_name("chapters.toml").read_text(encoding="utf-8"))["chapter"]
+    rows = _rows("chapter")
     return tuple(Chapter(**row | {"names": tuple(row["names"]), "commands": tuple(row["commands"])}) for row in rows)
 
 
@@ -60,9 +86,10 @@ def docs_location() -> str | None:
     return named.get("Documentation")
 
 
-def page_of(chapter: Chapter, location: str | None) -> str | None:
-    """Page of a chapter, or its script, or None."""
+def page_of(entry: Chapter | Guide, location: str | None) -> str | None:
+    """Page of a chapter or guide, or its source in a checkout, or None."""
+    page = f"chapters/plot_{entry.slug}" if isinstance(entry, Chapter) else entry.page
     if location is not None and location.startswith("file:"):
-        return f"{location}/chapters/plot_{chapter.slug}.html"
-    script = CHECKOUT_FOLDER / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"
-    return str(script) if script.is_file() else location
+        return f"{location}/{page}.html"
+    source = CHECKOUT_FOLDER / "docs" / (f"examples/{page}.py" if isinstance(entry, Chapter) else f"{page}.md")
+    return str(source) if source.is_file() else location

@@ -50,40 +50,49 @@ def completion(shell: str | None, as_json: bool) -> int:
 @option("--skill", bool, "Print the guide for coding assistants.")
 @JSON
 def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int:
-    """List the chapters of the documentation that contain all WORDS, or have that number. Without words: all chapters.
+    """List the chapters and guides of the documentation that contain all WORDS, or the chapter with that number.
 
-    For each chapter with WORDS: its Python functions (`help(loom.NAME)` has details and an example), the corresponding
-    commands, and its page. Pages are those built by `make docs` in this checkout, else the address of the project, if
-    any.
+    Without WORDS: all chapters. For each chapter with WORDS: its Python functions (`help(loom.NAME)` has details and an
+    example), the corresponding commands, and its page. Pages are those built by `make docs` in this checkout, else the
+    address of the project, if any.
 
     \b
     pointloom docs icp
     pointloom docs 11
     pointloom docs --skill > .claude/skills/pointloom/SKILL.md
     """
-    from .chapters import SKILL, chapters, docs_location, page_of
+    from .chapters import SKILL, chapters, docs_location, guides, page_of
 
     if skill:
         if words or opens or as_json:
             refuse("--skill excludes WORDS, --open and --json")
         click.echo(SKILL.read_text(encoding="utf-8"), nl=False)
         return 0
+    words = tuple(" ".join(words).split())
     matches = [chapter for chapter in chapters() if chapter.speaks_of(words)]
-    if not matches:
+    matching_guides = [guide for guide in guides() if words and guide.speaks_of(words)]
+    if not matches and not matching_guides:
         known = ", ".join(f"{chapter.number} {chapter.title}" for chapter in chapters())
-        refuse(f"no chapter contains {' '.join(words)}; the chapters are {known}")
+        refuse(f"no chapter and no guide contains {' '.join(words)}; the chapters are {known}")
     location = docs_location()
     pages = [page_of(chapter, location) for chapter in matches]
+    guide_pages = [page_of(guide, location) for guide in matching_guides]
     if opens:
-        _open(pages[0] if words else location)
+        _open([*pages, *guide_pages][0] if words else location)
     if as_json:
         rows = [chapter.as_row() | {"page": page} for chapter, page in zip(matches, pages, strict=True)]
-        print_json({"command": "docs", "place": location, "chapters": rows})
+        found = [
+            {"page": page, "title": guide.title, "contents": guide.contents}
+            for guide, page in zip(matching_guides, guide_pages, strict=True)
+        ]
+        print_json({"command": "docs", "place": location, "chapters": rows, "guides": found})
         return 0
     for chapter, page in zip(matches, pages, strict=True):
         click.echo(f"{chapter.number:>2}  {chapter.title}")
         if words:
             click.echo("    " + "\n    ".join(chapter.lines(page)))
+    for guide, page in zip(matching_guides, guide_pages, strict=True):
+        click.echo(f"    {guide.title}\n    " + "\n    ".join([guide.contents, *([page] if page else [])]))
     if not words:
         click.echo("\npointloom docs WORDS lists the functions and the corresponding commands.")
         click.echo(f"The pages: {location}" if location else "No built pages: `make docs` in a checkout builds them.")
