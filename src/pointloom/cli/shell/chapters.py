@@ -70,7 +70,9 @@ def _rows(kind: str) -> list[dict[str, Any]]:
 @functools.cache
 def chapters() -> tuple[Chapter, ...]:
     rows = _rows("chapter")
-    return tuple(Chapter(**row | {"names": tuple(row["names"]), "commands": tuple(row["commands"])}) for row in rows)
+    for row in rows:
+        row |= {"names": tuple(row["names"]), "commands": tuple(row["commands"])}
+    return tuple(Chapter(**row) for row in rows)
 
 
 def docs_location() -> str | None:
