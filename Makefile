@@ -175,7 +175,7 @@ gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on wh
 trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected (an hour on two cores, continues where it ended, not in CI)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
-bench: $(BENCH) ## Run the benchmarks beside the best peers
+bench: $(BENCH) $(TORCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)
 
 speed: $(BENCH) ## Compare 24 operations with recorded ratios to their baselines (90 s; ARGS=--record stores the ratios)
