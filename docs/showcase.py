@@ -31,7 +31,7 @@ ROOM = DATA / "rgbd-cupoch-redwood5"
 SIZE = (1600, 900)  # [px] of a rendered view
 STRIP = 70  # [px] below it, for title and source
 BORDER = 3  # [px]
-QUALITY = 84  # of JPEG: the seven files together are smaller than 1 MB
+QUALITY = 72  # of JPEG: the seven files together have about 1 MB
 THUMBNAIL = (800, 485)  # [px] of one of six in the composition
 ORANGE, BLUE, DARK, GRAY = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929), (0.1, 0.1, 0.1), (0.45, 0.45, 0.45)
 

@@ -117,7 +117,9 @@ def _write_mcap(path: Path, timeline: Timeline) -> None:
     transforms = channels.FrameTransformChannel("/tf", context=context)
     scene = channels.SceneUpdateChannel("/scene", context=context)
     logs = channels.LogChannel("/label", context=context)
-    plots = foxglove.Channel("/plots", message_encoding="json", context=context)
+    names = {name for frame in timeline.frames for name in frame.values}
+    schema = {"type": "object", "properties": {name: {"type": "number"} for name in sorted(names)}}
+    plots = foxglove.Channel("/plots", schema=schema, message_encoding="json", context=context)
     clouds: dict[str, Any] = {}
     with foxglove.open_mcap(path, context=context):
         for number, frame, changes in _changes(timeline):
