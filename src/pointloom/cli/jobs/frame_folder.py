@@ -9,11 +9,11 @@ from typing import Any
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...core.errors import DatasetError, FileError, FilePath, PointloomError
-from ...core.paths import path_of
+from ...core.paths import is_recording, path_of
 from ...core.reports import Assessed, Fields, failed, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds
-from ...io.bags.recording import is_recording, open_recording
+from ...io.bags.recording import open_recording
 from ...io.frames.datasets import RGBDDataset, open_dataset, open_frames
 from ...io.frames.frames import camera_line, describe_camera, describe_folder, open_folder, why_incomplete
 from .job import Done, JobReport

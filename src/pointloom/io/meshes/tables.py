@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ...core.errors import FileError, FilePath
+from ...core.paths import recording_remedy
 from ..columns import warn_of_loss
 from ..points.e57 import read_frames
 from ..points.formats import FORMATS, READERS, WriteOptions, read_points, write_table
@@ -36,7 +37,10 @@ def read_table(path: FilePath, columns: Sequence[str] | None = None) -> PointTab
     if columns is None and suffix in MESH_READERS and (suffix != ".ply" or is_mesh_file(path)):
         return MESH_READERS[suffix](path)
     if suffix not in READERS:
-        remedy = f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
+        remedy = (
+            recording_remedy(path, "scans()")
+            or f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
+        )
         raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
     return read_points(path, columns)
 
