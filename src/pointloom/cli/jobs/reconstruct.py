@@ -114,5 +114,5 @@ def reconstruct_folder(
         files += outputs.write_trajectory(path, overwrite=overwrite)
     clock.stop("write")
     return ReconstructReport(
-        opened.done("reconstruct", clock, files, *result.warnings, *opened.warnings), opened, result
+        opened.done("reconstruct", clock, files, *result.warnings), opened, result
     )

@@ -147,6 +147,7 @@ _SUFFIXES = ("/compressed", "/compressedDepth", "/theora")
 
 class Messages(Protocol):
     path: Path
+    damage: str | None
 
     def topic_types(self) -> dict[str, str]: ...
 
@@ -169,6 +170,7 @@ class RecordedFrames(Assessed):
         layout: "recording".
         intrinsic_source: Source of the camera.
         warnings: Why the camera may belong to other images. Empty if no check failed.
+        damage: Missing data of the recording, or None. Results of the frames report it.
     """
 
     layout = "recording"
@@ -185,7 +187,7 @@ class RecordedFrames(Assessed):
         every: int,
     ):
         self._recording, self.depth, self.color = recording, depth, color
-        self._kinds = recording.topic_types()
+        self._kinds, self.damage = recording.topic_types(), recording.damage
         self._lock = threading.Lock()
         self.left_out: list[str] = []
         self.pairing: tuple[int, ...] = ()

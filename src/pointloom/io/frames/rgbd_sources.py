@@ -118,7 +118,9 @@ def _size_of_first(frames: Iterable[Any]) -> tuple[int, int] | None:
     """Width and height of the first depth image of a list. None if it cannot be read without the others."""
     if not isinstance(frames, list | tuple) or not frames:
         return None
-    shape = np.shape(_frame_of(frames[0], "frame-000000").depth)
+    first = frames[0]
+    depth = first[1] if isinstance(first, list | tuple) and len(first) > 1 else getattr(first, "depth", None)
+    shape = getattr(depth, "shape", ())
     return (shape[1], shape[0]) if len(shape) == 2 else None
 
 
