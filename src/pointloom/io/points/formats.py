@@ -7,16 +7,18 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from ...core.devices import DeviceLike
 from ...core.errors import FilePath
 from ...core.escaped_text import escaped
+from ...core.units import warn_of_units
 from ..attribute_names import NameRules, rename
 from ..columns import has_type, narrow_integers
 from ..source import netted
 from ..table import PointTable
-from . import las_writer, npz, pcd, ply
+from . import las_writer, npy, npz, pcd, ply, vtk_points
 from .copc_writer import write_copc
 from .e57 import ScanFrame, read_e57
 from .e57_writer import unstorable_in_e57, write_e57
@@ -24,12 +26,16 @@ from .header_units import PCD, PLY, reference_comments, warn_of_lost_reference, 
 from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
+from .obj_points import read_obj_points
 from .ptx import read_ptx
 from .text import read_text, write_text
 from .text_table import SUFFIXES, check_columns, read_text_table, write_text_table
 from .text_table import name_rules as text_rules
 
 COPC = ".copc.laz"
+OF_8_BITS = (".ply", ".pcd", ".pts", ".e57")  # colors
+COLOR_SAMPLES = 4096  # whose bits are examined
+COLOR_ROUNDING = 1.2e-7  # of float32 colors, two roundings
 
 Storable = tuple[PointTable, list[str]]  # a table, and the names of what was removed from it
 
@@ -99,6 +105,15 @@ def _write_npz(path: FilePath, table: PointTable, options: WriteOptions) -> None
     npz.write_npz(path, table, overwrite=options.overwrite)
 
 
+def _write_npy(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    warn_of_lost_reference(path, table)
+    npy.write_npy_points(path, table, overwrite=options.overwrite)
+
+
+def _write_vtk(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    vtk_points.write_vtk_points(path, table, ascii=options.ascii, overwrite=options.overwrite)
+
+
 def _write_text(path: FilePath, table: PointTable, options: WriteOptions) -> None:
     warn_of_lost_reference(path, table)
     write_text(path, table, overwrite=options.overwrite)
@@ -148,8 +163,10 @@ def _text(name: str, columns: tuple[str, ...] = ()) -> Format:
 
 _LAS = Format("LAS", netted(read_las), _write_las, las_writer.name_rules, _storable_in_las)
 
+_VTK = Format("VTK", netted(vtk_points.read_vtk_points), _write_vtk, vtk_points.name_rules)
+
 _TABLE = Format("text", netted(read_text_table), _write_text_table, text_rules, read_columns=netted(read_text_table))
-_read_bin = netted(read_kitti_bin)
+_read_bin, _read_npy = netted(read_kitti_bin), netted(npy.read_npy_points)
 
 FORMATS = {
     ".ply": Format("PLY", netted(with_header_reference(PLY)(ply.read_ply)), _write_ply, _ply_names, _storable_in_ply),
@@ -162,6 +179,7 @@ FORMATS = {
         stores_viewpoint=True,
     ),
     ".npz": Format("NPZ", netted(npz.read_npz), _write_npz, npz.name_rules),
+    ".npy": Format("NPY", _read_npy, _write_npy, npy.name_rules, read_columns=_read_npy),
     ".xyz": replace(_text("XYZ"), read_columns=_TABLE.read),
     ".xyzn": _text("XYZN", ("normals",)),
     ".xyzrgb": _text("XYZRGB", ("colors",)),
@@ -174,6 +192,9 @@ FORMATS = {
     ".laz": _LAS,
     ".e57": Format("E57", netted(read_e57), _write_e57, storable=_storable_in_e57),
     ".ptx": Format("PTX", netted(read_ptx)),
+    ".vtk": _VTK,
+    ".vtp": _VTK,
+    ".obj": Format("OBJ", netted(read_obj_points)),
 }
 
 #: The readers by extension. They raise only FileError for invalid content.
@@ -182,7 +203,7 @@ READERS = {extension: format.read for extension, format in FORMATS.items()}
 #: The extensions that clouds are written to.
 WRITTEN = tuple(extension for extension, format in FORMATS.items() if format.write is not None)
 
-_NAMED_COLUMNS = (*SUFFIXES, ".bin")
+_NAMED_COLUMNS = (*SUFFIXES, ".bin", ".npy")
 
 
 def columns_of(paths: Sequence[FilePath], columns: Sequence[str] | None) -> list[Sequence[str] | None]:
@@ -212,8 +233,21 @@ def write_table(path: FilePath, table: PointTable, options: WriteOptions) -> Non
     if options.drop_unsupported and format.storable is not None:
         table, _ = format.storable(path, table)
     table = with_fitting_names(path, table, stacklevel=4)
+    _warn_of_rounded_colors(path, table)
     write = format.write or _write_text  # which raises for other extensions
     write(path, table, options)
+
+
+def _warn_of_rounded_colors(path: FilePath, table: PointTable) -> None:
+    """Warn if colors of 16 bits, as of LAS and E57, are written with 8. Others, such as means, are rounded anyway."""
+    suffix = Path(path).suffix.lower()
+    if table.colors is None or suffix not in OF_8_BITS:
+        return
+    colors = table.colors[:: max(1, len(table.colors) // COLOR_SAMPLES)].astype(np.float64)
+    off8, off16 = (np.abs(colors * most - np.rint(colors * most)) / most for most in (2**8 - 1, 2**16 - 1))
+    if off8.max(initial=0) > COLOR_ROUNDING and off16.max(initial=0) <= COLOR_ROUNDING:
+        reason = f"colors of 16 bits a channel are rounded to the 8 bits of {suffix}; .laz and .npz keep 16"
+        warn_of_units(f"{path}: {reason}", UserWarning)
 
 
 def with_fitting_names(path: FilePath, table: PointTable, *, stacklevel: int = 3) -> PointTable:

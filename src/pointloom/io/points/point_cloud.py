@@ -18,7 +18,8 @@ from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, w
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
-from ...core.paths import path_of
+from ...core.other_geometry import is_other
+from ...core.paths import path_of, recording_remedy
 from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
 from ...pcd.boxes import AxisAlignedBoundingBox
@@ -342,6 +343,7 @@ def write_point_cloud(
     if extension not in WRITTEN:
         remedy = f"Use one of {' '.join(WRITTEN)}"
         raise FileError(path, f"clouds are read from {Path(path).suffix}, but not written to it", remedy=remedy)
+    cloud = PointCloud(cloud) if is_other(cloud) else cloud
     check_cloud("cloud", cloud)
     if extension not in (".las", ".laz"):
         for name, value in (("scale", scale), ("like", like)):
@@ -375,10 +377,12 @@ def _extension(path: FilePath, *, write: bool = False) -> str:
     """The extension of a file to read or write. Raises FileError for one that is in no list of formats."""
     extension = path_of(path).suffix.lower()
     if extension not in READERS:
-        if extension in (".obj", ".stl", ".off", ".glb", ".gltf"):
+        if extension in (".stl", ".off", ".glb", ".gltf"):
             raise FileError(
                 path, f"{extension} files contain meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
             )
+        if remedy := "" if write else recording_remedy(path, "scans()"):
+            raise FileError(path, "is a recording, which contains many clouds", remedy=remedy)
         known = " ".join(WRITTEN if write else READERS)
         if not write and not extension and not path_of(path).exists():
             raise FileError(path, "does not exist")
