@@ -255,7 +255,7 @@ def test_a_scene_of_trimesh_is_one_mesh_with_its_poses():
     np.testing.assert_allclose(mesh.get_max_bound(), [5.5, 0.5, 0.5])
 
 
-# ------------------------------------------------------------------------------------------------ stand-ins
+# ------------------------------------------------------------------------------------------------ replacements
 
 
 class Attributes:

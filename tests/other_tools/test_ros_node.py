@@ -1,4 +1,4 @@
-"""The node of docs/other-tools.md with stand-ins for the modules of ROS 2, which has no wheels."""
+"""The node of docs/other-tools.md with replacements of the modules of ROS 2, which has no wheels."""
 
 from __future__ import annotations
 

@@ -265,7 +265,7 @@ class _Reader:
 
 
 def write_legacy(file: IO[bytes], data: VtkData, *, ascii: bool = False) -> None:
-    """Write polygonal data, version 4.2, which all readers know."""
+    """Write polygonal data, version 4.2, which all readers support."""
     writer = _Writer(file, ascii)
     kind = "ASCII" if ascii else "BINARY"
     writer.line(f"# vtk DataFile Version 4.2\n{_TITLE}\n{kind}\nDATASET POLYDATA")
