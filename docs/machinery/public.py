@@ -34,6 +34,8 @@ GROUPS = {
     "registration": "Registration",
     "photogrammetry": "Photographs",
     "torch": "Networks",
+    "pcd.profile": "Terrain",
+    "pcd.raster": "Terrain",
     "pcd.terrain": "Terrain",
     "tiling": "Clouds larger than memory",
     "visualization": "Images, recordings, the viewer",

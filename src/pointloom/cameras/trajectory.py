@@ -19,11 +19,11 @@ from ..core.attribute_hints import HintedNames
 from ..core.checks import check_name, check_numeric, check_rigid, check_shape
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
-from ..core.paths import path_of
+from ..core.paths import path_of, recording_remedy
 from ..core.quaternions import nearest_rotations, rotations_to_quaternions
 from ..core.time_checks import check_seconds
 from ..kernels.linear_algebra import inv
-from .camera import PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
+from .camera import PinholeCameraIntrinsic, check_camera, intrinsic_to_json, read_json_matrix
 from .pose_text import check_pose, kitti_poses, log_poses, read_lines, timed_poses
 
 FORMATS = ("log", "tum", "kitti", "json")
@@ -134,9 +134,8 @@ def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
     if suffix == ".json":
         return _read_json(path)
     if suffix not in (".log", ".txt", ".tum", ".kitti"):
-        raise FileError(
-            path, f"unknown trajectory format {suffix!r}", remedy="Known extensions are .log, .json, .txt, .tum, .kitti"
-        )
+        remedy = recording_remedy(path, "trajectory()") or "Known extensions are .log, .json, .txt, .tum, .kitti"
+        raise FileError(path, f"unknown trajectory format {suffix!r}", remedy=remedy)
     lines = read_lines(path)
     if not lines:
         raise FileError(path, "contains no pose")
@@ -200,7 +199,7 @@ def write_trajectory(
     if format == "json":
         if intrinsic is None:
             raise ValueError("intrinsic: the JSON format stores the camera with each pose, got None")
-        text = _format_json(trajectory.poses, intrinsic)
+        text = _format_json(trajectory.poses, check_camera("intrinsic", intrinsic))
     elif format == "tum":
         text = _format_tum(trajectory)
     elif format == "kitti":

@@ -52,6 +52,11 @@ def read_rows(job: Job) -> Rows:
     return Rows(table, cloud)
 
 
+def why_no_points(rows: Rows) -> str | None:
+    """A warning if no point of the file is finite, else None."""
+    return None if np.isfinite(rows.table.points).all(axis=1).any() else "no point is finite"
+
+
 def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
     """Selected points of a table, without a grid."""
     normals = None if table.normals is None else table.normals[rows]
@@ -60,7 +65,7 @@ def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
     return PointTable(table.points[rows], normals, colors, attributes, unit=table.unit, crs=table.crs)
 
 
-def label_rows(table: PointTable, name: str, labels: NDArray[np.int32]) -> tuple[PointTable, list[str]]:
+def label_rows(table: PointTable, name: str, labels: NDArray[np.integer[Any]]) -> tuple[PointTable, list[str]]:
     """A table with labels as an attribute, and the names of replaced attributes."""
     attributes = table.attributes | {name: labels}
     return replace(table, attributes=attributes), [name] if name in table.attributes else []
