@@ -73,7 +73,7 @@ html_short_title = "Point clouds, scans, RGB-D frames and photographs to registe
 (scraper.MADE / scraper.RECORDINGS).mkdir(parents=True, exist_ok=True)  # must exist before the build
 html_static_path = ["static", "made"]
 html_css_files = ["site.css"]
-html_search_scorer = "machinery/search_scorer.js"
+html_search_scorer = str(DOCS / "machinery" / "search_scorer.js")
 html_js_files = [("site.js", {"priority": 900})]
 html_context = {"default_mode": "auto"}
 html_favicon = "static/logo.svg"

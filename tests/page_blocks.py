@@ -13,7 +13,7 @@ from .test_imports import ROOT
 PAGES = ["README.md", *sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/*.md"))]
 PAGES += [path.relative_to(ROOT).as_posix() for path in ROOT.glob("src/pointloom/cli/shell/*.md")]
 # Pages that take over 10 s of CPU.
-NIGHTLY = {"docs/mvs.md", "docs/reconstruction.md", "docs/sfm.md", "docs/slam.md", "docs/video.md"}
+NIGHTLY = {"docs/mvs.md", "docs/reconstruction.md", "docs/slam.md", "docs/video.md"}
 NOT_RUN = re.compile(r"<!-- not run: (.+) -->")
 
 
