@@ -141,6 +141,11 @@ def test_the_guides_name_existing_pages_commands_and_functions():
         assert not page.parent.exists() or page.read_text().startswith(f"# {guide.title}\n"), guide.title
 
 
+def test_the_guides_are_the_pages_of_the_index_of_the_documentation():
+    listed = re.findall(r"^\| \[[^\]]+\]\(([\w-]+)\.md\)", (ROOT / "docs" / "README.md").read_text(), re.MULTILINE)
+    assert len(listed) > 30 and {guide.slug for guide in book.guides()} == set(listed)
+
+
 def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):
     monkeypatch.setattr(book, "CHECKOUT_FOLDER", tmp_path)
     monkeypatch.setattr(book.importlib.metadata, "metadata", lambda _: SimpleNamespace(get_all=lambda name: None))

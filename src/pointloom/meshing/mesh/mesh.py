@@ -20,6 +20,7 @@ from ...kernels.memory import upload
 from ...pcd.extent_text import reference_text
 from .mesh_attributes import assign_all, listed
 from .mesh_conversion import MeshConversion, mesh_arguments
+from .mesh_mass import MeshMass
 from .mesh_primitives import MeshPrimitives
 from .mesh_reconstruction import MeshReconstruction
 from .mesh_remeshing import MeshRemeshing
@@ -28,7 +29,9 @@ from .mesh_store import MeshStore
 from .mesh_texture import MeshTexture
 
 
-class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction, MeshTexture, MeshConversion):
+class TriangleMesh(
+    MeshPrimitives, MeshMass, MeshRepair, MeshRemeshing, MeshReconstruction, MeshTexture, MeshConversion
+):
     """A triangle mesh with optional vertex normals and colors, texture coordinates, textures and other attributes.
 
     float32 (int32 triangles) on one device, relative to a float64 `origin`. Operations return new meshes that share
