@@ -173,7 +173,7 @@ PICTURES = {
                             "Data: tutorials of PCL (pairwise registration), BSD"),
     "viewer": Picture(viewer, "The viewer in a browser", "Data: Redwood (Choi, Zhou, Koltun 2015), CC BY"),
     "photographs": Picture(photographs, "24 photographs to a mesh", "Data: synthetic, loom.datasets.photographs"),
-    "change": Picture(change, "Change of a slope between two surveys: loss blue, gain red", "Data: synthetic, from docs/change.md"),
+    "change": Picture(change, "Change of a slope: loss blue, gain red", "Data: synthetic, from docs/change.md"),
 }  # fmt: skip
 
 

@@ -24,7 +24,7 @@ def pose(*, degrees: float = 0.0, scale: float = 1.0) -> np.ndarray:
 
 
 def record(path) -> tuple[Any, np.ndarray]:
-    """Five steps: a cloud, its motion, a mesh and lines, a scaled mesh, and without the cloud. The recorder and points."""
+    """Five steps: a cloud, its motion, a mesh and lines, a scaled mesh, no cloud. The recorder and points."""
     points = np.random.default_rng(0).random((50, 3)) + UTM
     cloud = loom.PointCloud(points, colors=np.tile(np.array(COLOR) / 255, (50, 1)))
     with loom.record(path, automatic=False, fps=4.0, title="a test") as r:

@@ -107,6 +107,7 @@ def test_labels_of_made_clouds_are_open3ds(device, shape, rng, oracle):
     min_points=st.sampled_from([1, 2, 3, 5, 10, 60, 201]),
     min_size=st.integers(1, 3),
 )
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # if all points are noise
 def test_any_small_cloud_has_the_labels_of_the_definition(device, points, copies, eps, min_points, min_size):
     """On a lattice of quarters squared distances are exact in float32, including ties with eps."""
     points = np.tile(points, (copies, 1))
@@ -122,6 +123,7 @@ def test_any_small_cloud_has_the_labels_of_the_definition(device, points, copies
 @pytest.mark.parametrize(
     ("eps", "min_points"), [(0.07, 1), (0.07, 2), (0.2, 30), (0.5, 2), (0.5, 700), (0.9, 30), (0.9, 1203), (0.9, 1204)]
 )
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # if all points are noise
 def test_labels_match_the_definition_for_every_radius_and_threshold(device, eps, min_points, rng):
     points = float32_exact(np.concatenate([rng.random((700, 3)), rng.random((503, 3)) * 0.2 + [1.3, 0, 0]]))
     labels = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
@@ -137,6 +139,7 @@ def test_a_border_point_takes_the_lowest_label_and_joins_no_clusters(device):
     assert reversed_labels.tolist() == [0, 0, 0, 0, 0, 1, 1, 1, 1]
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # if all points are noise
 def test_a_hundred_thousand_equal_points_are_one_cluster_or_noise(device):
     cloud = loom.PointCloud(np.full((100_000, 3), 0.3), device=device)
     for eps, min_points, label in ((1e-300, 1, 0), (1.0, 100_000, 0), (1e200, 100_000, 0), (1e-9, 100_001, -1)):

@@ -215,6 +215,7 @@ def test_covariances_of_scans_are_open3ds(device, scan, search, scans, o3d, tole
     assert_covariances(result[sure], covariances_of(o3d, points, limits)[sure], tolerances)
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # the radius is short
 @pytest.mark.parametrize("search", LISTS)
 def test_covariances_of_a_bumpy_surface_are_open3ds(device, search, rng, oracle, tolerances):
     xy = rng.random((200, 2))

@@ -295,7 +295,7 @@ cloud.crop((0, 1)) | expected a bounding box, got tuple
 cloud.estimate_normals(max_nn=2.5) | max_nn: expected an integer
 gap.farthest_point_down_sample(2.0) | num_samples: expected an integer, got 2.0
 loom.classify_ground([[0, 0, 0]]) | cloud: expected a PointCloud, got list
-project(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic, got ndarray
+project(intrinsic='K') | intrinsic: expected a PinholeCameraIntrinsic, got str
 depth_cloud(depth=np.zeros((2, 3), complex)) | depth: expected integers or floats, got complex128
 loom.RGBDImage(np.zeros((2, 3, 3)), np.zeros((2, 3), np.uint16)) | color: expected uint8, got float64
 loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.ones((2, 3))) | depth: expected the file's

@@ -34,6 +34,7 @@ _HARMLESS_KEYS = frozenset(
 )
 
 MAX_PIXELS = 2**16  # maximum side: wider than any camera or panorama
+MAX_SIDE_PER_FOCAL = 20.0  # image sides per focal length: 168 degrees
 MAX_IN_ALL = 2**28  # maximum pixels: 2 GB at 8 B per pixel
 
 
@@ -240,6 +241,34 @@ class PinholeCameraIntrinsic(HintedNames):
         return cls(width, height, *(float(K[index]) for index in ((0, 0), (1, 1), (0, 2), (1, 2))))
 
 
+def is_one_camera(value: object) -> bool:
+    """True for a camera or a matrix [3, 3], not for a sequence of them."""
+    if isinstance(value, list | tuple):
+        return len(value) == 3 and all(np.shape(row) == (3,) for row in value)
+    return isinstance(value, PinholeCameraIntrinsic) or getattr(value, "shape", None) == (3, 3)
+
+
+def check_camera(name: str, camera: object, size: tuple[int, int] | None = None) -> PinholeCameraIntrinsic:
+    """A camera. Its matrix [3, 3] is accepted if `size`, (width, height) of the images, is known."""
+    if isinstance(camera, PinholeCameraIntrinsic):
+        return camera
+    if size is None or not (hasattr(camera, "shape") or isinstance(camera, list | tuple)):
+        raise TypeError(
+            f"{name}: expected a PinholeCameraIntrinsic, got {type(camera).__name__}; "
+            "create one with PinholeCameraIntrinsic.from_matrix(K, width, height)"
+        )
+    try:
+        result = PinholeCameraIntrinsic.from_matrix(check_shape(name, camera, (3, 3)), *size)
+    except ValueError as error:
+        raise ValueError(str(error) if str(error).startswith(name) else f"{name}: {error}") from None
+    if result.fx * MAX_SIDE_PER_FOCAL < size[0] or result.fy * MAX_SIDE_PER_FOCAL < size[1]:
+        raise ValueError(
+            f"{name}: expected fx and fy in pixels, got {result.fx:g} and {result.fy:g}, a field of view of nearly "
+            f"180 degrees at {size[0]} x {size[1]} pixels; pass a matrix in pixels or a PinholeCameraIntrinsic"
+        )
+    return result
+
+
 def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCameraIntrinsic:
     """Read a camera from Open3D's JSON, see `PinholeCameraIntrinsic.read`."""
     content = read_json_object(path)
@@ -262,9 +291,7 @@ def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCamera
 def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic) -> None:
     """Write a camera as Open3D's JSON, see `PinholeCameraIntrinsic.write`."""
     path = path_of(path)
-    if not isinstance(intrinsic, PinholeCameraIntrinsic):
-        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
-    text = json.dumps(intrinsic_to_json(intrinsic), indent=4)
+    text = json.dumps(intrinsic_to_json(check_camera("intrinsic", intrinsic)), indent=4)
     with atomic_write(path) as file:
         file.write(text.encode() + b"\n")
 

@@ -26,7 +26,7 @@ from ..core.checks import (
     shown,
 )
 from ..core.exchange import hand_back, on_host
-from .camera import MAX_IN_ALL, MAX_PIXELS, PinholeCameraIntrinsic, check_pixels
+from .camera import MAX_IN_ALL, MAX_PIXELS, PinholeCameraIntrinsic, check_camera, check_pixels
 from .lens_projection import DIVISION, EQUIDISTANT, FIELD_OF_VIEW, PERSPECTIVE, UNIFIED, Lens
 
 PIXEL_OFFSET = 0.5  # COLMAP's principal point minus pointloom's [px]
@@ -189,8 +189,7 @@ class CameraModel:
         Raises:
             TypeError: No PinholeCameraIntrinsic.
         """
-        if not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        check_camera("intrinsic", intrinsic)
         params = (intrinsic.fx, intrinsic.fy, intrinsic.cx + PIXEL_OFFSET, intrinsic.cy + PIXEL_OFFSET)
         return cls("PINHOLE", intrinsic.width, intrinsic.height, params)
 

@@ -20,7 +20,7 @@ from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
 from ..kernels.memory import cast, clone, download, empty, fill_column, upload
-from .camera import PinholeCameraIntrinsic
+from .camera import PinholeCameraIntrinsic, check_camera
 from .depth_checks import warn_of_scale
 from .depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX
 
@@ -363,15 +363,12 @@ def _repeated(gray: wp.array) -> wp.array:
     return view_as(pixels, uint8, (*gray.shape, 3))
 
 
-def check_intrinsic(intrinsic: object, width: int, height: int) -> PinholeCameraIntrinsic:
-    if not isinstance(intrinsic, PinholeCameraIntrinsic):
-        raise TypeError(
-            f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}; "
-            "create one with PinholeCameraIntrinsic.from_matrix(K, width, height)"
-        )
-    if (intrinsic.width, intrinsic.height) != (width, height):
-        expected = f"{intrinsic.width} x {intrinsic.height}"
-        is_alike = intrinsic.width * height == intrinsic.height * width
-        remedy = f"; intrinsic.scaled({width / intrinsic.width:g}) is the same camera at that size" if is_alike else ""
-        raise ValueError(f"intrinsic: made for {expected} pixels, but the image has {width} x {height}{remedy}")
-    return intrinsic
+def check_intrinsic(intrinsic: object, width: int, height: int, name: str = "intrinsic") -> PinholeCameraIntrinsic:
+    """The camera of an image of this size, also from its matrix [3, 3]."""
+    camera = check_camera(name, intrinsic, (width, height))
+    if (camera.width, camera.height) != (width, height):
+        expected = f"{camera.width} x {camera.height}"
+        is_alike = camera.width * height == camera.height * width
+        remedy = f"; {name}.scaled({width / camera.width:g}) is the same camera at that size" if is_alike else ""
+        raise ValueError(f"{name}: made for {expected} pixels, but the image has {width} x {height}{remedy}")
+    return camera

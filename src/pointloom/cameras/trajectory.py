@@ -22,12 +22,12 @@ from ..core.coordinate_systems import CoordinateSystem, check_crs
 from ..core.errors import FileError
 from ..core.escaped_text import escaped
 from ..core.json_files import check_keys, read_json_object
-from ..core.paths import path_of
+from ..core.paths import path_of, recording_remedy
 from ..core.quaternions import nearest_rotations, rotations_to_quaternions
 from ..core.time_checks import check_seconds
 from ..core.units import warn_of_units
 from ..kernels.linear_algebra import inv
-from .camera import PinholeCameraIntrinsic, intrinsic_to_json, read_json_matrix
+from .camera import PinholeCameraIntrinsic, check_camera, intrinsic_to_json, read_json_matrix
 from .pose_text import check_pose, kitti_poses, log_poses, read_lines, timed_poses
 
 _CRS_COMMENT = "# crs "  # before the coordinate system in text files
@@ -144,9 +144,8 @@ def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
     if suffix == ".json":
         return _read_json(path)
     if suffix not in (".log", ".txt", ".tum", ".kitti"):
-        raise FileError(
-            path, f"unknown trajectory format {suffix!r}", remedy="Known extensions are .log, .json, .txt, .tum, .kitti"
-        )
+        remedy = recording_remedy(path, "trajectory()") or "Known extensions are .log, .json, .txt, .tum, .kitti"
+        raise FileError(path, f"unknown trajectory format {suffix!r}", remedy=remedy)
     comments: list[str] = []
     lines, crs = read_lines(path, comments), None
     for comment in comments:
@@ -218,7 +217,7 @@ def write_trajectory(
     if format == "json":
         if intrinsic is None:
             raise ValueError("intrinsic: the JSON format stores the camera with each pose, got None")
-        text = _format_json(trajectory, intrinsic)
+        text = _format_json(trajectory, check_camera("intrinsic", intrinsic))
     elif format == "tum":
         text = _format_tum(trajectory)
     elif format == "kitti":

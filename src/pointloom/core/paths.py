@@ -11,6 +11,8 @@ from typing import Any
 
 from .errors import FileError
 
+RECORDINGS = (".bag", ".mcap", ".db3")  # of robots
+
 
 def path_of(path: object, name: str = "path") -> Path:
     """A path with `~` and `~name` expanded. Raises `TypeError`, naming the argument, for other types."""
@@ -34,6 +36,18 @@ def input_path(path: Any) -> Path:
     if mode and not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):
         raise FileError(path, "is not a regular file", remedy="Copy its content into a file first")
     return given
+
+
+def is_recording(path: Path) -> bool:
+    """True for the name of a robot recording, or a folder of one."""
+    if path.is_dir():
+        return any(file.suffix in (".db3", ".mcap") for file in path.iterdir())
+    return path.suffix.lower() in RECORDINGS
+
+
+def recording_remedy(path: object, call: str) -> str:
+    """How to read a recording, for readers of other files. Empty for other paths."""
+    return f"Read this recording with loom.open_recording(path).{call}" if is_recording(path_of(path)) else ""
 
 
 @contextlib.contextmanager

@@ -15,6 +15,7 @@ from ..core.devices import check_same_device
 from ..core.exchange import asnumpy, hand_back, on_host
 from ..core.matched_counts import why_few_matched
 from ..core.reports import AssessedRecord, failed
+from ..core.wording import format_fraction
 from ..kernels.lang import float32, float64, vec3
 from ..kernels.memory import full, upload
 from ..kernels.surface.cylinder_change import Cylinder, find_flattest, measure_changes
@@ -23,6 +24,7 @@ from .point_arrays import check_cloud
 from .units import common_reference
 
 MIN_POINTS = 4  # per cylinder: a spread of fewer is unreliable
+MAX_ONE_WAY = 0.8  # fraction of points moved to one side: a shift of the whole cloud is more likely than change
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +53,8 @@ class M3C2Result(AssessedRecord):
         distances = asnumpy(self.distances)
         count, measured = len(distances), int(np.isfinite(distances).sum())
         remedy = "use a larger max_distance or larger radii, and align both epochs"
-        return failed(why_few_matched(measured, count, "core points have a distance", remedy))
+        few = why_few_matched(measured, count, "core points have a distance", remedy)
+        return failed(few, why_shifted(distances, asnumpy(self.is_significant)))
 
     @property
     def is_significant(self) -> NDArray[np.bool_]:
@@ -64,6 +67,20 @@ class M3C2Result(AssessedRecord):
     def __repr__(self) -> str:
         valid_count, changed = int(np.isfinite(asnumpy(self.distances)).sum()), int(asnumpy(self.is_significant).sum())
         return f"M3C2Result({len(self.distances)} core points, {valid_count} with a distance, {changed} significant)"
+
+
+def why_shifted(distances: NDArray[np.float64], is_significant: NDArray[np.bool_]) -> str | None:
+    """Why two epochs are probably not registered: nearly all points with a distance moved to one side. Else None."""
+    for side, word in ((distances > 0, "forward"), (distances < 0, "backward")):
+        moved = is_significant & side
+        fraction = float(moved.sum()) / max(int(np.isfinite(distances).sum()), 1)
+        if fraction > MAX_ONE_WAY:
+            return (
+                f"{format_fraction(fraction)} of the points have moved {word}, by {np.median(distances[moved]):.3g} "
+                "(median): probably a shift of the whole cloud, not change; register the epochs first, or pass "
+                "registration_error"
+            )
+    return None
 
 
 @explain_argument_errors

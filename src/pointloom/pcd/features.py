@@ -19,7 +19,7 @@ from ..kernels.search.distinct_points import without_copies
 from ..kernels.search.point_tree import PointTree
 from .cached_tree import check_extent
 from .cloud import PointCloud
-from .length_checks import warn_of_short
+from .length_checks import warn_of_sparse
 from .point_arrays import check_cloud
 
 
@@ -64,7 +64,7 @@ def compute_fpfh_feature(
     masked = mask_points(cloud.arrays["points"], normals)
     tree = cloud.search_tree() if masked is None else PointTree(masked)
     check_extent("cloud", tree.low, tree.high, tree.source)
-    warn_of_short("radius", without_copies(tree), radius, cloud.unit, "the features are zeros")
+    warn_of_sparse("radius", without_copies(tree), radius, 2, cloud.unit, "their features are zeros")
     return hand_out(compute_features(tree, normals, search_radius, count, rows), cloud.array_library)
 
 

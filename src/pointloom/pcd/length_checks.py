@@ -2,21 +2,31 @@
 
 from __future__ import annotations
 
+import math
+import sys
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..core.units import LengthUnit, called_by_user, symbol_of, warn_of_units
+from ..core.wording import format_fraction
+from ..kernels.arrays.select import gather_rows
 from ..kernels.arrays.sort import positions
+from ..kernels.lang import int32
+from ..kernels.memory import download, upload
 from ..kernels.search.point_tree import PointTree
-from ..kernels.search.tree_search import count_around
+from ..kernels.search.tree_search import count_around, search_nearest
 
 MAX_UNCHECKED_POINTS = 10  # points without a warning
 MAX_SINGLE_GROUP_POINTS = 100  # points above which one voxel, cluster or plane is suspicious
 MIN_RADIUS_SPACINGS = 0.25  # of the surface spacing: smaller radii are checked
 MIN_MEAN_NEIGHBORS = 1.1  # mean points within a radius, including the point itself: 90% have no neighbor
 MAX_DISTANCE_RATIO = 1000.0  # ratio of distance to extent of unrelated data
+MAX_SPARSE_FRACTION = 0.5  # of the points: more have too few neighbors for a radius of another cloud or unit
+SAMPLE_POINTS = 1000  # for the distance of the usual neighbor
+MAX_NEIGHBORS = 1000  # of each of them: 8 B each
+MIN_PLANE_FRACTION = 0.05  # of the points: with a smaller largest plane, the distance is probably too small
 
 Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 
@@ -43,6 +53,56 @@ def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: Length
             f"{name}: {radius:g} {m} contains {others}, so {so}. The cloud's {tree.count:,} points "
             f"span {extent:.3g} {m}. Give the {name} in the cloud's unit, about {2 * usual:.2g} {m}"
         )
+
+
+def distance_of_nearest(tree: PointTree, count: int) -> float | None:
+    """Distance [m] within which half of a sample has `count` points, themselves included. None if unknown."""
+    if count > min(MAX_NEIGHBORS, tree.count):
+        return None
+    rows = np.arange(0, tree.count, max(1, tree.count // SAMPLE_POINTS), dtype=np.int32)
+    sample = gather_rows(tree.points, upload(rows, int32, tree.device))
+    nearest = download(search_nearest(tree, sample, count)[1]).reshape(len(rows), count)[:, -1]  # sync
+    return float(np.sqrt(np.quantile(nearest.astype(np.float64), MAX_SPARSE_FRACTION)))
+
+
+def warn_of_sparse(
+    name: str, tree: PointTree, radius: float | None, count: int, unit: LengthUnit | None, so: str
+) -> None:
+    """Warn if most points have fewer than `count` points within a radius, themselves included."""
+    if radius is None or tree.count <= MAX_UNCHECKED_POINTS:
+        return
+    if not called_by_user():
+        warn_of_short(name, tree, radius, unit, so)
+        return
+    distance = distance_of_nearest(tree, count)
+    if distance is not None and radius > distance:
+        return
+    m = symbol_of(unit)
+    message = f"{name}: most points have fewer than {count} points within {radius:g} {m}, themselves included, so {so}"
+    if distance is None:
+        warn_of_units(f"{message}. Give a larger {name}, or fewer neighbors")
+    else:
+        warn_of_units(
+            f"{message}. Half of them have that many within {rounded_up(distance):g} {m}: give a larger {name}"
+        )
+
+
+def warn_of_small_plane(count: int, limit: int, finite: int, distance: float, unit: LengthUnit | None) -> None:
+    """Warn if the largest plane has few of the finite points, or if none has `limit` points (`count` 0)."""
+    if finite < max(limit, MAX_SINGLE_GROUP_POINTS) or count >= MIN_PLANE_FRACTION * finite or not called_by_user():
+        return
+    m, remedy = symbol_of(unit), "Use a larger distance_threshold, or more num_iterations"
+    if count:
+        fraction = format_fraction(count / finite)
+        warn_of_units(f"plane: the largest one has only {fraction} of the points within {distance:g} {m}. {remedy}")
+    else:
+        warn_of_units(f"plane: none has {limit:,} points within {distance:g} {m}. {remedy}")
+
+
+def rounded_up(length: float) -> float:
+    """A length rounded up to two digits."""
+    step = 10.0 ** (math.floor(math.log10(max(length, sys.float_info.min))) - 1)
+    return float(f"{math.floor(length / step + 1) * step:.2g}")
 
 
 def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit: LengthUnit | None, so: str) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..cameras.camera import PinholeCameraIntrinsic
+from ..cameras.camera import PinholeCameraIntrinsic, check_camera
 from ..core.callable_bool import CallableBool
 from ..core.checks import check_count, check_positive, check_rigid, check_rows, check_shape, check_transformation
 from ..core.dropped_results import returns_new
@@ -147,8 +147,7 @@ class LineSet(Movable):
             >>> loom.LineSet.create_camera_visualization(camera, np.eye(4), scale=0.2)
             LineSet(8 points, 11 lines)
         """
-        if not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        check_camera("intrinsic", intrinsic)
         T_world_camera = inv(check_rigid("extrinsic", extrinsic))
         size = check_positive("scale", scale)
         left, right = -intrinsic.cx / intrinsic.fx, (intrinsic.width - intrinsic.cx) / intrinsic.fx

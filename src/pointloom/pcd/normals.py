@@ -28,10 +28,11 @@ from ..kernels.surface.normal_agreement import fraction_of_opposed_normals
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
 from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
-from .length_checks import warn_of_short
+from .length_checks import warn_of_sparse
 from .selection import Selection
 
 NORMAL_NEIGHBORS = 30  # default of estimate_normals()
+PLANE_POINTS = 3  # that determine a plane
 MAX_PASSES = 10_000  # of smoothing
 
 
@@ -60,12 +61,13 @@ class Normals(Selection):
             ValueError: If both limits are None, or a limit is out of range.
 
         Warns:
-            UnitWarning: If hardly any point has a neighbor in the radius, which suggests another unit.
+            UnitWarning: If most points have fewer than 3 points in the radius.
         """
         search_radius, count = check_search(radius, max_nn)
         tree = self.arrays.tree.tree()
         if radius is not None:
-            warn_of_short("radius", without_copies(tree), search_radius, self._unit, "normals are (0, 0, 1)")
+            outcome = "their normals are (0, 0, 1)"
+            warn_of_sparse("radius", without_copies(tree), search_radius, PLANE_POINTS, self._unit, outcome)
         normals = estimate_normals(tree, count, search_radius)
         if "normals" in self.arrays:
             align_normals(normals, self.arrays["normals"])
@@ -115,8 +117,8 @@ class Normals(Selection):
         search_radius, count = check_search(radius, max_nn)
         tree = self.arrays.tree.tree()
         if radius is not None:
-            outcome = "covariances are the identity or zero"
-            warn_of_short("radius", without_copies(tree), search_radius, self._unit, outcome)
+            outcome = "their covariances are the identity"
+            warn_of_sparse("radius", without_copies(tree), search_radius, PLANE_POINTS, self._unit, outcome)
         covariances = estimate_covariances(tree, count, search_radius)
         return self.with_arrays(self.arrays | {"covariances": covariances}, grid=self.grid)
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .length_checks import rounded_up as rounded_up
 from .search import NearestNeighborSearch
 
 # Number of sample points, evenly spread over the file.
@@ -35,8 +35,3 @@ def distance_of_nearest(
     if (neighbors.counts < count).any():
         return None
     return float(np.sqrt(np.quantile(neighbors.sqdists[:, -1].astype(np.float64), fraction)))
-
-
-def rounded_up(length: float) -> float:
-    step = 10.0 ** (math.floor(math.log10(length)) - 1)
-    return float(f"{math.floor(length / step + 1) * step:.2g}")

@@ -32,7 +32,7 @@ from ..kernels.segmentation.region_growth import grow_regions
 from ..kernels.segmentation.shape_rows import ascending, usable_in_order
 from ..kernels.segmentation.shape_search import ShapeLimits, ShapeSearch
 from .boxes import OrientedBoundingBox
-from .length_checks import check_order, warn_of_long, warn_of_short
+from .length_checks import check_order, warn_of_long, warn_of_small_plane, warn_of_sparse
 from .selection import Selection
 from .shape import KINDS, UNKNOWNS, Shape, check_kind
 from .shape_checks import shape_of
@@ -85,7 +85,7 @@ class Segmentation(Selection):
             tree, unit = self.search_tree(), self.unit
             labels, cluster_count = cluster_points(tree, len(self), search_radius, min_count)
         if not cluster_count and min_count > 1:
-            warn_of_short("eps", tree, search_radius, unit, "all points are noise")
+            warn_of_sparse("eps", tree, search_radius, min_count, unit, "all points are noise")
         elif cluster_count == 1:
             warn_of_long("eps", search_radius, tree.low, tree.high, tree.count, unit, "all points form one cluster")
         report("clusters", cloud=self, labels=labels)
@@ -274,6 +274,7 @@ class Segmentation(Selection):
         if inliers.size == rows.size:
             so = "all points are assigned to one plane"
             warn_of_long("distance_threshold", settings[0], low, high, finite, self.unit, so)
+        warn_of_small_plane(inliers.size, settings[1], finite, settings[0], self.unit)
         model = self._world_plane(search.refit(plane, inliers), search.center)
         report("plane", cloud=self, inliers=inliers, model=model)
         return model, self.arrays.hand_out(inliers)
@@ -320,6 +321,7 @@ class Segmentation(Selection):
         box: tuple[NDArray[Any], NDArray[Any]] | None = (low, high)
         labels = full(len(self), -1, int32, self.device)
         models: list[NDArray[np.float64]] = []
+        largest = 0
         while len(models) < max_count and rows.size >= max(min_count, settings[1]):
             search, box = PlaneSearch(points, rows, box), None
             plane = search.find(*settings, first=len(models) * settings[2] % SEED_MODULUS)
@@ -328,11 +330,13 @@ class Segmentation(Selection):
             mask, inliers = search.inliers(plane, settings[0])
             if inliers.size < min_count:
                 break
+            largest = largest or inliers.size
             plane_rows = gather_rows(rows, inliers)
             models.append(self._world_plane(search.refit(plane, plane_rows), search.center))
             label_rows(plane_rows, len(models) - 1, labels)
             report("plane", cloud=self, inliers=plane_rows, model=models[-1], number=len(models) - 1)
             rows = gather_rows(rows, positions_of(invert_mask(mask), rows.size - inliers.size))
+        warn_of_small_plane(largest, min_count, finite, settings[0], self.unit)
         return self.arrays.hand_out(labels), np.array(models).reshape(-1, 4)
 
     def _world_plane(self, plane: NDArray[np.float64], center: NDArray[np.float64]) -> NDArray[np.float64]:

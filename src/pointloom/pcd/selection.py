@@ -46,7 +46,7 @@ from .attribute_columns import concatenate_columns
 from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .las_attributes import with_common_las_attributes
-from .length_checks import check_order, warn_of_far, warn_of_long, warn_of_short
+from .length_checks import MAX_SPARSE_FRACTION, check_order, warn_of_far, warn_of_long, warn_of_sparse
 from .point_arrays import VECTORS, PointArrays, check_cloud
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 from .units import common_reference
@@ -340,8 +340,8 @@ class Selection(PointArrays):
         search_radius = check_positive("radius", radius)
         with printed_duration(f"radius outliers of {len(self):,} points", print_progress):
             selected = self._keep(mask_crowded(self.search_tree(), search_radius, needed))
-        if not len(selected[0]):
-            warn_of_short("radius", self.search_tree(), search_radius, self.unit, "no point remains")
+        if len(selected[0]) < (1.0 - MAX_SPARSE_FRACTION) * len(self):
+            warn_of_sparse("radius", self.search_tree(), search_radius, needed, self.unit, "they are removed")
         return selected
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:

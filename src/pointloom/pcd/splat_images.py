@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..cameras.camera import PinholeCameraIntrinsic
+from ..cameras.camera import PinholeCameraIntrinsic, check_camera
 from ..core.array_libraries import hand_out_host
 from ..core.checks import check_color, check_positive, check_rigid
 from ..kernels.drawing.z_buffer import View
@@ -112,8 +112,7 @@ class RasterizationMixin:
             >>> image.depth[24, 32].item(), image.normals[24, 32].tolist()
             (2.0, [0.0, 0.0, -1.0])
         """
-        if not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        check_camera("intrinsic", intrinsic)
         T = check_rigid("extrinsic", extrinsic)
         ground = np.asarray(check_color("background", background), np.float32)
         surface = surface_before(self, intrinsic, T, check_positive("near", near))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, NamedTuple, Unpack
 
 import numpy as np
@@ -13,12 +12,10 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
-from ...core.units import common_unit
+from ...core.units import UnitWarning, without_warnings
 from ...core.wording import format_fraction
 from ...io.meshes import tables
 from ...io.points.formats import columns_of
-from ...io.points.las import open_las
-from ...io.points.las_crs import crs_name
 from ...io.points.point_cloud import cloud_of, table_of
 from ...io.table import MeshTable
 from ...meshing.mesh.mesh import TriangleMesh
@@ -28,18 +25,17 @@ from ...pcd.change import m3c2
 from ...pcd.cloud import PointCloud
 from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
+from ...pcd.units import common_reference
 from ...visualization.change.pictures import draw_change, paint_change
 from ...visualization.render.picture_files import check_picture
-from .job import Job, JobReport, Settings
+from .job import Job, JobReport, Settings, in_words_of_command
 from .rows import COLORED, LABELLED
 
 CYLINDER_POINTS = 20  # points of the first epoch in a cylinder of the default radius
 NORMAL_RADII = (1.0, 2.0, 4.0)  # over the cylinder radius
 MAX_DISTANCE_FACTOR = 6.0  # maximum distance over the cylinder radius
-LAS = (".las", ".laz")
 UP_AXIS = (0.0, 0.0, 1.0)
-_MIN_KNOWN = 0.5  # fraction of core points with a distance
-_MAX_ONE_WAY = 0.8  # fraction of core points moved to one side: a shift is more likely than change
+OPTIONS = {"registration_error": "--registration-error", "max_distance": "--max-distance", "radii": "--cylinder"}
 
 
 @dataclass(frozen=True)
@@ -127,8 +123,7 @@ def change_files(
 ) -> ChangeReport:
     """Measure how far a surface has moved from an earlier cloud or mesh to a later cloud, with the level of detection.
 
-    Unreliable if fewer than half of the core points have a distance, or if nearly all moved in one direction (epochs
-    not registered).
+    Reliable as the result of `m3c2` or `compare_cloud_to_mesh`.
     """
     outputs, measure = outputs or ChangeOutputs(), measure or ChangeMeasure()
     job = Job("change", earlier, **settings)
@@ -136,7 +131,6 @@ def change_files(
     job.check(outputs.painted, COLORED, what="colors")
     if outputs.picture is not None:
         check_picture(outputs.picture, overwrite=job.form["overwrite"])
-    check_systems(earlier, later)
     with job.stage("read"):
         first, after = _read(job, earlier, later, settings.get("columns"))
     if isinstance(first, PointCloud):
@@ -162,7 +156,7 @@ def _read(
 ) -> tuple[PointCloud | TriangleMesh, PointCloud]:
     paths = earlier, later
     tables_read = [tables.read_table(*each) for each in zip(paths, columns_of(paths, columns), strict=True)]
-    job.unit = common_unit(f"{earlier}, {later}", (table.unit for table in tables_read))
+    job.unit = common_reference(f"{earlier}, {later}", tables_read)[0]
     first, second = tables_read
     if isinstance(second, MeshTable):
         raise FileError(later, "is a mesh", remedy="Pass the mesh first: the cloud is compared with it")
@@ -174,7 +168,7 @@ def _read(
 
 def _with_mesh(job: Job, mesh: TriangleMesh, after: PointCloud, measure: ChangeMeasure) -> Compared:
     where = after if measure.cores is None else after.thin(measure.cores)
-    with job.stage("change", judged=True):
+    with job.stage("change"), without_warnings(UnitWarning):  # of the units that `_read` compared
         options = {"radius": measure.cylinder_radius, "max_distance": measure.max_distance}
         result = compare_cloud_to_mesh(where, mesh, registration_error=measure.registration_error, **options)
     columns = {"distance": result.distances, "beside": result.beside.astype(np.uint8)}
@@ -190,24 +184,12 @@ def _with_cloud(job: Job, before: PointCloud, after: PointCloud, measure: Change
         "cylinder_radius": radius,
         "max_distance": measure.max_distance or MAX_DISTANCE_FACTOR * radius,
     }
-    with job.stage("change", judged=True):
+    with job.stage("change"), without_warnings(UnitWarning):  # of the units that `_read` compared
         options: dict[str, Any] = {"registration_error": measure.registration_error}
         options["orientation"] = measure.orientation
         result = m3c2(before, after, core_points=where, **lengths, **options)
     columns = {"distance": result.distances, "points_before": result.counts[:, 0], "points_after": result.counts[:, 1]}
     return Compared("m3c2", where, result, columns, lengths)
-
-
-def check_systems(earlier: FilePath, later: FilePath) -> None:
-    """Raise FileError if two LAS files have different coordinate systems."""
-    if Path(earlier).suffix.lower() not in LAS or Path(later).suffix.lower() not in LAS:
-        return
-    names = [crs_name(open_las(path).header) for path in (earlier, later)]
-    if None not in names and names[0] != names[1]:
-        reason = f"expected the coordinate system {names[0]} as in {os.fspath(earlier)}, got {names[1]}"
-        raise FileError(
-            later, reason, remedy="Convert both to the same coordinate system first, it is not converted automatically"
-        )
 
 
 def _filled(cloud: PointCloud, path: FilePath) -> PointCloud:
@@ -248,7 +230,7 @@ def _report(job: Job, later: FilePath, compared: Compared, registration_error: f
     ends = [float(value) for value in np.quantile(moved, (0.5, 0.01, 0.99))] if len(moved) else [None] * 3
     levels = result.level_of_detection[np.isfinite(result.level_of_detection)]
     return ChangeReport(
-        job.done(_warning(known, result.distances, changed, method)),
+        job.done(*in_words_of_command(result.warnings, OPTIONS)),
         os.fspath(later),
         method,
         str(job.device),
@@ -260,28 +242,6 @@ def _report(job: Job, later: FilePath, compared: Compared, registration_error: f
         lengths=compared.lengths,
         registration_error=registration_error,
     )
-
-
-def _warning(
-    known: NDArray[np.bool_], distances: NDArray[np.float64], changed: NDArray[np.bool_], method: str
-) -> str | None:
-    """Warn if the epochs do not overlap, or are shifted as a whole."""
-    fraction = float(known.mean()) if len(known) else 0.0
-    if fraction < _MIN_KNOWN:
-        what = "a point of the other epoch in the cylinder" if method == "m3c2" else "a triangle within --max-distance"
-        return (
-            f"only {format_fraction(fraction)} of the points have {what}: the epochs barely overlap, are in different "
-            "coordinate systems, or the lengths are too small"
-        )
-    for side, word in ((distances > 0, "up"), (distances < 0, "down")):
-        one_way = float((changed & side).sum() / known.sum())
-        if one_way > _MAX_ONE_WAY:
-            median = float(np.median(distances[changed & side]))
-            return (
-                f"{format_fraction(one_way)} of the points have moved {word}, by {median:.3g} (median): probably a "
-                "shift of the whole cloud, not change; register the epochs first, or pass --registration-error"
-            )
-    return None
 
 
 def _format_lengths(value: Any) -> str:

@@ -11,16 +11,9 @@ import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
-from ...core.units import symbol_of
-from ...core.wording import format_fraction
 from ...pcd.cloud import PointCloud
-from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
-from ...pcd.search import NearestNeighborSearch
 from .job import Job, Settings
-from .rows import RowsReport, read_rows
-
-# A radius that removes more than this fraction was probably meant for another cloud or unit.
-_MAX_BY_RADIUS = 0.5
+from .rows import RowsReport, read_rows, why_no_points
 
 
 @dataclass(frozen=True)
@@ -63,13 +56,11 @@ def clean_file(
     job.check(output)
     job.check(removed)
     rows = read_rows(job)
-    left, counts, hint = rows.cloud, {}, None
+    left, counts, warning = rows.cloud, {}, None
     for name, (keep, options) in _filters(duplicates, statistical, radius).items():
-        with job.stage(name.replace("_", "-"), judged=True):
+        with job.assessed(name.replace("_", "-"), {"radius": "--radius"}):
             before, left = left, keep(left, **options)
         counts[name] = {"removed": len(before) - len(left), **options}
-        if name == "radius":
-            hint = _radius_hint(before, left, **options)
     if len(left):
         remaining = rows.of(left)
         removed_rows = np.setdiff1d(rows.of(rows.cloud), remaining, assume_unique=True)
@@ -77,8 +68,8 @@ def clean_file(
             job.write_points(rows.take(removed_rows), removed)
         job.write_points(rows.take(remaining), output)
     else:
-        hint = f"{hint or 'expected finite points, got none'}; nothing was written"
-    return CleanReport(job.done(hint), str(job.device), len(rows.cloud), len(left), counts)
+        warning = f"{why_no_points(rows) or 'no point is left'}; nothing was written"
+    return CleanReport(job.done(warning), str(job.device), len(rows.cloud), len(left), counts)
 
 
 def _filters(
@@ -101,17 +92,3 @@ def _without_statistical(cloud: PointCloud, neighbors: int, ratio: float) -> Poi
 
 def _without_isolated(cloud: PointCloud, radius: float, min_neighbors: int) -> PointCloud:
     return cloud.remove_radius_outlier(min_neighbors, radius)[0]
-
-
-def _radius_hint(before: PointCloud, after: PointCloud, *, radius: float, min_neighbors: int) -> str | None:
-    count, gone = len(before), len(before) - len(after)
-    if gone <= _MAX_BY_RADIUS * count:
-        return None
-    m = symbol_of(before.unit)
-    message = (
-        f"{format_fraction(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} {m}"
-    )
-    distance = distance_of_nearest(NearestNeighborSearch(before), probe_points(before), min_neighbors + 1)
-    if distance is None or distance < radius:  # too few points, or the sample is not representative
-        return f"{message}; use a larger --radius or fewer --min-neighbors"
-    return f"{message}; half of the points have that many within {rounded_up(distance):g} {m}: use a larger --radius"

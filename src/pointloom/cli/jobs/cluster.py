@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Unpack
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FilePath
 from ...core.reports import Fields
-from ...core.units import symbol_of
 from ...core.wording import format_fraction
 from ...io.points.formats import WRITTEN
-from ...pcd.cloud import PointCloud
-from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
-from ...pcd.search import NearestNeighborSearch
 from ...visualization.render.colormaps import LABEL_COLORS
 from .job import Job, Settings
-from .rows import COLORED, LABELLED, RowsReport, label_rows, read_rows, take_rows
+from .rows import COLORED, LABELLED, RowsReport, label_rows, read_rows, take_rows, why_no_points
 
 LABEL = "label"
 _LISTED_CLUSTERS = 10  # reported sizes of the largest clusters
@@ -78,12 +74,11 @@ def cluster_file(
     job = Job("cluster", source, **settings)
     job.check(output, formats, what=what)
     rows = read_rows(job)
-    with job.stage("cluster", judged=True):
+    with job.assessed("cluster", {"eps": "--radius"}):
         labels = rows.cloud.cluster_dbscan(eps, min_points)
     sizes = np.bincount(labels[labels >= 0])
     ranked = np.argsort(-sizes, kind="stable")
-    with job.stage("check"):
-        warning = _warning(rows.cloud, sizes, eps, min_points)
+    warning = why_no_points(rows)
     table, replaced = label_rows(rows.table, LABEL, labels)
     if paint:
         replaced = ["colors"] * (table.colors is not None) + replaced
@@ -113,23 +108,3 @@ def _paint(labels: NDArray[np.int32]) -> NDArray[np.float32]:
     colors = (TAB20_PALETTE / 255).astype(np.float32)[labels % len(TAB20_PALETTE)]
     colors[labels < 0] = 0
     return colors
-
-
-def _warning(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: int) -> str | None:
-    """Warn if the clusters are meaningless, with a proposed eps."""
-    finite = len(cloud.remove_non_finite_points())
-    if not finite:
-        return "no point is finite, so there are no clusters"
-    if len(sizes) > 1 or (len(sizes) == 1 and sizes[0] < finite):
-        return None
-    m = symbol_of(cloud.unit)
-    search, probes = NearestNeighborSearch(cloud), probe_points(cloud)
-    if len(sizes):
-        distance = distance_of_nearest(search, probes, min_points, fraction=0.9)
-        hint = f"one cluster contains all {finite:,} finite points; use a smaller --radius"
-        return f"{hint}, such as {rounded_up(distance):g}" if distance and rounded_up(distance) < eps else hint
-    distance = distance_of_nearest(search, probes, min_points)
-    message = f"all points are noise: no point has {min_points} points within {eps:g} {m}, itself included"
-    if distance is None:
-        return f"{message}; use a larger --radius or fewer --neighbors"
-    return f"{message}; half of the points have that many within {rounded_up(distance):g} {m}: use a larger --radius"

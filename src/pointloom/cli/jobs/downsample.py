@@ -47,7 +47,7 @@ def downsample_file(
     job = Job("downsample", source, **settings)
     job.check(output)
     rows = read_rows(job)
-    with job.stage("downsample", judged=True):
+    with job.assessed("downsample", {"voxel_size": "--voxel"}):
         if by == "voxel":
             cloud = cloud_of(rows.table, source, device=job.device)
             table = table_of(cloud.voxel_down_sample(amount))

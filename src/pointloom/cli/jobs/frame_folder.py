@@ -9,13 +9,13 @@ from typing import Any
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...core.errors import DatasetError, FileError, FilePath, PointloomError
-from ...core.paths import path_of
-from ...core.reports import Assessed, Fields, failed, quality
+from ...core.paths import is_recording, path_of
+from ...core.reports import Fields, failed, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds
-from ...io.bags.recording import is_recording, open_recording
+from ...io.bags.recording import open_recording
 from ...io.frames.datasets import RGBDDataset, open_dataset, open_frames
-from ...io.frames.frames import camera_line, describe_camera, describe_folder, open_folder, why_incomplete
+from ...io.frames.frames import camera_line, describe_camera, describe_folder, open_folder
 from .job import Done, JobReport
 
 
@@ -40,7 +40,7 @@ class FolderOptions:
 
 
 @dataclasses.dataclass(frozen=True)
-class FrameFolder(Assessed):
+class FrameFolder:
     """An opened folder, with its frames and the camera file if given."""
 
     path: FilePath
@@ -73,11 +73,6 @@ class FrameFolder(Assessed):
                 raise
             remedy = "Use pointloom reconstruct for frames without poses, or estimate them with pointloom track"
             raise FileError(path, "contains no poses", remedy=remedy) from error
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """Omitted frames. The results of the frames report an assumed or implausible camera."""
-        return failed(why_incomplete(self.dataset))
 
     def done(self, command: str, clock: Clock, files: Iterable[str], *warnings: str | None) -> Done:
         return Done(command, os.fspath(self.path), clock.seconds, (), tuple(files), failed(*warnings))

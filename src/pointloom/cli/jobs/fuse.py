@@ -76,5 +76,5 @@ def fuse_folder(
         files += outputs.write_mesh(result.mesh, result.T_world_camera, overwrite=overwrite)
         files += outputs.write_trajectory(path, overwrite=overwrite)
         clock.stop("write")
-    done = opened.done("fuse", clock, files, *result.warnings, *opened.warnings)
+    done = opened.done("fuse", clock, files, *result.warnings)
     return FuseReport(done, opened, result)

@@ -24,10 +24,11 @@ from ...core.atomic import restore_folder
 from ...core.coordinates import describe_bounds, split_origin
 from ...core.errors import FileError, FilePath, values_of_file
 from ...core.json_files import read_json_object
+from ...core.paths import is_recording
 from ...core.reports import Assessed, Fields, Report
 from ...core.wording import format_triple
 from ...io.ascii_rows import is_number
-from ...io.bags.recording import is_recording, read_recording
+from ...io.bags.recording import read_recording
 from ...io.frames.datasets import is_dataset, open_frames
 from ...io.images.image_files import read_color, read_depth, read_image_header
 from ...io.meshes import tables

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
+import warnings
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -17,7 +19,7 @@ from ...core.errors import FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, values_of
 from ...core.timing import Clock
-from ...core.units import LengthUnit, UnitWarning, symbol_of, without_warnings
+from ...core.units import LengthUnit, UnitWarning, symbol_of
 from ...core.wording import plain
 from ...io.meshes import tables
 from ...io.meshes.mesh_formats import UPRIGHT, rotated_to_z_up
@@ -125,6 +127,14 @@ class JobReport(Report, Assessed):
         return [*fields, ("seconds", parts + where), ("files", ", ".join(self.done.files) or "none")]
 
 
+def in_words_of_command(texts: Iterable[str], options: dict[str, str]) -> list[str]:
+    """Warnings of a function with the options of a command in place of its arguments."""
+    if not options:
+        return list(texts)
+    names = re.compile(rf"(?<![-\w])({'|'.join(options)})\b")
+    return [names.sub(lambda match: options[match[0]], text) for text in texts]
+
+
 class Job:
     """Workflow of a command on files: output checks, timed stages, reading, writing, report. Options as in `Settings`.
 
@@ -132,6 +142,7 @@ class Job:
         clock: Seconds of the stages.
         left_out: Names of data that the outputs cannot store.
         unit: Unit of the source's coordinates after reading, if known.
+        failed_checks: Length warnings of the functions, from `assessed`.
         form: Options of write functions.
     """
 
@@ -153,6 +164,7 @@ class Job:
         self.left_out: list[str] = []
         self.files: list[str] = []
         self.unit: LengthUnit | None = None
+        self.failed_checks: list[str] = []
         self._viewpoint: tuple[float, ...] | None = None
 
     @cached_property
@@ -166,14 +178,28 @@ class Job:
             outputs.check_output(output, formats, what=what, **self.form)
 
     @contextmanager
-    def stage(self, name: str, *, reported: bool = True, judged: bool = False) -> Iterator[None]:
-        """Report a stage (unless not `reported`) and time it. If `judged`, length warnings are left to the report."""
+    def stage(self, name: str, *, reported: bool = True) -> Iterator[None]:
+        """Report a stage (unless not `reported`) and time it."""
         if reported:
             self.progress(name, 0, 0)
         self.clock.restart()
-        with without_warnings(UnitWarning) if judged else nullcontext():
-            yield
+        yield
         self.clock.stop(name)
+
+    @contextmanager
+    def assessed(self, name: str, options: dict[str, str]) -> Iterator[None]:
+        """A stage whose length warnings are failed checks of the report. `options` are the options by argument."""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always", UnitWarning)
+            with self.stage(name):
+                yield
+        texts = []
+        for each in caught:
+            if issubclass(each.category, UnitWarning):
+                texts.append(str(each.message))
+            else:
+                warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
+        self.failed_checks += in_words_of_command(texts, options)
 
     def up_of(self, path: FilePath) -> str:
         """The up axis for a format that defines one. Else "y" (no rotation)."""
@@ -240,7 +266,8 @@ class Job:
         self.left_out += [name for name in left_out if name not in self.left_out]
         self.files.append(os.fspath(output))
 
-    def done(self, *warnings: str | None) -> Done:
+    def done(self, *problems: str | None) -> Done:
         seconds, source = dict(self.clock.seconds), os.fspath(self.source)
         files, left_out = tuple(self.files), tuple(self.left_out)
-        return Done(self._command, source, seconds, left_out, files, failed(*warnings), self.unit)
+        checks = failed(*self.failed_checks, *problems)
+        return Done(self._command, source, seconds, left_out, files, checks, self.unit)

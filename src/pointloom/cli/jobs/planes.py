@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Unpack
 
@@ -11,16 +10,13 @@ from numpy.typing import NDArray
 
 from ...core.errors import FilePath
 from ...core.reports import Fields
-from ...core.units import symbol_of
 from ...core.wording import format_fraction
 from .job import Job, Settings
 from .rows import LABELLED, Rows, RowsReport, label_rows, read_rows
 
 PLANE = "plane"
+_NO_PLANE = "no plane has {:,} points, or all samples are collinear"
 MIN_POINTS = 100  # minimum size if several planes are searched
-
-# A smaller largest plane means that the scene has none, or that the distance is too small.
-_MIN_FRACTION = 0.05
 
 
 @dataclass(frozen=True)
@@ -118,25 +114,13 @@ def label_planes(
 def _find(
     job: Job, rows: Rows, distance: float, iterations: int, seed: int, *, max_planes: int, min_points: int
 ) -> tuple[NDArray[np.int32], tuple[Plane, ...], str | None]:
-    with job.stage("planes"):
+    options = {"distance_threshold": "--distance", "num_iterations": "--iterations"}
+    with job.assessed("planes", options):
         labels, models = rows.cloud.segment_planes(
             distance, num_iterations=iterations, min_points=min_points, max_planes=max_planes, seed=seed
         )
     finite = len(rows.cloud.remove_non_finite_points())
     counts = np.bincount(labels[labels >= 0], minlength=len(models)).tolist()
     planes = [Plane(tuple(model.tolist()), count, count / finite) for model, count in zip(models, counts, strict=True)]
-    return labels, tuple(planes), _warning(planes, finite, f"{distance:g} {symbol_of(rows.cloud.unit)}", min_points)
-
-
-def _warning(planes: Sequence[Plane], finite: int, distance: str, min_points: int) -> str | None:
-    if not planes and finite < min_points:
-        return f"no plane: expected at least {min_points:,} points on it, got {finite:,} finite points"
-    if not planes:
-        reason = f"no plane has {min_points:,} points within {distance}, or all samples are collinear"
-        return f"{reason}; use a larger --distance or more --iterations"
-    if planes[0].fraction >= _MIN_FRACTION:
-        return None
-    return (
-        f"the largest plane has only {format_fraction(planes[0].fraction)} of the points within {distance}; "
-        "use a larger --distance or more --iterations"
-    )
+    warning = None if planes or job.failed_checks else _NO_PLANE.format(min_points)
+    return labels, tuple(planes), warning

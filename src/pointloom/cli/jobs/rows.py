@@ -52,6 +52,11 @@ def read_rows(job: Job) -> Rows:
     return Rows(table, cloud)
 
 
+def why_no_points(rows: Rows) -> str | None:
+    """A warning if no point of the file is finite, else None."""
+    return None if np.isfinite(rows.table.points).all(axis=1).any() else "no point is finite"
+
+
 def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
     """Selected points of a table, without a grid."""
     normals = None if table.normals is None else table.normals[rows]

@@ -11,7 +11,8 @@ from pathlib import Path
 from ...cameras.imu_readings import ImuReadings
 from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
-from ...io.bags.recording import is_recording, open_recording
+from ...core.paths import is_recording
+from ...io.bags.recording import open_recording
 from ...io.points.scan_files import list_scans, read_scans
 from ...pcd.cloud import PointCloud
 

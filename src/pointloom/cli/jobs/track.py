@@ -78,5 +78,5 @@ def track_folder(
         write_poses(output, path.trajectory, overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
-    done = opened.done("track", clock, files, *path.warnings, *opened.warnings)
+    done = opened.done("track", clock, files, *path.warnings)
     return TrackReport(done, opened, path, form)

@@ -11,12 +11,12 @@ import numpy as np
 
 from ...core.atomic import check_writable
 from ...core.errors import FileError
+from ...core.paths import is_recording
 from ...core.progress import ReportProgress, ignore_progress
 from ...core.reports import Assessed, Fields, Report
 from ...core.timing import Clock
 from ...core.up_axis import check_up
 from ...core.wording import plain
-from ...io.bags.recording import is_recording
 from ...io.points.formats import columns_of
 from ...pcd.cloud import PointCloud
 from ...visualization.render.geometries import Named

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera, write_pinhole_camera_intrinsic
 from ...core.atomic import part_name
 from ...core.checks import check_count, check_fraction, check_list, check_number, check_rigid, check_rows
 from ...core.devices import DeviceLike, resolve_device
@@ -250,7 +250,8 @@ def room_views(
     def path(fraction: float) -> NDArray[np.float64]:
         return matrices[min(round(fraction * frame_count), frame_count - 1)]
 
-    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain_options(texture, color_noise))
+    camera = check_camera("intrinsic", intrinsic)
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, path, **grain_options(texture, color_noise))
 
 
 def grain_options(texture: Any, color_noise: Any) -> dict[str, Any]:

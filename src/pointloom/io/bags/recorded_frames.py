@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...cameras.depth_range import DEPTH_SCALE
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
@@ -147,6 +147,7 @@ _SUFFIXES = ("/compressed", "/compressedDepth", "/theora")
 
 class Messages(Protocol):
     path: Path
+    damage: str | None
 
     def topic_types(self) -> dict[str, str]: ...
 
@@ -169,6 +170,7 @@ class RecordedFrames(Assessed):
         layout: "recording".
         intrinsic_source: Source of the camera.
         warnings: Why the camera may belong to other images. Empty if no check failed.
+        damage: Missing data of the recording, or None. Results of the frames report it.
     """
 
     layout = "recording"
@@ -180,18 +182,18 @@ class RecordedFrames(Assessed):
         recording: Messages,
         depth: str,
         color: str | None,
-        intrinsic: PinholeCameraIntrinsic | None,
+        intrinsic: PinholeCameraIntrinsic | ArrayLike | None,
         tolerance: float,
         every: int,
     ):
         self._recording, self.depth, self.color = recording, depth, color
-        self._kinds = recording.topic_types()
+        self._kinds, self.damage = recording.topic_types(), recording.damage
         self._lock = threading.Lock()
         self.left_out: list[str] = []
         self.pairing: tuple[int, ...] = ()
         self._rows = self._pairs(tolerance)[::every]
         self.warnings, self.intrinsic_source = (), "given"
-        self.intrinsic = intrinsic or self._find_camera()
+        self.intrinsic = self._find_camera() if intrinsic is None else self._check_camera(intrinsic)
 
     def __len__(self) -> int:
         return len(self._rows)
@@ -256,6 +258,14 @@ class RecordedFrames(Assessed):
             except struct.error as error:
                 raise FileError(self._recording.path, f"{topic}: message {number} has no header") from error
         return sorted(stamped, key=lambda pair: pair[0])
+
+    def _check_camera(self, intrinsic: PinholeCameraIntrinsic | ArrayLike) -> PinholeCameraIntrinsic:
+        """The given camera. The size of a matrix is that of the first depth image."""
+        if isinstance(intrinsic, PinholeCameraIntrinsic) or not self._rows:
+            return check_camera("intrinsic", intrinsic)
+        message = self._recording.content_at(self._rows[0][1])
+        height, width = depth_of_message(self._recording.path, self._kinds[self.depth], message).shape
+        return check_camera("intrinsic", intrinsic, (width, height))
 
     def _find_camera(self) -> PinholeCameraIntrinsic:
         path, topic = self._recording.path, self.depth

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.imu_readings import ImuReadings
@@ -212,7 +212,7 @@ class Recording:
         depth: str | None = None,
         color: str | None = None,
         *,
-        intrinsic: PinholeCameraIntrinsic | None = None,
+        intrinsic: PinholeCameraIntrinsic | ArrayLike | None = None,
         tolerance: float = 0.02,
         every: int = 1,
     ) -> RecordedFrames:
@@ -221,7 +221,7 @@ class Recording:
         Args:
             depth: Depth topic, of Image or CompressedImage. None selects the only one.
             color: Color topic, registered to depth. None selects the only one, if any.
-            intrinsic: The camera. None reads the `camera_info` topic beside depth.
+            intrinsic: The camera, or its matrix [3, 3]. None reads the `camera_info` topic beside depth.
             tolerance: Maximum time difference of a pair [s].
             every: Take every k-th frame, starting with the first.
 
@@ -233,8 +233,6 @@ class Recording:
             ValueError: A tolerance that is not positive, or a count below 1.
         """
         apart, step = check_positive("tolerance", tolerance), check_count("every", every)
-        if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
         recorded = RecordedFrames(self, *choose_images(self, depth, color), intrinsic, apart, step)
         if not len(recorded):
             reason = f"no images of {recorded.depth} and {recorded.color} were taken within {apart:g} s"
@@ -412,12 +410,6 @@ def read_recording(path: FilePath) -> Recording:
     if not len(recording):
         raise FileError(root, f"contains no message{'; ' + recording.damage if recording.damage else ''}")
     return recording
-
-
-def is_recording(path: Path) -> bool:
-    if path.is_dir():
-        return any(file.suffix in (".db3", ".mcap") for file in path.iterdir())
-    return path.suffix.lower() in _READERS
 
 
 def _header(data: bytes, encoding: str) -> tuple[float | None, str]:

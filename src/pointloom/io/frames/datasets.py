@@ -12,17 +12,17 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera, read_pinhole_camera_intrinsic
 from ...cameras.frame_check import why_implausible
 from ...cameras.pose_text import parse_floats, pose_or_gap, read_lines, read_pose_or_gap, timed_poses
 from ...core.atomic import restore_folder
-from ...core.checks import check_count, check_name, check_positive
+from ...core.checks import check_count, check_name, check_positive, shown
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
-from ...core.paths import is_file, path_of
+from ...core.paths import is_file, path_of, recording_remedy
 from ...core.reports import Assessed, failed
 from ..images.image_files import (
     ImageHeader,
@@ -72,6 +72,9 @@ def list_images(folder: Path, demand: Demand) -> list[FrameFiles]:
             demand.miss(depths[key], "has no color image of the same name", "Restore it, or remove this")
             continue
         pose = poses.get(key) if demand.poses != "ignored" else None
+        if pose is None and demand.poses == "needed":
+            demand.miss(depths[key], "has no pose of the same name", "Restore it, or remove this")
+            continue
         T_world_camera = None if pose is None else _read_any_pose(pose)
         if pose is not None and T_world_camera is None and demand.loses(pose):
             continue
@@ -175,6 +178,7 @@ def _read_depth_scale(path: Path, default: float) -> float:
 
 
 LAYOUTS = ("7scenes", "redwood", "tum")
+REQUIRED = "required"  # value of `poses`
 
 # Depth units per meter. TUM stores fifths of a millimeter, the others millimeters.
 _DEPTH_SCALES = {"7scenes": 1000.0, "redwood": 1000.0, "tum": 5000.0}
@@ -270,15 +274,18 @@ class RGBDDataset(Assessed):
         return Frame(depth, color, files.T_world_camera, files.name, files.timestamp)
 
 
-def open_dataset(
+def open_frames(
     folder: FilePath,
     *,
     layout: str = "auto",
-    intrinsic: PinholeCameraIntrinsic | None = None,
+    intrinsic: PinholeCameraIntrinsic | ArrayLike | None = None,
     every: int = 1,
-    skip_missing: bool = False,
+    depth_scale: float | None = None,
+    poses: bool | str = True,
+    skip_missing: bool | str = False,
+    resize_color: bool = False,
 ) -> RGBDDataset:
-    """Open a folder of posed RGB-D frames.
+    """Open a folder of RGB-D frames with or without poses.
 
     - `7scenes`: `frame-NNNNNN.depth.png`, `.pose.txt` and, for all frames or none, `.color.png` or `.color.jpg`.
       Millimeters; f 585, c (320, 240).
@@ -288,6 +295,9 @@ def open_dataset(
     - `tum`: `depth.txt`, `groundtruth.txt` and optionally `rgb.txt`. Depth, color and poses are paired by the closest
       time, less than 0.02 s apart. Poses are not interpolated. Unpaired depth maps are listed in `left_out`. Depth
       times 5,000; f 525, c (319.5, 239.5).
+    - `images`: depth and color side by side whose names differ by one word, such as `1.png` and `1_depth.png`, or
+      `img_prev.png`, `dep_prev.png` and `pose_prev.txt` (a matrix, or tx ty tz qx qy qz qw). Requires `intrinsic` and
+      `depth_scale`.
 
     The camera is, in this order: `intrinsic`. Camera-intrinsics.json, camera.json, camera_intrinsic.json or
     intrinsic.json in the folder (with `depth_scale`, if any). A 3x3 matrix in camera-intrinsics.txt, intrinsics.K.txt,
@@ -296,65 +306,18 @@ def open_dataset(
 
     Args:
         folder: The folder.
-        layout: "7scenes", "redwood", "tum", or "auto" to detect it.
-        intrinsic: The camera; overrides that of the folder.
-        every: Take every k-th frame, starting with the first.
-        skip_missing: Skip frames that lack an image or whose pose is inf or NaN, and list them in `left_out`.
-
-    Raises:
-        ValueError: An unknown layout.
-        DatasetError: An unknown, ambiguous, empty or incomplete folder. Sizes that differ; `every` below 1.
-        FileError: A file that cannot be read, or a pose that is not rigid.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> from pathlib import Path
-        >>> from PIL import Image
-        >>> Path("scans").mkdir()
-        >>> Image.fromarray(np.full((480, 640), 1000, np.uint16)).save("scans/frame-000000.depth.png")
-        >>> np.savetxt("scans/frame-000000.pose.txt", np.eye(4))
-        >>> frames = loom.open_dataset("scans")
-        >>> len(frames), frames.layout, frames.read(0).depth.shape
-        (1, '7scenes', (480, 640))
-    """
-    if check_name("layout", layout) not in ("auto", *LAYOUTS):
-        raise ValueError(f"layout: expected 'auto' or one of {LAYOUTS}, got {layout!r}")
-    folder, every = _check_folder(folder), _check_every(folder, every)
-    chosen = _detect_layout(folder, _layout_marks(folder)) if layout == "auto" else layout
-    return _open(folder, chosen, intrinsic, None, every, Demand(skip_missing=bool(skip_missing)), False)
-
-
-def open_frames(
-    folder: FilePath,
-    *,
-    layout: str = "auto",
-    intrinsic: PinholeCameraIntrinsic | None = None,
-    every: int = 1,
-    depth_scale: float | None = None,
-    poses: bool = True,
-    skip_missing: bool | str = False,
-    resize_color: bool = False,
-) -> RGBDDataset:
-    """Open a folder of RGB-D frames with or without poses.
-
-    The layouts are those of `open_dataset` with optional poses (`T_world_camera` is None without), and `images`:
-    depth and color side by side whose names differ by one word, such as `1.png` and `1_depth.png`, or `img_prev.png`,
-    `dep_prev.png` and `pose_prev.txt` (a matrix, or tx ty tz qx qy qz qw). `images` requires `intrinsic` and
-    `depth_scale`.
-
-    Args:
-        folder: The folder.
         layout: "7scenes", "redwood", "tum", "images", or "auto" to detect it.
-        intrinsic: The camera; overrides that of the folder.
+        intrinsic: The camera, or its matrix [3, 3]; overrides that of the folder.
         every: Take every k-th frame, starting with the first.
         depth_scale: Depth units per meter; overrides that of the folder.
-        poses: Read the poses in the folder, if any.
+        poses: True reads the poses in the folder, if any (`T_world_camera` is None without). "required" raises if a
+            frame has none. False ignores them.
         skip_missing: Skip frames that lack an image, or (except in "images") whose pose is inf or NaN, and list them
             in `left_out`.
         resize_color: Resize color to the size of depth. Both must show the same view.
 
     Raises:
-        ValueError: An unknown layout. A depth scale that is not positive.
+        ValueError: An unknown layout or value of `poses`. A depth scale that is not positive.
         DatasetError: An unknown, ambiguous, empty or incomplete folder. Sizes that differ; `every` below 1.
         FileError: A file that cannot be read, or a pose that is not rigid.
 
@@ -370,11 +333,49 @@ def open_frames(
     """
     if check_name("layout", layout) not in ("auto", *LAYOUTS, "images"):
         raise ValueError(f"layout: expected 'auto' or one of {(*LAYOUTS, 'images')}, got {layout!r}")
+    if isinstance(poses, str) and poses != REQUIRED:
+        raise ValueError(f"poses: expected True, False or {REQUIRED!r}, got {shown(poses)}")
     scale = None if depth_scale is None else check_positive("depth_scale", depth_scale)
     folder, every = _check_folder(folder), _check_every(folder, every)
-    chosen = _detect_loosely(folder) if layout == "auto" else layout
-    demand = Demand("taken" if poses else "ignored", bool(skip_missing), skip_missing == "images")
+    is_required = poses == REQUIRED
+    chosen = layout
+    if layout == "auto":
+        chosen = _detect_layout(folder, _layout_marks(folder)) if is_required else _detect_loosely(folder)
+    kind = "needed" if is_required else "taken" if poses else "ignored"
+    demand = Demand(kind, bool(skip_missing), not is_required and skip_missing == "images")
     return _open(folder, chosen, intrinsic, scale, every, demand, bool(resize_color))
+
+
+def open_dataset(
+    folder: FilePath,
+    *,
+    layout: str = "auto",
+    intrinsic: PinholeCameraIntrinsic | ArrayLike | None = None,
+    every: int = 1,
+    skip_missing: bool = False,
+) -> RGBDDataset:
+    """Open a folder of posed RGB-D frames: another name of `open_frames` with `poses="required"`.
+
+    Args:
+        folder, layout, intrinsic, every: As of `open_frames`.
+        skip_missing: Skip frames that lack an image or whose pose is inf or NaN, and list them in `left_out`.
+
+    Raises:
+        ValueError, DatasetError, FileError: As of `open_frames`.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from pathlib import Path
+        >>> from PIL import Image
+        >>> Path("scans").mkdir()
+        >>> Image.fromarray(np.full((480, 640), 1000, np.uint16)).save("scans/frame-000000.depth.png")
+        >>> np.savetxt("scans/frame-000000.pose.txt", np.eye(4))
+        >>> frames = loom.open_dataset("scans")
+        >>> len(frames), frames.layout, frames.read(0).depth.shape
+        (1, '7scenes', (480, 640))
+    """
+    options = {"layout": layout, "intrinsic": intrinsic, "every": every, "skip_missing": bool(skip_missing)}
+    return open_frames(folder, **options, poses=REQUIRED)
 
 
 def _check_folder(folder: FilePath) -> Path:
@@ -382,7 +383,8 @@ def _check_folder(folder: FilePath) -> Path:
     restore_folder(folder)
     if not folder.is_dir():
         reason = "is not a folder" if folder.exists() else "does not exist"
-        raise DatasetError(folder, reason, remedy="Give the folder that contains the frames")
+        remedy = recording_remedy(folder, "frames()") or "Give the folder that contains the frames"
+        raise DatasetError(folder, reason, remedy=remedy)
     if not os.access(folder, os.R_OK | os.X_OK):
         raise DatasetError(folder, "may not be read", remedy="Change its permissions")
     return folder
@@ -398,7 +400,7 @@ def _check_every(folder: FilePath, every: int) -> int:
 def _open(
     folder: Path,
     layout: str,
-    intrinsic: PinholeCameraIntrinsic | None,
+    intrinsic: PinholeCameraIntrinsic | ArrayLike | None,
     depth_scale: float | None,
     every: int,
     demand: Demand,
@@ -417,7 +419,8 @@ def _open(
     if intrinsic is None:
         camera_source = find_camera(folder, layout, size, _DEPTH_SCALES.get(layout, 0.0))
     else:
-        camera_source = with_warning(FoundCamera(intrinsic, "the intrinsic given", _DEPTH_SCALES.get(layout, 0.0)))
+        given = check_camera("intrinsic", intrinsic, size)
+        camera_source = with_warning(FoundCamera(given, "the intrinsic given", _DEPTH_SCALES.get(layout, 0.0)))
     camera, scale = camera_source.intrinsic, depth_scale or camera_source.depth_scale
     if not scale:
         remedy = "Give depth_scale=: 1000 for millimeters, 5000 for images of the TUM benchmark"
@@ -476,6 +479,8 @@ def _detect_layout(folder: Path, layout_marks: dict[str, dict[str, bool]]) -> st
         for layout, marks in layout_marks.items()
     )
     known = contains_frames if "images" in layout_marks else is_dataset
+    if remedy := recording_remedy(folder, "frames()"):
+        raise DatasetError(folder, "is a recording, not a folder of images", remedy=remedy)
     inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and known(d)), None)
     remedy = (
         f"Did you mean {inner}?" if inner else "Give the folder that contains these files, or convert to one of them"

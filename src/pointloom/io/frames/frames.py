@@ -162,17 +162,18 @@ def camera_problem(dataset: Any, source: str) -> str | None:
 
 
 def source_warnings(frames: Any) -> tuple[str, ...]:
-    """Failed checks of a source of frames: an assumed or implausible camera, and mostly unpaired images."""
+    """Failed checks of a source of frames: damage, unpaired or omitted images, an assumed or implausible camera."""
     unpaired, camera = None, None
     if pairing := getattr(frames, "pairing", ()):
         remedy = "check that the clocks of depth, color and poses agree"
         paired, possible = pairing
         unpaired = why_few_matched(paired, possible, "frames have all images and a pose at their time", remedy)
+    incomplete = why_incomplete(frames) if hasattr(frames, "left_out") else None
     if getattr(frames, "warnings", ()):
         camera = camera_problem(frames, getattr(frames, "intrinsic_source", "") or "of the frames")
     elif not isinstance(frames, RGBDDataset) and (reason := why_implausible(frames.intrinsic)):
         camera = f"the camera may be wrong: {reason}"
-    return failed(unpaired, camera)
+    return failed(getattr(frames, "damage", None), unpaired, incomplete, camera)
 
 
 def image_warnings(frames: FrameSource) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...cameras.camera import PinholeCameraIntrinsic, intrinsic_to_json
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera, intrinsic_to_json
 from ...cameras.depth_range import DEPTH_SCALE
 from ...core.atomic import atomic_write
 from ...core.checks import check_positive, check_progress
@@ -62,8 +62,7 @@ class FrameRecorder(Serialized):
 
     def __init__(self, folder: FilePath, intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = DEPTH_SCALE):
         self.folder = path_of(folder, "folder")
-        if not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        check_camera("intrinsic", intrinsic)
         self.depth_scale = check_positive("depth_scale", depth_scale)
         self.intrinsic, self.count = intrinsic, 0
         self._colored: bool | None = None

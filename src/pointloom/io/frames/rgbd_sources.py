@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_positive, shown
 from .datasets import Frame
@@ -77,7 +78,7 @@ class CountedFrameStream(FrameStream):
 
 def frames_from(
     frames: Iterable[Any],
-    intrinsic: PinholeCameraIntrinsic,
+    intrinsic: PinholeCameraIntrinsic | ArrayLike,
     *,
     depth_scale: float = DEPTH_SCALE,
     resize_color: bool = False,
@@ -88,7 +89,7 @@ def frames_from(
         frames: Each is (color, depth) or (color, depth, time [s]), or an object with `color`, `depth` and optionally
             `T_world_camera`, `timestamp`, `name`. Depth is uint16 or float [m], shape (h, w), 0 without measurement.
             Color is uint8 RGB (h, w, 3) or None, registered to depth.
-        intrinsic: The camera.
+        intrinsic: The camera, or its matrix [3, 3] if `frames` is a list.
         depth_scale: Units per meter of integer depth.
         resize_color: Resize color to the size of depth. Both must show the same view.
 
@@ -108,10 +109,19 @@ def frames_from(
     """
     if isinstance(frames, str | bytes | dict) or not hasattr(frames, "__iter__"):
         raise TypeError(f"frames: expected pairs of color and depth to iterate over, got {shown(frames)}")
-    if not isinstance(intrinsic, PinholeCameraIntrinsic):
-        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+    camera = check_camera("intrinsic", intrinsic, _size_of_first(frames))
     kind = CountedFrameStream if hasattr(frames, "__len__") else FrameStream
-    return kind(frames, intrinsic, check_positive("depth_scale", depth_scale), bool(resize_color))
+    return kind(frames, camera, check_positive("depth_scale", depth_scale), bool(resize_color))
+
+
+def _size_of_first(frames: Iterable[Any]) -> tuple[int, int] | None:
+    """Width and height of the first depth image of a list. None if it cannot be read without the others."""
+    if not isinstance(frames, list | tuple) or not frames:
+        return None
+    first = frames[0]
+    depth = first[1] if isinstance(first, list | tuple) and len(first) > 1 else getattr(first, "depth", None)
+    shape = getattr(depth, "shape", ())
+    return (shape[1], shape[0]) if len(shape) == 2 else None
 
 
 def _frame_of(item: Any, name: str) -> Frame:

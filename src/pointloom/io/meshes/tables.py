@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import path_of, recording_remedy
 from ..columns import warn_of_loss
 from ..obj_statements import read_statements
 from ..points.e57 import read_frames
@@ -45,7 +45,10 @@ def read_table(path: FilePath, columns: Sequence[str] | None = None) -> PointTab
     if columns is None and suffix in MESH_READERS and is_mesh_file(path):
         return MESH_READERS[suffix](path)
     if suffix not in READERS:
-        remedy = f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
+        remedy = (
+            recording_remedy(path, "scans()")
+            or f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
+        )
         raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
     return read_points(path, columns)
 

@@ -77,7 +77,7 @@ def read_cameras(
         readers: dict[str, Any] = {"metashape": read_metashape_cameras, "colmap": read_colmap_model}
         readers |= {"transforms": read_transforms, "frames": read_frame_cameras}
         return readers[kind](file)
-    if not isinstance(intrinsic, PinholeCameraIntrinsic):
+    if intrinsic is None:
         reason = "contains only poses, and no lens"
         raise FileError(file, reason, remedy="Give the camera as intrinsic (--intrinsic, Open3D's JSON) too")
     if images is None:

@@ -7,11 +7,13 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from ...core.devices import DeviceLike
 from ...core.errors import FilePath
 from ...core.escaped_text import escaped
+from ...core.units import warn_of_units
 from ..attribute_names import NameRules, rename
 from ..columns import has_type, narrow_integers
 from ..source import netted
@@ -31,6 +33,9 @@ from .text_table import SUFFIXES, check_columns, read_text_table, write_text_tab
 from .text_table import name_rules as text_rules
 
 COPC = ".copc.laz"
+OF_8_BITS = (".ply", ".pcd", ".pts", ".e57")  # colors
+COLOR_SAMPLES = 4096  # whose bits are examined
+COLOR_ROUNDING = 1.2e-7  # of float32 colors, two roundings
 
 Storable = tuple[PointTable, list[str]]  # a table, and the names of what was removed from it
 
@@ -228,8 +233,21 @@ def write_table(path: FilePath, table: PointTable, options: WriteOptions) -> Non
     if options.drop_unsupported and format.storable is not None:
         table, _ = format.storable(path, table)
     table = with_fitting_names(path, table, stacklevel=4)
+    _warn_of_rounded_colors(path, table)
     write = format.write or _write_text  # which raises for other extensions
     write(path, table, options)
+
+
+def _warn_of_rounded_colors(path: FilePath, table: PointTable) -> None:
+    """Warn if colors of 16 bits, as of LAS and E57, are written with 8. Others, such as means, are rounded anyway."""
+    suffix = Path(path).suffix.lower()
+    if table.colors is None or suffix not in OF_8_BITS:
+        return
+    colors = table.colors[:: max(1, len(table.colors) // COLOR_SAMPLES)].astype(np.float64)
+    off8, off16 = (np.abs(colors * most - np.rint(colors * most)) / most for most in (2**8 - 1, 2**16 - 1))
+    if off8.max(initial=0) > COLOR_ROUNDING and off16.max(initial=0) <= COLOR_ROUNDING:
+        reason = f"colors of 16 bits a channel are rounded to the 8 bits of {suffix}; .laz and .npz keep 16"
+        warn_of_units(f"{path}: {reason}", UserWarning)
 
 
 def with_fitting_names(path: FilePath, table: PointTable, *, stacklevel: int = 3) -> PointTable:

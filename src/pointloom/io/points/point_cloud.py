@@ -19,7 +19,7 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.other_geometry import is_other
-from ...core.paths import path_of
+from ...core.paths import path_of, recording_remedy
 from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
 from ...pcd.boxes import AxisAlignedBoundingBox
@@ -383,6 +383,8 @@ def _extension(path: FilePath, *, write: bool = False) -> str:
             raise FileError(
                 path, f"{extension} files contain meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
             )
+        if remedy := "" if write else recording_remedy(path, "scans()"):
+            raise FileError(path, "is a recording, which contains many clouds", remedy=remedy)
         known = " ".join(WRITTEN if write else READERS)
         if not write and not extension and not path_of(path).exists():
             raise FileError(path, "does not exist")

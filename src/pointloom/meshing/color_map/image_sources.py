@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import is_one_camera
 from ...cameras.undistortion import Undistortion
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError
@@ -35,7 +35,7 @@ def take_images(
         return _take_model(images, cameras, device, report)
     listed = check_list("images", images, "images")
     if poses is None:
-        known = [] if isinstance(cameras, PinholeCameraIntrinsic) else check_list("cameras", cameras, "cameras")
+        known = [] if is_one_camera(cameras) else check_list("cameras", cameras, "cameras")
         if not known or not all(hasattr(c, "T_camera_world") and hasattr(c, "intrinsic") for c in known):
             raise ValueError("extrinsics: expected a pose [4, 4] for each image, world to camera, got None")
         poses, cameras = [c.T_camera_world for c in known], [c.intrinsic for c in known]

@@ -9,7 +9,7 @@ from ...core.array_libraries import library_for
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.other_geometry import conversion_of, is_other
-from ...core.paths import path_of
+from ...core.paths import path_of, recording_remedy
 from ...io.meshes.mesh_formats import MESH_READERS, UPRIGHT, read_mesh, write_mesh
 from ...io.source import content_errors
 from ...io.table import MeshTable
@@ -54,7 +54,8 @@ def read_triangle_mesh(
     """
     suffix = path_of(path).suffix.lower()
     if suffix not in MESH_READERS:
-        raise FileError(path, f"meshes are read from {', '.join(MESH_READERS)}, not from {suffix or 'no extension'}")
+        reason = f"meshes are read from {', '.join(MESH_READERS)}, not from {suffix or 'no extension'}"
+        raise FileError(path, reason, remedy=recording_remedy(path, "scans()"))
     where, library = resolve_device(device), library_for(arrays)
     table = read_mesh(path, up=up, outside_files=outside_files)
     mesh = mesh_of(table, path, device=where, arrays=library)

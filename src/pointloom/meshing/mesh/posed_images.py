@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, is_one_camera
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color
 from ...core.checks import check_list, check_rigid
 from ...core.devices import check_same_device
@@ -60,15 +60,18 @@ def check_images(names: Names, images: Any, intrinsics: object, T_camera_world: 
         raise ValueError(f"{names.images}: expected at least one image, got none")
     if len(poses) != len(listed):
         raise ValueError(f"{names.poses}: expected {len(listed)}, one per image, got {len(poses)}")
-    alone = isinstance(intrinsics, PinholeCameraIntrinsic)
-    cameras = [intrinsics] * len(listed) if alone else check_list(names.cameras, intrinsics, "cameras")
+    cameras = (
+        [intrinsics] * len(listed)
+        if is_one_camera(intrinsics)
+        else list(check_list(names.cameras, intrinsics, "cameras"))
+    )
     if len(cameras) != len(listed):
         expected = f"expected one, or {len(listed)}, one per image"
         raise ValueError(f"{names.cameras}: {expected}, got {len(cameras)}")
     colors, depths = [], []
     for i, (image, camera) in enumerate(zip(listed, cameras, strict=True)):
         try:
-            color, depth = _take(image, camera, device)
+            color, depth, cameras[i] = _take(image, camera, device)
         except (TypeError, ValueError) as error:
             raise type(error)(f"{names.images}[{i}]: {error}") from error
         colors.append(color)
@@ -81,19 +84,19 @@ def check_images(names: Names, images: Any, intrinsics: object, T_camera_world: 
     return PosedImages(colors, depths, cameras, T)
 
 
-def _take(image: object, camera: PinholeCameraIntrinsic, device: Device) -> tuple[wp.array, wp.array | None]:
+def _take(image: object, intrinsic: object, device: Device) -> tuple[wp.array, wp.array | None, PinholeCameraIntrinsic]:
     if isinstance(image, RGBDImage):
         check_same_device("device", image.device, device)
-        check_intrinsic(camera, image.width, image.height)
+        camera = check_intrinsic(intrinsic, image.width, image.height)
         if image.color_array.dtype != uint8:
             raise ValueError("intensity only. Create the image with convert_rgb_to_intensity=False to keep its colors")
-        return image.color_array, image.depth_array
+        return image.color_array, image.depth_array, camera
     pixels = np.asarray(unmasked("image", image))
     if pixels.ndim not in (2, 3) or 0 in pixels.shape:
         raise ValueError(f"expected an RGBDImage or a uint8 image [h, w, 3], got {_named(image, pixels)}")
     height, width = pixels.shape[:2]
-    check_intrinsic(camera, width, height)
-    return upload_color(pixels, height, width, device), None
+    camera = check_intrinsic(intrinsic, width, height)
+    return upload_color(pixels, height, width, device), None, camera
 
 
 def _named(image: object, pixels: NDArray[Any]) -> str:

@@ -21,7 +21,7 @@ from ...kernels.rays.facing_sides import face_distances
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.surface.cylinder_change import TWO_SIDED
 from ...kernels.surface.value_spreads import spread_values
-from ...pcd.change import MIN_POINTS
+from ...pcd.change import MIN_POINTS, why_shifted
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.units import common_reference
@@ -60,7 +60,8 @@ class CloudToMeshResult(AssessedRecord):
         above = measured - int((np.isfinite(distances) & beside).sum())
         inside, crop = "distances are not from the border of the mesh", f"crop both, and {ALIGN}"
         few = why_few_matched(measured, count, "points have a distance", remedy)
-        return failed(few, why_few_matched(above, measured, inside, crop))
+        shifted = why_shifted(distances, asnumpy(self.is_significant))
+        return failed(few, why_few_matched(above, measured, inside, crop), shifted)
 
     @property
     def is_significant(self) -> NDArray[np.bool_]:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.checks import check_list, check_positive, check_progress, check_rigid
 from ...core.progress import ReportProgress
@@ -89,8 +89,7 @@ def fuse_splats(
     if intrinsic is None or extrinsics is None:
         intrinsic, poses = views_around(splats.centers, edge)
     else:
-        if not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        check_camera("intrinsic", intrinsic)
         given = check_list("extrinsics", extrinsics, "poses")
         poses = [check_rigid(f"extrinsics[{i}]", T) for i, T in enumerate(given)]
     volume = TSDFVolume(voxel_size=voxel_size, truncation=limit, device=splats.device)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, is_one_camera
 from ...cameras.images import check_intrinsic, upload_color, upload_raw_depth
 from ...core.checks import check_numeric, check_rigid, is_on_gpu
 from ...core.gpu_arrays import take_numbers
@@ -63,7 +63,9 @@ def stacked_frames(
             f"extrinsic: expected shape [{count}, 4, 4], a pose for each depth image, got {list(poses.shape)}"
         )
     inverses = [inv(check_rigid("extrinsic", T)) for T in poses]
-    given = list(intrinsic) if isinstance(intrinsic, list | tuple) else [intrinsic] * count
+    given: list[Any] = [intrinsic] * count
+    if isinstance(intrinsic, list | tuple) and not is_one_camera(intrinsic):
+        given = list(intrinsic)
     if len(given) != count:
         raise ValueError(f"intrinsic: expected 1 camera or {count}, one for each depth image, got {len(given)}")
     if not count:

@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...core.array_libraries import hand_out
 from ...core.checks import check_positive
 from ...kernels.arrays.origins import add_origin
@@ -52,8 +52,7 @@ def check_view(intrinsic: object, depth_min: float, depth_max: float, weight_thr
     if near >= far:
         raise ValueError(f"depth_min: expected less than depth_max, got {depth_min} and {depth_max}")
     threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
-    if not isinstance(intrinsic, PinholeCameraIntrinsic):
-        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+    check_camera("intrinsic", intrinsic)
     return near, far, threshold
 
 

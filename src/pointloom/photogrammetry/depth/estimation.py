@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...cameras.camera_models import CameraModel
 from ...cameras.depth_range import DEPTH_SCALE
 from ...cameras.images import RGBDImage, check_intrinsic
@@ -358,8 +358,6 @@ def estimate_depth(
         >>> len(estimate.to_point_cloud())
         3072
     """
-    if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
-        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
     count = check_count("tiles", tiles, maximum=MAX_TILES, because="smaller tiles lack context")
     seed, report = check_seed(seed), check_progress(progress)
     photo = take_photo(image)
@@ -431,12 +429,13 @@ def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tupl
         return references.camera, references.source
     if intrinsic is None:
         return camera_of(photo)
-    if photo.is_rotated and (intrinsic.height, intrinsic.width) == (width, height) and height != width:
+    given = check_camera("intrinsic", intrinsic, (width, height))
+    if photo.is_rotated and (given.height, given.width) == (width, height) and height != width:
         raise ValueError(
             f"intrinsic: expected {width} x {height} pixels, since EXIF rotates the image upright, got "
-            f"{intrinsic.width} x {intrinsic.height}; rotate the camera too"
+            f"{given.width} x {given.height}; rotate the camera too"
         )
-    return check_intrinsic(intrinsic, width, height), "given"
+    return check_intrinsic(given, width, height), "given"
 
 
 def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraIntrinsic) -> Map:

@@ -6,7 +6,7 @@ import os
 from dataclasses import dataclass
 from typing import Any
 
-from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, is_one_camera, read_pinhole_camera_intrinsic
 from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_count, check_positive, check_seed
 from ...core.errors import FilePath
@@ -48,7 +48,7 @@ class DepthSettings:
 
     def __post_init__(self):
         find_preset(self.preset)
-        if not isinstance(self.intrinsic, PinholeCameraIntrinsic | None):
+        if self.intrinsic is not None and not is_one_camera(self.intrinsic):
             check_path("intrinsic", self.intrinsic)
         if self.align is not None:
             check_path("align", self.align)

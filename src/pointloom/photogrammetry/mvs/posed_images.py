@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...core.checks import check_count, check_finite, check_list, check_numeric, check_rigid, check_rows
 from ...kernels.linear_algebra import inv, matmul
 
@@ -37,8 +37,7 @@ class PosedCamera:
     T_camera_world: NDArray[np.float64]
 
     def __init__(self, intrinsic: PinholeCameraIntrinsic, T_camera_world: ArrayLike):
-        if not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        check_camera("intrinsic", intrinsic)
         pose = check_rigid("T_camera_world", T_camera_world).copy()
         pose.flags.writeable = False
         object.__setattr__(self, "intrinsic", intrinsic)

@@ -112,6 +112,7 @@ def check_settings(settings: Any) -> SfmSettings:
 def _check_intrinsic(intrinsic: Any) -> None:
     if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic | CameraModel):
         kind = type(intrinsic).__name__
-        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, a CameraModel or None, got {kind}")
+        remedy = "create one with PinholeCameraIntrinsic.from_matrix(K, width, height)"
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, a CameraModel or None, got {kind}; {remedy}")
     if isinstance(intrinsic, CameraModel) and intrinsic.model.startswith("METASHAPE"):
         raise ValueError(f"intrinsic: COLMAP has no model {intrinsic.model}; undistort the images first")

@@ -71,8 +71,9 @@ class VideoSettings:
         if not isinstance(self.units, VideoUnits):
             raise TypeError(f"units: expected VideoUnits, got {type(self.units).__name__}")
         if not isinstance(self.intrinsic, str | os.PathLike | PinholeCameraIntrinsic | None):
-            kind = type(self.intrinsic).__name__
-            raise TypeError(f"intrinsic: expected a path or a PinholeCameraIntrinsic, got {kind}")
+            remedy = "create one with PinholeCameraIntrinsic.from_matrix(K, width, height)"
+            got = type(self.intrinsic).__name__
+            raise TypeError(f"intrinsic: expected a path or a PinholeCameraIntrinsic, got {got}; {remedy}")
         if not isinstance(self.cameras, str | os.PathLike | SfmModel | None):
             raise TypeError(f"cameras: expected a path or an SfmModel, got {type(self.cameras).__name__}")
         if isinstance(self.cameras, SfmModel) and self.intrinsic is not None:

@@ -100,6 +100,16 @@ class TrajectoryError(Report, Assessed):
     compared_span: float = 1.0
 
     @property
+    def ate(self) -> ErrorStatistics:
+        """Absolute trajectory error [m]: `absolute_translation`. `ate.rmse` is the usual figure."""
+        return self.absolute_translation
+
+    @property
+    def rpe(self) -> ErrorStatistics:
+        """Relative pose error [m]: `relative_translation`. `rpe.rmse` is the usual figure."""
+        return self.relative_translation
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         return failed(self._few_matches(), self._few_poses(), self._other_sensor())
 

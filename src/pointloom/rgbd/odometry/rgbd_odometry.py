@@ -15,9 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX, OPEN3D_DEPTH_MAX
-from ...cameras.images import RGBDImage, upload_depth
+from ...cameras.images import RGBDImage, check_intrinsic, upload_depth
 from ...core.argument_errors import explain_argument_errors
-from ...core.checks import check_finite, check_list, check_positive, check_rigid, check_shape
+from ...core.checks import check_list, check_positive, check_rigid
 from ...core.errors import DeviceError
 from ...core.gpu_arrays import device_for
 from ...core.observers import report
@@ -44,7 +44,6 @@ from .options import (
 )
 from .results import OdometryResult, spread_information
 
-MAX_SIDE_PER_FOCAL = 20.0  # image sides per focal length: 168 degrees
 Jacobian = RGBDOdometryJacobianFromColorTerm | RGBDOdometryJacobianFromHybridTerm
 
 
@@ -191,7 +190,7 @@ def compute_odometry_information_matrix(
         raise ValueError(
             f"target_depth: expected {width} x {height} pixels as the source, got {have}; resize one of them"
         )
-    camera = _check_camera("intrinsic", intrinsic, width, height)
+    camera = check_intrinsic(intrinsic, width, height)
     pose = check_rigid("source_to_target", source_to_target)
     return measure_information(first, second, camera, pose, max_distance, farthest)
 
@@ -216,26 +215,7 @@ def _check_images(source: RGBDImage, target: RGBDImage) -> None:
 
 def _check_pair(name: str, source: RGBDImage, target: RGBDImage, intrinsic: object) -> PinholeCameraIntrinsic:
     _check_images(source, target)
-    return _check_camera(name, intrinsic, source.width, source.height)
-
-
-def _check_camera(name: str, camera: object, width: int, height: int) -> PinholeCameraIntrinsic:
-    if not isinstance(camera, PinholeCameraIntrinsic):
-        matrix = check_finite(name, check_shape(name, camera, (3, 3)))
-        try:
-            result = PinholeCameraIntrinsic.from_matrix(matrix, width, height)
-        except ValueError as error:
-            raise ValueError(f"{name}: {error}") from None
-        if result.fx * MAX_SIDE_PER_FOCAL < width or result.fy * MAX_SIDE_PER_FOCAL < height:
-            raise ValueError(
-                f"{name}: expected fx and fy in pixels, got {result.fx:g} and {result.fy:g}, a field of view of nearly "
-                f"180 degrees at {width} x {height} pixels; pass a matrix in pixels or a PinholeCameraIntrinsic"
-            )
-        return result
-    if (camera.width, camera.height) != (width, height):
-        made = f"{camera.width} x {camera.height}"
-        raise ValueError(f"{name}: expected a camera of {width} x {height} pixels as the images, got {made}")
-    return camera
+    return check_intrinsic(intrinsic, source.width, source.height, name)
 
 
 def _upload(name: str, depth: ArrayLike, depth_scale: float | None, device: object) -> tuple[Any, int, int]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...core.checks import check_positive, check_rigid
 from ...core.devices import DeviceLike
@@ -85,8 +85,7 @@ class SlamModel(Serialized):
         leave_out_moving: bool = True,
         device: DeviceLike = None,
     ):
-        if not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        check_camera("intrinsic", intrinsic)
         self.intrinsic = intrinsic
         self.depth_scale = check_positive("depth_scale", depth_scale)
         self.depth_max = check_positive("depth_max", depth_max)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.images import integer_scale
 from ...core.checks import check_count, check_fraction, check_list, check_numeric, check_positive, check_rigid
@@ -177,8 +177,7 @@ class SubmapRecorder(Serialized):
         color: bool = True,
         device: DeviceLike = None,
     ):
-        if not isinstance(intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+        check_camera("intrinsic", intrinsic)
         self._intrinsic, self._scale = intrinsic, check_positive("depth_scale", depth_scale)
         self._depth_max = check_positive("depth_max", depth_max)
         self._sizes = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...core.checks import check_color, check_positive, check_rigid
 from .parts import Triple
 
@@ -41,8 +41,7 @@ class CameraFrustum:
     color: Triple = (0.10, 0.35, 0.75)
 
     def __post_init__(self):
-        if not isinstance(self.intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(self.intrinsic).__name__}")
+        check_camera("intrinsic", self.intrinsic)
         object.__setattr__(self, "T_world_camera", check_rigid("T_world_camera", self.T_world_camera))
         object.__setattr__(self, "scale", check_positive("scale", self.scale))
         red, green, blue = check_color("color", self.color).tolist()

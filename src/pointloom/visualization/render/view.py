@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...core.checks import LARGEST_NUMBER, check_count, check_direction, check_rigid, check_rows
 from ...core.exchange import on_host
 from .open3d_parameters import cross_product, view_from_open3d, view_to_open3d
@@ -36,8 +36,7 @@ class View:
     T_world_camera: NDArray[np.float64]
 
     def __post_init__(self):
-        if not isinstance(self.intrinsic, PinholeCameraIntrinsic):
-            raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(self.intrinsic).__name__}")
+        check_camera("intrinsic", self.intrinsic)
         object.__setattr__(self, "T_world_camera", check_rigid("T_world_camera", self.T_world_camera))
 
     def __repr__(self) -> str:

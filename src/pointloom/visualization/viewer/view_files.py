@@ -17,10 +17,10 @@ from ...core.atomic import restore_folder
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
-from ...core.paths import input_path, path_of
+from ...core.paths import input_path, is_recording, path_of
 from ...core.progress import ReportProgress
 from ...io.ascii_rows import is_number
-from ...io.bags.recording import is_recording, open_recording
+from ...io.bags.recording import open_recording
 from ...io.meshes import tables
 from ...io.points.copc_nodes import declares_copc
 from ...io.points.in_parts import open_in_parts
