@@ -97,7 +97,17 @@ ON_TAICHI = ["test_of_a_compiler[taichi]", "test_of_taichi", "test_of_the_compil
 # Public names of which tests/test_compilers.py has no line, and why not.
 NOT_COMPARED = {
     "on the host": (
-        *("from_open3d", "to_open3d", "to_open3d_tensor", "set_pose", "create_rays_pinhole", "compute_uvatlas"),
+        *(
+            "from_open3d",
+            "to_open3d",
+            "to_open3d_tensor",
+            "to_trimesh",
+            "to_pyvista",
+            "to_meshio",
+            "set_pose",
+            "create_rays_pinhole",
+            "compute_uvatlas",
+        ),
         *("boolean_difference", "boolean_intersection", "boolean_union"),
         *("from_polygon", "revolve", "extrude_linear", "extrude_rotation"),
     ),

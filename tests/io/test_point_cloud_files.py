@@ -108,7 +108,7 @@ def test_unknown_and_missing_files_and_other_objects_are_named(tmp_path):
             call(tmp_path / "cloud.abc")
         with pytest.raises(loom.FileError, match=r"cloud\.stl"):
             call(tmp_path / "cloud.stl")
-    with pytest.raises(loom.FileError, match=r"\.xyz .*\.e57$"):  # not .csv and .ptx, which are only read
+    with pytest.raises(loom.FileError, match=r"\.xyz .*\.e57 \.vtk \.vtp$"):  # not .csv and .ptx, which are only read
         loom.write_point_cloud(tmp_path / "cloud", loom.PointCloud())
     for missing in ("missing", "missing.ply"):
         with pytest.raises(loom.FileError, match=f"{missing}: (does not exist|cannot be read)"):
@@ -736,6 +736,8 @@ def test_a_file_that_changes_while_it_is_read_is_an_error(suffix, change, tmp_pa
             .astype("<f4")
             .tobytes()
         )
+    elif suffix == ".obj":
+        path.write_text("v 1.5 2.5 3.5\n" * 300)
     elif suffix in READERS and suffix not in (".csv", ".txt", ".asc"):
         write_points(path, 300)
     elif suffix in READERS:

@@ -50,8 +50,8 @@ def _read_pose(path: str | os.PathLike[str], *, gaps: bool) -> NDArray[np.float6
     return _matrix(path, [_parse(path, line, 4, gaps=gaps) for line in lines], lines[0][0])
 
 
-def read_lines(path: str | os.PathLike[str]) -> list[Line]:
-    """Lines that are neither blank nor comments, as (line number, columns)."""
+def read_lines(path: str | os.PathLike[str], comments: list[str] | None = None) -> list[Line]:
+    """Lines that are neither blank nor comments, as (line number, columns). `comments` receives the comments."""
     try:
         text = input_path(path).read_bytes().decode("utf-8-sig")
     except OSError as error:
@@ -65,6 +65,8 @@ def read_lines(path: str | os.PathLike[str]) -> list[Line]:
         columns = re.split(r"[ \t\v\f]+", line.strip(" \t\v\f")) if line.strip(" \t\v\f") else []
         if columns and not columns[0].startswith("#"):
             lines.append((number, columns))
+        elif columns and comments is not None:
+            comments.append(line.strip())
     return lines
 
 

@@ -6,6 +6,7 @@ rounding up to 0.02 from orthonormal is accepted and not corrected.
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import json
 import os
@@ -17,15 +18,19 @@ from numpy.typing import NDArray
 from ..core.atomic import atomic_write, check_writable
 from ..core.attribute_hints import HintedNames
 from ..core.checks import check_name, check_numeric, check_rigid, check_shape
+from ..core.coordinate_systems import CoordinateSystem, check_crs
 from ..core.errors import FileError
+from ..core.escaped_text import escaped
 from ..core.json_files import check_keys, read_json_object
 from ..core.paths import path_of, recording_remedy
 from ..core.quaternions import nearest_rotations, rotations_to_quaternions
 from ..core.time_checks import check_seconds
+from ..core.units import warn_of_units
 from ..kernels.linear_algebra import inv
 from .camera import PinholeCameraIntrinsic, check_camera, intrinsic_to_json, read_json_matrix
 from .pose_text import check_pose, kitti_poses, log_poses, read_lines, timed_poses
 
+_CRS_COMMENT = "# crs "  # before the coordinate system in text files
 FORMATS = ("log", "tum", "kitti", "json")
 
 
@@ -37,9 +42,10 @@ class Trajectory(HintedNames):
         poses: T_world_camera of each frame, shape (n, 4, 4), float64 [m].
         timestamps: Time of each pose, shape (n,) [s], or None.
         ids: The three integers per pose of a .log file, shape (n, 3), or None. The first is the frame number.
+        crs: Coordinate reference system of the positions: "EPSG:25832", 25832 or well-known text. None if unknown.
 
     Raises:
-        TypeError: Not numbers.
+        TypeError: Not numbers, or not a coordinate system.
         ValueError: Shapes that do not match, or times in float32 that are more than 10 ms apart from the next number.
 
     Example:
@@ -51,8 +57,10 @@ class Trajectory(HintedNames):
     poses: NDArray[np.float64]
     timestamps: NDArray[np.float64] | None = None
     ids: NDArray[np.int64] | None = None
+    crs: CoordinateSystem | None = None
 
     def __post_init__(self):
+        object.__setattr__(self, "crs", check_crs("crs", self.crs))
         poses = check_numeric("poses", self.poses)
         if poses.ndim != 3 or poses.shape[1:] != (4, 4):
             raise ValueError(f"poses: expected shape [n, 4, 4], got {list(poses.shape)}")
@@ -78,7 +86,8 @@ class Trajectory(HintedNames):
 
     def __repr__(self) -> str:
         parts = [f"{len(self)} poses", *(["timestamps"] if self.timestamps is not None else [])]
-        return f"Trajectory({', '.join([*parts, *(['ids'] if self.ids is not None else [])])})"
+        parts += [*(["ids"] if self.ids is not None else []), *([] if self.crs is None else [escaped(self.crs.name)])]
+        return f"Trajectory({', '.join(parts)})"
 
 
 def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False) -> Trajectory:
@@ -90,7 +99,8 @@ def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False)
       normalized.
     - `.txt` with 12 columns, `.kitti`: the upper three matrix rows, camera to world.
 
-    Blank lines and lines that start with `#` are skipped in text formats.
+    Blank lines and lines that start with `#` are skipped in text formats. The line `# crs EPSG:25832` and the JSON key
+    `crs` are the coordinate system.
 
     Args:
         path: The file.
@@ -121,7 +131,7 @@ def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False)
         order = np.arange(len(is_tracked))
         ids = np.stack([order, order, order + 1], axis=1)
     times = None if trajectory.timestamps is None else trajectory.timestamps[is_tracked]
-    return Trajectory(trajectory.poses[is_tracked], times, None if ids is None else ids[is_tracked])
+    return Trajectory(trajectory.poses[is_tracked], times, None if ids is None else ids[is_tracked], trajectory.crs)
 
 
 def read_poses_and_gaps(path: str | os.PathLike[str]) -> Trajectory:
@@ -136,17 +146,22 @@ def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
     if suffix not in (".log", ".txt", ".tum", ".kitti"):
         remedy = recording_remedy(path, "trajectory()") or "Known extensions are .log, .json, .txt, .tum, .kitti"
         raise FileError(path, f"unknown trajectory format {suffix!r}", remedy=remedy)
-    lines = read_lines(path)
+    comments: list[str] = []
+    lines, crs = read_lines(path, comments), None
+    for comment in comments:
+        if comment.startswith(_CRS_COMMENT):
+            with contextlib.suppress(ValueError):
+                crs = crs or check_crs("crs", comment.removeprefix(_CRS_COMMENT))
     if not lines:
         raise FileError(path, "contains no pose")
     if suffix == ".log":
         poses, ids = log_poses(path, lines, gaps=gaps)
-        return Trajectory(poses, ids=ids)
+        return Trajectory(poses, ids=ids, crs=crs)
     columns = len(lines[0][1])
     if columns == 8 and suffix != ".kitti":
-        return Trajectory(*timed_poses(path, lines, gaps=gaps))
+        return Trajectory(*timed_poses(path, lines, gaps=gaps), crs=crs)
     if columns == 12 and suffix != ".tum":
-        return Trajectory(kitti_poses(path, lines, gaps=gaps))
+        return Trajectory(kitti_poses(path, lines, gaps=gaps), crs=crs)
     expected = {".tum": "8 columns", ".kitti": "12 columns"}.get(suffix, "8 columns (TUM) or 12 (KITTI)")
     raise FileError(
         path,
@@ -167,7 +182,7 @@ def write_trajectory(
     """Write a trajectory with all digits. Reading it returns the same poses.
 
     Only TUM stores timestamps and only .log stores ids. As in Open3D, missing TUM times are the first id or the index,
-    and missing .log ids are `i i i+1`. TUM stores the rotation nearest to the matrix.
+    and missing .log ids are `i i i+1`. TUM stores the rotation nearest to the matrix. TUM and JSON store `crs`.
 
     Args:
         path: The file.
@@ -180,13 +195,16 @@ def write_trajectory(
         ValueError: No pose, a pose that is not rigid, an unknown format, or JSON without intrinsic.
         FileError: The extension and the format disagree, or the file cannot be written.
 
+    Warns:
+        UserWarning: If the format cannot store the coordinate system.
+
     Example:
         >>> import numpy as np, pointloom as loom
         >>> poses = np.tile(np.eye(4), (3, 1, 1))
         >>> poses[:, 0, 3] = 0, 1, 2
-        >>> loom.write_trajectory("path.tum", loom.Trajectory(poses, timestamps=[0.0, 0.1, 0.2]))
+        >>> loom.write_trajectory("path.tum", loom.Trajectory(poses, timestamps=[0.0, 0.1, 0.2], crs=25832))
         >>> loom.read_trajectory("path.tum")
-        Trajectory(3 poses, timestamps)
+        Trajectory(3 poses, timestamps, EPSG:25832)
     """
     format = _output_format(path, format)
     if not isinstance(trajectory, Trajectory):
@@ -199,13 +217,18 @@ def write_trajectory(
     if format == "json":
         if intrinsic is None:
             raise ValueError("intrinsic: the JSON format stores the camera with each pose, got None")
-        text = _format_json(trajectory.poses, check_camera("intrinsic", intrinsic))
+        text = _format_json(trajectory, check_camera("intrinsic", intrinsic))
     elif format == "tum":
         text = _format_tum(trajectory)
     elif format == "kitti":
         text = "".join(_format_row(T[:3].ravel()) for T in trajectory.poses)
     else:
         text = _format_log(trajectory)
+    if trajectory.crs is not None and format in ("log", "kitti"):
+        name = trajectory.crs.name
+        warn_of_units(
+            f"{path}: {format} files cannot store the coordinate system {name}; .tum and .json do", UserWarning
+        )
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(text.encode())
 
@@ -213,7 +236,7 @@ def write_trajectory(
 def _read_json(path: str | os.PathLike[str]) -> Trajectory:
     content = read_json_object(path)
     versions = {"version_major", "version_minor"}
-    check_keys(path, content, required={"class_name", "parameters"}, optional=versions)
+    check_keys(path, content, required={"class_name", "parameters"}, optional={"crs", *versions})
     if content["class_name"] != "PinholeCameraTrajectory":
         reason = f"expected PinholeCameraTrajectory, got {str(content['class_name'])[:60]!r}"
         raise FileError(path, reason, where="key class_name")
@@ -229,7 +252,10 @@ def _read_json(path: str | os.PathLike[str]) -> Trajectory:
         check_keys(path, camera, required={"extrinsic"}, optional=optional, where=f"{location}.")
         T_camera_world = read_json_matrix(path, camera["extrinsic"], 4, where=f"key {location}.extrinsic")
         poses.append(inv(check_pose(path, T_camera_world, f"key {location}.extrinsic")))
-    return Trajectory(np.array(poses))
+    try:
+        return Trajectory(np.array(poses), crs=content.get("crs"))
+    except (TypeError, ValueError) as error:
+        raise FileError(path, str(error), where="key crs") from error
 
 
 def _output_format(path: str | os.PathLike[str], format: str | None) -> str:
@@ -275,10 +301,11 @@ def _format_tum(trajectory: Trajectory) -> str:
     quaternions = rotations_to_quaternions(nearest_rotations(trajectory.poses[:, :3, :3]))
     rows = np.concatenate([trajectory.poses[:, :3, 3], quaternions], axis=1)
     lines = (_format_row((time, *row)) for time, row in zip(times, rows.tolist(), strict=True))
-    return "# timestamp tx ty tz qx qy qz qw\n" + "".join(lines)
+    text = "" if trajectory.crs is None else f"{_CRS_COMMENT}{' '.join(trajectory.crs.text.split())}\n"
+    return text + "# timestamp tx ty tz qx qy qz qw\n" + "".join(lines)
 
 
-def _format_json(poses: NDArray[np.float64], intrinsic: PinholeCameraIntrinsic) -> str:
+def _format_json(trajectory: Trajectory, intrinsic: PinholeCameraIntrinsic) -> str:
     version = {"version_major": 1, "version_minor": 0}
     parameters = [
         {
@@ -287,6 +314,8 @@ def _format_json(poses: NDArray[np.float64], intrinsic: PinholeCameraIntrinsic) 
             "intrinsic": intrinsic_to_json(intrinsic),
             **version,
         }
-        for T_camera_world in inv(poses)
+        for T_camera_world in inv(trajectory.poses)
     ]
-    return json.dumps({"class_name": "PinholeCameraTrajectory", "parameters": parameters, **version}, indent=1) + "\n"
+    crs = {} if trajectory.crs is None else {"crs": trajectory.crs.text}
+    content = {"class_name": "PinholeCameraTrajectory", **crs, "parameters": parameters, **version}
+    return json.dumps(content, indent=1) + "\n"

@@ -188,7 +188,7 @@ class _Reader:
                 self._put(target, name, self._numbers(width * rows, kind), width)
             self._skip_optional_metadata()
 
-    def _put(self, target: dict[str, Any], name: str, values: Any, width: int = 1) -> None:
+    def _put(self, target: dict[str, Any], name: str, values: NDArray[Any], width: int = 1) -> None:
         if name in target:
             raise self._error(f"the array {name[:60]!r} is duplicated")
         if width < 1:
@@ -265,7 +265,7 @@ class _Reader:
 
 
 def write_legacy(file: IO[bytes], data: VtkData, *, ascii: bool = False) -> None:
-    """Write polygonal data, version 4.2, which all readers support."""
+    """Write polygonal data of version 4.2, which all readers support."""
     writer = _Writer(file, ascii)
     kind = "ASCII" if ascii else "BINARY"
     writer.line(f"# vtk DataFile Version 4.2\n{_TITLE}\n{kind}\nDATASET POLYDATA")

@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ET
 import zlib
 from collections.abc import Callable
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, Literal
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -24,7 +24,7 @@ from .source import open_source
 from .vtk_data import KINDS, Cells, VtkData, check_data, numbers_as
 from .xml_elements import LimitedBuilder
 
-_TYPES = {
+_XML_TYPES = {
     f"{name}{8 * size}": f"{code}{size}"
     for name, code, sizes in (("Int", "i", (1, 2, 4, 8)), ("UInt", "u", (1, 2, 4, 8)), ("Float", "f", (4, 8)))
     for size in sizes
@@ -61,7 +61,7 @@ class _Reader:
             raise FileError(path, f"is not intact XML: {error}") from error
         if self.root.tag != "VTKFile" or self.root.get("type") != "PolyData":
             raise FileError(path, f"expected VTK polygonal data, got {self.root.tag[:40]} {self.root.get('type')}")
-        self.order = ">" if self.root.get("byte_order") == "BigEndian" else "<"
+        self.order: Literal["<", ">"] = ">" if self.root.get("byte_order") == "BigEndian" else "<"
         self.header = np.dtype({"UInt32": "u4", "UInt64": "u8"}.get(self.root.get("header_type", "UInt32"), "V"))
         compressor = self.root.get("compressor")
         if self.header.kind == "V" or (compressor and compressor not in _COMPRESSORS):
@@ -126,9 +126,9 @@ class _Reader:
 
     def _array(self, element: ET.Element, rows: int, width: int) -> NDArray[Any]:
         kind = element.get("type", "")
-        if kind not in _TYPES:
+        if kind not in _XML_TYPES:
             raise FileError(self.path, f"the type {kind[:40]!r} is not supported")
-        values = self._values(element, np.dtype(_TYPES[kind]))
+        values = self._values(element, np.dtype(_XML_TYPES[kind]))
         if len(values) != rows * width:
             name = element.get("Name", "")[:60]
             raise FileError(self.path, f"{name!r}: expected {rows} x {width} numbers, got {len(values)}")
@@ -226,7 +226,7 @@ def write_xml(file: IO[bytes], data: VtkData) -> None:
     def array(name: str, values: NDArray[Any]) -> str:
         nonlocal size
         raw = np.ascontiguousarray(values, values.dtype.newbyteorder("<")).tobytes()
-        kind = next(kind for kind, code in _TYPES.items() if values.dtype == np.dtype(code))
+        kind = next(kind for kind, code in _XML_TYPES.items() if values.dtype == np.dtype(code))
         width = values.shape[1] if values.ndim == 2 else 1
         text = f'<DataArray type="{kind}" Name={quoteattr(name)} NumberOfComponents="{width}" '
         text += f'format="appended" offset="{size}"/>\n'

@@ -6,6 +6,7 @@ import dataclasses
 import functools
 import importlib.metadata
 import re
+import sys
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -73,10 +74,8 @@ def _rows(kind: str) -> list[dict[str, Any]]:
 
 def public_names(words: tuple[str, ...]) -> list[str]:
     """Public functions and classes under `loom` whose names contain all words."""
-    import pointloom
-
-    packages = [("loom", pointloom)]
-    packages += [(f"loom.{name}", getattr(pointloom, name)) for name in PACKAGES]
+    root = sys.modules[__name__.partition(".")[0]]
+    packages = [("loom", root), *((f"loom.{name}", getattr(root, name)) for name in PACKAGES)]
     names = [f"{package}.{name}" for package, module in packages for name in module.__all__ if name not in PACKAGES]
     return [name for name in names if all(word in name.lower() for word in words)]
 

@@ -88,9 +88,9 @@ def cli() -> None:
     pointloom change 2023.laz 2024.laz --picture c.png     detect significant change
     pointloom tile plan SURVEY --steps steps.toml -o job   process files larger than memory in tiles
 
-    Clouds are read and written as .ply .pcd .npz .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all
-    attributes that the format can store. .ptx and KITTI's .bin can be read. Meshes are .ply .obj .stl .off .glb .gltf.
-    The file name - is standard input or output:
+    Clouds are read and written as .ply .pcd .npz .npy .vtk .vtp .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57,
+    with all attributes that the format can store. .ptx and KITTI's .bin can be read. Meshes are .ply .obj .stl .off
+    .vtk .vtp .glb .gltf. The file name - is standard input or output:
 
     \b
     zcat scan.ply.gz | pointloom clean - - --from ply --to ply | pointloom info - --from ply
@@ -123,8 +123,8 @@ def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] 
     """Describe the content of each FILE: counts, attributes, bounds, origin, non-finite points.
 
     \b
-    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
-    meshes        .ply .obj .stl .off .glb .gltf
+    clouds        .ply .pcd .npz .npy .vtk .vtp .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
+    meshes        .ply .obj .stl .off .vtk .vtp .glb .gltf
     trajectories  .log .tum .kitti .txt .json
     cameras       .json, .txt with a 3x3 matrix
     models        COLMAP folders (cameras, images, points3D), Metashape .xml
@@ -190,8 +190,8 @@ def convert(
     """Convert the cloud or mesh IN to OUT. The extension of OUT defines the format.
 
     \b
-    clouds      .ply .pcd .npz .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .bin .ptx
-    meshes      .ply .obj .stl .off .glb .gltf
+    clouds      .ply .pcd .npz .npy .vtk .vtp .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .bin .ptx
+    meshes      .ply .obj .stl .off .vtk .vtp .glb .gltf
     recordings  from .bag .mcap .db3 and folders of them: to a folder of scans, or to one cloud
 
     Values are rounded only if the format of OUT requires it. Data that it does not support is omitted, and the summary

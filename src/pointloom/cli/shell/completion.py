@@ -19,9 +19,9 @@ _PLAIN = "[[ $type == 'plain' ]]"
 
 CLOUDS = (
     ".ply", ".pcd", ".npz", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".asc", ".bin", ".las", ".laz", ".e57",
-    ".ptx",
+    ".ptx", ".npy", ".vtk", ".vtp",
 )  # fmt: skip
-MESHES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf")
+MESHES = (".ply", ".obj", ".stl", ".off", ".vtk", ".vtp", ".glb", ".gltf")
 POSES = (".txt", ".tum", ".log", ".kitti", ".json")
 # File extensions by the metavar of a parameter. Folders are always shown.
 EXTENSIONS = {

@@ -29,11 +29,11 @@ _PIPE = Path("-")
 # Extensions of io/bags/recording.py, io/points/formats.py and io/meshes/tables.py, which are too expensive to import
 # for --help. A test compares them.
 RECORDINGS = (".bag", ".mcap", ".db3")
-MESHES = ["obj", "stl", "off", "glb", "gltf"]
-READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57", "ptx"]
-READ += MESHES
+MESHES = ["obj", "stl", "off", "vtk", "vtp", "glb", "gltf"]
+READ = ["ply", "pcd", "npz", "npy", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57"]
+READ += ["ptx", *MESHES]
 WRITTEN = [
-    "ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "las", "laz", "e57", *MESHES,
+    "ply", "pcd", "npz", "npy", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "las", "laz", "e57", *MESHES,
 ]  # fmt: skip
 
 

@@ -64,8 +64,8 @@ def view(
     after the last page closed, with a notice on stderr, or with Ctrl-C.
 
     \b
-    clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
-    meshes        .ply .obj .stl .off .glb .gltf
+    clouds        .ply .pcd .npz .npy .vtk .vtp .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
+    meshes        .ply .obj .stl .off .vtk .vtp .glb .gltf
     trajectories  .log .tum .kitti .txt .json
     volumes       .npz of TSDFVolume.save, .json of SelectionPolygonVolume
     recordings    .bag .mcap .db3 and folders of them: the first cloud, or all clouds with --frame

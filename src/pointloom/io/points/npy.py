@@ -6,6 +6,8 @@ Other fields are normals (nx, ny, nz), colors (red, green, blue, or r, g, b) and
 
 from __future__ import annotations
 
+import io
+import math
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -18,10 +20,10 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError, FilePath
 from ..attribute_names import NameRules
 from ..columns import stack_colors, stack_normals, stack_points
-from ..npy_header import read_structured_header
-from ..source import open_source
+from ..npy_header import MAX_HEADER_BYTES, read_npy_header, read_structured_header
+from ..optional_imports import foreign_errors
+from ..source import SourceFile, open_source
 from ..table import PointTable
-from .npz import read_npy
 from .text_table import check_columns
 
 _POINTS, _NORMALS, _COLORS = ("x", "y", "z"), ("nx", "ny", "nz"), ("red", "green", "blue")
@@ -35,7 +37,7 @@ def read_npy_points(path: FilePath, columns: Sequence[str] | None = None) -> Poi
     source = open_source(path)
     header = read_structured_header(path, source)
     if header is None:
-        rows = read_npy(path)
+        rows = _plain_rows(path, source)
         names = [*_POINTS] if columns is None else check_columns(columns)
         if rows.ndim != 2 or rows.shape[1] != len(names):
             reason = f"expected shape [n, {len(names)}] for {', '.join(names)}, got {list(rows.shape)}"
@@ -48,6 +50,21 @@ def read_npy_points(path: FilePath, columns: Sequence[str] | None = None) -> Poi
     rows = source.array(dtype, count, begin)
     names = [name for name in dtype.names or () if dtype[name].kind != "V" or dtype[name].subdtype]
     return _table_of(path, {name: rows[name] for name in names})
+
+
+def _plain_rows(path: Path, source: SourceFile) -> NDArray[Any]:
+    """The array of a file whose array is not structured."""
+    stream = io.BytesIO(source[0:MAX_HEADER_BYTES])
+    with foreign_errors(path, "the array's header is damaged"):
+        shape, is_by_columns, dtype = read_npy_header(stream)
+    if dtype.kind not in "biuf" or dtype.itemsize > 8:
+        raise FileError(path, f"expected real numbers, got {dtype}")
+    begin, needed = stream.tell(), math.prod(shape) * dtype.itemsize
+    if needed != len(source) - begin or min(shape, default=0) < 0:
+        reason = f"an array of {dtype} {list(shape)} needs {needed} bytes, but has {len(source) - begin}"
+        raise FileError(path, reason, where=f"byte {begin}")
+    rows = source.array(dtype, math.prod(shape), begin).reshape(shape, order="F" if is_by_columns else "C")
+    return rows.astype(dtype.newbyteorder("="), copy=False)
 
 
 def _table_of(path: Path, columns: dict[str, NDArray[Any]]) -> PointTable:

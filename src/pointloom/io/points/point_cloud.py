@@ -45,8 +45,9 @@ def read_point_cloud(
 ) -> PointCloud:
     """Read a point cloud with all its attributes.
 
-    The formats are .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .asc .npz .bin .las .laz .e57 .ptx. A truncated file,
-    trailing bytes or counts that do not match the file size raise `FileError` before memory is allocated.
+    The formats are .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .asc .npz .npy .bin .vtk .vtp .las .laz .e57 .ptx, and
+    .obj without faces. A truncated file, trailing bytes or counts that do not match the file size raise `FileError`
+    before memory is allocated.
 
     Text: a header line names the columns: x y z, nx ny nz, r g b (0..1, or integers in 0..255). Other names are
     attributes. Without a header, 3 columns are x y z and more columns require `columns`. A .bin has float32 columns,
@@ -305,10 +306,11 @@ def write_point_cloud(
     E57 coordinates are converted to meters and its scans have no poses here: use `write_stations`.
 
     Args:
-        path: The file: .ply .pcd .npz .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57. A .csv (commas), .txt or
-            .asc (blanks) has a header and all attributes; an attribute (n, c) has columns name_0, name_1, ...
-        cloud: The cloud.
-        ascii: Write text instead of binary, for .ply and .pcd.
+        path: The file: .ply .pcd .npz .npy .vtk .vtp .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57. A .csv
+            (commas), .txt or .asc (blanks) has a header and all attributes; an attribute (n, c) has columns name_0,
+            name_1, ...
+        cloud: The cloud. Or one of another library, see `from_any`.
+        ascii: Write text instead of binary, for .ply, .pcd and .vtk.
         overwrite: Replace an existing file.
         drop_unsupported: Leave out colors, normals and attributes that the format cannot store, instead of an error.
         scale: Coordinate step [m], for .las and .laz: a number or one per axis. If None: 0.001, or finer on axes where

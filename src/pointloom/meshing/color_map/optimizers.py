@@ -226,7 +226,7 @@ def _conclude(
     count = max(float(sums[:, COUNT_COLUMN].sum()), 1.0)
     return ColorMapResult(
         mesh.with_arrays(vertex_colors=colors),
-        Trajectory(_world_poses(mesh, images, given, poses), given.timestamps, given.ids),
+        Trajectory(_world_poses(mesh, images, given, poses), given.timestamps, given.ids, given.crs),
         is_seen.astype(bool),
         search.sightings.counts.copy(),
         float(np.sqrt(error[0])),

@@ -141,7 +141,7 @@ class ColorMapResult(Assessed):
         warps = Warps(stack.layout, rows, mesh.device)
         warps.shifts = upload(arrays["shifts"], vec2d, mesh.device)
         colored = mesh.with_arrays(vertex_colors=upload(arrays["colors"], vec3, mesh.device))
-        poses = Trajectory(arrays["poses"], given.timestamps, given.ids)
+        poses = Trajectory(arrays["poses"], given.timestamps, given.ids, given.crs)
         before, after = arrays["residuals"].tolist()
         seen, counts = arrays["seen"], arrays["view_counts"]
         return cls(colored, poses, seen, counts, before, after, iterations, stack, warps)

@@ -1,4 +1,4 @@
-"""Read and write triangle meshes: PLY, OBJ, STL, OFF, GLB and glTF."""
+"""Read and write triangle meshes: PLY, OBJ, STL, OFF, VTK, GLB and glTF."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def read_triangle_mesh(
     """Read a triangle mesh. The extension determines the format.
 
     Args:
-        path: A .ply, .obj, .stl, .off, .glb or .gltf file, text or binary. Polygons are triangulated (docs/meshes.md).
-            Coincident corners of an .stl are merged.
+        path: A .ply, .obj, .stl, .off, .vtk, .vtp, .glb or .gltf file, text or binary. Polygons are triangulated
+            (docs/meshes.md). Coincident corners of an .stl are merged.
         device: Target device, "cpu" by default.
         up: Up axis of a mesh from .glb or .gltf: "y" as in the file, or "z".
         outside_files: Read images and other files outside the file's own folder.
@@ -101,13 +101,14 @@ def write_triangle_mesh(
     Positions are float32 without an origin, else float64 with the origin added. GLB uses a translation.
 
     Args:
-        path: A .ply (binary unless `ascii`), .obj (text), .stl (binary), .off (text), .glb (binary) or .gltf (text)
-            file, written atomically. Textures of m.ply, m.obj and m.gltf are written as m_0.png, m_1.png, ..., with
-            m.mtl or m.bin. A .glb contains them.
-        mesh: The mesh. Data that the format cannot store is dropped with a warning: STL has no vertex data, STL and OFF
-            no textures, and only .ply all attributes (.glb and .gltf those of vertices, .off triangle colors). GLB
-            duplicates vertices at texture seams and sorts triangles by material.
-        ascii: Text, for .ply.
+        path: A .ply or .vtk (binary unless `ascii`), .obj (text), .stl (binary), .off (text), .vtp, .glb (binary) or
+            .gltf (text) file, written atomically. Textures of m.ply, m.obj and m.gltf are written as m_0.png, m_1.png,
+            ..., with m.mtl or m.bin. A .glb contains them.
+        mesh: The mesh, or one of another library, see `from_any`. Data that the format cannot store is dropped with a
+            warning: STL has no vertex data, STL and OFF no textures, and only .ply, .vtk and .vtp all attributes (.glb
+            and .gltf those of vertices, .off triangle colors). GLB duplicates vertices at texture seams and sorts
+            triangles by material.
+        ascii: Text, for .ply and .vtk.
         overwrite: Allow replacing existing files.
         write_vertex_normals, write_vertex_colors: Write these arrays if the mesh has them.
         write_triangle_uvs: Write texture coordinates, material ids and textures.

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, check_rigid, shown
+from ...core.coordinate_systems import common_crs
 from ...core.matched_counts import why_few_matched
 from ...core.quaternions import nearest_rotations
 from ...core.reports import Assessed, Fields, Report, failed, quality
@@ -241,6 +242,7 @@ def evaluate_trajectory(
             raise TypeError(f"{name}: expected a Trajectory, got {type(value).__name__}")
         if not np.isfinite(value.poses).all():
             raise ValueError(f"{name}: expected finite poses, got NaN or infinite ones")
+    common_crs("estimate, truth", (estimate.crs, truth.crs))
     if not (align is None or isinstance(align, bool) or (isinstance(align, str) and align == "first")):
         raise ValueError(f"align: expected True, 'first' or None, got {shown(align)}")
     if with_scale and align is not True:

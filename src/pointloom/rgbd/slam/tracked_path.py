@@ -134,7 +134,7 @@ class TrackedPath(Assessed):
         """The same path with other poses."""
         original = self.trajectory
         corrected = np.array(poses, np.float64).reshape(-1, 4, 4)
-        trajectory = Trajectory(corrected, timestamps=original.timestamps, ids=original.ids)
+        trajectory = Trajectory(corrected, timestamps=original.timestamps, ids=original.ids, crs=original.crs)
         moved = tuple(
             PoseCovariance(rotated_covariance(one.matrix, before, after), after[:3, 3].copy())
             for one, before, after in zip(
