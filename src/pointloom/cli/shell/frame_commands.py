@@ -160,7 +160,7 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
 
     outputs, stages = _outputs(output, options), StageOptions(**only) if by_fragments else None
     given = {"options": _folder_options(options), "stages": stages, "overwrite": force}
-    kept = None if stages is None else stages.work or default_work_folder(output)
+    kept = (only["work"] or default_work_folder(output)) if by_fragments else None
     with Progress(kept=kept, resume="" if only["resume"] else "--resume") as progress:
         report = recorded(reconstruct_folder, frames, outputs, progress=progress, **given, **options)
     return answer_with(report, f"{frames} ({report.folder.dataset.layout})", as_json)

@@ -17,6 +17,7 @@ from ...kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ...kernels.arrays.side_by_side import read_together
 from ...kernels.lang import loop_while
 from ...kernels.linear_algebra import inv, matmul
+from ...kernels.memory import download
 from ...kernels.search.tree_search import search_nearest
 from ...kernels.textures.color_steps import COUNT_COLUMN, SQUARES_COLUMN, ColorSearch
 from ...kernels.textures.hidden_vertices import plant_trees, render_depth
@@ -140,7 +141,7 @@ def _optimize(
         if mesh.device.is_cuda:
             loop_while(search.state.running, search.iterate_rigid)
         else:
-            _iterate(search.iterate_rigid, lambda: bool(search.state.running.numpy()[0]), iterations, report)
+            _iterate(search.iterate_rigid, lambda: bool(download(search.state.running)[0]), iterations, report)
         return search
     warps = Warps(stack.layout, option.number_of_vertical_anchors, mesh.device)
     search = WarpSearch(vertices, sightings, stack, warps, iterations, option.non_rigid_anchor_point_weight)
