@@ -95,7 +95,7 @@ def test_commands_read_meshes_and_scans_of_other_formats(mesh, tmp_path):
     assert answer("convert", tmp_path / "a.bin", tmp_path / "c.ply")["points"] == 5
     (report,) = answer("info", tmp_path / "a.bin")["files"]
     assert report["attributes"] == {"intensity": "float32"}
-    assert "clouds and meshes are not written to .csv" in run("convert", mesh, tmp_path / "a.csv").stderr
+    assert "clouds and meshes are not written to .bin" in run("convert", mesh, tmp_path / "b.bin").stderr
 
 
 def test_up_rotates_formats_with_an_up_axis(mesh, tmp_path):

@@ -378,3 +378,95 @@ def test_equal_clouds_give_equal_files(tmp_path, rng):
         loom.write_point_cloud(tmp_path / "a.e57", loom.PointCloud(cloud))
         files.append((tmp_path / "a.e57").read_bytes())
     assert files[0] == files[1] != files[2]
+
+
+def several_scans(tmp_path, rng):
+    """Three scans at UTM coordinates with different fields, one of a single point."""
+    fields = ("normals", "colors"), ("colors",), ("colors",)
+    clouds = []
+    for count, arrays in zip((3000, 1, 2501), fields, strict=True):
+        options = {name: rng.random((count, 3)) for name in arrays}
+        rows = rng.integers(0, (100, 3, 70_000)[len(clouds)], count)
+        clouds.append(loom.PointCloud(rng.random((count, 3)), intensity=rng.random(count), row_index=rows, **options))
+    poses = np.tile(np.eye(4), (3, 1, 1))
+    poses[:, :3, 3] = [[412_300, 5_651_200, 100], [412_310, 5_651_200, 100], [412_310, 5_651_210, 100]]
+    poses[1, :3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    loom.write_stations(tmp_path / "a.e57", clouds, poses, crs=25832)
+    return tmp_path / "a.e57"
+
+
+@pytest.mark.parametrize("size", [7, 1000, 2501, 10**6])
+@pytest.mark.parametrize("scan", [None, 0, 1])
+def test_chunks_are_the_points_of_the_complete_file(tmp_path, rng, size, scan):
+    path = several_scans(tmp_path, rng)
+    expected = loom.read_point_cloud(path, scan=scan)
+    chunks = list(loom.read_e57_chunks(path, size, scan=scan))
+    counts = {None: (3000, 1, 2501), 0: (3000,), 1: (1,)}[scan]
+    assert [len(chunk) for chunk in chunks] == [min(size, n - k) for n in counts for k in range(0, n, size)]
+    assert len({tuple(chunk.origin) for chunk in chunks}) == 1 and chunks[0].crs == 25832 and chunks[0].unit == "metre"
+    merged = loom.PointCloud.concatenate(chunks)
+    assert set(merged.arrays) == set(expected.arrays)
+    np.testing.assert_allclose(merged.points, expected.points, rtol=0, atol=2e-6)
+    for name in expected.arrays:
+        if name != "points":
+            np.testing.assert_array_equal(np.asarray(merged[name]), np.asarray(expected[name]))
+            assert merged[name].dtype == expected[name].dtype
+
+
+def test_types_of_chunks_do_not_depend_on_their_values(tmp_path):
+    flag = np.array([0, 0, 1, 1], np.int8), integer(0, 1)
+    columns = {f"cartesian{axis}": (np.arange(4.0), double) for axis in "XYZ"}
+    columns |= {"intensity": (np.array([1, 2, 3, 4], np.uint8), integer(0, 255)), "isIntensityInvalid": flag}
+    channel = (np.array([0, 51, 255, 7], np.uint8), integer(0, 255))
+    columns |= {f"color{name}": channel for name in ("Red", "Green", "Blue")} | {"isColorInvalid": flag}
+    columns["cartesianInvalidState"] = (np.array([0, 1, 0, 0], np.int8), integer(0, 2))
+    write_raw(tmp_path / "a.e57", columns)
+    with pytest.warns(UserWarning, match="2 of 2 points have no color"):
+        first, second = loom.read_e57_chunks(tmp_path / "a.e57", 2)
+    assert first["intensity"].dtype == second["intensity"].dtype == np.float32 and len(first) == 1
+    assert first["intensity"].tolist() == [1] and np.isnan(second["intensity"]).all()
+    assert first.has_colors and (np.asarray(second.colors) == 1).all()
+
+
+def test_chunks_need_little_memory_and_errors_come_with_them(tmp_path, rng):
+    path = tmp_path / "a.e57"
+    loom.write_point_cloud(path, loom.PointCloud(rng.random((400_000, 3)), intensity=rng.random(400_000)))
+    peaks = []
+    for read in (lambda: loom.read_point_cloud(path), lambda: [len(c) for c in loom.read_e57_chunks(path, 20_000)]):
+        tracemalloc.start()
+        read()
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+    assert peaks[1] < 4e6 < 12e6 < peaks[0]  # 32 bytes in float64 and several copies per point
+    with pytest.raises(IndexError, match=r"scan: expected 0\.\.0, got 3"):
+        list(loom.read_e57_chunks(path, scan=3))
+    with pytest.raises(loom.FileError, match=r"is not an \.e57 file"):
+        loom.read_e57_chunks(tmp_path / "a.ply")
+    content = path.read_bytes()
+    path.write_bytes(content[:40_000] + bytes(1024) + content[41_024:])
+    with pytest.raises(loom.FileError, match="damaged"):
+        list(loom.read_e57_chunks(path, 1000))
+
+
+def test_stations_are_written_as_they_were_read(tmp_path, rng):
+    path = several_scans(tmp_path, rng)
+    stations = loom.read_stations(path)
+    loom.write_stations(tmp_path / "b.e57", stations)
+    found = loom.read_stations(tmp_path / "b.e57")
+    assert found.names == stations.names and found.crs == 25832 and found.posed.all()
+    np.testing.assert_array_equal(found.poses, stations.poses)
+    assert stations.approximate_poses is stations.poses
+    loom.write_point_cloud(tmp_path / "c.e57", stations.clouds[0])  # without a pose
+    unposed = loom.read_stations(tmp_path / "c.e57")
+    assert not unposed.posed.any() and unposed.approximate_poses is None
+    loom.write_stations(tmp_path / "d.e57", unposed)
+    assert not loom.read_stations(tmp_path / "d.e57").posed.any()
+    loom.write_stations(tmp_path / "d.e57", unposed, stations.poses[:1])
+    assert loom.read_stations(tmp_path / "d.e57").posed.all()
+    with pytest.raises(ValueError, match="poses: expected one pose per cloud, got None"):
+        loom.write_stations(tmp_path / "e.e57", stations.clouds)
+    clouds = [loom.PointCloud(rng.random((5, 3)), a=rng.random(5), b=rng.random(5))]
+    with pytest.raises(loom.FileError, match="attributes 'a', 'b' cannot be stored"):
+        loom.write_stations(tmp_path / "e.e57", clouds, [np.eye(4)])
+    loom.write_stations(tmp_path / "e.e57", clouds, [np.eye(4)], drop_unsupported=True)
+    assert not loom.read_stations(tmp_path / "e.e57").clouds[0].attributes

@@ -1,5 +1,6 @@
 """XYZ, XYZN, XYZRGB, PTS, PTX, text tables and KITTI scans: reading, writing and rejected files."""
 
+import contextlib
 import re
 from dataclasses import replace
 
@@ -418,3 +419,74 @@ def test_a_header_of_integers_is_not_read_as_a_point(tmp_path, rng, columns):
     (tmp_path / "a.bin").write_bytes(header + (rng.random((1000, 4)) * 20).astype("<f4").tobytes())
     with pytest.raises(FileError, match="header"):
         loom.read_point_cloud(tmp_path / "a.bin", columns=columns)
+
+
+def full_cloud(rng, count=40):
+    cloud = loom.PointCloud(
+        rng.random((count, 3)) + np.array([412_300, 5_651_200, 100]), normals=rng.normal(size=(count, 3)),
+        colors=np.round(rng.random((count, 3))), intensity=rng.integers(0, 65536, count).astype(np.uint16),
+    )  # fmt: skip
+    cloud["time"], cloud["flow"] = rng.random(count), rng.random((count, 2)).astype(np.float32)
+    cloud["scan angle"], cloud["mask"] = rng.integers(-90, 90, count).astype(np.int8), rng.random(count) < 0.5
+    cloud["id"] = rng.integers(0, 2**53, count)
+    return cloud
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".txt", ".asc"])
+def test_text_tables_store_all_attributes_exactly(tmp_path, rng, suffix):
+    cloud, path = full_cloud(rng), tmp_path / f"a{suffix}"
+    renamed = {} if suffix == ".csv" else {"scan angle": "scan_angle"}
+    with contextlib.nullcontext() if not renamed else pytest.warns(UserWarning, match="'scan angle' as 'scan_angle'"):
+        loom.write_point_cloud(path, cloud)
+    found = loom.read_point_cloud(path)
+    for name in ("points", "normals", "colors"):
+        np.testing.assert_array_equal(np.asarray(getattr(found, name)), np.asarray(getattr(cloud, name)))
+    columns = {name: np.asarray(values) for name, values in cloud.attributes.items() if name != "flow"}
+    columns |= {f"flow_{k}": np.asarray(cloud["flow"])[:, k] for k in range(2)}
+    assert set(found.attributes) == {renamed.get(name, name) for name in columns}
+    for name, values in columns.items():
+        read = np.asarray(found[renamed.get(name, name)])
+        np.testing.assert_array_equal(read.astype(values.dtype), values)
+
+
+def test_names_that_a_table_would_read_otherwise_are_changed_with_a_warning(tmp_path, rng):
+    names = ["1", "nan", "1e5", "Red", "NX", "x", "Intensity", " a", "a;b", "a,b", 'a"b', "", "nx"]
+    cloud = loom.PointCloud(rng.random((5, 3)), intensity=rng.random(5))
+    for name in names:
+        cloud[name] = rng.random(5)
+    for suffix in (".csv", ".txt"):
+        with pytest.warns(UserWarning, match="'Red' as 'Red_value'"):
+            loom.write_point_cloud(tmp_path / f"a{suffix}", cloud)
+        found = loom.read_point_cloud(tmp_path / f"a{suffix}")
+        assert not found.has_colors and not found.has_normals
+        for given, read in zip(cloud.attributes, found.attributes, strict=True):
+            np.testing.assert_array_equal(np.asarray(cloud[given]), np.asarray(found[read]))
+
+
+def test_a_table_cannot_be_empty(tmp_path):
+    with pytest.raises(FileError, match="cannot store a cloud without points"):
+        loom.write_point_cloud(tmp_path / "a.csv", loom.PointCloud(np.empty((0, 3))))
+    assert not list(tmp_path.iterdir())
+
+
+KEPT = {  # attributes that remain with drop_unsupported
+    ".ply": ["intensity", "time", "flow_0", "flow_1", "id"], ".pcd": ["intensity", "time", "flow", "id"],
+    ".las": ["intensity", "time", "flow_0", "flow_1", "id"], ".e57": ["intensity", "scan_index"],
+    ".xyz": [], ".xyzn": [], ".xyzrgb": [], ".pts": ["intensity"],
+    ".npz": ["intensity", "time", "flow", "scan angle", "mask", "id", "half"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("suffix", KEPT)
+@pytest.mark.filterwarnings("ignore:.*attributes are written under other names")
+def test_one_error_names_all_unsupported_attributes_and_they_can_be_dropped(tmp_path, rng, suffix):
+    cloud, path = full_cloud(rng), tmp_path / f"a{suffix}"
+    cloud["half"] = rng.random((40, 2)).astype(np.float16)
+    if suffix != ".npz":
+        with pytest.raises(FileError, match="drop_unsupported=True") as caught:
+            loom.write_point_cloud(path, cloud)
+        assert "'mask'" in str(caught.value) and "'half'" in str(caught.value) and not path.exists()
+    loom.write_point_cloud(path, cloud, drop_unsupported=True)
+    found = [name for name in loom.read_point_cloud(path).attributes if name not in ("scan_angle", "scan angle")]
+    expected = [name for name in KEPT[suffix] if name != "scan angle"]
+    assert found == expected if suffix != ".las" else set(expected) <= set(found) and "mask" not in found

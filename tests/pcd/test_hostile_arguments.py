@@ -290,6 +290,13 @@ loom.write_transforms(path="transforms.json", model=model, images="images")
 loom.record_frames(source=stream, folder="recording", progress=None)
 loom.open_recording(path="nowhere.mcap")
 loom.read_copc(path="nowhere.copc.laz", within=box, spacing=0.5, device="cpu", arrays="numpy")
+loom.read_e57_chunks(path="nowhere.e57", chunk_size=10, scan=0, device="cpu", arrays="numpy")
+loom.read_raster(path="nowhere.tif")
+raster.contour_lines(interval=0.1, levels=None)
+raster.fill_gaps(max_distance=1.0, neighbors=8, device="cpu")
+raster.write(path="raster.tif")
+loom.profile(surface=cloud, line=points[:2, :2], width=0.5, spacing=None)
+loom.volume_change(before=cloud, after=other, cell=0.5, registration_error=0.01, classes=None, max_gap=0.5, corner=[0.0, 0.0])
 loom.read_las_chunks(path="nowhere.las", chunk_size=10, device="cpu", arrays="numpy")
 loom.read_point_cloud(path="nowhere.ply", device="cpu", scan=None, columns=None, arrays="numpy")
 loom.GaussianSplats(centers=points[:2], scales=[[1.0, 1.0, 1.0]] * 2, rotations=[[1.0, 0.0, 0.0, 0.0]] * 2, opacities=[0.5, 0.6], harmonics=points[:2], device="cpu", arrays="numpy")
@@ -402,6 +409,7 @@ def things() -> dict[str, Any]:
         image=np.zeros((4, 4, 3), np.uint8), painted=painted, outline=[[1, 0], [2, 0], [2, 1], [1, 1]],
         shell=loom.TriangleMesh(np.vstack([40 * np.eye(3), [[-40] * 3]]), [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
         world=loom.WorldFrame(47.5, 8.25), photo=loom.meshing.orthophoto(painted, 0.5),
+        raster=loom.rasterize(cloud, 0.25, "dsm"),
         line_ends=np.array([[0, 1], [1, 2]]), line_colors=np.eye(2, 3),
         segments=loom.LineSet(points, [[0, 1], [1, 2]]),
         field=rng.normal(size=(4, 4, 4)), poses=poses, times=np.arange(3.0),
@@ -413,7 +421,7 @@ def things() -> dict[str, Any]:
 
 
 HOMES = {
-    "world": "WorldFrame",
+    "world": "WorldFrame", "raster": "Raster",
     "photo": "Orthophoto", "cloud": "PointCloud", "survey": "PointCloud", "surveyed": "TriangleMesh",
     "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",

@@ -84,7 +84,7 @@ class Raster:
             change = check_number(f"raster {sign} number", other)
             return dataclasses.replace(self, values=compute(self.values.astype(np.float64), change).astype(np.float32))
         if not isinstance(other, Raster):
-            return NotImplemented
+            raise TypeError(f"raster {sign} value: expected a Raster or a number, got {type(other).__name__}")
         a, b = common_cells(f"raster {sign} raster", self, other)
         values = compute(a.values.astype(np.float64), b.values).astype(np.float32)
         return dataclasses.replace(a, values=values, filled=a.filled | b.filled, kind=kind)
@@ -123,9 +123,9 @@ class Raster:
             return self
         known_points = np.column_stack([x + 0.5, y + 0.5, upright[known]])
         cells = FixedCells(np.zeros(2), 1.0, np.zeros(2), np.array([columns, rows]))
-        groups = CellGroups(upload(known_points, vec3, resolve_device(device or "cpu")), cells)
+        groups = CellGroups(upload(known_points, vec3, resolve_device("cpu" if device is None else device)), cells)
         within = search_radius / self.cell
-        rings = min(math.ceil(within), max(columns, rows))
+        rings = math.ceil(min(within, max(columns, rows)))
         heights = download(interpolate_centers(groups, cells, count, within, rings)).reshape(columns, rows)
         made = np.where(known, upright, heights.astype(np.float32)).T[::-1]
         gaps = ~np.isfinite(self.values) & np.isfinite(made)
@@ -162,11 +162,10 @@ class Raster:
             )
         else:
             step = check_positive("interval", interval)
-            low, high = (known.min(), known.max()) if known.size else (0.0, -step)
-            first, last = math.ceil(low / step), math.floor(high / step)
-            if not last - first < MAX_LEVELS:
-                raise ValueError(f"interval: {step:g} gives {last - first + 1:,} levels. Use a larger one")
-            chosen = np.arange(first, last + 1, dtype=np.float64) * step
+            low, high = (float(known.min()) / step, float(known.max()) / step) if known.size else (0.0, -1.0)
+            if not high - low < MAX_LEVELS:  # NaN if both are infinite
+                raise ValueError(f"interval: {step:g} gives more than {MAX_LEVELS:,} levels. Use a larger one")
+            chosen = np.arange(math.ceil(low), math.floor(high) + 1, dtype=np.float64) * step
         if len(chosen) > MAX_LEVELS:
             raise ValueError(f"levels: expected at most {MAX_LEVELS:,}, got {len(chosen):,}")
         return trace_contours(heights, self.corner + self.cell / 2, self.cell, chosen)
@@ -196,13 +195,6 @@ class Raster:
             file.write(np.where(np.isfinite(self.values), self.values, np.float32(self.nodata)), 1)
             file.write(self.filled.astype(np.float32), 2)
         return Path(path)
-
-
-def check_raster(name: str, value: object) -> Raster:
-    if not isinstance(value, Raster):
-        remedy = "Create one with rasterize(cloud, cell)"
-        raise TypeError(f"{name}: expected a Raster, got {type(value).__name__}. {remedy}")
-    return value
 
 
 def read_raster(path: FilePath) -> Raster:

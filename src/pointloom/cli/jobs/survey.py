@@ -29,7 +29,7 @@ from ...pcd.terrain import rasterize
 from .job import Job, JobReport, Settings
 from .rows import LABELLED, RowsReport, label_rows, read_rows
 
-GROUND, UNCLASSIFIED = 2, 1  # LAS classes
+GROUND_CLASS, OTHER_CLASS = 2, 1  # of LAS
 CLASSIFIED = (*LABELLED, ".csv", ".txt", ".asc")
 MAX_FILES = 1000  # of split: more are probably values that are not classes
 MAX_LISTED = 5
@@ -65,8 +65,8 @@ def classify_ground_of_file(
     with job.stage("ground"):
         is_ground = np.asarray(classify_ground(rows.cloud, cell_size, slope, max_window))
     classes = rows.table.attributes.get("classification", np.zeros(len(is_ground), np.uint8))
-    rest = np.where(np.isin(classes, (0, GROUND)), UNCLASSIFIED, classes)
-    table, replaced = label_rows(rows.table, "classification", np.where(is_ground, GROUND, rest).astype(np.uint8))
+    rest = np.where(np.isin(classes, (0, GROUND_CLASS)), OTHER_CLASS, classes)
+    table, replaced = label_rows(rows.table, "classification", np.where(is_ground, GROUND_CLASS, rest).astype(np.uint8))
     job.write_points(table, output)
     count = int(is_ground.sum())
     warning = None if count else "no point is ground; use a larger --cell or --slope"
@@ -103,13 +103,12 @@ def rasterize_file(
     method: str = "idw",
     fill: float | None = None,
     crs: str | None = None,
-    device: Any = "auto",
-    overwrite: bool = False,
-    columns: Sequence[str] | None = None,
+    **settings: Unpack[Settings],
 ) -> DtmReport:
     """Write a raster of a classified cloud as GeoTIFF, see `rasterize`. `fill` is the reach of `Raster.fill_gaps`."""
-    job = Job("dtm", source, device=device, overwrite=overwrite, columns=columns)
+    job = Job("dtm", source, **settings)
     job.check(output, ENDINGS, what="rasters")
+    overwrite = job.form["overwrite"]
     check_geotiff(output, overwrite=overwrite)
     cloud = job.read_cloud()
     with job.stage("rasterize"):

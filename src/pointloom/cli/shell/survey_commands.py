@@ -94,7 +94,7 @@ def merge(files: tuple[Path, ...], output: Path, as_json: bool, force: bool, up:
 @option("--translate=X Y Z", ANY, "Translation [m].", nargs=3)
 @option("--scale=F", FACTOR_TYPE, "Factor of all coordinates.")
 @option("--crs epsg=SYSTEM", str, "Target coordinate system, such as EPSG:25832. Requires that of IN.")
-@option("--unit=NAME", str, "Target unit, such as metre or foot. Requires that of IN.")
+@option("--unit=NAME", str, "Target unit, such as foot. Requires that of IN.")
 @from_cloud_to_cloud()
 def transform(source: Path, output: Path, inverse: bool, **options: Any) -> Answer:
     """Transform the cloud or mesh IN by one of --pose, --translate, --scale, --crs and --unit, and write it to OUT.

@@ -69,8 +69,8 @@ def read_e57(path: FilePath, *, scan: int | None = None) -> PointTable:
         if scan is not None and not 0 <= scan < len(scans):
             raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
         if scan is not None:
-            return replace(read_scan(path, image, scans[scan]), crs=crs_of_image(image))
-        tables = [read_scan(path, image, node) for node in scans]
+            return replace(read_scan(path, scans[scan]), crs=crs_of_image(image))
+        tables = [read_scan(path, node) for node in scans]
         crs = crs_of_image(image)
     merged = replace(merge_scans(tables), crs=crs)
     counts = [len(table.points) for table in tables]
@@ -181,11 +181,11 @@ def _layout_of(path: FilePath, scan: Any, *, in_world: bool) -> _Layout:
 
 
 @quiet()
-def read_scan(path: FilePath, image: Any, scan: Any, *, in_world: bool = True) -> PointTable:
+def read_scan(path: FilePath, scan: Any, *, in_world: bool = True) -> PointTable:
     """The points of a scan in world coordinates, or in scanner coordinates."""
     with foreign_errors(path, "a scan is damaged"):
         layout = _layout_of(path, scan, in_world=in_world)
-        columns = _read_columns(path, image, scan["points"], layout.wanted)
+        columns = _read_columns(path, scan["points"], layout.wanted)
     return _table_of(path, columns, layout)
 
 
@@ -234,7 +234,7 @@ def iterate_e57(path: FilePath, size: int, *, scan: int | None = None) -> Iterat
         ]
         common = merge_scans(nothing)
         for number, layout in layouts.items():
-            for columns in _blocks_of(path, image, scans[number]["points"], layout.wanted, size):
+            for columns in _blocks_of(path, scans[number]["points"], layout.wanted, size):
                 with quiet():
                     table = _table_of(path, columns, layout, is_part=True)
                 table.attributes = {n: table.attributes[n].astype(v.dtype) for n, v in common.attributes.items()}
@@ -247,14 +247,14 @@ def iterate_e57(path: FilePath, size: int, *, scan: int | None = None) -> Iterat
 
 
 def _blocks_of(
-    path: FilePath, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]], size: int
+    path: FilePath, vector: Any, wanted: dict[str, np.dtype[Any]], size: int
 ) -> Iterator[dict[str, NDArray[Any]]]:
     """Views of blocks of at most `size` rows. Raises `FileError` at the end if rows are missing."""
     libe57, count = _libe57(), vector.childCount()
     blocks = {name: np.empty(min(count, size), dtype) for name, dtype in wanted.items()}
     if not count:
         return
-    buffers, row_count = libe57.VectorSourceDestBuffer(), 0
+    buffers, image, row_count = libe57.VectorSourceDestBuffer(), vector.destImageFile(), 0
     with foreign_errors(path, "a scan is damaged"):
         for name, block in blocks.items():
             buffers.append(libe57.SourceDestBuffer(image, name, block, len(block), True, True))
@@ -291,11 +291,11 @@ def _with_white(
     return colors
 
 
-def _read_columns(path: FilePath, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
+def _read_columns(path: FilePath, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
     """Read the fields of all points. Memory is bounded by the delivered data, not by the declared count."""
     columns = GrowingColumns(vector.childCount(), is_proven=False)
     columns.append({name: np.empty(0, dtype) for name, dtype in wanted.items()})
-    for block in _blocks_of(path, image, vector, wanted, POINTS_PER_BLOCK):
+    for block in _blocks_of(path, vector, wanted, POINTS_PER_BLOCK):
         columns.append(block)
     return columns.finish()
 

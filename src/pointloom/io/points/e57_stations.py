@@ -96,7 +96,7 @@ _Scans = tuple[list[PointTable], list[str], NDArray[np.float64], NDArray[np.bool
 
 def _e57_scans(path: FilePath) -> _Scans:
     with open_e57(path) as (image, scans):
-        tables = [read_scan(path, image, node, in_world=False) for node in scans]
+        tables = [read_scan(path, node, in_world=False) for node in scans]
         with foreign_errors(path, "its list of scans is damaged"):
             names = [node["name"].value() if node.isDefined("name") else "" for node in scans]
             posed = np.array([node.isDefined("pose") for node in scans], bool)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_finite, check_positive, check_shape
+from ...core.checks import LARGEST_NUMBER, check_finite, check_positive, check_shape
 from ...core.coordinate_systems import check_crs, common_crs
 from ...core.matched_counts import why_few_matched
 from ...core.reports import Assessed, Fields, Report, failed, with_warnings
@@ -159,21 +159,20 @@ def volume_change(
     for name, surface in (("before", before), ("after", after)):
         if not isinstance(surface, Surface):
             raise TypeError(f"{name}: expected a PointCloud, TriangleMesh or Raster, got {type(surface).__name__}")
-    error = check_positive("registration_error", registration_error, allow_zero=True)
+    error = check_positive("registration_error", registration_error, allow_zero=True, maximum=LARGEST_NUMBER)
     common_crs("before, after", (check_crs("crs", before.crs), check_crs("crs", after.crs)))
     side, start = _grid_for(before, after, cell, corner)
     gap = GAP_CELLS * side if max_gap is None else check_positive("max_gap", max_gap, allow_zero=True)
     counted = _classes_for(before, after, classes)
-    first, second = (
-        _heights(surface, numbers, side, start, gap) for surface, numbers in zip((before, after), counted, strict=True)
-    )
+    first = _heights("before", before, counted[0], side, start, gap)
+    second = _heights("after", after, counted[1], side, start, gap)
     return _compare(first, second, error)
 
 
 def _grid_for(before: Surface, after: Surface, cell: object, corner: object) -> tuple[float, Grid]:
     """Cell and corner of the grid, by a raster if one is given."""
     raster = next((surface for surface in (before, after) if isinstance(surface, Raster)), None)
-    side = None if cell is None else check_positive("cell", cell)
+    side = None if cell is None else check_positive("cell", cell, maximum=LARGEST_NUMBER)
     start = None if corner is None else check_finite("corner", check_shape("corner", corner, (2,)))
     if raster is None:
         if side is None:
@@ -188,6 +187,9 @@ def _classes_for(before: Surface, after: Surface, classes: object) -> list[tuple
     """Classes that count in each epoch. None: all but noise."""
     numbers = check_classes(classes)
     if numbers is not None:
+        for name, surface in (("before", before), ("after", after)):
+            if isinstance(surface, PointCloud) and "classification" not in surface:
+                raise ValueError(f"classes: expected None, because {name} has no classification, got {list(numbers)}")
         return [numbers, numbers]
     has_ground = [
         isinstance(surface, PointCloud)
@@ -204,12 +206,20 @@ def _classes_for(before: Surface, after: Surface, classes: object) -> list[tuple
     return [GROUND_CLASSES if is_known else None for is_known in has_ground]
 
 
-def _heights(surface: Surface, classes: tuple[int, ...] | None, side: float, corner: Grid, gap: float) -> _Heights:
+def _heights(
+    name: str, surface: Surface, classes: tuple[int, ...] | None, side: float, corner: Grid, gap: float
+) -> _Heights:
     if isinstance(surface, Raster):
         return _Heights(surface, None)
-    if isinstance(surface, TriangleMesh):
-        return _Heights(orthophoto(surface, side, corner=corner).heights, None)
-    return _heights_of_cloud(surface, classes, side, corner, gap)
+    try:
+        if isinstance(surface, TriangleMesh):
+            return _Heights(orthophoto(surface, side, corner=corner).heights, None)
+        return _heights_of_cloud(surface, classes, side, corner, gap)
+    except ValueError as error:
+        kind, separator, reason = str(error).partition(": ")
+        if separator and kind in ("cloud", "mesh"):
+            raise ValueError(f"{name}: {reason}") from error
+        raise
 
 
 def _heights_of_cloud(
