@@ -113,6 +113,4 @@ def reconstruct_folder(
     if len(path):
         files += outputs.write_trajectory(path, overwrite=overwrite)
     clock.stop("write")
-    return ReconstructReport(
-        opened.done("reconstruct", clock, files, *result.warnings), opened, result
-    )
+    return ReconstructReport(opened.done("reconstruct", clock, files, *result.warnings), opened, result)
