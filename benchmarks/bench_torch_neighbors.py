@@ -1,7 +1,8 @@
 """The 16 nearest neighbors of every point in batches of clouds, as float32 tensors of torch.
 
 Baselines measure all pairs (torch.cdist), build a tree of each cloud (scipy, torch_cluster), or measure all pairs in a
-kernel (PyTorch3D). None of them is among the packages of the benchmarks: those that are not installed are left out.
+kernel (PyTorch3D). `make bench` installs torch. torch_cluster and PyTorch3D, which compile for minutes, are measured if
+they are in the environment build/torch, and left out otherwise.
 """
 
 from __future__ import annotations

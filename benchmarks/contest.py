@@ -18,7 +18,7 @@ PACKAGES = (
     "pointloom", "numpy", "warp-lang", "open3d", "small_gicp", "pykdtree", "scipy", "scikit-image", "vtk",
     "PyMCubes", "scikit-learn", "kiss-matcher", "kiss-icp", "opencv-python-headless",
     "embreex", "fast-simplification", "pyfqmr", "meshoptimizer", "fpsample", "genz-icp", "rko-lio", "numba",
-    "quadrants", "py4dgeo", "pyransac3d", "pycpd",
+    "quadrants", "py4dgeo", "pyransac3d", "pycpd", "torch", "torch-cluster", "pytorch3d",
 )  # fmt: skip
 
 

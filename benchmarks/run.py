@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import datetime
+import itertools
 import json
 import os
 import platform
@@ -20,9 +21,10 @@ from pathlib import Path
 from typing import Any
 
 FOLDER = Path(__file__).resolve().parent
+TORCH = FOLDER.parent / "build" / "torch" / "bin" / "python"  # .venv with torch, as `make bench` makes it
 sys.path.insert(0, str(FOLDER))
 
-from contest import Operation, operations, thread_count, versions  # noqa: E402
+from contest import Operation, operations, thread_count  # noqa: E402
 from report import Row, Timing, collect, document, table  # noqa: E402
 
 
@@ -111,14 +113,21 @@ def choose(only: list[str] | None) -> dict[str, tuple[str, Operation]]:
     return {name: known[name] for name in known if name in chosen}
 
 
+def interpreter_of(module: str) -> str:
+    """The Python that runs a file of benchmarks: that with torch, if the file needs torch and there is one."""
+    return str(TORCH) if module.startswith("bench_torch") and TORCH.exists() else sys.executable
+
+
 def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Namespace) -> tuple[dict, dict]:
     """Run each file of benchmarks in a separate process, with all contestants in it.
 
     In a quick run the times are not meaningful, so one process runs all: libraries and kernels are loaded once.
     """
     documents, problems, begin = [], {"failed": [], "skipped": []}, time.monotonic()
-    modules = list(dict.fromkeys(module for module, _ in chosen.values()))
-    parts = [modules] if options.quick else [[module] for module in modules]
+    modules = sorted(dict.fromkeys(module for module, _ in chosen.values()), key=interpreter_of)
+    parts = [[module] for module in modules]
+    if options.quick:
+        parts = [list(part) for _, part in itertools.groupby(modules, interpreter_of)]
     for number, part in enumerate(parts, 1):
         names = [name for name, (home, _) in chosen.items() if home in part]
         title = f"{len(part)} files of benchmarks" if len(part) > 1 else part[0]
@@ -126,7 +135,7 @@ def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Name
         print(f"[{number}/{len(parts)}, {minutes}:{seconds:02d}] {title}", file=sys.stderr, flush=True)
         with tempfile.TemporaryDirectory(prefix="bench-") as folder:
             output = Path(folder) / "benchmark.json"
-            command = [sys.executable, "-m", "pytest", *(str(FOLDER / f"{module}.py") for module in part)]
+            command = [interpreter_of(part[0]), "-m", "pytest", *(str(FOLDER / f"{module}.py") for module in part)]
             command += ["-q", "-s", "--tb=short"]
             command += [f"--benchmark-json={output}", "--benchmark-quiet", f"--bench-device={options.device}"]
             command += [f"--bench-operation={name}" for name in names] + ["--bench-quick"] * options.quick
@@ -157,7 +166,7 @@ def measure_memory(
 
     def measure_one(case: tuple[str, str, str, Timing]) -> None:
         name, size, label, timing = case
-        command = [sys.executable, str(FOLDER / "memory.py"), name, size, label, options.device]
+        command = [interpreter_of(chosen[name][0]), str(FOLDER / "memory.py"), name, size, label, options.device]
         done = subprocess.run(command, capture_output=True, text=True, cwd=FOLDER.parent, check=False)
         try:
             timing.memory = document_in(done.stdout)["bytes"]
@@ -193,9 +202,9 @@ def without_folders(line: str) -> str:
 def print_profiles(chosen: dict[str, tuple[str, Operation]], options: argparse.Namespace) -> int:
     """Print pointloom's times by kernel, each operation and size in a separate process."""
     code = 0
-    for name, (_, operation) in chosen.items():
+    for name, (module, operation) in chosen.items():
         for size in operation.sizes(quick=options.quick, long=options.long):
-            command = [sys.executable, str(FOLDER / "launches.py"), name, size, options.device]
+            command = [interpreter_of(module), str(FOLDER / "launches.py"), name, size, options.device]
             code |= subprocess.run(command, cwd=FOLDER.parent, check=False).returncode != 0
     return int(code)
 
@@ -215,8 +224,15 @@ def describe(options: argparse.Namespace) -> dict[str, Any]:
         "long": options.long,
         "kernel_caches": "empty" if options.cold else "as found",
         "machine": machine(options.device),
-        "versions": versions(),
+        "versions": versions_by(interpreter_of("bench_torch_neighbors")),
     }
+
+
+def versions_by(python: str) -> dict[str, str]:
+    """Versions of the libraries that a Python finds."""
+    call = "import json, contest; print(json.dumps(contest.versions()))"
+    done = subprocess.run([python, "-c", call], capture_output=True, text=True, cwd=FOLDER, check=True)
+    return document_in(done.stdout)
 
 
 def machine(device: str) -> dict[str, Any]:

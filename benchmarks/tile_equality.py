@@ -29,7 +29,7 @@ from pointloom.tiling.manifest import Manifest
 from pointloom.tiling.steps.parse import KNOWN
 
 from made_survey import SIDE, made_rows  # isort: skip
-from pointloom.pcd.terrain import Raster
+from pointloom.pcd.raster import Raster
 
 SURVEYS = {
     "slope": ("lidar-pcl-terrain/CSite1_red2-utm.pcd", 1.0),

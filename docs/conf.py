@@ -7,20 +7,18 @@ import os
 import sys
 from pathlib import Path
 from typing import Any
-from unittest import mock
 
 DOCS = Path(__file__).parent
 sys.path[:0] = [str(DOCS), str(DOCS.parent / "src")]
 os.environ["PYTHONPATH"] = os.pathsep.join(sys.path[:2])  # for processes that run scripts of the gallery
 
 from machinery import commands, galleries, pages, reference, scraper, whole  # noqa: E402
-from machinery.public import by_home, public_modules  # noqa: E402
+from machinery.public import by_home, public_modules, replace_torch  # noqa: E402
 
 from pointloom import __version__  # noqa: E402
 from pointloom.visualization.recording.shared_player import write_player  # noqa: E402
 
-if importlib.util.find_spec("torch") is None:  # the reference of pointloom.torch needs no more than its names
-    sys.modules["torch"] = mock.MagicMock()
+replace_torch()
 public_modules()  # makes each importable by its public name
 
 project, author, release, version = "pointloom", "the authors of pointloom", __version__, __version__
@@ -43,7 +41,6 @@ suppress_warnings = ["config.cache", "myst.header"]
 autosummary_generate = False
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
-autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 88
 napoleon_use_ivar = True
@@ -76,6 +73,7 @@ html_short_title = "Point clouds, scans, RGB-D frames and photographs to registe
 (scraper.MADE / scraper.RECORDINGS).mkdir(parents=True, exist_ok=True)  # must exist before the build
 html_static_path = ["static", "made"]
 html_css_files = ["site.css"]
+html_search_scorer = "machinery/search_scorer.js"
 html_js_files = [("site.js", {"priority": 900})]
 html_context = {"default_mode": "auto"}
 html_favicon = "static/logo.svg"
@@ -119,6 +117,11 @@ def rewrite_links(app: Any, page: str, source: list[str]) -> None:
         source[0] = pages.rewrite_links(page, source[0])
 
 
+def prepare_results(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+    """Prepare the section Returns of a docstring for napoleon."""
+    lines[:] = reference.results_as_text(lines)
+
+
 def add_examples(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
     """Append the gallery pages that use a name to its docstring, and link mentioned pages."""
     lines[:] = [reference.linked(line) for line in lines] + reference.examples_of(name)
@@ -143,6 +146,7 @@ def setup(app: Any) -> dict[str, Any]:
     app.connect("builder-inited", make_pages, priority=100)
     app.connect("builder-inited", make_gallery_index, priority=900)
     app.connect("source-read", rewrite_links)
+    app.connect("autodoc-process-docstring", prepare_results, priority=100)
     app.connect("autodoc-process-docstring", add_examples, priority=900)
     app.connect("autodoc-process-signature", short_signature)
     app.connect("missing-reference", find_public_name)

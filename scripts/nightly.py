@@ -120,6 +120,7 @@ def all_steps(root: Path = ROOT) -> list[Step]:
         ),
         Step("platforms", (PYTHON, "scripts/check_platforms.py"), ("scripts/check_platforms.py", "docs/install.md")),
         Step("beside", ("sh", "-c", BESIDE), CODE),
+        Step("other-tools", ("make", "test-other-tools"), (*CODE, "docs/other-tools.md"), minutes=5),
         Step("gallery", ("sh", "-c", "make docs-clean && make docs")),
         *nightly_tests(root),
         *taichi_tests(root),

@@ -12,6 +12,8 @@ from .test_imports import ROOT
 
 PAGES = ["README.md", *sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/*.md"))]
 PAGES += [path.relative_to(ROOT).as_posix() for path in ROOT.glob("src/pointloom/cli/shell/*.md")]
+# Pages that take over 10 s of CPU.
+NIGHTLY = {"docs/mvs.md", "docs/reconstruction.md", "docs/sfm.md", "docs/slam.md", "docs/video.md"}
 NOT_RUN = re.compile(r"<!-- not run: (.+) -->")
 
 
@@ -33,12 +35,16 @@ class Block:
     code: str
     reason: str | None
 
-    def source(self) -> str:
-        """The code as Python compiles it, with its line numbers on the page; of a session the input only."""
+    def input_lines(self) -> list[str]:
+        """The lines of the code, of an interactive session only its input."""
         code = self.code
         if code.startswith(">>>"):
             code = "".join(example.source for example in doctest.DocTestParser().get_examples(code))
-        return "\n" * self.line + code
+        return code.splitlines()
+
+    def source(self) -> str:
+        """The code as Python compiles it, with its line numbers on the page."""
+        return "\n".join([""] * self.line + self.input_lines()) + "\n"
 
 
 def blocks_of(page: str) -> list[Block]:
@@ -112,4 +118,4 @@ def fault_of(words: list[str]) -> str | None:
     return None if name in KNOWN else f"{name}: a command that nobody checks"
 
 
-KNOWN = ("ssh", "eval", "source", "zcat", "cat", "man")  # of every system
+KNOWN = ("cd", "git", "ssh", "eval", "source", "zcat", "cat", "man")  # of every system

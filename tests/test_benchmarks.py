@@ -30,7 +30,9 @@ def benchmark_module(name: str) -> Any:
     return pytest.fixture(lambda harness: importlib.import_module(name), scope="module", name=name)
 
 
-code_digests, contest, report = map(benchmark_module, ("code_digests", "contest", "report"))
+bench_launch, code_digests, contest, report = map(
+    benchmark_module, ("bench_launch", "code_digests", "contest", "report")
+)
 run, scenes, targets, write_pages = map(benchmark_module, ("run", "scenes", "targets", "write_pages"))
 
 # ------------------------------------------------------------------------------------------------ operations
@@ -57,6 +59,13 @@ def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device(cont
             for label in labels:
                 contestant, device_name = operation.contestant(label, device)
                 assert device_name.split(":")[0] in contestant.devices or label == contest.POINTLOOM
+
+
+def test_launches_by_warp_pass_the_arguments_of_the_kernel(bench_launch, monkeypatch):
+    monkeypatch.setattr(bench_launch, "LAUNCHES", 2)
+    own, warp = (prepare(100, "cpu")() for prepare in (bench_launch.prepare_pointloom, bench_launch.prepare_warp))
+    bench_launch.check(own, warp, "warp")
+    assert np.abs(own).max() > 0
 
 
 @pytest.mark.parametrize("name", ["voxel_down_sample", "marching_cubes", "knn20_with_build"])

@@ -188,7 +188,7 @@ DEVICE_FUNCTIONS = {
     *("ScopedStream", "ScopedCapture", "capture_begin", "capture_end", "capture_launch", "capture_while", "set_stream"),
     *("utils.array_scan", "utils.array_cast", "utils.radix_sort_pairs"),
 }
-HOST_METHODS = {("pcd/conversion.py", "cloud.point[name].cpu().numpy")}  # Open3D's own arrays, on the host
+HOST_METHODS = {("core/other_geometry.py", "tensors[name].cpu().numpy")}  # Open3D's own arrays, on the host
 
 
 def device_faults(source: str, path: str) -> list[str]:

@@ -99,7 +99,7 @@ def test_the_package_readme_has_absolute_links(metadata, package_metadata):
     readme = (ROOT / "README.md").read_text()
     expected = package_metadata.absolute_links(readme, settings["repository"], settings["branch"])
     assert metadata.get_payload().strip() == expected.strip()
-    urls = package_metadata.project_urls(settings["repository"], settings["branch"], settings["documentation"])
+    urls = package_metadata.project_urls(**{key: settings[key] for key in package_metadata.ADDRESSES})
     assert metadata.get_all("Project-URL", []) == [f"{name}, {address}" for name, address in urls.items()]
 
 
@@ -122,7 +122,43 @@ def test_an_address_makes_every_link_of_the_readme_absolute(package_metadata):
     assert urls["Documentation"] == "https://host.test/owner/pointloom/blob/main/docs/README.md"
     urls = package_metadata.project_urls("https://host.test/owner/pointloom", "main", "https://docs.test")
     assert urls["Documentation"] == "https://docs.test/stable/"
-    assert package_metadata.project_urls("", "main") == {}
+    assert package_metadata.project_urls("", "main", issues="https://tracker.test") == {}
+
+
+def test_the_tracker_and_the_security_contact_are_urls_of_the_package_if_set(package_metadata):
+    urls = package_metadata.project_urls("https://host.test/owner/pointloom", "main")
+    assert urls["Issues"] == "https://host.test/owner/pointloom/issues" and "Security" not in urls
+    contacts = {"issues": "https://tracker.test/pointloom", "security": "mailto:security@host.test"}
+    urls = package_metadata.project_urls("https://host.test/owner/pointloom", "main", **contacts)
+    assert (urls["Issues"], urls["Security"]) == tuple(contacts.values())
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/index.md", "docs/install.md"])
+def test_the_first_command_of_a_page_clones_the_repository(page, package_metadata):
+    text = (ROOT / page).read_text()
+    first = text.partition("```sh\n")[2].splitlines()[:2]
+    assert first[0].startswith("git clone REPOSITORY pointloom") and first[1].startswith("make demo")
+    address = "https://host.test/owner/pointloom"
+    lines = package_metadata.with_address(text, address).partition("```sh\n")[2].splitlines()
+    assert lines[0] == f"git clone {address} pointloom && cd pointloom"
+    assert package_metadata.with_address(text, "") == text
+
+
+INDEX_INSTALL = re.compile(r"""pip install (?:-\S+ )*["']?pointloom(?!\[)""")
+
+
+def test_no_page_and_no_message_promises_a_package_index():
+    """Nothing is published. Extras are installed beside an installed pointloom, which pip finds."""
+    texts = [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "examples").rglob("*.*")]
+    texts += [path for path in PACKAGE.rglob("*") if path.suffix in {".py", ".pyi", ".md", ".toml", ".html"}]
+    assert INDEX_INSTALL.search("pip install -U pointloom") and not INDEX_INSTALL.search('pip install "pointloom[las]"')
+    assert [path for path in texts if path.suffix != ".png" and INDEX_INSTALL.search(path.read_text())] == []
+
+
+def test_the_table_of_extras_lists_those_of_the_package():
+    section = (ROOT / "docs" / "install.md").read_text().partition("## Extras\n")[2].partition("\n## ")[0]
+    rows = [line.split("|")[1] for line in section.splitlines() if line.startswith("| `")]
+    assert sorted(re.findall(r"`([\w-]+)`", "".join(rows))) == sorted(PROJECT["project"]["optional-dependencies"])
 
 
 def test_the_package_contains_no_links():

@@ -67,11 +67,11 @@ CASES: dict[str, tuple[Callable[[int], Any], Callable[[Path, Any], Any], Callabl
     **{f"a.{ending}": (_cloud, loom.write_point_cloud, loom.read_point_cloud) for ending in ("xyz", "pts")},
     **{
         f"colored.{ending}": (_colored_cloud, loom.write_point_cloud, loom.read_point_cloud)
-        for ending in ("ply", "pcd", "xyzrgb", "las", "laz", "copc.laz", "e57", "npz")
+        for ending in ("ply", "pcd", "xyzrgb", "las", "laz", "copc.laz", "e57", "npz", "npy", "vtk", "vtp")
     },
     **{
         f"mesh.{ending}": (_mesh, loom.write_triangle_mesh, loom.read_triangle_mesh)
-        for ending in ("ply", "stl", "off", "obj", "glb")
+        for ending in ("ply", "stl", "off", "obj", "glb", "vtk", "vtp")
     },
     **{
         f"poses.{ending}": (_trajectory, loom.write_trajectory, loom.read_trajectory)

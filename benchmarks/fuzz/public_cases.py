@@ -5,10 +5,12 @@ The bytes of sound files come from the writers, or are short texts. Formats with
 
 from __future__ import annotations
 
+import base64
 import io
 import shutil
 import tempfile
 import warnings
+import zlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -192,11 +194,11 @@ def sound_surface(path: Path, result: loom.TriangleMesh) -> str | None:
 
 TEXTS = {
     ".csv": "x,y,z,label\n1,2,3,4\n-1.5,2e3,3,5\n", ".txt": "# x y z\n1 2 3\n4 5 6\n",
-    ".asc": "x y z intensity\n1 2 3 7\n4 5 6 8\n",
+    ".asc": "x y z intensity\n1 2 3 7\n4 5 6 8\n", ".obj": "v 1 2 3 0.5 0 1\nv 4 5 6 0 1 0\nvn 0 0 1\nvn 0 1 0\n",
     ".ptx": "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n4 5 6 0.25\n",
 }  # fmt: skip
 OF_TEXT = (".xyz", ".xyzn", ".xyzrgb", ".pts")
-OF_BYTES = (".ply", ".pcd", ".npz", ".las", ".laz", ".copc.laz", ".e57")
+OF_BYTES = (".ply", ".pcd", ".npz", ".npy", ".vtk", ".vtp", ".las", ".laz", ".copc.laz", ".e57")
 
 
 def write_cloud(path: Path) -> None:
@@ -228,14 +230,33 @@ def write_mesh(path: Path) -> None:
     loom.write_triangle_mesh(path, mesh())
 
 
+PACKED_POINTS = zlib.compress(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "<f4").tobytes())
+
+
 def write_textured(path: Path) -> None:
     loom.write_triangle_mesh(path, mesh(textured=True))
+
+
+def write_ascii(path: Path) -> None:
+    loom.write_triangle_mesh(path, mesh(), ascii=True)
+
+
+# A triangle with its points in base64, one compressed block each.
+VTP = b"""<VTKFile type="PolyData" byte_order="LittleEndian" compressor="vtkZLibDataCompressor"><PolyData>
+<Piece NumberOfPoints="3" NumberOfPolys="1"><Points><DataArray type="Float32" NumberOfComponents="3" format="binary">
+%s%s</DataArray></Points><Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>""" % (
+    base64.b64encode(np.array([1, 36, 0, len(PACKED_POINTS)], "<u4").tobytes()),
+    base64.b64encode(PACKED_POINTS),
+)
 
 
 def meshes() -> list[Any]:
     """`loom.read_triangle_mesh` for each format."""
     seeds = {end: written(end, write_mesh) for end in (".obj", ".stl", ".off")}
-    seeds |= {end: written(end, write_mesh, write_textured) for end in (".ply", ".glb")} | {".gltf": other_cases.gltfs}
+    seeds |= {end: written(end, write_mesh, write_textured) for end in (".ply", ".glb")}
+    seeds |= {".vtk": written(".vtk", write_mesh, write_ascii), ".vtp": lambda: [*written(".vtp", write_mesh)(), VTP]}
+    seeds |= {".gltf": other_cases.gltfs}
     return [
         (f"mesh {end}", end, made, mutations.text if end in (".obj", ".off", ".gltf") else mutations.binary,
          loom.read_triangle_mesh, sound_surface)

@@ -31,8 +31,8 @@ HOLDERS = {"np", "sqlite3", "zipfile"}  # of `load`, `connect` and `ZipFile`
 
 CLOUDS = ("cloud .ply", "cloud .pcd", "cloud .npz", "cloud .xyz", "cloud .xyzn", "cloud .xyzrgb", "cloud .pts",
           "cloud .csv", "cloud .txt", "cloud .asc", "cloud .bin", "cloud .las", "cloud .laz", "cloud .copc.laz",
-          "cloud .e57", "cloud .ptx")  # fmt: skip
-MESHES = ("mesh .ply", "mesh .obj", "mesh .stl", "mesh .off", "mesh .glb", "mesh .gltf")
+          "cloud .e57", "cloud .ptx", "cloud .npy", "cloud .vtk", "cloud .vtp", "cloud .obj")  # fmt: skip
+MESHES = ("mesh .ply", "mesh .obj", "mesh .stl", "mesh .off", "mesh .glb", "mesh .gltf", "mesh .vtk", "mesh .vtp")
 POSES = ("trajectory .log", "trajectory .tum", "trajectory .kitti", "trajectory .json")
 MODELS = ("COLMAP cameras.txt", "COLMAP images.txt", "COLMAP points3D.txt", "COLMAP cameras.bin", "COLMAP images.bin",
           "COLMAP points3D.bin")  # fmt: skip
@@ -211,6 +211,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "io/points/kitti_bin.py": ("cloud .bin",),
     "io/points/las.py": ("cloud .las",),
     "io/points/laz_chunks.py": ("chunks of LAS",),
+    "io/points/npy.py": ("cloud .npy",),
     "io/points/npz.py": ("cloud .npz", "NPZ", "open3d tensor"),
     "io/points/pcd.py": ("cloud .pcd", "PCD"),
     "io/points/ply.py": ("cloud .ply", "PLY mesh, text", "PLY mesh, binary"),

@@ -5,12 +5,16 @@ from __future__ import annotations
 import os
 import posixpath
 import re
+import sys
 import tomllib
 from pathlib import Path
 
 from .texts import titled, write_if_changed
 
 ROOT = Path(__file__).parents[2]
+sys.path.append(str(ROOT / "scripts"))
+from package_metadata import with_address  # noqa: E402
+
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 LOCATION = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
 
@@ -35,7 +39,10 @@ _BLOCK = re.compile(r"(```.*?```)", re.DOTALL)
 def bring(docs: Path) -> None:
     """Copy pages into the site's sources, and write the page that lists them."""
     for source, page in BROUGHT.items():
-        write_if_changed(docs / f"{page}.md", (ROOT / source).read_text(encoding="utf-8"))
+        content = (ROOT / source).read_text(encoding="utf-8")
+        if source == "SECURITY.md" and LOCATION["security"]:
+            content = content.replace("\n\n", f"\n\nContact: <{LOCATION['security']}>\n\n", 1)
+        write_if_changed(docs / f"{page}.md", content)
     text = titled("Project") + "Build instructions, changes, and decisions with their reasons.\n\n"
     text += ".. toctree::\n   :maxdepth: 1\n\n   ../versions\n" + "".join(f"   {name}\n" for name in PROJECT_PAGES)
     text += "\n.. toctree::\n   :maxdepth: 1\n   :caption: Decisions\n\n   ../adr/README\n"
@@ -61,7 +68,8 @@ def rewrite_links(page: str, text: str) -> str:
         bang, words, target, part = match.groups()
         return _link(page, origin, bang, words, target, part or "")
 
-    return "".join(block if block.startswith("```") else _LINK.sub(link, block) for block in _BLOCK.split(text))
+    parts = (block if block.startswith("```") else _LINK.sub(link, block) for block in _BLOCK.split(text))
+    return with_address("".join(parts), LOCATION["repository"])
 
 
 def _link(page: str, origin: str, bang: str, words: str, target: str, part: str) -> str:

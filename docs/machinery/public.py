@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import enum
-import importlib
+import importlib.util
 import inspect
 import sys
 import types
 from functools import cache
 from typing import Any
+from unittest import mock
 
 import pointloom
 from pointloom import public_names
@@ -33,6 +34,8 @@ GROUPS = {
     "registration": "Registration",
     "photogrammetry": "Photographs",
     "torch": "Networks",
+    "pcd.profile": "Terrain",
+    "pcd.raster": "Terrain",
     "pcd.terrain": "Terrain",
     "tiling": "Clouds larger than memory",
     "visualization": "Images, recordings, the viewer",
@@ -71,6 +74,12 @@ class PublicName:
         module = self.home.removeprefix("pointloom.")
         fitting = [prefix for prefix in GROUPS if module == prefix or module.startswith(f"{prefix}.")]
         return GROUPS[max(fitting, key=len)] if fitting else OTHER
+
+
+def replace_torch() -> None:
+    """Make pointloom.torch importable without torch: its reference needs only the names of types."""
+    if "torch" not in sys.modules and importlib.util.find_spec("torch") is None:
+        sys.modules["torch"] = mock.MagicMock(Tensor=type("Tensor", (), {"__module__": "torch"}))
 
 
 @cache

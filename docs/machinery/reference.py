@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 import inspect
 import re
 from pathlib import Path
@@ -22,7 +23,7 @@ from .public import (
     public_modules,
 )
 from .texts import plain, remove_others, titled, write_if_changed
-from .usage import Example, examples, users
+from .usage import Example, examples, short_names, users
 
 HEAD = """``import pointloom as loom`` is fast, since each module is loaded on first use. Operations return new
 objects and do not change their inputs.
@@ -145,9 +146,65 @@ def signature_of(what: str, name: str, thing: Any) -> tuple[str, str] | None:
         if inspect.isfunction(thing) and not is_static:
             signature = signature.replace(parameters=list(signature.parameters.values())[1:])
     is_class = what in {"class", "exception"}
+    parameters = [parameter.replace(default=_Default(parameter.default)) for parameter in signature.parameters.values()]
+    signature = signature.replace(parameters=parameters)
     written = stringify_signature(signature, show_return_annotation=False, unqualified_typehints=True)
     result = signature.return_annotation
     return written, "" if is_class or result is inspect.Signature.empty else stringify_annotation(result, "smart")
+
+
+class _Default:
+    """A default value as the signature shows it: constants by their value, objects by their class."""
+
+    def __new__(cls, value: Any) -> Any:
+        return value if value is inspect.Parameter.empty else super().__new__(cls)
+
+    def __init__(self, value: Any) -> None:
+        self.value = value
+
+    def __repr__(self) -> str:
+        value = self.value
+        if isinstance(value, enum.Enum):
+            return f"{type(value).__name__}.{value.name}"
+        if isinstance(value, tuple):
+            return f"({', '.join(map(repr, map(_Default, value)))}{',' if len(value) == 1 else ''})"
+        if isinstance(value, float):
+            text = f"{value:.6g}"
+            return text if set(text) & set(".en") else f"{text}.0"
+        if isinstance(value, int) and not isinstance(value, bool):
+            return f"{value:_}" if abs(value) >= 10_000 else str(value)
+        if value is None or isinstance(value, str | bytes | bool):
+            return repr(value)
+        return getattr(value, "__name__", f"{type(value).__name__}(...)")
+
+
+def results_as_text(lines: list[str]) -> list[str]:
+    """The lines of a docstring with results that napoleon does not split into type and text, and with links to classes.
+
+    The signature contains the type. napoleon takes all text before the first colon for a type.
+    """
+    changed, section = [], None  # section: the number of its lines before this one, None outside Returns and Yields
+    for line in lines:
+        if section is not None and line.strip():
+            if not line.startswith(" "):
+                section = None
+            else:
+                indent = len(line) - len(line.lstrip())
+                start = ": " if section == 0 else ""
+                line = line[:indent] + start + _CLASS.sub(_class_link, line[indent:])
+                section += 1
+        if line in {"Returns:", "Yields:"}:
+            section = 0
+        changed.append(line)
+    return changed
+
+
+_CLASS = re.compile(r"(?<![\w`.~<])[A-Z][a-z]+(?:[A-Z][A-Za-z]*)+(?![\w`])")
+
+
+def _class_link(match: re.Match[str]) -> str:
+    name = short_names().get(match[0])
+    return f":py:obj:`~{name}`" if name else match[0]
 
 
 def linked(line: str) -> str:

@@ -229,11 +229,11 @@ def _class_of(node: ast.expr, owner: str) -> Any:
     short = ast.unparse(node).strip("'\"").split(".")[-1]
     if short == "Self":
         return owner
-    return _short_names().get(short)
+    return short_names().get(short)
 
 
 @cache
-def _short_names() -> dict[str, str]:
+def short_names() -> dict[str, str]:
     """Public classes by short name; `pointloom` takes precedence over its modules."""
     classes = {name: public for name, public in all_names().items() if inspect.isclass(public.value)}
     return {

@@ -55,6 +55,7 @@ from .io.points.e57_stations import read_stations as read_stations
 from .io.points.e57_stations import write_stations as write_stations
 from .io.points.las_crs import GeographicWarning as GeographicWarning
 from .io.points.point_cloud import read_copc as read_copc
+from .io.points.point_cloud import read_e57_chunks as read_e57_chunks
 from .io.points.point_cloud import read_las_chunks as read_las_chunks
 from .io.points.point_cloud import read_point_cloud as read_point_cloud
 from .io.points.point_cloud import write_point_cloud as write_point_cloud
@@ -64,8 +65,10 @@ from .meshing.mesh.mesh import TriangleMesh as TriangleMesh
 from .meshing.mesh.mesh_files import read_triangle_mesh as read_triangle_mesh
 from .meshing.mesh.mesh_files import write_triangle_mesh as write_triangle_mesh
 from .meshing.mesh.mesh_reconstruction import NormalsWarning as NormalsWarning
+from .meshing.mesh.other_objects import from_any as from_any
 from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
+from .meshing.scene.volume_change import volume_change as volume_change
 from .meshing.volume.distance_field import DistanceField as DistanceField
 from .meshing.volume.occupancy import OccupancyGrid as OccupancyGrid
 from .meshing.volume.paged_volume import PagedTSDFVolume as PagedTSDFVolume
@@ -84,6 +87,8 @@ from .pcd.keypoints import compute_iss_keypoints as compute_iss_keypoints
 from .pcd.line_set import LineSet as LineSet
 from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
+from .pcd.profile import profile as profile
+from .pcd.raster import read_raster as read_raster
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
 from .pcd.shape_boxes import find_boxes as find_boxes
 from .pcd.shape_detection import detect_shapes as detect_shapes
@@ -112,16 +117,18 @@ from .io.bags.recording import Recording as Recording
 from .io.frames.datasets import RGBDDataset as RGBDDataset
 from .io.frames.rgbd_sources import FrameStream as FrameStream
 from .io.points.e57_stations import Stations as Stations
+from .meshing.scene.volume_change import VolumeChange as VolumeChange
 from .pcd.change import M3C2Result as M3C2Result
 from .pcd.convex_hull import ConvexHull as ConvexHull
 from .pcd.convex_hull import VisibleSurface as VisibleSurface
 from .pcd.metrics import CloudMetrics as CloudMetrics
+from .pcd.profile import Profile as Profile
+from .pcd.raster import Raster as Raster
 from .pcd.search import Neighbors as Neighbors
 from .pcd.shape import Shape as Shape
 from .pcd.shape_boxes import BoxShape as BoxShape
 from .pcd.shape_detection import DetectedShapes as DetectedShapes
 from .pcd.splat_images import SplatImage as SplatImage
-from .pcd.terrain import Raster as Raster
 from .pcd.voxel_trace import VoxelTrace as VoxelTrace
 
 __version__: str

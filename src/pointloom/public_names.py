@@ -123,7 +123,10 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     if new := renamed(package.replace(package.partition(".")[0], SHORT_NAME, 1), name):
         return f"{message}; it is {new}"
     row = hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}")))
-    return message + (_also(package, name) or row or nearest_name(name, known))
+    other = _also(package, name)
+    if row and f"{SHORT_NAME}.torch." in other:  # operators on tensors, for networks
+        other = ""
+    return message + (other or row or nearest_name(name, known))
 
 
 def _also(package: str, name: str) -> str:

@@ -11,6 +11,7 @@ import pytest
 import pointloom as loom
 from pointloom.cameras.frame_check import FrameCheck
 from pointloom.cameras.trajectory import read_trajectory
+from pointloom.cli.jobs import texture as texture_job
 from pointloom.cli.jobs.frame_folder import FolderOptions
 from pointloom.cli.jobs.fuse import fuse_folder
 from pointloom.cli.jobs.model_outputs import ModelOutputs
@@ -21,6 +22,7 @@ from pointloom.core.wording import json_text
 from pointloom.datasets.scenes.room import write_room_sequence
 from pointloom.io.frames.datasets import open_dataset
 from pointloom.io.images.image_files import read_color, read_depth, write_png
+from pointloom.meshing.color_map import optimizers, texturing
 from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
 from pointloom.rgbd.fusion.refine import PoseRefinement
 from pointloom.rgbd.slam import dense_slam, looped_model, tracking
@@ -366,6 +368,27 @@ def test_the_summary_matches_the_library(scan, tmp_path):
     assert "\n".join(shown.splitlines()[1:-3]) == str(loom.meshing.texture_mesh(bare, frames))
 
 
+@pytest.mark.parametrize("step", ["_paint_atlas", "write_triangle_mesh"])
+def test_an_interrupted_texture_continues_and_leaves_only_the_output(scan, tmp_path, monkeypatch, step):
+    words = ["texture", scan / "mapped.obj", scan / "room", "--size", "64", "--every", "2", "--device", "cpu"]
+    answer(*words, "-o", tmp_path / "whole.glb")
+
+    def interrupted(*_, **__):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(texturing if step == "_paint_atlas" else texture_job, step, interrupted)
+        stopped = run(*words, "-o", tmp_path / "out.glb")
+    assert stopped.exit_code == 130 and names_in(tmp_path) == ["out-texture", "whole.glb"]
+    first, last = (line for line in stopped.stderr.splitlines() if "out-texture" in line)
+    assert first.startswith("intermediate files: ") and "finished work is kept in " in last
+    optimized = []
+    monkeypatch.setattr(optimizers, "_optimize", lambda *_: optimized.append(1))  # would fail
+    answer(*words, "-o", tmp_path / "out.glb")
+    assert names_in(tmp_path) == ["out.glb", "whole.glb"] and not optimized
+    assert (tmp_path / "out.glb").read_bytes() == (tmp_path / "whole.glb").read_bytes()
+
+
 def test_frames_that_do_not_show_the_mesh_or_little_of_it_are_unreliable(scan, tmp_path):
     mesh = loom.read_triangle_mesh(scan / "bare.ply")
     loom.write_triangle_mesh(tmp_path / "far.ply", loom.TriangleMesh(mesh.vertices + 100.0, mesh.triangles))
@@ -413,6 +436,7 @@ def test_images_of_a_model_give_a_texture(tmp_path):
     assert answer(*words, tmp_path / "work", "-o", tmp_path / "b.glb", "--size", "256", "--device", "cpu")["files"]
     assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "b.glb").read_bytes()
     assert loom.read_triangle_mesh(tmp_path / "a.glb").textures[0].shape == (256, 256, 3)
+    assert not list(tmp_path.glob("*-texture"))
     refused = run(*words, tmp_path / "project", "-o", tmp_path / "c.glb", "--method", "rigid")
     assert refused.exit_code == 2 and "--method is for RGB-D frames" in refused.stderr
 

@@ -108,8 +108,42 @@ def test_docs_searches_chapters_by_words_and_numbers():
     nothing = run("docs", "elephants")
     assert (
         nothing.exit_code == 2
-        and "no chapter contains elephants; the chapters are 1 Read a point cloud" in nothing.stderr
+        and "public name contains elephants; the chapters are 1 Read a point cloud" in nothing.stderr
     )
+
+
+WANTED = {
+    "ground": "classify_ground", "stations": "register_stations", "change": "m3c2", "bag": "open_recording",
+    "dtm": "rasterize", "e57": "read_", "volume cut": "m3c2", "gaussian": "GaussianSplats", "trimesh": "from_any",
+    "farthest": "loom.torch", "LAS": "read_point_cloud",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("words", WANTED)
+def test_docs_finds_guides_and_public_names(words):
+    assert WANTED[words] in run("docs", *words.split()).stdout
+
+
+def test_short_words_are_found_at_the_beginning_of_words_only():
+    assert "Ground" not in run("docs", "las").stdout  # classify_ground
+
+
+def test_the_guides_name_existing_pages_commands_and_functions():
+    for guide in book.guides():
+        assert set(guide.commands) <= set(cli.commands), guide.title
+        for name in guide.names:
+            owner = loom
+            *modules, last = name.split(".")
+            for part in modules:
+                owner = getattr(owner, part)
+            assert last in dir(owner), name  # loom.torch needs torch to load its names
+        page = ROOT / "docs" / f"{guide.slug}.md"
+        assert not page.parent.exists() or page.read_text().startswith(f"# {guide.title}\n"), guide.title
+
+
+def test_the_guides_are_the_pages_of_the_index_of_the_documentation():
+    listed = re.findall(r"^\| \[[^\]]+\]\(([\w-]+)\.md\)", (ROOT / "docs" / "README.md").read_text(), re.MULTILINE)
+    assert len(listed) > 30 and {guide.slug for guide in book.guides()} == set(listed)
 
 
 def test_docs_reports_the_pages_or_their_absence(tmp_path, monkeypatch):

@@ -1,14 +1,40 @@
 """Generated pages of the documentation: public names, commands and links."""
 
+import enum
+import math
 import re
+import sys
 
 import click
 import pytest
 from machinery import commands, pages, public, reference, texts
+from sphinx.ext.napoleon import GoogleDocstring
 
 from pointloom.cli.shell.cli import cli
 
 from .conftest import DOCS
+
+
+@pytest.fixture(scope="module", autouse=True)
+def names_of_torch():
+    before = set(sys.modules)
+    public.replace_torch()
+    yield
+    for name in set(sys.modules) - before:
+        if name.startswith(("torch", "pointloom.torch")):
+            del sys.modules[name]
+
+
+Color = enum.Enum("Color", ["RED"])
+
+
+class Settings:
+    """An object without a short form."""
+
+
+def with_defaults(a=0.05, b=1_000_000, c=(0.0, 1.5), d=None, e="x", f=Color.RED, g=Settings(), h=math.inf, i=1.0):  # noqa: B008
+    """A function with a default of each kind."""
+
 
 pytestmark = pytest.mark.slow  # needs Sphinx, which `make test` does not install
 
@@ -38,6 +64,36 @@ def test_the_page_of_a_command_contains_its_help(name):
 def test_every_page_is_listed_in_the_site():
     lists = (DOCS / "guides.md").read_text() + (DOCS / "index.md").read_text() + "versions\nREADME\nindex\n"
     assert {path.stem for path in DOCS.glob("*.md")} - set(re.findall(r"^[\w-]+$", lists, flags=re.MULTILINE)) == set()
+
+
+def test_results_have_no_type_before_a_colon_and_link_their_classes():
+    returned = "Returns:\n    A SurfaceResult: the mesh\n    of a PointCloud."
+    text = f"Mesh a scan.\n\n{returned}\n\nRaises:\n    TypeError: No PointCloud."
+    expected = (
+        "Mesh a scan.\n\nReturns:\n    : A :py:obj:`~pointloom.meshing.SurfaceResult`: the mesh\n"
+        "    of a :py:obj:`~pointloom.PointCloud`.\n\nRaises:\n    TypeError: No PointCloud."
+    )
+    assert "\n".join(reference.results_as_text(text.split("\n"))) == expected
+    typed = GoogleDocstring("\n".join(reference.results_as_text(["Returns:", "    Distances [m]: one a point."])))
+    assert ":returns: Distances [m]: one a point." in str(typed) and ":rtype:" not in str(typed)
+
+
+def test_signatures_show_defaults_by_value():
+    shown = reference.signature_of("function", "pointloom.registration.get_undetermined_motions", with_defaults)
+    assert shown == (
+        "(a=0.05, b=1_000_000, c=(0.0, 1.5), d=None, e='x', f=Color.RED, g=Settings(...), h=inf, i=1.0)",
+        "",
+    )
+
+
+def test_no_signature_of_the_reference_shows_a_private_constant():
+    for name, public_name in public.all_names().items():
+        things = [("function" if public_name.kind == "function" else "class", name, public_name.value)]
+        if public_name.kind == "class":
+            things += [("method", f"{name}.{key}", getattr(public_name.value, key)) for key in public.members_of(name)]
+        for what, full, thing in things:
+            signature = reference.signature_of(what, full, thing)
+            assert not re.search(r"= ?[A-Z][A-Z_]+\b", signature[0] if signature else ""), full
 
 
 @pytest.mark.parametrize(

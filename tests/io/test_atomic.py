@@ -407,10 +407,26 @@ TENSOR_CLOUD = o3d.t.geometry.PointCloud(o3d.core.Tensor(np.eye(3)))
 # Name of a file -> a function that writes it.
 WRITERS = {
     **dict.fromkeys(
-        ("c.ply", "c.pcd", "c.xyz", "c.pts", "c.las", "c.laz", "c.copc.laz", "c.e57", "c.npz"),
+        (
+            "c.ply",
+            "c.pcd",
+            "c.xyz",
+            "c.pts",
+            "c.las",
+            "c.laz",
+            "c.copc.laz",
+            "c.e57",
+            "c.npz",
+            "c.npy",
+            "c.vtk",
+            "c.vtp",
+        ),
         lambda path: loom.write_point_cloud(path, cloud()),
     ),
-    **dict.fromkeys(("m.ply", "m.stl", "m.off", "m.obj", "m.glb"), lambda path: loom.write_triangle_mesh(path, SPHERE)),
+    **dict.fromkeys(
+        ("m.ply", "m.stl", "m.off", "m.obj", "m.glb", "m.vtk", "m.vtp"),
+        lambda path: loom.write_triangle_mesh(path, SPHERE),
+    ),
     **dict.fromkeys(("t.log", "t.tum", "t.kitti"), lambda path: loom.write_trajectory(path, TRACK)),
     **dict.fromkeys(("s.ply", "s.splat", "s.spz"), lambda path: loom.write_splats(path, splats())),
     **dict.fromkeys(("p.png", "p.webp"), lambda path: loom.write_image(path, PIXELS)),

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.kept_arrays import KeptArrays
 from pointloom.meshing.color_map.results import NothingSeenError
 
 from ..hostile import faults_of
@@ -230,6 +231,40 @@ def test_frames_in_memory_color_a_mesh(device):
     assert stages == [("frames", 0, 2), ("frames", 1, 2), ("frames", 2, 2), ("colors", 0, 0)]
 
 
+@pytest.mark.parametrize("stop", range(1, 4))
+def test_an_interrupted_texture_continues_to_the_same_result(device, tmp_path, monkeypatch, stop):
+    pytest.importorskip("xatlas")
+    rng, left = np.random.default_rng(3), [stop]
+    given = loom.frames_from(
+        [(rng.integers(0, 256, (48, 64, 3), np.uint8), np.full((48, 64), 1000, np.uint16)) for _ in range(3)], CAMERA
+    )
+    moved = np.tile(POSE, (3, 1, 1))
+    moved[1:, 0, 3] = 0.004, -0.003
+    call = {"poses": moved, "method": "non-rigid", "size": 64}
+    expected = loom.meshing.texture_mesh(wall(device=device), given, **call)
+    get = KeptArrays.get
+
+    def interrupted(self, name, make):
+        arrays = get(self, name, make)
+        left[0] -= 1
+        if not left[0]:
+            raise KeyboardInterrupt
+        return arrays
+
+    monkeypatch.setattr(KeptArrays, "get", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        loom.meshing.texture_mesh(wall(device=device), given, **call, work=tmp_path / "work")
+    assert len(list((tmp_path / "work").glob("*.npz"))) == stop
+    result = loom.meshing.texture_mesh(wall(device=device), given, **call, work=tmp_path / "work")
+    np.testing.assert_array_equal(result.mesh.textures[0], expected.mesh.textures[0])
+    np.testing.assert_array_equal(result.mesh.triangle_uvs, expected.mesh.triangle_uvs)
+    np.testing.assert_array_equal(result.colors.mesh.vertex_colors, expected.colors.mesh.vertex_colors)
+    np.testing.assert_array_equal(result.colors.warp(1), expected.colors.warp(1))
+    assert result.to_dict() == expected.to_dict() and expected.colors.iterations > 1
+    other = loom.meshing.texture_mesh(wall(device=device), given, **call | {"method": "none"}, work=tmp_path / "work")
+    assert other.method == "none" and other.colors.iterations == 0
+
+
 def test_a_texture_replaces_vertex_colors():
     mesh = wall()
     mesh.triangle_uvs = (mesh.vertices[mesh.triangles][..., :2] + 0.42).reshape(-1, 2) / 0.84
@@ -288,7 +323,7 @@ def test_invalid_frames_are_rejected_by_name():
         loom.meshing.texture_mesh(wall().translate([0, 0, 100]), frames(1), [POSE])
 
 
-ARGUMENTS = {"method": "none", "size": 8, "depth_max": 4.0, "progress": None}
+ARGUMENTS = {"method": "none", "size": 8, "depth_max": 4.0, "work": None, "progress": None}
 
 
 @pytest.mark.parametrize("argument", ["mesh", "frames", "poses", *ARGUMENTS])

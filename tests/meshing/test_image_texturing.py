@@ -10,6 +10,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.io.images.image_files import write_png
+from pointloom.meshing.color_map import image_texturing
 from pointloom.meshing.color_map.results import NothingSeenError
 
 from ..hostile import faults_of
@@ -176,6 +177,36 @@ def test_a_small_texture_contains_all_charts_at_a_smaller_scale():
         texture(*given, Option(smoothness=0.0), size=16)
 
 
+def test_an_interrupted_texture_continues_to_the_same_result(device, tmp_path, monkeypatch):
+    scene = wall_scene((0.8, 1.1, 1.0))
+    given = scene.mesh.to(device), scene.images, CAMERA, scene.extrinsics
+    expected = texture(*given, size=128)
+    work, choices = tmp_path / "work", []
+    choose, level = image_texturing._choose_views, image_texturing.SeamLevels
+
+    def counted(*arguments):
+        choices.append(arguments)
+        return choose(*arguments)
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(image_texturing, "_choose_views", counted)
+    monkeypatch.setattr(image_texturing, "SeamLevels", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        texture(*given, size=128, work=work)
+    monkeypatch.setattr(image_texturing, "SeamLevels", level)
+    result = texture(*given, size=128, work=work)
+    assert len(choices) == 1
+    np.testing.assert_array_equal(result.views, expected.views)
+    np.testing.assert_array_equal(result.mesh.textures[0], expected.mesh.textures[0])
+    assert result.to_dict() == expected.to_dict()
+    darker = [np.asarray(image) // 2 for image in scene.images]
+    for other in ((given[0], darker, *given[2:]), (*given, Option(smoothness=0.5))):
+        texture(*other, size=128, work=work)
+    assert len(choices) == 3  # other images or options start again
+
+
 def test_an_sfm_model_provides_cameras_and_files(tmp_path):
     scene = wall_scene(GAINS)
     names = [f"{k}.png" for k in range(3)]
@@ -215,7 +246,7 @@ def test_surfaces_beyond_depth_max_are_not_visible():
         texture(scene.mesh, scene.images, CAMERA, scene.extrinsics, Option(depth_max=0.5))
 
 
-ARGUMENTS = {"option": Option(), "size": 256, "progress": None}
+ARGUMENTS = {"option": Option(), "size": 256, "work": None, "progress": None}
 FIELDS = {"smoothness": 1.0, "depth_max": 4.0, "plain": (0.5, 0.5, 0.5)}
 
 

@@ -161,6 +161,11 @@ box.sample_points_poisson_disk(X) | 4_000_000; 10, init_factor=2**30 | number_of
 make.concatenate([]) | meshes:
 make(box.vertices, box.triangles[1:]).get_volume() | get_volume: expected a watertight mesh
 make(box.vertices, np.vstack([box.triangles[1:], box.triangles[:1, ::-1]])).get_volume() | get_volume:
+make(box.vertices, box.triangles[1:]).center_of_mass | center_of_mass: expected a watertight mesh
+make(box.vertices, box.triangles[1:]).moment_of_inertia | moment_of_inertia: expected a watertight mesh
+make(box.vertices, np.vstack([box.triangles[1:], box.triangles[:1, ::-1]])).center_of_mass | center_of_mass:
+make(box.vertices * [1, 1, 0], box.triangles).center_of_mass | center_of_mass: expected a mesh that encloses a volume
+none.moment_of_inertia | moment_of_inertia: expected triangles that enclose a volume, got none
 make.create_box(width=0) | width:
 make.create_sphere(resolution=X) | 1; 10**6 | resolution:
 make.create_cylinder(resolution=2) | resolution:

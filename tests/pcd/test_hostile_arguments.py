@@ -31,6 +31,7 @@ from ..io.camera_stubs import KinectStub, RealSenseStub
 # One line per call: the function and a valid value of each argument, as expressions over `things()`.
 CALLS = """
 loom.PointCloud(points=points, normals=normals, colors=colors, device="cpu", origin=three, unit="foot", crs=25832, label=row, arrays="numpy")
+loom.from_any(geometry=points, device="cpu", arrays="numpy")
 loom.PointCloud.concatenate(clouds=[cloud, cloud])
 loom.PointCloud.create_from_depth_image(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1.0, depth_trunc=5.0, stride=1, device="cpu", arrays="numpy")
 loom.PointCloud.from_dlpack(points=points32, normals=points32, colors=points32, origin=three)
@@ -432,7 +433,7 @@ LEFT_OUT = {
     "DroppedResultWarning", "UnitWarning", "VoxelGrid",
     "DistanceField",
     "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",
-    "PointCloud.from_open3d", "find_boxes", "rasterize",
+    "PointCloud.from_open3d", "TriangleMesh.from_open3d", "find_boxes", "rasterize",
     # tests/drawing: viewer, recording, render
     "draw", "Viewer", "DetailTree", "record", "render", "write_image", "View",
     "read_view", "write_view", "CameraFrustum",
@@ -463,6 +464,7 @@ MAY_BE_INFINITE = {"invalid_fill"}
 # Text that a message uses instead of the argument's name.
 ALSO = {
     "NearestNeighborSearch": "points",
+    "from_any": "points",
     "PointCloud.array": "the cloud has no",
     "TriangleMesh": "one row per triangle",
     "TriangleMesh.array": "expected one of the mesh's arrays",

@@ -122,6 +122,33 @@ def test_classes_are_the_commonest_of_their_voxel(device, rng):
     np.testing.assert_array_equal(trace.cloud["time"], plain["time"])
 
 
+def test_the_most_frequent_label_and_color_represent_a_voxel(device, rng):
+    points = (rng.random((500, 3)) * 3).astype(np.float32)
+    palette = rng.permutation(np.array([[0, 0, 0], [0, 0.5, 0], [0, 0.5, 1], [1, 0, 0]]))
+    color, label, height = palette[rng.integers(0, 4, 500)], rng.integers(-2, 3, 500), rng.random(500)
+    cloud = loom.PointCloud(points, colors=color, label=label, height=height, device=device)
+    small = cloud.voxel_down_sample(1.0, reduction="most_frequent")
+    cells = np.floor((points.astype(np.float64) - points.min(axis=0).astype(np.float64) + 0.5) / 1.0)
+    keys, voxels = np.unique(cells, axis=0, return_inverse=True)
+    assert len(small) == len(keys) and max(np.bincount(voxels.ravel())) > 10
+    ties = 0
+    for k in range(len(keys)):
+        rows = voxels.ravel() == k
+        counts = Counter(label[rows].tolist())
+        ties += sum(count == max(counts.values()) for count in counts.values()) > 1
+        assert small["label"][k] == min(counts, key=lambda value: (-counts[value], value))
+        colors = Counter(map(tuple, color[rows].tolist()))
+        assert tuple(small.colors[k].tolist()) == min(colors, key=lambda value: (-colors[value], value))
+        np.testing.assert_allclose(small.points[k], points[rows].astype(np.float64).mean(axis=0), atol=1e-6)
+        assert small["height"][k] == pytest.approx(height[rows].mean(), abs=1e-12)
+    assert ties > 2
+    order = rng.permutation(500)
+    again = cloud.select_by_index(order).voxel_down_sample(1.0, reduction="most_frequent")
+    np.testing.assert_array_equal(again["label"], small["label"])
+    np.testing.assert_array_equal(again.colors, small.colors)
+    assert len(loom.PointCloud(device=device).voxel_down_sample(1.0, "most_frequent")) == 0
+
+
 def test_nearest_point_represents_its_voxel_with_all_attributes(device, rng):
     cloud = numbered(rng, device)
     local = cloud.points - cloud.origin

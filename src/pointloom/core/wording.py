@@ -39,6 +39,14 @@ def format_seconds(seconds: dict[str, float]) -> str:
     return ", ".join([*parts, f"all {sum(seconds.values()):.2f}"])
 
 
+def format_duration(seconds: float) -> str:
+    """A rough duration: "40 s", "12 min", "2 h 5 min"."""
+    if seconds < 100:
+        return f"{max(round(seconds), 1)} s"
+    minutes = round(seconds / 60)
+    return f"{minutes} min" if minutes < 60 else f"{minutes // 60} h {minutes % 60} min"
+
+
 def format_triple(values: Iterable[float]) -> str:
     return "[" + ", ".join(f"{value:.4f}" for value in values) + "]"
 

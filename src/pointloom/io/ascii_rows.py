@@ -39,11 +39,12 @@ def is_float(word: str) -> bool:
 
 
 class AsciiRows:
-    """The non-blank lines of a text and their numbers; `first_line` is the line number of the first line, from 1."""
+    """The non-blank lines of a text and their numbers; `first_line` is the line number of the first line, from 1.
+    Errors name the column of a table if `is_table`."""
 
-    def __init__(self, path: FilePath, body: bytes, first_line: int):
+    def __init__(self, path: FilePath, body: bytes, first_line: int, *, is_table: bool = False):
         body = unix_lines(body)
-        self._path, self._body, self._first_line = path, body, first_line
+        self._path, self._body, self._first_line, self._is_table = path, body, first_line, is_table
         text = np.frombuffer(body, np.uint8)
         visible = text > 32
         begins = visible.copy()
@@ -112,10 +113,11 @@ class AsciiRows:
 
     def _bad_token(self) -> FileError:
         for number, line in enumerate(self._body.split(b"\n")):
-            for token in line.split():
+            for column, token in enumerate(line.split(), 1):
                 if not _NUMBER.fullmatch(token):
                     shown = token[:40].decode("ascii", "backslashreplace")
-                    return FileError(self._path, f"not a number: {shown!r}", where=f"line {self._first_line + number}")
+                    where = f"line {self._first_line + number}" + (f", column {column}" if self._is_table else "")
+                    return FileError(self._path, f"not a number: {shown!r}", where=where)
         return FileError(self._path, "the text contains something that is not a number")
 
     def cast(

@@ -148,12 +148,22 @@ def own(column: NDArray[Any], out: NDArray[Any] | None = None) -> NDArray[Any]:
     return column.astype(column.dtype.newbyteorder("="), order="C", copy=True)
 
 
-def check_type(path: FilePath, name: str, values: NDArray[Any], allowed: str, remedy: str) -> None:
-    """Raise `FileError` if a format cannot store the type; `allowed` are NumPy type codes separated by blanks."""
-    if f"{values.dtype.kind}{values.dtype.itemsize}" not in allowed.split():
-        raise FileError(path, f"attribute {name!r}: the format has no type for {values.dtype}", remedy=remedy)
-    if values.ndim == 2 and values.shape[1] == 0:
-        raise FileError(path, f"attribute {name!r} has no components", remedy="Leave it out")
+def has_type(values: NDArray[Any], allowed: str) -> bool:
+    """True if a format has the type; `allowed` are NumPy type codes separated by blanks."""
+    return f"{values.dtype.kind}{values.dtype.itemsize}" in allowed.split() and values.shape[1:] != (0,)
+
+
+def check_types(path: FilePath, attributes: dict[str, NDArray[Any]], allowed: str, remedy: str) -> None:
+    """Raise `FileError` with all attributes that a format cannot store."""
+    lost = {name: values for name, values in attributes.items() if not has_type(values, allowed)}
+    if lost:
+        reasons = [
+            f"attribute {name!r} has no components"
+            if values.shape[1:] == (0,)
+            else f"attribute {name!r}: the format has no type for {values.dtype}"
+            for name, values in lost.items()
+        ]
+        raise FileError(path, "; ".join(reasons), remedy=f"{remedy}, or pass drop_unsupported=True")
 
 
 def narrow_integers(values: NDArray[Any]) -> NDArray[Any] | None:

@@ -11,11 +11,13 @@ from ..core.array_libraries import library_for
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
 from ..core.coordinate_systems import CoordinateSystem, check_crs
 from ..core.devices import DeviceLike, resolve_device
+from ..core.escaped_text import escaped
 from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
 from .bounds import Bounds
 from .cached_tree import CachedTree
-from .conversion import Conversion
+from .conversion import Conversion, cloud_arguments
+from .extent_text import reference_text
 from .normals import Normals
 from .point_arrays import place_points
 from .point_store import PointStore
@@ -33,7 +35,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
     torch, cupy, jax and Warp arrays are shared if type and layout allow, see `from_dlpack`.
 
     Args:
-        points: Shape (n, 3) [m].
+        points: Shape (n, 3) [m]. Or a cloud of Open3D, trimesh, PyVista, VTK or meshio, see `from_any`.
         normals: Shape (n, 3).
         colors: Shape (n, 3), 0..1; uint8 is divided by 255.
         device: "cpu", "cuda:0" or "auto". If None: the points' GPU, or the CPU.
@@ -78,6 +80,10 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             raise TypeError(
                 f"points: expected real numbers, got {shown(points)}. Read a file with loom.read_point_cloud(path)"
             )
+        if (given := cloud_arguments("points", points)) is not None:
+            points, device = given.points, given.device if device is None else device
+            normals, colors = given.normals if normals is None else normals, given.colors if colors is None else colors
+            unit, crs, attributes = unit or given.unit, crs or given.crs, {**given.attributes, **attributes}
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         library, length_unit = library_for(arrays, points), None if unit is None else check_unit("unit", unit)
@@ -98,3 +104,13 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             moved = {name: move(values, where) for name, values in self.arrays.items()}
             tree = CachedTree(moved["points"], frozen=frozen)
             vars(self)["arrays"] = PointStore(moved, self.arrays.origin, library, tree=tree)
+
+    def __repr__(self) -> str:
+        names = escaped(", ".join(name for name in self.arrays if name != "points")) or "no attributes"
+        is_referenced = self.unit is not None or self.crs is not None  # bounds wait for the device
+        reference = reference_text(self, self.get_min_bound(), self.get_max_bound()) if is_referenced else ""
+        parts = [f"{len(self):,} points", names, *([reference] if reference else []), str(self.device)]
+        return f"{type(self).__name__}({', '.join(parts)})"
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.arrays)

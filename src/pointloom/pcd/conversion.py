@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Any, Self, cast
 
 import numpy as np
 import warp as wp
@@ -15,17 +15,19 @@ from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
 from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import check_library, hand_out, library_for, library_of
 from ..core.checks import check_count, check_finite, check_positive, check_rigid, check_shape
-from ..core.coordinates import origin_of_sensor, split_origin
-from ..core.devices import DeviceLike, check_same_device, resolve_device
+from ..core.coordinates import origin_of_sensor
+from ..core.devices import DeviceLike, check_same_device
 from ..core.escaped_text import escaped
 from ..core.exchange import share_numbers, share_vectors
 from ..core.gpu_arrays import device_for
+from ..core.other_geometry import OtherGeometry, read_or_refuse
 from ..core.pickled_arrays import device_like, pickled, unpickled, unpickling
+from ..core.to_other_libraries import import_library, to_meshio, to_pyvista, to_trimesh
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
 from ..kernels.lang import vec2, vec3, vec3i
 from ..kernels.linear_algebra import inv, matmul
-from ..kernels.memory import clone, download, upload
+from ..kernels.memory import clone, download
 from .cached_tree import CachedTree
 from .point_arrays import VECTORS
 from .selection import Selection
@@ -288,34 +290,22 @@ class Conversion(Selection):
             TypeError, ImportError: If `cloud` is not an Open3D cloud, or if Open3D is not installed.
             DeviceError: If the device does not exist.
         """
-        o3d, library = _import_open3d(), library_for(arrays)
-        if isinstance(cloud, o3d.geometry.PointCloud):
-            given = {name: np.asarray(getattr(cloud, name)) for name in (*VECTORS, _COVARIANCES)}
-            present = {name: values for name, values in given.items() if len(values) or name == "points"}
-        elif isinstance(cloud, o3d.t.geometry.PointCloud):
-            present = {name: cloud.point[name].cpu().numpy() for name in cloud.point}
-            present = {"points": present.pop("positions", np.empty((0, 3), np.float32)), **present}
-            if device is None and cloud.device.get_type() == o3d.core.Device.CUDA:
-                device = f"cuda:{cloud.device.get_id()}"
-        else:
+        o3d = import_library("open3d")
+        if not isinstance(cloud, o3d.geometry.PointCloud | o3d.t.geometry.PointCloud):
             raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {type(cloud)}")
-        local, origin = split_origin(present.pop("points"))
-        copied = cls.from_device_arrays({"points": upload(local, vec3, resolve_device(device))}, origin, library)
-        for name, values in present.items():
-            if name == "colors" and values.dtype == np.uint16:
-                values = values.astype(np.float32) / np.float32(65535)
-            copied[name] = values.reshape(len(values), -1) if values.ndim > 2 else values
-        return copied
+        make: Any = cls
+        return cast(Self, make(cloud, device=device, arrays=library_for(arrays)))
 
     def to_open3d(self) -> Any:
         """Copy to a legacy `open3d.geometry.PointCloud` in float64: points, normals, colors and covariances.
 
-        Other attributes are dropped; `to_open3d_tensor` keeps them.
-
         Raises:
             ImportError: If Open3D is not installed.
+
+        Warns:
+            UserWarning: If there are other attributes, which `to_open3d_tensor` keeps.
         """
-        o3d = _import_open3d()
+        o3d = import_library("open3d")
         cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(self.points.copy()))
         if "normals" in self.arrays:
             cloud.normals = o3d.utility.Vector3dVector(self.normals.astype(np.float64))
@@ -324,7 +314,53 @@ class Conversion(Selection):
         if _COVARIANCES in self and self[_COVARIANCES].shape[1:] == (9,):
             matrices = self[_COVARIANCES].astype(np.float64).reshape(-1, 3, 3)
             cloud.covariances = o3d.utility.Matrix3dVector(matrices)
+        left_out = [name for name in self.arrays if name not in ("points", *VECTORS, _COVARIANCES)]
+        OtherGeometry("open3d.geometry.PointCloud", self.points, left_out=left_out).warn()
         return cloud
+
+    def to_trimesh(self) -> Any:
+        """Copy to a `trimesh.PointCloud`, with colors in 8 bits. The unit and `crs` are in its metadata.
+
+        Raises:
+            ImportError: If trimesh is not installed.
+
+        Warns:
+            UserWarning: If there are normals or attributes, which it cannot store.
+        """
+        return to_trimesh(self._other("trimesh.PointCloud"))
+
+    def to_pyvista(self) -> Any:
+        """Copy to a `pyvista.PolyData` with all attributes, and colors in 8 bits as "RGB".
+
+        The unit and the coordinate system are in its field data. `loom.PointCloud(data)` is the inverse.
+
+        Raises:
+            ImportError: If PyVista is not installed.
+        """
+        return to_pyvista(self._other("pyvista.PolyData"))
+
+    def to_meshio(self) -> Any:
+        """Copy to a `meshio.Mesh` of vertices with all attributes, and colors in 8 bits as "RGB".
+
+        The unit and the coordinate system are in its `info`. `loom.PointCloud(mesh)` is the inverse.
+
+        Raises:
+            ImportError: If meshio is not installed.
+        """
+        return to_meshio(self._other("meshio.Mesh"))
+
+    def _other(self, source: str) -> OtherGeometry:
+        """All arrays on the host, with float64 positions if the origin is not zero."""
+        own = self.arrays
+        return OtherGeometry(
+            source,
+            self.points.copy() if own.origin.any() else download(own["points"]).copy(),
+            self.normals if "normals" in own else None,
+            self.colors if "colors" in own else None,
+            dict(self.attributes),
+            unit=self.unit,
+            crs=self.crs,
+        )
 
     def to_open3d_tensor(self) -> Any:
         """Copy to an `open3d.t.geometry.PointCloud` on the CPU with all attributes, those of shape (n,) as (n, 1).
@@ -335,7 +371,7 @@ class Conversion(Selection):
             ImportError: If Open3D is not installed.
             TypeError: If Open3D does not support an attribute's type (float16).
         """
-        o3d = _import_open3d()
+        o3d = import_library("open3d")
         cloud = o3d.t.geometry.PointCloud()
         positions = self.points if self.arrays.origin.any() else download(self.arrays["points"])
         cloud.point.positions = o3d.core.Tensor(np.ascontiguousarray(positions))
@@ -377,9 +413,14 @@ class Conversion(Selection):
         return self.with_arrays({name: clone(array) for name, array in self.arrays.items()}, grid=self.grid)
 
 
-def _import_open3d() -> Any:
-    try:
-        import open3d
-    except ImportError as error:
-        raise ImportError("the package open3d is required: pip install open3d") from error
-    return open3d
+def cloud_arguments(name: str, given: object) -> OtherGeometry | None:
+    """The arrays of a cloud of another library. None for other objects, such as arrays."""
+    other = read_or_refuse(name, given)
+    if other is not None and other.corners is not None:
+        raise TypeError(
+            f"{name}: expected an array or a cloud, got {other.source} with {other.face_count} faces. "
+            "loom.TriangleMesh(x) makes a mesh, its vertices are a cloud: loom.PointCloud(mesh.vertices)"
+        )
+    if other is not None:
+        other.warn()
+    return other

@@ -1,19 +1,27 @@
-"""Atomic writing of GeoTIFF files."""
+"""Reading and atomic writing of GeoTIFF files."""
 
 from __future__ import annotations
 
 import importlib
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+
 from ..core.atomic import atomic_path, check_writable
 from ..core.errors import FileError, FilePath
+from ..core.paths import input_path
+from ..core.units import DEGREE, unit_by_length
+from .raster_cells import MAX_CELLS
 
 BLOCK_CELLS = 256  # cells per side of a block
 ENDINGS = (".tif", ".tiff")
+FILLED = "filled"  # description of the second band
+MAX_STRETCH = 1e-6  # relative difference of width and height of a cell: 1e-3 cells over 1,000 rows, as MAX_SHIFT
 _VALUE_BANDS = {"dtype": "float32", "count": 2, "predictor": 3, "interleave": "band"}
 _IMAGE_BANDS = {
     "dtype": "uint8", "count": 4, "predictor": 2, "interleave": "pixel", "photometric": "RGB",
@@ -53,7 +61,7 @@ def geotiff(
         with atomic_path(path, overwrite=overwrite) as part:
             first = part.with_suffix(".first") if for_maps else part
             with rasterio.open(first, "w", **profile) as file:
-                for band, name in enumerate(() if is_image else (metadata.kind, "filled"), start=1):
+                for band, name in enumerate(() if is_image else (metadata.kind, FILLED), start=1):
                     file.set_band_description(band, name)
                 yield file
             if for_maps:
@@ -76,6 +84,71 @@ def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
     if checked.suffix.lower() not in ENDINGS:
         raise FileError(checked, "is not a GeoTIFF file name", remedy="Use a name that ends in .tif")
     return checked, _rasterio(checked)
+
+
+def read_geotiff(path: FilePath) -> dict[str, Any]:
+    """Fields of a `Raster` from a GeoTIFF with one band of values, and perhaps one of filled cells. FileError as
+    `read_raster`."""
+    path = input_path(path)
+    if path.suffix.lower() not in ENDINGS:
+        raise FileError(path, "is not a GeoTIFF file name", remedy="Use a name that ends in .tif")
+    rasterio = _rasterio(path)
+    try:
+        with warnings.catch_warnings():  # a file without georeference raises FileError below
+            warnings.simplefilter("ignore", rasterio.errors.NotGeoreferencedWarning)
+            file = rasterio.open(path, driver="GTiff")
+        with file:
+            _check_layout(path, file)
+            return _fields_of(file)
+    except (rasterio.errors.RasterioError, OSError, ValueError) as error:
+        if isinstance(error, FileError):
+            raise
+        raise FileError(path, f"is not an intact GeoTIFF: {str(error.__cause__ or error)[:300]}") from error
+
+
+def _check_layout(path: Path, file: Any) -> None:
+    if file.count != 1 and (file.count, file.descriptions[1]) != (2, FILLED):
+        remedy = "Extract the band of heights, as in gdal_translate -b 1 in.tif out.tif"
+        raise FileError(path, f"expected one band, got {file.count}", remedy=remedy)
+    if np.issubdtype(file.dtypes[0], np.complexfloating):
+        raise FileError(path, f"expected real values, got {file.dtypes[0]}")
+    if file.width * file.height > MAX_CELLS:
+        raise FileError(path, f"{file.width:,} x {file.height:,} cells are more than 2^28", remedy="Read parts of it")
+    a, b, c, d, e, f = tuple(file.transform)[:6]
+    if file.transform.is_identity:
+        raise FileError(path, "has no georeference")
+    if not (np.isfinite([a, c, e, f]).all() and a > 0 and b == d == 0 and abs(a + e) <= MAX_STRETCH * a):
+        remedy = "Resample it, as in gdalwarp -tr 1 1 in.tif out.tif"
+        raise FileError(path, f"expected square cells with north up, got {[a, b, d, e]}", remedy=remedy)
+
+
+def _fields_of(file: Any) -> dict[str, Any]:
+    (scale, shift), cell = (file.scales[0], file.offsets[0]), float(file.transform.a)
+    stored = file.read(1)
+    values = stored.astype(np.float32) if (scale, shift) == (1, 0) else (stored * scale + shift).astype(np.float32)
+    values[file.read_masks(1) == 0] = np.nan
+    filled = np.zeros(values.shape, bool) if file.count == 1 else file.read(2) == 1
+    nodata = file.nodata
+    crs, unit = file.crs, None
+    if crs is not None:
+        name, meters = crs.linear_units_factor if crs.is_projected else ("", 0.0)
+        unit = DEGREE if crs.is_geographic else unit_by_length(name, meters)
+    return {
+        "values": values,
+        "corner": np.array([file.transform.c, _lower_edge(float(file.transform.f), cell, len(values))]),
+        "cell": cell,
+        "filled": filled,
+        "kind": file.descriptions[0] or "",
+        "crs": None if crs is None else crs.to_string(),
+        "unit": unit,
+    } | ({} if nodata is None or not np.isfinite(nodata) else {"nodata": float(nodata)})
+
+
+def _lower_edge(top: float, cell: float, rows: int) -> float:
+    """The lower edge of rows below `top`: the multiple of the cell if it gives this top, as `rasterize` computes it."""
+    edge = top - rows * cell
+    nearest = round(edge / cell) * cell
+    return nearest if nearest + rows * cell == top else edge
 
 
 def _check_blocks(rasterio: ModuleType, part: Path) -> None:

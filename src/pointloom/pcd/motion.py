@@ -16,6 +16,11 @@ from ..kernels.linear_algebra import matmul
 class Movable(HintedNames):
     """Object with affine motions, by default about its center."""
 
+    __array_ufunc__ = None  # so that NumPy passes operators on to the shape
+
+    def __rmatmul__(self, other: object) -> Self:
+        raise TypeError(f"{type(self).__name__} has no operator @; use transform(T) with T of shape [4, 4]")
+
     def get_center(self) -> NDArray[np.float64]:
         """Center [m], shape (3,)."""
         raise NotImplementedError

@@ -60,6 +60,7 @@ MAX_POINTS = 2**31 - 1  # 32-bit indices
 KEYS = "an attribute's name, a slice, a mask of shape [n] or indices of shape [k]"
 MEAN_ROUNDING = 1 + 1e-12  # the mean of equal distances may round below them
 CELL_LIMIT = 2.0**53  # cells from the corner: exact integers in float64
+REDUCTIONS = ("mean", "nearest", "most_frequent")
 WITHIN_ONE = 8  # maximum cells of a cloud that is smaller than one cell
 OPEN3D_CELLS = 2**31 - 1  # Open3D counts the cells between the bounds in 32 bits
 
@@ -357,7 +358,9 @@ class Selection(PointArrays):
 
         Args:
             voxel_size: Edge of a voxel [m].
-            reduction: "mean", or "nearest" for the input point nearest to the mean position, ties to the lowest index.
+            reduction: "mean", "nearest" for the input point nearest to the mean position, ties to the lowest index, or
+                "most_frequent" for the most frequent color and value of each integer attribute with one column, ties to
+                the lowest. All else is averaged then.
 
         Returns:
             One point per voxel in voxel order, x slowest. O(n) memory, bitwise reproducible.
@@ -372,11 +375,14 @@ class Selection(PointArrays):
             [4, 5]
             >>> cloud.voxel_down_sample(3.0, reduction="nearest")["label"].tolist()
             [3, 5]
+            >>> cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [2, 0, 0]], label=[2, 7, 7])
+            >>> cloud.voxel_down_sample(9.0, reduction="most_frequent")["label"].tolist()
+            [7]
         """
         size = check_positive("voxel_size", voxel_size)
-        if not isinstance(reduction, str) or reduction not in ("mean", "nearest"):
+        if not isinstance(reduction, str) or reduction not in REDUCTIONS:
             check_name("reduction", reduction)
-            raise ValueError(f"reduction: expected 'mean' or 'nearest', got {shown(reduction)}")
+            raise ValueError(f"reduction: expected one of {', '.join(REDUCTIONS)}, got {shown(reduction)}")
         groups, _ = self._voxels(size, None)
         if groups.count <= WITHIN_ONE:
             low, high, finite = bound_points(self.arrays["points"])
@@ -384,7 +390,10 @@ class Selection(PointArrays):
             warn_of_long("voxel_size", size, low, high, finite, self.unit, outcome)
         if reduction == "nearest":
             return self.select_rows(nearest_to_means(self.arrays["points"], groups))
-        return self._means(groups, self.arrays)
+        cloud = self._means(groups, self.arrays)
+        if reduction == "most_frequent":
+            self._set_classes(cloud, groups)
+        return cloud
 
     def average_voxels(self, voxel_size: float, names: Iterable[str]) -> Self:
         """`voxel_down_sample` of some arrays, without warnings."""

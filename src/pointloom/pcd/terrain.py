@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
-from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_positive, check_shape, shown
 from ..core.coordinate_systems import map_crs
-from ..core.devices import DeviceLike, resolve_device
-from ..core.dropped_results import returns_new
-from ..core.errors import FilePath
-from ..kernels.lang import float32, vec3
-from ..kernels.memory import cast, download, upload
-from ..kernels.terrain.cells import CellGroups, FixedCells
+from ..kernels.lang import float32
+from ..kernels.memory import cast
 from ..kernels.terrain.ground_in_reach import radius_in_cells
-from ..kernels.terrain.inverse_distance import interpolate_centers
 from .cloud import PointCloud
-from .geotiff import geotiff
 from .ground import CELL_SIZE, MAX_WINDOW, check_window
 from .point_arrays import check_cloud
+from .raster import MIN_NEIGHBORS, Raster
 from .raster_cells import (
     GROUND_CLASSES,
     check_box,
@@ -39,107 +31,6 @@ from .raster_cells import (
 
 KINDS = ("dtm", "dsm", "chm", "density", "intensity", "lowest")
 METHODS = ("idw", "tin")
-NODATA_VALUE = -9999.0
-MIN_NEIGHBORS = 8  # of an interpolated height
-MAX_EDGE = 1 << 24  # cells along a side for gap filling: their centers are float32
-
-
-@dataclass(frozen=True, eq=False)
-class Raster:
-    """Values on a grid of square cells, created by `loom.rasterize`.
-
-    Attributes:
-        values: float32 (rows, columns), northernmost row first. NaN if empty.
-        corner: Minimum x and y, float64 (2,).
-        cell: Edge of a cell.
-        filled: bool (rows, columns), cells filled by `fill_gaps`.
-        kind: Kind of values, such as "dtm".
-        crs: Coordinate system as rasterio accepts it, such as "EPSG:26910". None if unknown.
-        nodata: Value in files for NaN.
-    """
-
-    values: NDArray[np.float32]
-    corner: NDArray[np.float64]
-    cell: float
-    filled: NDArray[np.bool_]
-    kind: str = ""
-    crs: str | None = None
-    nodata: float = NODATA_VALUE
-
-    @property
-    def bounds(self) -> tuple[float, float, float, float]:
-        """(x0, y0, x1, y1) of the grid."""
-        (x, y), (rows, columns) = self.corner.tolist(), self.values.shape
-        return x, y, x + columns * self.cell, y + rows * self.cell
-
-    def __repr__(self) -> str:
-        (rows, columns), known = self.values.shape, int(np.isfinite(self.values).sum())
-        made = f", {int(self.filled.sum()):,} of them filled" if self.filled.any() else ""
-        return f"Raster({self.kind or 'values'}, {columns} x {rows} cells of {self.cell:g}, {known:,} known{made})"
-
-    @returns_new
-    def fill_gaps(self, max_distance: float, *, neighbors: int = MIN_NEIGHBORS, device: DeviceLike = None) -> Raster:
-        """Fill empty cells by inverse distance weighting and set `filled` in them.
-
-        Args:
-            max_distance: Maximum distance between cell centers [unit of the grid].
-            neighbors: Minimum cells with values in the smallest square used.
-            device: "cpu" (default) or "cuda:0".
-
-        Raises:
-            ValueError: If an argument is out of range, or there are more than 2^24 cells along a side.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> x, y = np.mgrid[0:20, 0:20].reshape(2, -1) + 0.5
-            >>> hole = np.hypot(x - 10, y - 10) < 3
-            >>> cloud = loom.PointCloud(np.column_stack([x, y, 0.1 * x])[~hole])
-            >>> raster = loom.rasterize(cloud, 1.0, "lowest")
-            >>> int(np.isnan(raster.values).sum()), int(raster.fill_gaps(5.0).filled.sum())
-            (32, 32)
-        """
-        search_radius, count = check_positive("max_distance", max_distance), check_count("neighbors", neighbors)
-        if max(self.values.shape) > MAX_EDGE:
-            raise ValueError(
-                f"values: expected at most 2^24 cells along a side, got {self.values.shape}. Fill parts of it"
-            )
-        upright = self.values[::-1].T  # by column from the lowest row, as cells are numbered
-        columns, rows = upright.shape
-        known = np.isfinite(upright)
-        x, y = np.nonzero(known)
-        if not len(x) or known.all():
-            return self
-        known_points = np.column_stack([x + 0.5, y + 0.5, upright[known]])
-        cells = FixedCells(np.zeros(2), 1.0, np.zeros(2), np.array([columns, rows]))
-        groups = CellGroups(upload(known_points, vec3, resolve_device(device or "cpu")), cells)
-        within = search_radius / self.cell
-        rings = min(math.ceil(within), max(columns, rows))
-        heights = download(interpolate_centers(groups, cells, count, within, rings)).reshape(columns, rows)
-        made = np.where(known, upright, heights.astype(np.float32)).T[::-1]
-        gaps = ~np.isfinite(self.values) & np.isfinite(made)
-        return dataclasses.replace(self, values=np.ascontiguousarray(made), filled=self.filled | gaps)
-
-    def write(self, path: FilePath, *, overwrite: bool = True) -> Path:
-        """Write a compressed float32 GeoTIFF atomically. The second band is 1 in filled cells.
-
-        Args:
-            path: The file, ending in .tif or .tiff.
-            overwrite: Allow replacing an existing file.
-
-        Raises:
-            FileError: If the file cannot be written, rasterio is missing, or it does not support the `crs`.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> points = np.random.default_rng(0).random((5000, 3)) * (40, 20, 1)
-            >>> loom.rasterize(loom.PointCloud(points), 1.0, "dsm", crs="EPSG:26910").write("dsm.tif").name
-            'dsm.tif'
-        """
-        shape, corner = self.values.shape, (self.corner[0], self.corner[1])
-        with geotiff(path, shape, corner, self.cell, self, overwrite=overwrite) as file:
-            file.write(np.where(np.isfinite(self.values), self.values, np.float32(self.nodata)), 1)
-            file.write(self.filled.astype(np.float32), 2)
-        return Path(path)
 
 
 def rasterize(
@@ -216,7 +107,8 @@ def rasterize(
         surface = measured_cells(cloud, window, kind, None if kind == "chm" else class_numbers)
     values = raster_values(kind, surface, ground, window, float(cloud.origin[2]))
     low = start + np.array([window.column0, window.row0]) * side
-    return Raster(values, low, side, np.zeros(values.shape, bool), kind, map_crs("crs, cloud", crs, cloud.crs))
+    system = map_crs("crs, cloud", crs, cloud.crs)
+    return Raster(values, low, side, np.zeros(values.shape, bool), kind, system, unit=cloud.unit)
 
 
 def height_above_ground(

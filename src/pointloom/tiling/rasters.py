@@ -22,8 +22,9 @@ from ..io.points.las_crs import find_keys, find_text
 from ..kernels.lru_cache import LruCache
 from ..pcd.cloud import PointCloud
 from ..pcd.geotiff import geotiff
+from ..pcd.raster import NODATA_VALUE, Raster
 from ..pcd.raster_cells import NoGroundError
-from ..pcd.terrain import NODATA_VALUE, Raster, rasterize
+from ..pcd.terrain import rasterize
 from .manifest import Manifest
 from .plan import Plan
 from .sources import file_of

@@ -51,9 +51,9 @@ def chamfer_distance(
         lengths, batch, offsets, batch_size: Layout of the batches, as of `knn`.
 
     Returns:
-        Distances (B), or a number for single clouds. With normals, a pair: the distances, and the means of 1 - |cos| of
-        the angles between the normals of nearest points, both ways, added. Two clouds without points have distance 0.
-        If only one has no points, the distance is infinite.
+        Distances (B), or a number for single clouds. With normals, a pair: the distances, and the sum of the means, in
+        both directions, of 1 minus the absolute cosine between the normals of nearest points. Two clouds without points
+        have distance 0. If only one has no points, the distance is infinite.
 
     Raises:
         TypeError, ValueError: Wrong types or shapes, clouds that do not match, or another norm.

@@ -78,7 +78,6 @@ def test_frame_counts_and_sizes_below_the_minimum_are_rejected():
         ({"source": None}, TypeError),
         ({"outputs": "room.ply"}, TypeError),
         ({"device": "gpu"}, (DeviceError, ValueError)),
-        ({"resume": True}, ValueError),
     ],
 )
 def test_invalid_calls_do_nothing(quick, film, tmp_path, given, error):

@@ -41,12 +41,12 @@ def test_a_video_becomes_a_mesh_and_a_report_of_each_stage(quick, film, output, 
     assert names_in(tmp_path / "work") == sorted([*STAGES, "records", "report.json", "video.json"])
 
 
-def test_without_a_work_folder_nothing_is_left_but_the_outputs(quick, film, output, tmp_path):
+def test_without_a_work_folder_the_stages_are_beside_the_outputs(quick, film, output, tmp_path):
     poses, cloud, image = tmp_path / "poses.log", tmp_path / "cloud.ply", tmp_path / "room.png"
     others = ("--trajectory", poses, "--cloud", cloud, "--picture", image)
     report = answer("video", film, "-o", output, *others)
-    assert names_in(tmp_path) == ["cloud.ply", "poses.log", "room.ply", "room.png", "walk.mp4"]
-    assert (len(report["files"]), report["work"]) == (4, None)
+    assert names_in(tmp_path) == ["cloud.ply", "poses.log", "room-video", "room.ply", "room.png", "walk.mp4"]
+    assert (len(report["files"]), report["work"]) == (4, str(tmp_path / "room-video"))
     path = loom.read_trajectory(poses)
     assert path.ids[:, 0].tolist() == list(range(0, 80, 10))  # the frames' own numbers
     assert len(loom.read_point_cloud(cloud)) == 3
@@ -105,10 +105,39 @@ def test_only_what_changed_runs_again(quick, film, output, tmp_path, monkeypatch
     assert files_of(tmp_path / "work") == files_of(tmp_path / "whole")
 
 
-def test_an_interrupted_run_without_a_work_folder_leaves_nothing(quick, film, output, tmp_path):
-    quick.fail = "depth"
-    assert run("video", film, "-o", output).exit_code == 130
-    assert names_in(tmp_path) == ["walk.mp4"]
+@pytest.mark.parametrize("stage", STAGES)
+def test_an_interrupted_run_without_a_work_folder_continues(quick, film, output, tmp_path, stage):
+    answer("video", film, "-o", tmp_path / "whole.ply")
+    quick.fail = stage
+    stopped = run("video", film, "-o", output)
+    assert (stopped.exit_code, output.exists()) == (130, False)
+    if stage != STAGES[0]:  # its first step is the first progress
+        first, *_, last = (line for line in stopped.stderr.splitlines() if "room-video" in line)
+        assert first.startswith("intermediate files: ") and "the same command continues" in first
+        assert last.startswith("finished work is kept in ")
+    quick.fail = None
+    quick.ran.clear()
+    answer("video", film, "-o", output)
+    assert quick.ran == STAGES[STAGES.index(stage) :]
+    assert output.read_bytes() == (tmp_path / "whole.ply").read_bytes()
+    assert files_of(tmp_path / "room-video") == files_of(tmp_path / "whole-video")
+
+
+def test_a_default_work_folder_of_another_film_is_made_again(quick, film, output, tmp_path):
+    answer("video", film, "-o", output)
+    other = tmp_path / "other.mp4"
+    other.write_bytes(b"another film")
+    answer("video", other, "-o", tmp_path / "whole.ply")
+    answer("video", other, "-o", output, "--force")
+    assert files_of(tmp_path / "room-video") == files_of(tmp_path / "whole-video")
+
+
+def test_a_default_work_folder_that_is_in_use_or_belongs_to_others_is_an_error(quick, film, output, tmp_path):
+    folder = tmp_path / "room-video"
+    folder.mkdir()
+    (folder / "notes.txt").write_text("mine")
+    assert "room-video: contains files that do not belong to a run" in refusal("video", film, "-o", output)
+    assert (quick.ran, names_in(folder)) == ([], ["notes.txt"])
 
 
 def test_the_unit_is_written_to_the_file(quick, film, output, tmp_path):
@@ -163,7 +192,6 @@ def test_an_empty_mesh_is_not_written(quick, film, output):
         (["--known", ",10,-1"], "expected two images and meters above 0"),
         (["--max-frames", "1"], "--max-frames"),
         (["--max-size", "10"], "--max-size"),
-        (["--resume"], "--resume requires --work"),
         (["--cloud", "room.ply"], "--cloud is the same file as --output"),
         (["--ortho", "o.tif"], "--cell"),
         (["--dem", "d.tif", "--cell", "0"], "--cell"),
@@ -238,12 +266,12 @@ def in_json(result):
     return {name: value for name, value in report.items() if name not in ("stages", "peak_bytes")}
 
 
-def test_a_film_becomes_objects_and_no_files(quick, film, tmp_path, monkeypatch):
+def test_a_film_becomes_objects_and_a_work_folder(quick, film, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     result = loom.photogrammetry.reconstruct_video(film)
-    assert names_in(tmp_path) == ["walk.mp4"]
+    assert names_in(tmp_path) == ["walk-video", "walk.mp4"]
     assert (len(result.mesh), len(result.cloud), len(result.model)) == (2, 3, COUNT)
-    assert (result.files, result.work, result.reliable, result.units) == ((), None, True, "arbitrary")
+    assert (result.files, result.work, result.reliable, result.units) == ((), "walk-video", True, "arbitrary")
     figures = result.figures
     assert (figures.frame_count, figures.image_count, figures.quality.registered_count) == (80, COUNT, COUNT)
     assert (figures.image_size, figures.confirmed_fraction, figures.triangle_count) == ((64, 48), 0.6, 2)
@@ -429,7 +457,7 @@ def test_maps_without_georeference_are_rejected_early(quick, film, tmp_path, set
     pytest.importorskip("rasterio")
     with pytest.raises(loom.FileError, match=r"ortho\.tif"):
         loom.photogrammetry.reconstruct_video(film, settings, outputs=outputs(tmp_path))
-    assert (quick.ran, names_in(tmp_path)) == (ran, ["walk.mp4"])
+    assert (quick.ran, names_in(tmp_path)) == (ran, ["m-video"] * bool(ran) + ["walk.mp4"])
 
 
 def test_too_many_cells_are_rejected_early(quick, film, tmp_path, monkeypatch):

@@ -202,11 +202,13 @@ def test_points_behind_their_neighbors_are_darker_and_those_with_normals_are_lit
     x, y = np.meshgrid(np.linspace(-1, 1, 200), np.linspace(-1, 1, 200))
     step = np.column_stack([x.ravel(), y.ravel(), np.where(x < 0, 0.0, 0.5).ravel()])
     options = {"camera": straight_view(6.0), "device": device}
-    image = loom.render(step, **options)[40:80].astype(int).sum(axis=2)
+    gray = {"color": (0.5, 0.5, 0.5)}
+    image = loom.render({"geometry": step, **gray}, **options)[40:80].astype(int).sum(axis=2)
     far = image[:, 100:105].mean()
     assert image[:, 78:86].mean(axis=0).min() < 0.8 * far and image[:, 60:75].mean() == pytest.approx(far, rel=0.02)
     normals = np.tile([[0, 0, -1.0]], (len(step), 1)) + 0.9 * (step[:, :1] > 0) * [[1.0, 0, 0]]
-    lit = loom.render(loom.PointCloud(step, normals=normals / np.linalg.norm(normals, axis=1)[:, None]), **options)
+    cloud = loom.PointCloud(step, normals=normals / np.linalg.norm(normals, axis=1)[:, None])
+    lit = loom.render({"geometry": cloud, **gray}, **options)
     assert abs(int(lit[60, 60, 0]) - int(lit[60, 100, 0])) > 5
     colored = loom.PointCloud(step, normals=normals, colors=np.full((len(step), 3), 0.5))
     assert loom.render(colored, **options)[60, 60].tolist() == [128, 128, 128]  # at full brightness

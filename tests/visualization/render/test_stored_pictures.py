@@ -16,6 +16,7 @@ import pointloom as loom
 from pointloom.visualization.render.canvas import Canvas
 from pointloom.visualization.render.coloring import Coloring
 from pointloom.visualization.render.legends import draw_color_bar, draw_labels, draw_legend
+from pointloom.visualization.render.parts import Points
 from pointloom.visualization.render.picture_files import write_image
 
 STORED = Path(__file__).with_name("stored_pictures.json")
@@ -86,7 +87,12 @@ def cameras():
 
 
 def normals(rows=90):
-    return loom.PointCloud(hills(rows), normals=np.cross([2.0, 0.3, 0], hills(rows) - [1, 1, 3]))
+    cloud = loom.PointCloud(hills(rows), normals=np.cross([2.0, 0.3, 0], hills(rows) - [1, 1, 3]))
+    return {"geometry": cloud, "color": Points.plain}
+
+
+def beads():
+    return {"geometry": hills(20), "point_size": 0.08, "metric": True, "color": Points.plain}
 
 
 def room():
@@ -153,8 +159,12 @@ PICTURES = {
     "cloud with colors": lambda: ([loom.PointCloud(hills(), colors=colors())], {}),
     "cloud with normals": lambda: (normals(), {}),
     "cloud with its normals drawn": lambda: (normals(15), {"point_show_normal": True, "point_size": 3}),
-    "eye-dome cloud": lambda: (loom.PointCloud(hills()), {}),
-    "points in meters": lambda: ({"geometry": hills(20), "point_size": 0.08, "metric": True}, {}),
+    "eye-dome cloud": lambda: ({"geometry": loom.PointCloud(hills()), "color": Points.plain}, {}),
+    "cloud by height": lambda: (loom.PointCloud(hills()), {}),
+    "points in meters": lambda: (
+        {"geometry": hills(20), "point_size": 0.08, "metric": True, "color": Points.plain},
+        {},
+    ),
     "flat mesh": lambda: (mesh(), {}),
     "smooth mesh": lambda: (mesh(vertex_colors=colors(25)), {"shading": "smooth"}),
     "wireframe": lambda: (mesh(), {"mesh_show_wireframe": True}),

@@ -78,7 +78,8 @@ def page_in(shown):
 
 
 def test_the_page_is_embedded_if_the_extra_is_missing(notebook, without_extra, cloud):
-    page = loom.draw([cloud], width=320, height=240, front=[1, 0, 0], up=[0, 0, 1])
+    gray = {"geometry": cloud, "color": (0.5, 0.5, 0.5)}
+    page = loom.draw([gray], width=320, height=240, front=[1, 0, 0], up=[0, 0, 1])
     assert isinstance(page, InlinePage)
     shown = page._repr_mimebundle_()
     difference = np.abs(pixels_of(shown["image/jpeg"]).astype(int) - page.picture)

@@ -408,8 +408,8 @@ def test_times_in_seconds_are_reached_by_steps_of_the_page(viewer):
 
 
 def test_unchanged_geometries_are_stored_once_and_a_pose_is_small(viewer):
-    viewer.add("big", cloud_of(1, 100_000))
-    viewer.add("other", cloud_of(2, 100_000))
+    viewer.add("big", cloud_of(1, 100_000), color=RED)
+    viewer.add("other", cloud_of(2, 100_000), color=RED)
     viewer.set_time(0)
     start = viewer.edits.timeline.bytes
     assert 2 * 100_000 * 12 <= start < 2 * 100_000 * 16

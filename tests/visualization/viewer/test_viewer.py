@@ -485,8 +485,8 @@ def test_colors_follow_the_attributes_of_the_points(shown, page, rng):
     assert [tuple(bar.ticks[k]) for k in (0, -1)] == [(0.0, "0.25"), (1.0, "0.75")]
     shown.update("cloud", loom.PointCloud(points + 1))
     assert (node_of(shown, page, "cloud").colors == 255).all()  # the range is unchanged
-    shown.color_by(None)
-    assert page.of_kind("colorbar") == []
+    shown.color_by(None)  # by height, as without colors
+    assert page.of_kind("colorbar")[0].title == "height [m]"
     with pytest.raises(ValueError, match=r"^by:"):
         shown.color_by("intensity")
 

@@ -12,7 +12,8 @@ class AnnouncedStages:
     """A `ReportProgress` that forwards progress and times each stage until the next one or the end of the block.
 
     `with AnnouncedStages(job.clock, job.progress) as stages: create_surface(cloud, progress=stages)`.
-    Stages in `part_of` count as part of another one; `silent` ones are timed but not forwarded.
+    Of a name "stage: step" the stage is timed. Stages in `part_of` count as part of another one. `silent` ones are
+    timed but not forwarded.
     """
 
     def __init__(
@@ -37,7 +38,7 @@ class AnnouncedStages:
         self._end()
 
     def __call__(self, stage: str, done: int, total: int) -> None:
-        counted = self._part_of.get(stage, stage)
+        counted = self._part_of.get(stage, stage).partition(":")[0]
         if counted != self._stage:
             self._end()
             self._stage = counted

@@ -158,12 +158,12 @@ def _describe_file(path: Path) -> Facts:
     if suffix in (".e57", ".ptx"):
         scans = describe_e57(path) if suffix == ".e57" else describe_ptx(path)
         return replace(_describe_table(path), scans=[_scan_line(scan) for scan in scans])
+    if suffix == ".npy" and not _is_cloud(path):
+        return _measure_depth(read_depth(path))
     if suffix != ".txt" and (suffix in tables.READERS or suffix in tables.MESHES):
         return _describe_table(path)
     if suffix in _PICTURES:
         return _describe_picture(path)
-    if suffix == ".npy":
-        return _measure_depth(read_depth(path))
     if suffix == ".json":
         return _describe_json(path)
     if suffix == ".xml":
@@ -171,9 +171,18 @@ def _describe_file(path: Path) -> Facts:
     if suffix in _TRAJECTORIES:
         return _describe_text(path)
     known = " ".join(
-        [*dict.fromkeys([*tables.READERS, *tables.MESHES]), *_PICTURES, ".npy", ".json", ".xml", *_TRAJECTORIES[:-1]]
+        [*dict.fromkeys([*tables.READERS, *tables.MESHES]), *_PICTURES, ".json", ".xml", *_TRAJECTORIES[:-1]]
     )
     raise FileError(path, f"unknown file type {suffix!r}", remedy=f"Expected one of {known}, or a folder of frames")
+
+
+def _is_cloud(path: Path) -> bool:
+    """True if a .npy file has points: rows of three numbers, or of named ones. Others are depth maps."""
+    try:
+        tables.read_table(path)
+    except FileError:
+        return False
+    return True
 
 
 def _describe_table(path: Path, columns: Sequence[str] | None = None) -> Cloud | Mesh:
@@ -233,8 +242,8 @@ def _scan_line(scan: dict[str, Any]) -> str:
 
 
 def _files_of_points(folder: Path) -> list[Path]:
-    """Clouds and meshes of a folder in natural order, without .txt."""
-    known = {*tables.READERS, *tables.MESHES} - {".txt"}
+    """Clouds and meshes of a folder in natural order, without .txt and .npy, which often are something else."""
+    known = {*tables.READERS, *tables.MESHES} - {".txt", ".npy"}
     return sorted((p for p in folder.iterdir() if p.suffix.lower() in known and p.is_file()), key=natural_key)
 
 

@@ -65,7 +65,7 @@ def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
     return PointTable(table.points[rows], normals, colors, attributes, unit=table.unit, crs=table.crs)
 
 
-def label_rows(table: PointTable, name: str, labels: NDArray[np.int32]) -> tuple[PointTable, list[str]]:
+def label_rows(table: PointTable, name: str, labels: NDArray[np.integer[Any]]) -> tuple[PointTable, list[str]]:
     """A table with labels as an attribute, and the names of replaced attributes."""
     attributes = table.attributes | {name: labels}
     return replace(table, attributes=attributes), [name] if name in table.attributes else []

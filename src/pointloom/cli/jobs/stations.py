@@ -14,8 +14,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Unpack
 
-import numpy as np
-
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
 from ...core.paths import input_path
@@ -87,11 +85,10 @@ def register_scans(
     given: dict[str, Any] = {
         name: value for name, value in (("rough", rough), ("overlap", overlap)) if value is not None
     }
-    posed = use_poses and _are_distinct(scans.poses)
+    posed = use_poses and scans.approximate_poses is not None
     with job.stage("register", reported=False):
         result = register_stations(
-            scans.clouds,
-            poses=scans.poses if posed else None,
+            scans if posed else scans.clouds,
             level=free is None or len(free) < 6,
             targets=seen,
             control=known,
@@ -101,7 +98,8 @@ def register_scans(
             **given,
         )
     with job.stage("write"):
-        write_stations(output, scans.clouds, result.poses, names=scans.names, overwrite=job.form["overwrite"])
+        source_scans = scans if posed else scans.clouds  # the coordinate system is that of the poses
+        write_stations(output, source_scans, result.poses, names=scans.names, overwrite=job.form["overwrite"])
     job.wrote(output)
     if report_paths:
         _write_report(job, report_paths, result)
@@ -130,11 +128,6 @@ def _check_report(folder: FilePath | None, *, overwrite: bool) -> dict[str, Path
     if not report_folder.exists() and not report_folder.absolute().parent.is_dir():
         raise FileError(report_folder, "its folder does not exist")
     return paths
-
-
-def _are_distinct(poses: Any) -> bool:
-    """True if poses are meaningful: a file without them has the identity everywhere."""
-    return bool(np.abs(poses - poses[0]).max() > 0)
 
 
 def _write_report(job: Job, paths: dict[str, Path], result: StationsResult) -> None:

@@ -11,6 +11,7 @@ from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...cameras.depth_range import DEPTH_MAX
 from ...core.checks import check_count
 from ...core.errors import FileError, FilePath
+from ...core.kept_arrays import remove_kept_arrays
 from ...core.outputs import check_output
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import peak_bytes
@@ -45,7 +46,8 @@ def texture_folder(
     picture: FilePath | None = None,
     **settings: Unpack[Settings],
 ) -> TextureReport:
-    """Write a mesh with the colors of posed frames. Outputs are checked before the work.
+    """Write a mesh with the colors of posed frames. Outputs are checked before the work. Finished steps are kept in
+    `work_folder_of(output)` until the output is written.
 
     Args:
         folder: See `open_dataset`, with the options `layout`. Its "intrinsic" is a camera as Open3D's JSON, which
@@ -69,6 +71,7 @@ def texture_folder(
     clock.stop("read")
     task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
     how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
+    how["work"] = work = work_folder_of(output)
     try:
         with AnnouncedStages(clock, job.progress, first="read", part_of={"frames": "read"}) as stages:
             result = texture_mesh(shape, dataset, **how, progress=stages)
@@ -76,7 +79,13 @@ def texture_folder(
         return TextureReport(task, None, clock.seconds, [])
     files = _write(result, output, picture, up=job.up_of(output), overwrite=overwrite)
     clock.stop("write")
+    remove_kept_arrays(work)
     return TextureReport(task, result, clock.seconds, files)
+
+
+def work_folder_of(output: FilePath) -> Path:
+    """Folder of finished steps beside the output: mesh-texture for mesh.glb."""
+    return Path(output).with_name(f"{Path(output).stem}-texture")
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from typing import Any, Unpack
 
 from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.errors import FileError, FilePath
+from ...core.kept_arrays import remove_kept_arrays
 from ...core.outputs import check_output
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import peak_bytes
@@ -20,6 +21,7 @@ from ...meshing.color_map.options import ImageTextureOption
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 from .job import Job, Settings
+from .texture import work_folder_of
 
 WRITTEN = (".obj", ".glb", ".gltf")
 SCALED_MODEL = Path("mesh")  # of a video's work folder: the model in the units of its mesh
@@ -48,7 +50,8 @@ def texture_model(
 
     `folder` is a COLMAP project with images in `images`, or the work folder of `pointloom video`; `output` an .obj,
     .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See
-    `texture_from_images` for `size` and `depth_max`.
+    `texture_from_images` for `size` and `depth_max`. Finished steps are kept in
+    `work_folder_of(output)` until the output is written.
     """
     job = Job("texture", mesh, **settings)
     overwrite = job.form["overwrite"]
@@ -61,9 +64,10 @@ def texture_model(
         )
     model, images = _open(Path(folder))
     clock.stop("read")
+    work = work_folder_of(output)
     try:
         option = ImageTextureOption(depth_max=depth_max)
-        result = texture_from_images(shape, images, model, option=option, size=size, progress=job.progress)
+        result = texture_from_images(shape, images, model, option=option, size=size, work=work, progress=job.progress)
     except NothingSeenError:
         result = None
     clock.stop("texture")
@@ -72,6 +76,7 @@ def texture_model(
         write_triangle_mesh(output, result.mesh, up=job.up_of(output), overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
+    remove_kept_arrays(work)
     return ModelTextureReport(os.fspath(mesh), os.fspath(folder), len(model), result, clock.seconds, files)
 
 

@@ -1,25 +1,25 @@
-"""Chapters of the documentation and their search: `pointloom docs`."""
+"""Chapters and guides of the documentation and their search: `pointloom docs`."""
 
 from __future__ import annotations
 
 import dataclasses
 import functools
 import importlib.metadata
+import re
 import tomllib
 from pathlib import Path
+from typing import Any
 
 CHECKOUT_FOLDER = Path(__file__).resolve().parents[4]  # an installed package has none, and no pages there
+PACKAGES = ("registration", "meshing", "rgbd", "photogrammetry", "tiling", "datasets", "torch")
+SHORT_WORD = 3  # letters: shorter words, such as las, are searched at the beginning of words only
 SKILL = Path(__file__).with_name("SKILL.md")
 
 
 @dataclasses.dataclass(frozen=True)
-class Chapter:
-    """A chapter with its functions and classes under `loom`, corresponding shell commands, and additional search words.
+class Guide:
+    """A guide, docs/<slug>.md, with its functions and classes under `loom`, commands, and additional search words."""
 
-    `slug` is the suffix of its script, docs/examples/chapters/plot_<slug>.py, and of its page.
-    """
-
-    number: int
     slug: str
     title: str
     names: tuple[str, ...]
@@ -27,12 +27,14 @@ class Chapter:
     words: str
 
     def speaks_of(self, words: tuple[str, ...]) -> bool:
-        """True if it contains all words. A number is the chapter's own."""
+        """True if it contains all words."""
         text = " ".join([self.title, self.slug, *self.names, *self.commands, self.words]).lower()
-        return all(word.lower() in text if not word.isdigit() else int(word) == self.number for word in words)
+        begins = re.split(r"[\s_.,:/]+", text)
+        found = (any(w.startswith(word) for w in begins) or (len(word) > SHORT_WORD and word in text) for word in words)
+        return bool(words) and all(found)
 
     def lines(self, page: str | None) -> list[str]:
-        lines = ["loom." + ", loom.".join(self.names)]
+        lines = ["loom." + ", loom.".join(self.names)] if self.names else []
         if self.commands:
             lines.append("pointloom " + ", pointloom ".join(self.commands))
         return [*lines, page] if page else lines
@@ -41,10 +43,42 @@ class Chapter:
         return dataclasses.asdict(self)
 
 
+@dataclasses.dataclass(frozen=True)
+class Chapter(Guide):
+    """A chapter. Its script is docs/examples/chapters/plot_<slug>.py."""
+
+    number: int
+
+    def speaks_of(self, words: tuple[str, ...]) -> bool:
+        """True if it contains all words. A number is the chapter's own."""
+        if len(words) == 1 and words[0].isdigit():
+            return int(words[0]) == self.number
+        return not words or super().speaks_of(words)
+
+
 @functools.cache
 def chapters() -> tuple[Chapter, ...]:
-    rows = tomllib.loads(Path(__file__).with_name("chapters.toml").read_text(encoding="utf-8"))["chapter"]
-    return tuple(Chapter(**row | {"names": tuple(row["names"]), "commands": tuple(row["commands"])}) for row in rows)
+    return tuple(Chapter(**row) for row in _rows("chapter"))
+
+
+@functools.cache
+def guides() -> tuple[Guide, ...]:
+    return tuple(Guide(**row) for row in _rows("guide"))
+
+
+def _rows(kind: str) -> list[dict[str, Any]]:
+    rows = tomllib.loads(Path(__file__).with_name(f"{kind}s.toml").read_text(encoding="utf-8"))[kind]
+    return [row | {"names": tuple(row["names"]), "commands": tuple(row["commands"])} for row in rows]
+
+
+def public_names(words: tuple[str, ...]) -> list[str]:
+    """Public functions and classes under `loom` whose names contain all words."""
+    import pointloom
+
+    packages = [("loom", pointloom)]
+    packages += [(f"loom.{name}", getattr(pointloom, name)) for name in PACKAGES]
+    names = [f"{package}.{name}" for package, module in packages for name in module.__all__ if name not in PACKAGES]
+    return [name for name in names if all(word in name.lower() for word in words)]
 
 
 def docs_location() -> str | None:
@@ -60,9 +94,11 @@ def docs_location() -> str | None:
     return named.get("Documentation")
 
 
-def page_of(chapter: Chapter, location: str | None) -> str | None:
-    """Page of a chapter, or its script, or None."""
+def page_of(guide: Guide, location: str | None) -> str | None:
+    """Page of a guide or a chapter, or its source, or None."""
+    is_chapter = isinstance(guide, Chapter)
     if location is not None and location.startswith("file:"):
-        return f"{location}/chapters/plot_{chapter.slug}.html"
-    script = CHECKOUT_FOLDER / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"
+        return f"{location}/chapters/plot_{guide.slug}.html" if is_chapter else f"{location}/{guide.slug}.html"
+    path = f"examples/chapters/plot_{guide.slug}.py" if is_chapter else f"{guide.slug}.md"
+    script = CHECKOUT_FOLDER / "docs" / path
     return str(script) if script.is_file() else location

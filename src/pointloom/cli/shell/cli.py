@@ -24,6 +24,7 @@ from . import (
     mesh_toolbox,
     registration_commands,
     stations_command,
+    survey_commands,
     texture_command,
     tile_command,
     toolbox,
@@ -72,6 +73,11 @@ def cli() -> None:
     pointloom plane scan.ply floor.ply --distance 0.02     segment the largest plane
     pointloom cluster scan.ply out.ply --radius 0.05 --paint  segment into clusters
     pointloom mesh scan.ply mesh.ply                       reconstruct a surface
+    pointloom transform scan.ply out.ply --pose T.txt      move, scale, change unit or coordinate system
+    pointloom merge a.laz b.laz -o both.laz                merge clouds
+    pointloom split tile.laz -o parts --by classification  split by an attribute or by cells
+    pointloom ground tile.laz ground.laz                   classify the ground
+    pointloom dtm ground.laz -o dtm.tif --cell 0.5         terrain model as GeoTIFF
 
     \b
     pointloom register scan2.ply scan1.ply -o T.txt        register two clouds, from any pose
@@ -82,9 +88,9 @@ def cli() -> None:
     pointloom change 2023.laz 2024.laz --picture c.png     detect significant change
     pointloom tile plan SURVEY --steps steps.toml -o job   process files larger than memory in tiles
 
-    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all attributes. .csv,
-    .txt, .asc, .ptx and KITTI's .bin can be read. Meshes are .ply .obj .stl .off .glb .gltf. The file name - is
-    standard input or output:
+    Clouds are read and written as .ply .pcd .npz .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all
+    attributes that the format can store. .ptx and KITTI's .bin can be read. Meshes are .ply .obj .stl .off .glb .gltf.
+    The file name - is standard input or output:
 
     \b
     zcat scan.ply.gz | pointloom clean - - --from ply --to ply | pointloom info - --from ply
@@ -102,6 +108,7 @@ for command in (
     *registration_commands.COMMANDS,
     *change_command.COMMANDS,
     *stations_command.COMMANDS,
+    *survey_commands.COMMANDS,
     *view.COMMANDS,
     *tile_command.COMMANDS,
     *help_commands.COMMANDS,
@@ -183,7 +190,7 @@ def convert(
     """Convert the cloud or mesh IN to OUT. The extension of OUT defines the format.
 
     \b
-    clouds      .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .asc .bin .ptx
+    clouds      .ply .pcd .npz .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .bin .ptx
     meshes      .ply .obj .stl .off .glb .gltf
     recordings  from .bag .mcap .db3 and folders of them: to a folder of scans, or to one cloud
 

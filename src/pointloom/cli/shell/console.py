@@ -9,6 +9,7 @@ import logging
 import sys
 import time
 from collections.abc import Iterable
+from pathlib import Path
 from types import TracebackType
 from typing import Any
 
@@ -17,10 +18,13 @@ import click
 from ...core.escaped_text import escaped
 from ...core.reports import rows_of
 from ...core.standard_streams import is_terminal
-from ...core.wording import json_text
+from ...core.wording import format_duration, json_text
 
 # [s] between lines of progress if stderr is a file: 12 lines per minute.
 LINE_INTERVAL = 5.0
+# [s] of a stage before its remaining time is estimated: the first steps may compile kernels or read files.
+MIN_ESTIMATED_FROM = 5.0
+MIN_REPORTED_LOSS = 60.0  # [s] of interrupted work whose loss is reported
 
 
 class OutputLostError(OSError):
@@ -28,14 +32,20 @@ class OutputLostError(OSError):
 
 
 class Progress:
-    """Progress on stderr: a bar in a terminal, lines elsewhere. A `ReportProgress`. `rates` adds steps per second."""
+    """Progress on stderr: a bar in a terminal, lines elsewhere. A `ReportProgress`. `rates` adds steps per second.
 
-    def __init__(self, *, rates: bool = False):
+    `kept` is a folder of intermediate files: the first line names it, and the last one after Ctrl-C. `resume` are the
+    additional options that continue from it. Without a folder, Ctrl-C after a minute reports that nothing is kept.
+    """
+
+    def __init__(self, *, rates: bool = False, kept: Path | None = None, resume: str = ""):
         self._rates, self._began = rates, time.monotonic()
+        self._kept, self._resume = kept, resume and f" with {resume}"
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
         self._last_line = time.monotonic()
         self._last_reported: dict[str, int] = {}  # finished steps by stage
+        self._started: dict[str, tuple[float, int]] = {}  # time and finished steps when a stage was first reported
 
     def __enter__(self) -> Progress:
         if is_terminal(sys.stderr):
@@ -55,9 +65,19 @@ class Progress:
     ) -> None:
         if self._bar is not None:
             self._bar.stop()
+        if isinstance(error, KeyboardInterrupt) and self._started:
+            if self._kept is not None:
+                message = f"finished work is kept in {self._kept}; the same command{self._resume} continues from it"
+                click.echo(escaped(message), err=True)
+            elif time.monotonic() - self._began > MIN_REPORTED_LOSS:
+                click.echo("nothing is kept; the same command starts again", err=True)
 
     def __call__(self, stage: str, done: int, total: int) -> None:
         """Show that `done` of `total` steps of a stage are done; `total` 0 if unknown."""
+        if self._kept is not None and not self._started:
+            again = f"the same command{self._resume} continues from it after an interruption"
+            self._print(f"intermediate files: {self._kept}; {again}")
+        self._started.setdefault(stage, (time.monotonic(), done))
         if self._bar is None:
             self._print_line(stage, done, total)
             return
@@ -65,12 +85,27 @@ class Progress:
             self._tasks[stage] = self._bar.add_task(escaped(stage), total=total or None, rate="")
         self._bar.update(self._tasks[stage], completed=done, rate=self._rate(stage, done))
 
+    def _print(self, line: str) -> None:
+        if self._bar is None:
+            click.echo(escaped(line), err=True)
+        else:
+            self._bar.console.print(escaped(line), markup=False, highlight=False)
+
     def _print_line(self, stage: str, done: int, total: int) -> None:
         now = time.monotonic()
         if now - self._last_line >= LINE_INTERVAL and self._last_reported.get(stage) != done:
             self._last_line, self._last_reported[stage] = now, done
             text = f"{stage}: {done} of {total}" if total else stage
-            click.echo(escaped(f"{text} {self._rate(stage, done)}".rstrip()), err=True)
+            line = f"{text} {self._rate(stage, done)}".rstrip() + self._remaining(stage, done, total)
+            self._print(line)
+
+    def _remaining(self, stage: str, done: int, total: int) -> str:
+        """Estimated remaining time of a stage at its mean rate in this run. Steps of an earlier run do not count."""
+        start, first = self._started[stage]
+        elapsed = time.monotonic() - start
+        if elapsed < MIN_ESTIMATED_FROM or not first < done < total:
+            return ""
+        return f", about {format_duration(elapsed / (done - first) * (total - done))} left in this stage"
 
     def _rate(self, stage: str, done: int) -> str:
         return f"{done / max(time.monotonic() - self._began, 1e-3):.1f} {stage}/s" if self._rates and done else ""

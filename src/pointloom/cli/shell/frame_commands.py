@@ -155,12 +155,13 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
     for name, value in only.items():
         if value and not by_fragments:
             refuse(f"--{name} requires --method fragments")
-    from ..jobs.reconstruct import StageOptions, reconstruct_folder
+    from ..jobs.reconstruct import StageOptions, default_work_folder, reconstruct_folder
     from .recording_command import recorded
 
     outputs, stages = _outputs(output, options), StageOptions(**only) if by_fragments else None
     given = {"options": _folder_options(options), "stages": stages, "overwrite": force}
-    with Progress() as progress:
+    kept = None if stages is None else stages.work or default_work_folder(output)
+    with Progress(kept=kept, resume="" if only["resume"] else "--resume") as progress:
         report = recorded(reconstruct_folder, frames, outputs, progress=progress, **given, **options)
     return answer_with(report, f"{frames} ({report.folder.dataset.layout})", as_json)
 

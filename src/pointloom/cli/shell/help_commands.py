@@ -11,6 +11,7 @@ from .console import print_json
 from .options import JSON, option, refuse
 
 VARIABLE = "_POINTLOOM_COMPLETE"  # by which a shell requests completions
+MAX_NAMES = 20  # public names that `docs` prints
 BUILD = "`make docs` in a checkout builds them"
 
 
@@ -50,42 +51,49 @@ def completion(shell: str | None, as_json: bool) -> int:
 @option("--skill", bool, "Print the guide for coding assistants.")
 @JSON
 def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int:
-    """List the chapters of the documentation that contain all WORDS, or have that number. Without words: all chapters.
+    """List the chapters and guides of the documentation that contain all WORDS. A number is that of a chapter.
 
-    For each chapter with WORDS: its Python functions (`help(loom.NAME)` has details and an example), the corresponding
-    commands, and its page. Pages are those built by `make docs` in this checkout, else the address of the project, if
-    any.
+    For each one: its Python functions (`help(loom.NAME)` has details and an example), the corresponding commands, and
+    its page. Public names that contain the words follow. Without words: all chapters. Pages are those built by `make
+    docs` in this checkout, else the address of the project, if any.
 
     \b
     pointloom docs icp
+    pointloom docs bag
     pointloom docs 11
     pointloom docs --skill > .claude/skills/pointloom/SKILL.md
     """
-    from .chapters import SKILL, chapters, docs_location, page_of
+    from .chapters import SKILL, Chapter, chapters, docs_location, guides, page_of, public_names
 
     if skill:
         if words or opens or as_json:
             refuse("--skill excludes WORDS, --open and --json")
         click.echo(SKILL.read_text(encoding="utf-8"), nl=False)
         return 0
-    matches = [chapter for chapter in chapters() if chapter.speaks_of(words)]
-    if not matches:
+    words = tuple(word.lower() for word in words)
+    matches = [entry for entry in (*chapters(), *guides()) if entry.speaks_of(words)]
+    names = public_names(words) if words else []
+    if not matches and not names:
         known = ", ".join(f"{chapter.number} {chapter.title}" for chapter in chapters())
-        refuse(f"no chapter contains {' '.join(words)}; the chapters are {known}")
+        refuse(f"no chapter, guide or public name contains {' '.join(words)}; the chapters are {known}")
     location = docs_location()
-    pages = [page_of(chapter, location) for chapter in matches]
+    pages = [page_of(entry, location) for entry in matches]
     if opens:
-        _open(pages[0] if words else location)
+        _open(pages[0] if words and pages else location)
     if as_json:
-        rows = [chapter.as_row() | {"page": page} for chapter, page in zip(matches, pages, strict=True)]
-        print_json({"command": "docs", "place": location, "chapters": rows})
+        rows = [(entry, entry.as_row() | {"page": page}) for entry, page in zip(matches, pages, strict=True)]
+        found = [row for entry, row in rows if isinstance(entry, Chapter)]
+        others = [row for entry, row in rows if not isinstance(entry, Chapter)]
+        print_json({"command": "docs", "place": location, "chapters": found, "guides": others, "names": names})
         return 0
-    for chapter, page in zip(matches, pages, strict=True):
-        click.echo(f"{chapter.number:>2}  {chapter.title}")
+    for entry, page in zip(matches, pages, strict=True):
+        click.echo(f"{entry.number if isinstance(entry, Chapter) else '':>2}  {entry.title}")
         if words:
-            click.echo("    " + "\n    ".join(chapter.lines(page)))
+            click.echo("    " + "\n    ".join(entry.lines(page)))
+    if names:
+        click.echo("    " + ", ".join(names[:MAX_NAMES]) + (", ..." if len(names) > MAX_NAMES else ""))
     if not words:
-        click.echo("\npointloom docs WORDS lists the functions and the corresponding commands.")
+        click.echo("\npointloom docs WORDS lists the functions and the corresponding commands, also of guides.")
         click.echo(f"The pages: {location}" if location else "No built pages: `make docs` in a checkout builds them.")
     return 0
 

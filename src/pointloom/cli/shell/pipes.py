@@ -29,10 +29,12 @@ _PIPE = Path("-")
 # Extensions of io/bags/recording.py, io/points/formats.py and io/meshes/tables.py, which are too expensive to import
 # for --help. A test compares them.
 RECORDINGS = (".bag", ".mcap", ".db3")
-_MESHES = ["obj", "stl", "off", "glb", "gltf"]
+MESHES = ["obj", "stl", "off", "glb", "gltf"]
 READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57", "ptx"]
-READ += _MESHES
-WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]
+READ += MESHES
+WRITTEN = [
+    "ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "las", "laz", "e57", *MESHES,
+]  # fmt: skip
 
 
 FROM = option("--from read_as=EXT", click.Choice(READ), "Format of standard input, if a file is -.")

@@ -174,7 +174,7 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
         from ..jobs.multiway_job import register_in_job
 
         options |= {"places": places, "place_error": place_error or 0.0, "workers": workers or 0}
-        with Progress() as progress:
+        with Progress(kept=job) as progress:
             report = register_in_job(folder, output, job, overwrite=force, progress=progress, **options)
         return answer_with(report, str(folder), as_json)
     if not all(value is None for value in (workers, places, place_error)):

@@ -38,6 +38,9 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     non-rigid  also warp the images, which compensates lens distortion
     none       use poses and images unchanged
 
+    Finished steps are kept in sharp-texture next to sharp.glb until the output is written. After an interruption the
+    same command continues from them, and writes bitwise the same output.
+
     The exit code is 3 if the frames show little or nothing of the mesh, or if the optimization did not improve the
     agreement of the images.
 
@@ -47,18 +50,19 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     pointloom texture kitchen.ply redkitchen/seq-01 -o kitchen.glb --method non-rigid --size 4096
     pointloom texture room.ply room-work -o room.glb --size 4096
     """
-    from ..jobs.texture import texture_folder
+    from ..jobs.texture import texture_folder, work_folder_of
     from ..jobs.texture_model import is_model_folder, texture_model
 
     refuse_same(output=output, picture=options["picture"])
     check_up(options["up"], mesh, output)
+    work = work_folder_of(output)
     if is_model_folder(frames):
         chosen = _for_model(options)
-        with Progress() as progress:
+        with Progress(kept=work) as progress:
             model_report = texture_model(mesh, frames, output, overwrite=force, progress=progress, **chosen)
         return answer_with(model_report, f"{mesh} and {frames} (model)", as_json)
     options["layout"] = {name: options.pop(name) for name in ("layout", "intrinsic", "every", "skip_missing")}
-    with Progress() as progress:
+    with Progress(kept=work) as progress:
         report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
     return answer_with(report, f"{mesh} and {frames} ({report.task.layout})", as_json)
 

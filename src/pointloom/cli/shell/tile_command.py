@@ -174,7 +174,7 @@ def run(
     from ...tiling.runners import run_tiles
     from ..jobs.tiles import report_of
 
-    with Progress() as progress:
+    with Progress(kept=folder) as progress:
         runner = {"workers": workers or 0, "scheduler": scheduler, "device": device}
         status = run_tiles(folder, part=part, tile=name, progress=progress, **runner)
     return answer_with(report_of("run", status, is_part=bool(part or name)), str(folder), as_json)

@@ -48,7 +48,7 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.command(short_help="Reconstruct a mesh from a video or a folder of images.")
 @click.argument("source", type=FILE, metavar="VIDEO|FOLDER")
 @option("-o --output=MESH", FILE, MESH, required=True)
-@option("--work=DIR", FILE, "Folder for intermediate files and report.json.")
+@option("--work=DIR", FILE, "Folder for intermediate files and report.json. Default: next to the output.")
 @option("--resume", bool, "Reuse the intermediate files of an earlier run.")
 @option("--max-frames=N", click.IntRange(min=2), "Maximum number of images.", default=150)
 @option("--max-size=PX", click.IntRange(min=64), "Longest side of the images for depth estimation.", default=960)
@@ -102,8 +102,9 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     Points named CHK... are check points, which are used only for validation. The summary lists the residual of each
     point and scale bar. Inconsistent ones are excluded and listed, with exit code 3.
 
-    With --work the intermediate files are kept, and --resume computes only missing or outdated stages. For example,
-    another --max-size restarts at undistorted, and another --scale repeats only the mesh.
+    Intermediate files are kept: in room-video next to room.ply, or in --work. The same command computes only missing
+    or outdated stages, so it continues after an interruption. For example, another --max-size restarts at undistorted,
+    and another --scale repeats only the mesh. With --work this requires --resume. Delete the folder to start again.
 
     With --cameras poses and lenses are taken from the file, in its unit, and only points and depth are estimated. The
     images are those listed in the file, with or without extension. A trajectory (.log, TUM, KITTI) also requires
@@ -117,7 +118,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     \b
     pointloom video walk.mp4 -o room.ply --picture room.png
     pointloom video photos/ -o room.ply --work stages --known IMG_0012,IMG_0040,1.5
-    pointloom video walk.mp4 -o room.ply --work stages --resume --max-size 1280 --force
+    pointloom video walk.mp4 -o room.ply --max-size 1280 --force
     pointloom video photos/ -o house.ply --cameras cameras.xml --cloud points.ply
     pointloom video photos/ -o house.ply --training scene
     pointloom video flight/ -o field.ply --ortho field.tif --dem heights.tif --cell 0.05
@@ -128,15 +129,13 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     given = [name.replace("_", "-") for name in given]
     if len(given) > 1:
         refuse(f"--{given[0]} and --{given[1]} both define the unit; pass one of them")
-    if options["resume"] and options["work"] is None:
-        refuse("--resume requires --work, the folder of the earlier run")
     files = ("cloud", "trajectory", "picture", "training", "ortho", "dem")
     refuse_same(output=output, **{name: options[name] for name in files})
     if (options["cell"] is None) == (options["ortho"] is not None or options["dem"] is not None):
         refuse("--ortho and --dem require --cell, the side of their cells in meters")
     from ...io.meshes.tables import MESHES
     from ...io.points.formats import WRITTEN
-    from ...photogrammetry.video.job import reconstruct_video
+    from ...photogrammetry.video.job import default_work_folder, reconstruct_video
     from ...photogrammetry.video.outputs import VideoOutputs
     from ...photogrammetry.video.settings import VideoSettings
     from ...photogrammetry.video.units import VideoUnits
@@ -149,7 +148,9 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     if points_alone:
         options["cloud"] = output
     outputs = VideoOutputs(None if points_alone else output, **{name: options.pop(name) for name in (*files, "cell")})
-    with Progress() as progress:
+    folder = options["work"] or default_work_folder(source, outputs)
+    resume = "--resume" if options["work"] and not options["resume"] else ""
+    with Progress(kept=folder, resume=resume) as progress:
         result = reconstruct_video(source, settings, outputs=outputs, overwrite=force, progress=progress, **options)
     return answer_with(result, result.source, as_json)
 

@@ -90,7 +90,7 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
         raise FileError(path, "GLB cannot store a mesh without triangles", remedy="Write .ply")
     with quiet():
         positions, origin = split_origin(mesh.vertices)
-    rows, corners, uvs = _split_seams(mesh)
+    rows, corners, uvs = split_seams(mesh)
     columns = {name: values[rows] for name, values in _columns(mesh, positions).items()}
     if uvs is not None:
         columns["TEXCOORD_0"] = np.stack([uvs[:, 0], 1 - uvs[:, 1]], axis=1)  # v is downwards in glTF
@@ -133,7 +133,7 @@ def _column_of(values: NDArray[Any]) -> NDArray[Any] | None:
     return single if (same | np.isnan(single)).all() and (np.abs(single) <= largest).all() else None
 
 
-def _split_seams(mesh: MeshTable) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float32] | None]:
+def split_seams(mesh: MeshTable) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float32] | None]:
     """Source of each written vertex, corner indices, and texture coordinates."""
     count = len(mesh.vertices)
     if mesh.triangle_uvs is None:

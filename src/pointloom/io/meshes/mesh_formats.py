@@ -26,11 +26,13 @@ from ..points.ply import name_rules, read_ply_mesh, write_ply_mesh
 from ..points.ply_faces import face_name_rules
 from ..source import netted
 from ..table import MeshTable
+from ..vtk_files import VTK
 from .glb import read_glb
 from .glb_writer import storable_in_gltf, write_glb, write_gltf
 from .obj import read_obj, storable_in_obj, write_obj
 from .off import read_off, storable_in_off, write_off
 from .stl import read_stl, storable_in_stl, write_stl
+from .vtk_mesh import read_vtk_mesh, storable_in_vtk, write_vtk_mesh
 
 
 def _all_parts(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
@@ -62,6 +64,8 @@ MESH_FORMATS = {
     ".obj": MeshFormat(netted(read_obj), write_obj, storable_in_obj, names_files=True),
     ".stl": MeshFormat(netted(read_stl), write_stl, storable_in_stl),
     ".off": MeshFormat(netted(read_off), write_off, storable_in_off),
+    ".vtk": MeshFormat(netted(read_vtk_mesh), write_vtk_mesh, storable_in_vtk),
+    ".vtp": MeshFormat(netted(read_vtk_mesh), write_vtk_mesh, storable_in_vtk),
     ".glb": MeshFormat(_read_gltf, write_glb, storable_in_gltf, names_files=True, is_upright=True),
     ".gltf": MeshFormat(_read_gltf, write_gltf, storable_in_gltf, names_files=True, is_upright=True),
 }
@@ -91,6 +95,8 @@ def write_mesh(path: FilePath, mesh: MeshTable, *, ascii: bool, overwrite: bool,
     if suffix == ".ply":
         mesh = _with_fitting_names(path, mesh)
         format.write(path, mesh, ascii=ascii, overwrite=overwrite, comments=reference_comments(mesh))
+    elif suffix in VTK:
+        write_vtk_mesh(path, mesh, ascii=ascii, overwrite=overwrite)
     elif format.is_upright:
         warn_of_lost_crs(path, mesh)
         format.write(path, in_metres(path, mesh, "glTF"), overwrite=overwrite)

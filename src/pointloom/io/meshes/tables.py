@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ...core.errors import FileError, FilePath
-from ...core.paths import recording_remedy
+from ...core.paths import path_of, recording_remedy
 from ..columns import warn_of_loss
+from ..obj_statements import read_statements
 from ..points.e57 import read_frames
 from ..points.formats import FORMATS, READERS, WriteOptions, read_points, write_table
 from ..points.las import open_las
@@ -17,6 +18,7 @@ from ..points.ply_header import read_header
 from ..points.ptx import read_ptx_frames
 from ..source import open_source
 from ..table import MeshTable, PointTable
+from ..vtk_files import VTK, read_vtk
 from .mesh_formats import MESH_FORMATS, MESH_READERS, write_mesh
 
 MESHES = tuple(MESH_READERS)
@@ -24,9 +26,15 @@ LAS = (".las", ".laz")
 
 
 def is_mesh_file(path: FilePath) -> bool:
-    """True if a file has triangles: for .ply, faces or triangle strips in its header."""
-    if Path(path).suffix.lower() != ".ply":
-        return False
+    """True if a file has triangles, for formats of both: .ply, .obj, .vtk and .vtp. False for formats of clouds."""
+    suffix = Path(path).suffix.lower()
+    if suffix not in READERS or suffix not in MESH_READERS:
+        return suffix in MESH_READERS
+    if suffix in VTK:
+        cells = read_vtk(path).cells
+        return len(cells["polygons"].lengths) + len(cells["strips"].lengths) > 0
+    if suffix == ".obj":
+        return bool(read_statements(path_of(path)).faces)
     header = read_header(path, open_source(path))
     return any(element.name in ("face", STRIPS) and element.count > 0 for element in header.elements)
 
@@ -34,7 +42,7 @@ def is_mesh_file(path: FilePath) -> bool:
 def read_table(path: FilePath, columns: Sequence[str] | None = None) -> PointTable | MeshTable:
     """Read a file as a mesh if it has faces, else as a cloud; `columns` as in `read_point_cloud`."""
     suffix = Path(path).suffix.lower()
-    if columns is None and suffix in MESH_READERS and (suffix != ".ply" or is_mesh_file(path)):
+    if columns is None and suffix in MESH_READERS and is_mesh_file(path):
         return MESH_READERS[suffix](path)
     if suffix not in READERS:
         remedy = (

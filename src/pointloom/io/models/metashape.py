@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,11 +18,11 @@ from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...kernels.linear_algebra import cube_root, det, matmul
 from ..source import open_source
+from ..xml_elements import LimitedBuilder
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
 
 MAX_XML_BYTES = 1 << 28  # [B] about 100,000 cameras. The parsed tree takes ten times as much
-MAX_XML_DEPTH = 64  # maximum nesting. Real files have eight
 
 FRAME, FISHEYE = ("frame",), ("fisheye", "equidistant_fisheye")
 NUMBERS = ("f", "cx", "cy", "k1", "k2", "k3", "k4", "p1", "p2", "b1", "b2")
@@ -209,34 +208,13 @@ def _side(path: Path, text: str | None, where: str) -> int:
     return int(text)
 
 
-class _Builder(ET.TreeBuilder):
-    """Element tree without document type and with limited depth."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._depth = 0
-
-    def doctype(self, *_: Any) -> None:
-        raise ValueError("it declares a document type, which no export of Metashape has")
-
-    def start(self, tag: str, attrs: dict[str, str]) -> ET.Element:
-        self._depth += 1
-        if self._depth > MAX_XML_DEPTH:
-            raise ValueError(f"more than {MAX_XML_DEPTH} elements are nested")
-        return super().start(tag, attrs)
-
-    def end(self, tag: str) -> ET.Element:
-        self._depth -= 1
-        return super().end(tag)
-
-
 def _chunk_of(path: Path) -> ET.Element:
     data = open_source(path)
     if len(data) > MAX_XML_BYTES:
         raise FileError(
             path, f"has {len(data):,} bytes; expected at most {MAX_XML_BYTES:,}", remedy="Export fewer cameras"
         )
-    parser = ET.XMLParser(target=_Builder())
+    parser = ET.XMLParser(target=LimitedBuilder())
     try:
         parser.feed(data[:])
         root = parser.close()

@@ -27,7 +27,7 @@ from ...core.units import METRE
 from ..columns import stack_colors, stack_normals
 from ..growing_columns import GrowingColumns
 from ..optional_imports import foreign_errors, import_for
-from ..source import open_source
+from ..source import content_errors, open_source
 from ..table import PointTable
 from .header_units import crs_of_text
 
@@ -149,47 +149,128 @@ def _fields(scan: Any) -> dict[str, Any]:
     return {node.elementName(): kinds[node.type()](node) for node in nodes if node.type() in kinds}
 
 
+class _Layout(NamedTuple):
+    """Fields of a scan to read, their types, and the pose and color limits to apply."""
+
+    wanted: dict[str, np.dtype[Any]]
+    coordinates: tuple[str, ...]
+    limits: list[tuple[float, float]]
+    R: NDArray[np.float64]
+    translation: NDArray[np.float64]
+
+    @property
+    def invalid(self) -> str:
+        return _INVALID[self.coordinates is _SPHERICAL]
+
+
+def _layout_of(path: FilePath, scan: Any, *, in_world: bool) -> _Layout:
+    fields = _fields(scan)
+    R, translation = read_pose(path, scan) if in_world else (np.eye(3), np.zeros(3))
+    coordinates = next((names for names in (CARTESIAN, _SPHERICAL) if all(name in fields for name in names)), None)
+    if coordinates is None:
+        raise FileError(path, f"a scan has no coordinates; its fields are {', '.join(fields)}")
+    wanted = {name: np.dtype(np.float64) for name in coordinates}
+    wanted |= {name: _narrowest(fields[name]) for name in ATTRIBUTES if name in fields}
+    for names in (COLORS, NORMALS):
+        wanted |= dict.fromkeys(names, np.dtype(np.float32)) if all(name in fields for name in names) else {}
+    flags = [_INVALID[coordinates is _SPHERICAL], *(flag for name, flag in _FLAGS.items() if name in wanted)]
+    flags += [_COLOR_FLAG] if COLORS[0] in wanted else []
+    wanted |= {name: np.dtype(np.int8) for name in flags if name in fields}
+    limits = _color_limits(scan, fields) if COLORS[0] in wanted else []
+    return _Layout(wanted, coordinates, limits, R, translation)
+
+
 @quiet()
 def read_scan(path: FilePath, image: Any, scan: Any, *, in_world: bool = True) -> PointTable:
-    """The points of a scan in world coordinates, or in scanner coordinates if not `placed`."""
+    """The points of a scan in world coordinates, or in scanner coordinates."""
     with foreign_errors(path, "a scan is damaged"):
-        fields = _fields(scan)
-        R, translation = read_pose(path, scan) if in_world else (np.eye(3), np.zeros(3))
-        coordinates = next((names for names in (CARTESIAN, _SPHERICAL) if all(name in fields for name in names)), None)
-        if coordinates is None:
-            raise FileError(path, f"a scan has no coordinates; its fields are {', '.join(fields)}")
-        wanted = {name: np.dtype(np.float64) for name in coordinates}
-        wanted |= {name: _narrowest(fields[name]) for name in ATTRIBUTES if name in fields}
-        for names in (COLORS, NORMALS):
-            wanted |= dict.fromkeys(names, np.dtype(np.float32)) if all(name in fields for name in names) else {}
-        invalid = _INVALID[coordinates is _SPHERICAL]
-        flags = [invalid, *(flag for name, flag in _FLAGS.items() if name in wanted)]
-        flags += [_COLOR_FLAG] if COLORS[0] in wanted else []
-        wanted |= {name: np.dtype(np.int8) for name in flags if name in fields}
-        columns = _read_columns(path, image, scan["points"], wanted)
-        limits = _color_limits(scan, fields) if COLORS[0] in wanted else []
-    if invalid in columns:
-        valid = columns.pop(invalid) == 0
+        layout = _layout_of(path, scan, in_world=in_world)
+        columns = _read_columns(path, image, scan["points"], layout.wanted)
+    return _table_of(path, columns, layout)
+
+
+def _table_of(
+    path: FilePath, columns: dict[str, NDArray[Any]], layout: _Layout, *, is_part: bool = False
+) -> PointTable:
+    """A table from the columns of a scan. Types of a part do not depend on its values."""
+    if layout.invalid in columns:
+        valid = columns.pop(layout.invalid) == 0
         columns = {name: values[valid] for name, values in columns.items()}
     for name, flag in _FLAGS.items():
-        if flag in columns and columns[flag].any():
+        if flag in columns and (is_part or columns[flag].any()):
             columns[name] = np.where(columns[flag] != 0, np.nan, columns[name].astype(_with_nan(columns[name].dtype)))
-    points = (
-        _to_cartesian(*(columns[name] for name in coordinates), is_spherical=coordinates is _SPHERICAL) @ R.T
-        + translation
-    )
+    positions = [columns[name] for name in layout.coordinates]
+    points = _to_cartesian(*positions, is_spherical=layout.coordinates is _SPHERICAL) @ layout.R.T + layout.translation
     colors = normals = None
-    if limits:
-        channels = [(columns[name] - low) / (high - low) for name, (low, high) in zip(COLORS, limits, strict=True)]
+    if layout.limits:
+        limits = zip(COLORS, layout.limits, strict=True)
+        channels = [(columns[name] - low) / (high - low) for name, (low, high) in limits]
         colors = stack_colors(path, [channel.astype(np.float32) for channel in channels])
         if colors is not None and _COLOR_FLAG in columns:
-            colors = _with_white(path, colors, columns[_COLOR_FLAG] != 0)
+            colors = _with_white(path, colors, columns[_COLOR_FLAG] != 0, is_part=is_part)
     if NORMALS[0] in columns:
         stored = np.stack([columns[name] for name in NORMALS], axis=1)
-        normals = stack_normals(path, [*(stored @ R.T).T])
+        normals = stack_normals(path, [*(stored @ layout.R.T).T])
     attributes = {attribute: columns[name] for name, attribute in ATTRIBUTES.items() if name in columns}
     attributes = {name: v.view(np.int64) if v.dtype == np.int64 else v for name, v in attributes.items()}
     return PointTable(points, normals, colors, attributes, unit=METRE)
+
+
+def iterate_e57(path: FilePath, size: int, *, scan: int | None = None) -> Iterator[PointTable]:
+    """Parts of at most `size` points in world coordinates, of one scan or of all with `scan_index`, in bounded memory.
+
+    The parts have the fields and types that the complete file has, except that an attribute with an invalid flag is a
+    float even if all values are valid.
+    """
+    with content_errors(path), open_e57(path) as (image, scans):
+        if scan is not None and not 0 <= scan < len(scans):
+            raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
+        crs, numbers = crs_of_image(image), range(len(scans)) if scan is None else [scan]
+        with foreign_errors(path, "a scan is damaged"):
+            layouts = {number: _layout_of(path, scans[number], in_world=True) for number in numbers}
+        nothing = [
+            _table_of(path, {name: np.empty(0, dtype) for name, dtype in layout.wanted.items()}, layout, is_part=True)
+            for layout in layouts.values()
+        ]
+        common = merge_scans(nothing)
+        for number, layout in layouts.items():
+            for columns in _blocks_of(path, image, scans[number]["points"], layout.wanted, size):
+                with quiet():
+                    table = _table_of(path, columns, layout, is_part=True)
+                table.attributes = {n: table.attributes[n].astype(v.dtype) for n, v in common.attributes.items()}
+                table.normals = None if common.normals is None else table.normals
+                table.colors, table.crs = None if common.colors is None else table.colors, crs
+                if scan is None:
+                    table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
+                if len(table.points):
+                    yield table
+
+
+def _blocks_of(
+    path: FilePath, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]], size: int
+) -> Iterator[dict[str, NDArray[Any]]]:
+    """Views of blocks of at most `size` rows. Raises `FileError` at the end if rows are missing."""
+    libe57, count = _libe57(), vector.childCount()
+    blocks = {name: np.empty(min(count, size), dtype) for name, dtype in wanted.items()}
+    if not count:
+        return
+    buffers, row_count = libe57.VectorSourceDestBuffer(), 0
+    with foreign_errors(path, "a scan is damaged"):
+        for name, block in blocks.items():
+            buffers.append(libe57.SourceDestBuffer(image, name, block, len(block), True, True))
+        reader = vector.reader(buffers)
+    try:
+        while True:
+            with foreign_errors(path, "a scan is damaged"):
+                added = reader.read()
+            if not added:
+                break
+            row_count += added
+            yield {name: block[:added] for name, block in blocks.items()}
+    finally:
+        reader.close()
+    if row_count != count:
+        raise FileError(path, f"truncated: a scan has {row_count} of {count} points")
 
 
 def _with_nan(dtype: np.dtype[Any]) -> np.dtype[Any]:
@@ -197,38 +278,25 @@ def _with_nan(dtype: np.dtype[Any]) -> np.dtype[Any]:
     return np.result_type(dtype, np.float32)
 
 
-def _with_white(path: FilePath, colors: NDArray[Any], is_missing: NDArray[np.bool_]) -> NDArray[Any] | None:
-    """Set missing colors to white with a warning. None if all are missing."""
-    if is_missing.all():
+def _with_white(
+    path: FilePath, colors: NDArray[Any], is_missing: NDArray[np.bool_], *, is_part: bool
+) -> NDArray[Any] | None:
+    """Set missing colors to white with a warning. None if all are missing, except in a part."""
+    if is_missing.all() and not is_part:
         return None
     if is_missing.any():
         message = f"{path}: {np.count_nonzero(is_missing)} of {len(colors)} points have no color; they are white"
-        warnings.warn(escaped(message), UserWarning, stacklevel=4)
+        warnings.warn(escaped(message), UserWarning, stacklevel=5)
         colors = np.where(is_missing[:, None], np.float32(1), colors)
     return colors
 
 
 def _read_columns(path: FilePath, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
     """Read the fields of all points. Memory is bounded by the delivered data, not by the declared count."""
-    libe57 = _libe57()
-    count = vector.childCount()
-    blocks = {name: np.empty(min(count, POINTS_PER_BLOCK), dtype) for name, dtype in wanted.items()}
-    columns = GrowingColumns(count, is_proven=False)
-    columns.append({name: block[:0] for name, block in blocks.items()})
-    if not count:
-        return columns.finish()
-    buffers = libe57.VectorSourceDestBuffer()
-    for name, block in blocks.items():
-        buffers.append(libe57.SourceDestBuffer(image, name, block, len(block), True, True))
-    reader, row_count = vector.reader(buffers), 0
-    try:
-        while added := reader.read():
-            columns.append({name: block[:added] for name, block in blocks.items()})
-            row_count += added
-    finally:
-        reader.close()
-    if row_count != count:
-        raise FileError(path, f"truncated: a scan has {row_count} of {count} points")
+    columns = GrowingColumns(vector.childCount(), is_proven=False)
+    columns.append({name: np.empty(0, dtype) for name, dtype in wanted.items()})
+    for block in _blocks_of(path, image, vector, wanted, POINTS_PER_BLOCK):
+        columns.append(block)
     return columns.finish()
 
 

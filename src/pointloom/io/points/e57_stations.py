@@ -21,7 +21,7 @@ from ..optional_imports import foreign_errors
 from ..source import netted
 from ..table import PointTable
 from .e57 import SCAN_INDEX, crs_of_image, open_e57, read_pose, read_scan
-from .e57_writer import check_e57, columns_of, write_scans
+from .e57_writer import check_e57, columns_of, unstorable_in_e57, write_scans
 from .point_cloud import cloud_of, table_of
 from .ptx import iterate_ptx
 
@@ -50,6 +50,12 @@ class Stations:
     posed: NDArray[np.bool_]
     crs: CoordinateSystem | None = None
 
+    @property
+    def approximate_poses(self) -> NDArray[np.float64] | None:
+        """The poses if each station has one and they differ, otherwise None: some files have identities."""
+        is_known = self.posed.all() and len(self.poses) and (self.poses != self.poses[0]).any()
+        return self.poses if is_known else None
+
 
 def read_stations(path: FilePath, *, device: DeviceLike = "auto", arrays: str | None = None) -> Stations:
     """Read the scans of an E57 or PTX file in scanner coordinates, with their poses.
@@ -62,7 +68,7 @@ def read_stations(path: FilePath, *, device: DeviceLike = "auto", arrays: str | 
         arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
     Returns:
-        Names, clouds and poses, for `registration.register_stations`.
+        Names, clouds and poses, for `registration.register_stations` and `write_stations`.
 
     Raises:
         FileError: As `read_point_cloud`.
@@ -108,26 +114,30 @@ def _ptx_scans(path: FilePath) -> _Scans:
 
 def write_stations(
     path: FilePath,
-    clouds: Sequence[PointCloud],
-    poses: ArrayLike,
+    clouds: Sequence[PointCloud] | Stations,
+    poses: ArrayLike | None = None,
     *,
     names: Sequence[str] | None = None,
     crs: str | int | CoordinateSystem | None = None,
     overwrite: bool = True,
+    drop_unsupported: bool = False,
 ) -> None:
     """Write clouds as scans of an E57 file, each in its own coordinates with its pose, atomically.
 
     Args:
         path: The file.
-        clouds: One per station.
-        poses: T_world_scanner of each, (n, 4, 4).
-        names: Names of the scans. None numbers them.
-        crs: Coordinate system of the world coordinates.
+        clouds: One per station, or the stations of `read_stations`, with their poses, names and coordinate system.
+        poses: T_world_scanner of each, (n, 4, 4). If None: those of the stations, which remain without a pose if they
+            had none.
+        names: Names of the scans. If None: those of the stations, otherwise numbers.
+        crs: Coordinate system of the world coordinates. If None: that of the stations, unless `poses` replace unknown
+            ones.
         overwrite: Replace an existing file.
+        drop_unsupported: Leave out attributes that E57 cannot store, instead of an error.
 
     Raises:
-        FileError: The file cannot be written, or E57 cannot store an attribute.
-        ValueError: Different numbers of poses, names and clouds, or a pose that is not rigid.
+        FileError: The file cannot be written, or E57 cannot store some attributes (all are named).
+        ValueError: Different numbers of poses, names and clouds, a pose that is not rigid, or clouds without poses.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -135,8 +145,21 @@ def write_stations(
         >>> loom.write_stations("two.e57", clouds, [np.eye(4), np.eye(4)], names=["hall", "stairs"])
         >>> loom.read_stations("two.e57").names
         ('hall', 'stairs')
+        >>> loom.write_stations("copy.e57", loom.read_stations("two.e57"))
+        >>> loom.read_stations("copy.e57").names
+        ('hall', 'stairs')
     """
-    path, listed = path_of(path), check_list("clouds", clouds, "point clouds")
+    path, system, posed = path_of(path), check_crs("crs", crs), None
+    if isinstance(clouds, Stations):
+        names = clouds.names if names is None else names
+        if system is None and (poses is None or clouds.approximate_poses is not None):
+            system = clouds.crs
+        if poses is None:
+            poses, posed = clouds.poses, clouds.posed
+        clouds = clouds.clouds
+    if poses is None:
+        raise ValueError("poses: expected one pose per cloud, got None. Only stations of read_stations have their own")
+    listed = check_list("clouds", clouds, "point clouds")
     for i, cloud in enumerate(listed):
         check_cloud(f"clouds[{i}]", cloud)
     matrices = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
@@ -146,8 +169,14 @@ def write_stations(
     path = check_writable(path, overwrite=overwrite)
     if not listed:
         raise FileError(path, "would contain no scan", remedy="Give at least one cloud")
-    tables = [check_e57(path, table_of(cloud)) for cloud in listed]
+    tables = [table_of(cloud) for cloud in listed]
     for table in tables:
-        table.attributes.pop(SCAN_INDEX, None)
-    scans = [(str(name), columns_of(path, table), T) for name, table, T in zip(called, tables, matrices, strict=True)]
-    write_scans(path, scans, overwrite=overwrite, crs=check_crs("crs", crs))
+        for name in [SCAN_INDEX, *(unstorable_in_e57(table) if drop_unsupported else ())]:
+            table.attributes.pop(name, None)
+    tables = [check_e57(path, table) for table in tables]
+    kept = [True] * len(listed) if posed is None else posed.tolist()
+    scans = [
+        (str(name), columns_of(path, table), T if has_pose else None)
+        for name, table, T, has_pose in zip(called, tables, matrices, kept, strict=True)
+    ]
+    write_scans(path, scans, overwrite=overwrite, crs=system)

@@ -80,8 +80,9 @@ def check_e57(path: FilePath, table: PointTable) -> PointTable:
     lost = unstorable_in_e57(table)
     if lost:
         known = ", ".join([*ATTRIBUTES.values(), SCAN_INDEX])
-        reason = f"attribute {lost[0]!r} cannot be stored in E57"
-        raise FileError(path, reason, remedy=f"It stores {known}, one number per point; drop the others")
+        reason = f"attribute{'s' if len(lost) > 1 else ''} {', '.join(map(repr, lost))} cannot be stored in E57"
+        remedy = f"It stores {known}, one finite number per point; drop the others with drop_unsupported=True"
+        raise FileError(path, reason, remedy=remedy)
     if not np.isfinite(table.points).all():
         row = int(np.flatnonzero(~np.isfinite(table.points).all(axis=1))[0])
         raise FileError(path, f"point {row} is not finite", remedy="Call remove_non_finite_points() first")

@@ -15,10 +15,10 @@ from ...core.errors import FilePath
 from ...core.escaped_text import escaped
 from ...core.units import warn_of_units
 from ..attribute_names import NameRules, rename
-from ..columns import narrow_integers
+from ..columns import has_type, narrow_integers
 from ..source import netted
 from ..table import PointTable
-from . import las_writer, npz, pcd, ply
+from . import las_writer, npy, npz, pcd, ply, vtk_points
 from .copc_writer import write_copc
 from .e57 import ScanFrame, read_e57
 from .e57_writer import unstorable_in_e57, write_e57
@@ -26,9 +26,11 @@ from .header_units import PCD, PLY, reference_comments, warn_of_lost_reference, 
 from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
+from .obj_points import read_obj_points
 from .ptx import read_ptx
 from .text import read_text, write_text
-from .text_table import SUFFIXES, check_columns, read_text_table
+from .text_table import SUFFIXES, check_columns, read_text_table, write_text_table
+from .text_table import name_rules as text_rules
 
 COPC = ".copc.laz"
 OF_8_BITS = (".ply", ".pcd", ".pts", ".e57")  # colors
@@ -41,10 +43,12 @@ Storable = tuple[PointTable, list[str]]  # a table, and the names of what was re
 @dataclass(frozen=True)
 class WriteOptions:
     """How a cloud is written. `ascii` is for .ply and .pcd; `scale`, `offset` and `like` for LAS, see `write_las`;
-    `frames` for .e57, see `write_e57`. The octree of .copc.laz is computed on the device."""
+    `frames` for .e57, see `write_e57`. `drop_unsupported` drops what the format cannot store. The octree of
+    .copc.laz is computed on the device."""
 
     ascii: bool = False
     overwrite: bool = True
+    drop_unsupported: bool = False
     scale: ArrayLike | None = None
     offset: ArrayLike | None = None
     like: LasHeader | None = None
@@ -82,11 +86,15 @@ def _ply_names(_path: FilePath, table: PointTable) -> NameRules:
     return ply.name_rules(table.normals, table.colors)
 
 
-def _storable_in_ply(_path: FilePath, table: PointTable) -> Storable:
+def _storable_in_ply(path: FilePath, table: PointTable) -> Storable:
     """The table with 64-bit integers in types that PLY supports."""
-    narrowed = {name: narrow_integers(values) for name, values in table.attributes.items()}
-    attributes = {name: values for name, values in narrowed.items() if values is not None}
-    return replace(table, attributes=attributes), [name for name, values in narrowed.items() if values is None]
+    narrowed = {name: (narrow_integers(values), values) for name, values in table.attributes.items()}
+    attributes = {name: values if narrow is None else narrow for name, (narrow, values) in narrowed.items()}
+    return _of_types(ply.TYPES, path, replace(table, attributes=attributes))
+
+
+def _of_types(types: str, _path: FilePath, table: PointTable) -> Storable:
+    return _without(table, [name for name, values in table.attributes.items() if not has_type(values, types)])
 
 
 def _write_pcd(path: FilePath, table: PointTable, options: WriteOptions) -> None:
@@ -97,9 +105,23 @@ def _write_npz(path: FilePath, table: PointTable, options: WriteOptions) -> None
     npz.write_npz(path, table, overwrite=options.overwrite)
 
 
+def _write_npy(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    warn_of_lost_reference(path, table)
+    npy.write_npy_points(path, table, overwrite=options.overwrite)
+
+
+def _write_vtk(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    vtk_points.write_vtk_points(path, table, ascii=options.ascii, overwrite=options.overwrite)
+
+
 def _write_text(path: FilePath, table: PointTable, options: WriteOptions) -> None:
     warn_of_lost_reference(path, table)
     write_text(path, table, overwrite=options.overwrite)
+
+
+def _write_text_table(path: FilePath, table: PointTable, options: WriteOptions) -> None:
+    warn_of_lost_reference(path, table)
+    write_text_table(path, table, overwrite=options.overwrite)
 
 
 def _storable_in_text(columns: tuple[str, ...], _path: FilePath, table: PointTable) -> Storable:
@@ -132,8 +154,7 @@ def _storable_in_e57(_path: FilePath, table: PointTable) -> Storable:
 
 
 def _without(table: PointTable, names: list[str]) -> Storable:
-    attributes = {name: values for name, values in table.attributes.items() if name not in names}
-    return replace(table, attributes=attributes), names
+    return replace(table, attributes={name: v for name, v in table.attributes.items() if name not in names}), names
 
 
 def _text(name: str, columns: tuple[str, ...] = ()) -> Format:
@@ -142,15 +163,23 @@ def _text(name: str, columns: tuple[str, ...] = ()) -> Format:
 
 _LAS = Format("LAS", netted(read_las), _write_las, las_writer.name_rules, _storable_in_las)
 
-_TABLE = Format("text", netted(read_text_table), read_columns=netted(read_text_table))
-_read_bin = netted(read_kitti_bin)
+_VTK = Format("VTK", netted(vtk_points.read_vtk_points), _write_vtk, vtk_points.name_rules)
+
+_TABLE = Format("text", netted(read_text_table), _write_text_table, text_rules, read_columns=netted(read_text_table))
+_read_bin, _read_npy = netted(read_kitti_bin), netted(npy.read_npy_points)
 
 FORMATS = {
     ".ply": Format("PLY", netted(with_header_reference(PLY)(ply.read_ply)), _write_ply, _ply_names, _storable_in_ply),
     ".pcd": Format(
-        "PCD", netted(with_header_reference(PCD)(pcd.read_pcd)), _write_pcd, pcd.name_rules, stores_viewpoint=True
+        "PCD",
+        netted(with_header_reference(PCD)(pcd.read_pcd)),
+        _write_pcd,
+        pcd.name_rules,
+        partial(_of_types, pcd.TYPES),
+        stores_viewpoint=True,
     ),
     ".npz": Format("NPZ", netted(npz.read_npz), _write_npz, npz.name_rules),
+    ".npy": Format("NPY", _read_npy, _write_npy, npy.name_rules, read_columns=_read_npy),
     ".xyz": replace(_text("XYZ"), read_columns=_TABLE.read),
     ".xyzn": _text("XYZN", ("normals",)),
     ".xyzrgb": _text("XYZRGB", ("colors",)),
@@ -163,6 +192,9 @@ FORMATS = {
     ".laz": _LAS,
     ".e57": Format("E57", netted(read_e57), _write_e57, storable=_storable_in_e57),
     ".ptx": Format("PTX", netted(read_ptx)),
+    ".vtk": _VTK,
+    ".vtp": _VTK,
+    ".obj": Format("OBJ", netted(read_obj_points)),
 }
 
 #: The readers by extension. They raise only FileError for invalid content.
@@ -171,7 +203,7 @@ READERS = {extension: format.read for extension, format in FORMATS.items()}
 #: The extensions that clouds are written to.
 WRITTEN = tuple(extension for extension, format in FORMATS.items() if format.write is not None)
 
-_NAMED_COLUMNS = (*SUFFIXES, ".bin")
+_NAMED_COLUMNS = (*SUFFIXES, ".bin", ".npy")
 
 
 def columns_of(paths: Sequence[FilePath], columns: Sequence[str] | None) -> list[Sequence[str] | None]:
@@ -197,9 +229,12 @@ def _columns_error(suffixes: str) -> ValueError:
 
 def write_table(path: FilePath, table: PointTable, options: WriteOptions) -> None:
     """Write a table by extension (one of WRITTEN), renaming attributes with a warning (attribute_names.py)."""
+    format = FORMATS[Path(path).suffix.lower()]
+    if options.drop_unsupported and format.storable is not None:
+        table, _ = format.storable(path, table)
     table = with_fitting_names(path, table, stacklevel=4)
     _warn_of_rounded_colors(path, table)
-    write = FORMATS[Path(path).suffix.lower()].write or _write_text  # which raises for other extensions
+    write = format.write or _write_text  # which raises for other extensions
     write(path, table, options)
 
 

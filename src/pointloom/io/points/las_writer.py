@@ -121,8 +121,8 @@ def lay_out(
         table = with_scan_angle(table)
     lost = unstorable_in_las(path, table)
     if lost:
-        name, reason = next(iter(lost.items()))
-        raise FileError(path, f"attribute {name!r} {reason}", remedy="Change, rename or drop it")
+        reasons = "; ".join(f"attribute {name!r} {reason}" for name, reason in lost.items())
+        raise FileError(path, reasons, remedy="Change, rename or drop it, or pass drop_unsupported=True")
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # raises outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
@@ -226,11 +226,12 @@ def _extra_columns(table: PointTable, standard: set[str]) -> dict[str, NDArray[A
 def _scaling(
     path: FilePath, points: NDArray[Any], scale: Any, offset: Any, like: LasHeader | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Scales and offsets so that every coordinate fits into 32 bits."""
-    if like is not None:
-        scale = like.scales if scale is None else scale
-        offset = like.offsets if offset is None else offset
+    """Scales and offsets so that every coordinate fits into 32 bits. The offset of `like` is used if it fits."""
     low, high = finite_box(points)
+    if like is not None:
+        is_near = scale is not None or fits_steps(low, high, np.array(like.scales), np.array(like.offsets))
+        offset = like.offsets if offset is None and is_near else offset
+        scale = like.scales if scale is None else scale
     middle = np.round(low / 2 + high / 2)
     offsets = middle if offset is None else check_finite("offset", check_shape("offset", offset, (3,)))
     if len(points) and not np.isfinite(points).all():

@@ -19,7 +19,7 @@ from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, write_rows
 from ..attribute_names import NameRules, is_word
-from ..columns import check_name, check_type, colors_to_bytes, own, stack_colors, stack_normals, stack_points
+from ..columns import check_name, check_types, colors_to_bytes, own, stack_colors, stack_normals, stack_points
 from ..fixed_rows import NO_TABLE, Column, FixedRows
 from ..source import SourceFile, open_source
 from ..table import PointTable
@@ -184,7 +184,7 @@ def _exact_integers(path: FilePath, rows: AsciiRows, words: list[bytes], field: 
 _POINTS: tuple[str, ...] = ("x", "y", "z")
 _NORMALS: tuple[str, ...] = ("normal_x", "normal_y", "normal_z")
 _CHANNELS = ("r", "g", "b")
-_TYPES = "i1 u1 i2 u2 i4 u4 i8 u8 f4 f8"
+TYPES = "i1 u1 i2 u2 i4 u4 i8 u8 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer, float32 or float64, or write NPZ"
 
 
@@ -331,9 +331,9 @@ def _fields(path: FilePath, table: PointTable) -> dict[str, NDArray[Any]]:
         name = "rgba" if with_alpha else "rgb"
         fields[name] = channels.view("<u4")[:, 0]
         expected["packed"] = (name,)
+    check_types(path, attributes, TYPES, _TYPE_REMEDY)
     for name, values in attributes.items():
         check_name(path, name)
-        check_type(path, name, values, _TYPES, _TYPE_REMEDY)
         if name in fields or name == "_":
             raise FileError(path, f"attribute {name!r}: the format uses this name itself", remedy="Rename it")
         fields[name] = values[:, 0] if values.ndim == 2 and values.shape[1] == 1 else values

@@ -22,7 +22,7 @@ from ..attribute_names import NameRules, is_word
 from ..columns import (
     check_extent,
     check_name,
-    check_type,
+    check_types,
     colors_or_loss,
     colors_to_bytes,
     own,
@@ -133,7 +133,7 @@ _COLORS: tuple[tuple[str, ...], ...] = (
 )
 _CORNERS = ("vertex_indices", "vertex_index")
 _PACKED_SPLATS = "packed_position"
-_TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
+TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
 _TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or float64, or write NPZ"
 
 
@@ -256,7 +256,7 @@ def write_ply_mesh(
         raise FileError(path, reason, remedy="Rename one of them")
     names = image_names(path, len(mesh.textures))
     properties, values = face_columns(mesh)
-    more, more_values = attribute_columns(path, mesh.triangle_attributes, _TYPES, _TYPE_REMEDY)
+    more, more_values = attribute_columns(path, mesh.triangle_attributes, TYPES, _TYPE_REMEDY)
     all_comments = [*comments, *(f"TextureFile {name}" for name in names)]
     head = _header(columns, len(mesh.vertices), ascii=ascii, comments=all_comments)
     head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices"]
@@ -364,9 +364,9 @@ def _vertex_columns(
         columns |= dict(zip(_NORMALS, normals.T, strict=True))
     if colors is not None:
         columns |= dict(zip(_COLORS[0], colors_to_bytes(path, colors).T, strict=True))
+    check_types(path, attributes, TYPES, _TYPE_REMEDY)
     for name, values in attributes.items():
         check_name(path, name)
-        check_type(path, name, values, _TYPES, _TYPE_REMEDY)
         parts = {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
         clash = sorted(parts.keys() & columns.keys())
         if clash:

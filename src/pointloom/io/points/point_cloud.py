@@ -18,6 +18,7 @@ from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, w
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
+from ...core.other_geometry import is_other
 from ...core.paths import path_of, recording_remedy
 from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
@@ -27,6 +28,7 @@ from ...pcd.point_arrays import VECTORS, check_cloud
 from ..attribute_names import NameRules, new_names, warn_of_names
 from ..table import PointTable
 from .copc import open_copc
+from .e57 import iterate_e57
 from .formats import READERS, WRITTEN, WriteOptions, read_points, write_table
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
@@ -127,6 +129,56 @@ def read_las_chunks(
     file = open_las(path)
     warn_of_degrees(path, is_geographic(file.header), stacklevel=3)
     return _chunks(file, size, where, library)
+
+
+def read_e57_chunks(
+    path: FilePath,
+    chunk_size: int = 1_000_000,
+    *,
+    scan: int | None = None,
+    device: DeviceLike = None,
+    arrays: str | None = None,
+) -> Iterator[PointCloud]:
+    """Read an E57 file in chunks, for scans larger than the memory.
+
+    A chunk has points of one scan, in world coordinates. All chunks have the same origin, computed from the first one.
+    They have the arrays that all scans have, and an attribute that the file marks as invalid at some points is a float.
+
+    Args:
+        path: The .e57 file.
+        chunk_size: Maximum points of a chunk.
+        scan: Index of the only scan to read, from 0. None reads all scans and adds the attribute `scan_index`.
+        device: Device of the clouds.
+        arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
+
+    Returns:
+        An iterator over the chunks in file order, read lazily. Empty if the file has no points.
+
+    Raises:
+        FileError: As `read_point_cloud`, when the chunk is read.
+        DeviceError: No such device.
+        IndexError: There is no such scan.
+        ValueError: A chunk size below 1.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> clouds = [loom.PointCloud(np.random.default_rng(k).random((1000, 3))) for k in range(2)]
+        >>> loom.write_stations("scans.e57", clouds, [np.eye(4), np.eye(4)])
+        >>> [len(chunk) for chunk in loom.read_e57_chunks("scans.e57", 600)]
+        [600, 400, 600, 400]
+    """
+    size, where, library = check_count("chunk_size", chunk_size), resolve_device(device), library_for(arrays)
+    number = None if scan is None else check_count("scan", scan, minimum=0)
+    if _extension(path) != ".e57":
+        raise FileError(path, "is not an .e57 file", remedy="Use read_point_cloud")
+    return _e57_chunks(path_of(path), size, number, where, library)
+
+
+def _e57_chunks(path: Path, size: int, scan: int | None, device: DeviceLike, arrays: str) -> Iterator[PointCloud]:
+    origin = None
+    for table in iterate_e57(path, size, scan=scan):
+        origin = origin_of(table, path) if origin is None else origin
+        yield cloud_of(table, path, device=device, origin=origin, arrays=arrays)
 
 
 def read_copc(
@@ -240,6 +292,7 @@ def write_point_cloud(
     *,
     ascii: bool = False,
     overwrite: bool = True,
+    drop_unsupported: bool = False,
     scale: ArrayLike | None = None,
     like: FilePath | None = None,
     crs: str | int | CoordinateSystem | None = None,
@@ -252,10 +305,12 @@ def write_point_cloud(
     E57 coordinates are converted to meters and its scans have no poses here: use `write_stations`.
 
     Args:
-        path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
+        path: The file: .ply .pcd .npz .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57. A .csv (commas), .txt or
+            .asc (blanks) has a header and all attributes; an attribute (n, c) has columns name_0, name_1, ...
         cloud: The cloud.
         ascii: Write text instead of binary, for .ply and .pcd.
         overwrite: Replace an existing file.
+        drop_unsupported: Leave out colors, normals and attributes that the format cannot store, instead of an error.
         scale: Coordinate step [m], for .las and .laz: a number or one per axis. If None: 0.001, or finer on axes where
             most points are within 1,000 m: a millionth of that as a power of ten. Coarser steps give smaller LAZ files.
         like: For .las and .laz: a LAS or LAZ file whose coordinate system, other records, identification, offset, GPS
@@ -264,8 +319,8 @@ def write_point_cloud(
         crs: Coordinate system of the file, such as "EPSG:25832". If None: that of the cloud.
 
     Raises:
-        FileError: The file cannot be written, the format cannot store an attribute, a non-finite point or (E57)
-            degrees, or `like` has another coordinate system.
+        FileError: The file cannot be written, the format cannot store some attributes (all are named), a non-finite
+            point or (E57) degrees, or `like` has another coordinate system.
         TypeError: `cloud` is no point cloud.
         ValueError: A scale that is not positive; `scale` or `like` for another format; `crs` is no coordinate system
             or not that of the cloud.
@@ -288,6 +343,7 @@ def write_point_cloud(
     if extension not in WRITTEN:
         remedy = f"Use one of {' '.join(WRITTEN)}"
         raise FileError(path, f"clouds are read from {Path(path).suffix}, but not written to it", remedy=remedy)
+    cloud = PointCloud(cloud) if is_other(cloud) else cloud
     check_cloud("cloud", cloud)
     if extension not in (".las", ".laz"):
         for name, value in (("scale", scale), ("like", like)):
@@ -298,8 +354,9 @@ def write_point_cloud(
     header = None if like is None else open_las(like).header
     offset = cloud.origin if cloud.origin.any() and header is None else None
     options = WriteOptions(
-        ascii=ascii, overwrite=overwrite, scale=scale, offset=offset, like=header, device=cloud.device
-    )
+        ascii=ascii, overwrite=overwrite, drop_unsupported=drop_unsupported, scale=scale, offset=offset, like=header,
+        device=cloud.device,
+    )  # fmt: skip
     system = common_crs("crs, cloud", (check_crs("crs", crs), cloud.crs))
     write_table(path, replace(table_of(cloud), crs=system), options)
 
@@ -320,7 +377,7 @@ def _extension(path: FilePath, *, write: bool = False) -> str:
     """The extension of a file to read or write. Raises FileError for one that is in no list of formats."""
     extension = path_of(path).suffix.lower()
     if extension not in READERS:
-        if extension in (".obj", ".stl", ".off", ".glb", ".gltf"):
+        if extension in (".stl", ".off", ".glb", ".gltf"):
             raise FileError(
                 path, f"{extension} files contain meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
             )

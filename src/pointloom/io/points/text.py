@@ -37,7 +37,7 @@ def read_text(path: FilePath) -> PointTable:
         return _read_pts(path, body)
     if b"#" in body:
         body = _COMMENT.sub(b"", body)
-    rows = AsciiRows(path, body, 1)
+    rows = AsciiRows(path, body, 1, is_table=True)
     (width,) = _VALUES_PER_LINE[kind]
     rows.check_width(0, rows.row_count, width)
     if not rows.row_count:
@@ -71,7 +71,7 @@ def _kind(path: Path) -> str:
 def _read_pts(path: Path, body: bytes) -> PointTable:
     first, _, rest = body.partition(b"\n")
     count = parse_count(path, first.strip().decode("ascii", "backslashreplace"), "the number of points", 1)
-    rows = AsciiRows(path, rest, 2)
+    rows = AsciiRows(path, rest, 2, is_table=True)
     if rows.row_count < count:
         raise FileError(path, f"truncated: {rows.row_count} of {count} points", where=rows.where(rows.row_count))
     if rows.row_count > count:
@@ -113,7 +113,7 @@ def _columns(path: Path, kind: str, table: PointTable) -> list[NDArray[Any]]:
         else:
             columns += [*values.T]
     if lost:
-        remedy = "Write .ply, which stores them all, or drop them first"
+        remedy = "Write .csv or .ply, which store them all, or pass drop_unsupported=True"
         raise FileError(path, f"{kind} cannot store {', '.join(lost)}", remedy=remedy)
     if not len(table.points) and kind != ".pts":
         raise FileError(

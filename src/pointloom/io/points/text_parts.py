@@ -97,7 +97,7 @@ class TextInParts:
                 body = body.partition(b"\n")[2]
             text = without_comments(body) if self._kind != ".pts" else body
             blank = text if self._delimiter is None else text.replace(self._delimiter, b" ")
-            rows = AsciiRows(self.path, blank, line + min(skip, lines))
+            rows = AsciiRows(self.path, blank, line + min(skip, lines), is_table=True)
             if names is None and rows.row_count:
                 width = int(rows.widths()[0])
                 if width not in _PTS_COLUMNS:

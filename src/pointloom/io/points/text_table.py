@@ -15,9 +15,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_list, shown
 from ...core.errors import FileError, FilePath
-from ..ascii_rows import AsciiRows, is_number, unix_lines
+from ..ascii_rows import AsciiRows, is_number, row_format, unix_lines, write_rows
+from ..attribute_names import NameRules
 from ..columns import stack_colors, stack_normals
 from ..source import open_source
 from ..table import PointTable
@@ -71,6 +73,42 @@ def read_text_table(path: FilePath, columns: Sequence[str] | None = None) -> Poi
         raise wrong_count(path, head.declared, len(values))
     full = head.full if columns is None else full_of(columns)
     return table_of(path, dict(zip(names, values.T, strict=True)), full)
+
+
+def write_text_table(path: FilePath, table: PointTable, *, overwrite: bool = True) -> None:
+    """Write a .csv (commas), .txt or .asc file (blanks) with a header of all columns, losslessly and atomically.
+
+    Colors are named Rf, Gf, Bf as in CloudCompare: fractions in 0..1. An attribute (n, c) has the columns name_0, ...
+    """
+    path = check_writable(path, overwrite=overwrite)
+    table = table.checked()
+    if not len(table.points):
+        raise FileError(path, "a text table cannot store a cloud without points", remedy="Write .ply")
+    columns = dict(zip(POSITION, table.points.T, strict=True))
+    for names, values in ((NORMAL, table.normals), (tuple(name.title() for name in _FRACTIONS), table.colors)):
+        columns |= {} if values is None else dict(zip(names, values.T, strict=True))
+    for name, values in table.attributes.items():
+        columns |= {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
+    separator, values = "," if path.suffix.lower() == ".csv" else " ", [*columns.values()]
+    with atomic_write(path, overwrite=overwrite) as file:
+        file.write(f"{separator.join(columns)}\n".encode())
+        write_rows(file, values, line=row_format(values).replace(" ", separator))
+
+
+def name_rules(path: FilePath, table: PointTable) -> NameRules:
+    """Attribute names that `read_text_table` reads unchanged."""
+    has_blanks = Path(path).suffix.lower() == ".csv"
+    changed = [
+        name
+        for name, values in table.attributes.items()
+        if values.ndim == 1 and (_canonical(name) != name or is_number(name.encode("ascii", "replace")))
+    ]
+
+    def is_allowed(letter: str) -> bool:
+        return letter.isprintable() and letter not in ",;\"'" and (letter == " ") <= has_blanks
+
+    used = (*POSITION, *NORMAL, *COLOR)
+    return NameRules(is_allowed, used, instead={name: f"{name.strip()}_value" for name in changed})
 
 
 def wrong_count(path: FilePath, declared: int | None, count: int) -> FileError:
@@ -203,7 +241,7 @@ def _rows_of(path: Path, body: bytes, head: _Head) -> tuple[AsciiRows, bytes]:
     text = body[begin:]
     text = without_comments(text)
     blank = text if head.delimiter is None else text.replace(head.delimiter, b" ")
-    rows = AsciiRows(path, blank, head.lines + 1)
+    rows = AsciiRows(path, blank, head.lines + 1, is_table=True)
     if not rows.row_count:
         raise FileError(path, "contains no points")
     return rows, text
@@ -233,7 +271,7 @@ def check_fields(path: Path, rows: AsciiRows, text: bytes, delimiter: bytes | No
                 raise FileError(path, f"column {column} has no value", where=where, remedy=remedy)
             if not is_number(field):
                 shown = field[:40].decode("ascii", "backslashreplace")
-                raise FileError(path, f"not a number: {shown!r}", where=where, remedy=_PARTED)
+                raise FileError(path, f"not a number: {shown!r}", where=f"{where}, column {column}", remedy=_PARTED)
     raise FileError(path, f"expected {width} values in each line", remedy=_PARTED)
 
 

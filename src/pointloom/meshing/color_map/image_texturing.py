@@ -5,13 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 import warp as wp
 
 from ...core.checks import check_color, check_count, check_progress
+from ...core.errors import FilePath
+from ...core.kept_arrays import Arrays, KeptArrays, digest_of_inputs, kept_arrays
 from ...core.progress import ReportProgress
+from ...kernels.array_types import Indices, Points, Triangles
 from ...kernels.arrays.duplicates import find_equal_points
 from ...kernels.arrays.sort import positions
-from ...kernels.memory import check_room, download
+from ...kernels.lang import int32, vec3d
+from ...kernels.memory import check_room, download, upload
 from ...kernels.meshes.merge_vertices import rename_corners
 from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
 from ...kernels.textures.charts import Packing, compute_uvs, cut_charts, find_twins
@@ -46,6 +51,7 @@ def texture_from_images(
     option: ImageTextureOption | None = None,
     *,
     size: int | None = None,
+    work: FilePath | None = None,
     progress: ReportProgress | None = None,
 ) -> ImageTextureResult:
     """Texture a mesh from posed images, each triangle from its best image, without seams.
@@ -65,6 +71,9 @@ def texture_from_images(
         extrinsics: Poses (n, 4, 4), world to camera. If None: those of the cameras.
         option: Steps and limits; None: the defaults.
         size: Texels per side. If None: as many as the images have pixels, up to 8192. Charts are scaled to fit.
+        work: Folder for the choice of images, the longest step, 4 B per triangle. After an interruption, a call with
+            the same inputs continues from it, with bitwise the same result. Delete it after the result is stored. If
+            None, an interruption loses all work.
         progress: Called with the stage ("images", "views", "choice", "seams", "texture"), progress and total or 0.
 
     Returns:
@@ -75,7 +84,8 @@ def texture_from_images(
         ValueError: If the mesh is empty, inputs disagree, a pose is not rigid, a number is out of range, or charts do
             not fit.
         NothingSeenError: If no image sees a triangle. It is a ValueError.
-        FileError, MemoryError: If an image cannot be read, or if the texture does not fit into device memory.
+        FileError, MemoryError: If an image cannot be read or the folder `work` contains other files, or if the texture
+            does not fit into device memory.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -97,7 +107,8 @@ def texture_from_images(
         raise TypeError(f"option: expected an ImageTextureOption, got {type(option).__name__}")
     option, report = option or ImageTextureOption(), check_progress(progress)
     images = take_images(images, cameras, extrinsics, mesh.device, report)
-    choice = _choose(mesh, images, option, report)
+    with kept_arrays(work, lambda: _digest_of(mesh, images, option), report) as kept:
+        choice = _choose(mesh, images, option, kept)
     report("seams", 0, 0)
     levels = SeamLevels(mesh.arrays["vertices"], choice.seams, choice.images, choice.exposures)
     before = levels.mean_step()
@@ -131,11 +142,36 @@ class _Choice:
     energy: float
 
 
-def _choose(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption, report: ReportProgress) -> _Choice:
-    vertices = mesh.arrays["vertices"]
+def _digest_of(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption) -> str:
+    """Digest of everything that determines the choice of images."""
+    lenses = [(c.width, c.height, c.fx, c.fy, c.cx, c.cy) for c in images.cameras]
+    settings = [option.smoothness, option.outliers, option.exposures, option.depth_max]
+    shape = [download(mesh.arrays[name]) for name in ("vertices", "triangles")]
+    arrays = [*shape, mesh.origin, images.T_camera_world, *map(download, images.colors)]
+    return digest_of_inputs([lenses, settings], arrays, mesh.device)
+
+
+def _choose(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption, kept: KeptArrays) -> _Choice:
+    vertices, device = mesh.arrays["vertices"], mesh.device
     owners = find_equal_points(vertices)
-    triangles = rename_corners(mesh.arrays["triangles"], owners, positions(vertices.size, mesh.device))
-    stack = images.stacked(mesh.origin, 0)
+    triangles = rename_corners(mesh.arrays["triangles"], owners, positions(vertices.size, device))
+    stack, twins = images.stacked(mesh.origin, 0), find_twins(triangles, vertices.size)
+    arrays = kept.get("choice", lambda: _choose_views(vertices, triangles, twins, stack, option, kept.report))
+    gains = Exposures(*(upload(arrays[name], vec3d, device) for name in ("gains", "bends")))
+    seams = Seams(triangles, twins, upload(arrays["views"], int32, device), stack.count, vertices.size)
+    pairs, outliers, energy = arrays["pairs"].tolist()
+    return _Choice(stack, gains, seams, int(pairs), int(outliers), energy)
+
+
+def _choose_views(
+    vertices: Points,
+    triangles: Triangles,
+    twins: Indices,
+    stack: StackedImages,
+    option: ImageTextureOption,
+    report: ReportProgress,
+) -> Arrays:
+    """The image of each triangle, exposures, and the numbers of pairs and outliers with the energy."""
     looks = FaceVisibility(vertices, triangles, stack, plant_trees(vertices, triangles), float(option.depth_max))
     all_views = looks.views(lambda done: report("views", done, stack.count))
     if not all_views.count:
@@ -146,12 +182,12 @@ def _choose(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption,
     report("choice", 0, 0)
     views: FaceViews = keep_views(all_views, keep_likely(all_views)) if option.outliers else all_views
     gains = find_exposures(vertices, triangles, views, stack) if option.exposures else plain_exposures(stack)
-    twins = find_twins(triangles, vertices.size)
     graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(option.smoothness * MAX_IMAGE_COST))
     labels = choose_labels(graph)
     energy = energy_of(graph, labels) / MAX_IMAGE_COST
-    seams = Seams(triangles, twins, name_views(graph, labels), stack.count, vertices.size)
-    return _Choice(stack, gains, seams, all_views.count, all_views.count - views.count, energy)
+    pairs = np.array([all_views.count, all_views.count - views.count, energy], np.float64)
+    named = {"views": name_views(graph, labels), "gains": gains.gains, "bends": gains.bends}
+    return {name: download(values) for name, values in named.items()} | {"pairs": pairs}
 
 
 @dataclass(frozen=True, eq=False)

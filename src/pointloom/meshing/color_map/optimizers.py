@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import itertools
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,8 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
+from ...core.kept_arrays import Arrays, KeptArrays
+from ...core.progress import ReportProgress, ignore_progress
 from ...kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ...kernels.arrays.side_by_side import read_together
 from ...kernels.lang import loop_while
@@ -86,25 +89,72 @@ def optimize_color_map(
         >>> colored.vertex_colors.tolist()
         [[0.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
     """
+    return color_mesh(mesh, images_rgbd, camera_trajectory, option, intrinsic, method, occlusion)
+
+
+def color_mesh(
+    mesh: TriangleMesh,
+    images_rgbd: Sequence[Any],
+    camera_trajectory: Trajectory,
+    option: ColorMapOption | None,
+    intrinsic: object,
+    method: str,
+    occlusion: str | None = None,
+    *,
+    kept: KeptArrays | None = None,
+) -> ColorMapResult:
+    """As `optimize_color_map`. `kept` keeps the result by the name of the method, and receives the progress."""
     chosen = ColorMapOption() if option is None else option
     if not isinstance(chosen, ColorMapOption):
         raise TypeError(f"option: expected a ColorMapOption, got {type(chosen).__name__}")
     if not isinstance(method, str) or method not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
-    stack, sightings = _look(mesh, images, chosen, occlusion)
-    vertices, iterations = mesh.arrays["vertices"], chosen.maximum_iteration
-    search: ColorSearch
+    results: list[ColorMapResult] = []
+
+    def optimize() -> Arrays:
+        report = ignore_progress if kept is None else kept.report
+        search = _optimize(mesh, images, chosen, method, occlusion, report)
+        results.append(_conclude(mesh, images, camera_trajectory, chosen, search))
+        return {} if kept is None else results[0].to_arrays()
+
+    arrays = optimize() if kept is None else kept.get(method, optimize)
+    if results:
+        return results[0]
+    stack = images.stacked(mesh.origin, chosen.image_boundary_margin)
+    return ColorMapResult.from_arrays(arrays, mesh, stack, camera_trajectory)
+
+
+def _optimize(
+    mesh: TriangleMesh,
+    images: PosedImages,
+    option: ColorMapOption,
+    method: str,
+    occlusion: str | None,
+    report: ReportProgress,
+) -> ColorSearch:
+    stack, sightings = _look(mesh, images, option, occlusion)
+    vertices, iterations = mesh.arrays["vertices"], option.maximum_iteration
     if method == "rigid":
-        warps = Warps(stack.layout, 0, mesh.device)
-        search = ColorSearch(vertices, sightings, stack, warps, iterations)
-        loop_while(search.state.running, search.iterate_rigid)
-    else:
-        warps = Warps(stack.layout, chosen.number_of_vertical_anchors, mesh.device)
-        search = WarpSearch(vertices, sightings, stack, warps, iterations, chosen.non_rigid_anchor_point_weight)
-        while search.iterate():
-            pass
-    return _conclude(mesh, images, camera_trajectory, chosen, search)
+        search = ColorSearch(vertices, sightings, stack, Warps(stack.layout, 0, mesh.device), iterations)
+        if mesh.device.is_cuda:
+            loop_while(search.state.running, search.iterate_rigid)
+        else:
+            _iterate(search.iterate_rigid, lambda: bool(search.state.running.numpy()[0]), iterations, report)
+        return search
+    warps = Warps(stack.layout, option.number_of_vertical_anchors, mesh.device)
+    search = WarpSearch(vertices, sightings, stack, warps, iterations, option.non_rigid_anchor_point_weight)
+    _iterate(lambda: None, search.iterate, iterations, report)
+    return search
+
+
+def _iterate(step: Callable[[], object], goes_on: Callable[[], bool], maximum: int, report: ReportProgress) -> None:
+    """Run a step and its test until it is False, with progress. The maximum is the total: the search may end before."""
+    for done in itertools.count(1):
+        step()
+        if not goes_on():
+            break
+        report("colors", min(done, maximum), maximum)
 
 
 def _check_input(mesh: object, images: object, trajectory: object, intrinsic: object) -> PosedImages:

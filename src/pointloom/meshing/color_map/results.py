@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
+from ...core.kept_arrays import Arrays
 from ...core.reports import Assessed, failed, quality
 from ...core.wording import format_fraction, plain
-from ...kernels.memory import download
+from ...kernels.lang import mat44d, vec2d, vec3
+from ...kernels.memory import download, upload
 from ...kernels.textures.stacked_images import StackedImages, Warps, unwarp_pixels
 from ..mesh.mesh import TriangleMesh
 
@@ -49,6 +51,8 @@ class ColorMapResult(Assessed):
     iterations: int
     _images: StackedImages
     _warps: Warps
+
+    _internal = ("from_arrays", "to_arrays")
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.mesh, self.trajectory))
@@ -115,6 +119,32 @@ class ColorMapResult(Assessed):
         width, height, _ = self._images.layout[self._index(index)].tolist()
         pixels = unwarp_pixels(self._index(index), self._images, self._warps)
         return download(pixels).reshape(height, width, 3).copy()  # sync
+
+    def to_arrays(self) -> Arrays:
+        """Everything but the mesh and the images."""
+        return {
+            "colors": download(self.mesh.arrays["vertex_colors"]),
+            "poses": self.trajectory.poses,
+            "seen": self.seen,
+            "view_counts": self.view_counts,
+            "residuals": np.array([self.residual_before, self.residual]),
+            "counts": np.array([self.iterations, self._warps.rows]),
+            "T_camera_world": download(self._images.poses),
+            "shifts": download(self._warps.shifts),
+        }
+
+    @classmethod
+    def from_arrays(cls, arrays: Arrays, mesh: TriangleMesh, stack: StackedImages, given: Trajectory) -> Self:
+        """The result of `to_arrays` for the mesh, the images in their given poses and the given trajectory."""
+        iterations, rows = arrays["counts"].tolist()
+        stack.poses = upload(arrays["T_camera_world"], mat44d, mesh.device)
+        warps = Warps(stack.layout, rows, mesh.device)
+        warps.shifts = upload(arrays["shifts"], vec2d, mesh.device)
+        colored = mesh.with_arrays(vertex_colors=upload(arrays["colors"], vec3, mesh.device))
+        poses = Trajectory(arrays["poses"], given.timestamps, given.ids)
+        before, after = arrays["residuals"].tolist()
+        seen, counts = arrays["seen"], arrays["view_counts"]
+        return cls(colored, poses, seen, counts, before, after, iterations, stack, warps)
 
     def _index(self, index: int) -> int:
         if not -len(self.view_counts) <= index < len(self.view_counts):

@@ -17,7 +17,10 @@ from ...core.gpu_arrays import take_corners, take_points
 from ...io.table import MeshTable
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
-from .mesh_attributes import assign_all
+from ...pcd.extent_text import reference_text
+from .mesh_attributes import assign_all, listed
+from .mesh_conversion import MeshConversion, mesh_arguments
+from .mesh_mass import MeshMass
 from .mesh_primitives import MeshPrimitives
 from .mesh_reconstruction import MeshReconstruction
 from .mesh_remeshing import MeshRemeshing
@@ -26,14 +29,16 @@ from .mesh_store import MeshStore
 from .mesh_texture import MeshTexture
 
 
-class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction, MeshTexture):
+class TriangleMesh(
+    MeshPrimitives, MeshMass, MeshRepair, MeshRemeshing, MeshReconstruction, MeshTexture, MeshConversion
+):
     """A triangle mesh with optional vertex normals and colors, texture coordinates, textures and other attributes.
 
     float32 (int32 triangles) on one device, relative to a float64 `origin`. Operations return new meshes that share
     unchanged arrays, and arrays of the vertices' library (docs/arrays.md). `len(mesh)` counts triangles.
 
     Args:
-        vertices: Positions [m], shape (m, 3).
+        vertices: Positions [m], shape (m, 3). Or a mesh of trimesh, Open3D, PyVista, VTK or meshio, see `from_any`.
         triangles: Vertex indices, shape (t, 3), counterclockwise from outside.
         vertex_normals, vertex_colors: Shape (m, 3). Colors in 0..1.
         triangle_uvs: Texture coordinates of corners, shape (3 t, 2).
@@ -75,6 +80,15 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         arrays: str | None = None,
     ):
         _refuse_path(vertices)
+        if given := mesh_arguments("vertices", vertices):
+            own = {"vertex_normals": vertex_normals, "vertex_colors": vertex_colors, "triangle_uvs": triangle_uvs}
+            own |= {"triangle_material_ids": triangle_material_ids, "vertex_attributes": vertex_attributes}
+            own |= {"triangle_attributes": triangle_attributes, "device": device}
+            unit, crs = given.pop("reference")
+            given |= {name: values for name, values in own.items() if values is not None}
+            vars(self).update(vars(TriangleMesh(**given, origin=origin, arrays=arrays)))
+            self.unit, self.crs = unit, crs
+            return
         library = library_for(arrays, vertices)
         anchor = None if origin is None else check_shape("origin", origin, (3,))
         if is_on_gpu(vertices):
@@ -104,6 +118,14 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         self.textures = textures
         if device is not None and resolve_device(device) != self.device:  # arrays were on a GPU
             vars(self)["arrays"] = self.to(resolve_device(device)).arrays
+
+    def __repr__(self) -> str:
+        parts = [f"{self.arrays['vertices'].size} vertices", f"{len(self)} triangles"]
+        parts += [name for name in self.arrays if name not in ("vertices", "triangles")]
+        parts += [f"{kind}[{listed(columns)}]" for kind, columns in self.arrays.attributes.items() if columns]
+        if self.unit is not None or self.crs is not None:  # bounds wait for the device
+            parts.append(reference_text(self, self.get_min_bound(), self.get_max_bound()))
+        return f"{type(self).__name__}({', '.join([*parts, str(self.device)])})"
 
 
 def _refuse_path(vertices: ArrayLike) -> None:

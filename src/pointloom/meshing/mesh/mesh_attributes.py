@@ -46,6 +46,9 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
     def __repr__(self) -> str:
         return "{" + ", ".join(f"{name!r}: {values.dtype} {list(values.shape)}" for name, values in self.items()) + "}"
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
+
     @property
     def name(self) -> str:
         """ "vertex_attributes" or "triangle_attributes"."""

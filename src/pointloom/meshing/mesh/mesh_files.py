@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import os
-
-import numpy as np
+from typing import Any
 
 from ...core.array_libraries import library_for
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
+from ...core.other_geometry import conversion_of, is_other
 from ...core.paths import path_of, recording_remedy
 from ...io.meshes.mesh_formats import MESH_READERS, UPRIGHT, read_mesh, write_mesh
 from ...io.source import content_errors
 from ...io.table import MeshTable
 from ...pcd.point_arrays import PointArrays
 from .mesh import TriangleMesh
+from .mesh_conversion import mesh_table
 
 
 def read_triangle_mesh(
@@ -124,12 +125,14 @@ def write_triangle_mesh(
         >>> loom.write_triangle_mesh("mesh.obj", mesh)
     """
     suffix = path_of(path).suffix.lower()
+    given: Any = mesh
+    mesh = TriangleMesh(given) if is_other(given) else mesh
     if not isinstance(mesh, TriangleMesh):
         remedy = "; write_point_cloud writes clouds" if isinstance(mesh, PointArrays) else ""
-        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}{remedy}")
+        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}{remedy or conversion_of(mesh)}")
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are written to {', '.join(MESH_READERS)}, not to {suffix or 'no extension'}")
-    if ascii and suffix in (".stl", ".off", ".glb", ".gltf"):
+    if ascii and suffix in (".stl", ".off", ".glb", ".gltf", ".vtp"):
         raise ValueError(f"ascii: {suffix[1:].upper()} has only one encoding")
     table = mesh_table(mesh)
     if not write_vertex_normals:
@@ -139,20 +142,3 @@ def write_triangle_mesh(
     if not write_triangle_uvs:
         table.triangle_uvs, table.triangle_material_ids, table.textures = None, None, ()
     write_mesh(path, table, ascii=ascii, overwrite=overwrite, up=up)
-
-
-def mesh_table(mesh: TriangleMesh) -> MeshTable:
-    """Mesh in file form: positions in float32 without an origin, else in float64 with the origin added."""
-    return MeshTable(
-        mesh.vertices if mesh.origin.any() else mesh.vertices.astype(np.float32),
-        mesh.triangles,
-        mesh.vertex_normals,
-        mesh.vertex_colors,
-        triangle_uvs=mesh.triangle_uvs,
-        triangle_material_ids=mesh.triangle_material_ids,
-        textures=mesh.textures,
-        attributes=dict(mesh.vertex_attributes),
-        triangle_attributes=dict(mesh.triangle_attributes),
-        unit=mesh.unit,
-        crs=mesh.crs,
-    )

@@ -67,7 +67,7 @@ class MeshCurvature(NamedTuple):
 class MeshMeasures(MeshSelection):
     """Methods of TriangleMesh that measure and sample it."""
 
-    _internal = ("check_surface", "draw_samples", "finite_area", "is_closed", "signed_volume")
+    _internal = ("check_solid", "check_surface", "draw_samples", "finite_area", "is_closed", "signed_volume")
 
     @returns_new
     def compute_vertex_normals(self) -> Self:
@@ -117,13 +117,17 @@ class MeshMeasures(MeshSelection):
         Raises:
             ValueError: If a corner is not finite, the mesh is not watertight, or its orientation is inconsistent.
         """
-        check_finite_corners("get_volume", self)
+        self.check_solid("get_volume")
+        return abs(self.signed_volume())
+
+    def check_solid(self, name: str) -> None:
+        """Check that the mesh encloses a volume, for the method `name`. Accepts a mesh without triangles."""
+        check_finite_corners(name, self)
         topology = self.edge_topology()
         if not is_closed(topology):
-            raise ValueError("get_volume: expected a watertight mesh. Repair it with repair(hole_size=...) first")
+            raise ValueError(f"{name}: expected a watertight mesh. Repair it with repair(hole_size=...) first")
         if topology.has_twisted_edge:
-            raise ValueError("get_volume: expected consistently oriented triangles. Call orient_triangles() first")
-        return abs(self.signed_volume())
+            raise ValueError(f"{name}: expected consistently oriented triangles. Call orient_triangles() first")
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
         """True if no edge has more than two triangles.

@@ -24,8 +24,8 @@ from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...pcd.geodesy import WorldFrame
 from ...pcd.geotiff import BLOCK_CELLS, geotiff
+from ...pcd.raster import Raster
 from ...pcd.raster_cells import check_box
-from ...pcd.terrain import Raster
 from ..mesh.mesh import TriangleMesh
 from .plan_grid import PlanGrid, grid_over, grid_within
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -98,9 +97,10 @@ def reconstruct_video(
         source: A video for ffmpeg, or a folder of images. A folder with `settings.cameras`.
         settings: Number and size of images, unit, camera; None: defaults.
         outputs: Additional output files, checked before the work; None: none.
-        work: Folder of stage files and report.json; None: temporary, beside the mesh file or in the current folder,
-            about 30 MB per image of 960 x 720 pixels.
-        resume: Reuse valid results of an earlier run in `work`.
+        work: Folder of stage files and report.json, about 30 MB per image of 960 x 720 pixels. None: `room-video`
+            beside the mesh room.ply, or named after the source in the current folder without an output. It is kept,
+            and a later call with the same name reuses its valid results.
+        resume: Reuse valid results of an earlier run in `work`. Without `work` they are always reused.
         device: Compute device.
         overwrite: Replace existing outputs, and an earlier run in `work`.
         progress: Called with (stage, steps done, steps in all or 0 if unknown).
@@ -130,9 +130,9 @@ def reconstruct_video(
     content = motion.digest_of_source(source)
     settings = _with_image_positions(settings, source)
     outputs.check_units(settings.units)
-    if resume and work is None:
-        raise ValueError("resume: expected work, the folder of the earlier run, got None")
-    with _work_folder(work, outputs, resume=resume, overwrite=overwrite) as root:
+    resume = resume or work is None
+    work = default_work_folder(source, outputs) if work is None else work
+    with _work_folder(work, resume=resume, overwrite=overwrite) as root:
         _write_json(root / MARKER, {"command": "video", "source": os.fspath(source)})
         (root / REPORT).unlink(missing_ok=True)  # from an earlier run, outdated
         chain = Chain(root, tuple(STAGES), resume=resume, progress=report)
@@ -142,9 +142,14 @@ def reconstruct_video(
             training = outputs.write_training(result, chain.made["frames"].folder, overwrite=overwrite)
             result = replace(result, files=outputs.write(result, overwrite=overwrite), training=training)
         result = replace(result, peak_bytes=peak_bytes_of_all())
-        if work is not None:
-            _write_json(root / REPORT, result.to_dict())
+        _write_json(root / REPORT, result.to_dict())
     return result
+
+
+def default_work_folder(source: FilePath, outputs: VideoOutputs) -> Path:
+    """Folder of the stages beside the first output: room-video for room.ply. In the current folder without outputs."""
+    base = Path(outputs.mesh or outputs.cloud or check_path("source", source).resolve().name or "images")
+    return base.with_name(f"{base.stem}-video")
 
 
 def _checked(settings: Any, outputs: Any) -> tuple[VideoSettings, VideoOutputs]:
@@ -173,7 +178,7 @@ def _run(
     outputs: VideoOutputs,
     *,
     source: str,
-    work: FilePath | None,
+    work: FilePath,
     device: DeviceLike,
 ) -> VideoResult:
     stages = (STAGES if settings.cameras is None else KNOWN_STAGES).values()
@@ -210,7 +215,7 @@ def _run(
         warnings=tuple(reasons),
         stages={name: _report_of(chain.made.get(name)) for name in STAGES},
         files=(),
-        work=None if work is None else os.fspath(work),
+        work=os.fspath(work),
         peak_bytes=0,
     )
 
@@ -220,24 +225,15 @@ def _report_of(made: StageResult | None) -> StageReport | None:
 
 
 @contextlib.contextmanager
-def _work_folder(work: FilePath | None, outputs: VideoOutputs, *, resume: bool, overwrite: bool) -> Iterator[Path]:
-    if work is not None:
-        folder = check_work_folder(check_path("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
-        try:
-            folder.mkdir(exist_ok=True)
-        except OSError as error:
-            raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
-        with locked(folder):
-            yield folder
-        return
-    beside = Path(outputs.mesh or "mesh").absolute()  # not the system's temporary folder, often small or in memory
+def _work_folder(work: FilePath, *, resume: bool, overwrite: bool) -> Iterator[Path]:
+    folder = check_work_folder(check_path("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
     try:
-        folder = tempfile.TemporaryDirectory(prefix=f".{beside.stem}-video-", dir=beside.parent)
+        folder.mkdir(exist_ok=True)
     except OSError as error:
-        reason = f"no folder can be created in it: {error.strerror or error}"
-        raise FileError(beside.parent, reason, remedy="Give a folder that can be created as work") from error
-    with folder as name:
-        yield Path(name)
+        reason = f"cannot be created: {error.strerror or error}"
+        raise FileError(folder, reason, remedy="Give a folder that can be created as work") from error
+    with locked(folder):
+        yield folder
 
 
 def _write_json(path: Path, content: dict[str, Any]) -> None:

@@ -123,7 +123,7 @@ class VideoResult(Assessed):
         warnings: Failed quality checks, each with its remedy. Empty if the result is reliable.
         stages: The record of each stage, None if not reached.
         files: Written files.
-        work: Folder of stage files if requested.
+        work: Folder of stage files.
         peak_bytes: Peak memory of this process or its children [B].
         training: The training folder and its coordinate offset. None without one.
     """
@@ -138,7 +138,7 @@ class VideoResult(Assessed):
     warnings: tuple[str, ...]
     stages: Mapping[str, StageReport | None]
     files: tuple[str, ...]
-    work: str | None
+    work: str
     peak_bytes: int
     training: TrainingFolder | None = None
 
@@ -187,7 +187,7 @@ class VideoResult(Assessed):
             *([("made again", again)] if (again := self._again_line()) else []),
             ("seconds", self._seconds_line()),
             ("memory", f"{format_bytes(self.peak_bytes)} at most"),
-            *([("stages", self.work)] if self.work else []),
+            ("stages", self.work),
             ("files", ", ".join(self.files) or "none"),
         ]
 

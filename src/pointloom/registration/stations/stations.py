@@ -32,6 +32,7 @@ from ...core.checks import (
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.reports import failed
+from ...io.points.e57_stations import Stations
 from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
@@ -71,7 +72,7 @@ MAX_VOXELS = 1e6  # maximum per axis of a cloud
 
 
 def register_stations(
-    stations: Sequence[PointCloud],
+    stations: Sequence[PointCloud] | Stations,
     *,
     poses: ArrayLike | None = None,
     positions: ArrayLike | None = None,
@@ -94,7 +95,8 @@ def register_stations(
     their covariances, targets, control points, levels and positions. Outliers are removed and reported.
 
     Args:
-        stations: The clouds, each in its scanner's coordinates, on one device.
+        stations: The clouds, each in its scanner's coordinates, on one device; or the result of `loom.read_stations`,
+            whose names are used, and whose poses unless they are all equal or one is missing.
         poses: Approximate poses T_survey_station, [n, 4, 4]; None: unknown orientations.
         positions: Approximate scanner positions [m], [n, 3]; NaN: unknown. Default: those of `poses`.
         position_sigma: Standard deviation of observed positions (GNSS) [m]; None: they select pairs and define the
@@ -135,6 +137,10 @@ def register_stations(
         >>> bool(np.abs(found.poses[:, :3, 3] - [[0, 0, 0], [0.2, 0, 0], [0.4, 0, 0]]).max() < 0.01)
         True
     """
+    if isinstance(stations, Stations):
+        names = stations.names if names is None else names
+        poses = stations.approximate_poses if poses is None and positions is None else poses
+        stations = stations.clouds
     survey = _Survey(stations, names, poses, positions, level, level_sigma)
     observed_targets = check_targets(targets, survey.count)
     known = check_control(control, observed_targets)

@@ -11,8 +11,8 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.frame_check import FrameCheck
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.tsdf import TSDFVolume
-from ..odometry.camera_fit import CameraView, depth_factor
-from ..slam.camera_check import FocalCheck, assess_camera
+from ..odometry.camera_fit import CameraView, RotatedViews, depth_factor
+from ..slam.camera_check import FocalCheck, assess_views
 
 Pose = NDArray[np.float64]
 
@@ -77,7 +77,8 @@ class PoseCheck:
             z = self._in_meters(depth)
             nearness = np.divide(1.0, z, out=np.zeros(z.shape), where=self._is_valid(z))
             views.append(CameraView(nearness.astype(np.float32), (K.fx, K.fy, K.cx, K.cy)))
-        return assess_camera(views, poses, self._intrinsic), depth_factor(views, poses)
+        rotated = RotatedViews(views, poses)
+        return assess_views(rotated, self._intrinsic), depth_factor(rotated)
 
     def fraction_off(self, volume: TSDFVolume) -> float | None:
         """Median fraction of frame pixels off the surface by half the truncation. None for fewer than two frames."""

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import inv, matmul, norm, solve
-from ...registration.rigid import invert_pose, pose_of, rotation_vector
+from ...registration.rigid import invert_pose, rotation_vector, rotations_of
 
 Floats = NDArray[np.float64]
 
@@ -34,6 +34,9 @@ DEPTH_NOISE, DEPTH_NOISE_GROWTH = 0.003, 0.004
 DEPTH_FACTORS = 2.0 ** (np.arange(-10, 11) / 4)
 MIN_DEPTH_RATIO = 1.25
 GAUSS_NEWTON_STEPS, MAX_STEP = 10, 0.15  # Gauss-Newton steps, and largest change of a parameter
+# [rad], [m], focal lengths: change of the camera and of the median pair in the last step. A hundredth of the smallest
+# correction that is reported.
+MAX_LAST_CHANGE = 5e-4
 FIRST_GATE, GATE_FACTOR, LAST_GATE = 0.25, 0.6, 0.05  # [m] maximum residual: first, factor of each step, minimum
 MIN_NORMAL_COSINE = 0.7
 OUTLIER_RATIO = 3.0  # in expected residuals, of the Geman-McClure weights
@@ -70,18 +73,7 @@ class CameraFit(NamedTuple):
     residual: float
     fitted_residual: float
     pairs: list[tuple[int, int]]
-    poses: list[Floats]
-
-
-class _Surface(NamedTuple):
-    """Smoothed depth [m], normals and rays (x, y) of cells, and those on a plane."""
-
-    depth: Floats
-    normals: Floats
-    x: Floats
-    y: Floats
-    is_plane: NDArray[np.bool_]
-    lens: tuple[float, float, float, float]
+    poses: Floats
 
 
 def rotated_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
@@ -97,20 +89,72 @@ def rotated_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
     return [pairs[index] for index in chosen]
 
 
-def fit_camera(
-    views: Sequence[CameraView], poses: Sequence[Floats] | Floats, pairs: list[tuple[int, int]]
-) -> CameraFit | None:
-    """Fit the camera to pairs of views with approximate poses T_world_camera. None if too few agree."""
-    needed = {index for pair in pairs for index in pair}
-    surfaces = {index: _surface_of(views[index]) for index in needed}
-    ends = [(surfaces[first], surfaces[second]) for first, second in pairs]
-    starts = [matmul(invert_pose(poses[first]), poses[second]) for first, second in pairs]
-    given = _solve(ends, starts, np.full(4, FIXED_DEVIATION))
+class RotatedViews:
+    """Views at poses T_world_camera that are rotated against each other: the points on planes of all pairs.
+
+    Attributes:
+        pairs: Indices of the compared views.
+        poses: T_first_second of the pairs at the given poses, float64 [pairs, 4, 4].
+    """
+
+    def __init__(self, views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> None:
+        self.pairs = rotated_pairs(poses)
+        motions = [matmul(invert_pose(poses[first]), poses[second]) for first, second in self.pairs]
+        self.poses = np.array(motions).reshape(-1, 4, 4)
+        if not self.pairs:
+            return
+        surfaces = {index: _surface_of(views[index]) for index in sorted({i for pair in self.pairs for i in pair})}
+        starts = dict(
+            zip(surfaces, np.cumsum([0] + [s.is_plane.size for s in surfaces.values()]).tolist(), strict=False)
+        )
+        sampled = {k: starts[k] + np.flatnonzero(s.is_plane & s.is_sampled()) for k, s in surfaces.items()}
+        self._cells = np.concatenate([s.cells for s in surfaces.values()], axis=1)
+        self._is_plane = np.concatenate([s.is_plane.ravel() for s in surfaces.values()])
+        self._counts = np.array([len(sampled[second]) for _, second in self.pairs])
+        self._second = self._cells[:, np.concatenate([sampled[second] for _, second in self.pairs])]
+        first = [(starts[k], *surfaces[k].is_plane.shape, *views[k].lens) for k, _ in self.pairs]
+        self._first = np.repeat(np.array(first, np.float64).T, self._counts, axis=1)
+        self._pair = np.repeat(np.arange(len(self.pairs)), self._counts)
+
+    def matches(self, poses: Floats, values: Floats, gate: float) -> _Matches:
+        """Points of second views that agree with the first ones, of pairs with enough of them."""
+        z, x, y = self._second[0], *_rays(self._second[4], self._second[5], values)
+        T = np.repeat(poses[:, :3].reshape(-1, 12).T, self._counts, axis=1)
+        points = np.stack([(row[0] * x + row[1] * y + row[2]) * z + row[3] for row in (T[:4], T[4:8], T[8:])])
+        depth = np.maximum(points[2], 1e-6)
+        u, v = points[0] / depth, points[1] / depth
+        factor = math.exp(values[0]) / (1.0 + values[3] * np.minimum(u * u + v * v, 1.0))
+        start, rows, columns, fx, fy, cx, cy = self._first
+        column, row = np.rint((u * factor + values[1]) * fx + cx), np.rint((v * factor + values[2]) * fy + cy)
+        is_inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows) & (points[2] > 0)
+        seen = np.flatnonzero(is_inside)
+        at = (start[seen] + row[seen] * columns[seen] + column[seen]).astype(int)
+        is_plane = self._is_plane[at]
+        seen, at = seen[is_plane], at[is_plane]
+        first, p, T = self._cells[:, at], points[:, seen], T[:, seen]
+        n, m = _stretched(first[1:4], values), _stretched(self._second[1:4, seen], values)
+        x_first, y_first = _rays(first[4], first[5], values)
+        r = (p[0] - x_first * first[0]) * n[0] + (p[1] - y_first * first[0]) * n[1] + (p[2] - first[0]) * n[2]
+        back = np.stack([T[k] * n[0] + T[4 + k] * n[1] + T[8 + k] * n[2] for k in range(3)])
+        agrees = (np.abs(r) < gate) & (back[0] * m[0] + back[1] * m[1] + back[2] * m[2] > MIN_NORMAL_COSINE)
+        counts = np.bincount(self._pair[seen[agrees]], minlength=len(self.pairs))
+        is_enough = counts >= MIN_PAIR_POINTS
+        keep = np.flatnonzero(agrees & is_enough[self._pair[seen]])
+        at_second = np.stack([x[seen], y[seen], z[seen]])[:, keep]
+        at_first = np.stack([x_first, y_first, first[0]])[:, keep]
+        return _Matches(
+            r[keep], p[:, keep], n[:, keep], back[:, keep], at_first, at_second, np.where(is_enough, counts, 0)
+        )
+
+
+def fit_camera(views: RotatedViews) -> CameraFit | None:
+    """Fit the camera to pairs of views with approximate poses. None if too few agree."""
+    given = _solve(views, views.poses, np.full(4, FIXED_DEVIATION)) if views.pairs else None
     if given is None:
         return None
     is_free, found = given.lever > MIN_LEVER, given
     while is_free.any():
-        found = _solve(ends, given.poses, np.where(is_free, PRIOR_DEVIATIONS, FIXED_DEVIATION))
+        found = _solve(views, given.poses, np.where(is_free, PRIOR_DEVIATIONS, FIXED_DEVIATION))
         if found is None:
             return None
         is_kept = is_free & (found.lever > MIN_LEVER * FITTED_LEVER_RATIO)
@@ -119,24 +163,41 @@ def fit_camera(
         is_free, found = is_kept, given
     deviations = np.where(is_free, found.deviations, math.inf)
     values = np.where(is_free, found.values, 0.0)
-    return CameraFit(values, deviations, given.residual, found.residual, pairs, found.poses)
+    return CameraFit(values, deviations, given.residual, found.residual, views.pairs, found.poses)
 
 
-def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> float:
-    """The factor of the depth with which more points of rotated views agree at their poses T_world_camera, else 1."""
-    pairs = rotated_pairs(poses)
-    surfaces = {index: _surface_of(views[index]) for index in {index for pair in pairs for index in pair}}
+def depth_factor(views: RotatedViews) -> float:
+    """The factor of the depth with which more points of the views agree at their given poses, else 1."""
+    if not views.pairs:
+        return 1.0
     counts = np.zeros(len(DEPTH_FACTORS))
-    for first, second in pairs:
-        motion = matmul(invert_pose(poses[first]), poses[second])
-        for k, factor in enumerate(DEPTH_FACTORS):
-            T = motion.copy()
-            T[:3, 3] /= factor
-            rows = _rows(surfaces[first], surfaces[second], T, np.zeros(4), LAST_GATE)
-            counts[k] += 0 if rows is None else len(rows[0])
-    best = int(np.argmax(counts))
-    is_better = counts[best] > MIN_DEPTH_RATIO * counts[len(counts) // 2]
-    return float(DEPTH_FACTORS[best]) if is_better else 1.0
+
+    def count(indices: Sequence[int]) -> int:
+        for k in indices:
+            scaled = views.poses.copy()
+            scaled[:, :3, 3] /= DEPTH_FACTORS[k]
+            counts[k] = views.matches(scaled, np.zeros(4), LAST_GATE).counts.sum()
+        return int(np.argmax(counts))
+
+    middle = len(counts) // 2
+    coarse = count(range(middle % 2, len(counts), 2))
+    best = count([k for k in (coarse - 1, coarse + 1) if 0 <= k < len(counts)])
+    return float(DEPTH_FACTORS[best]) if counts[best] > MIN_DEPTH_RATIO * counts[middle] else 1.0
+
+
+class _Matches(NamedTuple):
+    """Residuals [m] and points of second views in the first ones, coordinates first, in the order of the pairs.
+
+    `back`: the normals, seen from the second view. `at_first`, `at_second`: rays (x, y) and depth in the views.
+    """
+
+    residuals: Floats
+    points: Floats
+    normals: Floats
+    back: Floats
+    at_first: Floats
+    at_second: Floats
+    counts: NDArray[np.int64]  # of each pair
 
 
 class _Solution(NamedTuple):
@@ -144,35 +205,44 @@ class _Solution(NamedTuple):
     deviations: Floats
     lever: Floats
     residual: float
-    poses: list[Floats]
+    poses: Floats
 
 
 class _Normal(NamedTuple):
-    """Normal equations of the camera without the poses, those of each pair, and the sums of squares."""
+    """Normal equations of the camera without the poses, and of the poses of the `used` pairs: `inverse` of their
+    matrices, the products `mixed` with the camera (6, 4), and the gradients. The sums of squares.
+    """
 
     system: Floats
     right: Floats
-    parts: list[tuple[Floats, Floats, Floats] | None]
+    used: NDArray[np.bool_]
+    inverse: Floats
+    mixed: Floats
+    gradients: Floats
     cost: float
     weights: float
     point_count: int
 
 
-def _solve(ends: list[tuple[_Surface, _Surface]], starts: list[Floats], prior: Floats) -> _Solution | None:
+def _solve(views: RotatedViews, starts: Floats, prior: Floats) -> _Solution | None:
     """Gauss-Newton over the camera, with standard deviations `prior`, and the poses of all pairs."""
-    values, moved = np.zeros(4), list(starts)
+    values, moved = np.zeros(4), starts.copy()
     for step in range(GAUSS_NEWTON_STEPS):
-        sums = _normal_equations(ends, moved, values, max(FIRST_GATE * GATE_FACTOR**step, LAST_GATE))
+        gate = max(FIRST_GATE * GATE_FACTOR**step, LAST_GATE)
+        sums = _normal_equations(views, moved, values, gate)
         if sums is None:
             return None
         pull = _noise(sums) / prior**2
         change = np.clip(-solve(sums.system + np.diag(pull), sums.right + pull * values), -MAX_STEP, MAX_STEP)
         values = values + change
-        for k, part in enumerate(sums.parts):
-            if part is not None:
-                inverse, B, g = part
-                moved[k] = matmul(pose_of(-matmul(inverse, g + matmul(B, change))), moved[k])
-    sums = _normal_equations(ends, moved, values, LAST_GATE)
+        twists = -matmul(sums.inverse, (sums.gradients + matmul(sums.mixed, change))[..., None])[..., 0]
+        R = rotations_of(twists[:, :3])
+        moved[sums.used, :3] = matmul(R, moved[sums.used, :3])
+        moved[sums.used, :3, 3] += twists[:, 3:]
+        median_twist = float(np.median(np.abs(twists).max(axis=1)))
+        if gate == LAST_GATE and max(np.abs(change).max(), median_twist) < MAX_LAST_CHANGE:
+            break
+    sums = _normal_equations(views, moved, values, LAST_GATE)
     if sums is None:
         return None
     known = sums.system + np.diag(_noise(sums) / prior**2)
@@ -186,28 +256,44 @@ def _noise(sums: _Normal) -> float:
     return COMMON_PIXELS * sums.cost / sums.point_count + 1e-12
 
 
-def _normal_equations(
-    ends: list[tuple[_Surface, _Surface]], moved: list[Floats], values: Floats, gate: float
-) -> _Normal | None:
+def _normal_equations(views: RotatedViews, poses: Floats, values: Floats, gate: float) -> _Normal | None:
     """The normal equations at poses and camera. None if too few pairs or points agree."""
-    system, right, cost, weights, count = np.zeros((4, 4)), np.zeros(4), 0.0, 0.0, 0
-    parts: list[tuple[Floats, Floats, Floats] | None] = []
-    for (first, second), T in zip(ends, moved, strict=True):
-        rows = _rows(first, second, T, values, gate)
-        if rows is None:
-            parts.append(None)
-            continue
-        r, weight, of_pose, of_camera = rows
-        weighted = (of_pose * weight[:, None]).T
-        B, g = matmul(weighted, of_camera), (of_pose * (weight * r)[:, None]).sum(0)
-        inverse = inv(matmul(weighted, of_pose) + 1e-3 * np.eye(6))
-        system += matmul((of_camera * weight[:, None]).T, of_camera) - matmul(B.T, inverse, B)
-        right += (of_camera * (weight * r)[:, None]).sum(0) - matmul(B.T, inverse, g)
-        parts.append((inverse, B, g))
-        cost, weights, count = cost + float((weight * r * r).sum()), weights + float(weight.sum()), count + len(r)
-    if count < MIN_POINTS or sum(part is not None for part in parts) < MIN_PAIRS:
+    rows = views.matches(poses, values, gate)
+    used = rows.counts > 0
+    if len(rows.residuals) < MIN_POINTS or used.sum() < MIN_PAIRS:
         return None
-    return _Normal(system, right, parts, cost, weights, count)
+    n, p, z = rows.normals, rows.points, rows.at_first[2]
+    # The noise is that of depth, so that the weights do not depend on how much the rays are stretched.
+    along = np.abs(n[0] * rows.at_first[0] + n[1] * rows.at_first[1] + n[2])
+    expected = (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z**2) * np.maximum(along, MIN_COSINE)
+    weights = 1.0 / ((1.0 + (rows.residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
+    turned = (p[1] * n[2] - p[2] * n[1], p[2] * n[0] - p[0] * n[2], p[0] * n[1] - p[1] * n[0])
+    of_camera = _derivatives(rows.at_second, rows.back, values) - _derivatives(rows.at_first, n, values)
+    J = np.stack([*turned, *n, *of_camera, rows.residuals])
+    low, high = np.tril_indices(len(J))
+    starts = np.cumsum(rows.counts[used]) - rows.counts[used]
+    sums = np.empty((used.sum(), len(J), len(J)))
+    sums[:, low, high] = sums[:, high, low] = np.add.reduceat((J * weights)[low] * J[high], starts, axis=1).T
+    inverse = inv(sums[:, :6, :6] + 1e-3 * np.eye(6))
+    mixed, gradients = sums[:, :6, 6:10], sums[:, :6, 10]
+    by_camera = matmul(mixed.transpose(0, 2, 1), inverse)
+    system = (sums[:, 6:10, 6:10] - matmul(by_camera, mixed)).sum(0)
+    right = (sums[:, 6:10, 10] - matmul(by_camera, gradients[..., None])[..., 0]).sum(0)
+    cost = float(sums[:, 10, 10].sum())
+    return _Normal(system, right, used, inverse, mixed, gradients, cost, float(weights.sum()), len(weights))
+
+
+class _Surface(NamedTuple):
+    """Cells of a view: smoothed depth [m], normals and rays (x, y), float64 (6, cells), and those on a plane."""
+
+    cells: Floats
+    is_plane: NDArray[np.bool_]
+
+    def is_sampled(self) -> NDArray[np.bool_]:
+        """Every second cell of every second row."""
+        chosen = np.zeros(self.is_plane.shape, bool)
+        chosen[::2, ::2] = True
+        return chosen
 
 
 def _surface_of(view: CameraView) -> _Surface:
@@ -221,12 +307,12 @@ def _surface_of(view: CameraView) -> _Surface:
     residual = np.sqrt(np.maximum(square / n - middle**2 - spread / n * (a * a + b * b), 0.0))
     is_full = _window_sum((q > 0).astype(np.float64)) > n - 0.5
     z = np.where(is_full, 1.0 / np.maximum(middle, 1e-6), 0.0)
-    normals = np.stack([a * fx, b * fy, middle - a * (u - cx) - b * (v - cy)], axis=-1)
-    normals /= np.maximum(np.sqrt((normals**2).sum(-1)), 1e-12)[..., None]
+    normals = np.stack([a * fx, b * fy, middle - a * (u - cx) - b * (v - cy)])
+    normals /= np.maximum(np.sqrt((normals**2).sum(0)), 1e-12)
     x, y = (u - cx) / fx, (v - cy) / fy
-    cosine = np.abs(normals[..., 0] * x + normals[..., 1] * y + normals[..., 2]) / np.sqrt(1.0 + x * x + y * y)
+    cosine = np.abs(normals[0] * x + normals[1] * y + normals[2]) / np.sqrt(1.0 + x * x + y * y)
     is_plane = is_full & (residual * z * z < PLANE_NOISE * (1.0 + z * z)) & (cosine > MIN_COSINE)
-    return _Surface(z, normals, x, y, is_plane, view.lens)
+    return _Surface(np.stack([z, *normals, x, y]).reshape(6, -1), is_plane)
 
 
 def _window_sum(values: Floats) -> Floats:
@@ -243,53 +329,17 @@ def _rays(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats]:
     return x * factor, y * factor
 
 
-def _derivatives(x: Floats, y: Floats, z: Floats, n: Floats, values: Floats) -> Floats:
-    """Derivatives of n . point by the parameters, float64 [points, 4]."""
+def _derivatives(cells: Floats, n: Floats, values: Floats) -> Floats:
+    """Derivatives of n . point by the parameters, float64 [4, points], at rays (x, y) and depth."""
+    x, y, z = cells
     inverse_focal, square = math.exp(-values[0]), x * x + y * y
-    along = (n[:, 0] * x + n[:, 1] * y) * z
-    return np.stack([-along, -n[:, 0] * z * inverse_focal, -n[:, 1] * z * inverse_focal, along * square], axis=1)
-
-
-def _rows(
-    first: _Surface, second: _Surface, T: Floats, values: Floats, gate: float
-) -> tuple[Floats, Floats, Floats, Floats] | None:
-    """Residuals, weights, and derivatives by the pose T_first_second (6) and the camera (4) of every second cell."""
-    chosen = np.zeros(second.depth.shape, bool)
-    chosen[::2, ::2] = True
-    chosen &= second.is_plane
-    x, y = _rays(second.x[chosen], second.y[chosen], values)
-    z = second.depth[chosen]
-    points = matmul(np.stack([x * z, y * z, z], 1), T[:3, :3].T) + T[:3, 3]
-    depth = np.maximum(points[:, 2], 1e-6)
-    u, v = points[:, 0] / depth, points[:, 1] / depth
-    factor = math.exp(values[0]) / (1.0 + values[3] * np.minimum(u * u + v * v, 1.0))
-    fx, fy, cx, cy = first.lens
-    column = np.rint((u * factor + values[1]) * fx + cx).clip(-1, first.depth.shape[1]).astype(int)
-    row = np.rint((v * factor + values[2]) * fy + cy).clip(-1, first.depth.shape[0]).astype(int)
-    is_inside = (row >= 0) & (column >= 0) & (row < first.depth.shape[0]) & (column < first.depth.shape[1])
-    at = np.where(is_inside, row * first.depth.shape[1] + column, 0)
-    x_first, y_first = _rays(first.x.ravel()[at], first.y.ravel()[at], values)
-    z_first = first.depth.ravel()[at]
-    normals = _stretched(first.normals.reshape(-1, 3)[at], values)
-    r = (points[:, 0] - x_first * z_first) * normals[:, 0] + (points[:, 1] - y_first * z_first) * normals[:, 1]
-    r += (points[:, 2] - z_first) * normals[:, 2]
-    other = matmul(_stretched(second.normals[chosen], values), T[:3, :3].T)
-    is_near = is_inside & first.is_plane.ravel()[at] & (points[:, 2] > 0) & (np.abs(r) < gate)
-    keep = np.flatnonzero(is_near & ((other * normals).sum(1) > MIN_NORMAL_COSINE))
-    if len(keep) < MIN_PAIR_POINTS:
-        return None
-    n, r = normals[keep], r[keep]
-    # The noise is that of depth, so that the weights do not depend on how much the rays are stretched.
-    along = np.abs(n[:, 0] * x_first[keep] + n[:, 1] * y_first[keep] + n[:, 2])
-    expected = (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z_first[keep] ** 2) * np.maximum(along, MIN_COSINE)
-    weight = 1.0 / ((1.0 + (r / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
-    of_pose = np.concatenate([np.cross(points[keep], n), n], 1)
-    of_camera = _derivatives(x[keep], y[keep], z[keep], matmul(n, T[:3, :3]), values)
-    of_camera = of_camera - _derivatives(x_first[keep], y_first[keep], z_first[keep], n, values)
-    return r, weight, of_pose, of_camera
+    along = (n[0] * x + n[1] * y) * z
+    return np.stack([-along, -n[0] * z * inverse_focal, -n[1] * z * inverse_focal, along * square])
 
 
 def _stretched(normals: Floats, values: Floats) -> Floats:
-    """Normals of points whose rays are scaled by the focal length."""
-    out = normals * np.array([math.exp(values[0]), math.exp(values[0]), 1.0])
-    return out / np.maximum(np.sqrt((out**2).sum(1)), 1e-12)[:, None]
+    """Normals [3, points] of points whose rays are scaled by the focal length."""
+    if not values[0]:
+        return normals
+    out = normals * np.array([math.exp(values[0]), math.exp(values[0]), 1.0])[:, None]
+    return out / np.maximum(np.sqrt((out**2).sum(0)), 1e-12)

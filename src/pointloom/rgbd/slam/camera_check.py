@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.reports import Assessed, quality
 from ...kernels.rgbd.stream_views import StreamView, view_stream
-from ..odometry.camera_fit import CameraFit, CameraView, fit_camera, rotated_pairs
+from ..odometry.camera_fit import CameraFit, CameraView, RotatedViews, fit_camera
 from .fixed_parts import cell_lens
 from .frames import SensorFrame
 
@@ -94,13 +94,15 @@ def assess_camera(
 ) -> FocalCheck | None:
     """Assess a camera by views with poses T_world_camera, at most MAX_VIEWS. None if they do not determine it."""
     chosen = spread(len(poses))
-    views, poses = [views[index] for index in chosen], [poses[index] for index in chosen]
-    fit = fit_camera(views, poses, rotated_pairs(poses))
-    return None if fit is None else judged(fit, intrinsic)
+    return assess_views(RotatedViews([views[index] for index in chosen], [poses[index] for index in chosen]), intrinsic)
 
 
-def judged(fit: CameraFit, intrinsic: PinholeCameraIntrinsic) -> FocalCheck | None:
-    if not np.isfinite(fit.deviations[0]):
+def assess_views(views: RotatedViews, intrinsic: PinholeCameraIntrinsic) -> FocalCheck | None:
+    return judged(fit_camera(views), intrinsic)
+
+
+def judged(fit: CameraFit | None, intrinsic: PinholeCameraIntrinsic) -> FocalCheck | None:
+    if fit is None or not np.isfinite(fit.deviations[0]):
         return None
     is_off = np.abs(fit.values) > MAX_CORRECTIONS + MAX_SIGMAS * fit.deviations
     log_focal, u, v, distortion = np.where(is_off, fit.values, 0.0).tolist()

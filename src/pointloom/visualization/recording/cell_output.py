@@ -8,6 +8,7 @@ from typing import Any
 
 from ...core.wording import format_bytes
 from ..notebook_output import MAX_PAGE_BYTES, MAX_WIDTH, media_output, page_output, still_output
+from .exports import PACKAGES
 from .film import Film
 
 MEDIA = {".gif": "image/gif", ".mp4": "video/mp4"}
@@ -28,6 +29,8 @@ def recording_output(path: Path, text: str, film: Film) -> dict[str, Any]:
         data = path.read_bytes() if size <= MAX_PAGE_BYTES else None
     except OSError as error:
         return still_output(text, [f"the last frame; {shown} cannot be read: {error.strerror or error}"], picture)
+    if path.suffix.lower() in PACKAGES:
+        return still_output(text, [f"the last frame of {shown} ({format_bytes(size)})"], picture)
     if data is None:
         limit = format_bytes(MAX_PAGE_BYTES)
         more = f"{format_bytes(size)}, above the limit of {limit} in notebooks: open it in a browser"

@@ -2,4 +2,4 @@
 
 from __future__ import annotations
 
-RECORDINGS = (".html", ".gif", ".mp4")
+RECORDINGS = (".html", ".gif", ".mp4", ".rrd", ".mcap")

@@ -25,6 +25,7 @@ from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ..render.parts import Triple
 from ..render.view import View
+from .exports import PACKAGES, check_package, export
 from .extensions import RECORDINGS
 from .film import Film
 from .page import write_page
@@ -47,6 +48,8 @@ def check_recording(path: str | Path, *, fps: float, background: object, overwri
     check_writable(path, overwrite=overwrite)
     if suffix == ".mp4":
         find_ffmpeg(path)
+    if suffix in PACKAGES:
+        check_package(path)
 
 
 def write_recording(
@@ -64,6 +67,10 @@ def write_recording(
     suffix = Path(path).suffix.lower()
     if suffix == ".html":
         write_page(path, timeline, view=view, background=background, overwrite=overwrite)
+        return
+    if suffix in PACKAGES:
+        with atomic_write(path, overwrite=overwrite) as file:
+            file.write(export(path, timeline))
         return
     width, height = size if suffix != ".mp4" else (size[0] + size[0] % 2, size[1] + size[1] % 2)
     film = Film(timeline, view, width, height, background, device)

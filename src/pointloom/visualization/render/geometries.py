@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -14,11 +14,13 @@ from ...cameras.trajectory import Trajectory
 from ...core.array_libraries import view_as
 from ...core.checks import check_name, check_rows, is_on_gpu
 from ...core.devices import resolve_device
+from ...core.other_geometry import conversion_of, is_other
 from ...core.units import LengthUnit
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import empty, move, upload
 from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.other_objects import from_any, is_scene
 from ...meshing.mesh.voxel_grid import VoxelGrid
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.bounding_box import BoundingBox
@@ -39,9 +41,9 @@ from .styles import STYLE_KEYS, Style
 
 ACCEPTED = (
     "PointCloud, TriangleMesh, VoxelGrid, AxisAlignedBoundingBox, OrientedBoundingBox, LineSet, Trajectory, "
-    "ConvexHull, SelectionPolygonVolume, TSDFVolume, GaussianSplats, CameraFrustum, an array of points [n, 3], an "
-    'object with points, or with vertices and triangles; or {"geometry": ...} with keys of style; read '
-    "files first with loom.read_point_cloud or loom.read_triangle_mesh"
+    "ConvexHull, SelectionPolygonVolume, TSDFVolume, GaussianSplats, CameraFrustum, an array of points [n, 3], a cloud "
+    "or mesh that loom.from_any takes, an object with points, or with vertices and triangles; or "
+    '{"geometry": ...} with keys of style; read files first with loom.read_point_cloud or loom.read_triangle_mesh'
 )
 
 # Colors of several clouds without colors. The first two as in Open3D's registration tutorials.
@@ -55,13 +57,17 @@ CLOUD_COLORS: tuple[Triple, ...] = (
 )
 
 
+DEFAULT_COLOR_BY = "height"  # of a single cloud without colors. KITTI's and Autzen's intensities are mostly dark
+
 Named = tuple[str, Any, Style]
 
 
-def named_geometries(geometries: object) -> list[Named]:
+def named_geometries(geometries: object, colored: Collection[str] = ()) -> list[Named]:
     """Unique names and styles of geometries, given as one, a list, a mapping, or dictionaries as in Open3D's `draw`.
 
-    Raises TypeError for unsupported types and ValueError for unknown style keys or values out of range.
+    A single cloud without colors is colored by height, as in Open3D, and several get different colors. `colored` names
+    clouds whose colors are stored elsewhere. Raises TypeError for unsupported types and ValueError for unknown style
+    keys or values out of range.
     """
     if isinstance(geometries, Mapping) and "geometry" not in geometries:
         given = [(check_name("geometries: names", name), value) for name, value in geometries.items()]
@@ -80,7 +86,7 @@ def named_geometries(geometries: object) -> list[Named]:
         kind = kind_of(geometry)
         name = _free_name(name or kind, taken)
         named.append((name, geometry, style))
-    return _with_distinct_colors(named)
+    return _with_default_colors(named, colored)
 
 
 def check_units(geometries: Iterable[Any]) -> LengthUnit | None:
@@ -108,20 +114,30 @@ def _free_name(name: str, taken: dict[str, int]) -> str:
     return free
 
 
-def _with_distinct_colors(named: list[Named]) -> list[Named]:
-    """Give different colors to several clouds without colors."""
+def _with_default_colors(named: list[Named], colored: Collection[str]) -> list[Named]:
     plain = [
         name
         for name, geometry, style in named
         if kind_of(geometry) in ("cloud", "points")
         and style.color is None
         and style.color_by is None
+        and name not in colored
         and not _has_colors(geometry)
     ]
-    if len(plain) < 2:
-        return named
+    if len(plain) == 1:
+        style = {"color_by": DEFAULT_COLOR_BY}
+        return [(n, g, dataclasses.replace(s, **style) if n in plain and _has_heights(g) else s) for n, g, s in named]
     colors = {name: CLOUD_COLORS[i % len(CLOUD_COLORS)] for i, name in enumerate(plain)}
     return [(n, g, dataclasses.replace(s, color=colors[n]) if n in colors else s) for n, g, s in named]
+
+
+def _has_heights(cloud: object) -> bool:
+    """True if the points have different heights, which a color shows."""
+    if not isinstance(cloud, PointCloud):
+        points: Any = getattr(cloud, "points", cloud)
+        cloud = PointCloud(points)
+    low, high, count = bound_points(cloud.arrays["points"])
+    return bool(count) and float(high[2]) > float(low[2])
 
 
 def _has_colors(cloud: object) -> bool:
@@ -137,9 +153,11 @@ def kind_of(geometry: object) -> str:
 
 
 def as_known(geometry: Any) -> Any:
-    """Convert Open3D's tensor geometries and tensors. Other objects are returned unchanged."""
+    """Convert clouds and meshes of other libraries, and tensors. Other objects are returned unchanged."""
     if isinstance(geometry, (type, *(kind for kind, _ in _KINDS))):
         return geometry
+    if is_other(geometry) or is_scene(geometry):
+        return from_any(geometry)
     if callable(getattr(geometry, "to_legacy", None)):
         return geometry.to_legacy()
     has_memory = hasattr(geometry, "__dlpack__") and hasattr(geometry, "__dlpack_device__")
@@ -231,8 +249,8 @@ def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
     """An array of points, or a plain object with points."""
     has_attributes = hasattr(geometry, "points")
     cloud = PointCloud(geometry.points if has_attributes else geometry, device=device)
-    if style.color_by is not None and has_attributes:
-        for name in ("normals", "colors"):
+    if style.color_by is not None:
+        for name in ("normals", "colors") if has_attributes else ():
             rows = optional_rows(geometry, name, len(cloud))
             if len(rows):
                 setattr(cloud, name, rows)
@@ -341,7 +359,7 @@ def _entry_of(geometry: object) -> Entry:
         return "cloud", _of_points
     kind = type(geometry)  # with its module: other libraries have a VoxelGrid as well
     type_name = kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
-    raise TypeError(f"geometries: expected {ACCEPTED}; got {type_name}")
+    raise TypeError(f"geometries: expected {ACCEPTED}; got {type_name}{conversion_of(geometry)}")
 
 
 # Faces of a cube: axis, side and corners, counterclockwise seen from outside.

@@ -16,7 +16,7 @@ from ...core.array_libraries import view_as
 from ...core.checks import check_color, shown
 from ...core.devices import resolve_device
 from ...core.units import called_by_user, warn_of_units
-from ...core.up_axis import UP, check_up
+from ...core.up_axis import check_up
 from ...kernels.drawing.layers import join_mattes
 from ...kernels.drawing.placing import make_normal_lines
 from ...kernels.lang import vec3, vec3i
@@ -31,7 +31,7 @@ from .parts import PLAIN_LINE, Lines, Part, Points, Triangles, Triple
 from .picture import Picture as Picture
 from .scene import Drawing, Scene
 from .styles import Style
-from .up_axis import direction_under, up_of
+from .up_axis import DEFAULT_LOOK, Look, look_of
 from .view import Frame, Insets, View
 
 BLACK_COLOR, WHITE_COLOR = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
@@ -137,7 +137,7 @@ def render(
         geometries = {"geometry": seen[0], "shaded": False if "vertex_colors" in seen[0].arrays else None}
         camera = view_scene(*seen, width=width, height=height) if camera is None else camera
     named = named_geometries(geometries)
-    up_axis = up_of((geometry, style.pose) for _, geometry, style in named) if explicit_up is None else explicit_up
+    placed = [(geometry, style.pose) for _, geometry, style in named]
     unit = check_units(geometry for _, geometry, _ in named)
     target_device = device_of(named, device)
     for_all = Style(point_size=point_size, wireframe=mesh_show_wireframe or None, back_faces=mesh_show_back_face)
@@ -150,7 +150,9 @@ def render(
     if entries is True:
         entries = [(name, color_of(group)) for (name, _, _), group in zip(named, groups, strict=True) if group]
     overlays = Overlays(texts, entries or [], check_bar(color_bar, parts), bool(scale_bar), unit, is_dark(backdrop))
-    view = resolve_view(camera, scene, width, height, inset_choices=overlays.inset_choices(width, height), up=up_axis)
+    insets = overlays.inset_choices(width, height)
+    look = look_of(placed, explicit_up) if camera is None else DEFAULT_LOOK
+    view = resolve_view(camera, scene, width, height, inset_choices=insets, look=look)
     drawing = scene.draw(view)
     picture = _written(drawing, backdrop, overlays)
     if not depth:
@@ -197,11 +199,17 @@ def _all_of(groups: list[list[Part]]) -> list[Part]:
 
 
 def resolve_view(
-    camera: object, scene: Scene, width: int, height: int, *, inset_choices: Sequence[Insets] = (), up: Triple = UP
+    camera: object,
+    scene: Scene,
+    width: int,
+    height: int,
+    *,
+    inset_choices: Sequence[Insets] = (),
+    look: Look = DEFAULT_LOOK,
 ) -> View:
     """View for the `camera` of `render`. A fitted view uses those of `inset_choices` that allow the closest view."""
     if camera is None:
-        direction = direction_under(up)
+        direction, up = look
         views = [scene.fit(Frame(direction, up, width, height, room)) for room in inset_choices or [(0, 0, 0, 0)]]
         return max(views, key=lambda view: float(view.T_world_camera[:3, 3] @ view.T_world_camera[:3, 2]))
     if isinstance(camera, View):

@@ -30,6 +30,7 @@ from ..render.geometries import Named, named_geometries, parts_of
 from ..render.picture import Picture
 from ..render.picture_files import write_image
 from ..render.scene import Scene
+from ..render.up_axis import look_of
 from .client_presence import KEEP_ALIVE
 from .screenshots import as_entry, write_geometries
 from .server import ViewerError
@@ -376,7 +377,9 @@ def inline_page(
     still = (width, max(1, round(size[1] * width / size[0])))
     device = device_of(named, None)
     scene = Scene([part for _, geometry, style in named for part in parts_of(geometry, style, device)], device)
-    camera = resolve_view({name: value for name, value in view.items() if value is not None} or None, scene, *still)
+    given = {name: value for name, value in view.items() if value is not None}
+    look = look_of((geometry, style.pose) for _, geometry, style in named)
+    camera = resolve_view(given or None, scene, *still, look=look)
     picture = render([as_entry(one) for one in named], camera=camera, size=still)
     page, counts = _bounded_page(named, camera, max_points)
     notes = [reason]

@@ -73,6 +73,10 @@ class Panel:
         self._colored.pop(name, None)
         self.tree.drop(name)
 
+    def clear(self) -> None:
+        """Release the memory of items."""
+        self._colored = {}
+
     def apply_pending(self) -> None:
         """Update the legend if items have changed."""
         if not self._is_current:

@@ -13,7 +13,7 @@ from ...core.errors import PointloomError
 from ...core.up_axis import check_up
 from ..render.geometries import Named, check_units
 from ..render.parts import Triple
-from ..render.up_axis import direction_under, up_of
+from ..render.up_axis import look_of
 from ..render.view import View, fit_view
 from .camera import diagonal, read_parameters
 from .coloring_choice import ColoringChoice
@@ -104,8 +104,8 @@ class Scene:
         width, height = self.size
         if self._view is not None:
             return View.from_open3d(self.bounds, **self._view, width=width, height=height)
-        up = self._up or up_of((item.geometry, item.style.pose) for item in self.shown.values())
-        return fit_view(self._outline(), direction=direction_under(up), up=up, width=width, height=height)
+        direction, up = look_of(((item.geometry, item.style.pose) for item in self.shown.values()), self._up)
+        return fit_view(self._outline(), direction=direction, up=up, width=width, height=height)
 
     @property
     def has_own_view(self) -> bool:

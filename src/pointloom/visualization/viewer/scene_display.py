@@ -80,6 +80,7 @@ class SceneDisplay:
         self.sessions.clear()
         self.nodes.clear()
         self.scene.clear()
+        self.panel.clear()
         self._deferred.close()
         return [*sessions, *builders, self._deferred]
 

@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.up_axis import UP
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
 from ..render.geometries import Named
 from ..render.parts import Triple
 from ..render.picture_files import check_picture, write_image
 from ..render.styles import Style
-from ..render.up_axis import direction_under, up_of
+from ..render.up_axis import DEFAULT_LOOK, look_of
 from ..render.view import View
 from .coloring_choice import choices_of, shown_coloring
 from .items import Item
@@ -86,9 +85,9 @@ def write_geometries(
         numbers = tuple(store.add(shape) for shape in drawn.shapes)
         shown[name] = Placement(numbers, pose_about(drawn.pose, drawn.origin, origin))
     timeline = Timeline(origin, store.shapes, [Frame(shown)], title=title)
-    up = up or up_of((geometry, style.pose) for _, geometry, style in named)
-    if view is None and up != UP:
-        view = view_frames(timeline, (direction_under(up), up), *VIEW_SIZE)
+    look = look_of(((geometry, style.pose) for _, geometry, style in named), up)
+    if view is None and look != DEFAULT_LOOK:
+        view = view_frames(timeline, look, *VIEW_SIZE)
     write_page(path, timeline, view=view, background=tuple(background), overwrite=overwrite)
     return {name: (drawn.drawn, drawn.total) for name, drawn in sketches.items()}
 

@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ...cameras.pose_text import read_lines
 from ...cameras.trajectory import read_trajectory
 from ...core.atomic import restore_folder
@@ -35,6 +37,7 @@ from .copc_tree import CopcTree
 from .detail_files import sample_file
 from .detail_tree import DetailTree
 
+_NO_INDICES = np.zeros(0, np.int64)
 _COORDINATES = ("rgb", "normal", "height", "x", "y", "z", "label")  # properties that need no attribute
 
 
@@ -74,10 +77,8 @@ def read_scene(
             entries[name] = read_geometry(path, device=device, columns=names)
         else:
             entries[name], trees[name] = _cloud_of(tree, path), tree
-    if len(entries) > 1:  # several clouds without colors get different ones
-        named = named_geometries([{"geometry": geometry, "name": name, **style} for name, geometry in entries.items()])
-    else:
-        named = [(name, geometry, Style(**style)) for name, geometry in entries.items()]
+    given = [{"geometry": geometry, "name": name, **style} for name, geometry in entries.items()]
+    named = named_geometries(given, {name for name, tree in trees.items() if tree.colors_of(_NO_INDICES) is not None})
     return named, trees
 
 
@@ -118,7 +119,7 @@ def read_geometry(
         return read_trajectory(path)
     if suffix == ".npz" and _is_volume(path):
         return TSDFVolume.load(path, device=device)
-    if suffix in tables.MESHES and (suffix != ".ply" or tables.is_mesh_file(path)):
+    if tables.is_mesh_file(path):
         return read_triangle_mesh(path, device=device)
     if suffix in tables.READERS:
         return read_point_cloud(path, device=device)
@@ -148,7 +149,7 @@ def _open_large(path: Path, max_points: int) -> Any:
     """Open a cloud file with more points for reading in parts. None for other files."""
     if path.suffix.lower() not in tables.READERS or not path.is_file():
         return None
-    if path.suffix.lower() == ".ply" and tables.is_mesh_file(path):
+    if tables.is_mesh_file(path):
         return None
     file = open_in_parts(path)
     return file if file is not None and file.count > max_points else None

@@ -199,9 +199,8 @@ class Viewer:
             Needs at most 256 MB for decoded nodes, plus the data sent to a page.
         """
         tree = CopcTree(path)
-        self.add_named(
-            named_geometries([{"geometry": tree.head, "name": check_name("name", name), **style}]), {name: tree}
-        )
+        entry = {"geometry": tree.head, "name": check_name("name", name), **style}
+        self.add_named(named_geometries([entry], {name} if tree.has_colors else ()), {name: tree})
 
     def add_named(self, named: list[Named], trees: Mapping[str, Any] = MappingProxyType({})) -> None:
         """Add the result of `named_geometries`, with optional level-of-detail trees by name."""

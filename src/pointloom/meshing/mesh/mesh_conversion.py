@@ -1,0 +1,227 @@
+"""Meshes to and from trimesh, Open3D, PyVista and meshio."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.devices import DeviceLike
+from ...core.other_geometry import OtherGeometry, read_or_refuse, read_other
+from ...core.to_other_libraries import UVS, import_library, to_meshio, to_pyvista, to_trimesh
+from ...io.meshes.glb_writer import split_seams
+from ...io.table import MeshTable
+from ...io.triangulation import split_faces
+from .mesh_arrays import MeshArrays
+
+
+class MeshConversion(MeshArrays):
+    """Methods of TriangleMesh that convert it to and from other libraries.
+
+    Results are copies with float64 positions if the origin is not zero, else float32. One warning lists what the
+    library cannot store. `TriangleMesh(mesh)` and `from_any` are the inverse.
+    """
+
+    @classmethod
+    def from_open3d(cls, mesh: object, *, device: DeviceLike = None, arrays: str | None = None) -> Self:
+        """Copy an Open3D mesh, legacy (`open3d.geometry`) or tensor (`open3d.t.geometry`), as `TriangleMesh(mesh)`.
+
+        Textures are top row first here. Legacy meshes of Open3D have the lowest row first.
+
+        Args:
+            mesh: The Open3D mesh.
+            device: Target device. If None: the tensor mesh's GPU, or the CPU.
+            arrays: Library of returned arrays, as of `TriangleMesh`. If None: "numpy".
+
+        Raises:
+            TypeError: If `mesh` is not an Open3D mesh.
+            DeviceError: If the device does not exist.
+        """
+        given = read_other(mesh)
+        if given is None or given.corners is None or "open3d" not in type(mesh).__module__:
+            raise TypeError(f"mesh: expected an open3d.geometry or open3d.t.geometry TriangleMesh, got {type(mesh)}")
+        make: Any = cls
+        result: Self = make(given, device=device, arrays=arrays)
+        return result
+
+    def to_open3d(self) -> Any:
+        """Copy to a legacy `open3d.geometry.TriangleMesh`, with normals, colors and textures.
+
+        Raises:
+            ImportError: If Open3D is not installed.
+
+        Warns:
+            UserWarning: If the mesh has attributes, which `to_open3d_tensor` keeps.
+        """
+        o3d, table = import_library("open3d"), mesh_table(self)
+        vectors, of_numbers = o3d.utility.Vector3dVector, o3d.utility.Vector3iVector
+        mesh = o3d.geometry.TriangleMesh(vectors(table.vertices.astype(np.float64)), of_numbers(table.triangles.copy()))
+        if table.vertex_normals is not None:
+            mesh.vertex_normals = vectors(table.vertex_normals.astype(np.float64))
+        if table.vertex_colors is not None:
+            mesh.vertex_colors = vectors(table.vertex_colors.astype(np.float64))
+        if table.triangle_uvs is not None:
+            mesh.triangle_uvs = o3d.utility.Vector2dVector(table.triangle_uvs.astype(np.float64))
+            ids = table.triangle_material_ids
+            numbers = np.zeros(len(table.triangles), np.int32) if ids is None else ids
+            mesh.triangle_material_ids = o3d.utility.IntVector(numbers)
+            flipped = [np.ascontiguousarray(np.flipud(image)) for image in table.textures]
+            mesh.textures = [o3d.geometry.Image(image) for image in flipped]
+        left_out = [*table.attributes, *(f"face {name}" for name in table.triangle_attributes)]
+        OtherGeometry("open3d.geometry.TriangleMesh", table.vertices, left_out=left_out).warn()
+        return mesh
+
+    def to_open3d_tensor(self) -> Any:
+        """Copy to an `open3d.t.geometry.TriangleMesh` on the CPU with all attributes, those of one axis as columns.
+
+        Raises:
+            ImportError: If Open3D is not installed.
+
+        Warns:
+            UserWarning: If there are several textures, or attributes in float16, which Open3D does not have.
+        """
+        o3d, table = import_library("open3d"), mesh_table(self)
+        tensor, left_out = o3d.core.Tensor, []
+        mesh = o3d.t.geometry.TriangleMesh(
+            tensor(np.ascontiguousarray(table.vertices)), tensor(np.ascontiguousarray(table.triangles))
+        )
+        named = {"normals": table.vertex_normals, "colors": table.vertex_colors, **table.attributes}
+        corners = None if table.triangle_uvs is None else table.triangle_uvs.reshape(-1, 3, 2)
+        ids = None if table.triangle_material_ids is None else table.triangle_material_ids.reshape(-1, 1)
+        of_faces = {"texture_uvs": corners, "material_ids": ids, **table.triangle_attributes}
+        for target, columns in ((mesh.vertex, named), (mesh.triangle, of_faces)):
+            for name, values in columns.items():
+                if values is not None and values.dtype == np.float16:
+                    left_out.append(name)
+                elif values is not None:
+                    rows = values[:, None] if values.ndim == 1 else values
+                    target[name] = tensor(np.ascontiguousarray(rows))
+        if len(table.textures) == 1 and corners is not None:
+            mesh.material.set_default_properties()
+            mesh.material.material_name = "defaultLit"
+            mesh.material.texture_maps["albedo"] = o3d.t.geometry.Image(tensor(table.textures[0].copy()))
+        elif table.textures:
+            left_out.append("textures")
+        OtherGeometry("open3d.t.geometry.TriangleMesh", table.vertices, left_out=left_out).warn()
+        return mesh
+
+    def to_trimesh(self) -> Any:
+        """Copy to a `trimesh.Trimesh`, with colors in 8 bits. Vertices at texture seams are duplicated.
+
+        The unit and the coordinate system are in its metadata.
+
+        Raises:
+            ImportError: If trimesh is not installed.
+
+        Warns:
+            UserWarning: If there are several textures.
+        """
+        return to_trimesh(self._other("trimesh.Trimesh"))
+
+    def to_pyvista(self) -> Any:
+        """Copy to a `pyvista.PolyData`, with colors in 8 bits as "RGB". Vertices at texture seams are duplicated.
+
+        The unit and the coordinate system are in its field data.
+
+        Raises:
+            ImportError: If PyVista is not installed.
+
+        Warns:
+            UserWarning: If there are textures, which PyVista takes when it draws.
+        """
+        return to_pyvista(self._other("pyvista.PolyData"))
+
+    def to_meshio(self) -> Any:
+        """Copy to a `meshio.Mesh`, with colors in 8 bits as "RGB". Vertices at texture seams are duplicated.
+
+        The unit and the coordinate system are in its `info`.
+
+        Raises:
+            ImportError: If meshio is not installed.
+
+        Warns:
+            UserWarning: If there are textures.
+        """
+        return to_meshio(self._other("meshio.Mesh"))
+
+    def _other(self, source: str) -> OtherGeometry:
+        """All arrays for libraries whose texture coordinates are per vertex."""
+        table = mesh_table(self)
+        rows, triangles, uvs = split_seams(table)
+        columns = {"normals": table.vertex_normals, "colors": table.vertex_colors, **table.attributes}
+        named = {name: values[rows] for name, values in columns.items() if values is not None}
+        normals, colors = named.pop("normals", None), named.pop("colors", None)
+        faces = dict(table.triangle_attributes)
+        if table.triangle_material_ids is not None:
+            faces["material_ids"] = table.triangle_material_ids
+        return OtherGeometry(
+            source,
+            table.vertices[rows],
+            normals,
+            colors,
+            named if uvs is None else {**named, UVS: uvs},
+            corners=triangles.reshape(-1),
+            face_attributes=faces,
+            textures=list(table.textures),
+            unit=table.unit,
+            crs=table.crs,
+        )
+
+
+def mesh_table(mesh: MeshArrays) -> MeshTable:
+    """Mesh in file form: positions in float32 without an origin, else in float64 with the origin added."""
+    return MeshTable(
+        mesh.vertices if mesh.origin.any() else mesh.vertices.astype(np.float32),
+        mesh.triangles,
+        mesh.vertex_normals,
+        mesh.vertex_colors,
+        triangle_uvs=mesh.triangle_uvs,
+        triangle_material_ids=mesh.triangle_material_ids,
+        textures=mesh.textures,
+        attributes=dict(mesh.vertex_attributes),
+        triangle_attributes=dict(mesh.triangle_attributes),
+        unit=mesh.unit,
+        crs=mesh.crs,
+    )
+
+
+def mesh_arguments(name: str, given: object) -> dict[str, Any]:
+    """Arguments of `TriangleMesh` for a mesh of another library. Empty for other objects, such as arrays."""
+    other = read_or_refuse(name, given)
+    if other is None:
+        return {}
+    corners, count = other.corners, len(other.points)
+    if corners is None:
+        raise TypeError(
+            f"{name}: expected an array or a mesh, got {other.source} without faces. loom.PointCloud(x) makes a cloud"
+        )
+    if corners.size and (corners.min() < 0 or corners.max() >= count):
+        wrong = corners.max() if corners.max() >= count else corners.min()
+        raise ValueError(f"{name}: a face of {other.source} refers to point {wrong}, but it has {count} points")
+    lengths = other.lengths
+    if lengths is not None and lengths.size and lengths.min() < 3:
+        raise ValueError(f"{name}: a face of {other.source} has {lengths.min()} corners; at least 3 are needed")
+    if lengths is None or (lengths == 3).all():
+        at, repeats = np.arange(len(corners)).reshape(-1, 3), None
+    else:
+        at, repeats = split_faces(other.source, lengths, corners, other.points), lengths - 2
+    other.warn()
+    return {
+        "vertices": other.points,
+        "triangles": corners[at],
+        "vertex_normals": other.normals,
+        "vertex_colors": other.colors,
+        "triangle_uvs": None if other.uvs is None else other.uvs[at.reshape(-1)],
+        "triangle_material_ids": _repeated(other.material_ids, repeats),
+        "textures": other.textures,
+        "vertex_attributes": other.attributes,
+        "triangle_attributes": {key: _repeated(values, repeats) for key, values in other.face_attributes.items()},
+        "device": other.device,
+        "reference": (other.unit, other.crs),
+    }
+
+
+def _repeated(values: NDArray[Any] | None, repeats: NDArray[Any] | None) -> NDArray[Any] | None:
+    """Values of faces as values of their triangles."""
+    return values if values is None or repeats is None else np.repeat(values, repeats, axis=0)
