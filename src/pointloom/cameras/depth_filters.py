@@ -161,7 +161,8 @@ def _fillable(depth: NDArray[np.float32], max_pixels: int, threshold: float) -> 
     """Pixels of the holes of at most `max_pixels` inside the image, whose border has one depth up to the threshold."""
     from scipy import ndimage  # slow import
 
-    labels, count = ndimage.label(depth <= 0)
+    labels = np.zeros(depth.shape, np.int32)
+    count: Any = ndimage.label(depth <= 0, output=labels)
     sizes = np.bincount(labels.ravel(), minlength=count + 1)
     low, high = np.full(count + 1, np.inf), np.zeros(count + 1)
     for a, b in ((np.s_[1:], np.s_[:-1]), (np.s_[:-1], np.s_[1:])):
@@ -193,7 +194,7 @@ def _harmonic(values: NDArray[np.float64], mask: NDArray[np.bool_]) -> NDArray[n
         pairs.append(np.column_stack([np.flatnonzero(other >= 0), other[other >= 0]]))
     i, j = np.concatenate(pairs).T
     laplacian = sparse.csc_array((np.full(len(i), -1.0), (i, j)), (len(rows), len(rows)))
-    return spsolve(laplacian + 4 * sparse.eye_array(len(rows), format="csc"), known)
+    return np.asarray(spsolve(laplacian + 4 * sparse.eye_array(len(rows), format="csc"), known), np.float64)
 
 
 def create_normal_map(
