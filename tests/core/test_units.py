@@ -177,3 +177,7 @@ def test_lengths_that_suit_few_points_do_not_warn(ball):
         small = ball.scale(0.01)
         assert loom.registration.registration_icp(small, loom.PointCloud(ball.points[:1]), 9.0).fitness == 1
         loom.registration.registration_icp_batch(ball.translate([100, 0, 0]), ball, 0.05)
+    with pytest.warns(loom.UnitWarning, match="all points are noise"):
+        assert set(loose.cluster_dbscan(3.0, 200)) == {-1}
+    with pytest.warns(loom.UnitWarning, match="they are removed"):
+        assert len(loose.remove_radius_outlier(200, 3.0)[0]) == 0
