@@ -110,6 +110,7 @@ def viewer() -> Pixels:
     shown = loom.draw({"geometry": living_room_mesh(), "shaded": False}, port=0, block=False, open_browser=False,
                       front=(-living_room_poses()[2, :3, 2] + [0.0, 0.3, 0.35]).tolist(), up=[0, 1, 0],
                       zoom=0.5)  # fmt: skip
+    assert isinstance(shown, loom.Viewer)
     with sync_playwright() as playwright:
         flags = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
         path = os.environ.get("POINTLOOM_CHROMIUM") or shutil.which("chromium")

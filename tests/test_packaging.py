@@ -113,7 +113,7 @@ def test_an_address_makes_every_link_of_the_readme_absolute(package_metadata):
         if relative.startswith("https:"):
             assert link == relative
             continue
-        kind = "raw" if relative.endswith(".png") else "blob"
+        kind = "raw" if relative.endswith((".png", ".jpg")) else "blob"
         assert link == f"https://host.test/owner/pointloom/{kind}/main/{relative}"
         assert (ROOT / relative.partition("#")[0]).exists()
     urls = package_metadata.project_urls("https://host.test/owner/pointloom/", "main")

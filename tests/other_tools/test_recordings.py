@@ -127,3 +127,13 @@ def test_a_recording_of_foxglove_has_each_shape_once_and_each_pose(tmp_path):
     assert len(entities[0.5, BOX].lines[0].points) == 24
     assert topics["/plots"] == [(0.0, {"fitness": 0.5})]
     assert [message.message for _, message in topics["/label"]] == ["first", "second", "third", "fourth", "fifth"]
+
+
+@pytest.mark.parametrize(("suffix", "module"), [(".rrd", "rerun"), (".mcap", "foxglove")])
+def test_a_notebook_shows_the_last_frame_of_a_recording_for_another_viewer(tmp_path, suffix, module):
+    pytest.importorskip(module, exc_type=ImportError)
+    r, _ = record(tmp_path / f"a{suffix}")
+    output = r._repr_mimebundle_()
+    assert "image/jpeg" in output
+    assert f"a{suffix}" in output["text/html"]
+    assert "<iframe" not in output["text/html"]

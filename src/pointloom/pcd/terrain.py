@@ -124,7 +124,7 @@ def height_above_ground(
 
     Args:
         cloud: A classified survey, z up.
-        reach: Maximum distance of ground points in plan [m]. The result depends on nothing beyond.
+        reach: Maximum distance of ground points in plan [m]. Points farther away do not change the result.
         neighbors: Minimum ground points in the smallest square of cells used, at least 3 x 3.
         cell: Edge of those cells [m], about the ground point spacing.
         corner: A corner of the cells.

@@ -166,7 +166,7 @@ def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) ->
 
 
 def record_option(what: str) -> Decorator:
-    text = f"Record {what}: .html (page with player), .gif or .mp4."
+    text = f"Record {what}: .html (page with player), .gif, .mp4, .rrd (Rerun) or .mcap (Foxglove)."
     return option("--record record_as=FILE", RecordingFile(), text)
 
 

@@ -189,9 +189,11 @@ _TYPE_REMEDY = "Convert it to an integer, float32 or float64, or write NPZ"
 
 
 def read_pcd(path: FilePath, *, source: SourceFile | None = None) -> PointTable:
-    """Read a PCD file in any encoding, as float32 or float64 as stored, with the grid of an organized cloud. `source`:
-    the open file.
-    Warns if WIDTH x HEIGHT is 0 and POINTS is not. Compressed files are unpacked in Python at about 10 to 20 MB/s."""
+    """Read a PCD file in any encoding, with the stored number type and the grid of an organized cloud.
+
+    `source` is the open file. Warns if WIDTH x HEIGHT is 0 and POINTS is not. Compressed files are unpacked in Python
+    at about 10 to 20 MB/s.
+    """
     path = Path(path)
     source = source or open_source(path)
     header = read_header(path, source)

@@ -107,7 +107,7 @@ class FramePicker:
 
     Attributes:
         chosen: Numbers of the selected frames, from 0.
-        still: How often `max_gap` was reached without camera motion.
+        still: Number of times that `max_gap` was reached without camera motion.
         blank: Numbers of black or uniform frames.
         blurred: Number of blurred frames among the others.
     """

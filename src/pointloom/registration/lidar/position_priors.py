@@ -101,7 +101,7 @@ class PositionPriors:
     def measurements(self, poses: Array, reference: Array) -> tuple[Array, Array]:
         """Poses T_reference_submap of the aligned positions and their information [p, 6, 6], as edges of the graph.
 
-        They constrain rotations only by the lever of the point, at the present orientation of the graph.
+        They constrain rotations only through the offset of the point, at the current orientations of the graph.
         """
         rows = self.at(self.is_aligned)
         R = matmul(reference[:3, :3].T, poses[rows.nodes][:, :3, :3])

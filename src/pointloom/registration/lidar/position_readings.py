@@ -37,8 +37,8 @@ class PositionReadings:
         ValueError: Shapes that do not match, NaN or infinity, times that do not increase, or a sigma beyond 1e-4..1e6.
 
     Notes:
-        The arrays are read-only. Positions within a second weigh as much as one of that second together. Pass a larger
-        `sigma` if errors last longer.
+        The arrays are read-only. All positions within one second together have the weight of one position. Pass a
+        larger `sigma` if errors last longer.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -239,9 +239,9 @@ class StreamLag:
     """Time offset of depth and color by comparison of their rotations.
 
     Attributes:
-        apart: The stretches of frames that are apart in time.
-        current: The one of the last frame. None if it is synchronized, or if that is unknown.
-        synchronized: The first frame that is not known to be synchronized.
+        apart: Runs of frames in which depth and color are not synchronized.
+        current: The run that contains the last frame. None if it is synchronized, or if that is unknown.
+        synchronized: Number of the first frame that is not known to be synchronized.
         is_doubtful: True if the rotations of the last frames are unrelated, but too few to report it.
     """
 

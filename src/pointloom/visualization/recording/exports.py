@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,7 @@ from .timeline import Frame, Placement, Shape, Timeline
 
 PACKAGES = {".rrd": ("rerun", "rerun-sdk"), ".mcap": ("foxglove", "foxglove-sdk")}  # suffix: module, name on PyPI
 ROOT = "scene"
-NANOSECONDS = 1_000_000_000  # per second
+NANOSECONDS_PER_SECOND = 1_000_000_000
 RIGID_TOLERANCE = 1e-6  # of R R^T - I: Foxglove has no scaled or sheared frames
 NOWHERE = Placement(())
 
@@ -63,10 +64,10 @@ def _changes(timeline: Timeline) -> Iterator[tuple[int, Frame, list[_Change]]]:
         changes = []
         for name in {**before, **frame.shown}:
             old, new = before.get(name, NOWHERE), frame.shown.get(name, NOWHERE)
-            poses = [np.eye(4) if placement.pose is None else placement.pose for placement in (old, new)]
-            if old.shapes != new.shapes or not np.array_equal(*poses):
+            was, T = (np.eye(4) if placement.pose is None else placement.pose for placement in (old, new))
+            if old.shapes != new.shapes or not np.array_equal(was, T):
                 shapes = tuple(timeline.shapes[k] for k in new.shapes)
-                changes.append(_Change(name, shapes, poses[1], old.shapes != new.shapes))
+                changes.append(_Change(name, shapes, T, old.shapes != new.shapes))
         yield number, frame, changes
         before = frame.shown
 
@@ -96,7 +97,7 @@ def _write_rrd(path: Path, timeline: Timeline) -> None:
     stream.disconnect()
 
 
-def _rerun_shape(rr: Any, shape: Shape) -> object:
+def _rerun_shape(rr: ModuleType, shape: Shape) -> object:
     """The archetype of a shape. Sizes are in pixels, which Rerun marks by a negative radius."""
     colors = shape.plain if shape.colors is None else shape.colors
     if shape.kind == "points":
@@ -123,7 +124,7 @@ def _write_mcap(path: Path, timeline: Timeline) -> None:
     clouds: dict[str, Any] = {}
     with foxglove.open_mcap(path, context=context):
         for number, frame, changes in _changes(timeline):
-            messages = _Messages(round(number / timeline.fps * NANOSECONDS))
+            messages = _Messages(round(number / timeline.fps * NANOSECONDS_PER_SECOND))
             if number == 0:
                 transforms.log(messages.transform("world", ROOT, _translation(timeline.origin)), log_time=messages.time)
             for change in changes:
@@ -151,7 +152,7 @@ class _Messages:
         from foxglove import messages  # pyright: ignore[reportMissingImports]
 
         self.time, self._types = time, messages
-        self._stamp = messages.Timestamp(*divmod(time, NANOSECONDS))
+        self._stamp = messages.Timestamp(*divmod(time, NANOSECONDS_PER_SECOND))
 
     def label(self, text: str) -> object:
         return self._types.Log(timestamp=self._stamp, level=self._types.LogLevel.Info, message=text)

@@ -57,11 +57,14 @@ def record(
 ) -> Recorder:
     """Record the steps of algorithms inside a `with` block as a web page with a player, an animation or a video.
 
+    The suffix of the path chooses the format. Rerun and Foxglove display .rrd and .mcap.
+
     Recorded automatically: iterations of ICP, fused and tracked frames, scans of LiDAR odometry, clusters, planes and
     registered fragments. Other frames are made with `add`, `update`, `set_pose`, `plot` and `step`.
 
     Args:
-        path: .html (one file that plays from disk, with plots), .gif, or .mp4 (requires ffmpeg).
+        path: .html (one file that plays from disk, with plots), .gif, .mp4 (requires ffmpeg), .rrd (requires the
+            package rerun-sdk) or .mcap (requires foxglove-sdk).
         fps: Frames per second, at most 50 for .gif.
         size: Width and height of an animation [px]; rounded to even numbers for a video.
         max_points: Clouds with more points are sampled and meshes with more vertices simplified, which the title
@@ -79,7 +82,7 @@ def record(
         A Recorder for a `with` block. The file is written at the end of the block.
 
     Raises:
-        FileError: Unknown suffix, a path that cannot be written, or missing ffmpeg. Raised before any work.
+        FileError: Unknown suffix, a path that cannot be written, or missing ffmpeg or package. Raised before any work.
         TypeError, ValueError: An argument is out of range.
 
     Notes:

@@ -60,8 +60,9 @@ def _core(points: Matrix) -> Matrix:
 def usual_look(points: Matrix) -> tuple[Triple, Triple]:
     """View direction and up for a cloud.
 
-    A cloud at z > 0 only is seen from the origin with y down (camera). Other clouds are seen along their flattest axis:
-    from above if as flat as streets and terrain, else from the front; z is up, or y along z.
+    If all points have z > 0, the view is that of a camera at the origin, with y down. Other clouds are displayed along
+    their flattest axis: from above if they are as flat as streets and terrain, else from the front. The up axis is
+    z, or y if the view is along z.
     """
     spreads = (points - np.median(points, axis=0)).std(axis=0)
     x, y, z = np.eye(3)
