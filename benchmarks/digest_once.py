@@ -615,6 +615,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     ),
     "filter_depth_bilateral": lambda d: loom().filter_depth_bilateral(d.frames.depths[0], 7, device=d.device),
     "erode_depth_edges": lambda d: loom().erode_depth_edges(d.rgbd, 2, 0.05),
+    "fill_depth_holes": lambda d: loom().fill_depth_holes(d.frames.depths[0], 50, device=d.device)[0],
     "DepthEstimate, to_point_cloud": lambda d: estimated(d).to_point_cloud(device=d.device),
     "create_normal_map": lambda d: loom().create_normal_map(d.rgbd, d.lens, -1.0),
     "pyrdown_depth": lambda d: loom().create_depth_pyramid(d.frames.depths[3], 2, device=d.device)[1],

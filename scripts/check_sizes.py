@@ -27,7 +27,7 @@ KERNEL_LINES = 80  # of device code, whose state must stay in the registers of o
 MAX_PARAMETERS = 8
 
 LIMITS = {
-    "code lines": 141_600,  # without docstrings, comments, blank lines and imports
+    "code lines": 144_700,  # without docstrings, comments, blank lines and imports
     "private members of other objects": 66,
     "parameters annotated Any": 815,
     f"host functions with more than {MAX_PARAMETERS} parameters": 44,

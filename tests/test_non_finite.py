@@ -83,6 +83,7 @@ MORE = """
 1e-5 loom.rgbd.compute_rgbd_odometry(rgbd(depth), rgbd(np.full_like(depth, 2.01)), camera, near).transformation
 0 loom.filter_depth_bilateral(depth)
 0 loom.erode_depth_edges(depth)
+0 loom.fill_depth_holes(depth, 1, 1e-6)[0]
 0 loom.meshing.fuse_volumes([volume, volume], poses).extract_point_cloud(weight_threshold=0).points
 1e-4 loom.compute_metrics(made(points), other).chamfer
 0 loom.AxisAlignedBoundingBox.create_from_points(points).max_bound

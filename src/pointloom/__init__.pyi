@@ -12,6 +12,7 @@ from .cameras.camera_models import CameraModel as CameraModel
 from .cameras.depth_filters import create_depth_pyramid as create_depth_pyramid
 from .cameras.depth_filters import create_normal_map as create_normal_map
 from .cameras.depth_filters import erode_depth_edges as erode_depth_edges
+from .cameras.depth_filters import fill_depth_holes as fill_depth_holes
 from .cameras.depth_filters import filter_depth_bilateral as filter_depth_bilateral
 from .cameras.images import RGBDImage as RGBDImage
 from .cameras.imu_readings import ImuReadings as ImuReadings

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+import pointloom as loom
 from pointloom.cameras.camera import (
     PinholeCameraIntrinsic,
     read_pinhole_camera_intrinsic,
@@ -160,3 +161,19 @@ def test_changed_bytes_give_a_camera_or_a_file_error(tmp_path, start, length, pa
     path.write_bytes(data[:start] + patch + data[start + length :])
     with contextlib.suppress(FileError):
         assert isinstance(read_pinhole_camera_intrinsic(path), PinholeCameraIntrinsic)
+
+
+def test_matrices_are_cameras_where_the_size_is_known():
+    K, images = CAMERA.matrix, [(None, np.ones((480, 640), np.float32))]
+    for matrix in (K, K.tolist()):
+        assert loom.frames_from(images, matrix).intrinsic == CAMERA
+        assert len(loom.PointCloud.create_from_depth_image(images[0][1], matrix, stride=40)) == 192
+    for call in (
+        lambda: loom.frames_from(iter(images), K),
+        lambda: loom.rgbd.DenseSLAM(K),
+        lambda: loom.View(K, np.eye(4)),
+    ):
+        with pytest.raises(TypeError, match=r"intrinsic.*PinholeCameraIntrinsic.from_matrix\(K, width, height\)"):
+            call()
+    with pytest.raises(ValueError, match="intrinsic: expected fx and fy in pixels"):
+        loom.frames_from(images, np.eye(3))

@@ -211,3 +211,39 @@ def test_images_without_depth_stay_so(device, run):
 @pytest.mark.parametrize("run", FILTERS.values(), ids=FILTERS)
 def test_flat_depth_stays_to_the_bit(device, run):
     assert (run(np.full((9, 12), 1.234), device=device) == np.float32(1.234)).all()
+
+
+def plane_with_holes():
+    """Depth of a tilted plane [m], with holes of 1 to 48 pixels inside, one of 300, and one at the border."""
+    v, u = np.mgrid[:48, :64]
+    plane = 1 / (0.8 + 0.001 * u + 0.0015 * v)
+    depth = plane.copy()
+    for rows, columns in (
+        ((5, 6), (5, 6)),
+        ((10, 16), (8, 16)),
+        ((30, 33), (50, 55)),
+        ((20, 40), (20, 35)),
+        ((0, 3), (60, 64)),
+    ):
+        depth[slice(*rows), slice(*columns)] = 0
+    return plane, depth
+
+
+def test_small_holes_of_a_plane_are_filled_exactly_and_others_remain(device):
+    plane, depth = plane_with_holes()
+    filled, mask = loom.fill_depth_holes(depth, 48, device=device)
+    assert mask.sum() == 1 + 48 + 15 and not mask[20:40, 20:35].any() and not mask[:3, 60:].any()
+    np.testing.assert_allclose(filled[mask], plane[mask], rtol=1e-6)
+    np.testing.assert_array_equal(filled[~mask], depth[~mask].astype(np.float32))
+    assert loom.fill_depth_holes(depth, 300, device=device)[1].sum() == 64 + 300
+    assert not loom.fill_depth_holes(np.zeros((4, 5)), device=device)[1].any()
+
+
+def test_a_hole_at_an_edge_of_depth_remains(device):
+    depth = np.where(np.arange(20) < 10, 1000, 1200).astype(np.uint16) * np.ones((9, 1), np.uint16)
+    depth[4, 8:12] = 0
+    assert not loom.fill_depth_holes(depth, device=device)[1].any()
+    filled, mask = loom.fill_depth_holes(depth, depth_threshold=0.21, device=device)
+    assert mask.sum() == 4 and (np.diff(filled[4, 7:13]) > 0).all()
+    image = loom.RGBDImage(np.zeros((9, 20, 3), np.uint8), depth, device=device)
+    np.testing.assert_array_equal(loom.fill_depth_holes(image, depth_threshold=0.21)[0].depth, filled)

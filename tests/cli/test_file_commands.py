@@ -201,7 +201,7 @@ def test_normals_are_oriented_as_requested(tmp_path, rng, device, options, side)
 def test_a_radius_without_neighbors_is_unreliable(cloud, tmp_path):
     result = run("normals", cloud, tmp_path / "out.ply", "--radius", "0.0001")
     assert result.exit_code == 3
-    assert "use a larger --radius" in result.stderr and "warning" not in result.stderr  # once is enough
+    assert "give a larger --radius" in result.stderr and "warning" not in result.stderr  # once is enough
     assert "out.ply" in result.stdout
     loom.write_point_cloud(cloud, loom.PointCloud(np.full((4, 3), np.nan)))
     assert run("normals", cloud, tmp_path / "b.ply", "--radius", "1").exit_code == 3

@@ -29,7 +29,7 @@ from pointloom.rgbd.slam import dense_slam, looped_model, tracking
 from pointloom.rgbd.slam.fixed_parts import FixedParts
 from pointloom.rgbd.slam.results import TrackingResult
 from pointloom.rgbd.slam.stream_check import StreamCheck
-from pointloom.visualization.render.scene_view import level_up, view_scene
+from pointloom.visualization.render.frame_views import level_up, view_scene
 
 from ..rgbd.fusion.walls import Wall
 from ..scan_cases import on_sets

@@ -165,16 +165,19 @@ def test_icp_without_correspondences_reports_both_positions(ball):
 
 
 def test_lengths_that_suit_few_points_do_not_warn(ball):
-    """A voxel around a small cluster, clusters of a loose cloud, a coarse level of a registration, an empty tile."""
+    """A voxel around a small cluster, a loose cloud, a coarse level of a registration, an empty tile."""
     few = ball.select_by_index(range(60))
     loose = loom.PointCloud(ball.points * [40, 40, 0.1], device=ball.device)
     tile = loom.AxisAlignedBoundingBox([900, 0, 0], [910, 10, 10])
     with warnings.catch_warnings(action="error"):
         assert len(few.voxel_down_sample(9.0)) <= 8 and set(few.cluster_dbscan(9.0, 5)) == {0}
         assert len(few.segment_plane(9.0)[1]) == 60
-        assert set(loose.cluster_dbscan(3.0, 200)) == {-1} and len(loose.remove_radius_outlier(200, 3.0)[0]) == 0
         assert len(ball.crop(tile)) == 0
         assert loom.registration.registration_icp(ball.translate([3.0, 0, 0]), ball, 0.05).fitness == 0
         small = ball.scale(0.01)
         assert loom.registration.registration_icp(small, loom.PointCloud(ball.points[:1]), 9.0).fitness == 1
         loom.registration.registration_icp_batch(ball.translate([100, 0, 0]), ball, 0.05)
+    with pytest.warns(loom.UnitWarning, match="all points are noise"):
+        assert set(loose.cluster_dbscan(3.0, 200)) == {-1}
+    with pytest.warns(loom.UnitWarning, match="they are removed"):
+        assert len(loose.remove_radius_outlier(200, 3.0)[0]) == 0

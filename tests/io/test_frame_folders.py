@@ -725,3 +725,43 @@ def test_trajectory_omits_lost_poses_on_request(tmp_path, name, lost_value):
     assert len(result) == 2 and list(numbers) == [0, 2] and np.isfinite(result.poses).all()
     lens = loom.read_cameras(path, images=["0.png", "1.png", "2.png"], intrinsic=SMALL)
     assert len(lens) == 2 and lens.left_out == ("1.png: no pose",)
+
+
+@pytest.mark.parametrize("layout", ["7scenes", "redwood", "tum"])
+def test_a_matrix_is_the_camera_and_poses_can_be_required(tmp_path, layout):
+    folder = make(layout, tmp_path / "set")
+    frames = open_frames(folder, intrinsic=SMALL.matrix, poses="required")
+    assert frames.intrinsic == SMALL and [frame.name for frame in frames] == [
+        frame.name for frame in open_dataset(folder, intrinsic=SMALL)
+    ]
+    with pytest.raises(ValueError, match="poses"):
+        open_frames(folder, intrinsic=SMALL, poses="needed")
+
+
+def test_images_without_a_pose_are_refused_if_poses_are_required(tmp_path):
+    write_png(tmp_path / "1_depth.png", depth_map(1000))
+    options = {"layout": "images", "intrinsic": SMALL, "depth_scale": 1000.0}
+    assert len(open_frames(tmp_path, **options)) == 1
+    with pytest.raises(DatasetError, match="has no pose"):
+        open_frames(tmp_path, **options, poses="required")
+
+
+@pytest.mark.parametrize("name", ["run.bag", "run.mcap", "run.db3", "run"])
+def test_readers_of_other_files_name_the_reader_of_recordings(tmp_path, name):
+    path = tmp_path / name
+    if name == "run":
+        path.mkdir()
+        path = path / "a.db3"
+    path.write_bytes(b"bytes")
+    path = tmp_path / name
+    readers = loom.read_point_cloud, loom.read_triangle_mesh, loom.read_trajectory, open_frames, open_dataset
+    for reader in readers:
+        with pytest.raises(FileError, match=r"loom.open_recording\(path\)"):
+            reader(path)
+
+
+def test_omitted_frames_make_results_unreliable(tmp_path):
+    folder = make("7scenes", tmp_path / "set")
+    next(folder.glob("*1.color.png")).unlink()
+    (warning,) = source_warnings(open_frames(folder, intrinsic=SMALL, skip_missing=True))
+    assert warning.startswith("1 of 3 frames lack an image")

@@ -773,3 +773,12 @@ def test_a_file_that_is_replaced_between_its_parts_is_read_to_its_end(suffix, tm
     first = next(parts)
     other.replace(path)
     assert len(first.points) + sum(len(part.points) for part in parts) == 300
+
+
+def test_colors_of_16_bits_are_not_rounded_silently(tmp_path):
+    fine = np.array([[1000, 0, 65535], [0, 0, 0]]) / 65535
+    for suffix in (".ply", ".pcd", ".e57"):
+        with pytest.warns(UserWarning, match="rounded to the 8 bits"):
+            loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(np.eye(3)[:2], colors=fine))
+        for colors in (np.rint(fine * 255) / 255, [[0.5, 0.123, 0.7], [0.1, 0.9, 0.3]]):
+            loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(np.eye(3)[:2], colors=colors))

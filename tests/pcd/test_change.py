@@ -136,3 +136,16 @@ def test_empty_clouds(empty, device):
     clouds[empty] = np.zeros((0, 3))
     result = compared(*clouds[:2], device, core_points=loom.PointCloud(clouds[2], device=device))
     assert len(result.distances) == len(clouds[2]) and np.isnan(result.distances).all()
+
+
+def test_a_shift_of_the_whole_cloud_is_reported(device):
+    cores = loom.PointCloud(epoch(0)[::40], device=device)
+    shifted = compared(epoch(0), epoch(1, at=(0, 0, 0.3)), device, core_points=cores)
+    assert not shifted.reliable and "probably a shift of the whole cloud" in shifted.warnings[0]
+    assert compared(epoch(0), epoch(1), device, core_points=cores).reliable
+    flat = loom.TriangleMesh(
+        [[-9, -9, 0], [99, -9, 0], [99, 99, 0], [-9, 99, 0]], [[0, 1, 2], [0, 2, 3]], device=device
+    )
+    cloud = loom.PointCloud([[x, y, 0.2] for x in range(9) for y in range(9)], device=device)
+    found = loom.meshing.compare_cloud_to_mesh(cloud, flat, registration_error=0.01)
+    assert "moved forward, by 0.2 (median)" in found.warnings[0]

@@ -269,6 +269,7 @@ loom.meshing.smooth_mesh(mesh=mesh, method="taubin", iterations=1, lambda_filter
 loom.meshing.create_surface(cloud=cloud, method="poisson", depth=2, density_quantile=0.1, radii=None, alpha=None, progress=None)
 loom.create_depth_pyramid(depth=depth, levels=2, diff_threshold=0.1, depth_scale=1.0, device="cpu")
 loom.create_normal_map(depth=depth, intrinsic=camera, invalid_fill=0.0, depth_scale=1.0, device="cpu")
+loom.fill_depth_holes(depth=depth, max_pixels=9, depth_threshold=0.1, depth_scale=1.0, device="cpu")
 loom.erode_depth_edges(depth=depth, radius=1, depth_threshold=0.1, depth_scale=1.0, device="cpu")
 loom.meshing.compare_cloud_to_mesh(cloud=cloud, mesh=mesh, radius=0.5, registration_error=0.01, max_distance=9.0)
 loom.m3c2(first=cloud, second=other, normal_radii=[0.5], directions=None, cylinder_radius=0.3, max_distance=0.5, core_points=cloud, registration_error=0.01, orientation=[0, 0, 1])

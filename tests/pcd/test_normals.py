@@ -225,6 +225,7 @@ def test_covariances_of_a_bumpy_surface_are_open3ds(device, search, rng, oracle,
     assert_covariances(result, expected, tolerances)
 
 
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # if the radius is short
 @given(
     seed=st.integers(0, 10_000),
     count=st.integers(1, 60),
@@ -308,3 +309,16 @@ def test_covariances_rotate_with_the_cloud(device, rng, tolerances):
     rotated = cloud.transform(T).covariances
     np.testing.assert_allclose(rotated, expected, atol=tolerances.float32_relative * np.abs(expected).max())
     assert np.abs(rotated - cloud.covariances).max() > 0.01
+
+
+def test_a_radius_with_too_few_neighbors_is_reported_with_one_that_fits(device, rng):
+    cloud = loom.PointCloud(rng.random((500, 3)), device=device)
+    calls = {
+        "radius": lambda length: cloud.estimate_normals(radius=length),
+        "nb_points": lambda length: cloud.remove_radius_outlier(2, length),
+        "eps": lambda length: cloud.cluster_dbscan(length, 3),
+    }
+    for call in calls.values():
+        with pytest.warns(loom.UnitWarning, match="most points have fewer than 3 points within 0.03 m") as caught:
+            call(0.03)
+        call(float(str(caught[0].message).split("that many within ")[1].split(" m")[0]))  # does not warn

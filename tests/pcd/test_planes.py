@@ -365,3 +365,12 @@ def test_boxes_of_any_cloud_are_boxes(seed, kind):
     patches = loom.PointCloud(points).estimate_normals(max_nn=8).detect_planar_patches(80, 30, 1.0, max_nn=8)
     sizes = [patch.extent[:2].prod() for patch in patches]
     assert np.isfinite(sizes).all() and (np.array(sizes) >= 0).all()
+
+
+def test_a_plane_of_few_points_is_reported(device, rng):
+    cloud = loom.PointCloud(rng.random((500, 3)), device=device)
+    for call in (lambda: cloud.segment_plane(0.001), lambda: cloud.segment_planes(0.001, min_points=3, max_planes=1)):
+        with pytest.warns(loom.UnitWarning, match="the largest one has only"):
+            call()
+    with pytest.warns(loom.UnitWarning, match="none has 100 points"):
+        cloud.segment_planes(0.001)

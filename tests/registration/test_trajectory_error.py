@@ -150,7 +150,8 @@ def test_a_scale_is_estimated(rng, tolerances):
     np.testing.assert_allclose(error.scale, 3.7, rtol=tolerances.trajectory_relative)
     errors = error.absolute_translation, error.absolute_rotation, error.relative_translation
     assert max(*(each.max for each in errors), error.segment_translation) < tolerances.trajectory_zero
-    assert evaluate_trajectory(Trajectory(estimate), Trajectory(truth)).absolute_translation.rmse > 10
+    rigid = evaluate_trajectory(Trajectory(estimate), Trajectory(truth))
+    assert rigid.ate.rmse == rigid.absolute_translation.rmse > 10 and rigid.rpe is rigid.relative_translation
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 40])

@@ -117,7 +117,7 @@ cleaned = loom.render(
 # points. Downsample by voxels first, or filter only the points close to the scanner.
 
 spacing = float(np.median(noisy.compute_nearest_neighbor_distance()))
-for radius in (1.5 * spacing, 6 * spacing, 20 * spacing):
+for radius in (3 * spacing, 6 * spacing, 20 * spacing):
     _, rows = noisy.remove_radius_outlier(nb_points=6, radius=radius)
     caught, lost = removal_rates(rows)
     print(

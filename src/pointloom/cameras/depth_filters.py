@@ -1,7 +1,8 @@
-"""Filters on depth images: denoising, edge removal, normals, pyramids.
+"""Filters on depth images: denoising, edge removal, holes, normals, pyramids.
 
 Depth is an array (h, w), divided by `depth_scale` and returned as float32 [m], or an RGBDImage, returned on its device.
-Pixels without depth (0) are ignored and never filled. Bitwise reproducible. Memory for one more image.
+Pixels without depth (0) are ignored. Only `fill_depth_holes` fills them. Bitwise reproducible. Memory for one more
+image.
 """
 
 from __future__ import annotations
@@ -17,7 +18,9 @@ from ..core.checks import check_count, check_number, check_numeric, check_positi
 from ..core.gpu_arrays import device_for, take_numbers
 from ..kernels.images.depth import PixelGrid, pixel_normals
 from ..kernels.images.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
-from .camera import MAX_PIXELS, PinholeCameraIntrinsic
+from ..kernels.lang import float32
+from ..kernels.memory import download, upload
+from .camera import MAX_IN_ALL, MAX_PIXELS, PinholeCameraIntrinsic
 from .images import RGBDImage, check_intrinsic, upload_color, upload_depth
 
 Depth = TypeVar("Depth", RGBDImage, NDArray[Any])
@@ -103,6 +106,95 @@ def erode_depth_edges(
     jump = check_positive("depth_threshold", depth_threshold)
     metric, height, width = _metric(depth, depth_scale, device)
     return _like(depth, erode_edges(metric, width, height, size, jump), height, width)
+
+
+def fill_depth_holes(
+    depth: Depth,
+    max_pixels: int = 100,
+    depth_threshold: float = 0.1,
+    *,
+    depth_scale: float | None = None,
+    device: object = None,
+) -> tuple[Depth, NDArray[np.bool_]]:
+    """Fill small holes whose border is one surface. Larger holes, and those at depth edges and at the border, remain.
+
+    Inverse depth is interpolated from the border of a hole by Laplace's equation, which is exact for planes: inverse
+    depth is linear in the pixel coordinates. Filled pixels are no measurements: leave them out of registration.
+
+    Args:
+        depth: Shape (h, w), or an RGBDImage, whose colors are unchanged.
+        max_pixels: Maximum size of a hole [px]. Its pixels are connected by their sides.
+        depth_threshold: Maximum difference of the depths around a hole [m].
+        depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
+        device: Device for an array; None: the GPU that it is on, else the CPU.
+
+    Returns:
+        Depth [m] of the same size, 0 where a hole remains; and the mask of the filled pixels, bool (h, w).
+
+    Raises:
+        ValueError: A wrong shape, or a number out of range.
+
+    Notes:
+        On the host, also for images on a GPU. Bitwise reproducible.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> depth = np.full((5, 6), 2.0)
+        >>> depth[2, 2:4] = 0  # a hole
+        >>> depth[0, 0] = 0  # at the border
+        >>> filled, mask = loom.fill_depth_holes(depth)
+        >>> filled[2].tolist(), float(filled[0, 0]), int(mask.sum())
+        ([2.0, 2.0, 2.0, 2.0, 2.0, 2.0], 0.0, 2)
+    """
+    largest = check_count("max_pixels", max_pixels, maximum=MAX_IN_ALL, because="no image is larger")
+    threshold = check_positive("depth_threshold", depth_threshold)
+    metric, height, width = _metric(depth, depth_scale, device)
+    values = download(metric).reshape(height, width)  # sync
+    mask = _fillable(values, largest, threshold)
+    if mask.any():
+        values = values.copy()
+        values[mask] = 1 / _harmonic(np.divide(1.0, values, where=values > 0, out=np.zeros(values.shape)), mask)
+    return _like(depth, upload(values.reshape(-1), float32, metric.device), height, width), mask
+
+
+def _fillable(depth: NDArray[np.float32], max_pixels: int, threshold: float) -> NDArray[np.bool_]:
+    """Pixels of the holes of at most `max_pixels` inside the image, whose border has one depth up to the threshold."""
+    from scipy import ndimage  # slow import
+
+    labels = np.zeros(depth.shape, np.int32)
+    count: Any = ndimage.label(depth <= 0, output=labels)
+    sizes = np.bincount(labels.ravel(), minlength=count + 1)
+    low, high = np.full(count + 1, np.inf), np.zeros(count + 1)
+    for a, b in ((np.s_[1:], np.s_[:-1]), (np.s_[:-1], np.s_[1:])):
+        for hole, beside in ((np.s_[a, :], np.s_[b, :]), (np.s_[:, a], np.s_[:, b])):
+            is_border = (labels[hole] > 0) & (depth[beside] > 0)
+            at, border = labels[hole][is_border], depth[beside][is_border].astype(np.float64)
+            np.minimum.at(low, at, border)
+            np.maximum.at(high, at, border)
+    is_kept = (sizes > 0) & (sizes <= max_pixels) & (high - low <= threshold)
+    for edge in (labels[0], labels[-1], labels[:, 0], labels[:, -1]):
+        is_kept[edge] = False
+    is_kept[0] = False
+    return is_kept[labels]
+
+
+def _harmonic(values: NDArray[np.float64], mask: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Values of the pixels of a mask inside an image that are the mean of their four neighbors."""
+    from scipy import sparse  # slow import
+    from scipy.sparse.linalg import spsolve
+
+    rows, columns = np.nonzero(mask)
+    number = np.full(mask.shape, -1)
+    number[mask] = np.arange(len(rows))
+    known, pairs = np.zeros(len(rows)), []
+    for step in ((0, 1), (0, -1), (1, 0), (-1, 0)):
+        beside = rows + step[0], columns + step[1]
+        other = number[beside]
+        known += np.where(other < 0, values[beside], 0.0)
+        pairs.append(np.column_stack([np.flatnonzero(other >= 0), other[other >= 0]]))
+    i, j = np.concatenate(pairs).T
+    laplacian = sparse.csc_array((np.full(len(i), -1.0), (i, j)), (len(rows), len(rows)))
+    return np.asarray(spsolve(laplacian + 4 * sparse.eye_array(len(rows), format="csc"), known), np.float64)
 
 
 def create_normal_map(

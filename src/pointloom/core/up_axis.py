@@ -41,3 +41,12 @@ def transform_up_vector(up: Direction | None, A: NDArray[Any]) -> Direction | No
         return None
     x, y, z = (rotated / length + 0.0).tolist()  # no -0
     return x, y, z
+
+
+def up_of_camera(T_world_camera: NDArray[np.float64]) -> Direction:
+    """Axis nearest to the up direction of a camera, -y, which is level in most frames."""
+    up = -T_world_camera[:3, 1]
+    axis = np.zeros(3)
+    axis[np.abs(up).argmax()] = np.sign(up[np.abs(up).argmax()])
+    x, y, z = (axis + 0.0).tolist()
+    return x, y, z

@@ -9,6 +9,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.visualization.render.coloring import color_cloud
+from pointloom.visualization.render.frame_views import view_scene
 
 SMALL = (160, 120)
 BLACK, WHITE = (0, 0, 0), (255, 255, 255)
@@ -363,3 +364,17 @@ def test_arrays_that_do_not_belong_together_are_refused():
     for geometry in (loom.PointCloud(np.zeros((1, 3))), loom.TriangleMesh([[0, 0, 0]] * 3, [[0, 1, 2]])):
         with pytest.raises(ValueError, match="label"):
             loom.render({"geometry": geometry, "color_by": "label"}, None, SMALL)
+
+
+def test_a_result_of_frames_is_seen_upright_from_the_side_of_its_cameras(device):
+    v, u = np.mgrid[:48, :64]
+    depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
+    frames = loom.frames_from([(None, depth)] * 2, [[60.0, 0, 31.5], [0, 60, 23.5], [0, 0, 1]])
+    result = loom.rgbd.reconstruct(frames, voxel_size=0.05, device=device)
+    assert result.mesh.up == (0.0, -1.0, 0.0)
+    view = view_scene(result.mesh, result.trajectory.poses, width=64, height=48)
+    assert view.T_world_camera[2, 2] > 0.5  # forward, as the first camera
+    image = loom.render(result, size=(64, 48))
+    np.testing.assert_array_equal(image, loom.render(result.mesh, view))
+    assert not np.array_equal(image, loom.render(result.mesh, size=(64, 48)))
+    assert loom.render([result], size=(64, 48)).shape == (48, 64, 3)

@@ -15,6 +15,7 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
+from ...core.up_axis import up_of_camera
 from ...io.frames.frames import (
     READ_AHEAD,
     FrameSource,
@@ -106,6 +107,7 @@ def fuse(
     threshold = min_weight(len(poses)) if weight_threshold is None else weight_threshold
     report_progress("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
+    mesh.up = up_of_camera(poses[0])
     clock.stop("extract")
     camera, depth_factor = check.camera_and_factor()
     checks: dict[str, Any] = {

@@ -15,6 +15,7 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.timing import Clock, check_clock
+from ...core.up_axis import up_of_camera
 from ...core.wording import format_bounds
 from ...io.frames.frames import READ_AHEAD, FrameSource, can_read, check_frames
 from ...io.frames.rgbd_sources import RGBDSource
@@ -144,6 +145,8 @@ def reconstruct(
         error = error_against_truth(account.trajectory.poses, _true_poses(frames, account.trajectory))
     else:
         raise TypeError(f"fragments: expected FragmentOptions or None, got {type(fragments).__name__}")
+    if len(account.trajectory):
+        mesh.up = up_of_camera(account.trajectory.poses[0])
     clock.restart()
     focal = account.path.camera if isinstance(account, SlamAccount) else None
     if not isinstance(account, SlamAccount) and hasattr(frames, "__len__"):  # which are there to be read again

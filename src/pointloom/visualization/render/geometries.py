@@ -33,6 +33,7 @@ from ...pcd.splats import GaussianSplats
 from ...pcd.units import InUnit, common_reference
 from . import outlines
 from .coloring import color_cloud
+from .frame_views import mesh_of_frames
 from .frustum import CameraFrustum
 from .outlines import Segments, upload_lines
 from .parts import Gaussians, Lines, Part, Points, Triangles, Triple
@@ -80,7 +81,8 @@ def named_geometries(geometries: object, colored: Collection[str] = ()) -> list[
         geometry, style = value, Style()
         if isinstance(value, Mapping):
             name, geometry, style = _read_entry(value, name)
-        geometry = as_known(geometry)
+        seen = mesh_of_frames(geometry)
+        geometry = seen[0] if seen else as_known(geometry)
         kind = kind_of(geometry)
         name = _free_name(name or kind, taken)
         named.append((name, geometry, style))

@@ -23,6 +23,7 @@ from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_measures import vertex_normals
 from .canvas import Canvas
+from .frame_views import mesh_of_frames, view_scene
 from .geometries import Named, check_units, named_geometries, parts_of
 from .open3d_views import OPEN3D_KEYS, read_view
 from .overlays import Overlays, check_bar, check_labels, check_legend, color_of
@@ -72,7 +73,8 @@ def render(
 
     Args:
         geometries: One, a list, a mapping from names to geometries, or dictionaries with style keys as in Open3D's
-            `draw`: {"geometry": cloud, "color_by": "height", "point_size": 3}.
+            `draw`: {"geometry": cloud, "color_by": "height", "point_size": 3}. A result of `fuse` or `reconstruct` is
+            its mesh, seen from the side of its cameras.
         camera: A View, the path of a JSON file of Open3D's viewer, or a mapping with some of its parameters zoom,
             front, lookat, up and field_of_view. If None, a view is fitted.
         size: Width and height [px]. Ignored if the camera is a View.
@@ -131,6 +133,9 @@ def render(
     if not isinstance(scale_bar, bool | np.bool_):
         raise TypeError(f"scale_bar: expected True or False, got {shown(scale_bar)}")
     explicit_up = None if up is None else check_up(up)
+    if seen := mesh_of_frames(geometries):
+        geometries = {"geometry": seen[0], "shaded": False if "vertex_colors" in seen[0].arrays else None}
+        camera = view_scene(*seen, width=width, height=height) if camera is None else camera
     named = named_geometries(geometries)
     placed = [(geometry, style.pose) for _, geometry, style in named]
     unit = check_units(geometry for _, geometry, _ in named)
