@@ -68,20 +68,21 @@ def check_images(names: Names, images: Any, intrinsics: object, T_camera_world: 
     if len(cameras) != len(listed):
         expected = f"expected one, or {len(listed)}, one per image"
         raise ValueError(f"{names.cameras}: {expected}, got {len(cameras)}")
-    colors, depths = [], []
-    for i, (image, camera) in enumerate(zip(listed, cameras, strict=True)):
+    colors, depths, checked = [], [], list[PinholeCameraIntrinsic]()
+    for i, (image, given) in enumerate(zip(listed, cameras, strict=True)):
         try:
-            color, depth, cameras[i] = _take(image, camera, device)
+            color, depth, camera = _take(image, given, device)
         except (TypeError, ValueError) as error:
             raise type(error)(f"{names.images}[{i}]: {error}") from error
         colors.append(color)
         depths.append(depth)
+        checked.append(camera)
     pixel_count = sum(color.shape[0] for color in colors)
     if pixel_count > MAX_PIXELS:
         expected = "expected at most 2^31 - 1 pixels in total"
         raise ValueError(f"{names.images}: {expected}, got {pixel_count:,}. Use fewer or smaller images")
     T = np.array([check_rigid(f"{names.poses}[{i}]", pose) for i, pose in enumerate(poses)])
-    return PosedImages(colors, depths, cameras, T)
+    return PosedImages(colors, depths, checked, T)
 
 
 def _take(image: object, intrinsic: object, device: Device) -> tuple[wp.array, wp.array | None, PinholeCameraIntrinsic]:
