@@ -49,6 +49,7 @@ MORE = {
     "up to 20,000 colors, of which a legend shows the mean": ("render, values",),
     "which part of a mesh lies in which is asked of NumPy": ("mesh, repair", "mesh, sheets"),
     "vertices are projected on the host, in float64": ("orthophoto",),
+    "holes of a depth image are filled on the host": ("fill_depth_holes",),
     "numbers of each patch": ("detect_planar_patches",),
     "the best samples of each batch, the sums of each fit": (
         *(f"segment_shape, {kind}" for kind in ("sphere", "cylinder", "cone", "torus")),
