@@ -24,7 +24,7 @@ FORBIDDEN = {
     "socket.setdefaulttimeout", "resource.setrlimit",
 }  # fmt: skip
 ALLOWED = {
-    "cli/shell/cli.py", "cli/shell/doctor.py", "cli/shell/group.py", "kernels/cuda_cache.py",
+    "cli/jobs/job.py", "cli/shell/cli.py", "cli/shell/doctor.py", "cli/shell/group.py", "kernels/cuda_cache.py",
     "kernels/language/taichi_compiler.py", "photogrammetry/sfm/opencv_worker.py",
 }  # fmt: skip
 

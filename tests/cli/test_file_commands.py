@@ -360,9 +360,9 @@ def start(*words: object, **streams) -> subprocess.Popen:
 
 def test_pipes_support_the_extensions_of_files():
     meshes = [suffix for suffix in tables.MESHES if suffix != ".ply"]
-    assert sorted(pipes.READ) == sorted(suffix[1:] for suffix in [*READERS, *meshes])
+    assert sorted(pipes.READ) == sorted({suffix[1:] for suffix in [*READERS, *meshes]})
     assert sorted(pipes.RECORDINGS) == sorted(recording._READERS)
-    assert sorted(pipes.WRITTEN) == sorted(suffix[1:] for suffix in [*WRITTEN, *meshes])
+    assert sorted(pipes.WRITTEN) == sorted({suffix[1:] for suffix in [*WRITTEN, *meshes]})
 
 
 @pytest.mark.parametrize("extension", ["ply", "npz"])

@@ -36,7 +36,7 @@ ELSEWHERE = {
 }
 LIBRARY = {*loom.__all__} - LEFT_OUT
 BELOW = {"run_tiles", "run_job", "Recording.scans", "Raster.fill_gaps"}
-IN_OPEN3D_TESTS = {"PointCloud.from_open3d"}
+IN_OPEN3D_TESTS = {"PointCloud.from_open3d", "TriangleMesh.from_open3d"}
 
 
 def test_the_tables_contain_every_public_call_with_a_device():

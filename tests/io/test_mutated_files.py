@@ -17,9 +17,9 @@ from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.image_names import number_of
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.core.errors import FileError
+from pointloom.io import obj_statements
 from pointloom.io.bags.mcap import read_mcap
 from pointloom.io.images.image_files import read_color
-from pointloom.io.meshes import obj
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb
 from pointloom.io.meshes.obj import read_obj, write_obj
@@ -326,8 +326,8 @@ def _comparisons(folder: Path, count: int, patch: pytest.MonkeyPatch) -> int:
 
 def _copies(folder: Path, count: int, patch: pytest.MonkeyPatch) -> int:
     """The bytes that are copied to join this number of continued lines."""
-    joined = obj._joined
-    patch.setattr(obj, "_joined", lambda path, lines: joined(path, [*map(Line, lines)]))
+    joined = obj_statements._joined
+    patch.setattr(obj_statements, "_joined", lambda path, lines: joined(path, [*map(Line, lines)]))
     (folder / "continued.obj").write_bytes(OBJ + b"f 1 2 3" + b" \\\n" * count + b"\n")
     Line.copied = 0
     assert len(read_obj(folder / "continued.obj").triangles) == 1

@@ -146,6 +146,6 @@ def test_a_shift_of_the_whole_cloud_is_reported(device):
     flat = loom.TriangleMesh(
         [[-9, -9, 0], [99, -9, 0], [99, 99, 0], [-9, 99, 0]], [[0, 1, 2], [0, 2, 3]], device=device
     )
-    cloud = loom.PointCloud([[x, y, 0.2] for x in range(9) for y in range(9)], device=device)
+    cloud = loom.PointCloud([[x, y, 0.2] for x in range(12) for y in range(12)], device=device)
     found = loom.meshing.compare_cloud_to_mesh(cloud, flat, registration_error=0.01)
     assert "moved forward, by 0.2 (median)" in found.warnings[0]

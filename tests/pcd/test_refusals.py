@@ -306,7 +306,7 @@ selected.__getitem__(np.zeros((2, 2), int)) | got an array of shape [2, 2]
 selected.__getitem__([0.5]) | expected integers, got float64
 selected.__getitem__({1}) | got set
 loom.AxisAlignedBoundingBox() + 1 | unsupported operand
-loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]]) + np.eye(3) | unsupported operand
+loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]]) + np.eye(3) | operand 'LineSet'
 splats().rasterize(np.eye(3), np.eye(4)) | intrinsic: expected a PinholeCameraIntrinsic
 """
 INDICES = """

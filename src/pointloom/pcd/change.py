@@ -24,6 +24,7 @@ from .point_arrays import check_cloud
 from .units import common_reference
 
 MIN_POINTS = 4  # per cylinder: a spread of fewer is unreliable
+MIN_SHIFTED_POINTS = 100  # points with a distance: fewer may all be on what changed
 MAX_ONE_WAY = 0.8  # fraction of points moved to one side: a shift of the whole cloud is more likely than change
 
 
@@ -71,6 +72,8 @@ class M3C2Result(AssessedRecord):
 
 def why_shifted(distances: NDArray[np.float64], is_significant: NDArray[np.bool_]) -> str | None:
     """Why two epochs are probably not registered: nearly all points with a distance moved to one side. Else None."""
+    if np.isfinite(distances).sum() < MIN_SHIFTED_POINTS:
+        return None
     for side, word in ((distances > 0, "forward"), (distances < 0, "backward")):
         moved = is_significant & side
         fraction = float(moved.sum()) / max(int(np.isfinite(distances).sum()), 1)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -21,6 +20,7 @@ from .raster_cells import MAX_CELLS
 BLOCK_CELLS = 256  # cells per side of a block
 ENDINGS = (".tif", ".tiff")
 FILLED = "filled"  # description of the second band
+NO_GEOREFERENCE = "has no georeference"
 MAX_STRETCH = 1e-6  # relative difference of width and height of a cell: 1e-3 cells over 1,000 rows, as MAX_SHIFT
 _VALUE_BANDS = {"dtype": "float32", "count": 2, "predictor": 3, "interleave": "band"}
 _IMAGE_BANDS = {
@@ -94,12 +94,11 @@ def read_geotiff(path: FilePath) -> dict[str, Any]:
         raise FileError(path, "is not a GeoTIFF file name", remedy="Use a name that ends in .tif")
     rasterio = _rasterio(path)
     try:
-        with warnings.catch_warnings():  # a file without georeference raises FileError below
-            warnings.simplefilter("ignore", rasterio.errors.NotGeoreferencedWarning)
-            file = rasterio.open(path, driver="GTiff")
-        with file:
+        with rasterio.open(path, driver="GTiff") as file:
             _check_layout(path, file)
             return _fields_of(file)
+    except rasterio.errors.NotGeoreferencedWarning as error:  # if warnings are errors
+        raise FileError(path, NO_GEOREFERENCE) from error
     except (rasterio.errors.RasterioError, OSError, ValueError) as error:
         if isinstance(error, FileError):
             raise
@@ -116,7 +115,7 @@ def _check_layout(path: Path, file: Any) -> None:
         raise FileError(path, f"{file.width:,} x {file.height:,} cells are more than 2^28", remedy="Read parts of it")
     a, b, c, d, e, f = tuple(file.transform)[:6]
     if file.transform.is_identity:
-        raise FileError(path, "has no georeference")
+        raise FileError(path, NO_GEOREFERENCE)
     if not (np.isfinite([a, c, e, f]).all() and a > 0 and b == d == 0 and abs(a + e) <= MAX_STRETCH * a):
         remedy = "Resample it, as in gdalwarp -tr 1 1 in.tif out.tif"
         raise FileError(path, f"expected square cells with north up, got {[a, b, d, e]}", remedy=remedy)

@@ -130,7 +130,7 @@ def _near_line(points: Rows, starts: Rows, steps: Rows, lengths: Rows, radius: f
         low, high = np.minimum(start, start + step) - radius, np.maximum(start, start + step) + radius
         rows = np.flatnonzero(((points[:, :2] >= low) & (points[:, :2] <= high)).all(axis=1))
         direction, away = step / length, points[rows, :2] - start
-        along = away @ direction
+        along = away[:, 0] * direction[0] + away[:, 1] * direction[1]
         side = direction[0] * away[:, 1] - direction[1] * away[:, 0]
         nearest = np.clip(along, 0.0, length)
         inside = ((along >= 0) | (number > 0)) & ((along <= length) | (number < last))

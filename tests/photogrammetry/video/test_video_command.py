@@ -209,7 +209,7 @@ def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, mess
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["-o", "room.txt"], "meshes are not written to .txt"),
+        (["-o", "room.mp3"], "are not written to .mp3"),
         (["-o", "there/room.ply"], "the folder there does not exist"),
         (["-o", "old.ply"], "exists already. Give another name, or --force"),
         (["-o", "room.ply", "--picture", "room.jpg"], "expected .png or .webp"),

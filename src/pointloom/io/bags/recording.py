@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera, is_one_camera
 from ...cameras.imu_readings import ImuReadings
 from ...cameras.trajectory import Trajectory
 from ...core.array_libraries import library_for
@@ -233,6 +233,8 @@ class Recording:
             ValueError: A tolerance that is not positive, or a count below 1.
         """
         apart, step = check_positive("tolerance", tolerance), check_count("every", every)
+        if intrinsic is not None and not is_one_camera(intrinsic):
+            check_camera("intrinsic", intrinsic)  # before messages are read
         recorded = RecordedFrames(self, *choose_images(self, depth, color), intrinsic, apart, step)
         if not len(recorded):
             reason = f"no images of {recorded.depth} and {recorded.color} were taken within {apart:g} s"
