@@ -75,7 +75,7 @@ def warn_of_sparse(
         warn_of_short(name, tree, radius, unit, so)
         return
     distance = distance_of_nearest(tree, count)
-    if distance is not None and radius > distance:
+    if distance is not None and radius >= distance:
         return
     m = symbol_of(unit)
     message = f"{name}: most points have fewer than {count} points within {radius:g} {m}, themselves included, so {so}"
