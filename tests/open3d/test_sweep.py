@@ -244,6 +244,7 @@ def compact(found: list[list[Any]]) -> dict[str, Any]:
 
 
 @pytest.mark.slow
+@pytest.mark.filterwarnings("ignore:.*most points have fewer than:pointloom.UnitWarning")
 def test_results_agree_with_open3d(oracle):
     stored, actual = oracle("open3d/results", lambda o3d: compact(results(o3d))), results(bridge)
     begin = 0
