@@ -155,7 +155,7 @@ REASONS: dict[tuple[str, str], str] = {
         PATCH_MATCH,
     ),
     **dict.fromkeys(
-        [("stereo_pair_sgm", size) for size in ("room 320x240", "room 960x720", "motorcycle 741x500")],
+        [("stereo_pair_sgm", size) for size in ("room 320x240", "room 640x480", "room 960x720", "motorcycle 741x500")],
         "Eight paths and both depth maps, at a lower error; SGBM sums five paths for one map.",
     ),
     **dict.fromkeys([("odometry", "64 beams, 115k"), ("odometry", "16 beams, 14k")], NO_DESKEWING),
