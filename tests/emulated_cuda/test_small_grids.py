@@ -44,6 +44,7 @@ KNOWN = {
     "score_in_lanes_kernel": "a warp has 512 pairs and eight poses: 256 poses and MAX_PAIRS give 32,768 threads",
     "fit_on_edges_kernel": "a thread has an edge of a hull: the smallest box so far ends the search of the next ones",
     "choose_in_block_kernel": "one block chooses among up to 8,192 points. Larger clouds have a launch per choice",
+    "search_nearest_of_lanes_kernel": "a sample of 200 points is searched for a radius with too few neighbors",
     "renew_level_kernel": "one block solves the coarse levels, whatever the number of samples",
     "fit_on_facets_kernel": "a thread has a facet of a hull, which has few",
 }
