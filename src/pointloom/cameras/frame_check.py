@@ -54,10 +54,10 @@ FIELDS_OF_VIEW = (10.0, 150.0)  # [degrees] plausible for a pinhole camera
 
 
 class _Sample(NamedTuple):
-    """Depth [any unit] and brightness of cells."""
+    """Depth [any unit] of cells, and the gray image of their pixels."""
 
-    depth: NDArray[np.float32]
-    shade: NDArray[np.float32]
+    depth: NDArray[Any]
+    gray: NDArray[Any]
 
 
 class _Registration(NamedTuple):
@@ -92,7 +92,8 @@ class FrameCheck:
             if len(self._steps) < MAX_FRAMES and depth.dtype.kind in "iu":
                 self._steps.append(depth_step(depth) * self._depth_scale)
             if isinstance(color, np.ndarray) and color.shape[:2] == depth.shape:
-                self._samples.append(_sample(depth, color, self._side))
+                gray = color if color.ndim == 2 else color[..., min(1, color.shape[2] - 1)]
+                self._samples.append(_Sample(depth[:: self._side, :: self._side].copy(), gray.copy()))
         self._count += 1
 
     @property
@@ -163,12 +164,12 @@ def depth_step(depth: NDArray[Any]) -> float:
     return median if np.median(np.abs(ratio - median)) < MAX_STEP_SPREAD * median else np.nan
 
 
-def _sample(depth: NDArray[Any], color: NDArray[Any], side: int) -> _Sample:
-    rows, columns = depth.shape[0] // side, depth.shape[1] // side
-    z = np.nan_to_num(depth[: rows * side : side, : columns * side : side].astype(np.float32), posinf=0.0, neginf=0.0)
-    gray = color if color.ndim == 2 else color[..., min(1, color.shape[2] - 1)]
-    cells = gray[: rows * side, : columns * side].reshape(rows, side, columns, side)
-    return _Sample(z, cells.mean(axis=(1, 3), dtype=np.float32) * np.float32(255.0 if gray.dtype.kind == "f" else 1.0))
+def _brightness(gray: NDArray[Any], side: int) -> NDArray[np.float32]:
+    """Mean of the pixels of each whole cell, up to 255."""
+    rows, columns = (side * (length // side) for length in gray.shape)
+    pixels = (gray[v:rows:side, u:columns:side] for v in range(side) for u in range(side))
+    total = sum(pixels, np.zeros((rows // side, columns // side), np.float32))
+    return total * np.float32((255.0 if gray.dtype.kind == "f" else 1.0) / side**2)
 
 
 def _edges(z: NDArray[np.float32]) -> NDArray[np.bool_]:
@@ -182,10 +183,12 @@ def _edges(z: NDArray[np.float32]) -> NDArray[np.bool_]:
     return out
 
 
-def _scores(sample: _Sample) -> tuple[Floats, Floats, int]:
+def _scores(sample: _Sample, side: int) -> tuple[Floats, Floats, int]:
     """Sums of color gradients at depth edges by kind and scale, and shift, with the edges in view; and their number."""
-    is_edge = _edges(sample.depth)
-    gy, gx = np.gradient(sample.shade)
+    shade = _brightness(sample.gray, side)
+    depth = sample.depth[: shade.shape[0], : shade.shape[1]].astype(np.float32)
+    is_edge = _edges(np.nan_to_num(depth, posinf=0.0, neginf=0.0))
+    gy, gx = np.gradient(shade)
     gradient = np.hypot(gx, gy)
     gradient = np.minimum(gradient / (np.percentile(gradient, STRONG_PERCENTILE) + 0.5), 1.0)
     (v, u), (rows, columns) = np.nonzero(is_edge), is_edge.shape
@@ -214,7 +217,7 @@ def _hypotheses() -> list[tuple[tuple[int, int], float]]:
 
 def _registration(samples: list[_Sample], side: int) -> _Registration:
     """Compare color with depth over flips, scales and shifts."""
-    scores = [_scores(sample) for sample in samples]
+    scores = [_scores(sample, side) for sample in samples]
     count = sum(number for *_, number in scores)
     if count < MIN_EDGES:
         return _Registration()
