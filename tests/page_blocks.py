@@ -66,6 +66,28 @@ def blocks_of(page: str) -> list[Block]:
     return blocks
 
 
+# Why a command of a page is not run by the tests: the first pattern that its line contains. All other commands run.
+NOT_RUNNABLE = {
+    "network": r"^(git|pip|ssh) ",
+    "checkout": r"^([A-Z_]+=\S* )*(make|python) ",
+    "a name for the reader to replace": r" [A-Z]{3,} ",
+    "browser": r"^pointloom (view (?!.*--screenshot)|docs .*--open)",
+    "another shell": r"completion (zsh|fish)",
+    "installed package": r"^man ",
+}
+
+
+def shell_lines(code: str) -> list[str]:
+    """The commands of a shell block, one per line, without comments."""
+    lines = [re.sub(r"(^|\s+)#.*", "", line) for line in code.replace("\\\n", " ").splitlines()]
+    return [line for line in lines if commands_in(line)]
+
+
+def obstacle(line: str) -> str | None:
+    """Why the tests do not run a line of a shell block, a key of NOT_RUNNABLE. None if they do."""
+    return next((reason for reason, pattern in NOT_RUNNABLE.items() if re.search(pattern, line)), None)
+
+
 EXTRAS = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
 TARGETS = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), flags=re.MULTILINE))
 
