@@ -2,8 +2,8 @@
 Terrain model with hillshade and contour lines
 ==============================================
 
-On this page you convert an airborne scan to a regular grid of heights, fill the gaps below buildings, compute slope and
-hillshade, and draw contour lines. The grid is a NumPy array that other GIS software can use.
+On this page you convert an airborne scan to a regular grid of heights, compute slope and hillshade, and draw contour
+lines. The grid can be written as GeoTIFF, and its heights are a NumPy array.
 """
 
 import numpy as np
@@ -13,37 +13,31 @@ import pointloom as loom
 # %%
 # Ground points
 # -------------
-# The scan is in UTM coordinates in meters.
+# The scan is in UTM coordinates in meters. ``loom.read_point_cloud("survey.laz")`` reads your own.
 cloud = loom.datasets.terrain()
-ground = cloud.select_by_mask(loom.classify_ground(cloud))
-low, high = cloud.get_min_bound(), cloud.get_max_bound()
-print(f"{len(ground):,} of {len(cloud):,} points are ground")
+true_ground = cloud.points[np.asarray(cloud["classification"]) == 2]
+is_ground = loom.classify_ground(cloud)
+cloud["classification"] = np.where(is_ground, 2, 1).astype(np.uint8)
+print(f"{is_ground.sum():,} of {len(cloud):,} points are ground")
 
 # %%
-# Interpolate a grid
-# ------------------
-# Each node of the grid is the inverse-distance weighted mean of the six nearest ground points in plan view, so gaps
-# below roofs are filled. The cell size is 1 m. Use the spacing of your ground points.
+# Terrain model
+# -------------
+# Each cell is interpolated between ground points (class 2). The cell size is 1 m. Use the spacing of your ground points.
+# ``dtm.write("dtm.tif")`` writes a GeoTIFF. Rows are from north to south. They are reversed here, so that y increases.
 cell = 1.0
-east = np.arange(low[0] + 1, high[0] - 1, cell)
-north = np.arange(low[1] + 1, high[1] - 1, cell)
+dtm = loom.rasterize(cloud, cell, "dtm").fill_gaps(30)
+print(dtm)
+z = dtm.values[::-1].astype(float)
+east, north = (low + cell * (np.arange(count) + 0.5) for low, count in zip(dtm.bounds[:2], z.T.shape))
 x, y = np.meshgrid(east, north)
-search = loom.NearestNeighborSearch(loom.PointCloud(ground.points * [1, 1, 0], origin=low * [1, 1, 0]))
-nearest = search.knn_search(np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)]), 6)
-weights = 1.0 / (np.asarray(nearest.sqdists) + 0.05)
-weights /= weights.sum(axis=1, keepdims=True)
-z = (weights * ground.points[np.asarray(nearest.indices), 2]).sum(axis=1).reshape(x.shape)
-print(f"grid of {z.shape[1]} x {z.shape[0]} nodes, {z.min():.1f} to {z.max():.1f} m")
 
 # %%
 # Measure the error
 # -----------------
-# The true ground points are compared with the height of the grid at their position.
-true_ground = cloud.points[cloud["classification"] == 2]
-columns = np.rint((true_ground[:, 0] - east[0]) / cell).astype(int)
-rows = np.rint((true_ground[:, 1] - north[0]) / cell).astype(int)
-inside = (columns >= 0) & (columns < len(east)) & (rows >= 0) & (rows < len(north))
-error = z[rows[inside], columns[inside]] - true_ground[inside, 2]
+# The true ground points are compared with the height of the cell at their position.
+columns, rows = np.floor((true_ground[:, :2] - dtm.bounds[:2]) / cell).astype(int).T
+error = z[rows, columns] - true_ground[:, 2]
 print(f"median error {np.median(error):+.3f} m, 95th percentile {np.percentile(np.abs(error), 95):.2f} m")
 assert abs(np.median(error)) < 0.05 and np.percentile(np.abs(error), 95) < 0.5
 
@@ -79,31 +73,11 @@ assert area > flat_area
 # %%
 # Contour lines
 # -------------
-# Contour lines at intervals of 1 m connect the points at which edges of the triangles cross the height.
-segments = []
-for level in np.arange(np.ceil(z.min()), z.max(), 1.0):
-    for u, v, w in ((a, b, c), (a, c, d)):
-        crossings = []
-        for p, q in ((u, v), (v, w), (w, u)):
-            zp, zq = z.ravel()[p], z.ravel()[q]
-            with np.errstate(divide="ignore", invalid="ignore"):
-                t = (level - zp) / (zq - zp)
-            crosses = (zp < level) != (zq < level)
-            crossing = surface.vertices[p] + np.where(crosses, t, 0)[:, None] * (
-                surface.vertices[q] - surface.vertices[p]
-            )
-            crossings.append((crosses, crossing))
-        (c0, p0), (c1, p1), (c2, p2) = crossings
-        first = np.where(c0[:, None], p0, p1)
-        second = np.where(c2[:, None], p2, p1)
-        is_crossed = c0 | c1
-        segments.append(np.stack([first[is_crossed], second[is_crossed]], axis=1))
-lines = np.concatenate(segments)
-assert np.abs(lines[..., 2] - np.rint(lines[..., 2])).max() < 1e-6  # heights are integers [m]
-contours = loom.LineSet(
-    lines.reshape(-1, 3) + np.array([0, 0, 0.1]), np.arange(2 * len(lines)).reshape(-1, 2).astype(np.int32)
-)
+# Contour lines at intervals of 1 m connect the points between cell centers that have this height.
+contours = dtm.contour_lines(1.0)
+assert np.abs(contours.points[:, 2] - np.rint(contours.points[:, 2])).max() < 1e-6  # heights are integers [m]
 print(contours)
+contours = contours.translate([0, 0, 0.1])  # in front of the surface
 
 view = loom.View.fit(surface.vertices, direction=(0.25, 0.7, -0.6), width=960, height=640)
 relief = loom.render(
@@ -121,8 +95,8 @@ map_image = loom.render(
 # %%
 # What to change
 # --------------
-# - ``cell`` [m]: 0.5 has four times as many nodes.
-# - The contour interval [m] in ``np.arange``: 0.5 instead of 1.0.
+# - ``cell`` [m]: 0.5 has four times as many cells.
+# - The interval of ``contour_lines`` [m]: 0.5 instead of 1.0.
 # - ``sun``: the direction of the light. A lower elevation emphasizes small features.
 #
 # Next
