@@ -71,6 +71,7 @@ NOT_RUNNABLE = {
     "network": r"^(git|pip|ssh) ",
     "checkout": r"^([A-Z_]+=\S* )*(make|python) ",
     "a name for the reader to replace": r" [A-Z]{3,} ",
+    "new environment": r"^(python3 -m venv|\.) ",
     "browser": r"^pointloom (view (?!.*--screenshot)|docs .*--open)",
     "another shell": r"completion (zsh|fish)",
     "installed package": r"^man ",
@@ -135,9 +136,11 @@ def fault_of(words: list[str]) -> str | None:
         extras = [extra for word in rest for extra in re.findall(r"pointloom\[(.+)\]", word)]
         wrong = [extra for listed in extras for extra in listed.split(",") if extra not in EXTRAS]
         return f"no such extra: {wrong}" if wrong else None
+    if words[:3] == ["python3", "-m", "venv"]:
+        return None
     if name == "python":
         return None if (ROOT / rest[0]).is_file() else f"no such script: {rest[0]}"
     return None if name in KNOWN else f"{name}: a command that nobody checks"
 
 
-KNOWN = ("cd", "git", "ssh", "eval", "source", "zcat", "cat", "man")  # of every system
+KNOWN = (".", "cd", "git", "ssh", "eval", "source", "zcat", "cat", "man")  # of every system

@@ -55,14 +55,24 @@ def test_a_page_runs_from_top_to_bottom_in_an_empty_folder(page, tmp_path):
 def test_commands_of_pages_that_do_not_run_are_counted_by_reason():
     """A new command must run in the folder of its page, or change a count of this table."""
     reasons = [block.reason or obstacle(line) or "runs" for block in SHELL for line in shell_lines(block.code)]
-    assert Counter(reasons) == {}
+    assert Counter(reasons) == {
+        "runs": 29,
+        "checkout": 23,
+        "network": 11,
+        "needs a video or photographs, which the reader brings, and takes minutes": 7,
+        "browser": 4,
+        "new environment": 4,
+        "needs a network's file, which the reader brings": 3,
+        "another shell": 2,
+        "a name for the reader to replace": 1,
+        "installed package": 1,
+    }
 
 
 def test_every_command_of_a_page_is_one_that_can_be_typed():
     faults = [
         f"{block.page}:{block.line}: {' '.join(words)}: {fault}"
         for block in SHELL
-        if block.reason is None
         for words in commands_in(block.code)
         if (fault := fault_of(words))
     ]
