@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
@@ -47,7 +48,7 @@ def test_a_page_runs_from_top_to_bottom_in_an_empty_folder(page, tmp_path):
     folder.mkdir()
     command = [sys.executable, "-W", "error", str(script)]
     settings = os.environ | {"POINTLOOM_DRAW": "picture"}  # as on a machine without a display
-    settings["PATH"] = os.pathsep.join([os.path.dirname(sys.executable), os.environ["PATH"]])  # finds `pointloom`
+    settings["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])  # finds `pointloom`
     done = subprocess.run(command, cwd=folder, env=settings, capture_output=True, text=True, timeout=900)
     assert done.returncode == 0, f"{page}:\n{done.stdout[-2000:]}\n{done.stderr[-4000:]}"
 

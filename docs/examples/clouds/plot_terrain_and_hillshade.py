@@ -23,13 +23,15 @@ print(f"{is_ground.sum():,} of {len(cloud):,} points are ground")
 # %%
 # Terrain model
 # -------------
-# Each cell is interpolated between ground points (class 2). The cell size is 1 m. Use the spacing of your ground points.
-# ``dtm.write("dtm.tif")`` writes a GeoTIFF. Rows are from north to south. They are reversed here, so that y increases.
+# Each cell is interpolated between ground points (class 2). The cell size is 1 m. Use the spacing of your ground
+# points. ``dtm.write("dtm.tif")`` writes a GeoTIFF. Rows are from north to south. They are reversed here, so that y
+# increases.
 cell = 1.0
 dtm = loom.rasterize(cloud, cell, "dtm").fill_gaps(30)
 print(dtm)
 z = dtm.values[::-1].astype(float)
-east, north = (low + cell * (np.arange(count) + 0.5) for low, count in zip(dtm.bounds[:2], z.T.shape))
+east = dtm.bounds[0] + cell * (np.arange(z.shape[1]) + 0.5)
+north = dtm.bounds[1] + cell * (np.arange(z.shape[0]) + 0.5)
 x, y = np.meshgrid(east, north)
 
 # %%
