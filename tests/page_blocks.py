@@ -13,7 +13,9 @@ from .test_imports import ROOT
 PAGES = ["README.md", *sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/*.md"))]
 PAGES += [path.relative_to(ROOT).as_posix() for path in ROOT.glob("src/pointloom/cli/shell/*.md")]
 # Pages that take over 10 s of CPU.
-NIGHTLY = {f"docs/{name}.md" for name in ("change", "mvs", "reconstruction", "recordings", "slam", "tiles", "video")}
+NIGHTLY = {
+    f"docs/{name}.md" for name in ("change", "mvs", "reconstruction", "recordings", "slam", "terrain", "tiles", "video")
+}
 NIGHTLY |= {"src/pointloom/cli/shell/SKILL.md"}
 NOT_RUN = re.compile(r"<!-- not run: (.+) -->")
 
