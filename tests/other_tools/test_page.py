@@ -1,5 +1,7 @@
 """The examples of docs/other-tools.md, each with the packages that are installed."""
 
+import contextlib
+import importlib.metadata
 import importlib.util
 import re
 import warnings
@@ -10,9 +12,11 @@ import pytest
 import pointloom as loom
 
 from ..page_blocks import blocks_of
+from ..test_imports import ROOT
 
 HERE = "tests/other_tools/test_page.py"
 MODULES = {"rerun-sdk": "rerun", "foxglove-sdk": "foxglove"}
+PAGE_TEXT = (ROOT / "docs/other-tools.md").read_text()
 BLOCKS = [block for block in blocks_of("docs/other-tools.md") if HERE in (block.reason or "")]
 
 
@@ -58,10 +62,86 @@ def test_an_example_runs(block, tmp_path, monkeypatch):
         assert names["reconstruction"].num_images() == 2
 
 
-def test_pyvista_and_open3d_share_the_points_of_a_cloud():
+def cloud_of_100() -> loom.PointCloud:
+    return loom.PointCloud(np.random.default_rng(0).random((100, 3)) - 0.5)
+
+
+def test_a_tensor_and_its_cloud_show_what_is_written_to_the_other():
+    torch = pytest.importorskip("torch", exc_type=ImportError)
+    points = torch.rand(100, 3) - 0.5
+    cloud = loom.PointCloud(points)
+    points[0] = torch.tensor([0.25, 0.5, 0.75])
+    np.testing.assert_array_equal(cloud.points[0], [0.25, 0.5, 0.75])
+    cloud.array("points")[1] = torch.tensor([0.75, 0.5, 0.25])
+    np.testing.assert_array_equal(points[1].numpy(), [0.75, 0.5, 0.25])
+    mesh = loom.TriangleMesh(points, torch.arange(99, dtype=torch.int32).reshape(33, 3))
+    points[2] = torch.tensor([0.5, 0.5, 0.5])
+    np.testing.assert_array_equal(mesh.vertices[2], [0.5, 0.5, 0.5])
+
+
+def test_an_array_of_jax_and_its_cloud_have_the_same_memory():
+    """Arrays of JAX cannot be written."""
+    jax = pytest.importorskip("jax", exc_type=ImportError)
+    points = jax.numpy.asarray(np.random.default_rng(0).random((100, 3), np.float32) - 0.5)
+    cloud = loom.PointCloud(points)
+    assert cloud.array("points").unsafe_buffer_pointer() == points.unsafe_buffer_pointer()
+    np.testing.assert_array_equal(cloud.points, np.asarray(points))
+
+
+def test_tensors_of_open3d_share_an_array_of_a_cloud_and_a_cloud_copies_theirs():
+    o3d = pytest.importorskip("open3d", exc_type=ImportError)
+    cloud = cloud_of_100()
+    tensor = o3d.t.geometry.PointCloud(o3d.core.Tensor.from_numpy(cloud.array("points")))
+    tensor.point.positions[0] = o3d.core.Tensor([0.25, 0.5, 0.75], o3d.core.float32)
+    np.testing.assert_array_equal(cloud.points[0], [0.25, 0.5, 0.75])
+    cloud.array("points")[1] = [0.75, 0.5, 0.25]
+    np.testing.assert_array_equal(tensor.point.positions.numpy()[1], [0.75, 0.5, 0.25])
+    back, legacy = loom.PointCloud(tensor.point.positions.numpy()), tensor.to_legacy()
+    tensor.point.positions[2] = o3d.core.Tensor([0.5, 0.5, 0.5], o3d.core.float32)
+    assert (back.points[2] != 0.5).all()
+    assert (np.asarray(legacy.points)[2] != 0.5).all()
+
+
+def test_pyvista_shares_the_points_of_a_cloud_and_copies_the_vertices_of_a_mesh():
     pyvista = pytest.importorskip("pyvista", exc_type=ImportError)
-    cloud = loom.PointCloud(np.random.default_rng(0).random((100, 3)) - 0.5)
-    assert np.shares_memory(pyvista.PolyData(cloud.array("points")).points, cloud.array("points"))
+    cloud, mesh = cloud_of_100(), loom.TriangleMesh.create_box()
+    data = pyvista.PolyData(cloud.array("points"))
+    data.points[0] = [0.25, 0.5, 0.75]
+    np.testing.assert_array_equal(cloud.points[0], [0.25, 0.5, 0.75])
+    cloud.array("points")[1] = [0.75, 0.5, 0.25]
+    np.testing.assert_array_equal(data.points[1], [0.75, 0.5, 0.25])
+    surface = pyvista.PolyData.from_regular_faces(mesh.vertices, mesh.triangles)
+    before = mesh.vertices[0].copy()
+    surface.points[0] = [9.0, 9.0, 9.0]
+    np.testing.assert_array_equal(mesh.vertices[0], before)
+
+
+def test_other_arrays_of_numpy_are_copied():
+    points = np.random.default_rng(0).random((100, 3), np.float32) - 0.5
+    cloud = loom.PointCloud(points)
+    points[0] = 9.0
+    assert (cloud.points[0] < 1.0).all()
+
+
+def test_trimesh_copies():
+    trimesh = pytest.importorskip("trimesh", exc_type=ImportError)
+    mesh = loom.TriangleMesh.create_box()
+    other = trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False)
+    other.vertices[0] = [9.0, 9.0, 9.0]
+    assert (mesh.vertices[0] < 2.0).all()
+
+
+def test_the_versions_of_the_page_are_those_that_run_its_examples():
+    rows = re.findall(r"^\| \[\w+\]\(#.*\| (\w[\w-]*) (\d[\d.]+)(?=[ ,|])", PAGE_TEXT, flags=re.MULTILINE)
+    assert {"torch", "jax", "open3d", "trimesh", "pyvista", "polyscope", "viser", "rerun-sdk", "foxglove-sdk", "pycolmap",
+            "gsplat", "nerfstudio"} <= {name for name, _ in rows}  # fmt: skip
+    installed: dict[str, str] = {}
+    for name, _ in rows:
+        with contextlib.suppress(importlib.metadata.PackageNotFoundError):
+            installed[name] = importlib.metadata.version(name).partition("+")[0]
+    if "gsplat" not in installed:
+        pytest.skip("the tools are not installed. `make test-other-tools` runs this test")
+    assert {name: version for name, version in rows if name in installed} == installed
 
 
 def test_the_reference_projection_of_gsplat_puts_centers_where_a_camera_does():
