@@ -8,6 +8,7 @@ import warnings
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
@@ -38,7 +39,7 @@ def test_an_example_runs(block, tmp_path, monkeypatch):
         if importlib.util.find_spec(name) is None:
             pytest.skip(f"{name} is not installed. `make test-other-tools` runs this example")
     monkeypatch.chdir(tmp_path)
-    names = {"__name__": "page"}
+    names, drawn = {"__name__": "page"}, []
     with warnings.catch_warnings():
         warnings.simplefilter("default")  # other packages warn of their own dependencies
         if "polyscope" in block.code:
@@ -47,9 +48,16 @@ def test_an_example_runs(block, tmp_path, monkeypatch):
             start = polyscope.init
             monkeypatch.setattr(polyscope, "init", lambda: start("openGL_mock"))  # there is no display
             monkeypatch.setattr(polyscope, "show", lambda: None)
+        if "viser" in block.code:
+            import viser
+
+            add = viser.SceneApi.add_point_cloud
+            record = lambda *given, **options: drawn.append(add(*given, **options))  # noqa: E731
+            monkeypatch.setattr(viser.SceneApi, "add_point_cloud", record)
         exec(compile(block.source(), block.page, "exec"), names)
     if "server" in names:
         names["server"].stop()
+        np.testing.assert_allclose(drawn[0].points, names["cloud"].points, rtol=0, atol=1e-7)
     if isinstance(names.get("back"), loom.TriangleMesh):
         np.testing.assert_allclose(names["back"].vertices, names["mesh"].vertices, atol=1e-7)
         np.testing.assert_array_equal(names["back"].triangles, names["mesh"].triangles)
@@ -86,6 +94,8 @@ def test_an_array_of_jax_and_its_cloud_have_the_same_memory():
     cloud = loom.PointCloud(points)
     assert cloud.array("points").unsafe_buffer_pointer() == points.unsafe_buffer_pointer()
     np.testing.assert_array_equal(cloud.points, np.asarray(points))
+    with pytest.raises((TypeError, ValueError), match=r"traced|Tracer"):
+        jax.jit(lambda given: loom.PointCloud(given).cluster_dbscan(0.1, 5))(points)
 
 
 def test_tensors_of_open3d_share_an_array_of_a_cloud_and_a_cloud_copies_theirs():
@@ -123,11 +133,14 @@ def test_other_arrays_of_numpy_are_copied():
     assert (cloud.points[0] < 1.0).all()
 
 
-def test_trimesh_copies():
+def test_trimesh_gets_a_copy_that_only_to_trimesh_makes_writable():
     trimesh = pytest.importorskip("trimesh", exc_type=ImportError)
     mesh = loom.TriangleMesh.create_box()
     other = trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False)
-    other.vertices[0] = [9.0, 9.0, 9.0]
+    with pytest.raises(ValueError, match="read-only"):
+        other.vertices[0] = [9.0, 9.0, 9.0]
+    copy = mesh.to_trimesh()
+    copy.vertices[0] = [9.0, 9.0, 9.0]
     assert (mesh.vertices[0] < 2.0).all()
 
 
@@ -142,6 +155,54 @@ def test_the_versions_of_the_page_are_those_that_run_its_examples():
     if "gsplat" not in installed:
         pytest.skip("the tools are not installed. `make test-other-tools` runs this test")
     assert {name: version for name, version in rows if name in installed} == installed
+
+
+def test_pycolmap_reads_the_cameras_poses_points_and_tracks_of_a_model_and_writes_them_back(tmp_path):
+    pycolmap = pytest.importorskip("pycolmap", exc_type=ImportError)
+    rng = np.random.default_rng(0)
+    cameras = [
+        loom.CameraModel("PINHOLE", 640, 480, [500, 510, 320, 240]),
+        loom.CameraModel("OPENCV", 600, 400, [450, 455, 300, 200, -0.1, 0.02, 0.001, -0.002]),
+        loom.CameraModel("OPENCV_FISHEYE", 640, 480, [300, 305, 320, 240, -0.02, 0.002, 0.001, -0.0002]),
+    ]
+    poses = np.tile(np.eye(4), (3, 1, 1))
+    poses[:, :3, :3] = Rotation.from_rotvec(rng.normal(size=(3, 3)) * 0.1).as_matrix()
+    poses[:, :3, 3] = rng.normal(size=(3, 3)) * 0.2
+    points = rng.random((50, 3)) * [2, 2, 1] + [-1, -1, 4]
+    colors = rng.integers(0, 256, (50, 3)).astype(np.uint8)
+    observations = np.argwhere(rng.random((3, 50)) < 0.7)
+    pixels = np.concatenate([cameras[i].project(points[[j]] @ poses[i, :3, :3].T + poses[i, :3, 3]) for i, j in observations])
+    model = loom.SfmModel(
+        ["a.png", "b.png", "c.png"], cameras, poses, points=points, colors=colors, observations=observations, pixels=pixels
+    )
+    loom.write_colmap_model(tmp_path / "sparse", model)
+    reconstruction = pycolmap.Reconstruction(tmp_path / "sparse")
+    images = {image.name: image for image in reconstruction.images.values()}
+    for name, camera, T in zip(model.names, cameras, poses, strict=True):
+        np.testing.assert_allclose(images[name].cam_from_world().matrix(), T[:3], atol=1e-12)
+        local = points @ T[:3, :3].T + T[:3, 3]
+        projected = [images[name].camera.img_from_cam(point) for point in local]
+        np.testing.assert_allclose(np.array(projected) - 0.5, camera.project(local), atol=1e-3)  # float32 [px]
+    written = sorted(reconstruction.points3D.values(), key=lambda point: point.xyz[0])
+    order = np.argsort(points[:, 0])
+    np.testing.assert_allclose([point.xyz for point in written], points[order], atol=1e-12)
+    np.testing.assert_array_equal([point.color for point in written], colors[order])
+    for row, point in zip(order, written, strict=True):
+        seen = {(reconstruction.images[element.image_id].name, element.point2D_idx) for element in point.track.elements}
+        positions = {name: images[name].points2D[number].xy - 0.5 for name, number in seen}
+        of_point = observations[:, 1] == row
+        wanted = {model.names[i]: xy for i, xy in zip(observations[of_point, 0], pixels[of_point], strict=True)}
+        assert set(positions) == set(wanted)
+        for name, xy in wanted.items():
+            np.testing.assert_allclose(positions[name], xy, atol=1e-9)
+    (tmp_path / "again").mkdir()
+    reconstruction.write(tmp_path / "again")
+    back = loom.read_cameras(tmp_path / "again")
+    assert list(back.names) == list(model.names)
+    np.testing.assert_allclose(back.T_camera_world, poses, atol=1e-12)
+    np.testing.assert_array_equal(back.observations[:, 0], model.observations[:, 0])
+    np.testing.assert_allclose(back.pixels, model.pixels, atol=1e-9)
+    assert [camera.params for camera in back.cameras] == [camera.params for camera in cameras]
 
 
 def test_the_reference_projection_of_gsplat_puts_centers_where_a_camera_does():
