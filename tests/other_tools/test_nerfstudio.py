@@ -74,4 +74,6 @@ def test_the_parser_of_nerfstudio_reads_a_training_folder(tmp_path):
     for k, camera in enumerate(back.cameras):
         fx, fy, cx, cy = (float(getattr(scene.cameras, name)[k]) for name in ("fx", "fy", "cx", "cy"))
         np.testing.assert_allclose([fx, fy, cx, cy], camera.params[:4], rtol=1e-6)
-        np.testing.assert_allclose(scene.cameras.camera_to_worlds[k, :, 3].numpy(), model.T_world_camera[k, :3, 3], atol=1e-6)
+        np.testing.assert_allclose(
+            scene.cameras.camera_to_worlds[k, :, 3].numpy(), model.T_world_camera[k, :3, 3], atol=1e-6
+        )

@@ -146,8 +146,8 @@ def test_trimesh_gets_a_copy_that_only_to_trimesh_makes_writable():
 
 def test_the_versions_of_the_page_are_those_that_run_its_examples():
     rows = re.findall(r"^\| \[\w+\]\(#.*\| (\w[\w-]*) (\d[\d.]+)(?=[ ,|])", PAGE_TEXT, flags=re.MULTILINE)
-    assert {"torch", "jax", "open3d", "trimesh", "pyvista", "polyscope", "viser", "rerun-sdk", "foxglove-sdk", "pycolmap",
-            "gsplat", "nerfstudio"} <= {name for name, _ in rows}  # fmt: skip
+    packages = "torch jax open3d trimesh pyvista polyscope viser rerun-sdk foxglove-sdk pycolmap gsplat nerfstudio"
+    assert set(packages.split()) <= {name for name, _ in rows}
     installed: dict[str, str] = {}
     for name, _ in rows:
         with contextlib.suppress(importlib.metadata.PackageNotFoundError):
@@ -171,9 +171,17 @@ def test_pycolmap_reads_the_cameras_poses_points_and_tracks_of_a_model_and_write
     points = rng.random((50, 3)) * [2, 2, 1] + [-1, -1, 4]
     colors = rng.integers(0, 256, (50, 3)).astype(np.uint8)
     observations = np.argwhere(rng.random((3, 50)) < 0.7)
-    pixels = np.concatenate([cameras[i].project(points[[j]] @ poses[i, :3, :3].T + poses[i, :3, 3]) for i, j in observations])
+    pixels = np.concatenate(
+        [cameras[i].project(points[[j]] @ poses[i, :3, :3].T + poses[i, :3, 3]) for i, j in observations]
+    )
     model = loom.SfmModel(
-        ["a.png", "b.png", "c.png"], cameras, poses, points=points, colors=colors, observations=observations, pixels=pixels
+        ["a.png", "b.png", "c.png"],
+        cameras,
+        poses,
+        points=points,
+        colors=colors,
+        observations=observations,
+        pixels=pixels,
     )
     loom.write_colmap_model(tmp_path / "sparse", model)
     reconstruction = pycolmap.Reconstruction(tmp_path / "sparse")

@@ -22,7 +22,9 @@ def run(folder: Path, *command: str) -> str:
     if shutil.which(command[0]) is None:
         pytest.skip(f"the program {command[0]} is not installed")
     settings = os.environ | {"QT_QPA_PLATFORM": "offscreen"}  # CloudCompare without a display
-    return subprocess.run(command, cwd=folder, env=settings, check=True, capture_output=True, text=True, timeout=60).stdout
+    return subprocess.run(
+        command, cwd=folder, env=settings, check=True, capture_output=True, text=True, timeout=60
+    ).stdout
 
 
 def cloudcompare(folder: Path, name: str, *options: str) -> Path:
@@ -74,7 +76,12 @@ def test_cloudcompare_keeps_a_mesh(tmp_path, suffix):
 
 def commands_of(program: str) -> list[list[str]]:
     """The commands of the page that start a program."""
-    lines = [line for block in blocks_of("docs/other-tools.md") if block.language == "text" for line in block.code.splitlines()]
+    lines = [
+        line
+        for block in blocks_of("docs/other-tools.md")
+        if block.language == "text"
+        for line in block.code.splitlines()
+    ]
     return [shlex.split(line) for line in lines if line.startswith(program)]
 
 

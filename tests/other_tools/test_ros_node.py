@@ -13,6 +13,8 @@ import pytest
 from rosbags.typesys import Stores, get_typestore
 from scipy.spatial.transform import Rotation
 
+import pointloom as loom
+
 from ..page_blocks import blocks_of
 
 STEP, SCANS = 0.3, 11  # [m] between scans
@@ -196,3 +198,34 @@ def test_the_node_runs_on_rclpy_with_messages_of_ros(monkeypatch):
     (cloud,) = maps
     assert (cloud.header.frame_id, [field.name for field in cloud.fields]) == ("odom", ["x", "y", "z"])
     assert_room(unpacked(cloud))
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")  # of modules that ROS imports
+def test_a_bag_of_messages_that_ros_serialized_has_their_points_and_poses(tmp_path):
+    if importlib.util.find_spec("rclpy") is None:
+        pytest.skip("rclpy is not installed. `make test-other-tools` runs this test")
+    from nav_msgs.msg import Odometry
+    from rclpy.serialization import serialize_message
+    from rosbags import rosbag2
+    from std_msgs.msg import Header
+
+    store, scans = get_typestore(Stores.ROS2_HUMBLE), np.random.default_rng(0).random((3, 500, 3), np.float32)
+    writer = rosbag2.Writer(tmp_path / "bag", version=9, storage_plugin=rosbag2.StoragePlugin.MCAP)
+    with writer:
+        clouds = writer.add_connection("/points", "sensor_msgs/msg/PointCloud2", typestore=store)
+        poses = writer.add_connection("/odometry", "nav_msgs/msg/Odometry", typestore=store)
+        for k, points in enumerate(scans):
+            header, message = Header(frame_id="lidar"), Odometry(child_frame_id="lidar")
+            header.stamp.sec = 10 + k
+            message.header, pose = header, message.pose.pose
+            pose.position.x, pose.position.y, pose.position.z = true_pose(k)[:3, 3].tolist()
+            rotation = Rotation.from_matrix(true_pose(k)[:3, :3]).as_quat().tolist()
+            pose.orientation.x, pose.orientation.y, pose.orientation.z, pose.orientation.w = rotation
+            writer.write(clouds, (10 + k) * 10**9, serialize_message(packed(header, points)))
+            writer.write(poses, (10 + k) * 10**9, serialize_message(message))
+    recording = loom.open_recording(tmp_path / "bag")
+    for scan, points in zip(recording.scans("/points"), scans, strict=True):
+        np.testing.assert_array_equal(scan.points, points)
+    trajectory = recording.trajectory("/odometry")
+    np.testing.assert_allclose(trajectory.timestamps, [10.0, 11.0, 12.0])
+    np.testing.assert_allclose(trajectory.poses, [true_pose(k) for k in range(3)], atol=1e-12)
