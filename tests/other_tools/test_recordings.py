@@ -86,10 +86,12 @@ def recorded(path: Path) -> Iterator[Any]:
     rng = np.random.default_rng(1)
     box, cloud = loom.TriangleMesh.create_box(), loom.PointCloud(rng.random((20, 3)), colors=rng.random((20, 3)))
     painted = loom.TriangleMesh(box.vertices, box.triangles, vertex_colors=rng.random((8, 3)))
+    lines = loom.LineSet(rng.random((6, 3)), [[0, 1], [2, 3], [4, 5]], colors=rng.random((3, 3)))
+    kinds = {0: cloud, 3: painted, 4: lines}  # of the same name
     with loom.record(path, automatic=False) as r:
         for k in range(6):
-            if k in (0, 3, 4):
-                r.add("a", cloud if k != 3 else painted)  # another kind of shape of the same name
+            if k in kinds:
+                r.add("a", kinds[k])
             if k in (1, 4):
                 r.add("b", painted)
                 r.set_pose("b", pose(degrees=10.0 * k, scale=1.0 + k, center=np.ones(3)))
