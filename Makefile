@@ -28,6 +28,7 @@ BROWSER := .venv/.stamp-browser
 BENCH := .venv/.stamp-bench
 TORCH := build/torch/.stamp
 OTHER_TOOLS := build/other-tools/.stamp
+ROS := build/ros/.stamp
 
 # find_python.sh's choice, or the message that says why there is none
 FIND_PYTHON = python=$$(scripts/find_python.sh "$(PYTHON)")
@@ -100,8 +101,9 @@ rest-set: $(FULL) ## Choose the tests that CI runs after the quick ones, by the 
 	-@$(PYTEST) --rest -m "not real_data" --lines $(LINES)/rest
 	@$(BIN)/python -m tests.rest_set $(LINES)
 
-test-other-tools: $(OTHER_TOOLS) ## Run the examples of docs/other-tools.md with the packages of these tools
+test-other-tools: $(OTHER_TOOLS) $(ROS) ## Run the examples of docs/other-tools.md with the packages of these tools
 	@build/other-tools/bin/python -m pytest -n 0 $(if $(filter tests%,$(ARGS)),,tests/other_tools) $(ARGS)
+	@$(if $(ARGS),,build/ros/bin/python -m pytest -n 0 tests/other_tools/test_ros_node.py)
 
 oracle: $(FULL) ## Compute Open3D's stored answers again (tests/oracle_answers)
 	@$(BIN)/python -m pytest -n 0 -q --oracle write $(ARGS)
@@ -234,21 +236,26 @@ $(BROWSER): scripts/install_system_libraries.sh $(FULL)
 	@scripts/install_system_libraries.sh browser $(BIN)/python
 	@touch $@
 
-# An environment in build/ with further packages, which sees those of .venv.
+# An environment in build/ with further packages, which sees those of .venv. The packages of the second file are
+# installed without the packages that they need.
 define INSTALL_BESIDE
 	@echo "Installing the packages of constraints/$(1).txt into build/$(1)"
 	@$(BIN)/python -m venv --clear build/$(1)
 	@site() { $$1 -c 'import sysconfig; print(sysconfig.get_path("purelib"))'; }; \
 	echo "import site; site.addsitedir('$$(site $(BIN)/python)')" > "$$(site build/$(1)/bin/python)/beside.pth"
 	@build/$(1)/bin/python -m pip --no-input --disable-pip-version-check install --quiet -r constraints/$(1).txt
+	$(if $(2),@build/$(1)/bin/python -m pip --no-input --disable-pip-version-check install --quiet --no-deps -r constraints/$(2).txt)
 	@touch $@
 endef
 
 $(TORCH): constraints/torch.txt $(TEST)
 	$(call INSTALL_BESIDE,torch)
 
-$(OTHER_TOOLS): constraints/other-tools.txt $(FULL)
-	$(call INSTALL_BESIDE,other-tools)
+$(OTHER_TOOLS): constraints/other-tools.txt constraints/nerfstudio.txt $(FULL)
+	$(call INSTALL_BESIDE,other-tools,nerfstudio)
+
+$(ROS): constraints/ros.txt $(FULL)
+	$(call INSTALL_BESIDE,ros)
 
 $(BENCH): constraints/bench.txt $(FULL)
 	@echo "Installing what the benchmarks need into .venv"

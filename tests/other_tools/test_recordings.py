@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,10 +20,10 @@ COLOR = (255, 128, 0)
 CLOUD, BOX, MESH = "a cloud/1", "box", "mesh"
 
 
-def pose(*, degrees: float = 0.0, scale: float = 1.0) -> np.ndarray:
+def pose(*, degrees: float = 0.0, scale: float = 1.0, center: np.ndarray = UTM) -> np.ndarray:
     T = np.eye(4)
     T[:3, :3] = scale * Rotation.from_euler("xz", [degrees, 2 * degrees], degrees=True).as_matrix()
-    T[:3, 3] = UTM - T[:3, :3] @ UTM + [2.0, 0.0, 0.0]
+    T[:3, 3] = center - T[:3, :3] @ center + [2.0, 0.0, 0.0]
     return T
 
 
@@ -69,6 +73,115 @@ def test_a_recording_of_rerun_has_each_shape_once_and_each_pose(tmp_path):
     assert len(columns["/scene/box/0", "LineStrips3D:strips"][0][1]) == 12
     assert columns["/plots/fitness", "Scalars:scalars"] == [(0, [0.5])]
     assert [text for _, (text,) in columns["/label", "TextLog:text"]] == ["first", "second", "third", "fourth", "fifth"]
+
+
+def recorded(path: Path) -> Iterator[Any]:
+    """Recordings of an algorithm and of all kinds of shapes, colors and poses."""
+    target = loom.datasets.object_mesh().sample_points_uniformly(2_000, seed=0).translate(UTM)
+    with loom.record(path) as r:
+        loom.registration.registration_icp(target.translate([0.01, 0.0, 0.005]), target, 0.05)
+    assert len(r.timeline.frames) > 5
+    yield r
+    yield record(path)[0]
+    rng = np.random.default_rng(1)
+    box, cloud = loom.TriangleMesh.create_box(), loom.PointCloud(rng.random((20, 3)), colors=rng.random((20, 3)))
+    painted = loom.TriangleMesh(box.vertices, box.triangles, vertex_colors=rng.random((8, 3)))
+    lines = loom.LineSet(rng.random((6, 3)), [[0, 1], [2, 3], [4, 5]], colors=rng.random((3, 3)))
+    kinds = {0: cloud, 3: painted, 4: lines}  # of the same name
+    with loom.record(path, automatic=False) as r:
+        for k in range(6):
+            if k in kinds:
+                r.add("a", kinds[k])
+            if k in (1, 4):
+                r.add("b", painted)
+                r.set_pose("b", pose(degrees=10.0 * k, scale=1.0 + k, center=np.ones(3)))
+            r.set_pose("a", pose(degrees=20.0 * k, scale=2.0 if k == 2 else 1.0, center=np.ones(3)))
+            if k == 5:
+                r.remove("a")
+            r.step(f"{k}")
+    yield r
+
+
+Shown = dict[tuple[str, str], tuple[np.ndarray, np.ndarray]]  # name, kind: world positions of corners, colors
+
+
+def corners(kind: str, positions: np.ndarray, indices: Any, colors: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Positions and colors of all points, ends of lines or corners of triangles."""
+    if kind == "points":
+        return positions, np.broadcast_to(colors, positions.shape)
+    rows = np.asarray(indices).ravel()
+    painted = np.repeat(colors, 2, axis=0) if kind == "lines" and len(colors) > 1 else colors
+    painted = painted[rows] if kind == "triangles" and len(painted) > 1 else painted
+    return positions[rows], np.broadcast_to(painted, (len(rows), 3))
+
+
+def expected(timeline: Any, k: int) -> Shown:
+    shown: Shown = {}
+    for name, placement in timeline.frames[k].shown.items():
+        T = np.eye(4) if placement.pose is None else placement.pose
+        for shape in (timeline.shapes[number] for number in placement.shapes):
+            assert (name, shape.kind) not in shown
+            positions = shape.positions @ T[:3, :3].T + T[:3, 3] + timeline.origin
+            colors = np.array([shape.plain]) if shape.colors is None else shape.colors
+            shown[name, shape.kind] = corners(shape.kind, positions, shape.indices, colors)
+    return shown
+
+
+def assert_shown(got: Shown, wanted: Shown) -> None:
+    assert set(got) == set(wanted)
+    for key, (positions, colors) in wanted.items():
+        np.testing.assert_allclose(got[key][0], positions, rtol=0, atol=1e-5)  # float32 within 100 m of the origin
+        np.testing.assert_array_equal(got[key][1], colors, err_msg=str(key))
+
+
+def test_the_query_engine_of_rerun_shows_each_frame_of_a_recording(tmp_path):
+    rerun = pytest.importorskip("rerun", exc_type=ImportError)
+    pytest.importorskip("datafusion", exc_type=ImportError)
+    path = tmp_path / "a.rrd"
+    for r in recorded(path):
+        command = [sys.executable, "-m", "rerun", "rrd", "verify", str(path)]
+        subprocess.run(command, check=True, capture_output=True, timeout=60)
+        with rerun.server.Server(datasets={"a": [path]}) as server:
+            client = server.client()  # a temporary object would end before the query
+            table = client.get_dataset("a").reader(index="frame", fill_latest_at=True).to_arrow_table()
+        rows = sorted(table.to_pylist(), key=lambda row: row["frame"])
+        timeline = r.timeline
+        assert [row["frame"] for row in rows] == list(range(len(timeline.frames)))
+        for k, row in enumerate(rows):
+            assert_shown(shown_by_rerun(rerun, row, set(timeline.frames[k].shown)), expected(timeline, k))
+            assert row["/label:TextLog:text"] == [timeline.frames[k].label]
+            seconds = row["time"].total_seconds()
+            np.testing.assert_allclose(seconds, k / timeline.fps, atol=1e-6)
+
+
+def shown_by_rerun(rerun: Any, row: dict[str, Any], names: set[str]) -> Shown:
+    """The shapes of a row of the table of all entities."""
+    shown: Shown = {}
+    kinds = {"Points3D": "points", "LineStrips3D": "lines", "Mesh3D": "triangles"}
+    entities = {f"/scene/{rerun.escape_entity_path_part(name)}": name for name in names | {CLOUD, BOX, MESH, "a", "b"}}
+    data = {"Points3D": "positions", "LineStrips3D": "strips", "Mesh3D": "vertex_positions"}
+    for column, value in row.items():
+        path, _, component = column.partition(":")
+        archetype, _, field = component.partition(":")
+        if data.get(archetype) != field or value is None or not len(value):
+            continue
+        entity = path.rpartition("/")[0]
+        R = np.reshape(row[f"{entity}:Transform3D:mat3x3"][0], (3, 3)).T
+        t = np.array(row[f"{entity}:Transform3D:translation"][0])
+
+        def field_of(name: str, path: str = path, archetype: str = archetype) -> Any:
+            return row.get(f"{path}:{archetype}:{name}")
+
+        packed = field_of("vertex_colors" if archetype == "Mesh3D" else "colors") or field_of("albedo_factor")
+        colors = np.array(packed, ">u4").view("u1").reshape(-1, 4)[:, :3]
+        indices = field_of("triangle_indices")
+        positions = np.array(value, float).reshape(-1, 3) @ R.T + t + row["/scene:origin"]
+        if archetype == "LineStrips3D":
+            indices = np.arange(len(positions))
+        key = entities[entity], kinds[archetype]
+        assert key not in shown
+        shown[key] = corners(kinds[archetype], positions, indices, colors)
+    return shown
 
 
 class JsonDecoder:
@@ -127,6 +240,59 @@ def test_a_recording_of_foxglove_has_each_shape_once_and_each_pose(tmp_path):
     assert len(entities[0.5, BOX].lines[0].points) == 24
     assert topics["/plots"] == [(0.0, {"fitness": 0.5})]
     assert [message.message for _, message in topics["/label"]] == ["first", "second", "third", "fourth", "fifth"]
+
+
+def test_the_reader_of_mcap_shows_each_frame_of_a_recording(tmp_path):
+    pytest.importorskip("foxglove", exc_type=ImportError)
+    path = tmp_path / "a.mcap"
+    for r in recorded(path):
+        timeline, topics = r.timeline, read_mcap(path)
+        for k in range(len(timeline.frames)):
+            time = k / timeline.fps + 1e-6
+            assert_shown(shown_by_foxglove(topics, time), expected(timeline, k))
+        assert [message.message for _, message in topics["/label"]] == [frame.label for frame in timeline.frames]
+        times = [time for time, _ in topics["/label"]]
+        np.testing.assert_allclose(times, np.arange(len(times)) / timeline.fps, atol=1e-6)
+
+
+def shown_by_foxglove(topics: dict[str, list[tuple[float, Any]]], end: float) -> Shown:
+    """The shapes at a time, by the newest transforms, clouds and entities."""
+    poses: dict[str, np.ndarray] = {}
+    for time, tf in topics["/tf"]:
+        if time <= end:
+            T, q = np.eye(4), tf.rotation
+            T[:3, :3] = Rotation.from_quat([q.x, q.y, q.z, q.w]).as_matrix()
+            T[:3, 3] = xyz(tf.translation)
+            poses[tf.child_frame_id] = T if tf.parent_frame_id == "world" else poses[tf.parent_frame_id] @ T
+    shown: Shown = {}
+
+    def show(key: tuple[str, str], frame: str, positions: Any, indices: Any, colors: Any) -> None:
+        placed = np.asarray(positions) @ poses[frame][:3, :3].T + poses[frame][:3, 3]
+        shown[key] = corners(key[1], placed, indices, np.rint(colors).astype(int))
+
+    entities: dict[str, Any] = {}
+    for topic, messages in topics.items():
+        past = [message for time, message in messages if time <= end]
+        if topic.startswith("/points/") and past and len(past[-1].data):
+            rows = np.frombuffer(past[-1].data, [("xyz", "<f4", 3), ("rgba", "u1", 4)])
+            assert rows.itemsize == past[-1].point_stride
+            show((topic.removeprefix("/points/"), "points"), past[-1].frame_id, rows["xyz"], None, rows["rgba"][:, :3])
+        for message in past if topic == "/scene" else ():
+            for deletion in message.deletions:
+                entities.pop(deletion.id, None)
+            entities.update({entity.id: entity for entity in message.entities})
+    for name, entity in entities.items():
+        for kind, primitives in (("lines", entity.lines), ("triangles", entity.triangles)):
+            for part in primitives:
+                colors = [[255 * color.r, 255 * color.g, 255 * color.b] for color in part.colors]
+                positions = np.array([xyz(point) for point in part.points])
+                if kind == "lines":
+                    shown_colors = np.rint(colors).astype(int)
+                    placed = positions @ poses[entity.frame_id][:3, :3].T + poses[entity.frame_id][:3, 3]
+                    shown[name, kind] = placed, shown_colors
+                else:
+                    show((name, kind), entity.frame_id, positions, part.indices, colors)
+    return shown
 
 
 @pytest.mark.parametrize(("suffix", "module"), [(".rrd", "rerun"), (".mcap", "foxglove")])

@@ -1,8 +1,10 @@
-"""The node of docs/other-tools.md with replacements of the modules of ROS 2, which has no wheels."""
+"""The node of docs/other-tools.md on rclpy, and with replacements of the modules of ROS 2 where it is not installed."""
 
 from __future__ import annotations
 
+import importlib.util
 import sys
+import time
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
@@ -10,6 +12,8 @@ import numpy as np
 import pytest
 from rosbags.typesys import Stores, get_typestore
 from scipy.spatial.transform import Rotation
+
+import pointloom as loom
 
 from ..page_blocks import blocks_of
 
@@ -92,16 +96,15 @@ def nodes(monkeypatch) -> list[Node]:
     return spun
 
 
-def test_the_node_publishes_poses_of_the_sensor_and_a_map(nodes):
+def run_block() -> None:
     (block,) = [block for block in blocks_of("docs/other-tools.md") if "test_ros_node" in (block.reason or "")]
     assert len(block.code.strip().splitlines()) <= 40
     exec(compile(block.source(), block.page, "exec"), {"__name__": "page"})
-    (node,) = nodes
-    messages = node.published["odometry"]
+
+
+def assert_true_poses(messages: list[Any]) -> None:
     assert len(messages) == SCANS
-    types = get_typestore(Stores.ROS2_HUMBLE).types
     for k, message in enumerate(messages):
-        assert set(vars(message)) <= set(types["nav_msgs/msg/Odometry"].__dataclass_fields__)
         assert (message.header.frame_id, message.child_frame_id) == ("odom", "lidar")
         position, turn = message.pose.pose.position, message.pose.pose.orientation
         T = true_pose(k)
@@ -111,6 +114,118 @@ def test_the_node_publishes_poses_of_the_sensor_and_a_map(nodes):
         assert np.shape(message.pose.covariance) == (36,)
     position_variances = np.array([message.pose.covariance[[0, 7, 14]] for message in messages[1:]])
     assert (position_variances > 0).all()
+
+
+def assert_room(points: np.ndarray) -> None:
+    assert np.abs(np.abs(points).max(axis=0) - [8.0, 8.0, 2.5]).max() < 0.1
+
+
+def test_the_node_publishes_poses_of_the_sensor_and_a_map(nodes):
+    run_block()
+    (node,) = nodes
+    messages = node.published["odometry"]
+    types = get_typestore(Stores.ROS2_HUMBLE).types
+    for message in messages:
+        assert set(vars(message)) <= set(types["nav_msgs/msg/Odometry"].__dataclass_fields__)
+    assert_true_poses(messages)
     ((header, points),) = node.published["map"]
     assert header.frame_id == "odom"
-    assert np.abs(np.abs(points).max(axis=0) - [8.0, 8.0, 2.5]).max() < 0.1
+    assert_room(points)
+
+
+def packed(header: Any, points: np.ndarray) -> Any:
+    """A PointCloud2 of float32 points, as `create_cloud_xyz32` of sensor_msgs_py makes it."""
+    from sensor_msgs.msg import PointCloud2, PointField
+
+    fields = [PointField(name=name, offset=4 * k, datatype=PointField.FLOAT32, count=1) for k, name in enumerate("xyz")]
+    data = np.asarray(points, np.float32).tobytes()
+    rows = len(points)
+    return PointCloud2(
+        header=header, height=1, width=rows, fields=fields, point_step=12, row_step=12 * rows, data=data, is_dense=False
+    )
+
+
+def unpacked(message: Any, field_names: tuple[str, ...] = ("x", "y", "z"), skip_nans: bool = True) -> np.ndarray:
+    """The points of such a message, as `read_points_numpy` of sensor_msgs_py returns them."""
+    assert field_names == ("x", "y", "z")
+    points = np.frombuffer(message.data, np.float32).reshape(-1, 3)
+    return points[np.isfinite(points).all(axis=1)] if skip_nans else points
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")  # of modules that ROS imports
+def test_the_node_runs_on_rclpy_with_messages_of_ros(monkeypatch):
+    """Messages go through rclpy and its middleware in this process. `sensor_msgs_py` has no wheel."""
+    if importlib.util.find_spec("rclpy") is None:
+        pytest.skip("rclpy is not installed. `make test-other-tools` runs this test")
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "OFF")  # no messages to or from other processes
+    import rclpy
+    from nav_msgs.msg import Odometry
+    from rclpy.executors import SingleThreadedExecutor
+    from sensor_msgs.msg import PointCloud2
+    from std_msgs.msg import Header
+
+    if importlib.util.find_spec("sensor_msgs_py") is None:
+        clouds = module("point_cloud2", read_points_numpy=unpacked, create_cloud_xyz32=packed)
+        monkeypatch.setitem(sys.modules, "sensor_msgs_py", module("sensor_msgs_py", point_cloud2=clouds))
+    poses: list[Any] = []
+    maps: list[Any] = []
+
+    def spin(node: Any) -> None:
+        sensor = rclpy.create_node("sensor")
+        sensor.create_subscription(Odometry, "odometry", poses.append, SCANS)
+        sensor.create_subscription(PointCloud2, "map", maps.append, 1)
+        scans, executor = sensor.create_publisher(PointCloud2, "points", SCANS), SingleThreadedExecutor()
+        executor.add_node(node)
+        executor.add_node(sensor)
+        end = time.monotonic() + 60
+        for k in range(SCANS):
+            T, header = np.linalg.inv(true_pose(k)), Header(frame_id="lidar")
+            header.stamp.sec = k
+            points = np.concatenate([room() @ T[:3, :3].T + T[:3, 3], np.full((5, 3), np.nan)])
+            scans.publish(packed(header, points))
+            while time.monotonic() < end and (len(poses) <= k or (k == SCANS - 1 and not maps)):
+                executor.spin_once(timeout_sec=0.1)
+        sensor.destroy_node()
+        node.destroy_node()
+
+    monkeypatch.setattr(rclpy, "spin", spin)
+    try:
+        run_block()
+    finally:
+        rclpy.try_shutdown()
+    assert_true_poses(poses)
+    assert [message.header.stamp.sec for message in poses] == list(range(SCANS))
+    (cloud,) = maps
+    assert (cloud.header.frame_id, [field.name for field in cloud.fields]) == ("odom", ["x", "y", "z"])
+    assert_room(unpacked(cloud))
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")  # of modules that ROS imports
+def test_a_bag_of_messages_that_ros_serialized_has_their_points_and_poses(tmp_path):
+    if importlib.util.find_spec("rclpy") is None:
+        pytest.skip("rclpy is not installed. `make test-other-tools` runs this test")
+    from nav_msgs.msg import Odometry
+    from rclpy.serialization import serialize_message
+    from rosbags import rosbag2
+    from std_msgs.msg import Header
+
+    store, scans = get_typestore(Stores.ROS2_HUMBLE), np.random.default_rng(0).random((3, 500, 3), np.float32)
+    writer = rosbag2.Writer(tmp_path / "bag", version=9, storage_plugin=rosbag2.StoragePlugin.MCAP)
+    with writer:
+        clouds = writer.add_connection("/points", "sensor_msgs/msg/PointCloud2", typestore=store)
+        poses = writer.add_connection("/odometry", "nav_msgs/msg/Odometry", typestore=store)
+        for k, points in enumerate(scans):
+            header, message = Header(frame_id="lidar"), Odometry(child_frame_id="lidar")
+            header.stamp.sec = 10 + k
+            message.header, pose = header, message.pose.pose
+            pose.position.x, pose.position.y, pose.position.z = true_pose(k)[:3, 3].tolist()
+            rotation = Rotation.from_matrix(true_pose(k)[:3, :3]).as_quat().tolist()
+            pose.orientation.x, pose.orientation.y, pose.orientation.z, pose.orientation.w = rotation
+            writer.write(clouds, (10 + k) * 10**9, serialize_message(packed(header, points)))
+            writer.write(poses, (10 + k) * 10**9, serialize_message(message))
+    recording = loom.open_recording(tmp_path / "bag")
+    for scan, points in zip(recording.scans("/points"), scans, strict=True):
+        np.testing.assert_array_equal(scan.points, points)
+    trajectory = recording.trajectory("/odometry")
+    np.testing.assert_allclose(trajectory.timestamps, [10.0, 11.0, 12.0])
+    np.testing.assert_allclose(trajectory.poses, [true_pose(k) for k in range(3)], atol=1e-12)
