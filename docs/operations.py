@@ -269,7 +269,7 @@ def detect_shapes() -> Panels:
     return {"cloud": {"geometry": cloud, "color": GRAY}, "detect_shapes": {"geometry": cloud, "color_by": "label"}}
 
 
-@picture("find_boxes", "BoxShape", zoom=0.75)
+@picture("find_boxes", "BoxShape", zoom=0.95)
 def find_boxes() -> Panels:
     """Boxes from the detected planes of a cloud."""
     cartons = [
@@ -461,7 +461,7 @@ def ray_cast_volume() -> Panels:
     return {"depth": gray(seen.depth), "normals": np.nan_to_num(127.5 * (seen.normals + 1)).astype(np.uint8)}
 
 
-@picture("meshing.marching_cubes", "TriangleMesh.create_isosurfaces", zoom=0.85)
+@picture("meshing.marching_cubes", "TriangleMesh.create_isosurfaces", zoom=1.0)
 def marching_cubes() -> Panels:
     """The surface of a field at a level."""
     x, y, z = np.mgrid[-1:1:60j, -1:1:60j, -1:1:60j] * 4.5
