@@ -25,7 +25,6 @@ from job_cases import anything, arrays, values
 import pointloom as loom
 from pointloom.cli.jobs.evaluate import read_extrinsic
 from pointloom.cli.jobs.info import describe
-from pointloom.cli.jobs.stations import read_control, read_targets
 from pointloom.io.images.photo_files import read_exif, read_photo
 from pointloom.photogrammetry.depth.estimation import read_distances
 from pointloom.photogrammetry.video.control_files import read_ground_control
@@ -352,9 +351,10 @@ PUBLIC = [
     ("ground control .csv", ".csv", text(GCP_CSV), mutations.text, read_ground_control, anything),
     ("scale bars", ".txt", text(BARS), mutations.text,
      lambda p: read_ground_control(None, scale_bars=p), anything),
-    ("control of stations", ".csv", text(CONTROL), mutations.text, read_control, anything),
+    ("control of stations", ".csv", text(CONTROL), mutations.text,
+     loom.registration.read_control_points, anything),
     ("targets of stations", ".csv", text(TARGETS), mutations.text,
-     lambda p: read_targets(p, ["A", "B"]), anything),
+     lambda p: loom.registration.read_targets(p, ["A", "B"]), anything),
     ("extrinsic", ".txt", text(MATRIX), mutations.text, read_extrinsic, anything),
     ("described .txt", ".txt", text(MATRIX, "525 0 80\n0 525 60\n0 0 1\n"), mutations.text, describe, anything),
     ("described .json", ".json", written(".json", camera_list, graph, polygon, view), values, describe, anything),

@@ -13,7 +13,6 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
-from pointloom.cli.jobs.stations import read_control, read_targets
 from pointloom.cli.shell import console
 from pointloom.io.images.image_files import read_color
 from pointloom.registration import LidarOdometry
@@ -558,28 +557,6 @@ def test_exchanged_names_cause_exit_code_3(files):
     report = unreliable("stations", files / "scans.e57", "-o", files / "wrong.e57", *words)
     assert "look exchanged" in str(report["warnings"])
     assert {(o["name"], o["exchanged"]) for o in report["outliers"]} == {("A from mid", "B"), ("B from mid", "A")}
-
-
-def test_invalid_tables_are_rejected(tmp_path):
-    for text, message in (
-        ("north,A,1,2", "line 1"),
-        ("north,A,1,2,3\nsouth,A,1,2,3", "got 'south'"),
-        ("", "no row"),
-        ("north,A,1,2,3\nmid,A,1,x,3", "line 2"),
-        ("north,A,1,2,3,-1", "line 1"),
-        ("north,A,1,2,nan", "line 1"),
-    ):
-        (tmp_path / "t.csv").write_text(text)
-        with pytest.raises(loom.FileError, match=message):
-            read_targets(tmp_path / "t.csv", ["north", "mid"])
-
-
-def test_control_has_one_sigma_or_three(tmp_path):
-    (tmp_path / "c.csv").write_text("name,x,y,z\nA,1,2,3\nB,1,2,3,0.01\nC\t1\t2\t3\t0.1\t0.2\t0.3\n")
-    a, b, c = read_control(tmp_path / "c.csv")
-    assert [v.tolist() for v in (a.sigma, b.sigma, c.sigma)] == [[0.002] * 3, [0.01] * 3, [0.1, 0.2, 0.3]]
-    with pytest.raises(loom.FileError, match=r"none\.csv"):
-        read_control(tmp_path / "none.csv")
 
 
 def test_invalid_calls_are_rejected(files):

@@ -66,6 +66,8 @@ reg.global_optimization(pose_graph=graph, method="gauss-newton", criteria=criter
 reg.multi_scale_icp(source=source, target=target, voxel_sizes=[0.3, 0.1], criteria_list=[rules, rules], max_correspondence_distances=[0.4, 0.2], init=pose, estimation_method=to_points, callback_after_iteration=None, overlap=0.8, constraint=bound, weights=times)
 reg.read_pose_graph(path="nowhere.json")
 reg.read_positions(path=gps, names=["a", "b", "c", "d"])
+reg.read_control_points(path="nowhere.csv")
+reg.read_targets(path="nowhere.csv", names=["a"])
 reg.register_multiway(clouds=[source, target], voxel_size=0.2, neighbors=1, seed=0, known=[], pairs=None, free=None, progress=None)
 reg.register_globally(source=source, target=target, voxel_size=0.2, seed=0, free=["x", "y", "z", "yaw"])
 reg.register_pair(source=source, target=target, init=pose, method="point-to-plane", voxel_size=0.2, max_correspondence_distance=0.4, progress=None, constraint=bound)

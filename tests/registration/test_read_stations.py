@@ -1,8 +1,10 @@
-"""Stations of a file go from the reader to the registration and to the writer."""
+"""Stations, targets and control points of files go from the readers to the registration and to the writer."""
 
 import numpy as np
+import pytest
 
 import pointloom as loom
+from pointloom.registration import read_control_points, read_targets
 
 
 def test_stations_of_a_file_are_registered_with_their_names_and_poses(tmp_path, rng):
@@ -25,3 +27,41 @@ def test_stations_of_a_file_are_registered_with_their_names_and_poses(tmp_path, 
     np.testing.assert_allclose(written.poses, found.poses, atol=1e-9)
     renamed = loom.registration.register_stations(stations, names=["D", "E", "F"], voxel_size=0.2)
     assert renamed.names == ("D", "E", "F")
+
+
+def test_an_invalid_table_of_targets_names_its_line(tmp_path):
+    for text, message in (
+        ("north,A,1,2", "line 1"),
+        ("north,A,1,2,3\nsouth,A,1,2,3", "got 'south'"),
+        ("", "no row"),
+        ("north,A,1,2,3\nmid,A,1,x,3", "line 2"),
+        ("north,A,1,2,3,-1", "line 1"),
+        ("north,A,1,2,nan", "line 1"),
+    ):
+        (tmp_path / "t.csv").write_text(text)
+        with pytest.raises(loom.FileError, match=message):
+            read_targets(tmp_path / "t.csv", ["north", "mid"])
+
+
+def test_control_has_one_sigma_or_three(tmp_path):
+    (tmp_path / "c.csv").write_text("name,x,y,z\nA,1,2,3\nB,1,2,3,0.01\nC\t1\t2\t3\t0.1\t0.2\t0.3\n")
+    a, b, c = read_control_points(tmp_path / "c.csv")
+    assert [v.tolist() for v in (a.sigma, b.sigma, c.sigma)] == [[0.002] * 3, [0.01] * 3, [0.1, 0.2, 0.3]]
+    with pytest.raises(loom.FileError, match=r"none\.csv"):
+        read_control_points(tmp_path / "none.csv")
+
+
+def test_stations_are_named_or_numbered(tmp_path):
+    (tmp_path / "t.csv").write_text("1;T;1;2;3\nnorth;T;4;5;6;0.01\n# comment\n")
+    first, second = read_targets(tmp_path / "t.csv", ("north", "mid"))
+    assert (first.station, second.station, second.name, second.sigma) == (1, 0, "T", 0.01)
+    (named,) = read_targets(_table(tmp_path, "1,T,1,2,3\n"), ["mid", "north", "1"])
+    assert named.station == 2  # a name before a number
+    with pytest.raises(TypeError, match=r"names\[0\]"):
+        read_targets(tmp_path / "t.csv", [3])
+
+
+def _table(folder, text):
+    path = folder / "table.csv"
+    path.write_text(text)
+    return path

@@ -47,6 +47,8 @@ from .robust_kernels import RobustKernel as RobustKernel
 from .stations.observations import ControlPoint as ControlPoint
 from .stations.observations import TargetObservation as TargetObservation
 from .stations.stations import register_stations as register_stations
+from .stations.survey_tables import read_control_points as read_control_points
+from .stations.survey_tables import read_targets as read_targets
 from .trajectories.similarity import fit_to_positions as fit_to_positions
 from .trajectories.similarity import read_positions as read_positions
 from .trajectories.similarity import scale_from_known as scale_from_known

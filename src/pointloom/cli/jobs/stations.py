@@ -1,30 +1,21 @@
-"""Registration of the scans of one or several E57 files: `register_scans`.
-
-Tables are text with commas, semicolons, tabs or spaces. Lines with # and a header are skipped. Targets: station (scan
-name or number from 0), name, x, y, z and optionally a standard deviation [m]. Control: name, x, y, z and optionally one
-or three standard deviations.
-"""
+"""Registration of the scans of one or several E57 files: `register_scans`."""
 
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Unpack
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
-from ...core.paths import input_path
 from ...core.reports import Fields
-from ...core.wording import few_of
-from ...io.ascii_rows import is_float
 from ...io.optional_imports import import_for
 from ...io.points.e57_stations import Stations, read_stations, write_stations
-from ...registration.stations.observations import ControlPoint, TargetObservation
 from ...registration.stations.result import StationsResult
 from ...registration.stations.stations import register_stations
+from ...registration.stations.survey_tables import read_control_points, read_targets
 from ...visualization.render.picture_files import write_image
 from ...visualization.render.plots import station_plan
 from .job import Job, JobReport, Settings
@@ -67,9 +58,9 @@ def register_scans(
 ) -> StationsReport:
     """Register the scans of an E57 file and write them with their poses.
 
-    `targets` and `control` are tables, `report` a folder for report.txt, report.json and plan.png. `free` are the
-    degrees of freedom of stations: "x", "y", "z" and "yaw" (default), or all six. See `register_stations` for the other
-    options.
+    `targets` and `control` are tables (`read_targets`, `read_control_points`), `report` a folder for report.txt,
+    report.json and plan.png. `free` are the degrees of freedom of stations: "x", "y", "z" and "yaw" (default), or all
+    six. See `register_stations` for the other options.
     """
     job = Job("stations", source, **settings)
     job.check(output, E57, what="stations")
@@ -80,7 +71,7 @@ def register_scans(
     with job.stage("read"):
         scans = _filled(read_stations(source, device=job.device), source)
     seen = None if targets is None else read_targets(targets, scans.names)
-    known = None if control is None else read_control(control)
+    known = None if control is None else read_control_points(control)
     job.unit = scans.clouds[0].unit
     given: dict[str, Any] = {
         name: value for name, value in (("rough", rough), ("overlap", overlap)) if value is not None
@@ -141,74 +132,3 @@ def _write_report(job: Job, paths: dict[str, Path], result: StationsResult) -> N
         write_image(paths["plan"], station_plan(result), overwrite=overwrite)
     for path in paths.values():
         job.wrote(path)
-
-
-_SEPARATOR = re.compile(r"[;,\t]")
-MAX_BYTES = 1 << 26  # a table of 500,000 points
-
-
-def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservation]:
-    """Read observed targets. Raises FileError with the line."""
-    targets = []
-    numbers = {name: i for i, name in enumerate(stations)}
-    numbers |= {str(i): i for i in range(len(stations)) if str(i) not in numbers}
-    for line, fields in _rows(path, words=2, numbers=(3, 4)):
-        if fields[0] not in numbers:
-            known = few_of(stations, 5)
-            raise FileError(path, f"expected one of the stations {known}, got {fields[0]!r}", where=f"line {line}")
-        x, y, z, *sigma = _numbers(path, line, fields[2:])
-        options = {"sigma": sigma[0]} if sigma else {}
-        try:
-            targets.append(TargetObservation(numbers[fields[0]], fields[1], [x, y, z], **options))
-        except (TypeError, ValueError) as error:
-            raise FileError(path, str(error), where=f"line {line}") from None
-    return targets
-
-
-def read_control(path: FilePath) -> list[ControlPoint]:
-    """Read control points. Raises FileError with the line."""
-    points = []
-    for line, fields in _rows(path, words=1, numbers=(3, 4, 6)):
-        x, y, z, *sigma = _numbers(path, line, fields[1:])
-        options = {"sigma": sigma if len(sigma) == 3 else sigma[0]} if sigma else {}
-        try:
-            points.append(ControlPoint(fields[0], [x, y, z], **options))
-        except (TypeError, ValueError) as error:
-            raise FileError(path, str(error), where=f"line {line}") from None
-    return points
-
-
-def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tuple[int, list[str]]]:
-    """Line numbers and words of the rows of a table, without a header."""
-    try:
-        if input_path(path).stat().st_size > MAX_BYTES:
-            raise FileError(path, f"expected a table of at most {MAX_BYTES >> 20} MiB")
-        text = Path(path).read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise FileError(path, error.strerror or "cannot be read") from None
-    except UnicodeDecodeError:
-        raise FileError(path, "is not UTF-8 text", remedy="Save the table as text") from None
-    is_first, empty = True, True
-    for line, row in enumerate(text.splitlines(), start=1):
-        if not row.strip() or row.lstrip().startswith("#"):
-            continue
-        fields = [field.strip() for field in (_SEPARATOR.split(row) if _SEPARATOR.search(row) else row.split())]
-        while fields and not fields[-1]:
-            fields.pop()
-        if len(fields) - words not in numbers:
-            expected = " or ".join(str(words + n) for n in numbers)
-            raise FileError(path, f"expected {expected} fields, got {len(fields)}", where=f"line {line}")
-        if is_first and not any(is_float(field) for field in fields[words:]):
-            is_first = False
-            continue
-        is_first, empty = False, False
-        yield line, fields
-    if empty:
-        raise FileError(path, "contains no rows", remedy="Write one row per target")
-
-
-def _numbers(path: FilePath, line: int, fields: Sequence[str]) -> list[float]:
-    for field in fields:
-        if not is_float(field):
-            raise FileError(path, f"expected a number, got {field!r}", where=f"line {line}")
-    return [float(field) for field in fields]
