@@ -12,7 +12,7 @@ DOCS = Path(__file__).parent
 sys.path[:0] = [str(DOCS), str(DOCS.parent / "src")]
 os.environ["PYTHONPATH"] = os.pathsep.join(sys.path[:2])  # for processes that run scripts of the gallery
 
-from machinery import commands, galleries, pages, reference, scraper, whole  # noqa: E402
+from machinery import commands, galleries, pages, pictures, reference, scraper, whole  # noqa: E402
 from machinery.public import by_home, public_modules, replace_torch  # noqa: E402
 
 from pointloom import __version__  # noqa: E402
@@ -31,7 +31,7 @@ extensions = [
     *("myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "sphinx.ext.napoleon", "sphinx_design"),
     "sphinx_gallery.gen_gallery",
 ]
-exclude_patterns = ["README.md", "examples", "machinery", "made", "gallery.py", "**/*.ipynb", "**/*.py.md5"]
+exclude_patterns = ["README.md", "examples", "machinery", "made", "operations.py", "**/*.ipynb", "**/*.py.md5"]
 source_suffix = {".rst": "restructuredtext", ".md": "markdown"}
 default_role = "py:obj"
 myst_heading_anchors = 4
@@ -104,6 +104,8 @@ def make_pages(app: Any) -> None:
     pages.bring(DOCS)
     commands.write_pages(DOCS / "commands")
     reference.write_pages(DOCS / "reference")
+    if app.config.sphinx_gallery_conf["plot_gallery"] != "False":
+        pictures.write_pictures(DOCS)
 
 
 def make_gallery_index(app: Any) -> None:
@@ -123,8 +125,8 @@ def prepare_results(app: Any, what: str, name: str, thing: Any, options: Any, li
 
 
 def add_examples(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
-    """Append the gallery pages that use a name to its docstring, and link mentioned pages."""
-    lines[:] = [reference.linked(line) for line in lines] + reference.examples_of(name)
+    """Append the picture of a name and the gallery pages that use it to its docstring, and link mentioned pages."""
+    lines[:] = [reference.linked(line) for line in lines] + pictures.picture_of(name) + reference.examples_of(name)
 
 
 def short_signature(app: Any, what: str, name: str, thing: Any, options: Any, given: Any, result: Any) -> Any:

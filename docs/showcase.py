@@ -118,7 +118,8 @@ def viewer() -> Pixels:
         page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]})
         page.goto(shown.url)
         page.evaluate("async () => { await pointloom.ready(); }")
-        page.wait_for_timeout(3000)  # [ms] for the last level of detail
+        page.locator("#progress").wait_for(state="hidden")  # shown until the last level of detail is sent
+        page.evaluate("async () => { await pointloom.ready(); }")
         screenshot = page.screenshot()
         browser.close()
     shown.close()

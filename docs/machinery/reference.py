@@ -11,6 +11,7 @@ from typing import Any
 from sphinx.util.inspect import stringify_signature
 from sphinx.util.typing import stringify_annotation
 
+from .pictures import NEEDS_NONE, pictures, visible, without_picture
 from .public import (
     ORDER,
     OTHER,
@@ -226,7 +227,8 @@ def coverage_line() -> str:
     used = sum(name in users() for name in methods)
     return (
         f"{count} public names: {count - len(without)} with an example in their docstring, {count - len(unused)} in "
-        f"one of {len(examples())} pages of the gallery; {used} of {len(methods)} methods and properties are used there"
+        f"one of {len(examples())} pages of the gallery; {used} of {len(methods)} methods and properties occur there, "
+        f"{len(pictures())} names have a picture, {len(without_picture())} of {len(visible())} visible results lack one"
     )
 
 
@@ -238,7 +240,15 @@ def coverage_page() -> str:
     """Page of names without examples."""
     without, unused = missing()
     text = titled("Names and their examples") + coverage_line() + ".\n\n"
-    for title, names in (("No page of the gallery uses", unused), ("No example in the docstring", without)):
+    text += "Operations that return something visible have a picture. A name needs none if its last part fits one of\n"
+    text += "these patterns:\n\n"
+    text += "".join(f"- {reason}: ``{pattern}``\n" for reason, pattern in NEEDS_NONE.items()) + "\n"
+    sections = {
+        "No picture of the result": without_picture(),
+        "No page of the gallery uses": unused,
+        "No example in the docstring": without,
+    }
+    for title, names in sections.items():
         listed = "".join(f"- :py:obj:`{name}`\n" for name in names) or "None.\n"
         text += titled(title, "-") + listed + "\n"
     return text

@@ -15,7 +15,7 @@ import pointloom as loom
 from pointloom.visualization.recording.film import Film, view_frames
 from pointloom.visualization.recording.recorder import Recorder
 from pointloom.visualization.recording.shared_player import share_player
-from pointloom.visualization.render.picture import Image
+from pointloom.visualization.render.picture import Picture
 
 MADE = Path(__file__).parents[1] / "made"  # copied to the _static folder of the site
 RECORDINGS, SHOWN = "recordings", "_pointloom_shown"
@@ -44,7 +44,7 @@ def show_results(block: Any, script: dict[str, Any], gallery: dict[str, Any]) ->
     for name, value in list(script["example_globals"].items()):
         if id(value) in shown or name.startswith("_"):
             continue
-        if isinstance(value, Image) and value._is_image():
+        if isinstance(value, Picture) and value._is_image():
             shown[id(value)] = value
             text += show_image(name, value, script, gallery)
         elif name == PAGE and isinstance(value, Path) and value.suffix == ".html" and value.exists():
@@ -53,7 +53,7 @@ def show_results(block: Any, script: dict[str, Any], gallery: dict[str, Any]) ->
     return text
 
 
-def show_image(name: str, image: Image, script: dict[str, Any], gallery: dict[str, Any]) -> str:
+def show_image(name: str, image: Picture, script: dict[str, Any], gallery: dict[str, Any]) -> str:
     """Save an image at the path given by sphinx-gallery."""
     path = next(script["image_path_iterator"])
     loom.write_image(path, image)

@@ -3,7 +3,6 @@
 import enum
 import math
 import re
-import sys
 
 import click
 import pytest
@@ -13,17 +12,6 @@ from sphinx.ext.napoleon import GoogleDocstring
 from pointloom.cli.shell.cli import cli
 
 from .conftest import DOCS
-
-
-@pytest.fixture(scope="module", autouse=True)
-def names_of_torch():
-    before = set(sys.modules)
-    public.replace_torch()
-    yield
-    for name in set(sys.modules) - before:
-        if name.startswith(("torch", "pointloom.torch")):
-            del sys.modules[name]
-
 
 Color = enum.Enum("Color", ["RED"])
 
@@ -36,7 +24,8 @@ def with_defaults(a=0.05, b=1_000_000, c=(0.0, 1.5), d=None, e="x", f=Color.RED,
     """A function with a default of each kind."""
 
 
-pytestmark = pytest.mark.slow  # needs Sphinx, which `make test` does not install
+# slow: needs Sphinx, which `make test` does not install
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("names_of_torch")]
 
 
 def test_every_public_name_has_a_page_and_an_index_entry():

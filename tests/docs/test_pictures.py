@@ -1,0 +1,71 @@
+"""Pictures of operations in the reference: each is drawn, its code runs alone, and no visible result lacks one."""
+
+import inspect
+import re
+
+import numpy as np
+import pytest
+from machinery import pictures, public
+
+import pointloom as loom
+
+from .conftest import DOCS
+
+OPERATIONS = pictures.operations()
+pytestmark = pytest.mark.usefixtures("names_of_torch")
+
+
+@pytest.mark.nightly  # with the gallery: some seconds together
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_each_picture_shows_its_panels(name):
+    drawn = np.asarray(pictures.draw(OPERATIONS[name], (320, 200)))[pictures.TITLE :]
+    assert drawn.shape[1] == 320
+    for panel in np.array_split(drawn, 2, axis=1):  # one or two panels, or three
+        covered = (panel != 255).any(axis=2).mean()
+        assert covered > 0.05 and len(np.unique(panel.reshape(-1, 3), axis=0)) > 20
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_the_code_of_a_picture_runs_alone(name):
+    exec(OPERATIONS[name].code, {"np": np, "loom": loom})
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_the_code_of_a_picture_is_short_and_uses_its_operation(name):
+    operation = OPERATIONS[name]
+    assert 2 <= len(operation.code.splitlines()) <= 8
+    first = operation.names[0].rpartition(".")[2]
+    assert first in operation.code or inspect.isclass(getattr(loom, operation.names[0], None)), first
+
+
+def test_pictures_have_public_names_and_reused_ones_a_page():
+    members = {f"{name}.{key}" for name, each in public.all_names().items() if inspect.isclass(each.value)
+               for key in public.members_of(name)}  # fmt: skip
+    assert set(pictures.pictures()) <= members | set(public.all_names())
+    for page, image, _ in pictures.REUSED:
+        script = DOCS / "examples" / page.removeprefix("gallery/")
+        path = DOCS / f"{page}.md" if isinstance(image, str) else script.with_suffix(".py")
+        assert path.exists(), page
+        assert not isinstance(image, str) or f"({image})" in path.read_text(encoding="utf-8")
+
+
+def test_each_operation_with_a_visible_result_has_a_picture_or_a_reason():
+    assert pictures.without_picture() == []
+    assert len(pictures.visible()) > 200
+
+
+def test_reasons_for_no_picture_apply_to_operations():
+    last = {name.rpartition(".")[2] for name in pictures.visible() if name not in pictures.pictures()}
+    for reason, pattern in pictures.NEEDS_NONE.items():
+        assert any(re.fullmatch(pattern, name) for name in last), reason
+
+
+def test_a_picture_appears_once_on_a_page(monkeypatch):
+    monkeypatch.setattr(pictures.Path, "exists", lambda path: True)
+    names = ["pointloom.PointCloud.random_down_sample", "pointloom.PointCloud.thin"]
+    first, second = ("\n".join(pictures.picture_of(name)) for name in names)
+    assert ".. figure:: /reference/pictures/down_sample.jpg" in first and "random_down_sample(0.04" in first
+    assert second.strip() == "Picture: :py:obj:`~pointloom.PointCloud.random_down_sample`"
+    assert "From :doc:`/terrain`" in "\n".join(pictures.picture_of("pointloom.profile"))
+    assert pictures.picture_of("pointloom.PointCloud.copy") == []
