@@ -10,6 +10,11 @@ from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 import pointloom as loom
+from pointloom.core.devices import resolve_device
+from pointloom.kernels import memory
+from pointloom.kernels.lang import float32, uint8
+from pointloom.kernels.scenes.color_noise import measure_colors
+from pointloom.kernels.scenes.depth_noise import measure_depth
 
 from .any_cloud import INTEGERS, NOT_FINITE, clouds, examples, parts, real
 from .full_clouds import full_cloud
@@ -186,6 +191,41 @@ def test_a_random_choice_has_open3ds_size_and_keeps_the_order(device, ratio, cou
     choices = {tuple(cloud.random_down_sample(ratio, seed=seed)["row"]) for seed in (0, 1, 2, 2**31 - 1)}
     assert len(choices) == 4 or count in (0, 199, 200), "another seed is another choice"
     assert len(loom.PointCloud(device=device).random_down_sample(ratio)) == 0
+
+
+def surface_samples(device, seed, count):
+    return loom.TriangleMesh.create_plane(1.0, 1.0, device=device).sample_points_uniformly(count, seed=seed).points
+
+
+def depth_of_noise(device, seed, count):
+    away, facing = (memory.upload(np.full(count, value, np.float32), float32, device) for value in (2.0, 1.0))
+    return measure_depth(away, facing, 100, count // 100, seed=seed, frame=0).numpy()[:, None]
+
+
+def color_of_noise(device, seed, count):
+    gray = memory.upload(np.full(count, 128, np.uint8), uint8, device)
+    return measure_colors(gray, sigma=8.0, seed=seed, frame=0).numpy()[:, None].astype(float)
+
+
+def first_choice(device, seed, count):
+    rows = loom.PointCloud(np.zeros((4 * count, 3)), row=np.arange(4 * count), device=device)
+    return rows.random_down_sample(0.25, seed=seed)["row"][:, None]
+
+
+@pytest.mark.parametrize("make", [surface_samples, depth_of_noise, color_of_noise, first_choice])
+@pytest.mark.parametrize("seed", [0, 7])
+def test_a_random_choice_is_independent_of_random_numbers_of_its_seed(device, make, seed):
+    """Mean and variance of the chosen values are within 5 standard deviations of those of all."""
+    values = np.asarray(make(resolve_device(device), seed, 20_000), float)
+    cloud = loom.PointCloud(np.zeros((len(values), 3)), row=np.arange(len(values)), device=device)
+    chosen = values[cloud.random_down_sample(0.04, seed=seed)["row"]]
+    deviation = values.std(axis=0)
+    moves = deviation > 1e-9  # a plane has one coordinate in common
+    scores = ((values - values.mean(axis=0)) / np.where(moves, deviation, 1.0))[:, moves]
+    picked = ((chosen - values.mean(axis=0)) / np.where(moves, deviation, 1.0))[:, moves]
+    bound = 5 / math.sqrt(len(picked))
+    assert (np.abs(picked.mean(axis=0)) < bound).all()
+    assert (np.abs((picked**2).mean(axis=0) - 1) < bound * (scores**2).std(axis=0)).all()
 
 
 def plain_choice(points, count, start):

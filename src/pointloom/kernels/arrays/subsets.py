@@ -9,6 +9,7 @@ from .sort import argsort_keys
 
 KEY_BITS = 62  # maximum bits of a random key
 WORD_BITS = 63  # of a sort key with its row index: sorted as one number
+ROW_STREAM = 0x20000000  # of the random numbers: those of the samples and noise that made the rows have other streams
 
 
 @kernel
@@ -20,7 +21,7 @@ def step_rows_kernel(step: int, rows: array(dtype=int32)):
 @func
 def random_key(seed: int, row: int, dropped_bits: int) -> int64:
     """62 random bits without the lowest few."""
-    words = random_bits(seed, row, 0)
+    words = random_bits(seed, row, ROW_STREAM)
     return ((int64(words[0]) << 30) | (int64(words[1]) >> 2)) >> int64(dropped_bits)
 
 
