@@ -225,6 +225,11 @@ def test_lenses_unsupported_by_transforms_are_rejected(tmp_path):
         with pytest.raises(ValueError, match=r"^model:"):
             lens = loom.CameraModel(model, 64, 48, params)
             loom.write_transforms(tmp_path / "t.json", loom.SfmModel(["a.png"], [lens], np.eye(4)[None]))
+    fisheye = loom.CameraModel("OPENCV_FISHEYE", 64, 48, [60, 61, 32.5, 24, 0.1, -0.02, 0.003, 0.004])
+    pinhole = loom.CameraModel("PINHOLE", 64, 48, [60, 61, 32.5, 24])
+    mixed = loom.SfmModel(["a.png", "b.png"], [pinhole, fisheye], np.stack([np.eye(4)] * 2))
+    with pytest.raises(ValueError, match=r"^model: .* got OPENCV and OPENCV_FISHEYE; write two models"):
+        loom.write_transforms(tmp_path / "t.json", mixed)
     assert not list(tmp_path.iterdir())
 
 

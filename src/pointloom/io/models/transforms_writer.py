@@ -33,7 +33,7 @@ def write_transforms(path: FilePath, model: SfmModel, *, images: str = "") -> No
 
     Raises:
         TypeError: No SfmModel, or a folder that is no string.
-        ValueError: No image, or a camera model that the format does not support.
+        ValueError: No image, a camera model that the format does not support, or fisheye cameras beside others.
         FileError: The file cannot be written.
 
     Notes:
@@ -69,6 +69,9 @@ def write_content(
     """`write_transforms` with validated arguments, mask files per image (`masks`) and further keys (`more`)."""
     file_path = path_of(path)
     lenses = [_lens(camera) for camera in model.cameras]
+    kinds = sorted({lens["camera_model"] for lens in lenses})
+    if len(kinds) > 1:  # nerfstudio reads the first for all images
+        raise ValueError(f"model: transforms.json has one kind of camera, got {' and '.join(kinds)}; write two models")
     frames: list[dict[str, Any]] = []
     for name, lens, T in zip(model.names, lenses, model.T_world_camera, strict=True):
         file = str(PurePosixPath(images, *PurePosixPath(name.replace(os.sep, "/")).parts)) if images else name
