@@ -445,9 +445,10 @@ def tsdf_volume() -> Panels:
     for frame in frames:
         volume.integrate(frame.depth, frame.intrinsic, np.linalg.inv(frame.T_world_camera), frame.color, 1.0, 5.0)
     mesh = volume.extract_triangle_mesh(weight_threshold=1.0)
-    images = np.vstack([np.hstack([frames[k].color, gray(frames[k].depth)]) for k in (0, 11, 23)])
-    shown = {"geometries": {"geometry": mesh, "shaded": False}, "mesh_show_back_face": False}
-    return {"three of 24 frames": images, "extract_triangle_mesh": shown}
+    return {
+        "three of 24 frames": np.vstack([np.hstack([frames[k].color, gray(frames[k].depth)]) for k in (0, 11, 23)]),
+        "extract_triangle_mesh": {"geometries": {"geometry": mesh, "shaded": False}, "mesh_show_back_face": False},
+    }
 
 
 @picture("TSDFVolume.ray_cast", "PagedTSDFVolume.ray_cast")

@@ -115,9 +115,12 @@ class Operation:
 
     @property
     def code(self) -> str:
-        """The statements of the function before its result."""
+        """The statements of the function before its result, after the colors that they use."""
         body = inspect.getsource(self.panels).partition('"""\n')[2]
-        return textwrap.dedent(body.partition("    return ")[0]).strip()
+        statements = textwrap.dedent(body.partition("    return ")[0]).strip()
+        used = dict.fromkeys(re.findall(r"\b[A-Z]{3,}\b", statements))
+        colors = [f"{name} = {value}" for name in used if (value := self.panels.__globals__.get(name))]
+        return "\n".join([*colors, statements])
 
 
 OPERATIONS: dict[str, Operation] = {}  # by the name of the file

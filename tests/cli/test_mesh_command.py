@@ -84,6 +84,7 @@ def test_an_open_scan_is_unreliable_until_trimmed_at_the_proposed_quantile(tmp_p
     assert report["made_up"] > 0.1 and report["area"] > 1.1 * 2 * np.pi
     assert report["far"] == pytest.approx(3 * 2 * np.sqrt(10 / 4000 / 2), rel=0.1)  # 10 of them lie in a cap of a 400th
     better = "; ".join(report["warnings"]).split("use density_quantile ")[1].split(";")[0]
+    assert f"use --density-quantile {better}" in run(*words, 0.001, "--force").stderr  # as an option of the command
     trimmed = answer(*words, better, "--force")
     assert trimmed["made_up"] <= 0.05 and 2 * np.pi < trimmed["area"] < report["area"]
     assert ("extrapolated" in run(*words, better, "--force").stdout) == (trimmed["made_up"] > 0)

@@ -22,7 +22,7 @@ def test_each_picture_shows_its_panels(name):
     assert drawn.shape[1] == 320
     for panel in np.array_split(drawn, 2, axis=1):  # one or two panels, or three
         covered = (panel != 255).any(axis=2).mean()
-        assert covered > 0.05 and len(np.unique(panel.reshape(-1, 3), axis=0)) > 20
+        assert covered > 0.05 and len(np.unique(panel.reshape(-1, 3), axis=0)) > 3  # lines have 5 shades
 
 
 @pytest.mark.nightly

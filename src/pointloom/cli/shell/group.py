@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import sys
 import warnings
 from collections.abc import Iterable, Sequence
@@ -84,7 +85,7 @@ class CommandLine(Commands):
 
 def exit_code(warnings: Iterable[str]) -> int:
     """Exit code of a result: 3, with the warnings on stderr, if there are any. Else 0."""
-    lines = [escaped(f"unreliable result: {warning}", lines=True) for warning in warnings]
+    lines = [escaped(f"unreliable result: {_in_options(warning)}", lines=True) for warning in warnings]
     for line in lines:
         click.echo(line, err=True)
     return UNRELIABLE_CODE if lines else 0
@@ -170,10 +171,7 @@ def _message(error: Exception) -> str:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
     is_own_error = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")
     if is_own_error or isinstance(error, ValueError | TypeError | OSError):
-        text = str(error) or type(error).__name__
-        for argument, option in _OPTIONS.items():
-            text = text.replace(argument, option)
-        return text
+        return _in_options(str(error) or type(error).__name__)
     return (
         f"unexpected {type(error).__name__}: {error}. This is a bug in pointloom; "
         f"set {TRACEBACK}=1 and report the error with the traceback"
@@ -183,4 +181,18 @@ def _message(error: Exception) -> str:
 def _show_warning(
     message: Warning | str, category: Any, filename: str, lineno: int, file: Any = None, line: str | None = None
 ) -> None:
-    click.echo(escaped(f"warning: {message}", lines=True), err=True)
+    click.echo(escaped(f"warning: {_in_options(str(message))}", lines=True), err=True)
+
+
+def _in_options(text: str) -> str:
+    """A message of the library with options instead of arguments: those of the running command, and fixed ones."""
+    context = click.get_current_context(silent=True)
+    pairs = [*_OPTIONS.items()]
+    for option in context.command.params if context else ():
+        if isinstance(option, click.Option) and option.name:
+            pairs += [(end, option.opts[0]) for end in (f"{option.name}=", option.name) if end[-1] == "=" or "_" in end]
+    for argument, option in pairs:
+        start = rf"(?<![\w-]){re.escape(argument)}"
+        text = re.sub(rf"{start}(?=[\w'\"])", f"{option} ", text) if argument.endswith("=") else text
+        text = re.sub(rf"{start}(?!\w)", option, text)
+    return text
