@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError, FilePath
-from ...core.paths import input_path
+from ...core.paths import input_path, path_of
 from ...core.wording import few_of
 from ...io.ascii_rows import is_float
 from .observations import ControlPoint, TargetObservation
@@ -39,6 +39,7 @@ def read_targets(path: FilePath, names: Sequence[str]) -> list[TargetObservation
         >>> [(t.station, t.name, t.sigma) for t in loom.registration.read_targets("targets.csv", ["hall", "yard"])]
         [(0, 'T1', 0.002), (1, 'T1', 0.001)]
     """
+    path = path_of(path)
     stations = [check_name(f"names[{i}]", name) for i, name in enumerate(check_list("names", names, "names"))]
     targets = []
     numbers = {name: i for i, name in enumerate(stations)}
