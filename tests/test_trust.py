@@ -93,6 +93,23 @@ def test_a_process_keeps_its_area_and_then_takes_the_most_expensive_one_that_is_
     assert run.next_job([jobs[0], jobs[3]], "c", {"a"}).case == "1"
 
 
+def test_a_process_that_starts_during_an_interruption_is_stopped(monkeypatch):
+    stopped = []
+
+    class Interrupted(run.Worker):
+        def start(self, job, limit):
+            raise KeyboardInterrupt
+
+        def stop(self):
+            stopped.append(self)
+
+    monkeypatch.setattr(run, "Worker", Interrupted)
+    monkeypatch.setattr(run, "ONE_THREAD", {})
+    with pytest.raises(KeyboardInterrupt):
+        list(run.run_jobs([run.Job("a", "1", 1.0)], {}))
+    assert len(stopped) == len(os.sched_getaffinity(0))
+
+
 def test_every_area_lists_its_cases_once():
     for area in run.areas():
         assert run.cases_of(area), area

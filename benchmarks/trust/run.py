@@ -172,8 +172,8 @@ def next_job(jobs: list[Job], area: str, others: set[str]) -> Job:
 def run_jobs(jobs: list[Job], limits: dict[str, float]) -> Iterator[tuple[Job, Result | str | BaseException]]:
     """Run the jobs in one process per core, and yield each result as it ends. No process is left behind."""
     os.environ.update(ONE_THREAD)
-    idle, running = [Worker() for _ in range(len(os.sched_getaffinity(0)))], {}
-    queue = list(jobs)
+    workers = [Worker() for _ in range(len(os.sched_getaffinity(0)))]
+    idle, running, queue = list(workers), {}, list(jobs)
     try:
         while queue or running:
             while idle and queue:
@@ -190,7 +190,7 @@ def run_jobs(jobs: list[Job], limits: dict[str, float]) -> Iterator[tuple[Job, R
                     worker.stop()
                 yield job, future.result() if error is None else error
     finally:
-        for worker in [*idle, *(worker for worker, _ in running.values())]:
+        for worker in workers:  # one that starts during an interruption is neither idle nor running
             worker.stop()
 
 
