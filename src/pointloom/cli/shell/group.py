@@ -192,7 +192,7 @@ def _in_options(text: str) -> str:
         if isinstance(option, click.Option) and option.name:
             pairs += [(end, option.opts[0]) for end in (f"{option.name}=", option.name) if end[-1] == "=" or "_" in end]
     for argument, option in pairs:
-        start = rf"(?<![\w-]){re.escape(argument)}"
+        start = rf"(?<![\w/.-]){re.escape(argument)}"  # not within the name of a file
         text = re.sub(rf"{start}(?=[\w'\"])", f"{option} ", text) if argument.endswith("=") else text
-        text = re.sub(rf"{start}(?!\w)", option, text)
+        text = re.sub(rf"{start}(?!\w|[/.]\w)", option, text)
     return text
