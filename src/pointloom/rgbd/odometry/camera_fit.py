@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.linear_algebra import inv, matmul, norm, solve
+from ...kernels.linear_algebra import eigh, inv, matmul, norm, solve
 from ...registration.rigid import invert_pose, rotation_vector, rotations_of
 
 Floats = NDArray[np.float64]
@@ -41,13 +41,8 @@ FIRST_GATE, GATE_FACTOR, LAST_GATE = 0.25, 0.6, 0.05  # [m] maximum residual: fi
 MIN_NORMAL_COSINE = 0.7
 OUTLIER_RATIO = 3.0  # in expected residuals, of the Geman-McClure weights
 COMMON_PIXELS = 25.0  # cells of a window, whose planes have common errors
-# [m] minimum root mean square displacement along normals by a parameter of 1 that no motion explains. Below it noise of
-# the normals decides: a floor alone 3 mm, a small table 3 mm | kitchen 10 and more, synthetic sites 13 and more
-# (2026-11-29).
-MIN_LEVER = 0.006
-# Minimum displacement with the fitted camera, relative to MIN_LEVER: a hall of 12 small frames, whose fit ran to three
-# times the focal length, 0.25 | a correct camera 0.9, one whose focal length doubles 0.5 (2026-11-29).
-FITTED_LEVER_RATIO = 0.5
+# Largest deviation of a determined parameter, relative to PRIOR_DEVIATIONS: the frames then tell more than the prior.
+MAX_DEVIATION_RATIO = 0.5
 FIXED_DEVIATION = 1e-9  # deviation of a parameter that is not estimated
 # Standard deviations of the parameters before the fit: log focal length, principal point by the focal length (u, v),
 # and radial distortion. They keep undetermined parameters near 0.
@@ -136,15 +131,16 @@ class RotatedViews:
         x_first, y_first = _rays(first[4], first[5], values)
         r = (p[0] - x_first * first[0]) * n[0] + (p[1] - y_first * first[0]) * n[1] + (p[2] - first[0]) * n[2]
         back = np.stack([T[k] * n[0] + T[4 + k] * n[1] + T[8 + k] * n[2] for k in range(3)])
+        forth = np.stack([T[k] * m[0] + T[k + 1] * m[1] + T[k + 2] * m[2] for k in (0, 4, 8)])
         agrees = (np.abs(r) < gate) & (back[0] * m[0] + back[1] * m[1] + back[2] * m[2] > MIN_NORMAL_COSINE)
         counts = np.bincount(self._pair[seen[agrees]], minlength=len(self.pairs))
         is_enough = counts >= MIN_PAIR_POINTS
         keep = np.flatnonzero(agrees & is_enough[self._pair[seen]])
         at_second = np.stack([x[seen], y[seen], z[seen]])[:, keep]
         at_first = np.stack([x_first, y_first, first[0]])[:, keep]
-        return _Matches(
-            r[keep], p[:, keep], n[:, keep], back[:, keep], at_first, at_second, np.where(is_enough, counts, 0)
-        )
+        first_planes, second_planes = np.stack([n, back])[..., keep], np.stack([forth, m])[..., keep]
+        counts = np.where(is_enough, counts, 0)
+        return _Matches(r[keep], p[:, keep], first_planes, second_planes, at_first, at_second, counts)
 
 
 def fit_camera(views: RotatedViews) -> CameraFit | None:
@@ -152,17 +148,11 @@ def fit_camera(views: RotatedViews) -> CameraFit | None:
     given = _solve(views, views.poses, np.full(4, FIXED_DEVIATION)) if views.pairs else None
     if given is None:
         return None
-    is_free, found = given.lever > MIN_LEVER, given
-    while is_free.any():
-        found = _solve(views, given.poses, np.where(is_free, PRIOR_DEVIATIONS, FIXED_DEVIATION))
-        if found is None:
-            return None
-        is_kept = is_free & (found.lever > MIN_LEVER * FITTED_LEVER_RATIO)
-        if np.array_equal(is_kept, is_free):
-            break
-        is_free, found = is_kept, given
-    deviations = np.where(is_free, found.deviations, math.inf)
-    values = np.where(is_free, found.values, 0.0)
+    found = _solve(views, given.poses, PRIOR_DEVIATIONS)
+    if found is None:
+        return None
+    is_known = found.deviations < MAX_DEVIATION_RATIO * PRIOR_DEVIATIONS
+    values, deviations = np.where(is_known, found.values, 0.0), np.where(is_known, found.deviations, math.inf)
     return CameraFit(values, deviations, given.residual, found.residual, views.pairs, found.poses)
 
 
@@ -188,22 +178,41 @@ def depth_factor(views: RotatedViews) -> float:
 class _Matches(NamedTuple):
     """Residuals [m] and points of second views in the first ones, coordinates first, in the order of the pairs.
 
-    `back`: the normals, seen from the second view. `at_first`, `at_second`: rays (x, y) and depth in the views.
+    `first_planes`, `second_planes`: normals of the planes of the first and of the second view, seen from the first and
+    from the second one, (2, 3, n). `at_first`, `at_second`: rays (x, y) and depth in the views.
     """
 
     residuals: Floats
     points: Floats
-    normals: Floats
-    back: Floats
+    first_planes: Floats
+    second_planes: Floats
     at_first: Floats
     at_second: Floats
     counts: NDArray[np.int64]  # of each pair
+
+    def weights(self) -> Floats:
+        """Robust weights. The noise is that of depth, so that they do not depend on how much the rays are stretched."""
+        (x, y, z), n = self.at_first, self.first_planes[0]
+        along = np.maximum(np.abs(n[0] * x + n[1] * y + n[2]), MIN_COSINE)
+        expected = (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z**2) * along
+        return 1.0 / ((1.0 + (self.residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
+
+    def jacobian(self, planes: Floats, values: Floats) -> Floats:
+        """Derivatives of the residuals by the motion and the camera, and the residuals, (11, n).
+
+        The rays at the planes are those of the moved points: their noise is nearly the same in all derivatives. The
+        depth of the planes themselves would make the fitted focal length too long.
+        """
+        p, (n, back) = self.points, planes
+        turned = (p[1] * n[2] - p[2] * n[1], p[2] * n[0] - p[0] * n[2], p[0] * n[1] - p[1] * n[0])
+        there = np.stack([p[0] / p[2], p[1] / p[2], p[2]])
+        of_camera = _derivatives(self.at_second, back, values) - _derivatives(there, n, values)
+        return np.stack([*turned, *n, *of_camera, self.residuals])
 
 
 class _Solution(NamedTuple):
     values: Floats
     deviations: Floats
-    lever: Floats
     residual: float
     poses: Floats
 
@@ -215,13 +224,14 @@ class _Normal(NamedTuple):
 
     system: Floats
     right: Floats
-    used: NDArray[np.bool_]
     inverse: Floats
     mixed: Floats
     gradients: Floats
+    used: NDArray[np.bool_]
     cost: float
     weights: float
     point_count: int
+    rows: _Matches
 
 
 def _solve(views: RotatedViews, starts: Floats, prior: Floats) -> _Solution | None:
@@ -245,10 +255,10 @@ def _solve(views: RotatedViews, starts: Floats, prior: Floats) -> _Solution | No
     sums = _normal_equations(views, moved, values, LAST_GATE)
     if sums is None:
         return None
-    known = sums.system + np.diag(_noise(sums) / prior**2)
-    lever = 1.0 / np.sqrt(np.diagonal(inv(sums.system + 1e-9 * sums.weights * np.eye(4))) * sums.weights)
-    deviations = np.sqrt(np.diagonal(inv(known)) * _noise(sums))
-    return _Solution(values, deviations, lever, math.sqrt(sums.cost / sums.weights), moved)
+    # Relative to the prior. Eigenvalues below 0 are noise.
+    known, axes = eigh(_information(sums, values) * (prior[:, None] * prior) / _noise(sums))
+    deviations = prior * np.sqrt((axes**2 / (1.0 + np.maximum(known, 0.0))).sum(axis=1))
+    return _Solution(values, deviations, math.sqrt(sums.cost / sums.weights), moved)
 
 
 def _noise(sums: _Normal) -> float:
@@ -262,25 +272,42 @@ def _normal_equations(views: RotatedViews, poses: Floats, values: Floats, gate: 
     used = rows.counts > 0
     if len(rows.residuals) < MIN_POINTS or used.sum() < MIN_PAIRS:
         return None
-    n, p, z = rows.normals, rows.points, rows.at_first[2]
-    # The noise is that of depth, so that the weights do not depend on how much the rays are stretched.
-    along = np.abs(n[0] * rows.at_first[0] + n[1] * rows.at_first[1] + n[2])
-    expected = (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z**2) * np.maximum(along, MIN_COSINE)
-    weights = 1.0 / ((1.0 + (rows.residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
-    turned = (p[1] * n[2] - p[2] * n[1], p[2] * n[0] - p[0] * n[2], p[0] * n[1] - p[1] * n[0])
-    of_camera = _derivatives(rows.at_second, rows.back, values) - _derivatives(rows.at_first, n, values)
-    J = np.stack([*turned, *n, *of_camera, rows.residuals])
-    low, high = np.tril_indices(len(J))
-    starts = np.cumsum(rows.counts[used]) - rows.counts[used]
-    sums = np.empty((used.sum(), len(J), len(J)))
-    sums[:, low, high] = sums[:, high, low] = np.add.reduceat((J * weights)[low] * J[high], starts, axis=1).T
+    weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)
+    sums = _sums_of_pairs(J * weights, J, rows.counts[used])
+    cost = float(sums[:, 10, 10].sum())
+    return _Normal(*_without_poses(sums), used, cost, float(weights.sum()), len(weights), rows)
+
+
+def _sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
+    """Symmetric matrices [pairs, n, n] of the products of rows, left and right (n, points), from the lower ones."""
+    low, high = np.tril_indices(len(left))
+    sums = np.empty((len(counts), len(left), len(left)))
+    products = np.add.reduceat(left[low] * right[high], np.cumsum(counts) - counts, axis=1)
+    sums[:, low, high] = sums[:, high, low] = products.T
+    return sums
+
+
+def _without_poses(sums: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+    """Normal equations of the camera without the poses, and the inverse, mixed part and gradients of each pose."""
     inverse = inv(sums[:, :6, :6] + 1e-3 * np.eye(6))
     mixed, gradients = sums[:, :6, 6:10], sums[:, :6, 10]
     by_camera = matmul(mixed.transpose(0, 2, 1), inverse)
     system = (sums[:, 6:10, 6:10] - matmul(by_camera, mixed)).sum(0)
     right = (sums[:, 6:10, 10] - matmul(by_camera, gradients[..., None])[..., 0]).sum(0)
-    cost = float(sums[:, 10, 10].sum())
-    return _Normal(system, right, used, inverse, mixed, gradients, cost, float(weights.sum()), len(weights))
+    return system, right, inverse, mixed, gradients
+
+
+def _information(sums: _Normal, values: Floats) -> Floats:
+    """The matrix of the camera from products of derivatives at planes of the one and of the other view.
+
+    Their noise is independent. In the normal equations, noise of the normals counts as information: a floor alone
+    would determine the camera.
+    """
+    rows, counts = sums.rows, sums.rows.counts[sums.used]
+    first, second = (rows.jacobian(planes, values) for planes in (rows.first_planes, rows.second_planes))
+    weights = rows.weights()
+    both = _sums_of_pairs(first * weights, second, counts) + _sums_of_pairs(second * weights, first, counts)
+    return _without_poses(0.5 * both)[0]
 
 
 class _Surface(NamedTuple):
