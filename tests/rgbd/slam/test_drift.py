@@ -16,7 +16,7 @@ from pointloom.rgbd.odometry.camera_fit import (
     MAX_PAIRS,
     MIN_ROTATION,
     CameraView,
-    RotatedViews,
+    ViewPairs,
     fit_camera,
     rotated_pairs,
 )
@@ -232,7 +232,7 @@ def test_a_floor_alone_does_not_determine_the_camera():
         z += (z > 0) * rng.normal(0, 0.004, z.shape)
         nearness = np.divide(1.0, z, out=np.zeros(z.shape), where=z > 0)
         views.append(CameraView(nearness.astype(np.float32), (K.fx, K.fy, K.cx, K.cy)))
-    fit = fit_camera(RotatedViews(views, poses))
+    fit = fit_camera(ViewPairs(views, poses, rotated_pairs(poses)))
     assert len(fit.pairs) >= 10 and np.isinf(fit.deviations[0]) and fit.values[0] == 0
     assert assess_camera(views, poses, K) is None
 

@@ -165,8 +165,9 @@ def _integrate_frames(
             clock.stop("read")
             fractions.append(measured_fractions(frame.depth, check.depth_max * depth_unit(frames, frame)))
             try:
-                poses.append(fold(frame, _pose_of(frame)))
-                check.add(frame.depth, poses[-1], frame.color)
+                given = _pose_of(frame)
+                poses.append(fold(frame, given))
+                check.add(frame.depth, frame.color, poses[-1], given)
             except ValueError as error:
                 raise ValueError(f"frame {escaped(frame.name)}: {error}") from error
             clock.stop("integrate")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+import itertools
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,16 +11,28 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.frame_check import FrameCheck
 from ...kernels.linear_algebra import inv, matmul
+from ...kernels.rgbd.stream_views import MIN_DEPTH_FRACTION
 from ...meshing.volume.tsdf import TSDFVolume
-from ..odometry.camera_fit import CameraView, RotatedViews, depth_factor
-from ..slam.camera_check import FocalCheck, assess_views
+from ..odometry.camera_fit import CameraView, depth_factor
+from ..slam.camera_check import FocalCheck, assess_camera
 
 Pose = NDArray[np.float64]
 
 MAX_FRAMES = 16  # sampled frames
 SAMPLED_WIDTH = 80  # [px] of the sampled depth maps
+AVERAGED_SIDE = 4  # pixels of a cell of the sampled inverse depth, per side
+CAMERA_RANGE = 2.0  # farthest inverse depth in depth_max: depth in a unit that is too small is farther than that
 RELATIVE_DEPTH_NOISE = 0.02  # relative depth noise
 MAX_OFF_SURFACE = 0.15  # fraction off the surface: correct poses have 1 to 5%, poses 15 cm off half
+
+
+class _Sample(NamedTuple):
+    """Depth [any unit] of one pixel of each cell, mean inverse depth [1/m] of cells, the pose and the unrefined one."""
+
+    depth: NDArray[Any]
+    nearness: NDArray[np.float32]
+    T_world_camera: Pose
+    given: Pose
 
 
 class PoseCheck:
@@ -35,24 +48,43 @@ class PoseCheck:
         rows, columns = (len(range(0, n, self._step)) for n in (intrinsic.height, intrinsic.width))
         K, s = intrinsic, self._step
         self._camera = PinholeCameraIntrinsic(columns, rows, K.fx / s, K.fy / s, K.cx / s, K.cy / s)
-        self._samples: list[tuple[NDArray[Any], Pose]] = []
+        self._samples: list[_Sample] = []
         self._every, self._count = 1, 0
         self.images = FrameCheck(intrinsic, depth_unit)
 
-    def add(self, depth: object, T_world_camera: Pose, color: object = None) -> None:
+    def add(self, depth: object, color: object, T_world_camera: Pose, given: Pose) -> None:
         self.images.add(depth, color)
         if self._count % self._every == 0:
             if len(self._samples) == MAX_FRAMES:
                 self._samples = self._samples[::2]
                 self._every *= 2
-            small = np.array(np.asarray(depth)[:: self._step, :: self._step])
-            self._samples.append((small, T_world_camera))
+            image = np.asarray(depth)
+            small = np.array(image[:: self._step, :: self._step])
+            self._samples.append(_Sample(small, self._mean_nearness(image), T_world_camera, given))
         self._count += 1
+
+    @property
+    def _offsets(self) -> range:
+        """Rows and columns of the averaged pixels of a cell."""
+        return range(0, self._step, -(-self._step // AVERAGED_SIDE))
+
+    def _mean_nearness(self, depth: NDArray[Any]) -> NDArray[np.float32]:
+        """Mean inverse depth [1/m] of whole cells, 0 if sparse. Single pixels are too noisy for the fit of a camera."""
+        s = self._step
+        rows, columns = (s * (length // s) for length in depth.shape)
+        total, count = np.zeros((rows // s, columns // s), np.float32), np.zeros((rows // s, columns // s), np.uint8)
+        for v, u in itertools.product(self._offsets, self._offsets):
+            z = self._in_meters(depth[v:rows:s, u:columns:s])
+            seen = self._is_valid(z, CAMERA_RANGE)
+            total += np.divide(1.0, z, out=np.zeros(z.shape), where=seen)
+            count += seen
+        is_dense = count >= MIN_DEPTH_FRACTION * len(self._offsets) ** 2
+        return np.where(is_dense, total / np.maximum(count, 1), np.float32(0.0))
 
     def seen_extent(self) -> float:
         """Longest side of the bounding box of the sampled frames [m]. 0 if empty."""
         K, ends = self._camera, []
-        for depth, pose in self._samples:
+        for depth, _, pose, _ in self._samples:
             z = self._in_meters(depth)
             v, u = np.nonzero(self._is_valid(z))
             rays = np.stack([(u - K.cx) / K.fx, (v - K.cy) / K.fy, np.ones(len(u))], axis=1)
@@ -64,26 +96,24 @@ class PoseCheck:
     def _in_meters(self, depth: NDArray[Any]) -> NDArray[np.float64]:
         return depth / (self._unit if depth.dtype.kind in "iu" else 1.0)
 
-    def _is_valid(self, z: NDArray[np.float64]) -> NDArray[np.bool_]:
-        return np.isfinite(z) & (z > 0) & (z <= self.depth_max)
+    def _is_valid(self, z: NDArray[np.float64], depths: float = 1.0) -> NDArray[np.bool_]:
+        return np.isfinite(z) & (z > 0) & (z <= depths * self.depth_max)
 
     def camera_and_factor(self) -> tuple[FocalCheck | None, float]:
         """Check whether the sampled frames fit better with another camera, and the factor of their depth that does.
 
         None if they do not determine the camera, and 1 without a better factor.
         """
-        K, views, poses = self._camera, list[CameraView](), [pose for _, pose in self._samples]
-        for depth, _ in self._samples:
-            z = self._in_meters(depth)
-            nearness = np.divide(1.0, z, out=np.zeros(z.shape), where=self._is_valid(z))
-            views.append(CameraView(nearness.astype(np.float32), (K.fx, K.fy, K.cx, K.cy)))
-        rotated = RotatedViews(views, poses)
-        return assess_views(rotated, self._intrinsic), depth_factor(rotated)
+        K, s, middle = self._intrinsic, self._step, float(np.mean(self._offsets))
+        lens = K.fx / s, K.fy / s, (K.cx - middle) / s, (K.cy - middle) / s
+        views = [CameraView(sample.nearness, lens) for sample in self._samples]
+        poses = [sample.T_world_camera for sample in self._samples]
+        return assess_camera(views, poses, self._intrinsic), depth_factor(views, [s.given for s in self._samples])
 
     def fraction_off(self, volume: TSDFVolume) -> float | None:
         """Median fraction of frame pixels off the surface by half the truncation. None for fewer than two frames."""
         fractions = []
-        for depth, pose in self._samples:
+        for depth, _, pose, _ in self._samples:
             z = self._in_meters(depth)
             seen = self._is_valid(z)
             if not seen.any():

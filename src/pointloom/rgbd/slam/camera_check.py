@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.reports import Assessed, quality
 from ...kernels.rgbd.stream_views import StreamView, view_stream
-from ..odometry.camera_fit import CameraFit, CameraView, RotatedViews, fit_camera
+from ..odometry.camera_fit import CameraFit, CameraView, ViewPairs, fit_camera, rotated_pairs
 from .fixed_parts import cell_lens
 from .frames import SensorFrame
 
@@ -94,11 +94,9 @@ def assess_camera(
 ) -> FocalCheck | None:
     """Assess a camera by views with poses T_world_camera, at most MAX_VIEWS. None if they do not determine it."""
     chosen = spread(len(poses))
-    return assess_views(RotatedViews([views[index] for index in chosen], [poses[index] for index in chosen]), intrinsic)
-
-
-def assess_views(views: RotatedViews, intrinsic: PinholeCameraIntrinsic) -> FocalCheck | None:
-    return judged(fit_camera(views), intrinsic)
+    their_poses = [poses[index] for index in chosen]
+    pairs = ViewPairs([views[index] for index in chosen], their_poses, rotated_pairs(their_poses))
+    return judged(fit_camera(pairs), intrinsic)
 
 
 def judged(fit: CameraFit | None, intrinsic: PinholeCameraIntrinsic) -> FocalCheck | None:
