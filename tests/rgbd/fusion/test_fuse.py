@@ -95,6 +95,35 @@ def test_a_wrong_depth_scale_is_reported_with_a_better_factor(unit, factor):
         assert f"the depth is multiplied by about {result.depth_factor:.2g}" in str(result.warnings)
 
 
+def test_poses_in_millimeters_are_reported():
+    frames = Turning()
+    frames.poses = frames.poses.copy()
+    frames.poses[:, :3, 3] *= 1000
+    assert loom.rgbd.fuse(frames, voxel_size=VOXEL).depth_factor == pytest.approx(1000, rel=0.02)
+
+
+def test_refined_frames_in_a_wrong_unit_are_compared_with_the_given_poses():
+    result = loom.rgbd.fuse(Turning(unit=1.25), voxel_size=VOXEL, refine=True)
+    assert result.depth_factor == pytest.approx(1.25, rel=0.02) and not result.reliable
+
+
+def test_noise_of_poses_is_no_depth_scale():
+    for seed in range(3):
+        frames = Turning()
+        frames.poses = frames.poses.copy()
+        frames.poses[:, :3, 3] += np.random.default_rng(seed).normal(0, 0.05, (10, 3))
+        assert loom.rgbd.fuse(frames, voxel_size=VOXEL).depth_factor == 1.0
+
+
+def test_frames_off_the_refined_surface_are_reported():
+    frames = Turning()
+    assert loom.rgbd.fuse(frames, voxel_size=VOXEL, refine=True).reliable
+    frames.poses = frames.poses.copy()
+    frames.poses[[4, 8], :3, 3] += 0.6  # [m], beyond a refinement
+    result = loom.rgbd.fuse(frames, voxel_size=VOXEL, refine=True)
+    assert result.warnings == ("2 of 10 sampled frames are off the fused surface: their poses are wrong",)
+
+
 @pytest.mark.parametrize("focal", [0.9, 1.1])
 def test_a_wrong_focal_length_of_posed_frames_is_reported(focal):
     camera = loom.rgbd.fuse(Turning(focal=focal), voxel_size=VOXEL).camera
@@ -108,7 +137,7 @@ def test_depth_beyond_noise_is_off_the_surface(depth, fraction):
     check = PoseCheck(wall.intrinsic, 1000.0, 4.0)
     for _ in range(2):
         check.add(Wall(1, depth=depth).read(0).depth, None, np.eye(4), np.eye(4))
-    assert check.fraction_off(volume) == fraction
+    assert check.fractions_off(volume) == (fraction, fraction)
 
 
 def test_frames_spread_over_a_long_sequence_are_checked_against_the_surface(sequence):

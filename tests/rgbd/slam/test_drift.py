@@ -219,22 +219,44 @@ def test_distorted_rays_are_reported(turning):
     assert abs(check.distortion - 0.4) < 0.1 and "a radial distortion of 0." in str(check.warnings)
 
 
-def test_a_floor_alone_does_not_determine_the_camera():
-    K, rng, views, poses = PinholeCameraIntrinsic(80, 60, 66.0, 66.0, 39.5, 29.5), np.random.default_rng(3), [], []
+def noisy_views(yaws, tilts, step, noise, seed, walls=()):
+    """Views of a floor 1.5 m below, and of walls (axis, distance), with noise of depth [m]; their poses and camera."""
+    K, rng, views, poses = PinholeCameraIntrinsic(80, 60, 66.0, 66.0, 39.5, 29.5), np.random.default_rng(seed), [], []
     v, u = np.mgrid[:60, :80]
     rays = np.stack([(u - K.cx) / K.fx, (v - K.cy) / K.fy, np.ones(u.shape)], -1)
-    for k in range(10):
-        yaw, tilt = 0.25 * k, -0.9 + 0.2 * np.sin(1.7 * k)
+    for k, (yaw, tilt) in enumerate(zip(yaws, tilts, strict=True)):
         direction = np.array([np.cos(yaw) * np.cos(tilt), np.sin(yaw) * np.cos(tilt), np.sin(tilt)])
-        poses.append(look_along(np.array([0.1 * k, 0.0, 1.5]), direction))
-        down = -(rays @ poses[-1][:3, :3].T)[..., 2]
-        z = np.where(down > 0.3, 1.5 / np.maximum(down, 0.3), 0.0)
-        z += (z > 0) * rng.normal(0, 0.004, z.shape)
+        poses.append(look_along(np.array([step * k, 0.0, 1.5]), direction))
+        seen = rays @ poses[-1][:3, :3].T
+        depths = [np.where(-seen[..., 2] > 0.3, 1.5 / np.maximum(-seen[..., 2], 0.3), np.inf)]
+        for axis, distance in walls:
+            away = distance - poses[-1][axis, 3]
+            depths.append(np.where(seen[..., axis] > 0.3, away / np.maximum(seen[..., axis], 0.3), np.inf))
+        z = np.minimum.reduce(depths)
+        z = np.where(np.isfinite(z), z + rng.normal(0, noise, z.shape), 0.0)
         nearness = np.divide(1.0, z, out=np.zeros(z.shape), where=z > 0)
         views.append(CameraView(nearness.astype(np.float32), (K.fx, K.fy, K.cx, K.cy)))
-    fit = fit_camera(ViewPairs(views, poses, rotated_pairs(poses)))
+    return views, poses, K
+
+
+def fitted(views, poses):
+    return fit_camera(ViewPairs(views, poses, rotated_pairs(poses)))
+
+
+def test_a_floor_alone_does_not_determine_the_camera():
+    turns = np.arange(10)
+    views, poses, K = noisy_views(0.25 * turns, -0.9 + 0.2 * np.sin(1.7 * turns), 0.1, 0.004, seed=3)
+    fit = fitted(views, poses)
     assert len(fit.pairs) >= 10 and np.isinf(fit.deviations[0]) and fit.values[0] == 0
     assert assess_camera(views, poses, K) is None
+
+
+def test_noise_of_depth_makes_the_focal_length_hardly_longer():
+    """By 0.019 with derivatives at the planes themselves."""
+    turns, walls = np.arange(10), [(0, 2.5)]
+    rotations = 0.08 * (turns - 4.5), -0.5 + 0.2 * np.sin(1.7 * turns)
+    fits = [fitted(*noisy_views(*rotations, 0.05, 0.01, seed, walls)[:2]) for seed in range(6)]
+    assert abs(np.mean([fit.values[0] for fit in fits])) < 0.014
 
 
 def test_a_camera_with_little_rotation_gives_no_focal_check(short_sequence):

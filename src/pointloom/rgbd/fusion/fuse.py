@@ -111,7 +111,7 @@ def fuse(
     clock.stop("extract")
     camera, depth_factor = check.camera_and_factor()
     checks: dict[str, Any] = {
-        "fraction_off": None if refine else check.fraction_off(fold.volume), "seen_extent": check.seen_extent(),
+        "fractions_off": check.fractions_off(fold.volume), "seen_extent": check.seen_extent(),
         "camera": camera, "depth_factor": depth_factor,
         "source_warnings": (*source_warnings(frames), *check.images.warnings), "notes": check.images.notes,
     }  # fmt: skip

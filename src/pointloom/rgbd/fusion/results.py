@@ -15,7 +15,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
 from ..slam.camera_check import FocalCheck
-from .pose_check import MAX_OFF_SURFACE
+from .pose_check import MAX_OFF_FRAMES, MAX_OFF_OF_FRAME, MAX_OFF_SURFACE
 from .refine import PoseRefinement
 
 MAX_VOXEL_FRACTION = 0.05  # of the seen extent: larger voxels show no shape
@@ -34,7 +34,7 @@ class FusionResult(Assessed):
         used_fraction: Fraction of all pixels with depth up to `depth_max`.
         weight_threshold: Minimum weight (exclusive) of surface voxels.
         refinement: Result of the pose refinement, if any.
-        fraction_off: Median fraction of pixels off the surface at the given poses. None if unknown.
+        fractions_off: Fraction of the depth of sampled frames that is off the surface. Empty if unknown.
         seen_extent: Longest side of the observed scene [m]. None if not measured.
         source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
         camera: Whether sampled frames fit better with another camera. None if they do not determine it.
@@ -62,7 +62,7 @@ class FusionResult(Assessed):
     used_fraction: float
     weight_threshold: float
     refinement: PoseRefinement | None = None
-    fraction_off: float | None = None
+    fractions_off: tuple[float, ...] = ()
     seen_extent: float | None = None
     source_warnings: tuple[str, ...] = ()
     camera: FocalCheck | None = None
@@ -104,14 +104,22 @@ class FusionResult(Assessed):
         return failed(self._why_no_surface, *refinement, *poses, *camera, *self.source_warnings)
 
     @property
+    def fraction_off(self) -> float | None:
+        """Median of `fractions_off`. None if unknown."""
+        return float(np.median(self.fractions_off)) if self.fractions_off else None
+
+    @property
     def _why_contradicted(self) -> str | None:
-        if self.fraction_off is None or self.fraction_off <= MAX_OFF_SURFACE:
-            return None
-        return (
-            f"{format_fraction(self.fraction_off)} of the measured depth is off the fused surface: the poses are "
-            "wrong, belong to other frames, or are camera to world instead of world to camera, or the depth is in "
-            "another unit"
-        )
+        count, off_count = len(self.fractions_off), sum(each > MAX_OFF_OF_FRAME for each in self.fractions_off)
+        if self.fraction_off is not None and self.fraction_off > MAX_OFF_SURFACE:
+            return (
+                f"{format_fraction(self.fraction_off)} of the measured depth is off the fused surface: the poses are "
+                "wrong, belong to other frames, or are camera to world instead of world to camera, or the depth is in "
+                "another unit"
+            )
+        if off_count > max(1, MAX_OFF_FRAMES * count):
+            return f"{off_count} of {count} sampled frames are off the fused surface: their poses are wrong"
+        return None
 
     @property
     def _why_scaled(self) -> str | None:

@@ -29,9 +29,10 @@ PLANE_NOISE = 0.004  # [m] at 0 m, and [1/m] times squared depth: maximum root m
 MIN_COSINE = 0.15  # of the incidence angle
 # [m], [1/m]: the expected residual is DEPTH_NOISE + DEPTH_NOISE_GROWTH z^2
 DEPTH_NOISE, DEPTH_NOISE_GROWTH = 0.003, 0.004
-# Smallest factor of the depth that is reported, and standard deviations beyond it. True poses of ten
-# parts of a kitchen have 0.98 to 1.07. None of 210 walks with 0 to 50 mm of pose noise is reported (2026-11-29).
+# Smallest factor of the depth that is reported, and standard deviations beyond it. True poses of ten parts of a kitchen
+# have 0.98 to 1.07. None of 210 walks with 0 to 50 mm of pose noise is reported (2026-11-29).
 MIN_DEPTH_FACTOR, DEPTH_SIGMAS = 1.1, 2.0
+MAX_GAP = 2  # largest difference of the indices of near pairs
 GAUSS_NEWTON_STEPS, MAX_STEP = 10, 0.15  # Gauss-Newton steps, and largest change of a parameter
 # [rad], [m], focal lengths: change of the camera and of the median pair in the last step. A hundredth of the smallest
 # correction that is reported.
@@ -40,7 +41,7 @@ FIRST_GATE, GATE_FACTOR, LAST_GATE = 0.25, 0.6, 0.05  # [m] maximum residual: fi
 MIN_NORMAL_COSINE = 0.7
 OUTLIER_RATIO = 3.0  # in expected residuals, of the Geman-McClure weights
 COMMON_PIXELS = 25.0  # cells of a window, whose planes have common errors
-# Largest deviation of a determined parameter, relative to PRIOR_DEVIATIONS: the frames then tell more than the prior.
+# Largest deviation of a determined parameter, relative to PRIOR_DEVIATIONS: the frames then have more information.
 MAX_DEVIATION_RATIO = 0.5
 FIXED_DEVIATION = 1e-9  # deviation of a parameter that is not estimated
 # Standard deviations of the parameters before the fit: log focal length, principal point by the focal length (u, v),
@@ -70,13 +71,17 @@ class CameraFit(NamedTuple):
     poses: Floats
 
 
-def rotated_pairs(
-    poses: Sequence[Floats] | Floats, min_rotation: float = MIN_ROTATION, max_distance: float = MAX_DISTANCE
+def rotated_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
+    """Index pairs of poses that are rotated against each other and near, spread over the path."""
+    return _spread_pairs(poses, MIN_ROTATION, MAX_DISTANCE, len(poses))
+
+
+def _spread_pairs(
+    poses: Sequence[Floats] | Floats, min_rotation: float, max_distance: float, max_gap: int
 ) -> list[tuple[int, int]]:
-    """Index pairs of poses that are rotated against each other [rad] and near [m], spread over the path."""
     pairs = []
     for first in range(len(poses)):
-        for second in range(first + 1, len(poses)):
+        for second in range(first + 1, min(first + max_gap + 1, len(poses))):
             motion = matmul(invert_pose(poses[first]), poses[second])
             angle = norm(rotation_vector(motion[:3, :3]))
             if min_rotation <= angle < MAX_ROTATION and norm(motion[:3, 3]) < max_distance:
@@ -154,8 +159,12 @@ def fit_camera(views: ViewPairs) -> CameraFit | None:
     found = _solve(views, given.poses, PRIOR_DEVIATIONS)
     if found is None:
         return None
-    is_known = found.deviations < MAX_DEVIATION_RATIO * PRIOR_DEVIATIONS
-    values, deviations = np.where(is_known, found.values, 0.0), np.where(is_known, found.deviations, math.inf)
+    # Relative to the prior. Eigenvalues below 0 are noise.
+    known, axes = eigh(_information(found) * (PRIOR_DEVIATIONS[:, None] * PRIOR_DEVIATIONS) / _noise(found.sums))
+    ratios = np.sqrt((axes**2 / (1.0 + np.maximum(known, 0.0))).sum(axis=1))
+    is_known = ratios < MAX_DEVIATION_RATIO
+    values = np.where(is_known, found.values, 0.0)
+    deviations = np.where(is_known, ratios * PRIOR_DEVIATIONS, math.inf)
     return CameraFit(values, deviations, given.residual, found.residual, views.pairs, found.poses)
 
 
@@ -166,27 +175,35 @@ def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) 
     by noise of the given ones, and the inverse regression is too large by noise of the estimates. The factor is between
     both. It is 1 unless both differ from 1 by MIN_DEPTH_FACTOR and DEPTH_SIGMAS deviations.
     """
-    pairs = ViewPairs(views, poses, rotated_pairs(poses, 0.0, math.inf))
-    start = pairs.poses.copy()
-    for _ in range(2):
+    is_complete = True
+    for gap, is_zero in ((len(poses), False), (MAX_GAP, False), (MAX_GAP, True)):
+        if is_zero and is_complete:  # no pair was moved apart by a translation that is too long
+            break
+        # Long translations are precise. Short ones are not confused with those to the next step of a staircase.
+        pairs = ViewPairs(views, poses, _spread_pairs(poses, 0.0, math.inf, gap))
+        start = pairs.poses.copy()
+        start[:, :3, 3] *= not is_zero
         found = _solve(pairs, start, np.full(4, FIXED_DEVIATION)) if pairs.pairs else None
-        factor = 1.0 if found is None else _factor_between(pairs.poses, found, len(poses))
-        if factor != 1.0 or (found is not None and found.sums.used.all()):
-            return factor
-        start[:, :3, 3] = 0.0  # too long translations move pairs apart
+        is_complete &= found is not None and bool(found.sums.used.all())
+        if found is None:
+            continue
+        low, high, margin = _factor_between(pairs.poses, found, len(poses))
+        if math.log(low) > margin or math.log(high) < -margin:
+            return math.sqrt(low * high)
     return 1.0
 
 
-def _factor_between(given: Floats, found: _Solution, view_count: int) -> float:
+def _factor_between(given: Floats, found: _Solution, view_count: int) -> tuple[float, float, float]:
+    """Lower and upper end of the factor, and the logarithm beyond which it is reported."""
     used, information = found.sums.used, inv(found.sums.inverse[:, 3:, 3:])
     a, b = given[used, :3, 3, None], found.poses[used, :3, 3, None]
-    aa, ab, bb = (float(matmul(x.transpose(0, 2, 1), matmul(information, y)).sum()) for x, y in ((a, a), (a, b), (b, b)))
+    weighted = [matmul(information, each) for each in (a, b)]
+    aa, ab, bb = (float((x * y).sum()) for x, y in ((a, weighted[0]), (a, weighted[1]), (b, weighted[1])))
     if ab <= 0.0:
-        return 1.0
+        return 1e-9, 1e9, math.inf  # unrelated
     low, high = ab / bb, aa / ab
-    deviation = math.sqrt(_noise(found.sums) / bb + (high / low - 1.0) / (3 * view_count))
-    margin = math.log(MIN_DEPTH_FACTOR) + DEPTH_SIGMAS * deviation
-    return math.sqrt(low * high) if math.log(low) > margin or math.log(high) < -margin else 1.0
+    deviation = math.sqrt(_noise(found.sums) / bb + max(high / low - 1.0, 0.0) / (3 * view_count))
+    return low, high, math.log(MIN_DEPTH_FACTOR) + DEPTH_SIGMAS * deviation
 
 
 class _Matches(NamedTuple):
@@ -226,7 +243,6 @@ class _Matches(NamedTuple):
 
 class _Solution(NamedTuple):
     values: Floats
-    deviations: Floats
     residual: float
     poses: Floats
     sums: _Normal
@@ -270,10 +286,7 @@ def _solve(views: ViewPairs, starts: Floats, prior: Floats) -> _Solution | None:
     sums = _normal_equations(views, moved, values, LAST_GATE)
     if sums is None:
         return None
-    # Relative to the prior. Eigenvalues below 0 are noise.
-    known, axes = eigh(_information(sums, values) * (prior[:, None] * prior) / _noise(sums))
-    deviations = prior * np.sqrt((axes**2 / (1.0 + np.maximum(known, 0.0))).sum(axis=1))
-    return _Solution(values, deviations, math.sqrt(sums.cost / sums.weights), moved, sums)
+    return _Solution(values, math.sqrt(sums.cost / sums.weights), moved, sums)
 
 
 def _noise(sums: _Normal) -> float:
@@ -312,14 +325,15 @@ def _without_poses(sums: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats
     return system, right, inverse, mixed, gradients
 
 
-def _information(sums: _Normal, values: Floats) -> Floats:
+def _information(found: _Solution) -> Floats:
     """The matrix of the camera from products of derivatives at planes of the one and of the other view.
 
     Their noise is independent. In the normal equations, noise of the normals counts as information: a floor alone
     would determine the camera.
     """
-    rows, counts = sums.rows, sums.rows.counts[sums.used]
-    first, second = (rows.jacobian(planes, values) for planes in (rows.first_planes, rows.second_planes))
+    rows = found.sums.rows
+    counts = rows.counts[found.sums.used]
+    first, second = (rows.jacobian(planes, found.values) for planes in (rows.first_planes, rows.second_planes))
     weights = rows.weights()
     both = _sums_of_pairs(first * weights, second, counts) + _sums_of_pairs(second * weights, first, counts)
     return _without_poses(0.5 * both)[0]
