@@ -302,6 +302,30 @@ def test_bounds_are_valid_and_tight_on_random_surfaces(device):
         assert 0 <= result.hausdorff_bound - result.hausdorff <= 2e-5
 
 
+def test_bounds_meet_where_surfaces_coincide(device):
+    """Neither mesh has edges of the other: pieces that are only halved along these become millions."""
+
+    def square(count: int) -> TriangleMesh:
+        v, u = (k.ravel() for k in np.mgrid[: count + 1, : count + 1])
+        first = (v * (count + 1) + u).reshape(count + 1, -1)[:-1, :-1].ravel()
+        sides = np.stack([first, first + 1, first + count + 2, first, first + count + 2, first + count + 1], axis=1)
+        return TriangleMesh(np.stack([u / count, v / count, 0 * u], axis=1), sides.reshape(-1, 3), device=device)
+
+    result = square(40).compute_metrics(square(27), [0.1], n_sampled_points=100)
+    assert result.hausdorff < 1e-7 and result.hausdorff_bound < 2e-5
+
+
+def test_the_bound_contains_the_parts_that_were_not_split(device):
+    sphere = TriangleMesh.create_sphere(0.5, 30, device=device)
+    coarse = sphere.simplify_quadric_decimation(len(sphere) // 10)
+    result = sphere.compute_metrics(coarse, [0.1], n_sampled_points=500)
+    scene = loom.RaycastingScene(device=device)
+    scene.add_triangles(coarse)
+    points = np.asarray(sphere.sample_points_uniformly(100_000, seed=1).points, np.float32)
+    assert np.asarray(scene.compute_distance(points)).max() <= result.hausdorff_bound
+    assert result.hausdorff < result.hausdorff_bound <= result.hausdorff + 2e-5
+
+
 def test_an_error_map_colors_each_vertex_by_its_distance(device):
     vertices, triangles = torus()
     mesh = TriangleMesh(np.vstack([vertices, [[np.nan] * 3]]), triangles, device=device)

@@ -1,7 +1,8 @@
 """One-sided Hausdorff distance between surfaces by converging bounds, as in Tang, Lee and Kim, "Interactive Hausdorff
 distance computation for general polygonal models", SIGGRAPH 2009. The distance to one triangle is convex, so a piece is
 bounded by the corner distances to the triangle nearest to its center. Pieces that may exceed the known maximum are
-split into four, in rounds on the device.
+split into four in rounds on the device: along an edge of that triangle, so that pieces of flat parts end at the edges of
+the other surface, else at the midpoints of their edges.
 """
 
 import math
@@ -20,6 +21,7 @@ from ..lang import (
     array,
     atomic_max,
     compute,
+    dot,
     float64,
     func,
     int32,
@@ -27,6 +29,7 @@ from ..lang import (
     isfinite,
     kernel,
     launch,
+    length,
     loop_while,
     reduce,
     reduction,
@@ -35,6 +38,7 @@ from ..lang import (
     tid,
     vec2d,
     vec3,
+    vec3d,
     vec3i,
 )
 from ..memory import empty, fill, zeros
@@ -46,9 +50,13 @@ from .triangle_tree import TriangleTree
 MAX_PIECES = 2**22  # per round: about 500 MB
 MIN_ROOM = 1024  # pieces per round
 MAX_ROUNDS = 24  # mantissa bits of float32
-# Lower bound, upper bound, largest bound of the round, pieces of
-# the next round, rounds so far, and whether another round is needed.
-LOWER_BOUND, UPPER_BOUND, PIECE_BOUND, PIECE_COUNT, ROUND_NUMBER, ROUND_WANTED, KNOWN_NUMBERS = range(7)
+# A piece is cut along an edge if it has this fraction of its size on both sides, and at most this many times the size of
+# the nearest triangle. Other cuts would make narrow pieces, or one piece for each of many triangles in sequence.
+MIN_SIDE, MAX_CUT_SIZE = 0.05, 2.0
+SMALLEST = 1e-300  # avoids 0 / 0
+# Lower bound, upper bound, largest bound of the round and of all pieces that were not split, pieces of the next round,
+# rounds so far, and whether another round is needed.
+LOWER_BOUND, UPPER_BOUND, PIECE_BOUND, KEPT_BOUND, PIECE_COUNT, ROUND_NUMBER, ROUND_WANTED, KNOWN_NUMBERS = range(8)
 
 
 @kernel
@@ -124,15 +132,20 @@ class Pieces:
         self._scan.run(self.ranks, self.ranks, self.room)
         launch(end_round_kernel, 1, [self, tolerance])
 
+    def cut(self, tree: TriangleTree, before: "Pieces") -> None:
+        """Split the selected pieces of `before` into the pieces of the next round."""
+        arguments = [before, tree.vertices, tree.triangles, self.pieces, 3 * self.room]
+        launch(cut_pieces_kernel, before.room, arguments)
+
     def run_rounds(self, tree: TriangleTree, tolerance: float, before: "Pieces") -> None:
         """Split the remaining pieces, and continue until the bounds meet or the room is exhausted. No sync."""
         self.nearest = NearestTriangles(self.middles, positions(self.room, self.known.device))
-        launch(cut_pieces_kernel, before.room, [before, self.pieces, 3 * self.room])
+        self.cut(tree, before)
         fill(self.running, 1)
 
         def run_round() -> None:
             self.bound_round(tree, tolerance, is_ordered=True)
-            launch(cut_pieces_kernel, self.room, [self, self.pieces, 3 * self.room])
+            self.cut(tree, self)
 
         loop_while(self.running, run_round)
 
@@ -201,8 +214,15 @@ def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: a
 
 @kernel
 def mark_far_pieces_kernel(given: Pieces, tolerance: float64):
+    """Pieces to split. The bounds of others remain (atomic maximum)."""
     i = tid()
-    given.ranks[i] = 1 if given.bounds[i] > given.known[LOWER_BOUND] + tolerance else 0
+    bound = given.bounds[i]
+    is_far = int(0)
+    if bound > given.known[LOWER_BOUND] + tolerance:
+        is_far = 1
+    elif bound > given.known[KEPT_BOUND]:
+        atomic_max(given.known, KEPT_BOUND, bound)
+    given.ranks[i] = is_far
 
 
 @kernel
@@ -212,7 +232,7 @@ def end_round_kernel(given: Pieces, tolerance: float64):
     left = int64(given.ranks[given.room - 1])
     upper = max(given.known[PIECE_BOUND], given.known[LOWER_BOUND])
     round_number = given.known[ROUND_NUMBER + i] + 1.0
-    given.known[UPPER_BOUND] = upper
+    given.known[UPPER_BOUND] = max(upper, given.known[KEPT_BOUND])
     given.known[PIECE_BOUND] = float64(0.0)
     given.known[PIECE_COUNT] = float64(4 * left)
     given.known[ROUND_NUMBER] = round_number
@@ -224,9 +244,33 @@ def end_round_kernel(given: Pieces, tolerance: float64):
     given.running[0] = wanted if 4 * left <= int64(given.room) else 0
 
 
+@func
+def size_of(a: vec3, b: vec3, c: vec3) -> float:
+    """Longest edge of a triangle."""
+    return max(length(b - a), max(length(c - b), length(a - c)))
+
+
+@func
+def beyond_edge(p: vec3, a: vec3, b: vec3, c: vec3) -> float64:
+    """Distance of p beyond the edge a b of a triangle, in its plane, below 0 on the side of c. 0 if it has no area."""
+    along = widen(b) - widen(a)
+    inward = widen(c) - widen(a)
+    inward = inward - along * (dot(inward, along) / max(dot(along, along), float64(SMALLEST)))
+    return -dot(widen(p) - widen(a), inward) / max(length(inward), float64(SMALLEST))
+
+
+@func
+def point_between(a: vec3, b: vec3, fraction: float64) -> vec3:
+    return narrow(widen(a) + (widen(b) - widen(a)) * fraction)
+
+
 @kernel
-def cut_pieces_kernel(given: Pieces, cut: array(dtype=vec3), half: int):
-    """Split each selected piece of the previous round into four at its edge midpoints."""
+def cut_pieces_kernel(
+    given: Pieces, vertices: array(dtype=vec3), triangles: array(dtype=vec3i), cut: array(dtype=vec3), half: int
+):
+    """Split each selected piece of the previous round into four: along an edge of its nearest triangle, else at the
+    midpoints of its edges.
+    """
     i = tid()
     before = 0
     if i > 0:
@@ -237,13 +281,44 @@ def cut_pieces_kernel(given: Pieces, cut: array(dtype=vec3), half: int):
         target = 0
         if round_number % 2 == 1:
             target = half
-        a = given.pieces[first]
-        b = given.pieces[first + 1]
-        c = given.pieces[first + 2]
-        ab = narrow((widen(a) + widen(b)) * 0.5)
-        bc = narrow((widen(b) + widen(c)) * 0.5)
-        ca = narrow((widen(c) + widen(a)) * 0.5)
         at = target + 12 * before
+        corners = int(3)
+        size = size_of(given.pieces[first], given.pieces[first + 1], given.pieces[first + 2])
+        t = triangles[given.nearest.triangles[i]]
+        near_size = size_of(vertices[t[0]], vertices[t[1]], vertices[t[2]])
+        narrowest = float64(MIN_SIDE * size)
+        alone = -1  # the corner that is alone on its side of the edge
+        sides = vec3d(0.0, 0.0, 0.0)
+        if size <= MAX_CUT_SIZE * near_size:
+            for k in range(corners):
+                p = vertices[t[k]]
+                q = vertices[t[(k + 1) % 3]]
+                r = vertices[t[(k + 2) % 3]]
+                d = vec3d(
+                    beyond_edge(given.pieces[first], p, q, r),
+                    beyond_edge(given.pieces[first + 1], p, q, r),
+                    beyond_edge(given.pieces[first + 2], p, q, r),
+                )
+                side = min(max(d[0], max(d[1], d[2])), -min(d[0], min(d[1], d[2])))
+                if side > narrowest:
+                    narrowest = side
+                    sides = d + vec3d(0.0, 0.0, 0.0)
+                    alone = 0
+                    if (d[0] > 0.0) == (d[2] > 0.0):
+                        alone = 1
+                    if (d[0] > 0.0) == (d[1] > 0.0):
+                        alone = 2
+        if alone < 0:
+            alone = 0
+            sides = vec3d(1.0, -1.0, -1.0)
+        second = (alone + 1) % 3
+        third = (alone + 2) % 3
+        a = given.pieces[first + alone]
+        b = given.pieces[first + second]
+        c = given.pieces[first + third]
+        ab = point_between(a, b, sides[alone] / (sides[alone] - sides[second]))
+        bc = point_between(b, c, float64(0.5))
+        ca = point_between(a, c, sides[alone] / (sides[alone] - sides[third]))
         for k in range(4):
             p = ab + vec3(0.0, 0.0, 0.0)
             q = bc + vec3(0.0, 0.0, 0.0)
