@@ -311,7 +311,7 @@ def test_bounds_meet_where_surfaces_coincide(device):
         sides = np.stack([first, first + 1, first + count + 2, first, first + count + 2, first + count + 1], axis=1)
         return TriangleMesh(np.stack([u / count, v / count, 0 * u], axis=1), sides.reshape(-1, 3), device=device)
 
-    result = square(40).compute_metrics(square(27), [0.1], n_sampled_points=100)
+    result = square(28).compute_metrics(square(19), [0.1], n_sampled_points=100)
     assert result.hausdorff < 1e-7 and result.hausdorff_bound < 2e-5
 
 
