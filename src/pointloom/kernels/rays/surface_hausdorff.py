@@ -1,8 +1,8 @@
 """One-sided Hausdorff distance between surfaces by converging bounds, as in Tang, Lee and Kim, "Interactive Hausdorff
 distance computation for general polygonal models", SIGGRAPH 2009. The distance to one triangle is convex, so a piece is
 bounded by the corner distances to the triangle nearest to its center. Pieces that may exceed the known maximum are
-split into four in rounds on the device: along an edge of that triangle, so that pieces of flat parts end at the edges of
-the other surface, else at the midpoints of their edges.
+split into four in rounds on the device: along an edge of that triangle, so that pieces of flat parts end where the
+other surface has edges, else at the midpoints of their edges.
 """
 
 import math
@@ -50,8 +50,8 @@ from .triangle_tree import TriangleTree
 MAX_PIECES = 2**22  # per round: about 500 MB
 MIN_ROOM = 1024  # pieces per round
 MAX_ROUNDS = 24  # mantissa bits of float32
-# A piece is cut along an edge if it has this fraction of its size on both sides, and at most this many times the size of
-# the nearest triangle. Other cuts would make narrow pieces, or one piece for each of many triangles in sequence.
+# Minimum extent of a piece on both sides of an edge, relative to its size, and maximum size relative to the nearest
+# triangle, to cut it along the edge. Other cuts make narrow pieces, or one piece for each of many triangles in sequence.
 MIN_SIDE, MAX_CUT_SIZE = 0.05, 2.0
 SMALLEST = 1e-300  # avoids 0 / 0
 # Lower bound, upper bound, largest bound of the round and of all pieces that were not split, pieces of the next round,
