@@ -50,8 +50,8 @@ from .triangle_tree import TriangleTree
 MAX_PIECES = 2**22  # per round: about 500 MB
 MIN_ROOM = 1024  # pieces per round
 MAX_ROUNDS = 24  # mantissa bits of float32
-# Minimum extent of a piece on both sides of an edge, relative to its size, and maximum size relative to the nearest
-# triangle, to cut it along the edge. Other cuts make narrow pieces, or one piece for each of many triangles in sequence.
+# To cut a piece along an edge: minimum extent on both sides, relative to its size, and maximum size, relative to the
+# nearest triangle. Other cuts make narrow pieces, or one piece for each of many triangles in sequence.
 MIN_SIDE, MAX_CUT_SIZE = 0.05, 2.0
 SMALLEST = 1e-300  # avoids 0 / 0
 # Lower bound, upper bound, largest bound of the round and of all pieces that were not split, pieces of the next round,
