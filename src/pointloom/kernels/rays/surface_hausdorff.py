@@ -53,7 +53,7 @@ MAX_ROUNDS = 24  # mantissa bits of float32
 # To cut a piece along an edge: minimum extent on both sides, relative to its size, and maximum size, relative to the
 # nearest triangle. Other cuts make narrow pieces, or one piece for each of many triangles in sequence.
 MIN_SIDE, MAX_CUT_SIZE = 0.05, 2.0
-SMALLEST = 1e-300  # avoids 0 / 0
+SMALLEST_DIVISOR = 1e-300  # avoids 0 / 0
 # Lower bound, upper bound, largest bound of the round and of all pieces that were not split, pieces of the next round,
 # rounds so far, and whether another round is needed.
 LOWER_BOUND, UPPER_BOUND, PIECE_BOUND, KEPT_BOUND, PIECE_COUNT, ROUND_NUMBER, ROUND_WANTED, KNOWN_NUMBERS = range(8)
@@ -255,8 +255,8 @@ def beyond_edge(p: vec3, a: vec3, b: vec3, c: vec3) -> float64:
     """Distance of p beyond the edge a b of a triangle, in its plane, below 0 on the side of c. 0 if it has no area."""
     along = widen(b) - widen(a)
     inward = widen(c) - widen(a)
-    inward = inward - along * (dot(inward, along) / max(dot(along, along), float64(SMALLEST)))
-    return -dot(widen(p) - widen(a), inward) / max(length(inward), float64(SMALLEST))
+    inward = inward - along * (dot(inward, along) / max(dot(along, along), float64(SMALLEST_DIVISOR)))
+    return -dot(widen(p) - widen(a), inward) / max(length(inward), float64(SMALLEST_DIVISOR))
 
 
 @func
