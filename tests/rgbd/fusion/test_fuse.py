@@ -124,6 +124,18 @@ def test_frames_off_the_refined_surface_are_reported():
     assert result.warnings == ("2 of 10 sampled frames are off the fused surface: their poses are wrong",)
 
 
+def test_frames_that_cannot_be_refined_are_correct_on_the_surface():
+    """A wall does not determine the motion along it."""
+    frames = Wall(6)
+    poses = np.tile(np.eye(4), (6, 1, 1))
+    poses[:, 0, 3] = 0.01 * np.arange(6)  # [m] along the wall
+    result = loom.rgbd.fuse(Posed(frames, poses), voxel_size=VOXEL, refine=True)
+    assert not result.refinement.reliable and result.reliable
+    poses[1::2, 2, 3] = 0.3  # [m] toward the wall
+    result = loom.rgbd.fuse(Posed(frames, poses), voxel_size=VOXEL, refine=True)
+    assert any("poses could not be refined" in warning for warning in result.warnings)
+
+
 @pytest.mark.parametrize("focal", [0.9, 1.1])
 def test_a_wrong_focal_length_of_posed_frames_is_reported(focal):
     camera = loom.rgbd.fuse(Turning(focal=focal), voxel_size=VOXEL).camera

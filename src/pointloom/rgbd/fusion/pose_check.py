@@ -27,6 +27,9 @@ RELATIVE_DEPTH_NOISE = 0.02  # relative depth noise
 # accepted. Real recordings have medians of 0.01 to 0.11. Two frames are above 0.5 in none of 121 refined walks with a
 # correct surface, and in 20 of 159 with a wrong one that no other check reports (2026-11-29).
 MAX_OFF_SURFACE, MAX_OFF_OF_FRAME, MAX_OFF_FRAMES = 0.15, 0.5, 0.1
+# ... of all frames, up to which poses are correct though they could not be refined: 0.02 in two walks through a tunnel,
+# 0.11 and more of 73 wrong surfaces with such poses (2026-11-29).
+MAX_OFF_UNREFINED = 0.05
 
 
 class _Sample(NamedTuple):

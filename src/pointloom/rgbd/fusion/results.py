@@ -15,7 +15,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
 from ..slam.camera_check import FocalCheck
-from .pose_check import MAX_OFF_FRAMES, MAX_OFF_OF_FRAME, MAX_OFF_SURFACE
+from .pose_check import MAX_OFF_FRAMES, MAX_OFF_OF_FRAME, MAX_OFF_SURFACE, MAX_OFF_UNREFINED
 from .refine import PoseRefinement
 
 MAX_VOXEL_FRACTION = 0.05  # of the seen extent: larger voxels show no shape
@@ -98,7 +98,8 @@ class FusionResult(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        refinement = () if self.refinement is None else self.refinement.warnings
+        is_matched = max(self.fractions_off, default=1.0) <= MAX_OFF_UNREFINED
+        refinement = () if self.refinement is None or is_matched else self.refinement.warnings
         camera = () if self.camera is None else self.camera.warnings
         poses = self._why_contradicted, self._why_scaled
         return failed(self._why_no_surface, *refinement, *poses, *camera, *self.source_warnings)

@@ -173,7 +173,7 @@ def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) 
 
     The translations between views are estimated from their depth alone. Their regression on the given ones is too small
     by noise of the given ones, and the inverse regression is too large by noise of the estimates. The factor is between
-    both. It is 1 unless both differ from 1 by MIN_DEPTH_FACTOR and DEPTH_SIGMAS deviations.
+    both. It is 1 unless both differ from 1 by MIN_DEPTH_FACTOR and DEPTH_SIGMAS deviations, also without any one view.
     """
     is_complete = True
     for gap, is_zero in ((len(poses), False), (MAX_GAP, False), (MAX_GAP, True)):
@@ -187,23 +187,28 @@ def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) 
         is_complete &= found is not None and bool(found.sums.used.all())
         if found is None:
             continue
-        low, high, margin = _factor_between(pairs.poses, found, len(poses))
-        if math.log(low) > margin or math.log(high) < -margin:
-            return math.sqrt(low * high)
+        if (factor := _factor_between(pairs, found, len(poses))) != 1.0:
+            return factor
     return 1.0
 
 
-def _factor_between(given: Floats, found: _Solution, view_count: int) -> tuple[float, float, float]:
-    """Lower and upper end of the factor, and the logarithm beyond which it is reported."""
-    used, information = found.sums.used, inv(found.sums.inverse[:, 3:, 3:])
-    a, b = given[used, :3, 3, None], found.poses[used, :3, 3, None]
-    weighted = [matmul(information, each) for each in (a, b)]
-    aa, ab, bb = (float((x * y).sum()) for x, y in ((a, weighted[0]), (a, weighted[1]), (b, weighted[1])))
-    if ab <= 0.0:
-        return 1e-9, 1e9, math.inf  # unrelated
+def _factor_between(pairs: ViewPairs, found: _Solution, view_count: int) -> float:
+    """The factor from all pairs, if those without any one of the views agree: one wrong pose is no unit."""
+    used, information = np.flatnonzero(found.sums.used), inv(found.sums.inverse[:, 3:, 3:])
+    a, b = pairs.poses[used, :3, 3, None], found.poses[used, :3, 3, None]
+    weighted_a, weighted_b = matmul(information, a), matmul(information, b)
+    views = np.array(pairs.pairs)[used]
+    kept = np.vstack([np.ones(len(used)), [(views != view).all(axis=1) for view in range(view_count)]])
+    aa, ab, bb = (
+        (kept * (x * y).sum(axis=(1, 2))).sum(axis=1) for x, y in ((a, weighted_a), (a, weighted_b), (b, weighted_b))
+    )
+    if (ab <= 0.0).any():
+        return 1.0
     low, high = ab / bb, aa / ab
-    deviation = math.sqrt(_noise(found.sums) / bb + max(high / low - 1.0, 0.0) / (3 * view_count))
-    return low, high, math.log(MIN_DEPTH_FACTOR) + DEPTH_SIGMAS * deviation
+    deviation = np.sqrt(_noise(found.sums) / bb + np.maximum(high / low - 1.0, 0.0) / (3 * view_count))
+    margin = math.log(MIN_DEPTH_FACTOR) + DEPTH_SIGMAS * deviation
+    is_reported = (np.log(low) > margin).all() or (np.log(high) < -margin).all()
+    return math.sqrt(low[0] * high[0]) if is_reported else 1.0
 
 
 class _Matches(NamedTuple):
