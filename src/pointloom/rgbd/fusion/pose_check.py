@@ -28,7 +28,7 @@ RELATIVE_DEPTH_NOISE = 0.02  # relative depth noise
 # correct surface, and in 20 of 159 with a wrong one that no other check reports (2026-11-29).
 MAX_OFF_SURFACE, MAX_OFF_OF_FRAME, MAX_OFF_FRAMES = 0.15, 0.5, 0.1
 # ... of all frames, up to which poses are correct though they could not be refined: 0.02 in two walks through a tunnel,
-# 0.11 and more of 73 wrong surfaces with such poses (2026-11-29).
+# 0.11 and more in 72 of 73 with such poses and a wrong surface (2026-11-29).
 MAX_OFF_UNREFINED = 0.05
 
 
@@ -113,8 +113,8 @@ class PoseCheck:
         K, s, middle = self._intrinsic, self._step, float(np.mean(self._offsets))
         lens = K.fx / s, K.fy / s, (K.cx - middle) / s, (K.cy - middle) / s
         views = [CameraView(sample.nearness, lens) for sample in self._samples]
-        poses = [sample.T_world_camera for sample in self._samples]
-        return assess_camera(views, poses, self._intrinsic), depth_factor(views, [s.given for s in self._samples])
+        poses, given = [each.T_world_camera for each in self._samples], [each.given for each in self._samples]
+        return assess_camera(views, poses, self._intrinsic), depth_factor(views, given)
 
     def fractions_off(self, volume: TSDFVolume) -> tuple[float, ...]:
         """Fraction of pixels off the surface by half the truncation, by frame. Empty for fewer than two frames."""
