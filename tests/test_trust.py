@@ -130,7 +130,8 @@ def cases():
     yield Case("fails", lambda: 1 / 0)
 """
 SCRIPT = """
-import os, sys
+import os, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored by children of background jobs
 sys.path[:0] = [{folders}]
 import run
 
