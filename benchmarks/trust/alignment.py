@@ -43,9 +43,9 @@ DISPLACEMENTS = (
     ("shifted by 5 cm", 0.05),
     ("shifted by 10 cm", 0.1),
     ("shifted by 1 m", 1.0),
-    ("turned by 0.5°", 0.5),
-    ("turned by 2°", 2.0),
-    ("turned by 10°", 10.0),
+    ("rotated by 0.5°", 0.5),
+    ("rotated by 2°", 2.0),
+    ("rotated by 10°", 10.0),
 )
 WITHOUT_POSE = (("Kinect", 1, 2), ("Kinect", 2, 3), ("Kinect", 3, 4), ("Kinect", 4, 5), ("cilantro", 1, 2))
 

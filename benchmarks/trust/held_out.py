@@ -155,9 +155,9 @@ def _covered(seed: int) -> Iterator[Judged]:
     frames = camera.film(sensors.walking_path(130, seed, speed=0.7))
     gap = round(period / 0.7 * sensors.RATE)
     yield from judge_path(
-        f"like doors {seed}, covered for a period", sensors.covered(frames, 50, 50 + gap), camera, False
+        f"identical doors {seed}, covered for a period", sensors.covered(frames, 50, 50 + gap), camera, False
     )
-    yield from judge_path(f"like doors {seed}, not covered", frames, camera, True)
+    yield from judge_path(f"identical doors {seed}, not covered", frames, camera, True)
     camera = DepthCamera(places.staircase(seed, contrast=0), seed, scale=SMALL)
     frames = camera.film(sensors.climb(120, seed))
     yield from judge_path(f"white staircase {seed}, covered for a step", sensors.covered(frames, 50, 74), camera, False)

@@ -103,15 +103,15 @@ CASES: dict[str, tuple[Callable[[int], made.Run], float]] = {
     "standing in a street, lorries passing by": (
         lambda seed: street_run(seed, ((-20.0, 3.0), (0.0, 3.0), (-40.0, 3.0)), 0.0, 1.0), 60),
     "street, one scan of a hall": (foreign_run, 60),
-    "street, turned by 90 deg at once": (lambda seed: turned_run(seed, made.street(seed=seed), 90), 60),
-    "hall, turned by 90 deg at once": (lambda seed: turned_run(seed, made.hall(seed=seed), 90), 60),
+    "street, rotated by 90 deg at once": (lambda seed: turned_run(seed, made.street(seed=seed), 90), 60),
+    "hall, rotated by 90 deg at once": (lambda seed: turned_run(seed, made.hall(seed=seed), 90), 60),
     "hall, 0.3 m a scan": (lambda seed: far(seed, made.hall(seed=seed), 0.3, start=5), 60),
     "wood, 0.5 m a scan": (lambda seed: far(seed, made.forest(seed=seed), 0.5), 60),
     "wood, 1.5 m a scan": (lambda seed: far(seed, made.forest(seed=seed), 1.5), 60),
     "sparse wood, 0.5 m a scan": (lambda seed: far(seed, made.forest(seed=seed, trunks=150), 0.5), 60),
-    "in the hand, turned by 12 deg a scan": (lambda seed: hand_run(seed, 12.0), 100),
-    "in the hand, turned by 30 deg a scan": (lambda seed: hand_run(seed, 30.0), 100),
-    "in the hand, turned by 40 deg a scan": (lambda seed: hand_run(seed, 40.0), 100),
+    "in the hand, rotated by 12 deg a scan": (lambda seed: hand_run(seed, 12.0), 100),
+    "in the hand, rotated by 30 deg a scan": (lambda seed: hand_run(seed, 30.0), 100),
+    "in the hand, rotated by 40 deg a scan": (lambda seed: hand_run(seed, 40.0), 100),
 }  # fmt: skip
 
 

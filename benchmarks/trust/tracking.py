@@ -26,7 +26,7 @@ def judge() -> Iterator[Judged]:
     for texture in (0.0, 25.0):
         frames = [corridor_frame(i, texture, is_covered=40 <= i < 70) for i in range(100)]
         name = "texture" if texture else "no texture"
-        yield tracked(f"corridor of like doors, {name}, covered for one door", frames, CAMERA, held_out=False)
+        yield tracked(f"corridor of identical doors, {name}, covered for one door", frames, CAMERA, held_out=False)
     yield tracked("table of balls, once around", [table_frame(i, 100) for i in range(100)], CAMERA, held_out=True)
     try:
         data = loom.open_dataset(real_data("rgbd-7scenes-redkitchen"), every=5)
@@ -58,7 +58,7 @@ def tracked(case: str, frames: Sequence[Any], camera: Any, *, held_out: bool) ->
         rejected += not is_wrong and not result.is_tracked
     counts = slam.status_counts
     message = f"{counts['tracked']} tracked, {counts['uncertain']} uncertain, {counts['lost']} lost"
-    error = f"{100 * worst:.1f} cm at worst, deviation told {100 * sigma:.1f} cm"
+    error = f"{100 * worst:.1f} cm at worst, estimated deviation {100 * sigma:.1f} cm"
     return Judged(AREA, case, count, wrong, accepted, rejected, message, error, held_out=held_out)
 
 

@@ -30,7 +30,7 @@ MIN_COSINE = 0.15  # of the incidence angle
 # [m], [1/m]: the expected residual is DEPTH_NOISE + DEPTH_NOISE_GROWTH z^2
 DEPTH_NOISE, DEPTH_NOISE_GROWTH = 0.003, 0.004
 # Smallest factor of the depth that is reported, and standard deviations beyond it. True poses of ten parts of a kitchen
-# have 0.98 to 1.07. None of 210 walks with 0 to 50 mm of pose noise is reported (2026-11-29).
+# have 0.97 to 1.07. None of 210 walks with 0 to 50 mm of pose noise is reported (2026-11-29).
 MIN_DEPTH_FACTOR, DEPTH_SIGMAS = 1.1, 2.0
 MAX_GAP = 2  # largest difference of the indices of near pairs
 GAUSS_NEWTON_STEPS, MAX_STEP = 10, 0.15  # Gauss-Newton steps, and largest change of a parameter
@@ -171,9 +171,10 @@ def fit_camera(views: ViewPairs) -> CameraFit | None:
 def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> float:
     """The factor of the depth that fits poses T_world_camera better, else 1.
 
-    The translations between views are estimated from their depth alone. Their regression on the given ones is too small
-    by noise of the given ones, and the inverse regression is too large by noise of the estimates. The factor is between
-    both. It is 1 unless both differ from 1 by MIN_DEPTH_FACTOR and DEPTH_SIGMAS deviations, also without any one view.
+    The translations between views are estimated from their depth alone. A regression of the given ones on them has a
+    slope that is too small by their noise, the inverse slope of the other regression is too large by noise of the given
+    ones. The factor is between both. It is 1 unless both differ from 1 by MIN_DEPTH_FACTOR and DEPTH_SIGMAS deviations,
+    also without any one view.
     """
     is_complete = True
     for gap, is_zero in ((len(poses), False), (MAX_GAP, False), (MAX_GAP, True)):
