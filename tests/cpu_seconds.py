@@ -1,6 +1,8 @@
-"""The slowest tests, by the CPU seconds of their process and of its child processes.
+"""The CPU seconds of a run of the tests: the sum in units of a reference workload, and the slowest tests.
 
-Wall-clock seconds would show which tests ran while the machine had other work.
+Wall-clock seconds show which tests ran while the machine had other work, and CPU seconds differ between machines. The
+quotient of the CPU seconds of all processes and those of a fixed workload, measured in the same processes before and
+after their tests, can be compared. `python -m tests.cpu_seconds` prints the seconds of the workload on this machine.
 """
 
 from __future__ import annotations
@@ -10,10 +12,13 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
 import pytest
 
 SHOWN, MIN_SECONDS = 20, 0.3  # tests, and the CPU seconds [s] below which a test is not listed
 SLOW = 1.0  # [s] from which on a test is marked `slow`
+MAX_QUOTIENT = "--max-cpu-quotient"
+REFERENCE = "reference workload"
 
 
 def cpu_seconds() -> tuple[float, float]:
@@ -23,12 +28,40 @@ def cpu_seconds() -> tuple[float, float]:
     return own, children
 
 
+def reference_seconds() -> float:
+    """CPU seconds of the reference workload: Python's compiler, dictionaries, and sorts of NumPy on one core.
+
+    It is the unit of recorded quotients, so a change of it makes them wrong.
+    """
+    begin = cpu_seconds()[0]
+    body = "return [a * {0} + b for c in range(a) if c % 3]"
+    source = "\n".join(f"def f{k}(a, b={k}): {body.format(k)}" for k in range(2_000))
+    words = Counter(source.split())
+    for _ in range(3):
+        compile(source, "reference", "exec")
+        words.update(word for word in source.split() if word in words)
+    numbers = np.random.default_rng(0).random(2_000_000)
+    for _ in range(3):
+        np.sort(numbers)[::2].cumsum()
+    return cpu_seconds()[0] - begin
+
+
 class CpuSeconds:
-    """Takes the seconds where a test runs, and sums them up where the reports come together (pytest -n: elsewhere)."""
+    """Measures the seconds in the process that runs a test, and adds them up in the first process (pytest -n)."""
 
     def __init__(self) -> None:
         self.before = 0.0
-        self.seconds: Counter[str] = Counter()
+        self.seconds: Counter[str] = Counter()  # of tests
+        self.processes: list[float] = []  # seconds of each process that ran tests
+        self.references: list[float] = []  # of the workload, before and after the tests of each process
+
+    def pytest_addoption(self, parser: pytest.Parser) -> None:
+        text = f"with -n: fail if the CPU seconds exceed N times those of the {REFERENCE}"
+        parser.addoption(MAX_QUOTIENT, type=float, metavar="N", help=text)
+
+    def pytest_sessionstart(self, session: pytest.Session) -> None:
+        if hasattr(session.config, "workerinput"):
+            self.references.append(reference_seconds())
 
     def pytest_runtest_logstart(self) -> None:
         self.before = sum(cpu_seconds())
@@ -43,10 +76,47 @@ class CpuSeconds:
     def pytest_runtest_logreport(self, report: Any) -> None:
         self.seconds[report.nodeid] += report.cpu_seconds
 
+    @pytest.hookimpl(wrapper=True)
+    def pytest_sessionfinish(self, session: pytest.Session) -> Iterator[None]:
+        yield  # the first process waits for the others here
+        if hasattr(session.config, "workeroutput"):
+            self.references.append(reference_seconds())
+            session.config.workeroutput["cpu_seconds"] = sum(cpu_seconds()), self.references
+        limit = session.config.getoption(MAX_QUOTIENT)
+        if limit is not None and self.quotient() > limit:
+            session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+    @pytest.hookimpl(optionalhook=True)
+    def pytest_testnodedown(self, node: Any) -> None:
+        seconds, references = getattr(node, "workeroutput", {}).get("cpu_seconds", (0.0, []))
+        self.processes.append(seconds)
+        self.references += references
+
+    def total(self) -> float:
+        """CPU seconds of this process and of those that ran tests."""
+        return cpu_seconds()[0] + sum(self.processes)
+
+    def quotient(self) -> float:
+        """The total in units of the reference workload; 0 without a measurement of it."""
+        return self.total() / np.mean(self.references) if self.references else 0.0
+
     def pytest_terminal_summary(self, terminalreporter: Any) -> None:
         slowest = [(test, spent) for test, spent in self.seconds.most_common(SHOWN) if spent >= MIN_SECONDS]
-        if not slowest:
-            return
-        terminalreporter.section(f"slowest tests, of {self.seconds.total() / 60:.1f} CPU min")
+        if slowest:
+            terminalreporter.section(f"slowest tests, of {self.seconds.total() / 60:.1f} CPU min")
         for test, spent in slowest:
             terminalreporter.write_line(f"{spent:6.1f} s  {test}")
+        if self.references:
+            least, most = min(self.references), max(self.references)
+            terminalreporter.write_line(
+                f"CPU: {self.total():.0f} s, {self.quotient():.0f} times the {REFERENCE} ({least:.2f} to {most:.2f} s)"
+            )
+        limit = terminalreporter.config.getoption(MAX_QUOTIENT)
+        if limit is not None and self.quotient() > limit:
+            terminalreporter.write_line(
+                f"FAILED: expected at most {limit:.0f} times the {REFERENCE}. Use smaller scenes, or mark tests `slow`"
+            )
+
+
+if __name__ == "__main__":
+    print(f"{np.mean([reference_seconds() for _ in range(4)]):.3f}")

@@ -226,11 +226,27 @@ def test_the_slowest_tests_are_listed_in_order(capsys):
     seconds = CpuSeconds()
     for test, spent in (("cheap", 0.1), ("dear", 1.0), ("dearer", 2.0), ("dear", 3.0)):
         seconds.pytest_runtest_logreport(SimpleNamespace(nodeid=test, cpu_seconds=spent))
-    reporter = SimpleNamespace(section=print, write_line=print)
-    seconds.pytest_terminal_summary(reporter)
+    config = SimpleNamespace(getoption=lambda name: None)
+    seconds.pytest_terminal_summary(SimpleNamespace(section=print, write_line=print, config=config))
     assert capsys.readouterr().out.splitlines() == [
         "slowest tests, of 0.1 CPU min", "   4.0 s  dear", "   2.0 s  dearer",
     ]  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("limit", "code"), [("1e6", 0), ("1e-3", 1)])
+def test_more_cpu_seconds_than_allowed_fail_a_run(tmp_path, limit, code):
+    (tmp_path / "conftest.py").write_text(
+        "from tests.cpu_seconds import CpuSeconds\n"
+        "def pytest_addoption(parser, pluginmanager): pluginmanager.register(CpuSeconds())\n"
+    )
+    (tmp_path / "test_suite.py").write_text("def test_a_claim(): assert sum(range(1000)) == 499500\n")
+    (tmp_path / "pyproject.toml").write_text(f'[tool.pytest.ini_options]\npythonpath = ["{ROOT}"]\n' + PLAIN)
+    command = [sys.executable, "-m", "pytest", "-n", "1", "--max-cpu-quotient", limit]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    quotient = re.search(r"CPU: \d+ s, (\d+) times the reference workload", done.stdout)
+    assert quotient and 1 <= int(quotient[1]) < 500, done.stdout
+    assert done.returncode == code and ("FAILED: expected at most" in done.stdout) == bool(code)
 
 
 def test_mutants_name_present_code_and_tests():
