@@ -184,6 +184,7 @@ def test_is_ended(device):
 """
 
 
+@pytest.mark.slow
 def test_failures_are_written_before_a_run_of_tests_ends(tmp_path):
     (tmp_path / "test_two.py").write_text(FAILING)
     inherited = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}

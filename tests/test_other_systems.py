@@ -7,6 +7,8 @@ import os
 import subprocess
 import sys
 
+import pytest
+
 from .test_imports import modules
 
 # Modules of the standard library and of the dependencies are imported before the system is changed: they choose their
@@ -53,6 +55,7 @@ print("threads", loom.core.threads.get_num_threads())
 """
 
 
+@pytest.mark.slow
 def test_every_module_imports_and_points_register_on_a_faked_windows():
     names = [f"pointloom.{path.removesuffix('.py').removesuffix('/__init__').replace('/', '.')}" for path in modules()]
     names = [name for name in names if not name.endswith(("__main__", "_worker"))]

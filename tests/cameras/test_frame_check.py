@@ -76,6 +76,7 @@ def test_small_shifts_and_images_without_edges_are_not_reported():
     assert warnings_of([]) == warnings_of([(images(0)[0], None)]) == ()
 
 
+@pytest.mark.slow
 def test_frames_of_a_long_stream_are_sampled():
     check = FrameCheck(CAMERA, 1000.0)
     for k in range(100):

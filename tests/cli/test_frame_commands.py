@@ -51,6 +51,7 @@ class Still(Wall):
     intrinsic_source, warnings = "made up", ()
 
 
+@pytest.mark.slow
 def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     outputs = ModelOutputs(tmp_path / "mesh.ply", picture=tmp_path / "mesh.png")
     report = fuse_folder(folder, outputs, voxel_size=0.05, device=device).to_dict()
@@ -140,6 +141,7 @@ def shift_poses(folder: Path, shifts) -> None:
         np.savetxt(path, T, fmt="%.17g")
 
 
+@pytest.mark.slow
 def test_inaccurate_poses_are_corrected(sequence_folder, tmp_path, rng, device):
     truth = true_poses(sequence_folder)
     shift_poses(sequence_folder, np.vstack([np.zeros(3), rng.normal(0, 0.015, (7, 3))]))
@@ -154,6 +156,7 @@ def test_inaccurate_poses_are_corrected(sequence_folder, tmp_path, rng, device):
     assert report["files"] == [str(tmp_path / "mesh.ply"), str(tmp_path / "poses.log")]
 
 
+@pytest.mark.slow
 def test_a_pose_that_does_not_fit_is_left_unchanged_and_counted(sequence_folder, tmp_path):
     shift_poses(sequence_folder, [[0, 0, 1.5] if i == 4 else [0, 0, 0] for i in range(8)])
     given = true_poses(sequence_folder)
@@ -368,6 +371,7 @@ def test_the_summary_matches_the_library(scan, tmp_path):
     assert "\n".join(shown.splitlines()[1:-3]) == str(loom.meshing.texture_mesh(bare, frames))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", ["_paint_atlas", "write_triangle_mesh"])
 def test_an_interrupted_texture_continues_and_leaves_only_the_output(scan, tmp_path, monkeypatch, step):
     words = ["texture", scan / "mapped.obj", scan / "room", "--size", "64", "--every", "2", "--device", "cpu"]
@@ -476,6 +480,7 @@ def test_lost_frames_give_an_unreliable_result_with_a_mesh(sequence_folder, tmp_
     assert len(read_triangle_mesh(tmp_path / "mesh.ply")) > 1000
 
 
+@pytest.mark.slow
 def test_a_short_blank_gap_is_a_note(sequence_folder, tmp_path):
     cover(sequence_folder, 5, 6)
     shown = output_of("reconstruct", sequence_folder, "-o", tmp_path / "mesh.ply", *COARSE)
@@ -532,6 +537,7 @@ def test_without_loops_the_surface_is_not_rebuilt():
     assert volume == tracked and account.loop_warnings == ("not converged",)
 
 
+@pytest.mark.slow
 def test_an_unreadable_frame_does_not_shift_other_poses(sequence_folder, tmp_path, made_up):
     made_up([SimpleNamespace(source=1, target=0)])
     path = sequence_folder / "frame-000002.depth.png"

@@ -77,6 +77,7 @@ def test_only_extrapolated_surfaces_are_trimmed(ball, tmp_path, fraction, quanti
     assert report["density_quantile"] == quantile and report["watertight"] is (quantile == 0)
 
 
+@pytest.mark.slow
 def test_an_open_scan_is_unreliable_until_trimmed_at_the_proposed_quantile(tmp_path):
     points = np.random.default_rng(2).normal(size=(4000, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
@@ -435,6 +436,7 @@ def test_two_meshes_are_compared_as_by_the_library(sphere, larger, tmp_path, dev
     assert report["files"] == [str(tmp_path / "map.ply")]
 
 
+@pytest.mark.slow
 def test_a_picture_shows_the_distances_and_their_histogram(sphere, larger, tmp_path, device):
     words = ("--picture", tmp_path / "map.png", "--samples", 1000, "--device", device)
     report = answer("compare-meshes", sphere, larger, *words)

@@ -263,6 +263,7 @@ def test_multiway_registers_all_clouds_into_one_frame(views, tmp_path):
     assert "3 of 3 placed" in printed and "that of view2.ply" in printed and "left out  time" in printed
 
 
+@pytest.mark.slow
 def test_clouds_that_cannot_be_registered_are_unreliable(views, tmp_path, rng):
     loom.write_point_cloud(views / "view5.ply", loom.PointCloud(rng.random((4000, 3))))
     report = unreliable("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--loops", 3)
@@ -295,6 +296,7 @@ def test_multiway_rejects_invalid_calls_first(views, tmp_path):
     assert names_in(tmp_path) == ["views"]
 
 
+@pytest.mark.slow
 def test_a_job_gives_the_poses_of_one_process_and_the_status_of_each_pair(views, tmp_path, rng):
     loom.write_point_cloud(views / "view20.ply", loom.PointCloud(rng.random((4000, 3))))
     initial = loom.Trajectory(np.array(POSES), ids=np.array([[k, k, 3] for k in range(3)]))
@@ -400,6 +402,7 @@ def test_map_shows_its_page_until_it_is_closed(drive, tmp_path, monkeypatch):
     assert shown == [(["map/0", "path"], True)] and "viewer: http://127.0.0.1" in result.stderr
 
 
+@pytest.mark.slow
 def test_map_takes_positions_and_continues_a_map(drive, tmp_path):
     submaps, positions, cloud = tmp_path / "submaps", tmp_path / "gnss.csv", tmp_path / "map.ply"
     rows = [(k, 100 + T[0, 3], 200 + T[1, 3], 5 + T[2, 3], 0.01) for k, T in enumerate(path_of(5))]
@@ -532,6 +535,7 @@ def files(tmp_path_factory):
     return folder
 
 
+@pytest.mark.slow
 def test_scans_are_written_with_their_poses_and_a_report(files):
     words = ["--targets", files / "right.csv", "--control", files / "control.csv", "--voxel", 0.3, "--force"]
     words += ["-o", files / "out.e57", "--report", files / "report"]
@@ -664,6 +668,7 @@ def test_segments_and_relative_errors_are_printed_if_the_trajectory_is_long_enou
     assert "RPE       none: too few poses" in run("evaluate", tmp_path / "a.log", tmp_path / "a.log").stdout
 
 
+@pytest.mark.slow
 def test_a_picture_shows_the_aligned_estimate(paths, tmp_path):
     answer("evaluate", *paths, "--alignment", "sim3", "--picture", tmp_path / "path.png")
     estimate, truth = map(read_trajectory, paths)

@@ -66,6 +66,7 @@ def plan_with(job, call):
     assert run("tile", "plan", "survey", "--steps", "own.toml", "-o", "job", "--size", "20").exit_code == 0
 
 
+@pytest.mark.slow
 def test_the_commands_match_the_functions(job):
     report = answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "10")
     assert (report["command"], report["waiting"], report["sources_waiting"]) == ("tile plan", 25, 2)

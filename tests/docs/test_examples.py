@@ -25,6 +25,7 @@ def run_example(path, folder, monkeypatch):
     assert set(path.parent.glob("*.*")) == before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", CHAPTERS_BY_TIME, ids=lambda path: path.stem)
 def test_the_chapter_runs(path, tmp_path, monkeypatch):
     run_example(path, tmp_path, monkeypatch)

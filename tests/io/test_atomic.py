@@ -310,6 +310,7 @@ with atomic_folder(sys.argv[1], "marker") as folder:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("reader", ["restore", "write"])
 def test_a_folder_survives_a_kill_at_each_step_of_its_replacement(tmp_path, reader):
     ends = set()

@@ -328,6 +328,7 @@ print(sorted(ends))
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("error", ["KeyboardInterrupt", "MemoryError"])
 def test_an_exception_at_any_point_of_the_writing_leaves_the_process_alive(tmp_path, error):
     code = INTERRUPTED.replace("ERROR", error)

@@ -184,6 +184,7 @@ print(hashlib.sha256((A @ A.transpose(0, 2, 1)).tobytes()).hexdigest())
 """
 
 
+@pytest.mark.slow
 def test_results_do_not_depend_on_the_kernels_of_blas():
     lines = []
     for kernels in ("Prescott", "Haswell"):

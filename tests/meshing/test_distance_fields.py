@@ -191,6 +191,7 @@ def test_empty_space_is_at_infinite_or_maximum_distance(device):
         loom.draw_slice(empty.slice("z", 0))
 
 
+@pytest.mark.slow
 def test_a_slice_and_its_image_match_the_array(scan):
     field = field_of(scan[:-2], "cpu")
     layer = field.slice("y", UTM[1] + 4.2)

@@ -57,6 +57,7 @@ def test_a_displacement_is_measured_and_its_correction_undoes_it(device, corner,
         assert again.aligned and again.displacement < 0.15 * check.displacement
 
 
+@pytest.mark.slow
 def test_the_covariance_covers_the_errors_of_samplings(rng):
     """At the true pose the distance has about the distribution of six deviations, and it grows with a displacement."""
     distances = [assess(*pair(rng), np.eye(4), 0.15).alignment.distance for _ in range(12)]
@@ -92,6 +93,7 @@ def test_the_default_distance_is_chosen_from_the_clouds(rng):
     assert not assess(source, target, as_pose([0, 0, 0], [0.05, 0.05, 0.05])).alignment.aligned
 
 
+@pytest.mark.slow
 def test_the_result_is_the_same_on_each_run_and_either_way(device, rng):
     source, target = pair(rng, device)
     wrong = as_pose([0.005, 0, 0], [0.02, 0.01, 0])

@@ -36,6 +36,7 @@ def followed(shaken):
     return follow(shaken, shaken.readings)
 
 
+@pytest.mark.slow
 def test_a_shaken_scanner_is_followed_only_with_the_imu(shaken, followed):
     errors, alone = shaken.errors(followed), shaken.errors(follow(shaken))
     assert errors.rotation.max() < 0.5 and errors.position.max() < 0.04 and followed.summary.reliable
@@ -52,6 +53,7 @@ def map_thickness(drive, readings=None):
     return np.percentile(surface_distances(slam.map.points @ T[:3, :3].T + T[:3, 3]), 90)
 
 
+@pytest.mark.slow
 def test_the_map_of_a_shaken_scanner_is_as_thin_as_that_of_a_smooth_path():
     smooth, shaken = Drive(16, positions=stroll), Drive(16, shake(250), stroll)
     thin = map_thickness(shaken, shaken.readings)
@@ -80,6 +82,7 @@ def test_an_imu_at_rest_changes_nothing_material():
     assert with_imu.summary.reliable and np.degrees(np.arccos(with_imu.up[2])) < 0.3
 
 
+@pytest.mark.slow
 def test_a_rotated_imu_beside_the_scanner_needs_its_pose():
     T = as_pose(np.radians([180.0, 0.0, 30.0]), [0.3, -0.2, 0.1])
     drive = Drive(16, shake(100), stroll, T_sensor_imu=T)

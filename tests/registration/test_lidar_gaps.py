@@ -37,11 +37,13 @@ def test_the_path_is_right_after_missing_scans(device, missing, has_times):
     assert odometry.steps[BEFORE].gap == pytest.approx(missing + 1, rel=0.02)
 
 
+@pytest.mark.slow
 def test_a_drive_that_began_in_a_gap_is_found(device):
     _, error = drive(random_street(3), device, 5, speed_before=0.0)
     assert error < 0.1
 
 
+@pytest.mark.slow
 def test_a_gap_too_long_to_be_searched_is_reported(device):
     odometry, error = drive(random_street(1), device, 70)
     assert error > 5 and not odometry.summary.reliable
@@ -55,6 +57,7 @@ def test_equal_houses_after_a_known_gap_are_reported_as_ambiguous(device):
     assert error < 0.1  # of equal poses, the nearest to that of constant velocity
 
 
+@pytest.mark.slow
 def test_a_drive_without_gaps_is_not_changed_by_times(device):
     scene = random_street(0)
     timed, untimed = (drive(scene, device, 0, has_times=has_times)[0] for has_times in (True, False))
@@ -62,6 +65,7 @@ def test_a_drive_without_gaps_is_not_changed_by_times(device):
     assert timed.summary.gaps == timed.summary.doubtful == ()
 
 
+@pytest.mark.slow
 def test_times_that_run_backward_or_repeat_are_reported(device):
     scene = random_street(0)
     odometry = LidarOdometry(max_range=40.0, min_range=0.5)
@@ -73,6 +77,7 @@ def test_times_that_run_backward_or_repeat_are_reported(device):
     assert "its time is not after that of the last scan" in odometry.steps[4].warnings
 
 
+@pytest.mark.slow
 def test_point_times_show_gaps_if_they_grow_from_scan_to_scan(device):
     scene = random_street(7)
     for is_absolute in (True, False):

@@ -88,6 +88,7 @@ def wood_scan(rng, trunks, position):
     return points + rng.normal(0, 0.01, points.shape)
 
 
+@pytest.mark.slow
 def test_the_ground_in_distant_rings_holds_the_height_and_the_tilt(device):
     for seed in range(3):
         rng = np.random.default_rng(seed)

@@ -173,6 +173,7 @@ def test_a_stationary_scanner_among_moving_objects_is_reported():
     assert summarize_steps(steps(0.98)).reliable and summarize_steps(steps(0.95, 0.5)).reliable
 
 
+@pytest.mark.slow
 def test_ground_that_moves_within_walls_that_move_along_contradicts_a_stationary_scanner(device, rng):
     floor, wall = rng.uniform(-5, 5, (6000, 2)), rng.uniform([-5, -5, -1], [5, 5, 1], (3000, 3))
     wall[:, 1] = np.where(wall[:, 1] > 0, 5.0, -5.0)
@@ -244,6 +245,7 @@ def slow_scan(rng, shift):
     return np.concatenate([wall, poles]) + rng.normal(0, 0.005, (2600, 3))
 
 
+@pytest.mark.slow
 def test_surroundings_that_move_slowly_with_the_scanner_are_detected_by_the_scan_at_the_start_of_the_rest(device, rng):
     moving = run([slow_scan(rng, 0.1 * k) for k in range(12)], device)
     assert np.abs(moving.poses[:, :3, 3]).max() < 0.05

@@ -77,6 +77,7 @@ def test_an_opened_map_is_the_saved_one(first_map, around):
     assert opened.summary.session_count == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["overlap", "opposite"])
 def test_a_second_session_joins_the_map(around, folder, kind):
     """The second drive begins elsewhere, in the same direction or in the other."""
@@ -94,6 +95,7 @@ def test_a_second_session_joins_the_map(around, folder, kind):
     assert third.is_joined and abs(len(third.map) - len(slam.map)) < 0.02 * len(slam.map)
 
 
+@pytest.mark.slow
 def test_a_session_elsewhere_stays_separate(first_map, around, folder):
     other = make_drive(AROUND[:4], seed=11)
     slam = session(other, folder, opened=True)
@@ -113,6 +115,7 @@ def test_a_session_elsewhere_stays_separate(first_map, around, folder):
     assert np.array_equal(reopened.map.points, LidarSLAM.open(first_map[0]).map.points)  # without the separate part
 
 
+@pytest.mark.slow
 def test_equal_blocks_do_not_join_sessions(tmp_path):
     """Each street of the second drive looks like several of the first."""
     drives = [make_drive(crossings, alike=True) for crossings in ([(0, 1), (2, 1)], [(0, 2), (2, 2)])]
@@ -141,6 +144,7 @@ def test_a_new_map_does_not_overwrite_one(folder):
         LidarSLAM(folder=folder, **SIZES)
 
 
+@pytest.mark.slow
 def test_sizes_of_the_map_are_kept(folder):
     slam = LidarSLAM.open(folder, min_range=2.0, deskew=False)
     assert (slam.odometry.max_range, slam.submap_length, slam.odometry.min_range) == (40.0, 10.0, 2.0)
@@ -194,6 +198,7 @@ def test_truncated_and_missing_files_are_named(folder, name):
         LidarSLAM.open(folder)
 
 
+@pytest.mark.slow
 def test_an_interruption_at_any_write_leaves_a_map_that_opens(around, folder, monkeypatch):
     """Ctrl-C while a file is written: the files of the last finished submap are there."""
     known, drive = len(LidarSLAM.open(folder).submaps), part_of(around, 60, 110)

@@ -130,6 +130,7 @@ def test_a_loop_around_a_block_removes_most_of_the_drift(mapped, around):
     assert all(loop.source - loop.target > 5 and loop.score > 0.5 for loop in accepted)
 
 
+@pytest.mark.slow
 def test_the_map_of_a_loop_is_not_doubled(mapped, around):
     """Walls along the street that was driven twice: thin in the map."""
     walls = make_blocks((3, 3), BLOCK, STREET, 3)
@@ -165,6 +166,7 @@ def test_submaps_are_small_and_cover_all_scans(mapped):
     assert len(submaps[2].cloud) == submaps[2].point_count
 
 
+@pytest.mark.slow
 def test_a_return_in_the_opposite_lane_is_found(monkeypatch):
     drive = make_drive(OPPOSITE)
     slam = slam_of(monkeypatch, drive, HEADING_DRIFT)
@@ -181,6 +183,7 @@ def test_a_return_in_the_opposite_lane_is_found(monkeypatch):
     assert after[-1] < 0.3 * before[-1]
 
 
+@pytest.mark.slow
 def test_blocks_that_look_alike_give_no_false_loop(monkeypatch):
     """All blocks are equal, and the path never returns: each pair of streets is an alternative."""
     drive = make_drive([(0, 1), (2, 1), (2, 2)], alike=True)
@@ -192,6 +195,7 @@ def test_blocks_that_look_alike_give_no_false_loop(monkeypatch):
     assert slam.summary.notes and np.allclose(slam.poses, slam.odometry.poses, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_an_unknown_drift_needs_loops_that_agree(monkeypatch, around):
     """A drift beyond the covariances: the first loops wait, later ones confirm them."""
     slam = slam_of(monkeypatch, around, [0, 0, 0.0004, 0, 0.02, 0.0], sigma=[1e-5] * 3 + [1e-4] * 3)
@@ -213,6 +217,7 @@ def scans_at(drive, index, count=6):
     return loom.PointCloud(np.concatenate(parts))
 
 
+@pytest.mark.slow
 def test_localize_finds_scans_at_any_heading(mapped, around):
     truth = truth_of(around)
     for index, angle in ((30, 2.0), (75, -1.0)):
@@ -224,12 +229,14 @@ def test_localize_finds_scans_at_any_heading(mapped, around):
         assert found.to_dict()["reliable"] and "score" in str(found)
 
 
+@pytest.mark.slow
 def test_localize_rejects_another_place(mapped):
     other = make_drive([(1, 1), (2, 1)], seed=11)
     found = mapped.localize(scans_at(other, 20))
     assert not found.reliable and found.warnings
 
 
+@pytest.mark.slow
 def test_submaps_on_disk_give_the_same_result(monkeypatch, around, mapped, tmp_path):
     slam = slam_of(monkeypatch, around, HEADING_DRIFT, folder=tmp_path / "map")
     for cloud in around.clouds():
@@ -243,6 +250,7 @@ def test_submaps_on_disk_give_the_same_result(monkeypatch, around, mapped, tmp_p
             submap.cloud  # noqa: B018
 
 
+@pytest.mark.slow
 def test_an_interrupted_search_continues_with_the_next_call(monkeypatch, around, mapped):
     slam = slam_of(monkeypatch, around, HEADING_DRIFT)
     find, interrupted = lidar_slam.find_loops, []
@@ -263,6 +271,7 @@ def test_an_interrupted_search_continues_with_the_next_call(monkeypatch, around,
     assert np.array_equal(slam.poses, mapped.poses)
 
 
+@pytest.mark.slow
 def test_without_loops_poses_are_those_of_the_odometry():
     drive = make_drive([(1, 1), (2, 1)])
     slam, odometry = LidarSLAM(**SIZES), LidarOdometry(max_range=40.0, min_range=1.5)
@@ -273,6 +282,7 @@ def test_without_loops_poses_are_those_of_the_odometry():
     assert len(slam.map) > 1000 and slam.submaps and "12 scans" in repr(slam)
 
 
+@pytest.mark.slow
 def test_finish_searches_the_loops_of_the_open_submap(monkeypatch, around, mapped):
     slam = slam_of(monkeypatch, around, HEADING_DRIFT)
     count = mapped.submaps[-1].first_scan + 7  # 8.4 m of 10
@@ -305,6 +315,7 @@ def test_wrong_arguments():
         __import__("copy").deepcopy(slam)
 
 
+@pytest.mark.slow
 def test_a_viewer_shows_the_submaps_the_path_and_the_loops(monkeypatch, around):
     slam = slam_of(monkeypatch, around, HEADING_DRIFT)
     changes, scans = [], around.clouds()

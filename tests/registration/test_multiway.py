@@ -225,6 +225,7 @@ def test_a_single_pair_has_the_covariance_of_its_pose(device, rng):
     assert (result.pose_covariances(clouds)[1].matrix == other.matrix).all()
 
 
+@pytest.mark.slow
 def test_two_thirds_of_the_errors_are_within_one_standard_deviation(rng):
     sizes = []
     for _ in range(4):

@@ -68,6 +68,7 @@ def test_twists_and_expansions_are_recovered(device):
         assert np.median(errors_of(result, truth)) < 0.07 and result.rmse < 0.006 and result.reliable
 
 
+@pytest.mark.slow
 @LONG
 def test_a_partial_scan_deforms_the_visible_part(device, swaying):
     body, scan, truth = swaying

@@ -37,6 +37,7 @@ def whitened(error, covariance):
     return np.linalg.solve(np.linalg.cholesky(covariance.matrix), motion)
 
 
+@pytest.mark.slow
 def test_two_thirds_of_the_errors_are_within_one_standard_deviation(rng):
     sizes = []
     for count in (3000, 6000, 12_000) * 4:
@@ -46,6 +47,7 @@ def test_two_thirds_of_the_errors_are_within_one_standard_deviation(rng):
     assert 0.5 < within[0] < 0.9 and within[1] > 0.85 and within[2] == 1
 
 
+@pytest.mark.slow
 def test_it_is_positive_definite_shrinks_with_points_and_grows_with_noise(device, rng):
     sigmas = []
     for count, noise in ((40_000, 0.0), (4000, 0.0), (4000, 0.02)):

@@ -76,6 +76,7 @@ def test_the_frame_of_the_positions_is_estimated(located, around):
     assert np.array_equal(located.poses[0], np.eye(4))  # the world is that of the first scan
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["single", "consecutive"])
 def test_wrong_positions_are_refused_and_bend_nothing(around, located, kind):
     count = len(around.poses)
@@ -90,6 +91,7 @@ def test_wrong_positions_are_refused_and_bend_nothing(around, located, kind):
     assert shape_error(slam.poses, around) < shape_error(located.poses, around) + 0.2
 
 
+@pytest.mark.slow
 def test_a_tunnel_without_positions(around):
     count = len(around.poses)
     rows = np.concatenate([np.arange(int(0.3 * count)), np.arange(int(0.6 * count), count)])
@@ -97,15 +99,18 @@ def test_a_tunnel_without_positions(around):
     assert slam.summary.positions.used > 0.95 * len(rows) and shape_error(slam.poses, around) < 0.9
 
 
+@pytest.mark.slow
 def test_exact_positions_give_the_exact_path(around):
     slam = mapped(around, readings_of(around, sigma=0.02))
     assert shape_error(slam.poses, around) < 0.1 and slam.summary.positions.refused <= 0.02 * len(around.poses)
 
 
+@pytest.mark.slow
 def test_a_run_is_bitwise_reproducible(around, located):
     assert np.array_equal(mapped(around, readings_of(around)).poses, located.poses)
 
 
+@pytest.mark.slow
 def test_times_between_scans_are_interpolated(around):
     """Positions halfway between scans, on a clock of their own."""
     truth = truth_of(around)
@@ -122,6 +127,7 @@ def test_fast_positions_weigh_as_one_per_second():
     assert slow.shares.tolist() == [1.0] * 5 and np.isclose(fast.shares.sum(), 5.9)
 
 
+@pytest.mark.slow
 def test_positions_that_contradict_the_map_are_reported(around):
     rng = np.random.default_rng(0)
     count = len(around.poses)

@@ -69,6 +69,7 @@ def test_the_correct_pose_is_accepted_at_partial_overlap(device, rng, fraction):
     assert rate(source, loom.PointCloud(right, device=device), T, 0.12) > 0.9
 
 
+@pytest.mark.slow
 def test_a_slightly_wrong_pose_is_accepted_and_a_worse_one_is_not(device, rng):
     clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
     for shift in ((0.3, 0, 0), (0, 0.4, 0), (0, 0, 0.3)):
@@ -98,6 +99,7 @@ def test_underconstrained_poses_are_rejected(device, rng):
         assert rate(cloud, cloud, np.eye(4), 0.12) < 0.3
 
 
+@pytest.mark.slow
 def test_objects_in_a_corner_distinguish_a_room(device, rng):
     bare, one, again, other = (loom.PointCloud(corner(rng, b), device=device) for b in ((), ONE, ONE, OTHER))
     for source, target in ((one, bare), (bare, one), (one, other)):

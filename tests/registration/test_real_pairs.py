@@ -73,6 +73,7 @@ def test_lidar_scans_converge_near_the_truth(device, street_pair, street, angle_
     assert shift_between(result.transformation, street_pair.T) < distance
 
 
+@pytest.mark.slow
 def test_lidar_scans_converge_to_one_pose_from_any_start(street_pair, street, angle_between, tolerances):
     ends = [register(*street, voxel_size=0.5, distance=1.0, start=start_pose(seed, 20.0))[0] for seed in range(2)]
     for end in ends:

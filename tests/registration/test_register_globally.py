@@ -157,6 +157,7 @@ def staircase(rng, first, count):
     return start[face] + u * a[face] + v * b[face] + STEP * first + rng.normal(0, 0.003, (30000, 3))
 
 
+@pytest.mark.slow
 def test_a_staircase_moved_by_a_step_is_an_alternative(device, rng):
     clouds = [loom.PointCloud(staircase(rng, *steps), device=device) for steps in ((0, 4), (-1, 6))]
     result = reg.register_globally(*clouds, voxel_size=0.05)

@@ -241,6 +241,7 @@ def test_errors_that_are_common_to_a_pair_and_the_factor_of_pairs_add():
     np.testing.assert_allclose(thrice, 9 * once, rtol=1e-9, atol=1e-18)
 
 
+@pytest.mark.slow
 def test_exchanged_names_are_named():
     truth, observed, first = survey(1, level=True)
     swapped = {"A": "B", "B": "A"}

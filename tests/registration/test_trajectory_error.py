@@ -346,6 +346,7 @@ def test_a_fit_to_a_fraction_of_the_positions_is_unreliable(chosen, unknown, mes
     assert fit.to_dict()["warnings"] == [*fit.warnings]
 
 
+@pytest.mark.slow
 def test_the_rotation_uncertainty_matches_many_trials():
     """About the axis of an almost straight path it is large, and the reported value matches."""
     model = curved_path(30)

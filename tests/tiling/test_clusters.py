@@ -172,6 +172,7 @@ for name, change in changes.items():
 """
 
 
+@pytest.mark.slow
 def test_border_data_that_another_program_changes_are_an_error(tmp_path):
     """In another process: with memory maps, the first change ended it (SIGBUS)."""
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}

@@ -79,6 +79,7 @@ def moved(frames, shift):
     return frames
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 def test_cubes_of_any_size_match_one_volume(device, frames, expected, tmp_path, size):
     np.testing.assert_array_equal(triangles_of(by_cubes(frames, tmp_path / "job", device=device, size=size)), expected)
@@ -127,6 +128,7 @@ def test_parts_match_bitwise_at_their_borders(frames, expected, tmp_path):
         loom.tiling.finish_fusion(job, frames)
 
 
+@pytest.mark.slow
 def test_a_cube_contains_its_blocks_and_one_layer_around_them(frames, tmp_path, monkeypatch):
     """Only one cube is in memory, and each frame is read only for the cubes that it touches."""
     block_counts, read = [], Counter()

@@ -90,6 +90,7 @@ def assert_same(result, expected):
         np.testing.assert_array_equal(actual.information, other.information)
 
 
+@pytest.mark.slow
 def test_scans_are_registered_as_in_memory_and_every_pair_has_a_status(device, surveyed, expected, tmp_path):
     result = by_tasks(surveyed[0], tmp_path / "job", device)
     assert result.placed.tolist() == [True, True, True, False]

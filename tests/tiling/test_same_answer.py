@@ -89,6 +89,7 @@ def test_smoothed_tiles_of_a_device_match_the_cpu_within_two_micrometers(device,
     assert np.abs(by_time[0] - by_time[1])[:, :3].max() * STEP <= 2e-6
 
 
+@pytest.mark.slow
 def test_a_too_small_halo_is_doubled(files, tmp_path, monkeypatch):
     init = work_tile.Plan.__init__
 

@@ -1,6 +1,8 @@
 """CPU kernels that were compiled ahead: used without compiling, or replaced by compiling."""
 
+import hashlib
 import json
+import logging
 import os
 import shutil
 import subprocess
@@ -54,26 +56,87 @@ def run(archive: Path, home: Path) -> tuple[list[str], list[Path]]:
     return done.stdout.splitlines(), list(home.rglob("*"))
 
 
+@pytest.mark.slow
 def test_nothing_is_compiled_or_written(archive, tmp_path):
     assert run(archive, tmp_path / "home") == ([BOX], [])
 
 
-@pytest.mark.parametrize("damage", ["cut off", "flipped", "not JSON", "other kernels"])
-def test_damaged_code_is_compiled_with_one_log_record(archive, damage, tmp_path):
+DAMAGES = ["cut off", "flipped", "not JSON", "other kernels"]
+PARTS = ["Warp", "flags", "header", "sources of kernels"]
+
+
+def damage_code(archive: Path, damage: str) -> None:
     code, table = archive / "arrays.bounds.o", archive / "arrays.bounds.json"
     if damage in ("cut off", "flipped"):
         content = code.read_bytes()
         code.write_bytes(content[:-100] if damage == "cut off" else content[:-100] + bytes(100))
     else:
         table.write_text("{" if damage == "not JSON" else '{"sha256": ""}')
+
+
+def change_manifest(archive: Path, name: str) -> None:
+    manifest = archive / cpu_archive.MANIFEST
+    manifest.write_text(json.dumps(json.loads(manifest.read_text()) | {name: "other"}))
+
+
+@pytest.fixture
+def stored(tmp_path, monkeypatch, caplog):
+    """An archive with the entry of one kernel, whose machine code is not run, and the messages that it causes."""
+    archive = tmp_path / "compiled" / cpu_archive.level_of_processor()
+    archive.mkdir(parents=True)
+    content = bytes(range(1, 201))
+    (archive / "arrays.bounds.o").write_bytes(content)
+    table = {"sha256": hashlib.sha256(content).hexdigest(), "kernels": {"a_kernel": [[], "a", "P", "symbol"]}}
+    (archive / "arrays.bounds.json").write_text(json.dumps(table))
+    (archive / cpu_archive.MANIFEST).write_text(json.dumps(cpu_archive.made_from()))
+    monkeypatch.setenv(cpu_archive.VARIABLE, str(archive.parent))
+    caplog.set_level(logging.INFO, "pointloom")
+
+    def find():
+        for cached in (cpu_archive._folder, cpu_archive._read):
+            cached.cache_clear()
+        caplog.clear()
+        return cpu_archive.entry_of(MODULES[1], "a_kernel"), caplog.messages
+
+    yield archive, find
+    monkeypatch.undo()
+    for cached in (cpu_archive._folder, cpu_archive._read):
+        cached.cache_clear()
+
+
+def test_the_entry_of_a_kernel_names_its_machine_code(stored):
+    archive, find = stored
+    assert find() == ([[], "a", "P", "symbol", str(archive / "arrays.bounds.o")], [])
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_damaged_code_has_no_entry_and_one_log_record(stored, damage):
+    archive, find = stored
+    damage_code(archive, damage)
+    entry, messages = find()
+    assert entry is None and len(messages) == 1 and "damaged" in messages[0]
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_code_made_from_other_sources_has_no_entry(stored, name):
+    archive, find = stored
+    change_manifest(archive, name)
+    entry, messages = find()
+    assert entry is None and len(messages) == 1 and f"made from other {name}:" in messages[0]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_damaged_code_is_compiled_with_one_log_record(archive, damage, tmp_path):
+    damage_code(archive, damage)
     lines, files = run(archive, tmp_path / "home")
     assert ["damaged" in line for line in lines].count(True) == 1 and lines[-1] == BOX and files
 
 
-@pytest.mark.parametrize("name", ["Warp", "flags", "header", "sources of kernels"])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PARTS)
 def test_code_made_from_other_sources_is_not_used(archive, name, tmp_path):
-    manifest = archive / cpu_archive.MANIFEST
-    manifest.write_text(json.dumps(json.loads(manifest.read_text()) | {name: "other"}))
+    change_manifest(archive, name)
     lines, files = run(archive, tmp_path / "home")
     assert f"made from other {name}" in lines[0] and lines[-1] == BOX and files
 

@@ -301,6 +301,7 @@ raise KeyboardInterrupt
 """
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_a_program_during_launches():
     """Python drops exceptions of `__del__` and of weak references: no code of pointloom may lose an interrupt so."""
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}

@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 import numpy as np
+import pytest
 import warp as wp
 
 from pointloom.kernels import lang
@@ -53,6 +54,7 @@ def test_elements_have_the_expected_offsets(device):
     np.testing.assert_array_equal(download(ends), [15, 0, 5])
 
 
+@pytest.mark.slow
 def test_no_element_costs_a_product_of_64_bits(tmp_path):
     lang.resolve_module(__name__)
     (module,) = modules_for_cuda(__name__)

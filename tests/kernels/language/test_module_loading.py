@@ -156,6 +156,7 @@ assert of_first == set(kernels) and len(kernels) == 3, (of_first, set(kernels))
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("first", ["average_distances_kernel", "sum_finite"])
 def test_the_first_launch_prepares_all_kernels_of_its_module_for_gpus(first):
     """Else the module is compiled again for the next one, and code that was compiled ahead does not match."""

@@ -74,6 +74,7 @@ def test_the_triangles_are_those_of_brute_force(device, rng, count, thickness, r
     assert len(faces) == len(expected) > 0 and as_set(faces) == expected
 
 
+@pytest.mark.slow
 def test_a_ball_nearly_as_large_as_a_sphere_of_points_finds_the_triangles_of_brute_force(device, rng):
     """Each point has more possible corners than those of which all pairs are tested."""
     points = rng.normal(size=(90, 3))

@@ -262,6 +262,7 @@ def as_grid(values, level):
     return grid
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("depth", [1, 3])
 def test_right_hand_sides_are_integrals_over_the_cube(device, tolerances, depth):
     """Of V against each function's gradient; V of coarser levels goes from corner to corner of the next in a line."""

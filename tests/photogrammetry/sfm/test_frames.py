@@ -249,6 +249,7 @@ def test_large_frames_are_scaled_while_they_are_decoded(make_video, panned, tmp_
     assert np.abs(written - panned[choice.numbers[0]]).mean() < 12
 
 
+@pytest.mark.slow
 def test_without_ffmpeg_opencv_reads_videos(make_video, panned, tmp_path, monkeypatch):
     video = make_video("v.mp4", panned)
     monkeypatch.setattr(video_files, "_ffmpeg", lambda: False)

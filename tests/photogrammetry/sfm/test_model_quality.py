@@ -258,6 +258,7 @@ def test_two_equal_objects_are_no_repetition(tmp_path):
     assert check.repeating_count == 0 and check.reasons() == []
 
 
+@pytest.mark.slow
 def test_patches_of_one_texture_are_no_repetition(tmp_path):
     """Such as gravel or text: similar features, but none has a copy at a common shift."""
     objects = with_objects(1.2, count=150, kinds=60)
@@ -415,6 +416,7 @@ def results(tmp_path_factory) -> dict:
     return json.loads(done.stdout.splitlines()[-1])
 
 
+@pytest.mark.slow
 def test_sideways_motion_determines_the_focal_length_and_forward_motion_does_not(results):
     assert results["around"]["rise"] > 0.1 and results["around"]["found"] == pytest.approx(FOCAL, rel=0.01)
     assert results["ahead"]["rise"] < 0.002

@@ -298,6 +298,7 @@ def test_masks_that_do_not_fit_are_named(panned, tmp_path):
     assert not (tmp_path / "out").exists() and not (tmp_path / "out_masks").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_no_feature_is_detected_in_black_mask_pixels(scene_images, tmp_path):
     images = write_images(tmp_path / "in", scene_images[:2], ["a.png", "b.png"])

@@ -129,6 +129,7 @@ def test_a_camera_that_only_rotates_is_reported(tmp_path):
     assert "move instead of only rotating" in str(result.warnings)
 
 
+@pytest.mark.slow
 def test_blank_images_give_no_model_but_a_warning(tmp_path):
     images = write_images(tmp_path / "images", [np.full((64, 96), 40 * k, np.uint8) for k in range(3)])
     features = find_features(images, tmp_path / "f.db")

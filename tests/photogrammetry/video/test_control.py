@@ -147,6 +147,7 @@ def test_points_less_accurate_than_stated_are_reported():
     assert "times the stated accuracy" in str(fit)
 
 
+@pytest.mark.slow
 def test_a_wrong_mark_is_excluded_and_named():
     marks = marks_of(POSES, POINTS, noise=0.2)
     k = next(k for k, mark in enumerate(marks) if mark.point == "B")
@@ -261,6 +262,7 @@ def test_one_wrong_bar_of_three_is_excluded_and_two_contradicting_ones_are_repor
     assert {each.use for each in fit.control.bars} == {"control"}
 
 
+@pytest.mark.slow
 def test_bars_beside_points_sharpen_the_scale_and_a_wrong_one_is_named():
     bars = [bar("A", "C", sigma=1e-4), bar("B", "D", sigma=1e-4)]
     plain, sharp = fit_control(noise=0.5), fit_control(noise=0.5, bars=bars)

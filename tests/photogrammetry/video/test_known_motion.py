@@ -208,6 +208,7 @@ def test_masks_are_straightened_with_images_whose_lens_colmap_does_not_have(tmp_
     assert mask[5:-5, 2 : border - 1].min() == 255 and mask[:, border + 2 :].max() == 0
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_posed_images_have_no_feature_in_black_mask_pixels(tmp_path):
     images = [image(T) for T in camera_path(2)]

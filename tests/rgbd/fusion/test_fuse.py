@@ -107,6 +107,7 @@ def test_refined_frames_in_a_wrong_unit_are_compared_with_the_given_poses():
     assert result.depth_factor == pytest.approx(1.25, rel=0.02) and not result.reliable
 
 
+@pytest.mark.slow
 def test_noise_of_poses_is_no_depth_scale():
     for seed in range(3):
         frames = Turning()
@@ -115,6 +116,7 @@ def test_noise_of_poses_is_no_depth_scale():
         assert loom.rgbd.fuse(frames, voxel_size=VOXEL).depth_factor == 1.0
 
 
+@pytest.mark.slow
 def test_frames_off_the_refined_surface_are_reported():
     frames = Turning()
     assert loom.rgbd.fuse(frames, voxel_size=VOXEL, refine=True).reliable

@@ -78,6 +78,7 @@ def test_the_surface_is_written_as_points_on_request(completed_run, job):
     assert str(job / "slac" / "output_slac_pointcloud.ply") in again.files
 
 
+@pytest.mark.slow
 def test_frames_go_through_the_grid(completed_run):
     folder, report, _ = completed_run
     settings, sequence = SETTINGS, deformed_sequence()

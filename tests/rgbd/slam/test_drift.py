@@ -243,6 +243,7 @@ def fitted(views, poses):
     return fit_camera(ViewPairs(views, poses, rotated_pairs(poses)))
 
 
+@pytest.mark.slow
 def test_a_floor_alone_does_not_determine_the_camera():
     turns = np.arange(10)
     views, poses, K = noisy_views(0.25 * turns, -0.9 + 0.2 * np.sin(1.7 * turns), 0.1, 0.004, seed=3)
@@ -251,6 +252,7 @@ def test_a_floor_alone_does_not_determine_the_camera():
     assert assess_camera(views, poses, K) is None
 
 
+@pytest.mark.slow
 def test_noise_of_depth_makes_the_focal_length_hardly_longer():
     """By 0.019 with derivatives at the planes themselves."""
     turns, walls = np.arange(10), [(0, 2.5)]

@@ -145,6 +145,7 @@ def moved(*shift: float):
     return T
 
 
+@pytest.mark.slow
 def test_a_map_that_is_lost_immediately_is_discarded(device, monkeypatch):
     monkeypatch.setattr(maps, "LOST_FOR_LONG", 1)
     slam = begun(device)
@@ -184,6 +185,7 @@ class Away:
         return frame(self.seen[index])
 
 
+@pytest.mark.slow
 def test_a_path_reports_poses_in_a_separate_map():
     path = loom.rgbd.track(Away(), voxel_size=0.04)
     assert path.trajectory.ids[:, 0].tolist() == list(range(8, 13))

@@ -57,6 +57,7 @@ def test_a_similar_location_is_never_accepted_wrongly(device):
                 assert abs(result.pose[0, 3] - STEP * result.index) < 0.05
 
 
+@pytest.mark.slow
 def test_ambiguous_frames_without_texture_are_uncertain_and_not_fused(device):
     results, _ = covered_sequence(device, False)
     assert [r.status for r in results[21:]] == ["uncertain"] * 3

@@ -102,6 +102,7 @@ def test_a_steady_rotation_and_a_stationary_camera_are_synchronized(steady, spre
         assert not lag.apart
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("excess", [0.0, 1.0])
 def test_unrelated_rotations_are_reported_without_a_delay_if_the_scene_is_rigid(excess):
     for seed in range(10):
@@ -180,6 +181,7 @@ def test_repeated_frames_with_or_without_noise_are_a_stationary_camera(device, n
     assert statuses(slam.run([noise(first, first, k) for k in range(12)])) == ["tracked"] * 12
 
 
+@pytest.mark.slow
 def test_depth_two_frames_late_is_uncertain_from_the_first_frame():
     source = frames(*np.rint(6 + 6 * np.sin(0.4 * np.arange(34) + np.sin(0.9 * np.arange(34)))).astype(int).tolist())
     late = [changed(f, depth=source[k].depth, timestamp=k / 30) for k, f in enumerate(source[2:])]
@@ -189,6 +191,7 @@ def test_depth_two_frames_late_is_uncertain_from_the_first_frame():
     assert slam.volume.frame_count == sum(r.fused for r in slam.results) and slam.model.frame_count > 10
 
 
+@pytest.mark.slow
 def test_doubtful_frames_are_accepted_after_the_window_without_a_problem():
     source, slam = frames(*range(12)), begun("cpu")
     compare = slam.stream.compare
@@ -202,6 +205,7 @@ def test_doubtful_frames_are_accepted_after_the_window_without_a_problem():
     assert all(r.fused for r in slam.results) and slam.volume.frame_count == slam.model.frame_count == 32
 
 
+@pytest.mark.slow
 def test_frames_that_were_fused_too_early_to_be_removed_are_counted(monkeypatch):
     monkeypatch.setattr(dense_slam, "MAX_UNCHECKED", 5)
     source = frames(*np.rint(6 + 6 * np.sin(0.4 * np.arange(34) + np.sin(0.9 * np.arange(34)))).astype(int).tolist())

@@ -188,6 +188,7 @@ def count_of(picture, color, tolerance=25):
     return int((np.abs(picture.astype(int) - 255 * np.array(color)) <= tolerance).all(axis=2).sum())
 
 
+@pytest.mark.slow
 def test_a_path_is_colored_by_its_error():
     truth = np.column_stack([np.linspace(0, 10, 50), np.zeros(50), np.zeros(50)])
     path = truth + np.outer(np.linspace(0, 2, 50), [0, 1, 0])

@@ -101,6 +101,7 @@ def test_a_rotation_that_is_one_up_to_rounding_is_made_exact(server):
         assert np.abs(camera.rotation - rounded).max() < 1e-3
 
 
+@pytest.mark.slow
 def test_hostile_messages_are_not_passed_to_the_program(server):
     """Each field of each message with wrong types, ranges and sizes, while threads of the program use the page."""
     gui, scene, failures, done = server.pages.gui, server.pages.scene, [], threading.Event()

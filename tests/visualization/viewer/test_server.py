@@ -367,6 +367,7 @@ finally:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no forks here")
 def test_a_surviving_child_inherits_neither_port_nor_pages():
     assert run_python(PARENT) == (0, "True\nb'HTTP/1.1 404'\nb''\nTrue (0, 0)\n", "")
