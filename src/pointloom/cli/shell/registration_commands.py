@@ -332,7 +332,6 @@ def _viewer(title: str) -> Viewer:
     "--alignment align",
     ["none", "first", "se3", "sim3"],
     "Alignment of POSES with TRUTH.",
-    old="--align",
     default="se3",
 )
 @option(

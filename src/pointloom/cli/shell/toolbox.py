@@ -31,7 +31,6 @@ COORDINATE = Number("a coordinate in meters, -inf or inf", lambda number: True)
     "--deviations ratio=R",
     FACTOR_TYPE,
     "Statistical filter: standard deviations above the mean. Default: 2.0.",
-    old="--ratio",
 )
 @option("--radius=M", LENGTH, "Radius filter: maximum distance of neighbors [m].")
 @option("--min-neighbors=N", COUNT_TYPE, "Radius filter: minimum number of neighbors.")
@@ -82,12 +81,11 @@ def clean(
 
 
 @click.command(short_help="Label the points of a cloud by cluster.")
-@option("--radius eps=M", LENGTH, "Maximum distance of neighbors [m]: eps of DBSCAN.", old="--eps", required=True)
+@option("--radius eps=M", LENGTH, "Maximum distance of neighbors [m]: eps of DBSCAN.", required=True)
 @option(
     "--neighbors min_points=N",
     COUNT_TYPE,
     "Minimum neighbors of a core point, including itself.",
-    old="--min-points",
     default=10,
 )
 @option("--largest=N", COUNT_TYPE, "Keep only the N largest clusters. Default: all points.")
