@@ -202,15 +202,16 @@ def test_the_error_for_an_open3d_name_quotes_its_row(line, message):
 
 
 def packages_of(package):
-    """A package of `pointloom.open3d` and the packages in it, without tensors, data sets and seeds."""
+    """A package of `pointloom.open3d` and the packages in it, without tensors and data sets."""
     yield package
-    for name in {*package.__all__} - {"core", "data", "random"}:
-        if isinstance(value := getattr(package, name), ModuleType):
+    for name in {*package.__all__} - {"core", "data"}:
+        if isinstance(value := getattr(package, name), ModuleType) and hasattr(value, "__path__"):
             yield from packages_of(value)
 
 
 def test_the_error_of_each_name_of_open3d_that_is_not_in_loom_has_an_equivalent():
-    names = {name for package in packages_of(o3d) for name in package.__all__} - {"core", "data"}
+    names = {name for package in packages_of(o3d) for name in package.__all__}
+    names -= {"core", "data", "io", "visualization"}  # modules of pointloom or left out
     absent = sorted(names - {*loom.__all__})
     assert {"registration_icp", "run_rigid_optimizer", "read_pinhole_camera_intrinsic", "KDTreeFlann"} <= {*absent}
     for name in absent:
