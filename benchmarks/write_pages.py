@@ -105,9 +105,9 @@ def readme_table(run: dict[str, Any]) -> str:
     threads = run["machine"]["threads"]
     text = (
         f"Times beside the fastest other library on {computer(run)}, all with {threads} threads, one run of `make "
-        f"bench` on {day(run)} (commit {run['commit'][:8]}). The ratio is baseline / pointloom. pointloom is ahead in {ahead} of {len(rows)} rows. "
-        "The last rows below are the operations in which it is furthest behind. All rows, with memory and the reasons "
-        "of those behind: [docs/measured.md](docs/measured.md)."
+        f"bench` on {day(run)} (commit {run['commit'][:8]}). The ratio is baseline / pointloom. pointloom is ahead in "
+        f"{ahead} of {len(rows)} rows. The last rows below are the operations in which it is furthest behind. All "
+        "rows, with memory and the reasons of those behind: [docs/measured.md](docs/measured.md)."
     )
     shown = [(rows[key], *texts) for key, texts in (SHOWN | behind).items()]
     lines = [filled(text), ""]

@@ -12,7 +12,6 @@ from __future__ import annotations
 import argparse
 import ast
 import gc
-import glob
 import io
 import json
 import os
@@ -47,8 +46,8 @@ class Module:
     """A module of the product with the nodes of its syntax tree by type."""
 
     def __init__(self, root: Path, name: str):
-        self.source, self.is_package = (root / "src" / name).read_text(), name.endswith("__init__.py")
-        self.name = name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+        self.source, self.is_package = (root / name).read_text(), name.endswith("__init__.py")
+        self.name = name.removeprefix("src/").removesuffix(".py").removesuffix("/__init__").replace("/", ".")
         self.tree = ast.parse(self.source)
         nodes: dict[type, list[Any]] = {}
         for node in ast.walk(self.tree):
@@ -126,14 +125,14 @@ def git(*words: str) -> bytes:
 
 def count_lines(root: Path, names: list[str], suffixes: set[str]) -> int:
     """The lines of the files with these suffixes."""
-    files = (root / name for name in names if Path(name).suffix in suffixes)
-    return sum(path.read_bytes().count(b"\n") for path in files if path.is_file() and not path.is_symlink())
+    return sum((root / name).read_bytes().count(b"\n") for name in names if Path(name).suffix in suffixes)
 
 
 def figures_of(root: Path, names: list[str]) -> dict[str, int]:
-    """The figures of a tree with the names of its tracked files."""
-    found = glob.glob("pointloom/**/*.py", root_dir=root / "src", recursive=True)  # also behind links
-    modules = [Module(root, name) for name in sorted(found)]
+    """The figures of a tree with the names of its files."""
+    names = [name for name in names if (root / name).is_file() and not (root / name).is_symlink()]
+    product = sorted(name for name in names if name.startswith("src/pointloom/") and name.endswith(".py"))
+    modules = [Module(root, name) for name in product]
     parts = {part: [name for name in names if name.startswith(f"{part}/")] for part in FOLDERS}
     return {
         **{f"lines of {part}": count_lines(root, files, TEXTS) for part, files in parts.items()},
@@ -167,7 +166,8 @@ def call_paths_of(root: Path) -> dict[str, int]:
 def totals_of(commit: str) -> dict[str, int]:
     """All figures of a commit, or of the present tree if it is empty."""
     if not commit:
-        return figures_of(ROOT, git("ls-files").decode().splitlines()) | call_paths_of(ROOT)
+        listing = git("ls-files", "--cached", "--others", "--exclude-standard")
+        return figures_of(ROOT, listing.decode().splitlines()) | call_paths_of(ROOT)
     with tempfile.TemporaryDirectory() as folder, tarfile.open(fileobj=io.BytesIO(git("archive", commit))) as archive:
         archive.extractall(folder, filter="data")
         root = Path(folder)

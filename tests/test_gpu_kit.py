@@ -204,14 +204,17 @@ def test_the_newest_measurement_of_a_row_counts_if_it_has_the_field(tmp_path, mo
 
 
 def test_the_first_page_counts_the_rows_that_are_ahead_of_open3d():
-    times = {"a": {"pointloom": 1.0, "open3d-tensor": 2.0}, "b": {"pointloom": 2.0, "open3d-tensor": 1.0}, "c": {"pointloom": 1.0}}
-    rows = {
-        name: [{"size": "1k", "peer": peer, "best_ms": each} for peer, each in best.items()]
-        for name, best in times.items()
-    }
-    run = {"device": {"name": "Chip"}, "date": "2026-01-02T03:04", "commit": "abcdef123456", "benchmarks": {"operations": rows}}
-    sentence = page.summary([run])
-    assert "On one Chip, pointloom is ahead of Open3D's CUDA code in 1 of 2 rows (2026-01-02, commit abcdef12," in sentence
+    rows = [
+        {"size": size, "peer": peer, "best_ms": best}
+        for size, peer, best in (
+            ("1k", "pointloom", 1.0), ("1k", "open3d-tensor", 2.0), ("2k", "pointloom", 2.0),
+            ("2k", "open3d-tensor", 1.0), ("3k", "pointloom", 1.0),
+        )
+    ]  # fmt: skip
+    about = {"device": {"name": "Chip"}, "date": "2026-01-02T03:04", "commit": "abcdef123456"}
+    sentence = page.summary([{**about, "benchmarks": {"operations": {"fpfh": rows}}}])
+    assert "On one Chip, pointloom is ahead of Open3D's CUDA code in 1 of 2 rows" in sentence
+    assert "2026-01-02, commit abcdef12" in sentence
 
 
 def test_a_peer_with_another_result_is_not_timed():

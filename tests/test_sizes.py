@@ -60,7 +60,7 @@ def test_figures_of_a_tree(tmp_path):
     package.mkdir(parents=True)
     (package / "__init__.py").write_text("")
     (package / "rows.py").write_text(MODULE)
-    (package / "other.py").write_text("def f(a, b, c, d, e, f, g, h, i):\n    from .rows import Cloud\n    return Cloud\n")
+    (package / "other.py").write_text("def f(a, b, c, d, e, f, g, h, i):\n    from .rows import Cloud\n    return 0\n")
     names = [f"src/pointloom/{name}.py" for name in ("__init__", "rows", "other")]
     figures = script("totals").figures_of(tmp_path, names)
     assert {name: value for name, value in figures.items() if value} == {
