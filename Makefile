@@ -41,7 +41,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime setup-bench setup-browser test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage emulated-set rest-set test-browser test-torch test-other-tools oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel release trust bench speed docs docs-clean demo clean distclean
+.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime setup-bench setup-browser test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage emulated-set rest-set test-browser test-torch test-other-tools oracle flakes mutants nightly lint totals format types check-cuda cpu-kernels cuda-cache wheel release trust bench speed docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -128,17 +128,19 @@ mutants: $(FULL) ## Small changes of behavior, one at a time: do the tests notic
 nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
 	@$(BIN)/python scripts/nightly.py $(ARGS)
 
-lint: $(FULL) ## Check style, format, spelling, sizes, prose, changes/ and docs/api.txt
+lint: $(FULL) ## Check style, format, spelling, lines of modules and functions, prose, changes/ and docs/api.txt
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
 	@$(BIN)/python scripts/check_sizes.py
-	@$(BIN)/python scripts/call_paths.py
 	@$(BIN)/python scripts/check_prose.py
 	@$(BIN)/typos
 	@draft=$$($(BIN)/towncrier build --draft --version next 2>&1) || { echo "$$draft"; exit 1; }
 	@$(BIN)/python scripts/write_api.py --check
 	@$(BIN)/python benchmarks/write_pages.py --check
 	@$(BIN)/python benchmarks/gpu_kit/page.py --check
+
+totals: $(FULL) ## Print lines, parameters, constants and call paths beside those of the last release (ARGS=COMMIT: of a commit)
+	@$(BIN)/python scripts/totals.py $(ARGS)
 
 api: $(FULL) ## Write docs/api.txt, the list of public names
 	@$(BIN)/python scripts/write_api.py

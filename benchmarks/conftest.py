@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import pytest
-from code_digests import digests_of, modules_of_call
 from contest import POINTLOOM, Operation, Trial, limit_threads
 from real_data import DataMissingError
 
@@ -23,7 +22,6 @@ LAPS = 3  # after lap 0
 LAP_SECONDS = 0.3  # timed per lap, at least one round
 CONTESTANT_SECONDS = 4.0  # a slow baseline stops after that
 MAX_ROUNDS = 12  # per lap
-TRACED_SECONDS = 10.0  # slower calls are not traced if another size was
 PAUSE_SECONDS = 0.03  # waiting threads of the previous contestant spin for some ms before they sleep
 
 
@@ -46,14 +44,10 @@ class Entry:
 
 
 class Contest:
-    """One operation at one size: its data, or a message about missing data, and the contestants that have started.
+    """One operation at one size: its data, or a message about missing data, and the contestants that have started."""
 
-    Attributes:
-        modules: Digests of the modules that pointloom's calls run, at all sizes so far, by path (code_digests.py).
-    """
-
-    def __init__(self, operation: Operation, size: str, device: str, quick: bool, modules: dict[str, str]):
-        self.operation, self.size, self.device, self.modules = operation, size, device, modules
+    def __init__(self, operation: Operation, size: str, device: str, quick: bool):
+        self.operation, self.size, self.device = operation, size, device
         self.entries: dict[str, Entry] = {}
         self.our_facts: Any = None
         self.missing = ""
@@ -79,9 +73,6 @@ class Contest:
             begin = time.perf_counter()
             trial.once()  # the first call compiles
             self.entries[label] = Entry(trial, time.perf_counter() - begin, 0.0)
-            if self.entries[label].estimate <= TRACED_SECONDS or not self.modules:
-                arguments = trial.arguments()
-                self.modules |= digests_of(modules_of_call(lambda: trial.call(*arguments)))
             return
         if self.our_facts is not None:
             self.operation.check(self.our_facts, facts, label)
@@ -116,7 +107,6 @@ def _timed(trial: Trial, benchmark: Any, rounds: int) -> tuple[float, Any]:
 
 _contest = pytest.StashKey[Contest | None]()
 _problems = pytest.StashKey[dict[str, list[str]]]()
-_modules = pytest.StashKey[dict[str, dict[str, str]]]()  # by operation
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -130,7 +120,6 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     limit_threads(config.getoption("--bench-device"))
     config.stash[_problems] = {"failed": [], "skipped": []}
-    config.stash[_modules] = {}
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
@@ -174,8 +163,7 @@ def time_lap(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callabl
         stash[_contest] = contest = None  # frees the old data first
         announce(request.node)
         device, quick = (request.config.getoption(f"--bench-{name}") for name in ("device", "quick"))
-        modules = stash[_modules].setdefault(operation.name, {})
-        stash[_contest] = contest = Contest(operation, size, device, quick, modules)
+        stash[_contest] = contest = Contest(operation, size, device, quick)
         if contest.missing:
             stash[_problems]["skipped"].append(f"{operation.name} {size}: {contest.missing}")
     if contest.missing:
@@ -226,4 +214,3 @@ def pytest_benchmark_generate_commit_info() -> dict[str, str]:
 
 def pytest_benchmark_update_json(config: pytest.Config, output_json: dict[str, Any]) -> None:
     output_json["problems"] = config.stash[_problems]
-    output_json["modules"] = config.stash[_modules]

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
-import code_digests
 from contest import POINTLOOM
 from targets import TARGETS
 
@@ -46,16 +45,11 @@ class Timing:
 
 @dataclass
 class Row:
-    """One operation at one size.
-
-    Attributes:
-        modules: Digests of the modules that the operation runs, at any size, by path (code_digests.py).
-    """
+    """One operation at one size."""
 
     operation: str
     size: str
     timings: dict[str, Timing] = field(default_factory=dict)
-    modules: dict[str, str] = field(default_factory=dict)
 
     @property
     def best_peer(self) -> str | None:
@@ -91,7 +85,7 @@ def collect(documents: Iterable[dict[str, Any]]) -> dict[tuple[str, str], Row]:
             if not info:  # the result disagreed
                 continue
             key = (info["operation"], info["size"])
-            row = rows.setdefault(key, Row(*key, modules=document["modules"].get(key[0], {})))
+            row = rows.setdefault(key, Row(*key))
             timing = row.timings.setdefault(info["label"], Timing(units=info["units"]))
             seconds = entry["stats"]["data"]
             if info["lap"] == 0:
@@ -136,14 +130,7 @@ def table(rows: Iterable[Row], *, with_targets: bool) -> str:
 def document(rows: Iterable[Row], about: dict[str, Any], problems: dict[str, list[str]], *, with_targets: bool) -> dict:
     """The JSON document of a run."""
     rows = list(rows)
-    return {
-        "schema": 1,
-        **about,
-        "results": [_result(row, with_targets) for row in rows],
-        "problems": problems,
-        "modules": {row.operation: sorted(row.modules) for row in rows},
-        "digests": dict(sorted(item for row in rows for item in row.modules.items())),
-    }
+    return {"schema": 1, **about, "results": [_result(row, with_targets) for row in rows], "problems": problems}
 
 
 def _result(row: Row, with_targets: bool) -> dict[str, Any]:
@@ -162,6 +149,4 @@ def _result(row: Row, with_targets: bool) -> dict[str, Any]:
         result |= {"best_peer": row.best_peer, "ratio": row.ratio([row.best_peer])}
     if with_targets:
         result["target"] = row.target
-    if row.modules:
-        result["digest"] = code_digests.row_digest(row.modules)
     return result

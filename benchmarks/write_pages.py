@@ -2,8 +2,8 @@
 
     python benchmarks/write_pages.py [--check]
 
-Rows whose modules have changed since their measurement are marked (code_digests.py). `--check` writes nothing. The exit
-code is then 1 if a page differs from the saved runs, or if too many rows are marked.
+`--check` writes nothing. The exit code is then 1 if a page differs from the saved runs. The page names the commit of
+the run: `git log COMMIT.. -- FILE` lists the changes of a module since.
 """
 
 from __future__ import annotations
@@ -14,12 +14,10 @@ import json
 import math
 import sys
 import textwrap
-from collections import Counter
-from collections.abc import Iterable, Iterator, Set
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from code_digests import changed_modules, old_rows
 from pages import replaced_between
 from targets import REASONS
 
@@ -41,12 +39,7 @@ SHOWN = {
     ("tsdf_integrate", "30 frames"): ("TSDF integration, 1 cm", "640 x 480"),
     ("poisson", "200k, depth 9"): ("Poisson surface, depth 9", "200k"),
 }
-OLD = "\\*"  # the sign of rows that were measured with other code
-OLD_NOTE = f"Rows marked {OLD} were measured with an older version of the code that they run."
-MAX_OLD = 0.25  # fraction of the rows that may be old
-SHOWN_MODULES = 5  # changed modules in the message about too many old rows
 BEHIND = 2  # operations in which pointloom is furthest behind, with their lowest rows
-Old = Set[tuple[str, str]]  # operation and size of the old rows
 MONTHS = "January February March April May June July August September October November December"
 
 
@@ -96,24 +89,13 @@ def line(texts: list[str]) -> str:
     return f"| {' | '.join(texts)} |"
 
 
-def named(name: str, row: dict[str, Any], old: Old) -> str:
-    """The first cell of a row: its name, the sign of an old row, and the digest of its code as a comment."""
-    sign = f" {OLD}" if (row["operation"], row["size"]) in old else ""
-    return f"{name}{sign} <!-- {row.get('digest', 'unknown')} -->"
-
-
-def note(rows: Iterable[dict[str, Any]], old: Old) -> list[str]:
-    """The lines above a table that explain the sign, if one of its rows has it."""
-    return [OLD_NOTE, ""] if any((row["operation"], row["size"]) in old for row in rows) else []
-
-
 def compared(run: dict[str, Any]) -> list[dict[str, Any]]:
     """The rows that have a baseline."""
     return [row for row in run["results"] if "ratio" in row]
 
 
-def readme_table(run: dict[str, Any], old: Old = frozenset()) -> str:
-    """The selected rows and those in which pointloom is furthest behind, with the sign of old rows."""
+def readme_table(run: dict[str, Any]) -> str:
+    """The selected rows and those in which pointloom is furthest behind."""
     rows = {(row["operation"], row["size"]): row for row in compared(run)}
     lowest = sorted((row["ratio"], key) for key, row in rows.items() if key not in SHOWN and row["ratio"] < 1)
     first = {key[0]: key for _, key in reversed(lowest)}  # the lowest row of each operation
@@ -123,14 +105,14 @@ def readme_table(run: dict[str, Any], old: Old = frozenset()) -> str:
     threads = run["machine"]["threads"]
     text = (
         f"Times beside the fastest other library on {computer(run)}, all with {threads} threads, one run of `make "
-        f"bench` on {day(run)}. The ratio is baseline / pointloom. pointloom is ahead in {ahead} of {len(rows)} rows. "
-        "The last rows below are the operations in which it is furthest behind. All rows, with memory and the reasons "
-        "of those behind: [docs/measured.md](docs/measured.md)."
+        f"bench` on {day(run)} (commit {run['commit'][:8]}). The ratio is baseline / pointloom. pointloom is ahead in "
+        f"{ahead} of {len(rows)} rows. The last rows below are the operations in which it is furthest behind. All "
+        "rows, with memory and the reasons of those behind: [docs/measured.md](docs/measured.md)."
     )
     shown = [(rows[key], *texts) for key, texts in (SHOWN | behind).items()]
-    lines = [filled(text), "", *note([row for row, _, _ in shown], old)]
+    lines = [filled(text), ""]
     lines += ["| operation | size | pointloom | best baseline | ratio |", "|---|---|---|---|---|"]
-    return "\n".join([*lines, *(line([named(name, row, old), size, *cells(row)]) for row, name, size in shown)])
+    return "\n".join([*lines, *(line([name, size, *cells(row)]) for row, name, size in shown)])
 
 
 def memory(row: dict[str, Any]) -> str:
@@ -139,8 +121,8 @@ def memory(row: dict[str, Any]) -> str:
     return " / ".join(f"{value / 1e6:.0f}" for value in values) if None not in values else ""
 
 
-def measured_table(run: dict[str, Any], old: Old = frozenset()) -> str:
-    """All rows, with the sign of old rows, and the reasons of those below their target or behind.
+def measured_table(run: dict[str, Any]) -> str:
+    """All rows, and the reasons of those below their target or behind.
 
     Raises:
         ValueError: A row is behind or below its target, and targets.py has no reason.
@@ -151,7 +133,7 @@ def measured_table(run: dict[str, Any], old: Old = frozenset()) -> str:
         f"{computer(run)}. Every program has {run['machine']['threads']} threads. Times are the best of several "
         "rounds. The ratio is baseline / pointloom. Memory is the peak above the data (pointloom / baseline)."
     )
-    lines = [filled(text), "", *note(rows, old)]
+    lines = [filled(text), ""]
     lines += [
         "| operation | size | pointloom | best baseline | ratio | target | memory [MB] |",
         "|---|---|---|---|---|---|---|",
@@ -159,8 +141,7 @@ def measured_table(run: dict[str, Any], old: Old = frozenset()) -> str:
     below = []
     for row in rows:
         target = row["target"]
-        name = named(f"`{row['operation']}`", row, old)
-        texts = [name, row["size"], *cells(row), f"{target:g}" if target else "", memory(row)]
+        texts = [f"`{row['operation']}`", row["size"], *cells(row), f"{target:g}" if target else "", memory(row)]
         lines.append(line(texts))
         if row["ratio"] < (target or 1):
             below.append((row["operation"], row["size"]))
@@ -204,34 +185,16 @@ def exponent(values: list[float]) -> str:
 def pages() -> dict[Path, str]:
     """The contents of the pages with the tables of the saved runs."""
     run, growth = load(OPERATIONS), load("scale-cpu.json")
-    old = old_rows(run, ROOT)
-    measured = replaced_between(MEASURED.read_text(), "bench", measured_table(run, old))
+    measured = replaced_between(MEASURED.read_text(), "bench", measured_table(run))
     return {
-        README: replaced_between(README.read_text(), "bench", readme_table(run, old)),
+        README: replaced_between(README.read_text(), "bench", readme_table(run)),
         MEASURED: replaced_between(measured, "growth", "\n".join(growth_tables(growth))),
     }
 
 
-def too_old(run: dict[str, Any]) -> str:
-    """A message if too many rows with a baseline are old; otherwise empty."""
-    rows = [(row["operation"], row["size"]) for row in compared(run)]
-    old = old_rows(run, ROOT).intersection(rows)
-    limit = int(MAX_OLD * len(rows))
-    if len(old) <= limit:
-        return ""
-    changed, modules_by_operation = changed_modules(run, ROOT), run.get("modules", {})
-    counts = Counter(path for name, _ in sorted(old) for path in modules_by_operation.get(name, ()) if path in changed)
-    modules = ", ".join(f"{path} ({count} rows)" for path, count in counts.most_common(SHOWN_MODULES))
-    return (
-        f"benchmarks/results/{OPERATIONS}: expected at most {limit} of {len(rows)} rows measured with an older version "
-        f"of the code that they run, got {len(old)}. Run make bench on an idle machine, then python "
-        f"benchmarks/write_pages.py. Changed modules with most rows: {modules or 'unknown'}"
-    )
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--check", action="store_true", help="only check the pages, and the number of old rows")
+    parser.add_argument("--check", action="store_true", help="only check the pages")
     options = parser.parse_args()
     problems = []
     for path, text in pages().items():
@@ -239,14 +202,9 @@ def main() -> int:
             continue
         if options.check:
             name = path.relative_to(ROOT)
-            problems.append(
-                f"{name}: its tables differ from benchmarks/results or lack signs of old rows; run python "
-                "benchmarks/write_pages.py"
-            )
+            problems.append(f"{name}: its tables differ from benchmarks/results; run python benchmarks/write_pages.py")
         else:
             path.write_text(text)
-    if options.check and (old := too_old(load(OPERATIONS))):
-        problems.append(old)
     for problem in problems:
         print(problem, file=sys.stderr)
     return 1 if problems else 0

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from . import choice, oracle, rest_set
+from . import choice, oracle, rest_set, stray_files
 from .cpu_seconds import CpuSeconds
 from .emulated_cuda import plugin as emulated_cuda
 from .programs import BENCHMARKS, load_program
@@ -36,7 +36,7 @@ device_requested = False
 
 def pytest_addoption(parser: pytest.Parser, pluginmanager: pytest.PytestPluginManager) -> None:
     emulated_cuda.add_options(parser)
-    for plugin in (choice, oracle, rest_set, CpuSeconds()):
+    for plugin in (choice, oracle, rest_set, stray_files, CpuSeconds()):
         pluginmanager.register(plugin)
     emulated_cuda.install_if_requested(pluginmanager.get_plugin("pytestconfig"))  # before the next conftest starts Warp
 

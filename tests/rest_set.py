@@ -22,7 +22,7 @@ OPTION, TOGETHER = "--lines", "--lines-together"
 TESTS = Path(__file__).parent
 ROOT = TESTS.parent
 FILE = TESTS / "nightly_tests.txt"
-PACKAGES = ("kernels", "pcd", "registration", "meshing", "src")
+PRODUCT = ROOT / "src"
 LINES_OF_FILE = 100_000  # number of a line: number of its file times this, plus the line
 CHILD_SECONDS = 0.5  # CPU [s] of child processes from which on a test is one of processes
 HEAD = """\
@@ -60,8 +60,7 @@ class LineContexts(Recorder):
 
         super().__init__(folder)
         self.together = together
-        folders = [str(ROOT / name) for name in PACKAGES]
-        self.coverage = coverage.Coverage(data_file=None, config_file=False, source=folders)
+        self.coverage = coverage.Coverage(data_file=None, config_file=False, source=[str(PRODUCT)])
         self.coverage.start()
 
     def begin(self, node: str) -> None:
@@ -94,7 +93,7 @@ class LineContexts(Recorder):
 
 def product_files() -> list[Path]:
     """All modules of the product, in the order of their names."""
-    return sorted({path.resolve() for name in PACKAGES for path in (ROOT / name).rglob("*.py")})
+    return sorted(path.resolve() for path in PRODUCT.rglob("*.py"))
 
 
 def tests_of_mutants() -> set[str]:

@@ -5,18 +5,14 @@ from __future__ import annotations
 import argparse
 import importlib
 import json
-import shutil
 import sys
-import threading
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from .programs import BENCHMARKS as FOLDER
-from .programs import benchmarks_on_path, load_program
+from .programs import benchmarks_on_path
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -139,7 +135,7 @@ def saved_run(ratio: float, operation: str = "dbscan", size: str = "1k") -> dict
 def test_the_page_has_each_row_with_a_baseline(write_pages):
     text = write_pages.measured_table(saved_run(3.0))
     assert "1 February 2026" in text and "2 cores (a processor)" in text
-    assert "| `dbscan` <!-- unknown --> | 1k | 10.0 ms | other 30.0 ms | 3.0 | 2 |  |" in text and "alone" not in text
+    assert "| `dbscan` | 1k | 10.0 ms | other 30.0 ms | 3.0 | 2 |  |" in text and "alone" not in text
     assert "- dbscan 1k third: it failed" in text
 
 
@@ -158,7 +154,7 @@ def test_the_readme_has_the_operations_that_are_furthest_behind(monkeypatch, wri
     ratios = {("fpfh", "a"): 0.9, ("fpfh", "b"): 0.5, ("fpfh", "c"): 0.6, ("poisson", "d"): 0.7, ("ply_read", "e"): 0.8}
     run["results"] += [saved_run(ratio, *key)["results"][0] for key, ratio in ratios.items()]
     lines = [line for line in write_pages.readme_table(run).splitlines() if line.startswith("|")]
-    assert [line.replace(" <!-- unknown -->", "").split("|")[1:3] for line in lines[2:]] == [
+    assert [line.split("|")[1:3] for line in lines[2:]] == [
         [" clusters ", " 1k points "], [" `fpfh` ", " b "], [" `poisson` ", " d "]
     ]  # fmt: skip
     assert "ahead in 1 of 6 rows" in " ".join(write_pages.readme_table(run).split())
@@ -177,14 +173,13 @@ def test_check_finds_a_page_that_differs_from_the_saved_runs(tmp_path, monkeypat
     page.write_text("old")
     monkeypatch.setattr(write_pages, "ROOT", tmp_path)
     monkeypatch.setattr(write_pages, "pages", lambda: {page: "new"})
-    monkeypatch.setattr(write_pages, "too_old", lambda run: "")
     assert write_pages_code(monkeypatch, "--check") == 1
     assert "page.md" in capsys.readouterr().err and page.read_text() == "old"
     assert write_pages_code(monkeypatch) == 0 and page.read_text() == "new"
     assert write_pages_code(monkeypatch, "--check") == 0
 
 
-# ------------------------------------------------------------------------------------------------ old rows
+# ------------------------------------------------------------------------------------------------ digests
 
 
 MODULE = b'''"""Steps of a search."""
@@ -233,251 +228,11 @@ def test_annotations_count_only_if_they_are_compiled(annotated, code_digests):
     assert len(digests) == (2 if annotated else 1)
 
 
-def test_a_module_counts_if_one_of_its_functions_runs(code_digests):
-    from pointloom.core import units
-
-    def call():
-        import pointloom.core.quaternions  # noqa: F401  loads a module and runs nothing of it
-
-        assert units.symbol_of(None)
-
-    call()
-    assert code_digests.modules_of_call(call) == ["src/pointloom/core/units.py"]
-    assert code_digests.modules_of_call(call, FOLDER / "results") == [], "pointloom is not in this folder"
-
-
-def test_functions_in_threads_count(code_digests):
-    from pointloom.core import units
-
-    def call():
-        thread = threading.Thread(target=units.symbol_of, args=(None,))
-        thread.start()
-        thread.join()
-
-    before = sys.getprofile(), threading.getprofile()
-    assert code_digests.modules_of_call(call) == ["src/pointloom/core/units.py"]
-    assert (sys.getprofile(), threading.getprofile()) == before
-
-
-def test_the_module_of_a_launched_kernel_counts(code_digests):
-    import warp as wp
-
-    from pointloom.kernels.arrays.subsets import mark_rows_kernel
-    from pointloom.kernels.lang import launch
-
-    rows, mask = wp.zeros(1, wp.int32, device="cpu"), wp.zeros(1, wp.uint8, device="cpu")
-    modules = code_digests.modules_of_call(lambda: launch(mark_rows_kernel, 0, [rows, mask]))
-    assert "src/pointloom/kernels/launches.py" in modules
-    assert "src/pointloom/kernels/arrays/subsets.py" in modules, "no function of it runs"
-    assert "src/pointloom/kernels/arrays/random.py" in modules, "it has device functions of the kernels in subsets.py"
-
-
-def test_imports_of_modules_of_kernels_count_within_kernels(tmp_path, code_digests):
-    files = {
-        "kernels/search/walk.py": "from ..algebra.solve import step\nfrom . import limits\nfrom ..lang import func",
-        "kernels/search/limits.py": "from ...core.checks import check",
-        "kernels/search/other.py": "",
-        "kernels/algebra/solve.py": "import math\ndef f():\n    from .parts import part",
-        "kernels/algebra/parts.py": "from ..search.walk import step\nfrom ..language.rules import check",
-        "kernels/lang.py": "from .search.other import other",
-        "kernels/language/rules.py": "from ..memory import empty",
-        "kernels/memory.py": "",
-        "core/checks.py": "",
-        "pcd/normals.py": "from ..kernels.search.other import other",
-    }
-    package = "src/pointloom"
-    for name, text in files.items():
-        path = tmp_path / package / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-    names = ("search/walk", "search/limits", "algebra/solve", "algebra/parts")
-    walk = {f"{package}/kernels/{name}.py" for name in names}
-    started = [f"{package}/{name}.py" for name in ("pcd/normals", "kernels/search/walk")]
-    assert code_digests.imported_kernels(started, tmp_path) == walk
-    ran = code_digests.imported_kernels([f"{package}/kernels/language/rules.py"], tmp_path)
-    assert ran == {f"{package}/kernels/{name}.py" for name in ("language/rules", "memory")}
-
-
-class Rounds:
-    """A fixture `benchmark` that times nothing."""
-
-    stats = None
-
-    def pedantic(self, call, setup, rounds):
-        for _ in range(rounds):
-            arguments, _ = setup()
-            call(*arguments)
-
-
-@pytest.mark.parametrize(
-    ("limit", "traced"), [(10.0, ["callable_bool", "units"]), (0.0, ["units"])], ids=["fast calls", "slow calls"]
-)
-def test_modules_of_all_sizes_are_joined_and_one_slow_call_is_traced(limit, traced, monkeypatch, contest):
-    from pointloom.core import callable_bool, units
-
-    conftest = load_program(FOLDER / "conftest.py", "conftest_of_benchmarks")
-    monkeypatch.setattr(conftest, "TRACED_SECONDS", limit)
-
-    def prepare(scene, device):
-        call = units.symbol_of if scene == 1 else callable_bool.CallableBool
-        return contest.Trial(lambda unit: call(unit), setup=lambda: None)
-
-    own = contest.Contestant("pointloom", prepare, lambda result: result)
-    sizes = {"1": lambda: 1, "2": lambda: 2}
-    operation = contest.Operation("tiny", {}, sizes, (own,), check=lambda actual, reference, peer: None)
-    modules = {}
-    for size in sizes:
-        conftest.Contest(operation, size, "cpu", True, modules).first_call("pointloom", Rounds())
-    assert sorted(modules) == [f"src/pointloom/core/{name}.py" for name in traced]
-
-
-def timing_document(operation: str, module: str, content: bytes) -> dict:
-    """The document of one process of benchmarks whose operation runs one module."""
-    import code_digests
-
-    info = {"operation": operation, "size": "1k", "units": 1}
-    entries = [
-        {"extra_info": {**info, "label": label, "lap": lap}, "stats": {"data": [seconds]}}
-        for label, seconds in (("pointloom", 1.0), ("other", 3.0))
-        for lap in (0, 1)
-    ]
-    return {"benchmarks": entries, "modules": {operation: {module: code_digests.code_digest(content)}}}
-
-
-@pytest.fixture
-def repository(tmp_path, monkeypatch, report, write_pages):
-    """A folder with one module for each of four operations, the run that measured them, and the two pages."""
-    documents = []
-    for name in "abcd":
-        (tmp_path / f"{name}.py").write_bytes(MODULE)
-        documents.append(timing_document(name, f"{name}.py", MODULE))
-    about = {key: value for key, value in saved_run(1.0).items() if key not in ("results", "problems")}
-    rows = report.collect(documents)
-    run = report.document(rows.values(), about, {"failed": [], "skipped": []}, with_targets=True)
-    sizes = [{"count": 4**k, "seconds": 1.0, "bytes": 1} for k in range(4)]
-    growth = {"about": about, "rows": [{"operation": "pairs", "sizes": sizes}]}
-    for page in ("README", "MEASURED"):
-        path = tmp_path / f"{page}.md"
-        path.write_text("<!-- bench -->\n<!-- /bench -->\n<!-- growth -->\n<!-- /growth -->\n")
-        monkeypatch.setattr(write_pages, page, path)
-    monkeypatch.setattr(write_pages, "SHOWN", {(name, "1k"): (f"operation {name}", "1k") for name in "abcd"})
-    monkeypatch.setattr(write_pages, "ROOT", tmp_path)
-    monkeypatch.setattr(write_pages, "load", lambda name: growth if name.startswith("scale") else run)
-    return tmp_path
-
-
 def write_pages_code(monkeypatch, *arguments: str) -> int:
     import write_pages
 
     monkeypatch.setattr(sys, "argv", ["write_pages.py", *arguments])
     return write_pages.main()
-
-
-def marked_rows(page: Path) -> list[str]:
-    """First cells with the sign of old rows."""
-    cells = [line.split("|")[1].strip() for line in page.read_text().splitlines() if line.startswith("|")]
-    return [cell.split(" \\*")[0] for cell in cells if "\\*" in cell]
-
-
-def test_old_rows_are_marked_in_both_pages(repository, monkeypatch, capsys, code_digests):
-    readme, measured = repository / "README.md", repository / "MEASURED.md"
-    assert write_pages_code(monkeypatch) == 0 and write_pages_code(monkeypatch, "--check") == 0
-    row = code_digests.row_digest({"b.py": code_digests.code_digest(MODULE)})
-    for page in (readme, measured):
-        assert "older version" not in page.read_text() and marked_rows(page) == []
-        assert f"<!-- {row} -->" in page.read_text()
-
-    (repository / "b.py").write_bytes(MODULE.replace(b"# the limit", b"# another comment"))
-    assert write_pages_code(monkeypatch, "--check") == 0
-    (repository / "b.py").write_bytes(MODULE.replace(b"count=3", b"count=4"))
-    assert write_pages_code(monkeypatch, "--check") == 1
-    message = capsys.readouterr().err
-    assert "README.md" in message and "MEASURED.md" in message and "make bench" not in message
-    assert write_pages_code(monkeypatch) == 0 and write_pages_code(monkeypatch, "--check") == 0
-    assert marked_rows(readme) == ["operation b"] and marked_rows(measured) == ["`b`"]
-    for page in (readme, measured):
-        lines = page.read_text().splitlines()
-        table = next(k for k, line in enumerate(lines) if line.startswith("| operation"))
-        assert lines[table - 2].startswith("Rows marked \\* were measured with an older version")
-        assert f"<!-- {row} -->" in page.read_text()  # the code of the measurement, not that of today
-
-
-def test_a_row_is_old_if_one_of_its_modules_no_longer_exists(repository, monkeypatch):
-    (repository / "c.py").unlink()
-    write_pages_code(monkeypatch)
-    assert marked_rows(repository / "README.md") == ["operation c"]
-
-
-def test_rows_of_a_run_without_modules_are_old(code_digests):
-    run = saved_run(1.0)
-    assert code_digests.old_rows(run) == {("dbscan", "1k"), ("dbscan", "alone")}
-
-
-def test_check_fails_if_more_than_a_quarter_of_the_rows_are_old(repository, monkeypatch, capsys):
-    (repository / "a.py").write_bytes(MODULE.replace(b"count=3", b"count=4"))
-    write_pages_code(monkeypatch)
-    assert write_pages_code(monkeypatch, "--check") == 0, "one of four rows"
-    (repository / "b.py").unlink()
-    write_pages_code(monkeypatch)
-    assert write_pages_code(monkeypatch, "--check") == 1, "two of four rows"
-    message = capsys.readouterr().err
-    assert "at most 1 of 4 rows" in message and "got 2" in message and "make bench" in message
-    assert "a.py (1 rows), b.py (1 rows)" in message and "c.py" not in message
-
-
-BENCHMARK = """
-import dataclasses
-
-from contest import POINTLOOM, Contestant, Operation, timed
-
-
-def prepare(scene, device):
-    from pointloom.core.units import symbol_of
-
-    def call():
-        symbol_of(None)
-        return scene
-
-    return call
-
-
-OTHER = Contestant("other", lambda scene, device: lambda: scene, len)
-OWN = Contestant(POINTLOOM, prepare, len)
-TINY = Operation("tiny", {}, {"1": lambda: [1]}, (OWN, OTHER), check=lambda actual, reference, peer: None)
-NONE = dataclasses.replace(TINY, name="none", contestants=(Contestant(POINTLOOM, lambda s, d: lambda: s, len), OTHER))
-OPERATIONS = (TINY, NONE)
-
-
-@timed(TINY)
-def test_tiny(time_lap):
-    time_lap()
-
-
-@timed(NONE)
-def test_none(time_lap):
-    time_lap()
-"""
-
-
-@pytest.mark.slow
-def test_a_run_records_the_modules_that_each_operation_runs(tmp_path, monkeypatch, code_digests, contest, run):
-    for name in ("conftest.py", "pytest.ini"):
-        shutil.copy(FOLDER / name, tmp_path)
-    for name in ("contest.py", "code_digests.py", "real_data.py"):
-        (tmp_path / name).symlink_to(FOLDER / name)
-    (tmp_path / "bench_tiny.py").write_text(BENCHMARK)
-    monkeypatch.syspath_prepend(str(tmp_path))
-    monkeypatch.setattr(contest, "bench_modules", lambda: {"bench_tiny": tmp_path / "bench_tiny.py"})
-    monkeypatch.setattr(run, "FOLDER", tmp_path)
-    monkeypatch.delenv("PYTEST_XDIST_WORKER", raising=False)  # pytest-benchmark measures nothing in such a process
-    output = tmp_path / "run.json"
-    assert run.main(["--quick", "--output", str(output)]) == 0
-    document = json.loads(output.read_text())
-    units = "src/pointloom/core/units.py"
-    digests = {units: code_digests.code_digest((FOLDER.parent / units).read_bytes(), annotated=False)}
-    assert document["modules"] == {"tiny": [units], "none": []} and document["digests"] == digests
-    assert [row["digest"] for row in document["results"] if "digest" in row] == [code_digests.row_digest(digests)]
-    assert code_digests.old_rows(document) == {("none", "1")}
 
 
 def test_only_a_complete_run_replaces_the_saved_results(tmp_path, monkeypatch, run):

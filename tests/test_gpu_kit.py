@@ -204,6 +204,20 @@ def test_the_newest_measurement_of_a_row_counts_if_it_has_the_field(tmp_path, mo
     assert documents.last_measured("operations") == {"a": ("2026-01-02", "2222222"), "b": ("2026-01-01", "1111111")}
 
 
+def test_the_first_page_counts_the_rows_that_are_ahead_of_open3d():
+    rows = [
+        {"size": size, "peer": peer, "best_ms": best}
+        for size, peer, best in (
+            ("1k", "pointloom", 1.0), ("1k", "open3d-tensor", 2.0), ("2k", "pointloom", 2.0),
+            ("2k", "open3d-tensor", 1.0), ("3k", "pointloom", 1.0),
+        )
+    ]  # fmt: skip
+    about = {"device": {"name": "Chip"}, "date": "2026-01-02T03:04", "commit": "abcdef123456"}
+    sentence = page.summary([{**about, "benchmarks": {"operations": {"fpfh": rows}}}])
+    assert "On one Chip, pointloom is ahead of Open3D's CUDA code in 1 of 2 rows" in sentence
+    assert "2026-01-02, commit abcdef12" in sentence
+
+
 def test_a_peer_with_another_result_is_not_timed():
     def disagree(own, other):
         assert own == other, "1 and 2"

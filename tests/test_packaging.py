@@ -144,6 +144,13 @@ def test_the_first_command_of_a_page_clones_the_repository(page, package_metadat
     assert package_metadata.with_address(text, "") == text
 
 
+@pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", "docs/install.md"])
+def test_a_page_states_the_versions_of_python_that_make_accepts(page):
+    program = (ROOT / "scripts" / "find_python.sh").read_text()
+    first, end = re.findall(r"\(3, (\d+)\) <= sys\.version_info < \(3, (\d+)\)", program)[0]
+    assert f"Python 3.{first} to 3.{int(end) - 1}" in (ROOT / page).read_text()
+
+
 INDEX_INSTALL = re.compile(r"""pip install (?:-\S+ )*["']?pointloom(?!\[)""")
 
 
@@ -171,6 +178,15 @@ def test_the_links_at_the_top_name_four_packages():
         path = ROOT / name
         content = str(path.readlink()) if path.is_symlink() else path.read_text()
         assert content == f"src/pointloom/{name}" and (PACKAGE / name / "__init__.py").is_file()
+
+
+def test_the_root_contains_only_files_that_belong_there():
+    """Another name is of a file that a program left there, or of a new part of the project."""
+    assert {path.relative_to(ROOT).parts[0] for path in tracked_files()} <= {
+        ".ci", ".github", ".gitignore", ".pre-commit-config.yaml", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md",
+        "LICENSE", "Makefile", "README.md", "SECURITY.md", "benchmarks", "changes", "constraints", "docs", "kernels",
+        "meshing", "pcd", "pyproject.toml", "recipe", "registration", "scripts", "src", "tests", "typings",
+    }  # fmt: skip
 
 
 def tracked_files() -> list[Path]:

@@ -1,4 +1,4 @@
-"""Write the tables of docs/gpu.md from the saved runs, and those of README.md from the plan:
+"""Write the tables of docs/gpu.md and the sentence of the first page from the saved runs, and the plan of the kit:
 
     python benchmarks/gpu_kit/page.py [--check]
 
@@ -8,6 +8,7 @@ Of several runs of a chip the newest one that has a row counts, by date.
 from __future__ import annotations
 
 import sys
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,7 @@ from gpu_kit.compare import CHANGES, compared  # noqa: E402
 from gpu_kit.documents import last_measured, saved_runs  # noqa: E402
 from gpu_kit.steps import RUNS, STEPS, dry_table, plan_table  # noqa: E402
 
-PAGE, README = ROOT / "docs" / "gpu.md", Path(__file__).parent / "README.md"
+PAGE, FIRST_PAGE, README = ROOT / "docs" / "gpu.md", ROOT / "README.md", Path(__file__).parent / "README.md"
 NEVER = ("", "")
 CONSTANTS = {  # name of a constant: description, unit and divisor of the value
     "HOST_LAUNCH": ("launch of a kernel, of the host", "us", 1e-6),
@@ -59,15 +60,40 @@ def constants(documents: list[dict[str, Any]]) -> list[str]:
     return ["| | |", "|---|---|", *rows]
 
 
-def beside(documents: list[dict[str, Any]]) -> list[str]:
-    lines = ["| operation | size | pointloom, ms | Open3D CUDA, ms | ratio |", "|---|---|---|---|---|"]
+def runs(documents: list[dict[str, Any]]) -> list[str]:
+    """The GPU, the commit and the date of each run."""
+    return [f"{run['device']['name']}, commit {run['commit'][:8]}, {run['date'][:10]}." for run in documents]
+
+
+def times_beside(documents: list[dict[str, Any]]) -> list[tuple[str, str, float, float]]:
+    """Operation, size, and the times of pointloom and of Open3D's CUDA code [ms]."""
+    result = []
     for name, rows in sorted(merged(documents, "benchmarks", "operations").items()):
         times = {(row["size"], row["peer"]): row["best_ms"] for row in rows if "error" not in row}
         for size in dict.fromkeys(size for size, _ in times):
             own, other = times.get((size, "pointloom")), times.get((size, "open3d-tensor"))
             if own and other:
-                lines.append(f"| {name} | {size} | {own:.2f} | {other:.2f} | {other / own:.2f} |")
+                result.append((name, size, own, other))
+    return result
+
+
+def beside(documents: list[dict[str, Any]]) -> list[str]:
+    lines = ["| operation | size | pointloom, ms | Open3D CUDA, ms | ratio |", "|---|---|---|---|---|"]
+    for name, size, own, other in times_beside(documents):
+        lines.append(f"| {name} | {size} | {own:.2f} | {other:.2f} | {other / own:.2f} |")
     return lines
+
+
+def summary(documents: list[dict[str, Any]]) -> str:
+    """The sentence of the first page about GPUs."""
+    rows, run = times_beside(documents), documents[-1]
+    ahead = sum(other >= own for _, _, own, other in rows)
+    return textwrap.fill(
+        f"On one {run['device']['name']}, pointloom is ahead of Open3D's CUDA code in {ahead} of {len(rows)} rows "
+        f"({run['date'][:10]}, commit {run['commit'][:8]}, [gpu](docs/gpu.md)).",
+        120,
+        break_on_hyphens=False,
+    )
 
 
 def operations(documents: list[dict[str, Any]]) -> list[str]:
@@ -76,20 +102,15 @@ def operations(documents: list[dict[str, Any]]) -> list[str]:
         "|---|---|---|---|---|---|",
     ]
     for key, row in sorted(merged(documents, "operations").items()):
-        if "kernels" not in row or "best_ms" not in row:
+        if "best_ms" not in row:
             continue
         name, size = key.rsplit(" ", 1)
-        longest = row["kernels"][0]
-        kernel = "sorts and scans of CUB" if "cub::" in longest["kernel"] else longest["kernel"]
-        what = f"{kernel}, {longest['us'] / 1e3:.2f} ms"
-        cells = (
-            name,
-            f"{int(size):,}",
-            f"{row['best_ms']:.2f}",
-            f"{row['device_ms']:.2f}",
-            f"{row['launches']:,}",
-            what,
-        )
+        device = ["-"] * 3
+        if "kernels" in row:
+            longest = row["kernels"][0]
+            kernel = "sorts and scans of CUB" if "cub::" in longest["kernel"] else longest["kernel"]
+            device = [f"{row['device_ms']:.2f}", f"{row['launches']:,}", f"{kernel}, {longest['us'] / 1e3:.2f} ms"]
+        cells = (name, f"{int(size):,}", f"{row['best_ms']:.2f}", *device)
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 
@@ -221,6 +242,7 @@ def shortened(rows: list[str]) -> str:
 
 
 TABLES = {
+    "runs": runs,
     "constants": constants,
     "beside": beside,
     "operations": operations,
@@ -240,7 +262,11 @@ def pages() -> dict[Path, str]:
     page = replaced_between(page, "ages", "\n".join(ages()))
     for run in RUNS:
         readme = replaced_between(readme, f"run {run}", plan_table(run))
-    return {PAGE: page, README: replaced_between(readme, "dry", dry_table())}
+    return {
+        PAGE: page,
+        FIRST_PAGE: replaced_between(FIRST_PAGE.read_text(), "gpu", summary(documents)),
+        README: replaced_between(readme, "dry", dry_table()),
+    }
 
 
 def main() -> int:
@@ -248,7 +274,7 @@ def main() -> int:
         if text == path.read_text():
             continue
         if "--check" in sys.argv:
-            print(f"{path.name} is outdated: run python benchmarks/gpu_kit/page.py")
+            print(f"{path.relative_to(ROOT)} is outdated: run python benchmarks/gpu_kit/page.py")
             return 1
         path.write_text(text)
     return 0

@@ -29,8 +29,8 @@ _NUMBERS_AT_A_TIME = 1 << 18
 # Turns below this fraction of the products that they are differences of count as zero (rounding).
 _MAX_ROUNDING_TURN = 1e-12
 
-# Relaxation levels of an ear: no corner in or on its triangle, none inside, zero area accepted, no condition.
-_OPEN_MODE, _FLAT_MODE, _ANY_MODE = 1, 2, 3
+# Relaxation levels of an ear: 0 no corner in or on its triangle, 1 none inside, 2 zero area accepted, 3 no condition.
+_FLAT_MODE, _ANY_MODE = 2, 3
 
 # Steps per corner until a polygon is abandoned, so that self-intersecting ones terminate. Most take two.
 _MAX_STEPS = 12

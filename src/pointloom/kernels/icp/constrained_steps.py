@@ -194,8 +194,7 @@ def variance_of(sums: row_sums, method: int, rows: int, size: float64) -> float6
 
 MIN_PRIOR_FRACTION = 1.0e-12  # of the trace of the prior's information: less counts as none
 SMALLEST_FACTOR = 0.5  # of the scale per step
-FIXED_MOTION = 0  # motion kinds: fixed, determined by pairs, by the prior only, undetermined
-PAIRED_MOTION = 1
+PAIRED_MOTION = 1  # motion kinds: 0 fixed, 1 determined by pairs, 2 by the prior only, 3 undetermined
 BY_PRIOR = 2
 LOOSE_MOTION = 3
 scale_row = vector(8, float64)  # products of a scale with the six motions and itself, and its right side

@@ -9,8 +9,7 @@ from ..algebra.transform import widen
 from ..lang import cross, dot, float64, func, vec2d, vec3, vec3d, vec4d
 
 MIN_SQUARED_SINE = 1e-16  # squared sine of the first corner's angle, below which the normal is dominated by rounding
-FACE_FEATURE = 0  # features: face, edges from corner 0, 1 and 2, corners
-EDGE_FEATURE = 1
+EDGE_FEATURE = 1  # features: 0 the face, 1 to 3 edges from corner 0, 1 and 2, 4 to 6 corners
 CORNER_FEATURE = 4
 
 

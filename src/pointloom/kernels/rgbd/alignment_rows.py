@@ -20,7 +20,7 @@ from .seen_pixels import (
     surface_row,
 )
 
-SURFACE_COUNT, SURFACE_ERROR, SURFACE_SQUARES = 27, 28, 29  # behind 21 of the matrix and 6 of the right side
+SURFACE_COUNT, SURFACE_ERROR = 27, 28  # behind 21 of the matrix and 6 of the right side
 BRIGHTNESS_COUNT, BRIGHTNESS_ERROR = 30, 31
 SHADE_SUMS_AT = 32  # weights, source, target, source^2, target^2, their product
 row_sums = vector(38, float64)

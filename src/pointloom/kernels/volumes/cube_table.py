@@ -94,21 +94,20 @@ def case_triangles(case: int) -> list[tuple[int, int, int]]:
     return [triangle for loop in _loops(case) for triangle in _triangulate(loop)]
 
 
-def _build() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    counts, masks = np.zeros(256, np.int32), np.zeros(256, np.int32)
+def _build() -> tuple[np.ndarray, np.ndarray]:
+    counts = np.zeros(256, np.int32)
     edges = np.full((256, 3 * MAX_TRIANGLES), -1, np.int32)
     for case in range(256):
         flat = [edge for triangle in case_triangles(case) for edge in triangle]
         counts[case] = len(flat) // 3
         assert counts[case] <= MAX_TRIANGLES
         edges[case, : len(flat)] = flat
-        masks[case] = sum(1 << edge for edge in set(flat))
-    return counts, edges.ravel(), masks
+    return counts, edges.ravel()
 
 
 EDGE_CORNER = np.array([corner for corner, _ in _CUBE_EDGES], np.int32)  # [12] the owner of each edge
 EDGE_AXIS = np.array([axis for _, axis in _CUBE_EDGES], np.int32)  # [12]
-TRIANGLE_COUNT, TRIANGLE_EDGES, EDGE_MASK = _build()  # [256], [256 * 15] padded with -1, [256]
+TRIANGLE_COUNT, TRIANGLE_EDGES = _build()  # [256], [256 * 15] padded with -1
 
 
 @struct

@@ -303,7 +303,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         pixels: AnyArray | None,
         depth_max: float,
     ) -> None:
-        """Undo `_integrate_device_frame` of the same frame at the same pose, up to rounding. `depth` is in meters."""
+        """Undo `integrate_device_frame` of the same frame at the same pose, up to rounding. `depth` is in meters."""
         frames, T = self._current_frames, np.array(T_world_camera, np.float64)
         T[:3, 3] -= self.origin
         after = FrameState(frames.count - 1, frames.origin, frames.colored)
@@ -460,7 +460,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         depth_max: float = OPEN3D_DEPTH_MAX,
         weight_threshold: float = 3.0,
     ) -> tuple[wp.array, wp.array]:
-        """As `_render_maps`: depth, float32 (h * w,), 0 without surface, and colors, vec3 (h * w,) in 0..1."""
+        """As `render_maps`: depth, float32 (h * w,), 0 without surface, and colors, vec3 (h * w,) in 0..1."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._pose_about_origin(np.array(T_world_camera, np.float64))
         return render_colors(SeenBlocks(self.blocks, threshold), intrinsic, T, (near, far))

@@ -101,10 +101,6 @@ class PointStore:
         assert self.folder is not None
         return self.folder / f"submap-{number:06d}.npz"
 
-    @property
-    def bytes_in_memory(self) -> int:
-        return sum(points.values.nbytes for points in self._known.values())
-
 
 @dataclass(frozen=True, eq=False)
 class LidarSubmap:
