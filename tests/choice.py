@@ -2,7 +2,8 @@
 
 `make test` is `pytest --quick`, `make test-all` is pytest without it. `--quick` leaves out the tests that are marked
 `slow` or `nightly`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. CI runs
-`--rest`, too: those but Taichi's, the `nightly` ones, and the ones in nightly_tests.txt (tests/rest_set.py). `make
+`--rest`, too: those but Taichi's, the `nightly` ones, and the ones in nightly_tests.txt (tests/rest_set.py), and with
+real data all tests that read these. `make
 nightly` runs all others with `--nightly`, the tests that use stored answers of Open3D among them, with Open3D, and
 Taichi's with `--taichi`. Without an option the tests of tests/kernels that take `device`, and others marked
 `both_compilers`, run on Warp and on Taichi. tests/test_compilers.py compares all operations on both.
@@ -11,6 +12,7 @@ Taichi's with `--taichi`. Without an option the tests of tests/kernels that take
 from __future__ import annotations
 
 import importlib.util
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -80,7 +82,8 @@ def is_left_out(item: pytest.Item) -> bool:
 def is_in_rest(item: pytest.Item, left_out: frozenset[str]) -> bool:
     """True if CI runs a test after `make test`."""
     is_nightly = item.get_closest_marker("nightly") is not None or rest_set.is_named(item.nodeid, left_out)
-    return is_left_out(item) and not is_nightly and not needs_taichi(item)
+    reads_data = item.get_closest_marker("real_data") is not None and bool(os.environ.get("POINTLOOM_DATA"))
+    return (is_left_out(item) or reads_data) and not is_nightly and not needs_taichi(item)
 
 
 def is_in_nightly(item: pytest.Item, left_out: frozenset[str]) -> bool:

@@ -16,7 +16,6 @@ import numpy as np
 import pytest
 
 SHOWN, MIN_SECONDS = 20, 0.3  # tests, and the CPU seconds [s] below which a test is not listed
-SLOW = 1.0  # [s] from which on a test is marked `slow`
 MAX_QUOTIENT = "--max-cpu-quotient"
 REFERENCE = "reference workload"
 
