@@ -33,7 +33,7 @@ def write_image(filename: FilePath, image: ImageLike, quality: int = -1) -> bool
     """Write a PNG (8 or 16 bits), or a JPEG of quality 0 to 100, by default 90."""
     pixels = pixels_of(image)
     if (suffix := Path(filename).suffix.lower()) not in (".png", *JPEG):
-        raise FileError(filename, f"images are written to .png, .jpg and .jpeg, not to {suffix or 'no extension'}")
+        raise FileError(filename, f"images are written as PNG or JPEG, not to {suffix or 'no extension'}")
     if suffix in JPEG:
         with atomic_write(filename) as file:
             PIL.Image.fromarray(pixels).save(file, "JPEG", quality=90 if quality < 0 else quality)
