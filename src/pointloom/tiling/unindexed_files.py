@@ -26,15 +26,15 @@ from ..io.attribute_names import new_names
 from ..io.optional_imports import foreign_errors
 from ..io.points.by_extension import read_points
 from ..io.points.e57 import SCAN_INDEX, describe_e57, read_e57
-from ..io.points.formats import CLOUD_FORMATS
+from ..io.points.formats import CLOUD_FORMATS, WITH_SCANS, WRITTEN
 from ..io.points.in_parts import open_in_parts
 from ..io.points.las_writer import lay_out, name_rules, open_writer, unstorable_in_las, with_scan_angle
 from ..io.points.ptx import iterate_world_scans
 from ..io.points.text_parts import TextInParts
 from ..io.table import PointTable
 
-_NOT_CONVERTED = (".las", ".laz", ".npz", ".npy", ".bin", ".obj")  # read as they are, or often no points
-SUFFIXES = tuple(extension for extension in CLOUD_FORMATS if extension not in _NOT_CONVERTED)
+_OF_TEXT = tuple(each for each in WRITTEN if CLOUD_FORMATS[each].encoding == "text")
+SUFFIXES = (".ply", ".pcd", *_OF_TEXT, *WITH_SCANS)
 FOLDER, MAKING = "sources", "sources.part"
 ROWS_PER_PART = 1 << 18  # at a time
 MAX_COORDINATE_SCALE = 1e-4  # scale of the coordinates [their unit]; finer for points within 100 units
