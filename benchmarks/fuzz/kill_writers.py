@@ -27,20 +27,22 @@ from typing import Any
 import numpy as np
 
 import pointloom as loom
+from pointloom.cameras.trajectory_formats import TRAJECTORY_FORMATS
 from pointloom.core.errors import FileError
+from pointloom.io.meshes.mesh_formats import MESH_FORMATS
+from pointloom.io.points.formats import WRITTEN
 
 POINTS = 30_000
 MAX_DELAY = 0.25  # [s] from the first write to the kill: several versions of most formats
 
 
 def _cloud(version: int) -> loom.PointCloud:
-    return loom.PointCloud(np.random.default_rng(version).random((POINTS + 1000 * version, 3)))
+    points = np.random.default_rng(version).random((POINTS + 1000 * version, 3))
+    return loom.PointCloud(points, colors=points, normals=points)
 
 
-def _colored_cloud(version: int) -> loom.PointCloud:
-    cloud = _cloud(version)
-    cloud.colors = cloud.points
-    return cloud
+def _write_cloud(path: Path, cloud: loom.PointCloud) -> None:
+    loom.write_point_cloud(path, cloud, drop_unsupported=True)
 
 
 def _mesh(version: int) -> loom.TriangleMesh:
@@ -64,18 +66,12 @@ def _graph(version: int) -> loom.registration.PoseGraph:
 
 # name of the written path -> object of a version, writer, reader
 CASES: dict[str, tuple[Callable[[int], Any], Callable[[Path, Any], Any], Callable[[Path], Any]]] = {
-    **{f"a.{ending}": (_cloud, loom.write_point_cloud, loom.read_point_cloud) for ending in ("xyz", "pts")},
+    **{f"cloud{ending}": (_cloud, _write_cloud, loom.read_point_cloud) for ending in (*WRITTEN, ".copc.laz")},
+    **{f"mesh{ending}": (_mesh, loom.write_triangle_mesh, loom.read_triangle_mesh) for ending in MESH_FORMATS},
     **{
-        f"colored.{ending}": (_colored_cloud, loom.write_point_cloud, loom.read_point_cloud)
-        for ending in ("ply", "pcd", "xyzrgb", "las", "laz", "copc.laz", "e57", "npz", "npy", "vtk", "vtp")
-    },
-    **{
-        f"mesh.{ending}": (_mesh, loom.write_triangle_mesh, loom.read_triangle_mesh)
-        for ending in ("ply", "stl", "off", "obj", "glb", "vtk", "vtp")
-    },
-    **{
-        f"poses.{ending}": (_trajectory, loom.write_trajectory, loom.read_trajectory)
-        for ending in ("log", "tum", "kitti")
+        f"poses{ending}": (_trajectory, loom.write_trajectory, loom.read_trajectory)
+        for ending, names in TRAJECTORY_FORMATS.items()
+        if len(names) == 1 and ending != ".json"  # which needs a camera
     },
     "graph.json": (_graph, loom.registration.write_pose_graph, loom.registration.read_pose_graph),
 }

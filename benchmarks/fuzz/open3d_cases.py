@@ -8,22 +8,11 @@ from typing import Any
 import mutations
 import numpy as np
 from job_cases import anything, arrays, saved, values
-from public_cases import (
-    OF_BYTES,
-    OF_TEXT,
-    array,
-    camera_list,
-    depth_png,
-    graph,
-    image,
-    mesh,
-    polygon,
-    write_cloud,
-    written,
-)
+from public_cases import array, camera_list, depth_png, graph, image, mesh, polygon, write_cloud, written
 
 import pointloom as loom
 import pointloom.open3d as o3d
+from pointloom.open3d.io.shapes import OF_POINTS
 
 core, G, T = o3d.core, o3d.geometry, o3d.t.geometry
 
@@ -109,9 +98,9 @@ def mixed(rng: Any, data: bytes) -> bytes:
 # name, suffix, seeds, mutate, read, oracle: as in cases.Case
 OPEN3D = [
     *((f"open3d cloud {end}", end, written(end, write_cloud), mutations.binary, io.read_point_cloud, anything)
-      for end in (*OF_TEXT, ".ply", ".pcd")),
+      for end in OF_POINTS),
     *((f"open3d tensor cloud {end}", end, written(end, write_cloud), mutations.binary, tio.read_point_cloud, anything)
-      for end in (".ply", ".pcd", ".npz", ".xyz", ".las") if end in OF_BYTES or end in OF_TEXT),
+      for end in (".ply", ".pcd", ".npz", ".xyz", ".las")),
     ("open3d mesh", ".ply", MESH, mutations.binary, io.read_triangle_mesh, anything),
     ("open3d mesh .stl", ".stl", written(".stl", lambda p: loom.write_triangle_mesh(p, mesh())), mutations.binary,
      io.read_triangle_mesh, anything),

@@ -25,7 +25,12 @@ from job_cases import anything, arrays, values
 import pointloom as loom
 from pointloom.cli.jobs.evaluate import read_extrinsic
 from pointloom.cli.jobs.info import describe
+from pointloom.core.paths import RECORDINGS
+from pointloom.io.file_formats import CloudFormat, MeshFormat
 from pointloom.io.images.photo_files import read_exif, read_photo
+from pointloom.io.meshes.mesh_formats import MESH_FORMATS
+from pointloom.io.points.formats import CLOUD_FORMATS, WRITTEN
+from pointloom.io.splats.splat_files import EXTENSIONS
 from pointloom.photogrammetry.depth.estimation import read_distances
 from pointloom.photogrammetry.video.control_files import read_ground_control
 from pointloom.visualization.viewer.view_files import read_geometry
@@ -196,33 +201,32 @@ TEXTS = {
     ".asc": "x y z intensity\n1 2 3 7\n4 5 6 8\n", ".obj": "v 1 2 3 0.5 0 1\nv 4 5 6 0 1 0\nvn 0 0 1\nvn 0 1 0\n",
     ".ptx": "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n4 5 6 0.25\n",
 }  # fmt: skip
-OF_TEXT = (".xyz", ".xyzn", ".xyzrgb", ".pts")
-OF_BYTES = (".ply", ".pcd", ".npz", ".npy", ".vtk", ".vtp", ".las", ".laz", ".copc.laz", ".e57")
+BIN_ROWS = np.arange(12, dtype="<f4").tobytes()
 
 
 def write_cloud(path: Path) -> None:
     """Write a cloud with the arrays that its format stores."""
-    made, suffix = cloud(), path.suffix
-    if suffix in OF_TEXT:
-        normals = np.tile([0, 0, 1.0], (6, 1)) if suffix == ".xyzn" else None
-        made = loom.PointCloud(made.points, normals=normals, colors=made.colors if suffix == ".xyzrgb" else None)
-    loom.write_point_cloud(path, made)
+    made = cloud()
+    if "colors" not in CLOUD_FORMATS[path.suffix].stores:
+        made.normals = np.tile([0, 0, 1.0], (6, 1))
+    loom.write_point_cloud(path, made, drop_unsupported=True)
+
+
+def mutation_of(format: CloudFormat | MeshFormat) -> mutations.Mutation:
+    return mutations.text if format.encoding == "text" else mutations.binary
 
 
 def clouds() -> list[Any]:
     """`loom.read_point_cloud` for each format."""
-    read, name = loom.read_point_cloud, "cloud {}"
-    rows: list[Any] = [
-        (name.format(end), end, written(end, write_cloud), mutations.text, read, sound_points) for end in OF_TEXT
-    ]
-    rows += [
-        (name.format(end), end, written(end, write_cloud), mutations.binary, read, sound_points) for end in OF_BYTES
-    ]
-    rows += [
-        (name.format(end), end, text(content), mutations.text, read, sound_points) for end, content in TEXTS.items()
-    ]
-    bin_rows = np.arange(12, dtype="<f4").tobytes()
-    return [*rows, (name.format(".bin"), ".bin", lambda: [bin_rows], mutations.binary, read, sound_points)]
+    seeds = {end: written(end, write_cloud) for end in (*WRITTEN, ".copc.laz")}
+    seeds |= {end: text(content) for end, content in TEXTS.items()} | {".bin": lambda: [BIN_ROWS]}
+    return [
+        (
+            f"cloud {end}", end, made, mutation_of(CLOUD_FORMATS[Path(f"a{end}").suffix]), loom.read_point_cloud,
+            sound_points,
+        )
+        for end, made in seeds.items()
+    ]  # fmt: skip
 
 
 def write_mesh(path: Path) -> None:
@@ -252,13 +256,12 @@ VTP = b"""<VTKFile type="PolyData" byte_order="LittleEndian" compressor="vtkZLib
 
 def meshes() -> list[Any]:
     """`loom.read_triangle_mesh` for each format."""
-    seeds = {end: written(end, write_mesh) for end in (".obj", ".stl", ".off")}
+    seeds = {end: written(end, write_mesh) for end in MESH_FORMATS}
     seeds |= {end: written(end, write_mesh, write_textured) for end in (".ply", ".glb")}
     seeds |= {".vtk": written(".vtk", write_mesh, write_ascii), ".vtp": lambda: [*written(".vtp", write_mesh)(), VTP]}
     seeds |= {".gltf": other_cases.gltfs}
     return [
-        (f"mesh {end}", end, made, mutations.text if end in (".obj", ".off", ".gltf") else mutations.binary,
-         loom.read_triangle_mesh, sound_surface)
+        (f"mesh {end}", end, made, mutation_of(MESH_FORMATS[end]), loom.read_triangle_mesh, sound_surface)
         for end, made in seeds.items()
     ]  # fmt: skip
 
@@ -270,7 +273,7 @@ def splat_files() -> list[Any]:
             f"splats {end}", end, written(end, lambda p: loom.write_splats(p, splats())), mutations.binary,
             loom.read_splats, anything,
         )
-        for end in (".ply", ".splat", ".spz")
+        for end in EXTENSIONS
     ]  # fmt: skip
 
 
@@ -346,7 +349,7 @@ PUBLIC = [
     ("EXIF", ".jpg", lambda: [photo()], mutations.binary, read_exif, anything),
     ("positions of photos", ".jpg", lambda: [photo()], mutations.binary, _places, anything),
     *((f"recording {end}", end, recording(end), mutations.binary, read_recording, anything)
-      for end in (".bag", ".mcap", ".db3")),
+      for end in RECORDINGS),
     ("ground control", ".txt", text(GCP), mutations.text, read_ground_control, anything),
     ("ground control .csv", ".csv", text(GCP_CSV), mutations.text, read_ground_control, anything),
     ("scale bars", ".txt", text(BARS), mutations.text,

@@ -1,8 +1,9 @@
 """The list of all functions that read files, with the fuzz cases that cover each of them.
 
 `PUBLIC` has the public functions of pointloom and `pointloom.open3d` that take a path or bytes, `MODULES` the modules
-that open files. tests/io/test_fuzzed_files.py compares both with the code. A value is the names of cases, or `LeftOut`
-with the reason. Functions that only write are recognized by their names (`WRITERS`).
+that open files, without the readers in the tables of formats. tests/io/test_fuzzed_files.py compares both with the
+code. A value is the names of cases, or `LeftOut` with the reason. Functions that only write are recognized by
+their names (`WRITERS`).
 """
 
 from __future__ import annotations
@@ -15,6 +16,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
+
+from pointloom.core import paths
+from pointloom.io.meshes.mesh_formats import MESH_FORMATS
+from pointloom.io.points.formats import CLOUD_FORMATS
+from pointloom.io.splats.splat_files import EXTENSIONS
 
 
 class LeftOut(str):
@@ -29,10 +35,8 @@ OPENERS = {"input_path", "open_source", "read_json_object", "read_text", "read_b
 _MAY_OPEN = re.compile("|".join([*OPENERS, r'"rb"', r"\.(?:load|connect|ZipFile)\("]))
 HOLDERS = {"np", "sqlite3", "zipfile"}  # of `load`, `connect` and `ZipFile`
 
-CLOUDS = ("cloud .ply", "cloud .pcd", "cloud .npz", "cloud .xyz", "cloud .xyzn", "cloud .xyzrgb", "cloud .pts",
-          "cloud .csv", "cloud .txt", "cloud .asc", "cloud .bin", "cloud .las", "cloud .laz", "cloud .copc.laz",
-          "cloud .e57", "cloud .ptx", "cloud .npy", "cloud .vtk", "cloud .vtp", "cloud .obj")  # fmt: skip
-MESHES = ("mesh .ply", "mesh .obj", "mesh .stl", "mesh .off", "mesh .glb", "mesh .gltf", "mesh .vtk", "mesh .vtp")
+CLOUDS = tuple(f"cloud {extension}" for extension in (*CLOUD_FORMATS, ".copc.laz"))
+MESHES = tuple(f"mesh {extension}" for extension in MESH_FORMATS)
 POSES = ("trajectory .log", "trajectory .tum", "trajectory .kitti", "trajectory .json")
 MODELS = ("COLMAP cameras.txt", "COLMAP images.txt", "COLMAP points3D.txt", "COLMAP cameras.bin", "COLMAP images.bin",
           "COLMAP points3D.bin")  # fmt: skip
@@ -44,7 +48,8 @@ TILES = ("plan of a manifest", "manifest")
 JOBS = ("job of registration, plan", "job of registration, task", "job of fusion, plan", "job of fusion, task")
 PAGED = ("paged volume, state", "paged volume, page")
 MAPS = ("depth maps, index", "depth maps, map")
-RECORDINGS = ("recording .bag", "recording .mcap", "recording .db3")
+RECORDINGS = tuple(f"recording {extension}" for extension in paths.RECORDINGS)
+SPLATS = tuple(f"splats {extension}" for extension in EXTENSIONS)
 
 PHOTOS = ("photo .heic", "photo .dng", "photo .tif", "photo .webp")
 VIDEOS = ("video .mp4", "video .mkv", "video .avi", "video .ts", "video .mov")
@@ -96,7 +101,7 @@ PUBLIC: dict[str, tuple[str, ...] | LeftOut] = {
     "loom.PinholeCameraIntrinsic.read": ("camera .json",),
     "loom.read_point_cloud": CLOUDS,
     "loom.read_raster": ("raster .tif",),
-    "loom.read_splats": ("splats .ply", "splats .splat", "splats .spz"),
+    "loom.read_splats": SPLATS,
     "loom.read_stations": ("stations .e57", "stations .ptx"),
     "loom.read_trajectory": POSES,
     "loom.read_triangle_mesh": MESHES,
@@ -211,18 +216,13 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "io/points/archives.py": ("volume", "occupancy grid", "distance field", "control grid"),
     "io/points/copc.py": ("COPC",),
     "io/points/copc_nodes.py": ("COPC",),
-    "io/points/e57.py": ("cloud .e57",),
     "io/points/e57_writer.py": OF_WRITER,
     "io/points/header_units.py": ("cloud .ply", "cloud .pcd"),
     "io/points/in_parts.py": ("detail tree",),
-    "io/points/kitti_bin.py": ("cloud .bin",),
-    "io/points/las.py": ("cloud .las",),
     "io/points/laz_chunks.py": ("chunks of LAS",),
-    "io/points/npy.py": ("cloud .npy",),
     "io/points/npz.py": ("cloud .npz", "NPZ", "open3d tensor"),
     "io/points/pcd.py": ("cloud .pcd", "PCD"),
     "io/points/ply.py": ("cloud .ply", "PLY mesh, text", "PLY mesh, binary"),
-    "io/points/ptx.py": ("cloud .ptx",),
     "io/points/text.py": ("cloud .xyz", "XYZ"),
     "io/points/text_parts.py": ("detail tree .xyz",),
     "io/points/text_table.py": ("cloud .csv", "CSV"),
@@ -293,7 +293,18 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "visualization/viewer/tools/stage.py": OF_PAGE,
     "visualization/viewer/view_files.py": ("viewed file .npz", "viewed file .json"),
 }
+# The modules of the readers of formats are added by `modules_of_formats`.
 TRUSTED = "kernels/"  # modules of caches and archives of kernels, which are trusted (SECURITY.md)
+
+
+def modules_of_formats() -> dict[str, tuple[str, ...]]:
+    """The modules of the readers in the tables of formats, with the cases of their formats."""
+    found: dict[str, tuple[str, ...]] = {}
+    for kind, formats in (("cloud", CLOUD_FORMATS), ("mesh", MESH_FORMATS)):
+        for extension, format in formats.items():
+            name = inspect.unwrap(format.codec.read).__module__.removeprefix("pointloom.").replace(".", "/") + ".py"
+            found[name] = (*found.get(name, ()), f"{kind} {extension}")
+    return found
 
 
 def public_readers(loom: ModuleType, o3d: ModuleType) -> Iterator[str]:
@@ -361,12 +372,13 @@ def uncovered(root: Path, loom: ModuleType, o3d: ModuleType, cases: set[str]) ->
     """Differences between the two lists, the code and the names of the cases, one line each."""
     readers, modules = set(public_readers(loom, o3d)), opening_modules(root)
     modules = {name for name in modules if not name.startswith(TRUSTED)}
+    listed = {name: value for name, value in modules_of_formats().items() if name in modules} | MODULES
     lines = [f"{name}: reads a file, and is not in the list" for name in sorted(readers - PUBLIC.keys())]
-    lines += [f"{name}: opens a file, and is not in the list" for name in sorted(modules - MODULES.keys())]
+    lines += [f"{name}: opens a file, and is not in the list" for name in sorted(modules - listed.keys())]
     lines += [f"{name}: is in the list, and is no public reader" for name in sorted(PUBLIC.keys() - readers)]
     lines += [f"{name}: is in the list, and opens no file" for name in sorted(MODULES.keys() - modules)]
     used: set[str] = set()
-    for name, value in (PUBLIC | MODULES).items():
+    for name, value in (PUBLIC | listed).items():
         if isinstance(value, LeftOut):
             lines += [] if value else [f"{name}: has neither a case nor a reason"]
             continue

@@ -9,6 +9,9 @@ import sys
 import tomllib
 from pathlib import Path
 
+from pointloom.io.meshes.mesh_formats import MESH_FORMATS
+from pointloom.io.points.formats import CLOUD_FORMATS, WRITTEN
+
 from .texts import titled, write_if_changed
 
 ROOT = Path(__file__).parents[2]
@@ -33,6 +36,8 @@ INDEX = "<!-- index of README.md -->"  # in guides.md: the tables of docs/README
 PROJECT_PAGES = ("changelog", "contributing", "security", "kernels", "benchmarks", "emulated-cuda")
 
 _LINK = re.compile(r"(!?)\[([^\]]*)\]\((?![a-z]+:|#)([^)\s#]*)(#[^)\s]*)?\)")
+# In a table cell: the lists of all formats follow in the site, instead of some examples.
+_FORMATS = re.compile(r"(?<=\| )[^|]*<!-- formats: (clouds|meshes) -->")
 _BLOCK = re.compile(r"(```.*?```)", re.DOTALL)
 
 
@@ -51,7 +56,8 @@ def bring(docs: Path) -> None:
 
 
 def rewrite_links(page: str, text: str) -> str:
-    """Replace the relative links of a Markdown page by those of the site, and insert the index into the guides.
+    """Replace the relative links of a Markdown page by those of the site, and insert the index into the guides and the
+    lists of formats.
 
     Links to files outside the site become addresses in the repository, or plain text if no repository is set.
 
@@ -62,6 +68,7 @@ def rewrite_links(page: str, text: str) -> str:
     if INDEX in text:
         readme = (ROOT / "docs" / "README.md").read_text(encoding="utf-8")
         text = text.replace(INDEX, readme[readme.index("\n## ") + 1 :])
+    text = _FORMATS.sub(lambda match: listed_formats(match[1]), text)
     origin = {location: source for source, location in BROUGHT.items()}.get(page, f"docs/{page}.md")
 
     def link(match: re.Match[str]) -> str:
@@ -70,6 +77,14 @@ def rewrite_links(page: str, text: str) -> str:
 
     parts = (block if block.startswith("```") else _LINK.sub(link, block) for block in _BLOCK.split(text))
     return with_address("".join(parts), LOCATION["repository"])
+
+
+def listed_formats(kind: str) -> str:
+    """The extensions of clouds or meshes, from the tables of formats."""
+    if kind == "meshes":
+        return f"`{' '.join(MESH_FORMATS)}`"
+    others = [extension for extension in CLOUD_FORMATS if extension not in WRITTEN]
+    return f"`{' '.join(WRITTEN)}`; read only: `{' '.join(others)}`"
 
 
 def _link(page: str, origin: str, bang: str, words: str, target: str, part: str) -> str:

@@ -29,7 +29,7 @@ from pointloom.core.open3d_names import sections
 from pointloom.core.verbosity import VerbosityContextManager, VerbosityLevel, get_verbosity_level, set_verbosity_level
 from pointloom.io.bags.recording import Recording
 from pointloom.io.columns import warn_of_loss
-from pointloom.io.points.formats import read_points
+from pointloom.io.points.by_extension import read_points
 from pointloom.photogrammetry.video.ground_control import ScaleBar
 from pointloom.public_names import results_of
 from pointloom.rgbd.reconstruction.config import ReconstructionConfig

@@ -14,9 +14,14 @@ import pytest
 
 import pointloom as loom
 import pointloom.open3d as o3d
+from pointloom.cameras.trajectory_formats import TRAJECTORY_FORMATS
 from pointloom.core import atomic
 from pointloom.core.atomic import atomic_folder, atomic_write, restore_folder
+from pointloom.io.images.image_formats import PICTURES
+from pointloom.io.meshes.mesh_formats import MESH_FORMATS
 from pointloom.io.optional_imports import foreign_errors
+from pointloom.io.points.formats import WRITTEN
+from pointloom.io.splats.splat_files import EXTENSIONS
 
 
 def write(path, content, **options):
@@ -292,6 +297,7 @@ def test_an_empty_folder_that_cannot_be_renamed_is_filled(tmp_path, access, monk
 
 KILLED = """
 import os, sys
+from pointloom.cameras.trajectory_formats import TRAJECTORY_FORMATS
 from pointloom.core import atomic
 from pointloom.core.atomic import atomic_folder
 calls = [0]
@@ -365,6 +371,15 @@ def cloud(**arrays):
     return loom.PointCloud(np.random.default_rng(0).random((50, 3)), **arrays)
 
 
+def write_cloud(path):
+    colors = np.full((50, 3), 0.5)
+    loom.write_point_cloud(path, cloud(colors=colors, normals=colors), drop_unsupported=True)
+
+
+def write_track(path):
+    loom.write_trajectory(path, TRACK, intrinsic=CAMERA if path.suffix == ".json" else None)
+
+
 def occupied():
     grid = loom.OccupancyGrid(0.5)
     grid.insert_scan([[2.2, 0.2, 0.2]], origin=[0.2, 0.2, 0.2])
@@ -407,30 +422,11 @@ TENSOR = o3d.core.Tensor(np.arange(3))
 TENSOR_CLOUD = o3d.t.geometry.PointCloud(o3d.core.Tensor(np.eye(3)))
 # Name of a file -> a function that writes it.
 WRITERS = {
-    **dict.fromkeys(
-        (
-            "c.ply",
-            "c.pcd",
-            "c.xyz",
-            "c.pts",
-            "c.las",
-            "c.laz",
-            "c.copc.laz",
-            "c.e57",
-            "c.npz",
-            "c.npy",
-            "c.vtk",
-            "c.vtp",
-        ),
-        lambda path: loom.write_point_cloud(path, cloud()),
-    ),
-    **dict.fromkeys(
-        ("m.ply", "m.stl", "m.off", "m.obj", "m.glb", "m.vtk", "m.vtp"),
-        lambda path: loom.write_triangle_mesh(path, SPHERE),
-    ),
-    **dict.fromkeys(("t.log", "t.tum", "t.kitti"), lambda path: loom.write_trajectory(path, TRACK)),
-    **dict.fromkeys(("s.ply", "s.splat", "s.spz"), lambda path: loom.write_splats(path, splats())),
-    **dict.fromkeys(("p.png", "p.webp"), lambda path: loom.write_image(path, PIXELS)),
+    **{f"c{extension}": write_cloud for extension in (*WRITTEN, ".copc.laz")},
+    **{f"m{extension}": lambda path: loom.write_triangle_mesh(path, SPHERE) for extension in MESH_FORMATS},
+    **{f"t{extension}": write_track for extension, names in TRAJECTORY_FORMATS.items() if len(names) == 1},
+    **{f"s{extension}": lambda path: loom.write_splats(path, splats()) for extension in EXTENSIONS},
+    **{f"p{extension}": lambda path: loom.write_image(path, PIXELS) for extension in PICTURES},
     "graph.json": lambda path: loom.registration.write_pose_graph(path, GRAPH),
     "camera.json": lambda path: CAMERA.write(path),
     "config.json": lambda path: loom.rgbd.ReconstructionConfig().write(path),

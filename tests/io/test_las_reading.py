@@ -14,7 +14,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.units import LengthUnit
-from pointloom.io.points.formats import WriteOptions, write_table
+from pointloom.io.points.by_extension import write_table
+from pointloom.io.points.codecs import WriteOptions
 from pointloom.io.points.las import open_las, read_las
 from pointloom.io.points.las_crs import GeographicWarning, crs_name, is_geographic
 from pointloom.io.points.las_units import units_of

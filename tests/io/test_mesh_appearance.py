@@ -14,9 +14,9 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.io.images import image_files
 from pointloom.io.images.image_files import encode_png, write_png
+from pointloom.io.meshes.by_extension import read_mesh
 from pointloom.io.meshes.glb import read_glb
 from pointloom.io.meshes.glb_writer import write_glb, write_gltf
-from pointloom.io.meshes.mesh_formats import read_mesh
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.stl import write_stl
 from pointloom.io.meshes.tables import is_mesh_file, read_table, write_mesh_table

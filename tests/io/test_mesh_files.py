@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.io.meshes.mesh_formats import write_mesh
+from pointloom.io.meshes.by_extension import write_mesh
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.off import read_off, write_off
 from pointloom.io.meshes.stl import read_stl, write_stl

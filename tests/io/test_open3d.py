@@ -13,8 +13,9 @@ from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.io.color_space import linear_to_srgb
 from pointloom.io.images.image_files import read_color, read_depth, write_png
-from pointloom.io.meshes.mesh_formats import write_mesh
-from pointloom.io.points.formats import READERS, WriteOptions, write_table
+from pointloom.io.meshes.by_extension import write_mesh
+from pointloom.io.points.by_extension import read_points, write_table
+from pointloom.io.points.codecs import WriteOptions
 from pointloom.io.points.pcd import read_pcd, write_pcd
 from pointloom.io.points.ply import read_ply, read_ply_mesh
 from pointloom.io.points.text import read_text
@@ -97,7 +98,7 @@ def test_clouds_of_open3d_are_read(open3d_file, name):
     path = open3d_file(write_cloud, name, cloud(name))
     assert path.suffix != ".pcd" or f"DATA {path.stem}".encode() in path.read_bytes()
     digits = 2e-5 if path.stem == "ascii" else 1e-9 if path.stem == "a" else 0  # Open3D prints 6 digits, or 10
-    assert_same_cloud(READERS[path.suffix](path), cloud(name), digits)
+    assert_same_cloud(read_points(path), cloud(name), digits)
 
 
 @pytest.mark.parametrize("name", CLOUDS)

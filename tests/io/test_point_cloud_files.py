@@ -19,9 +19,12 @@ from pointloom.core.errors import FileError
 from pointloom.core.units import LengthUnit
 from pointloom.io import source
 from pointloom.io.attribute_names import NameRules, is_word, new_names
-from pointloom.io.meshes.mesh_formats import MESH_READERS
+from pointloom.io.meshes.by_extension import read_mesh
+from pointloom.io.meshes.mesh_formats import MESH_FORMATS
 from pointloom.io.meshes.tables import write_cloud_table
-from pointloom.io.points.formats import READERS, WriteOptions, write_table
+from pointloom.io.points.by_extension import read_points, write_table
+from pointloom.io.points.codecs import WriteOptions
+from pointloom.io.points.formats import CLOUD_FORMATS, WRITTEN
 from pointloom.io.points.in_parts import open_in_parts
 from pointloom.io.points.las import read_las
 from pointloom.io.points.npz import read_npz, write_npz
@@ -77,7 +80,7 @@ def test_utm_coordinates_are_exact_in_every_format(extension, ascii, rng, tmp_pa
     for cloud, limit in ((full, 0), (part, tolerances.float32_relative * 1001)):
         path = tmp_path / f"cloud{extension}"
         loom.write_point_cloud(path, cloud, ascii=ascii)
-        np.testing.assert_array_equal(READERS[extension](path).points, cloud.points)
+        np.testing.assert_array_equal(read_points(path).points, cloud.points)
         np.testing.assert_allclose(loom.read_point_cloud(path).points, cloud.points, rtol=0, atol=limit)
 
 
@@ -108,7 +111,7 @@ def test_unknown_and_missing_files_and_other_objects_are_named(tmp_path):
             call(tmp_path / "cloud.abc")
         with pytest.raises(loom.FileError, match=r"cloud\.stl"):
             call(tmp_path / "cloud.stl")
-    with pytest.raises(loom.FileError, match=r"\.xyz .*\.e57 \.vtk \.vtp$"):  # not .csv and .ptx, which are only read
+    with pytest.raises(loom.FileError, match=re.escape(f"one of {' '.join(WRITTEN)};")):  # not .ptx, which is only read
         loom.write_point_cloud(tmp_path / "cloud", loom.PointCloud())
     for missing in ("missing", "missing.ply"):
         with pytest.raises(loom.FileError, match=f"{missing}: (does not exist|cannot be read)"):
@@ -418,7 +421,7 @@ def test_non_finite_cloud_issues_no_warning(kind, dtype, device):
 def test_non_finite_file_issues_no_warning(name, kind, dtype, tmp_path):
     rows = vectors(kind, dtype)
     plain = np.arange(18, dtype=dtype).reshape(6, 3)
-    for extension in READERS:
+    for extension in CLOUD_FORMATS:
         normals = rows if name == "normals" else np.ones((6, 3)) if extension == ".xyzn" else None
         attributes = {"intensity": rows[:, 1].copy()} if name == "intensity" else {}
         colors = np.full((6, 3), 0.5) if extension == ".xyzrgb" else None
@@ -603,10 +606,10 @@ def test_missing_and_additional_bytes_of_a_binary_file_are_named_by_their_offset
     valid = path.read_bytes()
     path.write_bytes(valid[:-cut])
     with pytest.raises(FileError, match=rf"/{path.name} \(byte {size - cut}\):.*120.*{120 - cut}.*{cut}"):
-        READERS[path.suffix](path)
+        read_points(path)
     path.write_bytes(valid + more)
     with pytest.raises(FileError, match=rf"/{path.name} \(byte {size}\): 1 bytes follow"):
-        READERS[path.suffix](path)
+        read_points(path)
 
 
 def test_out_of_memory_error_names_the_file(path, monkeypatch):
@@ -723,7 +726,7 @@ def change_after_opening(monkeypatch):
 
 
 @pytest.mark.parametrize("change", CHANGES)
-@pytest.mark.parametrize("suffix", [*READERS, *MESH_READERS, "_binary.stl"])
+@pytest.mark.parametrize("suffix", [*CLOUD_FORMATS, *MESH_FORMATS, "_binary.stl"])
 def test_a_file_that_changes_while_it_is_read_is_an_error(suffix, change, tmp_path, change_after_opening):
     path = tmp_path / f"a{suffix}"
     if suffix == ".ptx":
@@ -738,13 +741,13 @@ def test_a_file_that_changes_while_it_is_read_is_an_error(suffix, change, tmp_pa
         )
     elif suffix == ".obj":
         path.write_text("v 1.5 2.5 3.5\n" * 300)
-    elif suffix in READERS and suffix not in (".csv", ".txt", ".asc"):
+    elif suffix in CLOUD_FORMATS and suffix not in (".csv", ".txt", ".asc"):
         write_points(path, 300)
-    elif suffix in READERS:
+    elif suffix in CLOUD_FORMATS:
         path.write_text("x y z\n" + "1.5 2.5 3.5\n" * 300)
     else:
         loom.write_triangle_mesh(path, loom.TriangleMesh.create_sphere(1.0, 5))
-    reader = READERS.get(suffix) or MESH_READERS[path.suffix]
+    reader = read_points if suffix in CLOUD_FORMATS else read_mesh
     reader(path)
     change_after_opening(change)
     with pytest.raises(FileError, match=CHANGED):

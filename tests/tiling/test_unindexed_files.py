@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.io.points import text_parts
-from pointloom.io.points.formats import READERS
+from pointloom.io.points.by_extension import read_points
 from pointloom.io.points.las import open_las
 from pointloom.io.points.text_parts import TextInParts
 from pointloom.tiling import plan as plan_module
@@ -83,7 +83,7 @@ def test_text_read_in_parts_matches_text_read_at_once(tmp_path, monkeypatch):
         ]:
             path = tmp_path / name
             path.write_bytes(body.encode())
-            complete, parts = READERS[path.suffix](path), [*TextInParts(path).parts(7)]
+            complete, parts = read_points(path), [*TextInParts(path).parts(7)]
             for field in ("points", "normals", "colors"):
                 values = [getattr(part, field) for part in parts]
                 expected = getattr(complete, field)

@@ -12,14 +12,13 @@ from ..core.atomic import atomic_write
 from ..core.errors import FilePath
 from ..core.outputs import check_output
 from .trajectory import Trajectory, write_trajectory
-
-FORMATS = {".txt": "tum", ".tum": "tum", ".log": "log"}  # formats with a frame number or time per pose
+from .trajectory_formats import NUMBERED
 
 
 def check_trajectory_output(path: FilePath, *, overwrite: bool) -> str:
     """The trajectory format of an extension, after checking that the file can be written."""
-    check_output(path, tuple(FORMATS), what="poses", overwrite=overwrite)
-    return FORMATS[Path(path).suffix.lower()]
+    check_output(path, NUMBERED, what="poses", overwrite=overwrite)
+    return NUMBERED[Path(path).suffix.lower()]
 
 
 def write_poses(path: FilePath, trajectory: Trajectory, *, overwrite: bool) -> None:

@@ -29,9 +29,9 @@ from ..core.units import warn_of_units
 from ..kernels.linear_algebra import inv
 from .camera import PinholeCameraIntrinsic, check_camera, intrinsic_to_json, read_json_matrix
 from .pose_text import check_pose, kitti_poses, log_poses, read_lines, timed_poses
+from .trajectory_formats import FORMATS, TRAJECTORY_FORMATS, extensions_of
 
 _CRS_COMMENT = "# crs "  # before the coordinate system in text files
-FORMATS = ("log", "tum", "kitti", "json")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -143,8 +143,8 @@ def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
     suffix = path_of(path).suffix.lower()
     if suffix == ".json":
         return _read_json(path)
-    if suffix not in (".log", ".txt", ".tum", ".kitti"):
-        remedy = recording_remedy(path, "trajectory()") or "Known extensions are .log, .json, .txt, .tum, .kitti"
+    if suffix not in TRAJECTORY_FORMATS:
+        remedy = recording_remedy(path, "trajectory()") or f"Known extensions are {', '.join(TRAJECTORY_FORMATS)}"
         raise FileError(path, f"unknown trajectory format {suffix!r}", remedy=remedy)
     comments: list[str] = []
     lines, crs = read_lines(path, comments), None
@@ -266,9 +266,8 @@ def _output_format(path: str | os.PathLike[str], format: str | None) -> str:
         raise FileError(path, f"the extension {suffix!r} does not determine the format", remedy=remedy)
     if format is not None and check_name("format", format) not in FORMATS:
         raise ValueError(f"format: expected one of {FORMATS}, got {format!r}")
-    allowed = {"log": {".log"}, "json": {".json"}, "tum": {".tum", ".txt"}, "kitti": {".kitti", ".txt"}}
-    if format is not None and suffix not in allowed[format]:
-        raise FileError(path, f"{format} files end in {' or '.join(sorted(allowed[format]))}, got {suffix!r}")
+    if format is not None and suffix not in extensions_of(format):
+        raise FileError(path, f"{format} files end in {' or '.join(extensions_of(format))}, got {suffix!r}")
     return format or str(implied)
 
 

@@ -12,6 +12,7 @@ from typing import Any
 from .errors import FileError
 
 RECORDINGS = (".bag", ".mcap", ".db3")  # of robots
+IN_FOLDERS = tuple(extension for extension in RECORDINGS if extension != ".bag")  # files of a bag of ROS 2
 
 
 def path_of(path: object, name: str = "path") -> Path:
@@ -41,7 +42,7 @@ def input_path(path: Any) -> Path:
 def is_recording(path: Path) -> bool:
     """True for the name of a robot recording, or a folder of one."""
     if path.is_dir():
-        return any(file.suffix in (".db3", ".mcap") for file in path.iterdir())
+        return any(file.suffix in IN_FOLDERS for file in path.iterdir())
     return path.suffix.lower() in RECORDINGS
 
 

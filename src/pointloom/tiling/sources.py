@@ -25,6 +25,7 @@ from ..core.progress import ReportProgress
 from ..core.units import text_of
 from ..io.columns import warn_of_loss
 from ..io.points.copc import CopcFile, is_copc, octree_of
+from ..io.points.formats import CLOUD_FORMATS
 from ..io.points.las import LasFile, attribute_types, open_las, scale_by, table_of
 from ..io.points.las_crs import crs_name, is_geographic
 from ..io.points.las_records import left_out_of, own_records
@@ -37,7 +38,7 @@ from .unindexed_files import FOLDER as MADE
 from .unindexed_files import SUFFIXES as LOOSE
 from .unindexed_files import converted_files
 
-IN_FOLDERS = tuple(suffix for suffix in LOOSE if suffix not in (".csv", ".txt"))  # these may be notes
+IN_FOLDERS = tuple(suffix for suffix in LOOSE if not CLOUD_FORMATS[suffix].may_be_other)  # these may be notes
 ROW_BITS = 40  # bits of a point's key for its row. The rest is the file number
 
 

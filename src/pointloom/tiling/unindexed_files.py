@@ -24,15 +24,17 @@ from ..core.progress import ReportProgress
 from ..core.units import LengthUnit
 from ..io.attribute_names import new_names
 from ..io.optional_imports import foreign_errors
+from ..io.points.by_extension import read_points
 from ..io.points.e57 import SCAN_INDEX, describe_e57, read_e57
-from ..io.points.formats import READERS
+from ..io.points.formats import CLOUD_FORMATS, WITH_SCANS, WRITTEN
 from ..io.points.in_parts import open_in_parts
 from ..io.points.las_writer import lay_out, name_rules, open_writer, unstorable_in_las, with_scan_angle
 from ..io.points.ptx import iterate_world_scans
 from ..io.points.text_parts import TextInParts
 from ..io.table import PointTable
 
-SUFFIXES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".asc", ".e57", ".ptx")
+_OF_TEXT = tuple(each for each in WRITTEN if CLOUD_FORMATS[each].encoding == "text")
+SUFFIXES = (".ply", ".pcd", *_OF_TEXT, *WITH_SCANS)
 FOLDER, MAKING = "sources", "sources.part"
 ROWS_PER_PART = 1 << 18  # at a time
 MAX_COORDINATE_SCALE = 1e-4  # scale of the coordinates [their unit]; finer for points within 100 units
@@ -192,7 +194,7 @@ def _scans_of(path: Path) -> Iterator[PointTable]:
 
 def _rows_of(path: Path) -> Iterator[PointTable]:
     file = open_in_parts(path)
-    yield from [READERS[path.suffix.lower()](path)] if file is None else file.parts(ROWS_PER_PART)
+    yield from [read_points(path)] if file is None else file.parts(ROWS_PER_PART)
 
 
 def _write(path: Path, parts: Parts, target: Path, properties: CommonProperties, count: int) -> None:

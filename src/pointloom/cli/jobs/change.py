@@ -15,7 +15,8 @@ from ...core.reports import Fields
 from ...core.units import UnitWarning, without_warnings
 from ...core.wording import format_fraction
 from ...io.meshes import tables
-from ...io.points.formats import columns_of
+from ...io.points.by_extension import columns_of
+from ...io.points.formats import storing
 from ...io.points.point_cloud import cloud_of, table_of
 from ...io.table import MeshTable
 from ...meshing.mesh.mesh import TriangleMesh
@@ -29,7 +30,6 @@ from ...pcd.units import common_reference
 from ...visualization.change.pictures import draw_change, paint_change
 from ...visualization.render.picture_files import check_picture
 from .job import Job, JobReport, Settings, in_words_of_command
-from .rows import COLORED, LABELLED
 
 CYLINDER_POINTS = 20  # points of the first epoch in a cylinder of the default radius
 NORMAL_RADII = (1.0, 2.0, 4.0)  # over the cylinder radius
@@ -127,8 +127,8 @@ def change_files(
     """
     outputs, measure = outputs or ChangeOutputs(), measure or ChangeMeasure()
     job = Job("change", earlier, **settings)
-    job.check(outputs.points, LABELLED, what="attributes")
-    job.check(outputs.painted, COLORED, what="colors")
+    job.check(outputs.points, storing("labels"), what="attributes")
+    job.check(outputs.painted, storing("colors"), what="colors")
     if outputs.picture is not None:
         check_picture(outputs.picture, overwrite=job.form["overwrite"])
     with job.stage("read"):

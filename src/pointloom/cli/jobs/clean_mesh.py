@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Unpack
 
 from ...core.errors import FilePath
-from ...io.meshes import tables
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...meshing.mesh.cleaned_mesh import clean_mesh
 from .announced_stages import AnnouncedStages
 from .job import Job, Settings
@@ -27,7 +27,7 @@ def clean_mesh_file(
     `merge` and `fill` are `merge_distance` and `hole_size` of `clean_mesh`.
     """
     job = Job("clean-mesh", source, **settings)
-    job.check(output, tables.MESHES, what="meshes")
+    job.check(output, MESH_FORMATS, what="meshes")
     mesh = job.read_mesh()
     with AnnouncedStages(job.clock, job.progress) as stages:
         sizes = {"merge_distance": merge, "hole_size": fill, "min_area": min_area}

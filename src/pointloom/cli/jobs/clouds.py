@@ -12,11 +12,10 @@ import numpy as np
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...io.meshes import tables
-from ...io.points.formats import WRITTEN
+from ...io.meshes.mesh_formats import MESH_FORMATS
+from ...io.points.formats import WRITTEN, storing
 from ...io.table import MeshTable
 from .job import Job, JobReport, Settings
-
-WITH_NORMALS = (".ply", ".pcd", ".npz", ".xyzn", ".las", ".laz", ".e57")
 
 
 @dataclass(frozen=True)
@@ -55,12 +54,11 @@ def convert_file(
     system are kept. Warns if 16-bit colors are rounded, attributes are renamed, or records are omitted.
     """
     job = Job("convert", source, as_text=as_text, overwrite=overwrite, up=up, columns=columns)
-    allowed = (*WRITTEN, *(suffix for suffix in tables.MESHES if suffix not in WRITTEN))
-    job.check(output, allowed, what="clouds and meshes")
+    job.check(output, dict.fromkeys((*WRITTEN, *MESH_FORMATS)), what="clouds and meshes")
     with job.stage("read"):
         table = job.read_table()
     suffix = Path(output).suffix.lower()
-    if isinstance(table, MeshTable) and suffix in tables.MESHES:
+    if isinstance(table, MeshTable) and suffix in MESH_FORMATS:
         with job.stage("write"):
             job.write_table(table, output)
         return ConvertReport(job.done(), "mesh", len(table.vertices), len(table.triangles))
@@ -99,7 +97,7 @@ def estimate_normals_of_file(
     Uses `max_nn` neighbors (with the point) within `radius` [m] or at any distance.
     """
     job = Job("normals", source, **settings)
-    job.check(output, WITH_NORMALS, what="normals")
+    job.check(output, storing("normals"), what="normals")
     cloud = job.read_cloud()
     with job.assessed("normals", {"radius": "--radius"}):
         with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from ...core.errors import FilePath
 from ...core.reports import Fields
 from ...core.wording import format_fraction
-from ...io.points.formats import WRITTEN
+from ...io.points.formats import WRITTEN, storing
 from ...visualization.render.colormaps import LABEL_COLORS
 from .job import Job, Settings
-from .rows import COLORED, LABELLED, RowsReport, label_rows, read_rows, take_rows, why_no_points
+from .rows import RowsReport, label_rows, read_rows, take_rows, why_no_points
 
 LABEL = "label"
 _LISTED_CLUSTERS = 10  # reported sizes of the largest clusters
@@ -68,7 +68,7 @@ def cluster_file(
     `largest` keeps only the largest clusters under their labels; `paint` colors the points by label, noise black. The
     output format must store labels, or colors if `paint`, unless `largest` is given.
     """
-    formats, what = (COLORED, "labels or colors") if paint else (LABELLED, "labels")
+    formats, what = (storing("colors"), "labels or colors") if paint else (storing("labels"), "labels")
     if largest is not None:
         formats, what = WRITTEN, "clouds"
     job = Job("cluster", source, **settings)

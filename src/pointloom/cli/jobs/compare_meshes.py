@@ -12,6 +12,7 @@ from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality
 from ...core.wording import plain
+from ...io.meshes.mesh_formats import storing
 from ...meshing.mesh.finite_corners import find_wrong_corner
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
@@ -22,8 +23,6 @@ from ...visualization.render.picture_files import write_image
 from ...visualization.render.plots import check_plot
 from ...visualization.render.surface_picture import looks_inwards
 from .job import Job, JobReport, Settings
-
-MAP_FORMATS = (".ply", ".obj", ".glb", ".gltf", ".off")  # formats with vertex colors
 
 _TITLE = "distances of A from B, at the vertices of A"
 
@@ -36,7 +35,7 @@ class ErrorMaps:
     picture: FilePath | None = None
 
     def check(self, job: Job) -> None:
-        job.check(self.mesh, MAP_FORMATS, what="colored meshes")
+        job.check(self.mesh, storing("colors"), what="colored meshes")
         if self.picture is not None:
             check_plot(self.picture, overwrite=job.form["overwrite"])
 

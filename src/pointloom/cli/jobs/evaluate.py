@@ -59,7 +59,7 @@ def evaluate_files(
 ) -> EvaluateReport:
     """Compute the errors of a trajectory file against the true one. Raises FileError or ValueError.
 
-    Reads .log, .tum, .kitti, .txt or .json files. `align` is one of ALIGNMENTS, `extrinsic` a file of T_truth_estimate
+    Reads the formats of `read_trajectory`. `align` is one of ALIGNMENTS, `extrinsic` a file of T_truth_estimate
     between two sensors: 4 rows of 4 numbers, or KITTI's calib.txt with `Tr`. `picture` is a .png file of both paths.
     """
     if align not in ALIGNMENTS:

@@ -20,6 +20,7 @@ from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrin
 from ...cameras.camera_models import CameraModel
 from ...cameras.pose_text import parse_floats, read_lines, read_pose
 from ...cameras.trajectory import read_trajectory
+from ...cameras.trajectory_formats import TRAJECTORY_FORMATS
 from ...core.atomic import restore_folder
 from ...core.coordinates import describe_bounds, split_origin
 from ...core.errors import FileError, FilePath, values_of_file
@@ -31,12 +32,15 @@ from ...io.ascii_rows import is_number
 from ...io.bags.recording import read_recording
 from ...io.frames.datasets import is_dataset, open_frames
 from ...io.images.image_files import read_color, read_depth, read_image_header
+from ...io.images.image_formats import IMAGES
 from ...io.meshes import tables
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...io.models.colmap import find_colmap_model, is_colmap_model, read_colmap_model
 from ...io.models.metashape import read_metashape_cameras
 from ...io.models.sfm_model import SfmModel
 from ...io.points.copc import is_copc
 from ...io.points.e57 import describe_e57
+from ...io.points.formats import CLOUD_FORMATS, WITH_SCANS
 from ...io.points.las import attribute_types, open_las
 from ...io.points.las_crs import crs_name
 from ...io.points.las_units import units_of
@@ -62,9 +66,6 @@ from .facts import (
     Table,
     Trajectory,
 )
-
-_PICTURES = (".png", ".jpg", ".jpeg")
-_TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
 
 
 @dataclass(frozen=True)
@@ -135,7 +136,7 @@ class CloudFolder(Facts):
 def describe(path: FilePath, *, layout: str = "auto", columns: Sequence[str] | None = None) -> Description:
     """Describe a file, or the folder of a data set, a COLMAP model, clouds or meshes. Raises FileError.
 
-    `layout` is that of a folder; `columns` names the columns of .bin, .csv, .txt and .xyz.
+    `layout` is that of a folder; `columns` names the columns of tables, as in `read_point_cloud`.
     """
     path = Path(path)
     restore_folder(path)
@@ -155,24 +156,22 @@ def _describe_file(path: Path) -> Facts:
     suffix = path.suffix.lower()
     if suffix in tables.LAS:
         return _describe_las(path)
-    if suffix in (".e57", ".ptx"):
+    if suffix in WITH_SCANS:
         scans = describe_e57(path) if suffix == ".e57" else describe_ptx(path)
         return replace(_describe_table(path), scans=[_scan_line(scan) for scan in scans])
     if suffix == ".npy" and not _is_cloud(path):
         return _measure_depth(read_depth(path))
-    if suffix != ".txt" and (suffix in tables.READERS or suffix in tables.MESHES):
+    if suffix != ".txt" and (suffix in CLOUD_FORMATS or suffix in MESH_FORMATS):
         return _describe_table(path)
-    if suffix in _PICTURES:
+    if suffix in IMAGES:
         return _describe_picture(path)
     if suffix == ".json":
         return _describe_json(path)
     if suffix == ".xml":
         return describe_metashape_file(path)
-    if suffix in _TRAJECTORIES:
+    if suffix in TRAJECTORY_FORMATS:
         return _describe_text(path)
-    known = " ".join(
-        [*dict.fromkeys([*tables.READERS, *tables.MESHES]), *_PICTURES, ".json", ".xml", *_TRAJECTORIES[:-1]]
-    )
+    known = " ".join(dict.fromkeys([*CLOUD_FORMATS, *MESH_FORMATS, *IMAGES, ".xml", *TRAJECTORY_FORMATS]))
     raise FileError(path, f"unknown file type {suffix!r}", remedy=f"Expected one of {known}, or a folder of frames")
 
 
@@ -243,7 +242,7 @@ def _scan_line(scan: dict[str, Any]) -> str:
 
 def _files_of_points(folder: Path) -> list[Path]:
     """Clouds and meshes of a folder in natural order, without .txt and .npy, which often are something else."""
-    known = {*tables.READERS, *tables.MESHES} - {".txt", ".npy"}
+    known = {*CLOUD_FORMATS, *MESH_FORMATS} - {".txt", ".npy"}
     return sorted((p for p in folder.iterdir() if p.suffix.lower() in known and p.is_file()), key=natural_key)
 
 

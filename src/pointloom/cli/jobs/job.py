@@ -15,14 +15,15 @@ from typing import TYPE_CHECKING, Any, Self, TypedDict
 from ...core import outputs
 from ...core.checks import check_progress
 from ...core.devices import DeviceLike, resolve_device
-from ...core.errors import FilePath
+from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, values_of
 from ...core.timing import Clock
 from ...core.units import LengthUnit, UnitWarning, symbol_of
 from ...core.wording import plain
 from ...io.meshes import tables
-from ...io.meshes.mesh_formats import UPRIGHT, rotated_to_z_up
+from ...io.meshes.by_extension import rotated_to_z_up
+from ...io.meshes.mesh_formats import UPRIGHT, WITH_TEXT_FORM
 from ...io.points.formats import WRITTEN
 from ...io.table import MeshTable, PointTable
 
@@ -36,10 +37,10 @@ class Settings(TypedDict, total=False):
 
     Attributes:
         device: Device; "auto" is the first GPU, else the CPU.
-        as_text: Text instead of binary, for .ply and .pcd.
+        as_text: Text instead of binary, for formats of either encoding.
         progress: Called at the start of each stage.
-        up: Up axis of the data, "y" or "z"; .glb and .gltf use y, so "z" rotates those.
-        columns: Column names of the source for .bin, .csv, .txt and .xyz. None uses those of the file.
+        up: Up axis of the data, "y" or "z". glTF files use y, so "z" rotates those.
+        columns: Column names of the source, a table such as .csv or .bin. None uses those of the file.
     """
 
     device: Any
@@ -172,10 +173,12 @@ class Job:
         """The device, resolved on first use. Raises DeviceError."""
         return resolve_device(self._device)
 
-    def check(self, output: FilePath | None, formats: tuple[str, ...] = WRITTEN, *, what: str = "clouds") -> None:
+    def check(self, output: FilePath | None, formats: Iterable[str] = WRITTEN, *, what: str = "clouds") -> None:
         """Check before any work that an output can be written in one of the formats. Raises FileError."""
         if output is not None:
-            outputs.check_output(output, formats, what=what, **self.form)
+            outputs.check_output(output, formats, what=what, overwrite=self.form["overwrite"])
+            if self.form["as_text"] and (suffix := Path(output).suffix.lower()) not in WITH_TEXT_FORM:
+                raise FileError(output, f"{suffix} has one form only", remedy="Leave out --ascii")
 
     @contextmanager
     def stage(self, name: str, *, reported: bool = True) -> Iterator[None]:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class MapOutputs(NamedTuple):
-    """Files of a map: the cloud, corrected poses (.txt or .tum, .log, .kitti), and a picture from above with loops.
+    """Files of a map: the cloud, corrected poses, and a picture from above with loops.
 
     `folder` is for the submaps and their graph, which a later session can continue.
     """

@@ -8,7 +8,7 @@ from typing import Any
 from ...core.devices import DeviceLike
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
-from ...io.meshes import tables
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...meshing.mesh.cloud_surface import create_surface
 from ...visualization.render.picture_files import check_picture, write_image
 from ...visualization.render.surface_picture import draw_surface
@@ -36,7 +36,7 @@ def mesh_file(
     """
     form = {"as_text": as_text, "overwrite": overwrite, "up": up}
     job = Job("mesh", source, device=device, progress=progress, columns=columns, **form)
-    job.check(output, tables.MESHES, what="meshes")
+    job.check(output, MESH_FORMATS, what="meshes")
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
     cloud = job.read_cloud()

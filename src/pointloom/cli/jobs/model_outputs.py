@@ -13,7 +13,7 @@ from ...cameras.pose_files import check_trajectory_output, write_poses
 from ...cameras.trajectory import Trajectory
 from ...core.errors import FilePath
 from ...core.outputs import check_output
-from ...io.meshes.tables import MESHES
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...visualization.render.picture_files import check_picture
@@ -22,14 +22,14 @@ from ...visualization.render.scene_view import draw_scene
 
 @dataclasses.dataclass(frozen=True)
 class ModelOutputs:
-    """Output files of a model: mesh (STL has no colors), .png image, and poses (.txt or .tum for TUM, .log)."""
+    """Output files of a model: mesh (STL has no colors), image and poses."""
 
     mesh: FilePath
     picture: FilePath | None = None
     trajectory: FilePath | None = None
 
     def check(self, *, overwrite: bool) -> None:
-        check_output(self.mesh, MESHES, what="meshes", overwrite=overwrite)
+        check_output(self.mesh, MESH_FORMATS, what="meshes", overwrite=overwrite)
         if self.trajectory is not None:
             check_trajectory_output(self.trajectory, overwrite=overwrite)
         if self.picture is not None:

@@ -9,7 +9,8 @@ from typing import Any, Unpack
 
 import numpy as np
 
-from ...cameras.pose_files import FORMATS, write_poses
+from ...cameras.pose_files import write_poses
+from ...cameras.trajectory_formats import NUMBERED
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...io.meshes import tables
@@ -72,7 +73,7 @@ def register_folder(
     match.
 
     Args:
-        output: Poses T_reference_cloud: .txt or .tum (TUM), .log (Open3D), with the cloud's number from 0 as TUM time
+        output: Poses T_reference_cloud, with the cloud's number from 0 as TUM time
             and as first number in .log.
         voxel_size: Voxel size of the downsampled clouds [m]. None chooses it.
         level: All clouds are level.
@@ -105,7 +106,7 @@ def register_folder(
 
 
 def check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: FilePath | None) -> None:
-    job.check(output, tuple(FORMATS), what="poses")
+    job.check(output, NUMBERED, what="poses")
     job.check(merged)
     if merged is not None and Path(merged).resolve().parent == Path(job.source).resolve():
         reason = f"is in {os.fspath(job.source)}, and the next run would read it as one of the clouds"

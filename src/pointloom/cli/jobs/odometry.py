@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Unpack
 
-from ...cameras.pose_files import FORMATS as POSE_FORMATS
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
+from ...cameras.trajectory_formats import NUMBERED, extensions_of
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
@@ -21,7 +21,7 @@ from .evaluate import compare
 from .job import Job, JobReport, Settings
 from .scan_source import ScanSource
 
-FORMATS = {"kitti": (".kitti", ".txt"), "tum": (".txt", ".tum"), "log": (".log",)}  # extensions of each
+FORMATS = ("kitti", "tum", "log")
 
 
 @dataclass(frozen=True)
@@ -81,9 +81,9 @@ def odometry_of_folder(
     Nothing is written if no scan has points in range. See `LidarOdometry` for the ranges.
 
     Args:
-        folder: Scans in natural order: .bin as in KITTI, or clouds; or a recording, .bag, .mcap, .db3 or a folder of
+        folder: Scans in natural order: .bin as in KITTI, or clouds; or a recording or a folder of
             those.
-        output: Poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
+        output: Poses in a format of `write_trajectory`.
         format: "kitti", "tum" or "log". None for that of the extension. TUM times are scan numbers.
         truth: File of true poses, one per scan. Errors are aligned by se3.
         topics: Topics of a recording: of clouds (None for the only one), and of IMU readings on the same clock (None to
@@ -136,9 +136,9 @@ def check_poses_output(job: Job, output: FilePath, format: str | None) -> str:
     """The format of the poses after checking the output."""
     suffix = Path(output).suffix.lower()
     if format is None:
-        job.check(output, (*POSE_FORMATS, ".kitti"), what="poses")
-        return POSE_FORMATS.get(suffix, "kitti")
+        job.check(output, (*NUMBERED, ".kitti"), what="poses")
+        return NUMBERED.get(suffix, "kitti")
     if format not in FORMATS:
         raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {format!r}")
-    job.check(output, FORMATS[format], what=f"poses as {format}")
+    job.check(output, extensions_of(format), what=f"poses as {format}")
     return format

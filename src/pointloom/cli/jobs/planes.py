@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from ...core.errors import FilePath
 from ...core.reports import Fields
 from ...core.wording import format_fraction
+from ...io.points.formats import storing
 from .job import Job, Settings
-from .rows import LABELLED, Rows, RowsReport, label_rows, read_rows
+from .rows import Rows, RowsReport, label_rows, read_rows
 
 PLANE = "plane"
 _NO_PLANE = "no plane has {:,} points, or all samples are collinear"
@@ -101,7 +102,7 @@ def label_planes(
     Finds up to `max_planes` planes one after another. Fewer than `min_points` points end the search.
     """
     job = Job("plane", source, **settings)
-    job.check(output, LABELLED, what="labels")
+    job.check(output, storing("labels"), what="labels")
     rows = read_rows(job)
     labels, planes, warning = _find(job, rows, distance, iterations, seed, max_planes=max_planes, min_points=min_points)
     table, replaced = label_rows(rows.table, PLANE, labels)

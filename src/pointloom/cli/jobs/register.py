@@ -16,7 +16,7 @@ from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality
 from ...io.meshes import tables
-from ...io.points.formats import columns_of
+from ...io.points.by_extension import columns_of
 from ...io.points.point_cloud import cloud_of, table_of
 from ...io.table import MeshTable
 from ...pcd.cloud import PointCloud

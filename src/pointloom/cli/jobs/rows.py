@@ -17,9 +17,6 @@ from ...io.table import PointTable
 from ...pcd.cloud import PointCloud
 from .job import Job, JobReport
 
-LABELLED = (".ply", ".pcd", ".npz", ".las", ".laz")  # formats with attributes of any name
-COLORED = (*LABELLED, ".xyzrgb", ".pts", ".e57")
-
 
 class Rows(NamedTuple):
     """The `table` of a file and a `cloud` of its positions, with row indices as the attribute "row"."""

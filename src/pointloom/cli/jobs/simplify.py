@@ -6,7 +6,7 @@ import math
 from typing import Any, Unpack
 
 from ...core.errors import FilePath
-from ...io.meshes import tables
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...meshing.mesh.simplified_mesh import simplify_mesh
 from .announced_stages import AnnouncedStages
 from .job import Job, Settings
@@ -31,7 +31,7 @@ def simplify_file(
     `amount` the count, fraction or voxel size [m].
     """
     job = Job("simplify", source, **settings)
-    job.check(output, tables.MESHES, what="meshes")
+    job.check(output, MESH_FORMATS, what="meshes")
     mesh = job.read_mesh()
     with AnnouncedStages(job.clock, job.progress) as stages:
         wanted: dict[str, Any] = {_NAMES[by]: amount}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Unpack
 
 from ...core.errors import FilePath
-from ...io.meshes import tables
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...meshing.mesh.smoothed_mesh import smooth_mesh
 from .job import Job, Settings
 from .result_report import ResultReport
@@ -22,7 +22,7 @@ def smooth_mesh_file(
 ) -> ResultReport:
     """Write a mesh with smoothed vertices, normals and colors; `factors` are the parameters of the method."""
     job = Job("smooth-mesh", source, **settings)
-    job.check(output, tables.MESHES, what="meshes")
+    job.check(output, MESH_FORMATS, what="meshes")
     mesh = job.read_mesh()
     with job.stage(method):
         result = smooth_mesh(mesh, method, iterations, **factors or {})

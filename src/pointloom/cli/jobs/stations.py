@@ -11,8 +11,10 @@ from typing import Any, Unpack
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
+from ...io.file_formats import listed
 from ...io.optional_imports import import_for
 from ...io.points.e57_stations import Stations, read_stations, write_stations
+from ...io.points.formats import WITH_SCANS
 from ...registration.stations.result import StationsResult
 from ...registration.stations.stations import register_stations
 from ...registration.stations.survey_tables import read_control_points, read_targets
@@ -21,7 +23,7 @@ from ...visualization.render.plots import station_plan
 from .job import Job, JobReport, Settings
 
 REPORT = {"text": "report.txt", "json": "report.json", "plan": "plan.png"}
-E57, WITH_SCANS = (".e57",), (".e57", ".ptx")
+E57 = (".e57",)
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,7 @@ def register_scans(
     report_paths = _check_report(report, overwrite=job.form["overwrite"])
     if Path(source).suffix.lower() not in WITH_SCANS:
         remedy = "Convert the scans, or call loom.registration.register_stations"
-        raise FileError(source, "is not an .e57 or .ptx file", remedy=remedy)
+        raise FileError(source, f"is not an {listed(WITH_SCANS)} file", remedy=remedy)
     with job.stage("read"):
         scans = _filled(read_stations(source, device=job.device), source)
     seen = None if targets is None else read_targets(targets, scans.names)

@@ -17,7 +17,8 @@ from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...core.wording import few_of, format_fraction
 from ...io.meshes import tables
-from ...io.points.formats import WRITTEN
+from ...io.meshes.mesh_formats import MESH_FORMATS
+from ...io.points.formats import WRITTEN, storing
 from ...io.points.point_cloud import table_of
 from ...kernels.linear_algebra import inv
 from ...meshing.mesh.mesh import TriangleMesh
@@ -27,10 +28,9 @@ from ...pcd.ground import classify_ground
 from ...pcd.raster_cells import NoGroundError
 from ...pcd.terrain import rasterize
 from .job import Job, JobReport, Settings
-from .rows import LABELLED, RowsReport, label_rows, read_rows
+from .rows import RowsReport, label_rows, read_rows
 
 GROUND_CLASS, OTHER_CLASS = 2, 1  # of LAS
-CLASSIFIED = (*LABELLED, ".csv", ".txt", ".asc")
 MAX_FILES = 1000  # of split: more are probably values that are not classes
 MAX_LISTED = 5
 
@@ -58,7 +58,7 @@ def classify_ground_of_file(
 ) -> GroundReport:
     """Write a cloud with class 2 for ground. Other points of class 0, 2 or none get class 1."""
     job = Job("ground", source, **settings)
-    job.check(output, CLASSIFIED, what="classes")
+    job.check(output, storing("labels"), what="classes")
     rows = read_rows(job)
     if not len(rows.cloud):
         raise FileError(source, "contains no points")
@@ -193,14 +193,14 @@ def transform_file(
 ) -> TransformReport:
     """Write a cloud or mesh transformed by a pose file, a translation, a scale, to a coordinate system or a unit."""
     job = Job("transform", source, **settings)
-    job.check(output, tuple(dict.fromkeys((*WRITTEN, *tables.MESHES))), what="clouds and meshes")
+    job.check(output, dict.fromkeys((*WRITTEN, *MESH_FORMATS)), what="clouds and meshes")
     matrix = np.eye(4)
     if pose is not None:
         matrix = inv(read_pose(pose)) if inverse else read_pose(pose)
     if translate is not None:
         matrix[:3, 3] = translate
     matrix[:3, :3] *= 1.0 if scale is None else scale
-    is_mesh = tables.is_mesh_file(source) and Path(output).suffix.lower() in tables.MESHES
+    is_mesh = tables.is_mesh_file(source) and Path(output).suffix.lower() in MESH_FORMATS
     shape = job.read_mesh() if is_mesh else job.read_cloud()
     with job.stage("transform"):
         moved = shape.reproject(epsg) if epsg else shape.to_unit(unit) if unit else shape.transform(matrix)

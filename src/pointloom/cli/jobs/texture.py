@@ -17,6 +17,7 @@ from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
 from ...io.frames.datasets import RGBDDataset, open_dataset
+from ...io.meshes.mesh_formats import storing
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
 from ...meshing.color_map.texturing import texture_mesh
@@ -27,7 +28,7 @@ from ...visualization.render.scene_view import draw_scene
 from .announced_stages import AnnouncedStages
 from .job import Job, Settings
 
-WITH_ATLAS = (".obj", ".glb", ".gltf")
+WITH_ATLAS = tuple(extension for extension in storing("textures") if extension != ".ply")  # that gets vertex colors
 WRITTEN = (".ply", *WITH_ATLAS)
 DEFAULT_TEXTURE_SIZE = 2048  # texels per side: 3 mm each on the walls of a room
 
@@ -52,7 +53,7 @@ def texture_folder(
     Args:
         folder: See `open_dataset`, with the options `layout`. Its "intrinsic" is a camera as Open3D's JSON, which
             replaces that of the folder.
-        output: A .ply for vertex colors, an .obj, .glb or .gltf for a texture of `size` texels per side.
+        output: A .ply for vertex colors, or a format of WITH_ATLAS for a texture of `size` texels per side.
         picture: A .png file of the mesh with vertex colors.
     """
     check_count("size", size)

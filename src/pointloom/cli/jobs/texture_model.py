@@ -21,9 +21,9 @@ from ...meshing.color_map.options import ImageTextureOption
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 from .job import Job, Settings
-from .texture import work_folder_of
+from .texture import WITH_ATLAS, work_folder_of
 
-WRITTEN = (".obj", ".glb", ".gltf")
+WRITTEN = WITH_ATLAS
 SCALED_MODEL = Path("mesh")  # of a video's work folder: the model in the units of its mesh
 STRAIGHT = Path("undistorted") / "images"  # and its images
 IMAGES = "images"  # as in COLMAP projects

@@ -62,8 +62,8 @@ def track_folder(
 ) -> TrackReport:
     """Track the frames of a folder and write the poses. The output is checked before the work.
 
-    Poses in the folder are only used as truth. The output has T_world_camera with the first frame as world, .txt or
-    .tum (TUM) or .log, without lost frames. It is not written if all are lost.
+    Poses in the folder are only used as truth. The output has T_world_camera with the first frame as world,
+    without lost frames. It is not written if all are lost.
     """
     form, where, clock = check_trajectory_output(output, overwrite=overwrite), resolve_device(device), Clock()
     opened = FrameFolder.open(folder, options or FolderOptions())

@@ -15,6 +15,7 @@ import click
 
 from ... import __version__  # pyright: ignore[reportMissingImports]
 from ...core.escaped_text import escaped
+from ...core.paths import RECORDINGS
 from . import (
     change_command,
     depth_command,
@@ -34,10 +35,11 @@ from . import (
 from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress, print_fields, print_json
+from .format_lists import with_lists
 from .group import ERROR_CODE, INTERRUPTED_CODE, TERMINATED_CODE, CommandLine, exit_code, report_error
 from .help_commands import VARIABLE
 from .options import COLUMNS, DEVICE, FILE, FORCE, JSON, LENGTH, in_order, option, refuse
-from .pipes import FROM, RECORDINGS, open_pipes
+from .pipes import FROM, open_pipes
 
 _CONTEXT_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
@@ -51,6 +53,7 @@ POINTLOOM_TRACEBACK=1 prints the traceback of an error.
 
 @click.group("pointloom", cls=CommandLine, context_settings=_CONTEXT_SETTINGS, epilog=_EPILOG)
 @click.version_option(__version__, "-V", "--version", prog_name="pointloom")
+@with_lists
 def cli() -> None:
     """Process point clouds, meshes, scans and RGB-D frames on a GPU or on all CPU cores.
 
@@ -88,9 +91,8 @@ def cli() -> None:
     pointloom change 2023.laz 2024.laz --picture c.png     detect significant change
     pointloom tile plan SURVEY --steps steps.toml -o job   process files larger than memory in tiles
 
-    Clouds are read and written as .ply .pcd .npz .npy .vtk .vtp .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57,
-    with all attributes that the format can store. .ptx and KITTI's .bin can be read. Meshes are .ply .obj .stl .off
-    .vtk .vtp .glb .gltf. The file name - is standard input or output:
+    Clouds are read and written as {written clouds}, with all attributes that the format can store, and read from
+    {read-only clouds} (KITTI's .bin). Meshes are {meshes}. The file name - is standard input or output:
 
     \b
     zcat scan.ply.gz | pointloom clean - - --from ply --to ply | pointloom info - --from ply
@@ -119,19 +121,21 @@ for command in (
 @cli.command(short_help="Describe the content of files and folders.")
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILE...")
 @in_order(FROM, COLUMNS, JSON)
+@with_lists
 def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] | None, as_json: bool) -> int:
     """Describe the content of each FILE: counts, attributes, bounds, origin, non-finite points.
 
     \b
-    clouds        .ply .pcd .npz .npy .vtk .vtp .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
-    meshes        .ply .obj .stl .off .vtk .vtp .glb .gltf
-    trajectories  .log .tum .kitti .txt .json
+    clouds        {clouds}
+    meshes        {meshes}
+    trajectories  {trajectories}
     cameras       .json, .txt with a 3x3 matrix
     models        COLMAP folders (cameras, images, points3D), Metashape .xml
-    images        .png .jpg, depth maps as 16-bit .png or .npy
+    images        {images}
+    depth maps    {depth maps} (16-bit .png)
     datasets      folders of RGB-D frames
     folders       of clouds and meshes, one line each
-    recordings    ROS 1 .bag, ROS 2 .db3 and .mcap, and folders of them: their topics
+    recordings    {recordings} and folders of them: their topics
 
     The origin is the reference point of float32 positions. It is nonzero for data far from zero. The exit code is 3 if
     a recording is damaged, and 1 if a file cannot be read.
@@ -184,15 +188,17 @@ def doctor(as_json: bool) -> int:
 @option("--frame=NAME", str, "Recordings: tf frame into which the clouds are transformed.")
 @option("--poses=POSES", FILE, "Recordings: file with one pose per scan, instead of --frame.")
 @from_cloud_to_cloud(device=False)
+@with_lists
 def convert(
     source: Path, output: Path, topic: str | None, frame: str | None, poses: Path | None, **options: Any
 ) -> Answer:
     """Convert the cloud or mesh IN to OUT. The extension of OUT defines the format.
 
     \b
-    clouds      .ply .pcd .npz .npy .vtk .vtp .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .bin .ptx
-    meshes      .ply .obj .stl .off .vtk .vtp .glb .gltf
-    recordings  from .bag .mcap .db3 and folders of them: to a folder of scans, or to one cloud
+    clouds      {written clouds}
+    read only   {read-only clouds}
+    meshes      {meshes}
+    recordings  from {recordings} and folders of them: to a folder of scans, or to one cloud
 
     Values are rounded only if the format of OUT requires it. Data that it does not support is omitted, and the summary
     lists it. For example, a mesh written to a cloud format becomes a cloud of its vertices. LAS and LAZ store

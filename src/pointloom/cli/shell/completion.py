@@ -14,22 +14,10 @@ from click.shell_completion import (
     add_completion_class,
 )
 
+from .format_lists import EXTENSIONS
+
 PATH = "path"  # type of items for files and folders, which shells show by their last part
 _PLAIN = "[[ $type == 'plain' ]]"
-
-CLOUDS = (
-    ".ply", ".pcd", ".npz", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".asc", ".bin", ".las", ".laz", ".e57",
-    ".ptx", ".npy", ".vtk", ".vtp",
-)  # fmt: skip
-MESHES = (".ply", ".obj", ".stl", ".off", ".vtk", ".vtp", ".glb", ".gltf")
-POSES = (".txt", ".tum", ".log", ".kitti", ".json")
-# File extensions by the metavar of a parameter. Folders are always shown.
-EXTENSIONS = {
-    "IN": CLOUDS + MESHES, "OUT": CLOUDS + MESHES, "A": CLOUDS + MESHES, "B": CLOUDS + MESHES, "MESH": MESHES,
-    "POSES": POSES, "TRUTH": POSES, "JSON": (".json",), "PNG": (".png",), "HTML": (".html",), "ONNX": (".onnx",),
-    "NPY": (".npy",), "TXT": (".txt",), "PICTURE": (".png", ".jpg", ".jpeg"), "DIR": (), "FOLDER": (), "FRAMES": (),
-    "SOURCES...": (".las", ".laz"), "TOML": (".toml",),
-}  # fmt: skip
 
 
 def complete_path(metavar: str | None, incomplete: str) -> list[CompletionItem]:

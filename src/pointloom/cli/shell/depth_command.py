@@ -10,6 +10,7 @@ import click
 from ...cameras.depth_range import DEPTH_SCALE
 from .answer import answer_with
 from .console import Progress
+from .format_lists import with_lists
 from .options import DEVICE, FILE, FORCE, JSON, SCALE, in_order, option, refuse_same
 
 # Names of src/pointloom/photogrammetry/depth/presets.py, which would import NumPy. A test compares them.
@@ -36,6 +37,7 @@ PRESETS = (
     "--seed=N", click.IntRange(0, 2**31 - 1), "Random seed of the alignment. Default: 0.", default=0, show_default=False
 )
 @in_order(DEVICE, JSON, FORCE)
+@with_lists
 def depth(picture_in: Path, model: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Estimate the depth of PICTURE, a PNG or JPEG file or a folder of them, and write colored points to OUT.
 
@@ -43,7 +45,7 @@ def depth(picture_in: Path, model: Path, output: Path, as_json: bool, force: boo
     licenses. Requires the extra pointloom[depth]. Relative networks have no unit. --align defines meters:
 
     \b
-    .png .npy   depth map of the same view: 16 bits with --depth-scale, or float32 meters
+    {depth maps}   depth map of the same view: 16 bits with --depth-scale, or float32 meters
     .txt .csv   distances: one line of column, row and meters each. Two define scale and shift without a check
     FOLDER      COLMAP model, which defines the unit
 

@@ -7,8 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ...cameras.trajectory_formats import NUMBERED
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from .answer import answer_with
 from .console import Progress
+from .format_lists import with_lists, words
 from .options import (
     DEVICE,
     FILE,
@@ -30,7 +33,7 @@ if TYPE_CHECKING:
     from ..jobs.model_outputs import ModelOutputs
 
 FOLDER_OPTIONS = ("layout", "intrinsic", "every", "depth_scale", "skip_missing", "topic", "color_topic")
-MESH = "The mesh, .ply .obj .stl .off .glb .gltf."
+MESH = f"The mesh, {words(MESH_FORMATS)}."
 MODEL_VOXEL = "Voxel size of the tracking model [m]."
 MESH_VOXEL = "Voxel size of the mesh [m]. Default: 0.02; fragments: from --config, else 0.0059."
 ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fragments
@@ -43,7 +46,7 @@ ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fra
 @option("--voxel=M", LENGTH, "Voxel size [m].", default=0.02)
 @option("--truncation=M", LENGTH, "Truncation distance of the TSDF [m]. Default: 4 voxels.")
 @option("--refine", bool, "Refine each pose against the model of the earlier frames.")
-@option("--trajectory=POSES", FILE, "Write the poses used: .txt or .tum (TUM), .log (Open3D).")
+@option("--trajectory=POSES", FILE, f"Write the poses used: {words(NUMBERED)}.")
 @in_order(DEVICE, PICTURE)
 @record_option("the growing surface")
 @in_order(JSON, FORCE)
@@ -89,6 +92,7 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
 @DEVICE
 @record_option("the trajectory and the model")
 @in_order(JSON, FORCE)
+@with_lists
 def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Estimate the camera pose T_world_camera of each of FRAMES, a folder of RGB-D frames. The first frame is the
     world frame.
@@ -101,7 +105,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
     Layouts of pointloom fuse, with or without poses, and
       images  1.png and 1_depth.png, .... Requires --intrinsic and --depth-scale
 
-    FRAMES may also be a recording: a ROS 1 .bag, a .db3 or .mcap file, or a folder of them. Requires pointloom[ros].
+    FRAMES may also be a recording, {recordings} or a folder of them. Requires pointloom[ros].
 
     \b
     pointloom track frames -o poses.txt
@@ -124,7 +128,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 @frame_options(posed=False, depth_max=None)
 @option("--method", ["slam", "fragments"], "Method, see above.", default="slam")
 @option("--voxel voxel_size=M", LENGTH, MESH_VOXEL)
-@option("--trajectory=POSES", FILE, "Write the poses: .txt or .tum (TUM), .log (Open3D).")
+@option("--trajectory=POSES", FILE, f"Write the poses: {words(NUMBERED)}.")
 @option("--work=DIR", FILE, "Folder for intermediate files. Default: next to the mesh.")
 @option("--resume", bool, "Reuse the intermediate files of an earlier run.")
 @option("--config=JSON", FILE, "Settings, named as in Open3D's reconstruction system.")

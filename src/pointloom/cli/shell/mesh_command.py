@@ -10,6 +10,7 @@ import click
 
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
+from .format_lists import with_lists
 from .options import FILE, Number, is_positive, option, refuse
 
 METHODS = ("poisson", "ball", "alpha")
@@ -61,8 +62,9 @@ QUANTILE_TYPE = Number("a fraction from 0 and below 1", lambda number: 0 <= numb
 @option("--new-normals", bool, "Estimate new normals even if IN has normals.")
 @option("--picture=PNG", FILE, "Also render the mesh.")
 @from_cloud_to_cloud()
+@with_lists
 def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: Any) -> Answer:
-    """Reconstruct a surface from the cloud IN, and write it to OUT (.ply .obj .stl .off .glb .gltf).
+    """Reconstruct a surface from the cloud IN, and write it to OUT ({meshes}).
 
     \b
     poisson  smooth closed surface, trimmed far from the points. Requires normals

@@ -13,7 +13,12 @@ from typing import Any, NoReturn
 import click
 
 from ...cameras.depth_range import DEPTH_MAX
+from ...cameras.trajectory_formats import NUMBERED
+from ...io.file_formats import listed
+from ...io.meshes.mesh_formats import UPRIGHT, UPS, WITH_TEXT_FORM
+from ...io.points.formats import WITH_NAMED_COLUMNS
 from ...visualization.recording.extensions import RECORDINGS
+from .format_lists import words
 
 Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
@@ -109,7 +114,7 @@ LENGTH = Number("a length in meters above 0", is_positive)
 SCALE = Number("a number above 0", is_positive)
 DEVICE_NAME = Word("device", r"auto|cpu|cuda(:\d+)?", "auto, cpu or cuda:N (such as cuda:0)")
 FILE = CompletedPath(path_type=Path)
-POSES = "The poses: .txt or .tum (TUM), .log (Open3D)."  # one format per extension, in all commands
+POSES = f"The poses, {words(NUMBERED)} (a .txt is TUM)."
 
 DEVICE = option(
     "--device=auto|cpu|cuda:N", DEVICE_NAME, "Compute device. auto: the first GPU, else the CPU.", default="auto"
@@ -118,10 +123,12 @@ JSON = option("--json as_json", bool, "Print only one JSON object on stdout.")
 FORCE = option("--force", bool, "Overwrite existing outputs.")
 PICTURE = option("--picture=PNG", FILE, "Also render the mesh.")
 COLUMNS = option(
-    "--columns=NAMES", ColumnNames(), "Column names of .bin, .csv, .txt, .xyz, such as x,y,z,intensity,ring."
+    "--columns=NAMES", ColumnNames(), f"Column names of {words(WITH_NAMED_COLUMNS)}, such as x,y,z,intensity,ring."
 )
-UP = option("--up", ["y", "z"], "Up axis of the data. .glb and .gltf files are y-up, and z rotates them.", default="y")
-ASCII = option("--ascii as_text", bool, "Write PLY or PCD as text. Default: binary.")
+UP = option(
+    "--up", [*UPS], f"Up axis of the data. {listed(UPRIGHT, 'and')} files are y-up, and z rotates them.", default="y"
+)
+ASCII = option("--ascii as_text", bool, f"Write {listed(WITH_TEXT_FORM)} as text. Default: binary.")
 
 
 def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) -> Decorator:
@@ -151,7 +158,8 @@ def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) ->
 
 
 def record_option(what: str) -> Decorator:
-    text = f"Record {what}: .html (page with player), .gif, .mp4, .rrd (Rerun) or .mcap (Foxglove)."
+    formats = [f"{extension} ({by})" if by else extension for extension, by in RECORDINGS.items()]
+    text = f"Record {what}: {listed(formats)}."
     return option("--record record_as=FILE", RecordingFile(), text)
 
 
@@ -174,5 +182,5 @@ def refuse_same(**files: Path | None) -> None:
 
 def check_up(up: str, *paths: Path | None) -> None:
     """Usage error for --up z without effect."""
-    if up == "z" and not any(path is not None and path.suffix.lower() in (".glb", ".gltf") for path in paths):
-        refuse("--up z requires a .glb or .gltf file")
+    if up == "z" and not any(path is not None and path.suffix.lower() in UPRIGHT for path in paths):
+        refuse(f"--up z requires a {listed(UPRIGHT)} file")

@@ -20,25 +20,23 @@ import click
 from ...core.reports import values_of
 from ...core.standard_streams import is_terminal
 from .console import OutputLostError
+from .format_lists import READ, WRITTEN_FORMATS
 from .options import option, refuse
 
 INPUT, OUTPUT = "standard input", "standard output"
 
 _PIPE = Path("-")
 
-# Extensions of io/bags/recording.py, io/points/formats.py and io/meshes/tables.py, which are too expensive to import
-# for --help. A test compares them.
-RECORDINGS = (".bag", ".mcap", ".db3")
-MESHES = ["obj", "stl", "off", "vtk", "vtp", "glb", "gltf"]
-READ = ["ply", "pcd", "npz", "npy", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57"]
-READ += ["ptx", *MESHES]
-WRITTEN = [
-    "ply", "pcd", "npz", "npy", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "las", "laz", "e57", *MESHES,
-]  # fmt: skip
-
-
-FROM = option("--from read_as=EXT", click.Choice(READ), "Format of standard input, if a file is -.")
-TO = option("--to write_as=EXT", click.Choice(WRITTEN), "Format of standard output, if OUT is -.")
+FROM = option(
+    "--from read_as=EXT",
+    click.Choice([extension[1:] for extension in READ]),
+    "Format of standard input, if a file is -.",
+)
+TO = option(
+    "--to write_as=EXT",
+    click.Choice([extension[1:] for extension in WRITTEN_FORMATS]),
+    "Format of standard output, if OUT is -.",
+)
 
 
 class Ends(NamedTuple):

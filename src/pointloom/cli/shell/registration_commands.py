@@ -11,6 +11,7 @@ from click.core import ParameterSource
 
 from .answer import answer_with
 from .console import Progress
+from .format_lists import NUMBERED_OR_KITTI, with_lists, words
 from .options import (
     COLUMNS,
     DEVICE,
@@ -201,7 +202,7 @@ TOPIC_OPTIONS = in_order(
 
 @click.command(short_help="Estimate the trajectory of a LiDAR from its scans.")
 @click.argument("folder", type=FILE, metavar="DIR")
-@option("-o --output=POSES", FILE, f"{POSES[:-1]}, .kitti.", required=True)
+@option("-o --output=POSES", FILE, f"The poses, {words(NUMBERED_OR_KITTI)}.", required=True)
 @option(
     "--format",
     ["kitti", "tum", "log"],
@@ -213,6 +214,7 @@ TOPIC_OPTIONS = in_order(
 @TOPIC_OPTIONS
 @record_option("each scan with the map and the trajectory")
 @in_order(DEVICE, JSON, FORCE)
+@with_lists
 def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Register the scans of DIR in sequence, and write the pose of each: T_first_scan.
 
@@ -223,7 +225,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     velocity), a scan contradicts the map, or ICP did not converge for many scans. The trajectory is then probably
     wrong, and the summary lists the scans.
 
-    DIR may also be a recording: a ROS 1 .bag, a .db3 or .mcap file, or a folder of them. Requires pointloom[ros].
+    DIR may also be a recording, {recordings} or a folder of them. Requires pointloom[ros].
     --imu uses the recorded IMU, which handheld sensors need. Its clock must be that of the clouds, and its pose is the
     static transform to the frame of the clouds, if there is one.
 
@@ -249,7 +251,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @click.command("map", short_help="Map the scans of a LiDAR, with loops.")
 @click.argument("folder", type=FILE, metavar="DIR")
 @option("-o --output=MAP", FILE, "Write the map as a cloud.", required=True)
-@option("--trajectory=POSES", FILE, f"Write the corrected poses. {POSES[:-1]}, .kitti.")
+@option("--trajectory=POSES", FILE, f"Write the corrected poses, {words(NUMBERED_OR_KITTI)}.")
 @option("--picture=PNG", FILE, "Plot the map from above with the path and the loops.")
 @option("--voxel voxel_size=M", LENGTH, "Voxel size of the odometry [m]. The map has half of it.")
 @RANGE_OPTIONS
@@ -334,11 +336,12 @@ def _viewer(title: str) -> Viewer:
 )
 @option("--picture=PNG", FILE, "Plot both trajectories and the error along the path.")
 @in_order(JSON, FORCE)
+@with_lists
 def evaluate(
     poses: Path, truth: Path, align: str, extrinsic: Path | None, picture: Path | None, as_json: bool, force: bool
 ) -> int:
-    """Compute the errors of the trajectory POSES against TRUTH: .log, .tum, .kitti, .json, or .txt (TUM or KITTI by
-    columns).
+    """Compute the errors of the trajectory POSES against TRUTH: {trajectories}. The columns of
+    a .txt file determine its format, TUM or KITTI.
 
     Poses are matched by time if both files have times (.tum), else by number. They are aligned by the first pose
     (first), by least squares without scale (se3) or with scale (sim3), or not aligned (none).

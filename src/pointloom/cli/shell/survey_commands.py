@@ -8,15 +8,14 @@ from typing import Any
 
 import click
 
+from ...io.points.formats import WRITTEN
 from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .options import ASCII, COLUMNS, DEVICE, FILE, FORCE, JSON, LENGTH, UP, Number, check_up, in_order, option, refuse
-from .pipes import MESHES, WRITTEN
 from .toolbox import FACTOR_TYPE
 
 ANY = Number("a finite number", math.isfinite)
-CLOUDS = [extension for extension in WRITTEN if extension not in MESHES]
 KINDS = ["dtm", "dsm", "chm", "density", "intensity", "lowest"]
 
 
@@ -124,7 +123,7 @@ def transform(source: Path, output: Path, inverse: bool, **options: Any) -> Answ
 @option("-o --output folder=DIR", FILE, "Folder of the parts.", required=True)
 @option("--by=NAME", str, "One file per value of this attribute, such as classification or scan_index.")
 @option("--cell=M", LENGTH, "One file per square cell of this size along x and y [m].")
-@option("--format extension=EXT", click.Choice(CLOUDS), "Format of the parts. Default: that of IN.")
+@option("--format extension=EXT", [extension[1:] for extension in WRITTEN], "Format of the parts. Default: that of IN.")
 @in_order(DEVICE, COLUMNS, UP, ASCII, JSON, FORCE)
 def split(source: Path, by: str | None, cell: float | None, as_json: bool, force: bool, **options: Any) -> int:
     """Split the cloud IN into files of a folder, one per value of an attribute or per cell of a grid.

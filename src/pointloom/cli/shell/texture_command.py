@@ -8,8 +8,10 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
+from ...io.meshes.mesh_formats import storing
 from .answer import answer_with
 from .console import Progress
+from .format_lists import words
 from .options import DEVICE, FILE, FORCE, JSON, PICTURE, UP, check_up, frame_options, in_order, option, refuse_same
 
 METHODS = ("rigid", "non-rigid", "none")
@@ -18,7 +20,7 @@ METHODS = ("rigid", "non-rigid", "none")
 @click.command(short_help="Texture a mesh from posed RGB-D frames.")
 @click.argument("mesh", type=FILE)
 @click.argument("frames", type=FILE)
-@option("-o --output=OUT", FILE, "The colored mesh, .ply .obj .glb .gltf.", required=True)
+@option("-o --output=OUT", FILE, f"The colored mesh, {words(storing('textures'))}.", required=True)
 @option("--method", click.Choice(METHODS), "Optimization of the images, see above.", default="rigid")
 @option("--size=N", click.IntRange(16, 16384), "Texture size [texels].", default=2048)
 @frame_options()
@@ -27,8 +29,8 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     """Color MESH from FRAMES, a folder of posed RGB-D frames as of pointloom fuse, and write it to OUT.
 
     \b
-    .ply              vertex colors
-    .obj .glb .gltf   a texture. Missing texture coordinates are computed
+    .ply    vertex colors
+    others  a texture. Missing texture coordinates are computed
 
     FRAMES may also be a COLMAP project with the folder images, or the work folder of pointloom video. Each triangle
     then takes its texture from the best image, with exposure compensation and without seams. Poses are not changed.

@@ -8,8 +8,12 @@ from typing import Any
 
 import click
 
+from ...cameras.trajectory_formats import NUMBERED
+from ...io.meshes.mesh_formats import MESH_FORMATS
+from ...io.points.formats import WRITTEN
 from .answer import answer_with
 from .console import Progress
+from .format_lists import words
 from .options import DEVICE, FILE, FORCE, JSON, PICTURE, SCALE, CompletedPath, in_order, option, refuse, refuse_same
 
 
@@ -39,7 +43,7 @@ class Alignment(CompletedPath):
 ALIGN = "Known camera positions: poses, or lines `name x y z` [m]; exif: GPS of the images; none: no alignment."
 CONTROL = "Ground control points, marked in images: ODM's gcp_list.txt, or a CSV."
 BARS = "Known distances between points marked in images, lines `bar A B meters`."
-MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
+MESH = f"The mesh, {words(MESH_FORMATS)}; or the points, in another format of clouds."
 CAMERA_MODEL = "COLMAP's name of the camera model: OPENCV, OPENCV_FISHEYE ..."
 TRAINING = "Write a training folder for gsplat, 3DGS and nerfstudio."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
@@ -76,7 +80,7 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @option("--max-features=N", click.IntRange(min=64), "Maximum number of features per image.", default=4096)
 @option("--panorama", bool, "The images are 360-degree panoramas.")
 @option("--cloud=FILE", FILE, "Also write the fused points.")
-@option("--trajectory=POSES", FILE, "Write the poses: .txt or .tum (TUM), .log.")
+@option("--trajectory=POSES", FILE, f"Write the poses: {words(NUMBERED)}.")
 @option("--training=DIR", FILE, TRAINING)
 @option("--ortho=TIF", FILE, "Write an orthophoto in UTM. Requires GPS and --cell.")
 @option("--dem=TIF", FILE, "Write an elevation model in UTM, likewise.")
@@ -133,8 +137,6 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     refuse_same(output=output, **{name: options[name] for name in files})
     if (options["cell"] is None) == (options["ortho"] is not None or options["dem"] is not None):
         refuse("--ortho and --dem require --cell, the side of their cells in meters")
-    from ...io.meshes.tables import MESHES
-    from ...io.points.formats import WRITTEN
     from ...photogrammetry.video.job import default_work_folder, reconstruct_video
     from ...photogrammetry.video.outputs import VideoOutputs
     from ...photogrammetry.video.settings import VideoSettings
@@ -144,7 +146,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     names = ("max_frames", "max_size", "intrinsic", "seed", "cameras")
     names += ("masks", "camera_model", "pairs", "max_features", "panorama", "mapper")
     settings = VideoSettings(units=units, **{name: options.pop(name) for name in names})
-    points_alone = output.suffix.lower() in set(WRITTEN) - set(MESHES) and options["cloud"] is None
+    points_alone = output.suffix.lower() in set(WRITTEN) - set(MESH_FORMATS) and options["cloud"] is None
     if points_alone:
         options["cloud"] = output
     outputs = VideoOutputs(None if points_alone else output, **{name: options.pop(name) for name in (*files, "cell")})

@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from .format_lists import with_lists
 from .options import COLUMNS, FILE, FORCE, JSON, SCALE, in_order, option, refuse, refuse_same
 from .pipes import FROM, open_pipes
 
@@ -50,6 +51,7 @@ _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray
 @option("--topic=NAME", str, "Recordings: topic of the clouds. Default: the only one with clouds.")
 @option("--frame=NAME", str, "Recordings: tf frame in which all clouds are merged.")
 @in_order(COLUMNS, FROM, JSON, FORCE)
+@with_lists
 def view(
     files: tuple[Path, ...],
     screenshot: Path | None,
@@ -64,11 +66,11 @@ def view(
     after the last page closed, with a notice on stderr, or with Ctrl-C.
 
     \b
-    clouds        .ply .pcd .npz .npy .vtk .vtp .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
-    meshes        .ply .obj .stl .off .vtk .vtp .glb .gltf
-    trajectories  .log .tum .kitti .txt .json
+    clouds        {clouds}
+    meshes        {meshes}
+    trajectories  {trajectories}
     volumes       .npz of TSDFVolume.save, .json of SelectionPolygonVolume
-    recordings    .bag .mcap .db3 and folders of them: the first cloud, or all clouds with --frame
+    recordings    {recordings} and folders of them: the first cloud, or all clouds with --frame
 
     One of FILES may be -, standard input, with --from.
 

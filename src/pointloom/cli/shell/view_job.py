@@ -17,7 +17,7 @@ from ...core.reports import Assessed, Fields, Report
 from ...core.timing import Clock
 from ...core.up_axis import check_up
 from ...core.wording import plain
-from ...io.points.formats import columns_of
+from ...io.points.by_extension import columns_of
 from ...pcd.cloud import PointCloud
 from ...visualization.render.geometries import Named
 from ...visualization.render.open3d_views import read_view

@@ -22,10 +22,11 @@ from ...core.checks import check_count, check_name, check_positive
 from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
-from ...core.paths import path_of
+from ...core.paths import IN_FOLDERS, RECORDINGS, path_of
 from ...core.units import warn_of_units
 from ...kernels.lru_cache import LruCache
 from ...pcd.cloud import PointCloud
+from ..file_formats import listed
 from ..optional_imports import foreign_errors, import_for
 from ..points.point_cloud import cloud_of
 from ..points.scan_files import natural_key
@@ -39,7 +40,7 @@ from .recorded_frames import RecordedFrames, choose_images
 from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
-_READERS = {".bag": read_bag1, ".mcap": read_mcap, ".db3": read_db3}
+_READERS = dict(zip(RECORDINGS, (read_bag1, read_mcap, read_db3), strict=True))
 _MAX_CHUNKS, _MAX_BYTES = 4, 1 << 28  # cached unpacked chunks: those of a recording overlap little in time
 
 
@@ -369,7 +370,7 @@ def open_recording(path: FilePath) -> Recording:
     `pointloom[ros]`.
 
     Args:
-        path: A .bag, .mcap or .db3 file, or the folder of a ROS 2 bag.
+        path: The file, or the folder of a ROS 2 bag.
 
     Raises:
         FileError: No recording, or a recording without messages.
@@ -399,10 +400,12 @@ def read_recording(path: FilePath) -> Recording:
     restore_folder(root)
     files = [root]
     if root.is_dir():
-        files = sorted((file for file in root.iterdir() if file.suffix in (".db3", ".mcap")), key=natural_key)
+        files = sorted((file for file in root.iterdir() if file.suffix in IN_FOLDERS), key=natural_key)
         if not files:
-            packed = [file.name for file in root.iterdir() if file.name.endswith((".db3.zstd", ".mcap.zstd"))]
-            remedy = f"Unpack {packed[0]} with zstd -d" if packed else "Bags of ROS 2 are .db3 or .mcap files"
+            packed = [
+                file.name for file in root.iterdir() if file.name.endswith(tuple(f"{each}.zstd" for each in IN_FOLDERS))
+            ]
+            remedy = f"Unpack {packed[0]} with zstd -d" if packed else f"Bags of ROS 2 are {listed(IN_FOLDERS)} files"
             raise FileError(root, "contains no recording", remedy=remedy)
     elif not root.exists():
         raise FileError(root, "does not exist")

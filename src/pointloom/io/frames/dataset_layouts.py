@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from ...cameras.pose_text import LOST, parse_floats, pose_or_gap, read_lines, read_pose_or_gap
 from ...cameras.trajectory import read_poses_and_gaps
 from ...core.errors import DatasetError
+from ..images.image_formats import IMAGES
 
 # Maximum time difference [s] of images and poses in a TUM folder, as in the benchmark's tools.
 TUM_TOLERANCE = 0.02
@@ -214,7 +215,7 @@ def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path,
         return None
     if len(folders) > 1:
         raise DatasetError(folders[1], f"duplicates {folders[0].name}", remedy="Keep one folder of color")
-    colors = _list_images(folders[0], (".png", ".jpg", ".jpeg"))
+    colors = _list_images(folders[0], IMAGES)
     depth_keys, color_keys = _pairing_keys(depths, colors)
     by_key = dict(zip(color_keys, colors, strict=True))
     pairs = {}

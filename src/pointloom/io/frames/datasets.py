@@ -33,6 +33,7 @@ from ..images.image_files import (
     read_image_header,
     resize_color,
 )
+from ..images.image_formats import IMAGES
 from .dataset_layouts import Demand, FrameFiles, list_redwood, list_seven_scenes, list_tum
 from .frame_times import TimeWatch
 
@@ -57,7 +58,7 @@ def list_images(folder: Path, demand: Demand) -> list[FrameFiles]:
             continue
         if kind == ".png" and _DEPTH_WORD.search(path.stem):
             _add(depths, _without(_DEPTH_WORD, path), path)
-        elif kind in (".png", ".jpg", ".jpeg"):
+        elif kind in IMAGES:
             _add(colors, _without(_COLOR_WORD, path), path)
         elif kind == ".txt" and _POSE_WORD.search(path.stem):
             _add(poses, _without(_POSE_WORD, path), path)

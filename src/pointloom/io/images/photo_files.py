@@ -23,6 +23,7 @@ from ...core.errors import FileError, FilePath
 from ...core.paths import input_path
 from ..optional_imports import foreign_errors, ignored_errors, import_for
 from .image_files import PIXEL_LIMIT, ImageHeader
+from .image_formats import PHOTOS
 
 _MAGIC = {b"II*\0": "<", b"MM\0*": ">"}
 # Bytes of each type.
@@ -75,7 +76,6 @@ def _entry(data: bytes, order: str, offset: int) -> tuple[int, tuple[int, ...]]:
     return tag, struct.unpack_from(f"{order}{count}{_TIFF_INTEGERS[kind]}", data, where)
 
 
-KINDS = {".heic": "heif", ".heif": "heif", ".tif": "tiff", ".tiff": "tiff", ".webp": "webp", ".dng": "dng"}
 EXTRA = "photos"
 
 _ORIENTATION_TAG, _EXIF_IFD = 0x0112, 0x8769  # EXIF tags: orientation, offset of further tags
@@ -84,11 +84,11 @@ _NUMBERS = ("F", "I", "LAB")  # Pillow modes that are no colors or cannot be con
 
 
 def is_photo(path: FilePath) -> bool:
-    return Path(path).suffix.lower() in KINDS
+    return Path(path).suffix.lower() in PHOTOS
 
 
 def read_photo_header(path: FilePath) -> ImageHeader:
-    kind = KINDS[Path(path).suffix.lower()]
+    kind = PHOTOS[Path(path).suffix.lower()]
     if kind == "dng":
         with _opened_raw(path) as raw:
             sizes = raw.sizes
@@ -99,7 +99,7 @@ def read_photo_header(path: FilePath) -> ImageHeader:
 
 def read_photo(path: FilePath) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], int]:
     """Pixels, uint8 (h, w, 3) or uint16 gray (h, w), and the remaining EXIF orientation. HEIC is upright."""
-    kind = KINDS[Path(path).suffix.lower()]
+    kind = PHOTOS[Path(path).suffix.lower()]
     if kind == "dng":
         return _develop(path), orientation_of(read_exif(path))
     with _opened(path, kind) as image:
@@ -115,7 +115,7 @@ def read_photo(path: FilePath) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], 
 
 def read_alpha(path: FilePath) -> NDArray[np.uint8] | None:
     """The alpha of a TIFF or WebP image in the layout of `read_photo`, shape (h, w), or None."""
-    kind = KINDS[Path(path).suffix.lower()]
+    kind = PHOTOS[Path(path).suffix.lower()]
     if kind == "dng":
         return None
     with _opened(path, kind) as image:
@@ -129,7 +129,7 @@ def read_alpha(path: FilePath) -> NDArray[np.uint8] | None:
 def read_exif(path: FilePath) -> Image.Exif:
     """The EXIF data of an image, empty if missing or invalid. Orientation matches `read_photo`, so HEIC is upright."""
     path = input_path(path)
-    kind = KINDS.get(path.suffix.lower())
+    kind = PHOTOS.get(path.suffix.lower())
     exif = Image.Exif()
     # EXIF is often invalid. Such values are ignored
     with ignored_errors():

@@ -9,8 +9,10 @@ from ...core.errors import FileError, FilePath
 from ...core.paths import path_of, recording_remedy
 from ..columns import warn_of_loss
 from ..obj_statements import read_statements
+from ..points.by_extension import read_points, write_table
+from ..points.codecs import WriteOptions
 from ..points.e57 import read_frames
-from ..points.formats import FORMATS, READERS, WriteOptions, read_points, write_table
+from ..points.formats import CLOUD_FORMATS, WITH_SCANS
 from ..points.las import open_las
 from ..points.las_records import system_of
 from ..points.ply_faces import STRIPS
@@ -19,17 +21,17 @@ from ..points.ptx import read_ptx_frames
 from ..source import open_source
 from ..table import MeshTable, PointTable
 from ..vtk_files import VTK, read_vtk
-from .mesh_formats import MESH_FORMATS, MESH_READERS, write_mesh
+from .by_extension import read_mesh, write_mesh
+from .mesh_formats import MESH_FORMATS
 
-MESHES = tuple(MESH_READERS)
 LAS = (".las", ".laz")
 
 
 def is_mesh_file(path: FilePath) -> bool:
-    """True if a file has triangles, for formats of both: .ply, .obj, .vtk and .vtp. False for formats of clouds."""
+    """True if a file has triangles, for formats of both. False for formats of clouds."""
     suffix = Path(path).suffix.lower()
-    if suffix not in READERS or suffix not in MESH_READERS:
-        return suffix in MESH_READERS
+    if suffix not in CLOUD_FORMATS or suffix not in MESH_FORMATS:
+        return suffix in MESH_FORMATS
     if suffix in VTK:
         cells = read_vtk(path).cells
         return len(cells["polygons"].lengths) + len(cells["strips"].lengths) > 0
@@ -42,12 +44,12 @@ def is_mesh_file(path: FilePath) -> bool:
 def read_table(path: FilePath, columns: Sequence[str] | None = None) -> PointTable | MeshTable:
     """Read a file as a mesh if it has faces, else as a cloud; `columns` as in `read_point_cloud`."""
     suffix = Path(path).suffix.lower()
-    if columns is None and suffix in MESH_READERS and is_mesh_file(path):
-        return MESH_READERS[suffix](path)
-    if suffix not in READERS:
+    if columns is None and suffix in MESH_FORMATS and is_mesh_file(path):
+        return read_mesh(path)
+    if suffix not in CLOUD_FORMATS:
         remedy = (
             recording_remedy(path, "scans()")
-            or f"Clouds are read from {' '.join(READERS)}, meshes from {' '.join(MESHES)}"
+            or f"Clouds are read from {' '.join(CLOUD_FORMATS)}, meshes from {' '.join(MESH_FORMATS)}"
         )
         raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
     return read_points(path, columns)
@@ -66,15 +68,15 @@ def write_cloud_table(
     From LAS to LAS, `source` provides scale, offset, coordinate system and, unless `system_only`, other records and
     identification. From E57 or PTX to E57 it provides scan names and poses, unless `system_only`."""
     suffix = Path(path).suffix.lower()
-    format, left_out = FORMATS[suffix], []
+    format, left_out = CLOUD_FORMATS[suffix], []
     lost = ["viewpoint"] if table.viewpoint is not None and not format.stores_viewpoint else []
-    if format.storable is not None:
-        table, left_out = format.storable(path, table)
+    if format.codec.storable is not None:
+        table, left_out = format.codec.storable(path, table)
     kind, frames, like = "" if source is None else Path(source).suffix.lower(), [], None
     if source is not None and suffix in LAS and kind in LAS:
         like = open_las(source).header
         like = system_of(like) if system_only else like
-    elif source is not None and suffix == ".e57" and kind in (".e57", ".ptx") and not system_only:
+    elif source is not None and suffix == ".e57" and kind in WITH_SCANS and not system_only:
         frames, beside = read_frames(source) if kind == ".e57" else (read_ptx_frames(source), [])
         if beside:
             warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 files are written with points only")
@@ -84,8 +86,10 @@ def write_cloud_table(
 
 def write_mesh_table(path: FilePath, mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True) -> list[str]:
     """Write a mesh without what the format cannot store. Returns the dropped names."""
-    storable, left_out = MESH_FORMATS[Path(path).suffix.lower()].storable(mesh)
-    write_mesh(path, storable, ascii=as_text, overwrite=overwrite)
+    storable, left_out = MESH_FORMATS[Path(path).suffix.lower()].codec.storable, []
+    if storable is not None:
+        mesh, left_out = storable(mesh)
+    write_mesh(path, mesh, ascii=as_text, overwrite=overwrite)
     return left_out
 
 

@@ -14,6 +14,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
 from ...cameras.image_names import number_of
 from ...cameras.trajectory import Trajectory, read_poses_and_gaps
+from ...cameras.trajectory_formats import TRAJECTORY_FORMATS
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
@@ -25,12 +26,11 @@ from .frame_cameras import contains_frame_cameras, read_frame_cameras, read_tran
 from .metashape import read_metashape_cameras
 from .sfm_model import SfmModel
 
-TRAJECTORIES = (".log", ".txt", ".tum", ".kitti", ".json")
 TIME_TOLERANCE = 0.02  # [s] between image and pose, as in the TUM benchmark's associate.py
 
 _KNOWN = (
     "Give Metashape's .xml, a folder of COLMAP, transforms.json, Polycam's keyframes/cameras, frames of the 3D Scanner "
-    "App, or a trajectory (.log, .txt, .tum, .kitti, Open3D's .json)"
+    f"App, or a trajectory ({', '.join(TRAJECTORY_FORMATS)})"
 )
 
 
@@ -43,7 +43,7 @@ def read_cameras(
     - A folder with COLMAP's cameras, images and points3D.
     - `.json` with `frames`: transforms.json of nerfstudio or instant-ngp.
     - A folder with a JSON file per image: Polycam's keyframes/cameras, or 3D Scanner App.
-    - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`. Requires `images` and
+    - a trajectory, see `read_trajectory`. Requires `images` and
       `intrinsic`.
 
     Args:
@@ -108,7 +108,7 @@ def _kind_of(path: Path) -> str:
         return "metashape"
     if suffix == ".json" and "frames" in read_json_object(path):
         return "transforms"
-    if suffix in TRAJECTORIES:
+    if suffix in TRAJECTORY_FORMATS:
         return "trajectory"
     raise FileError(path, "does not exist" if not path.exists() else "is not a supported camera file", remedy=_KNOWN)
 

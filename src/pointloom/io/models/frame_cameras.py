@@ -20,6 +20,7 @@ from ...core.errors import FileError, FilePath
 from ...core.json_files import read_json_object
 from ...kernels.linear_algebra import inv
 from ..images.image_files import read_image_header
+from ..images.image_formats import IMAGES
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
 
@@ -28,7 +29,6 @@ LENSES = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPE
 DISTORTION = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 POLYCAM_KEYS = [f"t_{row}{column}" for row in range(3) for column in range(4)]
 SCANNER_APP = "cameraPoseARFrame"
-IMAGES = (".jpg", ".jpeg", ".png")
 
 _EXPORTED = "Give transforms.json, Polycam's keyframes/cameras, or the folder of frames of the 3D Scanner App"
 

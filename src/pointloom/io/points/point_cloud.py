@@ -26,10 +26,13 @@ from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
 from ..attribute_names import NameRules, new_names, warn_of_names
+from ..file_formats import listed
 from ..table import PointTable
+from .by_extension import read_points, write_table
+from .codecs import WriteOptions
 from .copc import open_copc
 from .e57 import iterate_e57
-from .formats import READERS, WRITTEN, WriteOptions, read_points, write_table
+from .formats import CLOUD_FORMATS, WITH_SCANS, WRITTEN
 from .las import LasFile, iterate_las, open_las
 from .las_crs import is_geographic, warn_of_degrees
 from .pcd import warn_of_viewpoint
@@ -45,9 +48,8 @@ def read_point_cloud(
 ) -> PointCloud:
     """Read a point cloud with all its attributes.
 
-    The formats are .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .asc .npz .npy .bin .vtk .vtp .las .laz .e57 .ptx, and
-    .obj without faces. A truncated file, trailing bytes or counts that do not match the file size raise `FileError`
-    before memory is allocated.
+    The extension selects the format (docs/files.md). An .obj has no faces. A truncated file, trailing bytes or counts
+    that do not match the file size raise `FileError` before memory is allocated.
 
     Text: a header line names the columns: x y z, nx ny nz, r g b (0..1, or integers in 0..255). Other names are
     attributes. Without a header, 3 columns are x y z and more columns require `columns`. A .bin has float32 columns,
@@ -63,7 +65,7 @@ def read_point_cloud(
         path: The file.
         device: Device of the cloud.
         scan: For .e57 and .ptx: index of the scan, from 0. None reads all scans and adds the attribute `scan_index`.
-        columns: For .csv, .txt, .asc, .xyz and .bin: the names of all columns, which replace those of the file.
+        columns: For tables such as .csv, .xyz and .bin: the names of all columns, which replace those of the file.
         arrays: Library of returned arrays, as of `PointCloud`. If None: "numpy".
 
     Raises:
@@ -90,9 +92,9 @@ def read_point_cloud(
     extension, library = _extension(path), library_for(arrays)
     if columns is not None or scan is None:
         return cloud_of(read_points(path, columns), path, device=device, arrays=library)
-    if extension not in (".e57", ".ptx"):
-        raise ValueError(f"scan: only .e57 and .ptx have scans, got {escaped(Path(path).suffix)}")
-    table = READERS[extension](path, scan=check_count("scan", scan, minimum=0))
+    if extension not in WITH_SCANS:
+        raise ValueError(f"scan: only {listed(WITH_SCANS, 'and')} have scans, got {escaped(Path(path).suffix)}")
+    table = CLOUD_FORMATS[extension].codec.read(path, scan=check_count("scan", scan, minimum=0))
     return cloud_of(table, path, device=device, arrays=library)
 
 
@@ -306,11 +308,10 @@ def write_point_cloud(
     E57 coordinates are converted to meters and its scans have no poses here: use `write_stations`.
 
     Args:
-        path: The file: .ply .pcd .npz .npy .vtk .vtp .csv .txt .asc .xyz .xyzn .xyzrgb .pts .las .laz .e57. A .csv
-            (commas), .txt or .asc (blanks) has a header and all attributes; an attribute (n, c) has columns name_0,
-            name_1, ...
+        path: The file (formats: docs/files.md). A .csv (commas) or .txt (blanks) has a header and all attributes; an
+            attribute (n, c) has columns name_0, name_1, ...
         cloud: The cloud. Or one of another library, see `from_any`.
-        ascii: Write text instead of binary, for .ply, .pcd and .vtk.
+        ascii: Write text instead of binary, for formats of either encoding, such as .ply.
         overwrite: Replace an existing file.
         drop_unsupported: Leave out colors, normals and attributes that the format cannot store, instead of an error.
         scale: Coordinate step [m], for .las and .laz: a number or one per axis. If None: 0.001, or finer on axes where
@@ -378,19 +379,16 @@ def table_of(cloud: PointCloud) -> PointTable:
 def _extension(path: FilePath, *, write: bool = False) -> str:
     """The extension of a file to read or write. Raises FileError for one that is in no list of formats."""
     extension = path_of(path).suffix.lower()
-    if extension not in READERS:
-        if extension in (".stl", ".off", ".glb", ".gltf"):
-            raise FileError(
-                path, f"{extension} files contain meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
-            )
+    if extension not in CLOUD_FORMATS:
         if remedy := "" if write else recording_remedy(path, "scans()"):
             raise FileError(path, "is a recording, which contains many clouds", remedy=remedy)
-        known = " ".join(WRITTEN if write else READERS)
+        known = " ".join(WRITTEN if write else CLOUD_FORMATS)
         if not write and not extension and not path_of(path).exists():
             raise FileError(path, "does not exist")
         if path_of(path).is_dir():
             raise FileError(path, "is a folder", remedy=f"Give the name of a file: {known}")
-        if extension in (".jpg", ".jpeg", ".png"):
-            raise FileError(path, "is an image", remedy="Use read_color, or read_depth for depth maps")
-        raise FileError(path, f"unknown extension {extension!r}", remedy=f"Use one of {known}")
+        others = (
+            "; meshes: write_triangle_mesh" if write else "; meshes: read_triangle_mesh, images: read_color, read_depth"
+        )
+        raise FileError(path, f"unknown extension {extension!r} of a cloud", remedy=f"Use one of {known}{others}")
     return extension

@@ -12,12 +12,12 @@ from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
-from .formats import READERS
+from .formats import CLOUD_FORMATS
 from .point_cloud import read_point_cloud
 from .text_table import check_columns
 
 # Tables beside scans are poses, times and notes. Alone they are the scans.
-_TABLES = (".csv", ".txt")
+_TABLES = tuple(extension for extension, format in CLOUD_FORMATS.items() if format.may_be_other)
 
 Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
 
@@ -25,7 +25,7 @@ Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
 def list_scans(folder: FilePath) -> list[Path]:
     """The scans of a folder in natural order: scan2 precedes scan10.
 
-    All formats of `read_point_cloud`. Files .csv and .txt are used only if there is nothing else: they often contain
+    All formats of `read_point_cloud`. Tables (.csv, .txt) are used only if there is nothing else: they often contain
     times or poses.
 
     Raises:
@@ -37,9 +37,9 @@ def list_scans(folder: FilePath) -> list[Path]:
         raise FileError(
             folder, "is not a folder" if root.exists() else "does not exist", remedy="Give a folder of scans"
         )
-    files = [path for path in root.iterdir() if path.suffix.lower() in READERS and path.is_file()]
+    files = [path for path in root.iterdir() if path.suffix.lower() in CLOUD_FORMATS and path.is_file()]
     if not files:
-        raise FileError(folder, "contains no scan", remedy=f"Scans end in {' '.join(READERS)}")
+        raise FileError(folder, "contains no scan", remedy=f"Scans end in {' '.join(CLOUD_FORMATS)}")
     files = [path for path in files if path.suffix.lower() not in _TABLES] or files
     kinds = sorted({path.suffix.lower() for path in files})
     if len(kinds) > 1:

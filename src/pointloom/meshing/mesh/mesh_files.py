@@ -1,4 +1,4 @@
-"""Read and write triangle meshes: PLY, OBJ, STL, OFF, VTK, GLB and glTF."""
+"""Read and write triangle meshes in the formats of io/meshes/mesh_formats.py."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.other_geometry import conversion_of, is_other
 from ...core.paths import path_of, recording_remedy
-from ...io.meshes.mesh_formats import MESH_READERS, UPRIGHT, read_mesh, write_mesh
+from ...io.meshes.by_extension import read_mesh, write_mesh
+from ...io.meshes.mesh_formats import MESH_FORMATS, UPRIGHT
 from ...io.source import content_errors
 from ...io.table import MeshTable
 from ...pcd.point_arrays import PointArrays
@@ -29,8 +30,8 @@ def read_triangle_mesh(
     """Read a triangle mesh. The extension determines the format.
 
     Args:
-        path: A .ply, .obj, .stl, .off, .vtk, .vtp, .glb or .gltf file, text or binary. Polygons are triangulated
-            (docs/meshes.md). Coincident corners of an .stl are merged.
+        path: The file, text or binary (formats: docs/files.md). Polygons are triangulated (docs/meshes.md). Coincident
+            corners of an .stl are merged.
         device: Target device, "cpu" by default.
         up: Up axis of a mesh from .glb or .gltf: "y" as in the file, or "z".
         outside_files: Read images and other files outside the file's own folder.
@@ -53,8 +54,8 @@ def read_triangle_mesh(
         [2.0, 0.0, 0.0]
     """
     suffix = path_of(path).suffix.lower()
-    if suffix not in MESH_READERS:
-        reason = f"meshes are read from {', '.join(MESH_READERS)}, not from {suffix or 'no extension'}"
+    if suffix not in MESH_FORMATS:
+        reason = f"meshes are read from {', '.join(MESH_FORMATS)}, not from {suffix or 'no extension'}"
         raise FileError(path, reason, remedy=recording_remedy(path, "scans()"))
     where, library = resolve_device(device), library_for(arrays)
     table = read_mesh(path, up=up, outside_files=outside_files)
@@ -101,14 +102,13 @@ def write_triangle_mesh(
     Positions are float32 without an origin, else float64 with the origin added. GLB uses a translation.
 
     Args:
-        path: A .ply or .vtk (binary unless `ascii`), .obj (text), .stl (binary), .off (text), .vtp, .glb (binary) or
-            .gltf (text) file, written atomically. Textures of m.ply, m.obj and m.gltf are written as m_0.png, m_1.png,
-            ..., with m.mtl or m.bin. A .glb contains them.
+        path: The file, written atomically (formats: docs/files.md). Textures of m.ply, m.obj and m.gltf are written
+            as m_0.png, m_1.png, ..., with m.mtl or m.bin. A .glb contains them.
         mesh: The mesh, or one of another library, see `from_any`. Data that the format cannot store is dropped with a
             warning: STL has no vertex data, STL and OFF no textures, and only .ply, .vtk and .vtp all attributes (.glb
             and .gltf those of vertices, .off triangle colors). GLB duplicates vertices at texture seams and sorts
             triangles by material.
-        ascii: Text, for .ply and .vtk.
+        ascii: Text instead of binary, for .ply and .vtk.
         overwrite: Allow replacing existing files.
         write_vertex_normals, write_vertex_colors: Write these arrays if the mesh has them.
         write_triangle_uvs: Write texture coordinates, material ids and textures.
@@ -131,10 +131,10 @@ def write_triangle_mesh(
     if not isinstance(mesh, TriangleMesh):
         remedy = "; write_point_cloud writes clouds" if isinstance(mesh, PointArrays) else ""
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}{remedy or conversion_of(mesh)}")
-    if suffix not in MESH_READERS:
-        raise FileError(path, f"meshes are written to {', '.join(MESH_READERS)}, not to {suffix or 'no extension'}")
-    if ascii and suffix in (".stl", ".off", ".glb", ".gltf", ".vtp"):
-        raise ValueError(f"ascii: {suffix[1:].upper()} has only one encoding")
+    if suffix not in MESH_FORMATS:
+        raise FileError(path, f"meshes are written to {', '.join(MESH_FORMATS)}, not to {suffix or 'no extension'}")
+    if ascii and MESH_FORMATS[suffix].encoding == "binary":
+        raise ValueError(f"ascii: {MESH_FORMATS[suffix].name} has only one encoding")
     table = mesh_table(mesh)
     if not write_vertex_normals:
         table.vertex_normals = None

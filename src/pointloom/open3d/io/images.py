@@ -8,12 +8,13 @@ import PIL.Image
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
+from ...io.file_formats import listed
 from ...io.images import image_files
 from ..argument_types import ImageLike
 from ..geometry.image import Image, pixels_of
 
 RGBA_CHANNELS = {2: (0, 3), 4: (0, 1, 2, 3)}  # channels of RGBA by number of channels
-JPEG = (".jpg", ".jpeg")
+PNG, JPEG = ".png", (".jpg", ".jpeg")
 
 
 def read_image(filename: FilePath) -> Image:
@@ -32,8 +33,8 @@ def read_image(filename: FilePath) -> Image:
 def write_image(filename: FilePath, image: ImageLike, quality: int = -1) -> bool:
     """Write a PNG (8 or 16 bits), or a JPEG of quality 0 to 100, by default 90."""
     pixels = pixels_of(image)
-    if (suffix := Path(filename).suffix.lower()) not in (".png", *JPEG):
-        raise FileError(filename, f"images are written to .png, .jpg and .jpeg, not to {suffix or 'no extension'}")
+    if (suffix := Path(filename).suffix.lower()) not in (PNG, *JPEG):
+        raise FileError(filename, f"images are written to {listed((PNG, *JPEG))}, not to {suffix or 'no extension'}")
     if suffix in JPEG:
         with atomic_write(filename) as file:
             PIL.Image.fromarray(pixels).save(file, "JPEG", quality=90 if quality < 0 else quality)

@@ -20,6 +20,7 @@ from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, peak_bytes
+from ...io.images.image_formats import IMAGES
 from ...io.models.colmap import read_colmap_model
 from ...io.points.formats import WRITTEN
 from ...io.points.ply import write_ply
@@ -32,7 +33,6 @@ from ..sfm.image_folder import check_path
 from .alignment import AlignmentError
 from .estimation import ARBITRARY, DepthEstimate, estimate_depth
 from .network import DepthModel
-from .photos import SUFFIXES
 from .presets import NETWORK_PRESETS
 from .report import DepthFailure, DepthReport, ImageDepth
 from .settings import DepthSettings
@@ -162,9 +162,9 @@ def _jobs(source: Path, output: Path, folder: Path | None, overwrite: bool) -> l
     if folder is None:
         check_output(output, WRITTEN, what="clouds", overwrite=overwrite)
         return [(source, output)]
-    images = sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES and path.is_file())
+    images = sorted(path for path in folder.iterdir() if path.suffix.lower() in IMAGES and path.is_file())
     if not images:
-        raise FileError(folder, f"contains no images ({' '.join(SUFFIXES)})", remedy="Give another folder")
+        raise FileError(folder, f"contains no images ({' '.join(IMAGES)})", remedy="Give another folder")
     if output.suffix.lower() in WRITTEN:
         raise FileError(
             output, "is a single cloud, but the source is a folder of images", remedy="Give the name of a folder"

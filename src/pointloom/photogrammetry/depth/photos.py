@@ -19,7 +19,6 @@ from ...core.paths import input_path
 from ...io.images.image_files import PIXEL_LIMIT, read_color, read_depth, read_image_header
 from ...io.optional_imports import ignored_errors
 
-SUFFIXES = (".png", ".jpg", ".jpeg")
 FIELD_OF_VIEW = 60.0  # [degrees] across the longer side: phone main cameras have 60 to 70
 
 _ORIENTATION_TAG, _EXIF_IFD = 0x0112, 0x8769

@@ -18,20 +18,13 @@ from ...core.checks import shown
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.paths import path_of
 from ...io.images.image_files import ImageHeader, read_color, read_depth, read_image_header
-from ...io.images.photo_files import (
-    KINDS,
-    is_photo,
-    orientation_of,
-    plain_number,
-    read_exif,
-    read_photo,
-    read_photo_header,
-)
+from ...io.images.image_formats import IMAGES, PHOTOS
+from ...io.images.photo_files import is_photo, orientation_of, plain_number, read_exif, read_photo, read_photo_header
 from ...io.optional_imports import ignored_errors
 from ...io.points.scan_files import natural_key
 
-SUFFIXES = (".jpg", ".jpeg", ".png")  # formats for COLMAP
-PHOTO_SUFFIXES = (*SUFFIXES, *KINDS)  # accepted input formats
+SUFFIXES = IMAGES  # formats for COLMAP
+PHOTO_SUFFIXES = (*SUFFIXES, *PHOTOS)  # accepted input formats
 # Formats that must be converted first; reported instead of ignored.
 OTHER_SUFFIXES = (".bmp", ".gif", ".jp2", ".avif", ".cr2", ".cr3", ".nef", ".arw", ".raf", ".orf", ".rw2")
 
@@ -58,10 +51,10 @@ def list_images(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[Pa
     files = [path for path in directory.iterdir() if not path.name.startswith(".") and path.is_file()]
     images = [path for path in files if path.suffix.lower() in suffixes]
     if not images:
-        others = Counter(path.suffix.lower() for path in files if path.suffix.lower() in (*KINDS, *OTHER_SUFFIXES))
+        others = Counter(path.suffix.lower() for path in files if path.suffix.lower() in (*PHOTOS, *OTHER_SUFFIXES))
         others_note = f"; it contains {_counted(others)}, which are not read" if others else ""
         converted = (
-            "; photogrammetry.choose_frames does that" if suffixes == SUFFIXES and set(others) & set(KINDS) else ""
+            "; photogrammetry.choose_frames does that" if suffixes == SUFFIXES and set(others) & set(PHOTOS) else ""
         )
         remedy = f"Convert them to {', '.join(SUFFIXES)}{converted}"
         raise DatasetError(folder, f"contains no image{others_note}", remedy=remedy)

@@ -15,6 +15,7 @@ from PIL import Image
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.masked_arrays import unmasked
 from ...io.images.image_files import decode_texture, read_color, read_image_header, write_png
+from ...io.images.image_formats import IMAGES
 from ...io.images.photo_files import is_photo, read_alpha
 from .frame_choice import FrameChoice
 from .image_folder import EXIF_UPRIGHT, list_photographs, read_orientation, read_stored, upright
@@ -26,7 +27,7 @@ FOLDER = "_masks"  # appended to the image folder's name
 MakeMask = Callable[[NDArray[np.uint8], str], Any]
 MASK_THRESHOLD = 128  # brightness threshold of masks
 _MIN_VISIBLE = 0.001  # minimum unmasked fraction of an image
-_ENDINGS = (".png", ".jpg", ".jpeg")
+_ENDINGS = sorted(IMAGES, key=lambda extension: extension != ".png")
 _INVERSE_ORIENTATIONS = {6: 8, 8: 6}  # inverse EXIF orientations. The others are self-inverse
 
 

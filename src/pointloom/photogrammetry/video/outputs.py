@@ -15,7 +15,8 @@ from ...core.atomic import check_folder
 from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
-from ...io.meshes.tables import MESHES, write_cloud_table, write_mesh_table
+from ...io.meshes.mesh_formats import MESH_FORMATS
+from ...io.meshes.tables import write_cloud_table, write_mesh_table
 from ...io.points.formats import WRITTEN
 from ...io.points.ply import write_ply, write_ply_mesh
 from ...io.points.point_cloud import table_of
@@ -40,9 +41,9 @@ class VideoOutputs:
     """Output files of a video reconstruction. None if not requested.
 
     Attributes:
-        mesh: .ply, .obj, .stl, .off, .glb or .gltf. STL has no colors.
-        cloud: The fused points.
-        trajectory: The poses, .log, .txt or .tum.
+        mesh: The mesh, in a format of `write_triangle_mesh`. STL has no colors.
+        cloud: The fused points, in a format of `write_point_cloud`.
+        trajectory: The poses, as TUM or Open3D's .log.
         picture: Image of the mesh, .png.
         training: Folder of `photogrammetry.write_training_folder`, at full image size, in the mesh frame.
         ortho: Orthophoto of the mesh, a GeoTIFF (.tif) in UTM. Requires georeferenced photographs and `cell`.
@@ -85,9 +86,9 @@ class VideoOutputs:
             FileError: One cannot be written, or two are the same file.
         """
         if self.mesh is not None:
-            check_output(self.mesh, MESHES, what="meshes", overwrite=overwrite)
+            check_output(self.mesh, MESH_FORMATS, what="meshes", overwrite=overwrite)
         if self.cloud is not None:
-            check_output(self.cloud, tuple(WRITTEN), what="clouds", overwrite=overwrite)
+            check_output(self.cloud, WRITTEN, what="clouds", overwrite=overwrite)
         if self.trajectory is not None:
             check_trajectory_output(self.trajectory, overwrite=overwrite)
         if self.picture is not None:

@@ -51,7 +51,7 @@ class VideoUnits:
     Attributes:
         scale: Meters per model unit.
         known: Two image names, and the distance of their cameras [m].
-        align: File of camera positions: poses (.log, .txt, .tum, by image number) or lines `name x y z`; "exif" for
+        align: File of camera positions: poses (of `read_trajectory`, by image number) or lines `name x y z`; "exif" for
             image positions (unreliable if insufficient); "none" for the model's frame.
         places: Image positions; None: `reconstruct_video` reads them from the folder.
         control: GroundControl, or its file (docs/video.md), with three points or more. GPS is only compared.

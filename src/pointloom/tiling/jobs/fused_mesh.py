@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_folder, atomic_write, check_folder, check_writable
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
-from ...io.meshes.mesh_formats import MESH_READERS
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...io.points.archives import Arrays, Expected, read_part_of_job, rows_of
 from ...io.points.ply import write_ply_mesh, write_ply_mesh_parts
 from ...io.table import MeshTable
@@ -92,7 +92,7 @@ def finish_fusion(folder: FilePath, path: FilePath | None = None, *, overwrite: 
     with manifest:
         path = manifest.folder / RESULT if path is None else path_of(path)
         is_file = path.suffix.lower() == ".ply"
-        if path.suffix.lower() in MESH_READERS and not is_file:
+        if path.suffix.lower() in MESH_FORMATS and not is_file:
             raise FileError(path, "a fused mesh is written as a .ply file or a folder of .ply files")
         if is_file:
             check_writable(path, overwrite=overwrite)

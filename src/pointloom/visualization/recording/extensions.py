@@ -2,4 +2,5 @@
 
 from __future__ import annotations
 
-RECORDINGS = (".html", ".gif", ".mp4", ".rrd", ".mcap")
+#: Extension -> what displays the file, if not any viewer of images or videos.
+RECORDINGS = {".html": "page with player", ".gif": "", ".mp4": "", ".rrd": "Rerun", ".mcap": "Foxglove"}

@@ -63,8 +63,8 @@ def record(
     registered fragments. Other frames are made with `add`, `update`, `set_pose`, `plot` and `step`.
 
     Args:
-        path: .html (one file that plays from disk, with plots), .gif, .mp4 (requires ffmpeg), .rrd (requires the
-            package rerun-sdk) or .mcap (requires foxglove-sdk).
+        path: A web page (.html: one file that plays from disk, with plots), an animation (.gif, or .mp4, which
+            requires ffmpeg), or a recording for Rerun (.rrd: rerun-sdk) or Foxglove (.mcap: foxglove-sdk).
         fps: Frames per second, at most 50 for .gif.
         size: Width and height of an animation [px]; rounded to even numbers for a video.
         max_points: Clouds with more points are sampled and meshes with more vertices simplified, which the title

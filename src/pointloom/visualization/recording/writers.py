@@ -23,6 +23,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_color
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
+from ...io.file_formats import listed
 from ..render.parts import Triple
 from ..render.view import View
 from .exports import PACKAGES, check_package, export
@@ -40,7 +41,7 @@ def check_recording(path: str | Path, *, fps: float, background: object, overwri
     """Check format, path and ffmpeg before any work. Raises FileError or ValueError."""
     suffix = Path(path).suffix.lower()
     if suffix not in RECORDINGS:
-        remedy = f"Use a file name that ends in {', '.join(RECORDINGS[:-1])} or {RECORDINGS[-1]}"
+        remedy = f"Use a file name that ends in {listed(RECORDINGS)}"
         raise FileError(path, f"unknown recording format: {suffix or 'a name without a suffix'}", remedy=remedy)
     if suffix == ".gif" and fps > FASTEST_GIF:
         raise ValueError(f"fps: expected at most {FASTEST_GIF:g} frames per second for .gif, got {fps:g}; use .mp4")

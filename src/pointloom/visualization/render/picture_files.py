@@ -13,17 +13,18 @@ from PIL import Image
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ...core.paths import path_of
+from ...io.file_formats import listed
 from ...io.images.image_files import PIXEL_LIMIT, encode_png, write_png
+from ...io.images.image_formats import IMAGES, PICTURES
 
-KINDS = (".png", ".webp")
-OPAQUE = (".jpg", ".jpeg", ".mp4", ".gif")  # common requests, without partial transparency
+OPAQUE = (*(each for each in IMAGES if each not in PICTURES), ".mp4", ".gif")  # common, without partial transparency
 MAX_WEBP = 16383  # [px] per side
 
 
 def check_picture(path: Any, *, overwrite: bool) -> None:
     """Check that an image can be written, before any work. Raises FileError."""
-    if path_of(path).suffix.lower() not in KINDS:
-        reason = "unknown image format: expected .png or .webp"
+    if path_of(path).suffix.lower() not in PICTURES:
+        reason = f"unknown image format: expected {listed(PICTURES)}"
         raise FileError(path, reason, remedy="Use a file name that ends in .png")
     check_writable(path, overwrite=overwrite)
 
@@ -50,7 +51,7 @@ def write_image(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite:
     kind, shape = path_of(path).suffix.lower(), getattr(image, "shape", ())
     has_opacity = len(shape) == 3 and shape[2] == 4
     if has_opacity and kind in OPAQUE:
-        remedy = "Write .png or .webp, or render with an opaque background"
+        remedy = f"Write {listed(PICTURES)}, or render with an opaque background"
         raise FileError(path, f"{kind} does not support transparency", remedy=remedy)
     check_picture(path, overwrite=overwrite)
     if not (has_opacity or kind == ".webp"):

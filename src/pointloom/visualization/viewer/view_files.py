@@ -13,6 +13,7 @@ import numpy as np
 
 from ...cameras.pose_text import read_lines
 from ...cameras.trajectory import read_trajectory
+from ...cameras.trajectory_formats import TRAJECTORY_FORMATS
 from ...core.atomic import restore_folder
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
@@ -22,7 +23,9 @@ from ...core.progress import ReportProgress
 from ...io.ascii_rows import is_number
 from ...io.bags.recording import open_recording
 from ...io.meshes import tables
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...io.points.copc_nodes import declares_copc
+from ...io.points.formats import CLOUD_FORMATS
 from ...io.points.in_parts import open_in_parts
 from ...io.points.point_cloud import read_point_cloud
 from ...kernels.lang import vec3
@@ -115,15 +118,15 @@ def read_geometry(
         return _read_json(path)
     if columns is not None:
         return read_point_cloud(path, device=device, columns=columns)
-    if suffix in (".log", ".tum", ".kitti") or (suffix == ".txt" and _is_trajectory(path)):
+    if suffix in TRAJECTORY_FORMATS and (suffix not in CLOUD_FORMATS or _is_trajectory(path)):
         return read_trajectory(path)
     if suffix == ".npz" and _is_volume(path):
         return TSDFVolume.load(path, device=device)
     if tables.is_mesh_file(path):
         return read_triangle_mesh(path, device=device)
-    if suffix in tables.READERS:
+    if suffix in CLOUD_FORMATS:
         return read_point_cloud(path, device=device)
-    known = " ".join(dict.fromkeys([*tables.READERS, *tables.MESHES, ".log", ".tum", ".kitti", ".json"]))
+    known = " ".join(dict.fromkeys([*CLOUD_FORMATS, *MESH_FORMATS, *TRAJECTORY_FORMATS]))
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Supported: {known}")
 
 
@@ -147,7 +150,7 @@ def _names(paths: list[Path]) -> list[str]:
 
 def _open_large(path: Path, max_points: int) -> Any:
     """Open a cloud file with more points for reading in parts. None for other files."""
-    if path.suffix.lower() not in tables.READERS or not path.is_file():
+    if path.suffix.lower() not in CLOUD_FORMATS or not path.is_file():
         return None
     if tables.is_mesh_file(path):
         return None

@@ -623,7 +623,7 @@ class Viewer:
         The view is that of a page or of `set_view`. Without either, all of the scene is visible at all times.
 
         Args:
-            path: .html (one file that plays from disk), .gif, .mp4, .rrd or .mcap, as of `record`.
+            path: The file, in a format of `record`.
             **options: fps, size, max_points, max_frames, title, background, overwrite, see `loom.record`.
 
         Raises:

@@ -11,7 +11,8 @@ from ....core.errors import FileError, FilePath
 from ....core.escaped_text import escaped
 from ....io.columns import warn_left_out
 from ....io.meshes.tables import write_cloud_table
-from ....io.points.formats import READERS, WRITTEN, read_points
+from ....io.points.by_extension import read_points
+from ....io.points.formats import CLOUD_FORMATS, WRITTEN
 from ....io.points.pcd import warn_of_viewpoint
 from ....io.points.ply_header import read_header
 from ....io.source import open_source
@@ -36,8 +37,10 @@ def read_point_cloud(
     suffix = Path(filename).suffix.lower()
     if format not in ("auto", suffix.lstrip("."), *COLUMNS):
         raise ValueError(f"format: expected a file that ends in .{format}, got {escaped(filename)}; rename it")
-    if suffix not in READERS:
-        raise FileError(filename, f"unknown extension {suffix!r}", remedy=f"Clouds are read from {' '.join(READERS)}")
+    if suffix not in CLOUD_FORMATS:
+        raise FileError(
+            filename, f"unknown extension {suffix!r}", remedy=f"Clouds are read from {' '.join(CLOUD_FORMATS)}"
+        )
     table = read_points(filename, None if format in ("auto", suffix.lstrip(".")) else COLUMNS[format])
     warn_of_viewpoint(filename, table.viewpoint, stacklevel=3)
     cloud = PointCloud(Tensor(table.points))
