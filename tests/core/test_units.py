@@ -63,6 +63,15 @@ def test_an_unknown_name_with_a_length_is_a_unit_of_its_own():
     assert unit_by_length("pied\u00e9", 0.3249).name == "unit of 0.3249 m"  # not representable in an ASCII header
 
 
+@pytest.mark.parametrize(
+    ("unit", "words"),
+    [(METRE, "metre"), (FOOT, "foot (0.3048 m)"), (DEGREE, "degree, of longitude and latitude")],
+    ids=["metre", "foot", "degree"],
+)
+def test_a_unit_is_described_by_its_length_and_reported_by_its_name(unit, words):
+    assert (unit.in_words(), unit.json_value) == (words, words.split(" ")[0].rstrip(","))
+
+
 @pytest.mark.parametrize("unit", [*KNOWN, LINK], ids=str)
 def test_a_unit_survives_text_pickles_and_copies(unit):
     for back in (unit_of_text(text_of(unit)), pickle.loads(pickle.dumps(unit)), copy.deepcopy(unit)):

@@ -237,7 +237,7 @@ def test_text_is_read_with_any_line_ends(tmp_path, change):
     [
         ("cameras", "1 PINHOLE 640\n", "line 1.*got 3 columns"),
         ("cameras", "1 METASHAPE 640 480 1 1 1 1\n", "line 1.*unknown camera model"),
-        ("cameras", "1 PINHOLE 640 480 1 1 1 1 1\n", "line 1.*takes fx, fy, cx, cy; got 5"),
+        ("cameras", "1 PINHOLE 640 480 1 1 1 1 1\n", r"/cameras\.txt \(line 1\):.*takes fx, fy, cx, cy; got 5"),
         ("cameras", "1 PINHOLE 640 480 1 1 1 x\n", "line 1.*not a number: 'x'"),
         ("cameras", CAMERAS + CAMERAS[8:], "line 4.*number 1 is duplicated"),
         ("cameras", "# nothing\n", "camera 1, which is missing in cameras.txt"),

@@ -3,6 +3,9 @@
 import io
 import json
 import struct
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from time import sleep
 
 import numpy as np
 import pytest
@@ -132,6 +135,27 @@ def test_frames_have_camera_color_and_times(tmp_path, form):
 def test_colors_of_every_order_are_converted_to_rgb(tmp_path, encoding, channels, padding):
     recording = one_frame(tmp_path, color=(encoding, color_of(0)[:, :, channels]), padding=padding)
     np.testing.assert_array_equal(recording.frames().read(0).color, color_of(0))
+
+
+def test_threads_read_the_frames_of_one_thread(tmp_path, monkeypatch):
+    recording, in_use = loom.open_recording(write_frames(tmp_path, count=4)), threading.Lock()
+    content_at = recording.content_at
+
+    def read_alone(row):
+        assert in_use.acquire(blocking=False), "the caches of a recording are for one thread"
+        try:
+            sleep(0.001)
+            return content_at(row)
+        finally:
+            in_use.release()
+
+    frames = recording.frames()
+    monkeypatch.setattr(recording, "content_at", read_alone)
+    with ThreadPoolExecutor(4) as pool:
+        read = [*pool.map(frames.read, [*range(4)] * 3)]
+    for number, frame in enumerate(read):
+        np.testing.assert_array_equal(frame.depth, depth_of(number % 4))
+        np.testing.assert_array_equal(frame.color, color_of(number % 4))
 
 
 @pytest.mark.parametrize("big", [False, True])

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from pointloom import PointCloud, TriangleMesh
 
@@ -107,6 +108,9 @@ def test_a_prism_is_closed_and_has_its_volume(way, is_reversed, is_far):
 def test_a_spring_matches_open3ds_example():
     spring = TriangleMesh(*TRIANGLE).extrude_rotation(3 * 360, [0, 1, 0], resolution=3 * 16, translation=2)
     assert (len(spring.vertices), len(spring)) == (147, 290) and spring.is_watertight()
+    steps = np.linspace(0, 1, 49)[:, None] * [0.0, 1.0, 0.0]
+    rings = [Rotation.from_rotvec(6 * np.pi * step).apply(TRIANGLE[0]) + 2 * step for step in steps]
+    np.testing.assert_allclose(spring.vertices, np.concatenate(rings), atol=1e-6)
 
 
 @pytest.mark.parametrize("angle", [360, -360, 90, -90])

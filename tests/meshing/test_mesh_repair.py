@@ -1,9 +1,13 @@
 """Repairs: closed, consistently oriented, edge-manifold, with a correct report, and no mesh gets worse."""
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from pointloom import TriangleMesh
 
@@ -310,9 +314,22 @@ def test_folded_triangles_go_with_the_first_fan_at_their_vertex(device):
     np.testing.assert_array_equal(split.triangles, [[0, 1, 2], [7, 3, 4], [0, 0, 1], [3, 0, 0], [5, 5, 8]])
 
 
+def fan_count(triangles):
+    """Number of fans, by SciPy: corners of one vertex in triangles that share an edge there belong together."""
+    corners, pairs = np.arange(triangles.size).reshape(-1, 3), []
+    for (s, first), (t, second) in itertools.combinations(enumerate(triangles.tolist()), 2):
+        common = set(first) & set(second)
+        if len(common) > 1:
+            pairs += [(corners[s, first.index(v)], corners[t, second.index(v)]) for v in common]
+    rows, columns = np.array(pairs, int).reshape(-1, 2).T
+    graph = coo_matrix((np.ones(len(rows)), (rows, columns)), (triangles.size,) * 2)
+    return connected_components(graph, directed=False)[0]
+
+
 @settings(deadline=None, max_examples=30)
 @given(GOOD_SOUPS)
 def test_a_split_separates_no_edge(triangles):
     mesh = soup(triangles)
     split = mesh.split_non_manifold_vertices()
     assert split.is_vertex_manifold() and split.edge_topology()[:3] == mesh.edge_topology()[:3]
+    assert len(split.vertices) == len(mesh.vertices) - len(np.unique(mesh.triangles)) + fan_count(mesh.triangles)

@@ -66,6 +66,23 @@ def test_frames_together_give_the_volume_of_single_calls(device, cameras, color,
     assert_equal(single, together)
 
 
+def test_frames_of_a_wall_give_its_mean_distance_and_color(device, tmp_path):
+    """Three frames at 1 m and one at 1.04 m, within the truncation."""
+    depths = np.full((4, 48, 64), 1.0)
+    depths[3] = 1.04
+    colors = np.full((4, 48, 64, 3), 50, np.uint8)
+    colors[3] = 210
+    with loom.PagedTSDFVolume(tmp_path / "v", voxel_size=0.03, device=device) as paged:
+        for each in (volume(device), paged):
+            each.integrate_frames(depths, CAMERA, np.tile(np.eye(4), (4, 1, 1)), colors)
+            mesh = each.extract_triangle_mesh(0)
+            np.testing.assert_allclose(mesh.vertices[:, 2], 1.01, atol=1e-4)
+            np.testing.assert_allclose(mesh.vertex_colors, 90 / 255, atol=1 / 255)
+    plain = volume(device)
+    plain.integrate_frames(depths, CAMERA, np.tile(np.eye(4), (4, 1, 1)))
+    assert not plain.has_frame_colors and mesh.has_vertex_colors()
+
+
 @pytest.mark.parametrize("dtype", [np.uint16, np.float32, np.int64])
 def test_depth_types_mean_what_they_mean_for_one_frame(device, dtype):
     depths, poses, _ = scene(2)

@@ -54,6 +54,23 @@ def test_a_volume_shifted_by_integer_voxels_is_bitwise_identical(device):
     assert (a[1][seen] == b[1][is_used][seen]).all() and (a[3][seen] == b[3][is_used][seen]).all()
 
 
+def test_a_rotated_volume_fills_every_voxel_between_seen_ones(device):
+    """By brute force: the voxels whose 8 surrounding voxels in the volume are all seen."""
+
+    def seen_voxels(volume):
+        blocks, _, weights, _ = voxels_of(volume)
+        return np.concatenate([8 * block + np.argwhere(one) for block, one in zip(blocks, weights > 0, strict=True)])
+
+    volume, T = colored_volume(device, count=1, voxel_size=0.08), as_pose([0.3, -0.4, 0.6], [0.01, 0.03, 0.007])
+    inside = np.zeros((100,) * 3, bool)
+    inside[tuple((seen_voxels(volume) + 50).T)] = True
+    grid, back = np.argwhere(np.ones((44,) * 3)) - 22, np.linalg.inv(T)
+    below = np.floor(grid @ back[:3, :3].T + back[:3, 3] / volume.voxel_size).astype(int) + 50
+    full = np.all([inside[tuple((below + corner).T)] for corner in itertools.product((0, 1), repeat=3)], axis=0)
+    fused = seen_voxels(loom.meshing.fuse_volumes([volume], [T]))
+    assert full.sum() > 200 and set(map(tuple, fused)) == set(map(tuple, grid[full]))
+
+
 def test_the_order_of_volumes_does_not_matter(device):
     volumes = [colored_volume(device, count=1 + i, seed=i) for i in range(3)]
     poses = [as_pose((0.02 * i, 0.1 * i, 0), (0.03 * i, 0, 0.01)) for i in range(3)]

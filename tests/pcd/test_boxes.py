@@ -10,6 +10,8 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import download, upload
 
 from .any_cloud import clouds, examples, parts
 from .open3d_clouds import cloud_of
@@ -251,8 +253,27 @@ def test_boxes_of_points_equal_boxes_of_their_cloud(rng, tolerances):
     assert_same_box(made, cloud.get_oriented_bounding_box(), 100 * tolerances.box_fraction)
     smallest = loom.OrientedBoundingBox.create_from_points_minimal(points)
     assert smallest.volume() == pytest.approx(cloud.get_minimal_oriented_bounding_box().volume())
+    known = loom.OrientedBoundingBox([500, -20, 3], ROTATION, [5, 3, 2])
+    inside = (rng.random((50, 3)) - 0.5) * [5, 3, 2] @ ROTATION.T + [500, -20, 3]
+    smallest = loom.OrientedBoundingBox.create_from_points_minimal(np.vstack([known.get_box_points(), inside]))
+    np.testing.assert_allclose(smallest.center, [500, -20, 3], atol=1e-4)
+    np.testing.assert_allclose(np.sort(smallest.extent), [2, 3, 5], atol=1e-4)
+    sides = np.abs(smallest.R.T @ ROTATION)[np.argsort(-smallest.extent)]
+    np.testing.assert_allclose(sides, np.eye(3), atol=1e-4)
     oriented = loom.OrientedBoundingBox.create_from_axis_aligned_bounding_box(cloud.get_axis_aligned_bounding_box())
     np.testing.assert_array_equal(oriented.R, np.eye(3))
+
+
+def test_masks_of_boxes_are_those_of_numpy(device, rng):
+    points, origin = rng.uniform(-4, 4, (500, 3)).astype(np.float32), np.array([100.0, -50, 7])
+    for R in (np.eye(3), ROTATION):
+        box = loom.OrientedBoundingBox(origin + np.array([1, 0, -1]), R, [5, 4, 3])
+        expected = (np.abs((points - [1, 0, -1]) @ R) <= [2.5, 2, 1.5]).all(axis=1)
+        assert 20 < expected.sum() < 200
+        boxes = [box] if R is ROTATION else [box, loom.AxisAlignedBoundingBox(box.get_min_bound(), box.get_max_bound())]
+        for each in boxes:
+            mask = each.mask_points(upload(points, vec3, device), origin)
+            np.testing.assert_array_equal(download(mask) != 0, expected)
 
 
 def test_boxes_compare_by_value_and_show_it():

@@ -130,6 +130,8 @@ def test_wrong_clocks_are_errors_that_name_the_argument(shaken):
         odometry.register(loom.PointCloud(scan.points), imu=readings)
     with pytest.raises(ValueError, match=r"^timestamps: .*seconds"):
         odometry.register(loom.PointCloud(scan.points), scan["time"] * 1e3, imu=readings)
+    with pytest.raises(ValueError, match=r"^timestamps: .*seconds"):  # milliseconds since the start
+        odometry.register(loom.PointCloud(scan.points), (scan["time"] - 1.7e9) * 1e3, imu=boot)
     with pytest.raises(ValueError, match=r"^imu: .*none"):
         odometry.register(scan, imu=loom.ImuReadings([], np.zeros((0, 3)), np.zeros((0, 3))))
     with pytest.raises(TypeError, match=r"^imu: "):

@@ -6,6 +6,7 @@ from contextlib import nullcontext
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
@@ -22,7 +23,7 @@ from pointloom.registration import LidarOdometry, evaluate_trajectory, run_odome
 from pointloom.registration.lidar.lidar_odometry import OdometryState
 from pointloom.registration.lidar.lidar_runs import iterate_odometry
 from pointloom.registration.lidar.lidar_steps import OdometryStep
-from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
+from pointloom.registration.lidar.scan_matching import AdaptiveThreshold, rotated_guesses
 
 from ..interruptions import run_lines
 from .drives import clouds, follow, truth_of
@@ -216,6 +217,12 @@ def test_the_threshold_adapts_to_prediction_errors():
     error = 2 * 50 * np.sin(0.01) + 0.05
     assert threshold.value(start) == threshold.value(start[:0]) == 2.0
     assert threshold.value(moved) == pytest.approx(np.sqrt((4 + error**2) / 2), rel=1e-12)
+
+
+def test_a_scan_that_does_not_fit_is_rotated_to_both_sides_about_each_axis():
+    rotations = Rotation.from_matrix([T[:3, :3] for T in rotated_guesses(np.eye(4), np.eye(4))]).as_rotvec(degrees=True)
+    for axis, largest in enumerate((16, 16, 40)):
+        np.testing.assert_allclose([rotations[:, axis].min(), rotations[:, axis].max()], [-largest, largest])
 
 
 def test_coordinates_with_an_origin_give_the_same_path(device, fast_drive):

@@ -8,8 +8,9 @@ import pytest
 import pointloom as loom
 from pointloom.registration import LidarSLAM, PositionReadings
 from pointloom.registration.lidar import lidar_slam
-from pointloom.registration.lidar.position_priors import align_path, heading_of
-from pointloom.registration.rigid import fit_pose
+from pointloom.registration.lidar.lidar_graph import MotionEdge, SubmapGraph
+from pointloom.registration.lidar.position_priors import PositionRow, align_path, heading_of
+from pointloom.registration.rigid import fit_pose, make_pose
 from tests.registration.test_lidar_slam import AROUND, SIZES, make_drive, slam_of, truth_of
 
 DRIFT = [0, 0, 0.002, 0, 0.01, 0.005]  # [rad, m] a scan: 20 degrees, 2 m in all
@@ -147,6 +148,19 @@ def test_alignment_needs_four_positions_over_ten_sigmas():
     assert align_path(points[:3], points[:3], np.full((3, 3), 0.1)) is None
     assert align_path(points, points, np.full((5, 3), 3.0)) is None
     assert align_path(np.zeros((5, 3)), np.zeros((5, 3)), np.full((5, 3), 0.1)) is None
+
+
+def test_an_alignment_that_fits_better_replaces_the_reference():
+    points = np.array([[0, 0, 0], [5, 0, 0], [10, 1, 0], [15, 0, 0], [20, 5, 0.0]])
+    graph = SubmapGraph()
+    for k, point in enumerate(points):
+        pose = make_pose(np.eye(3), point)
+        edge = MotionEdge(k, k - 1, make_pose(np.eye(3), point - points[k - 1]), np.eye(6)) if k else None
+        graph = graph.with_submap(pose, edge, [PositionRow(np.zeros(3), TURN @ point, np.full(3, 0.1), 1.0)])
+    aligned = dataclasses.replace(graph.priors, weights=np.ones(5))
+    for reference in (np.eye(4), make_pose(TURN.T, np.zeros(3))):
+        found = SubmapGraph(graph.poses, graph.edges, aligned, reference).aligned().reference
+        np.testing.assert_allclose(found[:3, :3], TURN.T, atol=1e-6)
 
 
 def test_wrong_readings():

@@ -324,6 +324,19 @@ def bumpy_scans(device="cpu"):
     return [loom.PointCloud(ground[k::3] - p, device=device) for k, p in enumerate(positions)], rough
 
 
+@pytest.mark.parametrize("position_sigma", [None, 0.01])
+def test_positions_are_those_of_scanners_whose_points_are_far_away(position_sigma):
+    clouds, rough = bumpy_scans()
+    rough[:, 1, 3] -= 20.0
+    positions = rough[:, :3, 3] - [[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0]]
+    result = register_stations(
+        [cloud.translate([0, 20, 0]) for cloud in clouds], poses=rough, positions=positions,
+        position_sigma=position_sigma, voxel_size=0.2,
+    )  # fmt: skip
+    np.testing.assert_allclose(result.poses[:, :3, 3], positions, atol=0.02)
+    assert result.reliable or position_sigma is None
+
+
 @pytest.mark.parametrize("level", [True, False])
 def test_standard_deviations_are_those_of_the_covariances_of_poses(level):
     clouds, rough = bumpy_scans()

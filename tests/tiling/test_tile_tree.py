@@ -110,6 +110,19 @@ def test_coincident_and_collinear_points(tmp_path, points):
     np.testing.assert_array_equal(*stored)
 
 
+def test_a_chunk_on_the_upper_bound_of_a_cell_is_complete(tmp_path, monkeypatch):
+    """Its points are a wall in the last of the finest cells (4.8 micrometers) before the middle of the cube."""
+    monkeypatch.setattr(tile_tree, "MAX_POINTS", 100)
+    points = np.random.default_rng(0).integers(0, 1000, (900, 3)) / 100.0
+    points[600:, 0], points[0], points[1] = 4.999998, 0.0, 10.0
+    paths = [tmp_path / "most.laz", tmp_path / "wall.laz"]
+    loom.write_point_cloud(paths[0], loom.PointCloud(points[:600]), scale=1e-6)
+    loom.write_point_cloud(paths[1], loom.PointCloud(points[600:]), like=paths[0])
+    tree = tile_tree.TileTree(paths, [600, 300], lambda *_: None)
+    found = np.concatenate([tree.positions(node.rows) for node in tree.nodes()])
+    np.testing.assert_allclose(found[np.lexsort(found.T)], points[np.lexsort(points.T)], atol=1e-9)
+
+
 def test_too_many_coincident_points_are_an_error(tmp_path, monkeypatch):
     monkeypatch.setattr(tile_tree, "MAX_POINTS", 100)
     job = job_of(loom.PointCloud(np.tile(CORNER, (500, 1))), tmp_path, 7.0)

@@ -32,7 +32,7 @@ def sample_visibility(
     if not len(elsewhere):
         return np.zeros((0, 3)), np.zeros((0, len(poses)), bool), np.zeros((0, len(poses)))
     nearest, farthest = float(elsewhere.min()) * MIN_RELATIVE_DEPTH, float(elsewhere.max()) / np.radians(MIN_ANGLE)
-    z = np.geomspace(nearest, max(farthest, 2 * nearest), DEPTHS_PER_RAY)
+    z = np.geomspace(nearest, farthest, DEPTHS_PER_RAY)
     at = (_rays(cameras[index])[:, None] * z[:, None]).reshape(-1, 3)
     samples = (at - t[index]) @ R[index]
     seen, angles = np.zeros((len(samples), len(poses)), bool), np.zeros((len(samples), len(poses)))

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from pointloom.kernels.arrays.bounds import RUN_POINTS, bound_points, find_box
+from pointloom.kernels.arrays.lowest_bit import lowest_bit
 from pointloom.kernels.arrays.origins import add_origin, has_far_points, shift_rays, subtract_origin
 from pointloom.kernels.lang import float64, vec3, vec3d
 from pointloom.kernels.memory import download, upload
@@ -57,6 +58,20 @@ def test_a_coordinate_beyond_a_limit_is_seen_and_one_that_is_not_finite_is_none(
         far = points.copy()
         far[[399, 400], axis] = 1.5, -1.5
         assert has_far_points(upload(far, kind, device), 1.0, 3)[0]
+
+
+@pytest.mark.parametrize(
+    ("points", "exponent"),
+    [
+        ([[0, 0, 0]], 0),
+        ([[0, 96, -32]], 5),
+        ([[6, -0.5, 0], [0.0, 3, 1]], -1),
+        ([[1, -0.0, 3 * 2.0**-20]], -20),
+        ([[1, 2.0**-149, 0]], -149),
+    ],
+)
+def test_coordinates_are_integer_multiples_of_their_lowest_bit(device, points, exponent):
+    assert lowest_bit(upload(np.array(points), vec3, device)) == exponent
 
 
 def test_points_are_rounded_once_and_round_trip(rng, device):

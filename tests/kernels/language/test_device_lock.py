@@ -1,6 +1,7 @@
 """The lock around the work of a device: releases that come in the midst of it wait their turn."""
 
 import contextlib
+import gc
 import threading
 from types import SimpleNamespace
 
@@ -10,6 +11,7 @@ import pytest
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import int32
 from pointloom.kernels.language import device_lock
+from pointloom.kernels.language.lazy_property import once
 from pointloom.kernels.memory import cast, clone, contiguous, download, empty, fill, host_view, move, upload
 
 pytestmark = pytest.mark.both_compilers
@@ -75,3 +77,17 @@ def test_arrays_are_filled_cloned_cast_and_moved(device, rng):
     np.testing.assert_array_equal(download(moved), [-5, *values[1:]])
     assert download(cast(copied, int32)).dtype == np.int32
     assert download(empty((0, 3), int32, warp_device)).shape == (0, 3)
+
+
+@pytest.mark.parametrize("is_on", [True, False])
+def test_garbage_collection_is_paused_during_a_lazy_property_alone(is_on):
+    class Table:
+        @once
+        def is_collected(self):
+            return gc.isenabled()
+
+    (gc.enable if is_on else gc.disable)()
+    try:
+        assert not Table().is_collected and gc.isenabled() == is_on
+    finally:
+        gc.enable()

@@ -20,6 +20,7 @@ from pointloom.kernels.language.prepared_launches import FlatLaunch, WarpLaunch
 pytestmark = pytest.mark.both_compilers
 SOURCE = """
 V3 = vector(3, float64)
+V40 = vector(40, float64)
 
 @kernel
 def double_kernel(a: array(dtype=float32), factor: float, n: int, v: vec3, out: array(dtype=float32)):
@@ -49,6 +50,15 @@ def sum_points(points: array(dtype=vec3)) -> vec4:
     i = tid()
     p = points[i]
     return vec4(p[0], p[1], p[2], 1.0)
+
+@reduction
+def forty_sums(weights: array(dtype=float64)) -> V40:
+    i = tid()
+    row = V40(float64(0.0))
+    n = int(40)
+    for k in range(n):
+        row[k] = float64(int(weights[i]) % (k + 2))
+    return row
 
 @kernel
 def step_kernel(left: array(dtype=int), big: array(dtype=float)):
@@ -149,6 +159,13 @@ def test_a_reduction_sums_in_double_precision(kernels, device, rng, count):
     sums = lang.reduce(kernels.moments, count, [values, 7, 0.25, [0.0, 0.0, 1.0]]).numpy()
     x = a / 3.0 + np.where(np.arange(count) % 2 == 0, 0.25, 0.0)
     np.testing.assert_allclose(sums, [[x.sum(), (x * x).sum(), 8.0 * count]], rtol=1e-13, atol=1e-13)
+
+
+@pytest.mark.parametrize("count", [1, 300, 2000])
+def test_a_reduction_sums_more_numbers_than_a_warp_has_lanes(kernels, device, count):
+    weights = wp.array(np.arange(count), dtype=wp.float64, device=device)
+    sums = lang.reduce(kernels.forty_sums, count, [weights]).numpy()
+    assert sums.tolist() == [[np.fmod(np.arange(count), k + 2).sum() for k in range(40)]]
 
 
 def test_a_reduction_takes_a_part_of_an_array(kernels, device):

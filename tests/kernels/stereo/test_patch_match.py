@@ -139,6 +139,18 @@ def test_planes_converge_despite_an_occluded_source(device):
     assert np.median(result[..., 3]) < 0.1  # the hidden source, whose cost is 1, has no influence
 
 
+def test_perturbed_planes_stay_within_the_spread_and_some_change_their_normal_alone(device):
+    reference, sources = problem(device)
+    start, spread = np.float32(0.55), 0.5  # [px]: 0.4 px beside the surface
+    planes = planes_of(start, device)
+    costs = start_planes(reference, sources, planes, seed=0, is_given=True, geometric=0.0, chosen=1)
+    for color in (0, 1):
+        spread_planes(HalfIteration(3, 0, color, 0, 2, 1, spread, 0.0, 0.8), reference, sources, planes, costs)
+    w, *slopes = np.array(download(planes)).reshape(HEIGHT, WIDTH, 4)[6:-6, SHIFT + 6 : -6, :3].T
+    assert np.abs(w - start).max() < spread / STEREO and (np.abs(w - 0.5) < 0.049).mean() > 0.3
+    assert ((w == start) & (np.abs(slopes).max(axis=0) > 0)).mean() > 0.02
+
+
 def test_stored_costs_belong_to_the_stored_planes(device):
     reference, sources = problem(device, count=3, hidden=1)
     rng = np.random.default_rng(2)

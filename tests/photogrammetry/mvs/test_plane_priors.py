@@ -47,6 +47,13 @@ def test_an_object_in_front_of_a_wall_does_not_bend_its_plane(device):
     np.testing.assert_allclose(priors[~textured][:, 0], w[~textured], atol=1e-3)
 
 
+def test_a_small_plain_region_beside_a_large_one_takes_the_plane_around_it(device):
+    w = np.where(u < 54, 0.5 + 0.002 * u, 0.9 - 0.003 * v)
+    textured = frame(10) | ((u >= 49) & ((np.abs(u - 62) > 4) | (np.abs(v - 35) > 4)))
+    priors = given(device, w, textured, ~textured)
+    np.testing.assert_allclose(priors[~textured][:, 0], w[~textured], atol=1e-5)
+
+
 def test_two_walls_of_one_color_have_a_plane_each(device):
     w, textured = 0.5 + 0.004 * np.minimum(u, WIDTH - u), frame(10)
     priors = given(device, w, textured, ~textured)

@@ -1,6 +1,7 @@
 """Ground control and scale bars: files, georeferenced models with residuals, and named errors."""
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -85,6 +86,19 @@ def test_exact_marks_through_a_lens_with_distortion_give_utm_coordinates_exactly
     centers = fit.frame.to_utm(model.transform(fit.T_world_model).centers, 32632)
     np.testing.assert_allclose(centers, FRAME.to_utm(poses[:, :3, 3]), atol=1e-6)
     assert fit.control.rms("control") < 1e-6 and fit.control.rms("check") < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("positions", "reason"),
+    [
+        ([[0, 0, 0], [9, 0, 0]], "^2 control points: 3 or more"),
+        ([[0, 0, 0], [9, 3, 1], [18, 6, 2], [36, 12, 4]], "A, B, C, D are collinear"),
+        ([[0, 0, 0], [9, 0, 0], [0, 9, 0]], "^$"),
+    ],
+)
+def test_three_control_points_that_are_not_collinear_determine_a_similarity(positions, reason):
+    rows = [loom.registration.ControlPoint(name, at) for name, at in zip("ABCD", positions, strict=False)]
+    assert re.search(reason, GroundControl(rows, []).why_open())
 
 
 def test_maps_require_control_with_a_coordinate_system():

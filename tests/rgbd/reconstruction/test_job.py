@@ -21,7 +21,7 @@ from pointloom.rgbd.reconstruction.fragments import fragments_in, make_fragments
 from pointloom.rgbd.reconstruction.job_files import JobFiles
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
 from pointloom.rgbd.reconstruction.placement import register_fragments
-from pointloom.rgbd.reconstruction.refinement import refine_registration
+from pointloom.rgbd.reconstruction.refinement import method_for, refine_registration
 from pointloom.rgbd.reconstruction.scene import integrate_scene
 
 from ...interruptions import run_lines
@@ -358,6 +358,11 @@ def test_the_defaults_are_open3ds_except_data_dependent_ones():
     assert different == {"path_dataset", "depth_scale", "sdf_trunc", "global_registration"}
 
 
+def test_fragments_have_a_fifth_of_the_voxel_edge_or_the_given_one():
+    assert Config(voxel_size=0.1).fragment_voxel == pytest.approx(0.02)
+    assert Config(fragment_voxel_size=0.03).fragment_voxel == 0.03
+
+
 def test_older_names_mean_the_same():
     assert Config.from_names({"max_depth": 2.5, "max_depth_diff": 0.05}) == Config(depth_max=2.5, depth_diff_max=0.05)
 
@@ -553,7 +558,10 @@ def test_a_room_without_texture_is_tracked_where_its_shape_constrains_the_pose(t
 
 def test_a_frame_without_color_gives_a_cloud_without_colors(tmp_path):
     (fragment,) = make_fragments(ShortSequence(range(4), changed={2: {"color": None}}), config(), tmp_path).fragments
-    assert len(fragment) == 4 and not fragment.read_cloud().has_colors
+    cloud = fragment.read_cloud()
+    assert len(fragment) == 4 and not cloud.has_colors
+    mixed = [cloud, cloud.paint_uniform_color([1, 0, 0])]  # color ICP requires colors in both clouds
+    assert "PointToPlane" in type(method_for(config(icp_method="color"), mixed)).__name__
 
 
 def test_depth_in_meters_is_supported(tmp_path):

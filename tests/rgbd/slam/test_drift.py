@@ -30,7 +30,7 @@ from pointloom.rgbd.slam.results import TrackingResult, rotated_covariance
 from pointloom.rgbd.slam.tracker import Drift, join_covariance, noises_of
 
 from ..sequences import CAMERA, Part
-from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, fit, frame, frames, statuses
+from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, fit, frame, frames, sequence, statuses
 
 
 def deviated(deviation: float, status="tracked") -> TrackingResult:
@@ -185,6 +185,15 @@ def test_the_right_focal_length_is_not_reported(turning, device):
     check = check_focal(turning, path_of(turning), depth_max=4.0, device=device)
     assert check is not None and check.factor == 1.0
     assert check.reliable and "no other focal length fits better" in str(check)
+
+
+def test_the_keyframes_of_a_run_give_the_true_focal_length():
+    K, images = sequence().intrinsic, frames(*range(0, 36, 6))
+    camera = PinholeCameraIntrinsic(K.width, K.height, 1.25 * K.fx, 1.25 * K.fy, K.cx, K.cy)
+    slam = loom.rgbd.DenseSLAM(camera, T_init=images[0].T_world_camera, voxel_size=VOXEL)
+    slam.run(images)
+    check = slam.check_camera()
+    assert not check.reliable and abs(check.factor * 1.25 - 1) < 0.03
 
 
 @pytest.mark.parametrize("factor", [1.25, 0.9, 1.1])

@@ -1,6 +1,7 @@
 """Synchronization of color and depth: repeated and delayed images are reported, correct ones are not."""
 
 import dataclasses
+import types
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ import pointloom as loom
 from pointloom.rgbd.slam import dense_slam
 from pointloom.rgbd.slam.frame_checks import BLANK
 from pointloom.rgbd.slam.results import TrackingResult
-from pointloom.rgbd.slam.stream_check import DOUBTFUL, MIRRORED_SIGNS, STALE, Apart, Rotations, StreamLag
+from pointloom.rgbd.slam.stream_check import DOUBTFUL, MIRRORED_SIGNS, STALE, Apart, FrozenDepth, Rotations, StreamLag
 from pointloom.rgbd.slam.tracking import covered_frames
 
 from .slam_walks import begun, blank, changed, fit, frames, sequence, statuses
@@ -170,6 +171,18 @@ def test_repeated_depth_with_sensor_noise_is_rejected(device):
     assert slam.stream.problems is None
 
 
+@pytest.mark.parametrize("is_moving", [False, True])
+def test_only_depth_that_changes_by_noise_alone_is_frozen(is_moving):
+    """While colors rotate and surfaces, such as a wall that comes nearer, do not."""
+    rng, frozen = np.random.default_rng(0), FrozenDepth()
+    counts = []
+    for k in range(20):
+        nearness = 0.5 + 0.001 * rng.normal(size=(30, 40)) + 0.004 * k * is_moving
+        view = types.SimpleNamespace(host_nearness=nearness.astype(np.float32))
+        counts.append(frozen.add(rotations(np.array([0.01, 0, 0]), np.zeros(3)) if k else None, view))
+    assert (counts[-1] > 3) != is_moving and any(counts) != is_moving
+
+
 def noisy_color(f, _, seed):
     color = f.color + np.random.default_rng(seed).normal(0, 3, f.color.shape)
     return changed(f, color=np.clip(color, 0, 255).astype(np.uint8))
@@ -227,6 +240,7 @@ def test_reported_frames_are_uncertain_and_withdrawn_from_the_surface(device, su
     assert (result.status, result.warnings, result.fused) == ("uncertain", (message,), False)
     assert statuses(slam.results) == ["tracked", "uncertain", "uncertain", "uncertain"]
     assert [r.fused for r in slam.results] == [True, False, False, False] and slam.volume.frame_count == 1
+    assert (slam.model.surface_volume.frame_count, slam.model.volume.frame_count) == (1, 3)
     alone = begun(device, submap_frames=submap_frames)
     alone.run(source[:1])
     for close in (lambda _: None, loom.rgbd.DenseSLAM.close_loops)[: 1 if submap_frames is None else 2]:

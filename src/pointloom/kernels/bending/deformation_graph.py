@@ -142,7 +142,6 @@ def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
     if beyond > 0.0:
         end_slope = (end / (beyond * beyond)) * (p - last)
     total = float64(0.0)
-    drift = vec3d(0.0, 0.0, 0.0)  # gradient of the sum of weights
     pulls = mat33d(zero, zero, zero, zero, zero, zero, zero, zero, zero)
     for k in range(members_of(graph.listed)):
         node = influence.near[first + k]
@@ -156,7 +155,6 @@ def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
                 along = along - (1.0 / (end * away)) * arm
             change = (2.0 * (1.0 - away / end)) * along
             pulls = pulls + outer(graph.rotations[node] @ arm + graph.centers[node] - here, change)
-            drift += change
             total += (1.0 - away / end) * (1.0 - away / end)
     if total > 0.0:
         slope = slope + pulls * (1.0 / total)

@@ -300,14 +300,17 @@ class _Survey:
         return choose_voxel_size(*self.clouds) / 2
 
     def _frame(self, i: int, level: bool) -> Array:
-        """A station's tilt about its origin, or about the center of its points if that is far away."""
+        """A station's tilt about its origin, or about the center of its points if that is far away.
+
+        Given positions are those of the origin."""
         tilt, middle = np.eye(3), np.zeros(3)
         if level and self.poses is not None:
             R = self.poses[i, :3, :3]
             yaw = math.atan2(R[1, 0], R[0, 0])
             tilt = np.eye(3) if np.array_equal(R[2], [0.0, 0.0, 1.0]) else matmul(about_up(float(yaw)).T, R)
         low, high = np.asarray(self.clouds[i].get_min_bound()), np.asarray(self.clouds[i].get_max_bound())
-        if len(self.clouds[i]) and ((low > 0) | (high < 0)).any() and np.abs(low + high).max() > 4 * (high - low).max():
+        is_outside = len(self.clouds[i]) > 0 and ((low > 0) | (high < 0)).any()
+        if self.given is None and is_outside and np.abs(low + high).max() > 4 * (high - low).max():
             middle = (low + high) / 2
         return make_pose(tilt, matmul(-tilt, middle))
 
