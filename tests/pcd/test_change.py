@@ -75,9 +75,9 @@ def compared(first, second, device, **options):
 def test_distances_are_positive_on_the_side_of_the_orientation(device, side):
     """A slope whose second epoch is 0.3 m higher, seen from above and from below."""
     x, y = np.random.default_rng(0).uniform(0, 10, (2, 4000))
-    first = np.column_stack([x, y, 0.5 * x])
+    first, rise = np.column_stack([x, y, 0.5 * x]), np.array([0, 0, 0.3])
     cores = loom.PointCloud([[5, 5, 2.5]], device=device)
-    result = compared(first, first + [0, 0, 0.3], device, core_points=cores, orientation=(0, 0, side))
+    result = compared(first, first + rise, device, core_points=cores, orientation=(0, 0, side))
     assert result.distances[0] == pytest.approx(side * 0.3 * np.cos(np.arctan(0.5)), abs=0.01)
     assert result.directions[0, 2] * side > 0
 

@@ -36,9 +36,9 @@ def test_a_given_initial_pose_is_refined_on_three_scales(pair):
 
 
 METHODS = {
-    "point-to-point": reg.TransformationEstimation.point_to_point(), "symmetric": reg.TransformationEstimation.symmetric(),
-    "generalized": reg.TransformationEstimation.generalized(), "colored": reg.TransformationEstimation.colored(),
-}  # fmt: skip
+    name: getattr(reg.TransformationEstimation, name.replace("-", "_"))()
+    for name in ("point-to-point", "symmetric", "generalized", "colored")
+}
 
 
 @pytest.mark.parametrize("method", METHODS)

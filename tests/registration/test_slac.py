@@ -149,7 +149,7 @@ def test_the_grid_has_cells_of_the_requested_size():
     ],
 )
 def test_edges_are_used_by_their_distances_and_fitness(options, used):
-    """A rotation of 0.1 rad: 60 % of the pairs are within 0.7 m of its axis, where they move by 0.07 m, 14 % in 0.2 m."""
+    """A rotation of 0.1 rad: 60 % of the pairs move by less than 0.07 m, 14 % by less than 0.02 m."""
     clouds, graph = two(at=(0, 0, 0))
     clouds.append(loom.PointCloud(corner(seed=2, at=(0, 0, 0))))
     graph.nodes.append(PoseGraphNode(as_pose([0, 0, 0.1])))
