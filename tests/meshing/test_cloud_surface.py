@@ -227,6 +227,12 @@ def test_simplification_ends_at_the_largest_error_and_keeps_borders_by_their_wei
     assert loose.get_surface_area() < 0.95 * sheet.get_surface_area()
 
 
+def test_stages_of_cleaning_are_reported():
+    events = []
+    loom.meshing.clean_mesh(TriangleMesh.create_box(), progress=lambda *event: events.append(event))
+    assert events == [("repair", 0, 0), ("parts", 0, 0), ("check", 0, 0)]
+
+
 def test_factors_of_smoothing_are_those_of_its_filter():
     ball = TriangleMesh.create_sphere(1.0, 8)
     smooth = loom.meshing.smooth_mesh

@@ -370,6 +370,14 @@ def test_an_observed_up_direction_has_its_deviation(sigma):
     np.testing.assert_allclose(result.sigmas[:, 3:5], sigma / np.sqrt(3), rtol=0.03)
 
 
+def test_stages_of_stations_are_reported():
+    clouds, rough = bumpy_scans()
+    events = []
+    register_stations(clouds, poses=rough, voxel_size=0.3, progress=lambda *event: events.append(event))
+    assert events[0] == ("prepare", 0, 3) and events[-1] == ("adjust", 2, 2)
+    assert ("pairs", 3, 3) in events and ("adjust", 1, 2) in events
+
+
 @pytest.mark.parametrize(("rough", "placed"), [(2.0, False), (4.0, True)])
 def test_pairs_farther_from_the_positions_than_rough_are_not_used(rough, placed):
     clouds, poses = bumpy_scans()
