@@ -293,6 +293,24 @@ def test_doppler_resolves_motion_that_planes_cannot(device):
     assert with_speeds < 0.01 < 0.1 < by_planes
 
 
+def test_a_robust_kernel_of_colored_icp_ignores_wrong_colors(rng):
+    """A fifth of the points is black: the Tukey loss removes their photometric rows, as far ones with any color."""
+    points = wavy(rng, 3000)
+    paint = np.repeat(0.5 + 0.4 * np.sin(6 * points[:, :1]), 3, axis=1)
+    target = loom.PointCloud(points, normals=wavy_normals(points), colors=paint)
+    spoiled = paint.copy()
+    spoiled[::5] = 0
+    T = as_pose([0, 0, 0.01], [0.02, 0.01, 0.0])
+    source = loom.PointCloud(back(points, T), colors=spoiled)
+    rules, make = reg.ICPConvergenceCriteria(1e-10, 1e-10, 60), reg.TransformationEstimation
+    errors = []
+    for method in (make.colored(0.5), make.colored(0.5, kernel=reg.RobustKernel.tukey(0.15))):
+        result = reg.registration_icp(source, target, 0.1, None, method, rules)
+        errors.append(np.abs(result.transformation - T).max())
+    print(errors)
+    assert errors[1] < 0.3 * errors[0]
+
+
 def test_generalized_icp_with_isotropic_covariances_is_point_to_point(rng):
     """With epsilon = 1 each point has the identity as covariance."""
     source, target = noisy_pair(3)

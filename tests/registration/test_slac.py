@@ -176,6 +176,18 @@ def test_options_of_deformed_depth_are_those_of_clouds_and_images():
             np.testing.assert_allclose(result, np.where(depth == 2000, 4.02, far), rtol=1e-6)
 
 
+def test_a_stiffer_grid_bends_less():
+    clouds, graph = two()
+    clouds[1] = loom.PointCloud(clouds[1].points * [1, 1, 1.03])
+    shifts = []
+    for weight in (0.1, 10.0):
+        params = slac.SLACOptimizerParams(regularizer_weight=weight)
+        _, grid = slac.run_slac_optimizer_for_fragments(clouds, graph, params)
+        moves = grid.get_curr_positions() - grid.get_init_positions()
+        shifts.append(np.linalg.norm(moves - moves.mean(axis=0), axis=1).max())
+    assert shifts[1] < 0.7 * shifts[0]
+
+
 def test_stray_points_are_removed():
     clouds, graph = two()
     _, grid = slac.run_slac_optimizer_for_fragments(clouds, graph)

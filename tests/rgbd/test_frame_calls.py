@@ -317,15 +317,25 @@ def test_stages_of_fragments_are_reused_and_refined_on_request(folder, tmp_path)
     assert report.resumed and report.slac is not None and (tmp_path / "work" / "slac").exists()
 
 
+class Recorded:
+    """Frames that record the names of the threads that read them."""
+
+    intrinsic, depth_scale = CAMERA, 1000.0
+
+    def __init__(self):
+        self.frames, self.threads = waves(), []
+
+    def __len__(self):
+        return len(self.frames)
+
+    def read(self, index):
+        self.threads.append(threading.current_thread().name)
+        return self.frames[index]
+
+
 @pytest.mark.parametrize("call", [loom.rgbd.track, loom.rgbd.reconstruct])
 @pytest.mark.parametrize("count", [0, 2])
 def test_frames_are_read_ahead_by_another_thread(call, count):
-    names = []
-
-    def recorded():
-        for frame in waves():
-            names.append(threading.current_thread().name)
-            yield frame
-
-    call(loom.frames_from(recorded(), CAMERA), voxel_size=0.05, read_ahead=count)
-    assert any(name.startswith("pointloom-read") for name in names) == (count > 0)
+    frames = Recorded()
+    call(frames, voxel_size=0.05, read_ahead=count)
+    assert any(name.startswith("pointloom-read") for name in frames.threads) == (count > 0)

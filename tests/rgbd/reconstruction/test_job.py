@@ -8,6 +8,7 @@ import os
 import shutil
 import weakref
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from pointloom.datasets.scenes.room import surface_errors
 from pointloom.rgbd.reconstruction.fragments import fragments_in, make_fragments
 from pointloom.rgbd.reconstruction.job_files import JobFiles
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
-from pointloom.rgbd.reconstruction.placement import register_fragments
+from pointloom.rgbd.reconstruction.placement import multiway, register_fragments
 from pointloom.rgbd.reconstruction.refinement import refine_registration
 from pointloom.rgbd.reconstruction.scene import integrate_scene
 
@@ -377,6 +378,15 @@ def test_names_of_the_tensor_system_are_accepted_with_or_without_groups():
     assert Config.from_names(grouped) == Config.from_names(flat) == Config(**fragments, **methods, **surface)
 
 
+def test_the_seed_is_that_of_the_registration(tmp_path, monkeypatch):
+    search = Mock(wraps=multiway.register_multiway)
+    monkeypatch.setattr(multiway, "register_multiway", search)
+    settings = config(n_frames_per_fragment=1, n_frames_least=1, seed=7)
+    make_fragments(ShortSequence([0, 1]), settings, tmp_path)
+    register_fragments(settings, tmp_path)
+    assert search.call_args.kwargs["seed"] == 7
+
+
 def test_the_voxel_of_the_scene_is_a_512th_of_its_cube():
     assert Config(tsdf_cubic_size=2.56).volume_voxel_size == pytest.approx(0.005)
     assert Config(tsdf_cubic_size=5.12, tsdf_voxel_size=0.02).volume_voxel_size == 0.02
@@ -410,7 +420,9 @@ def test_files_have_the_requested_names(tmp_path):
 
 
 def test_a_written_configuration_is_read_again(tmp_path):
-    config = Config("frames", "camera.json", voxel_size=0.1, icp_method="generalized", tsdf_voxel_size=0.02)
+    config = Config(
+        "frames", path_intrinsic="camera.json", voxel_size=0.1, icp_method="generalized", tsdf_voxel_size=0.02
+    )
     config.write(tmp_path / "config.json")
     assert Config.read(tmp_path / "config.json") == config
 

@@ -174,6 +174,12 @@ def test_a_model_has_the_requested_truncation_scale_range_and_start(device):
     assert slam.volume.truncation == pytest.approx(0.3)
 
 
+def test_the_seed_of_the_keyframes_is_the_requested_one():
+    slam = loom.rgbd.DenseSLAM(sequence().intrinsic, voxel_size=VOXEL, seed=7)
+    slam.step(frame(0))
+    assert slam.keyframes.seed == 7
+
+
 def test_images_of_another_size_are_refused(device):
     slam, shown = begun(device), frame(0)
     with pytest.raises(ValueError, match="intrinsic"):
