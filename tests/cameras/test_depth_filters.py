@@ -158,6 +158,14 @@ def test_holes_and_other_surfaces_do_not_count_in_halved_depth(depth, threshold)
     np.testing.assert_allclose(pyrdown_depth(depth, threshold), expected, rtol=3e-7)
 
 
+@pytest.mark.parametrize(("threshold", "edge"), [(0.05, 1.0), (0.2, 1 + 0.1 * 5 / 16)])
+def test_levels_average_depth_within_the_threshold(device, threshold, edge):
+    """Of the weights 1, 4, 6, 4 and 1, those of the two columns beyond an edge of 0.1 m are 5 of 16."""
+    depth = np.where(np.arange(16) < 5, 1.0, 1.1) * np.ones((8, 1))
+    level = create_depth_pyramid(depth, 2, threshold, device=device)[1]
+    np.testing.assert_allclose(level[:, [0, 2, 6]], [[1.0, edge, 1.1]] * 4, rtol=3e-7)
+
+
 def open3d_pyrdown(o3d, images):
     return [pixels_of(tensor_image(o3d, image).pyrdown()) for image in images]
 
@@ -197,7 +205,8 @@ def test_a_filter_takes_integers_metres_and_images_alike(device, run, rng):
     assert isinstance(from_image, loom.RGBDImage) and str(from_image.device) == device
     if from_image.width == image.width:
         np.testing.assert_array_equal(from_image.color, color)
-    np.testing.assert_array_equal(run(raw, depth_scale=500.0, device=device).shape, from_integers.shape)
+    doubled = run(raw.astype(np.float32) / np.float32(500), device=device)
+    np.testing.assert_array_equal(run(raw, depth_scale=500.0, device=device), doubled)
     np.testing.assert_array_equal(image.depth, raw.astype(np.float32) / np.float32(1000))
 
 

@@ -140,3 +140,13 @@ def test_eight_bits_are_no_depth(kind, device):
     ):
         with pytest.raises(TypeError, match="depth:"):
             use()
+
+
+@pytest.mark.parametrize("name", ["redwood", "tum", "sun", "nyu"])
+def test_colors_of_each_format_stay_colors_on_request(name, device):
+    rng = np.random.default_rng(0)
+    color, depth = rng.integers(0, 256, (4, 6, 3)).astype(np.uint8), np.full((4, 6), 1000, np.uint16)
+    create = getattr(loom.RGBDImage, f"create_from_{name}_format")
+    gray, colored = (create(color, depth, convert_rgb_to_intensity=on, device=device) for on in (True, False))
+    np.testing.assert_array_equal(colored.color, color)
+    assert gray.color.shape != color.shape and str(gray.depth_array.device) == device

@@ -16,6 +16,7 @@ from pointloom.photogrammetry.depth.evaluation import evaluate_depth
 from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
 
 from ..array_library import LIBRARIES, assert_same, fake_library, package
+from ..io.sfm_models import ring_model
 
 POLYGON = loom.SelectionPolygonVolume([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "Z", axis_min=-1, axis_max=1)
 
@@ -552,6 +553,13 @@ def test_asnumpy_returns_numpy_arrays_and_lists_and_rejects_others(library, clou
             loom.asnumpy(wrong)
 
 
+def saved(path, read=None):
+    """The path of a cloud that is written if it does not exist, or what another library reads from it."""
+    if not path.exists():
+        loom.write_point_cloud(path, loom.PointCloud(np.eye(3)))
+    return path if read is None else read(str(path))
+
+
 # Constructors and readers of clouds and meshes. They get the keywords `device` and `arrays`, and a folder with files.
 MADE = {
     "cloud": lambda f, **k: loom.PointCloud(np.eye(3), **k),
@@ -565,6 +573,18 @@ MADE = {
     "stations": lambda f, **k: loom.read_stations(f / "scan.ptx", **k).clouds[0],
     "mesh of a file": lambda f, **k: loom.read_triangle_mesh(f / "mesh.ply", **k),
     "splats of a file": lambda f, **k: loom.read_splats(f / "splats.ply", **k),
+    "chunk of a file": lambda f, **k: next(iter(loom.read_e57_chunks(saved(f / "cloud.e57"), **k))),
+    "COPC file": lambda f, **k: loom.read_copc(saved(f / "cloud.copc.laz"), **k),
+    "mesh of trimesh": lambda f, **k: loom.from_any(
+        pytest.importorskip("trimesh").Trimesh(np.eye(3), [[0, 1, 2]]), **k
+    ),
+    "sparse points": lambda f, **k: ring_model().point_cloud(**k),
+    "cloud of Open3D": lambda f, **k: loom.PointCloud.from_open3d(
+        saved(f / "cloud.ply", pytest.importorskip("open3d").io.read_point_cloud), **k
+    ),
+    "mesh of Open3D": lambda f, **k: loom.TriangleMesh.from_open3d(
+        saved(f / "mesh.ply", pytest.importorskip("open3d").io.read_triangle_mesh), **k
+    ),
     "shape": lambda f, device, **k: loom.TriangleMesh.create_box().to(device, **k),
 }  # fmt: skip
 PINHOLE = loom.PinholeCameraIntrinsic(4, 4, 4.0, 4.0, 1.5, 1.5)

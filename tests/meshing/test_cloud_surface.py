@@ -186,6 +186,66 @@ def test_a_mesh_without_triangles_is_unreliable_but_no_error():
     assert loom.meshing.smooth_mesh(TriangleMesh([[np.nan] * 3])).moved is None
 
 
+def test_vertices_closer_than_the_merge_distance_are_merged_and_parts_below_the_limits_removed():
+    """Two halves of a square, 1 mm apart, and a triangle of 0.5 m^2."""
+    corners = [
+        [0, 0, 0],
+        [1, 0, 0],
+        [0, 1, 0],
+        [1.001, 0, 0],
+        [1.001, 1, 0],
+        [0.001, 1, 0],
+        [7, 0, 0],
+        [8, 0, 0],
+        [7, 1, 0],
+    ]
+    mesh = TriangleMesh(corners, [[0, 1, 2], [3, 4, 5], [6, 7, 8]])
+    for options, triangles, parts in (
+        ({}, 3, 3),
+        ({"merge_distance": 0.0005}, 3, 3),
+        ({"merge_distance": 0.002}, 3, 2),
+        ({"merge_distance": 0.002, "min_triangles": 2}, 2, 1),
+        ({"merge_distance": 0.002, "min_area": 0.75}, 2, 1),
+        ({"merge_distance": 0.002, "min_area": 0.25}, 3, 2),
+    ):
+        found = loom.meshing.clean_mesh(mesh, **options)
+        assert (len(found.mesh), found.parts) == (triangles, parts), options
+
+
+def test_simplification_ends_at_the_largest_error_and_keeps_borders_by_their_weight():
+    ball, simplify = TriangleMesh.create_sphere(1.0, 12), loom.meshing.simplify_mesh
+    coarse, fine = (simplify(ball, triangles=4, max_error=error) for error in (1e-4, 1e-6))
+    assert 4 < len(coarse.mesh) < 0.6 * len(fine.mesh) < 0.6 * len(ball)
+    assert fine.errors.rms < 0.3 * coarse.errors.rms
+    corners = np.stack(np.meshgrid(np.arange(17), np.arange(17)), -1).reshape(-1, 2) / 16
+    first = (np.arange(16)[:, None] * 17 + np.arange(16)).ravel()
+    halves = [first, first + 1, first + 17], [first + 1, first + 18, first + 17]
+    wave = np.column_stack([corners, 0.05 * np.sin(9 * corners[:, 0])])
+    sheet = TriangleMesh(wave, np.concatenate([np.column_stack(half) for half in halves]))
+    loose, tight = (simplify(sheet, triangles=40, boundary_weight=weight).mesh for weight in (0, 1))
+    assert tight.get_surface_area() == pytest.approx(sheet.get_surface_area(), rel=0.01)
+    assert loose.get_surface_area() < 0.95 * sheet.get_surface_area()
+
+
+def test_stages_of_cleaning_are_reported():
+    events = []
+    loom.meshing.clean_mesh(TriangleMesh.create_box(), progress=lambda *event: events.append(event))
+    assert events == [("repair", 0, 0), ("parts", 0, 0), ("check", 0, 0)]
+
+
+def test_factors_of_smoothing_are_those_of_its_filter():
+    ball = TriangleMesh.create_sphere(1.0, 8)
+    smooth = loom.meshing.smooth_mesh
+    for found, expected in (
+        (smooth(ball, "laplacian", 3, lambda_filter=0.2), ball.filter_smooth_laplacian(3, 0.2)),
+        (smooth(ball, "taubin", 3, lambda_filter=0.2, mu=-0.3), ball.filter_smooth_taubin(3, 0.2, -0.3)),
+        (smooth(ball, "sharpen", 1, strength=0.25), ball.filter_sharpen(1, 0.25)),
+    ):
+        np.testing.assert_array_equal(found.mesh.vertices, expected.vertices)
+    moved = [smooth(ball, "laplacian", 1, lambda_filter=factor).moved.mean for factor in (0.2, 0.4)]
+    assert moved[1] == pytest.approx(2 * moved[0], rel=1e-4)
+
+
 def test_a_destructive_repair_is_unreliable():
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))

@@ -151,6 +151,54 @@ def test_without_depth_rays_determine_occlusion(device):
     assert (requested.mesh.vertex_colors == by_rays.mesh.vertex_colors).all()
 
 
+def seen_pixels(device, depth, **options):
+    """Pixels whose vertex, 1 m before the camera and 0.1 px beside their center, is seen at this depth [m]."""
+    height, width = depth.shape
+    v, u = np.mgrid[:height, :width]
+    camera = loom.PinholeCameraIntrinsic(width, height, 40.0, 40.0, 0.0, 0.0)
+    corners = np.stack([(u + 0.1) / 40, (v + 0.1) / 40, np.ones_like(u)], -1).reshape(-1, 3)
+    mesh = loom.TriangleMesh(corners, [[0, 1, 2]], device=device)
+    frame = loom.RGBDImage(np.zeros((height, width, 3), np.uint8), depth.astype(np.float32), device=device)
+    rules = {"image_boundary_margin": 0, "half_dilation_kernel_size_for_discontinuity_map": 0} | options
+    rules = {"depth_threshold_for_discontinuity_check": np.inf} | rules
+    option = color_map.ColorMapOption(**rules)
+    path = loom.Trajectory([np.eye(4)])
+    return color_map.optimize_color_map(mesh, [frame], path, option, intrinsic=camera).seen.reshape(height, width)
+
+
+COLUMNS, ROWS = np.meshgrid(np.arange(32), np.arange(24))
+STEP = np.where(COLUMNS < 16, 1.0, 1.02)  # a Sobel response of 4 x 0.02 m in the two columns at the step
+DEPTH_RULES = [
+    ("maximum_allowable_depth", 1.01, STEP, COLUMNS < 16),
+    ("maximum_allowable_depth", 1.03, STEP, COLUMNS >= 0),
+    ("depth_threshold_for_visibility_check", 0.0205, 1 + 0.001 * COLUMNS, COLUMNS <= 20),
+    ("depth_threshold_for_visibility_check", 0.0105, 1 + 0.001 * COLUMNS, COLUMNS <= 10),
+    ("depth_threshold_for_discontinuity_check", 0.075, STEP, (COLUMNS < 15) | (COLUMNS > 16)),
+    ("depth_threshold_for_discontinuity_check", 0.085, STEP, COLUMNS >= 0),
+    ("image_boundary_margin", 4, np.ones((24, 32)), (COLUMNS >= 4) & (COLUMNS < 28) & (ROWS >= 4) & (ROWS < 20)),
+]
+
+
+@pytest.mark.parametrize(("option", "value", "depth", "expected"), DEPTH_RULES)
+def test_each_rule_of_depth_selects_its_pixels(device, option, value, depth, expected):
+    np.testing.assert_array_equal(seen_pixels(device, depth, **{option: value}), expected)
+
+
+@pytest.mark.parametrize("size", [1, 4])
+def test_pixels_within_the_kernel_size_of_a_depth_edge_are_ignored(device, size):
+    rules = {"depth_threshold_for_discontinuity_check": 0.05, "half_dilation_kernel_size_for_discontinuity_map": size}
+    np.testing.assert_array_equal(seen_pixels(device, STEP, **rules), np.abs(COLUMNS - 15.5) > size + 0.5)
+
+
+def test_the_anchors_of_a_warp_are_as_many_and_as_stiff_as_requested(device):
+    scene = make_scene(device, views=3, width=64, height=48, bend=0.15)
+    soft, stiff = (color(scene, iterations=5, form="non-rigid", number_of_vertical_anchors=9,
+                         non_rigid_anchor_point_weight=weight, image_boundary_margin=2)
+                   for weight in (0.316, 1e6))  # fmt: skip
+    assert soft.warp(0).shape == stiff.warp(0).shape == (9, 12, 2)  # 64 px in steps of 6 px
+    assert np.abs(soft.warp(1)).max() > 0.01 and np.abs(stiff.warp(1)).max() < 1e-4
+
+
 def test_far_from_zero_works_as_at_zero(device):
     near, far = make_scene(device), make_scene(device, shift=(5e5, 5.4e6, 120.0))
     results = [color(scene, perturb(scene.poses), 10) for scene in (near, far)]

@@ -495,3 +495,12 @@ def test_a_grid_without_scans_is_unknown(device):
     assert grid.scan_count == 0 and grid.voxel_indices().shape == (0, 3) and len(grid.to_point_cloud()) == 0
     assert len(grid.to_voxel_grid()) == 0 and grid.to_array().size == 0
     assert grid.cast_rays([0, 0, 0], [[0, 0, 1]], 1).states.tolist() == [-1]
+
+
+def test_a_slice_covers_the_requested_bounds(device):
+    field = loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, max_distance=9, device=device)
+    part = field.slice("z", 1.5, bounds=[[-2, 0, 0], [3, 2, 1]])
+    x, y = np.meshgrid(np.arange(-2, 3), np.arange(2))
+    np.testing.assert_allclose(part.distances, np.sqrt(x**2 + y**2 + 1), rtol=1e-6)
+    grid = loom.TriangleMesh.create_box().voxelize(0.25)
+    assert str(loom.DistanceField.from_voxel_grid(grid, 2.0, device=device).device) == device

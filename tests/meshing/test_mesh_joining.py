@@ -188,6 +188,16 @@ def test_shapes_match_open3d_vertex_by_vertex(device, oracle):
         assert result.triangle_uvs is None and result.device == TriangleMesh(device=device).device
 
 
+def test_an_arrow_has_the_rings_of_its_shaft_and_head(device):
+    arrow = TriangleMesh.create_arrow(0.5, 1.5, cylinder_height=3, cone_height=2, resolution=8, cylinder_split=3,
+                                      cone_split=4, device=device)  # fmt: skip
+    heights = np.round(arrow.vertices[:, 2], 5)
+    radii = {z: np.hypot(*arrow.vertices[heights == z, :2].T).max() for z in np.unique(heights)}
+    head = {3 + z: 1.5 * (1 - z / 2) for z in (0, 0.5, 1, 1.5, 2)}
+    assert radii == pytest.approx({0: 0.5, 1: 0.5, 2: 0.5} | head, abs=1e-6)
+    assert len(arrow.vertices) == 8 * (3 + 1 + 4) + 4 and len(arrow) == 8 * 2 * (3 + 1 + 4)
+
+
 def open3d_textures(o3d):
     make = o3d.geometry.TriangleMesh
     return [

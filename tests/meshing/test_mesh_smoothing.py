@@ -358,3 +358,12 @@ def test_zero_iterations_and_no_triangles_change_nothing(device):
     np.testing.assert_array_equal(mesh.deform_as_rigid_as_possible([0], [[9, 9, 9]], 0).vertices, mesh.vertices)
     loose = TriangleMesh([[1, 2, 3]], device=device)
     np.testing.assert_array_equal(loose.deform_as_rigid_as_possible([0], [[9, 9, 9]], 3).vertices, [[9, 9, 9]])
+
+
+@pytest.mark.parametrize("scope", ["vertex", "normal", "color"])
+def test_the_scope_of_each_filter_selects_its_arrays(scope):
+    mesh = torn_ball("cpu")
+    for filter_ in (mesh.filter_smooth_simple, mesh.filter_smooth_taubin):
+        part = filter_(2, filter_scope=scope)
+        changed = [name for name in ARRAYS if (getattr(part, name) != getattr(mesh, name)).any()]
+        assert changed == [{"vertex": "vertices", "normal": "vertex_normals", "color": "vertex_colors"}[scope]]

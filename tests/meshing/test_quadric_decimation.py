@@ -365,6 +365,17 @@ def test_edges_between_a_crease_and_a_corner_collapse_onto_the_corner_in_any_ord
     assert made.get_surface_area() == pytest.approx(1.75, rel=1e-5) and len(made.triangles) < len(box.triangles)
 
 
+@pytest.mark.parametrize(("fold", "angle", "stays"), [(20, 30, False), (20, 10, True), (40, 50, False), (40, 30, True)])
+def test_folds_above_the_feature_angle_stay(device, fold, angle, stays):
+    """A sheet of two squares: triangles across the fold have less area than the sheet."""
+    slope = np.tan(np.radians(fold / 2))
+    corners = [[x, y, -slope * abs(x)] for x in (-1, 0, 1) for y in (0, 1)]
+    sheet = TriangleMesh(corners, [[0, 2, 1], [1, 2, 3], [2, 4, 3], [3, 4, 5]], device=device)
+    made = sheet.remesh_isotropic(0.23, feature_angle=angle)
+    lost = 1 - made.get_surface_area() / sheet.get_surface_area()
+    assert abs(lost) < 1e-6 if stays else lost > 5e-4
+
+
 def test_boundaries_are_preserved(device):
     sheet = wavy_sheet(device)
     made = sheet.remesh_isotropic(0.08, 4)

@@ -139,6 +139,16 @@ def grid(n=13) -> np.ndarray:
     return np.stack(np.meshgrid(line, line, line, indexing="ij"), -1).reshape(-1, 3)
 
 
+def test_threads_and_samples_of_open3d_change_no_result(device):
+    scene, queries = scene_of(CUBE, device=device), somewhere()
+    for name in ("compute_signed_distance", "compute_occupancy"):
+        call = getattr(scene, name)
+        np.testing.assert_array_equal(call(queries, nthreads=2, nsamples=3), call(queries))
+    np.testing.assert_array_equal(scene.compute_distance(queries, nthreads=2), scene.compute_distance(queries))
+    closest = scene.compute_closest_points(queries, nthreads=2)
+    np.testing.assert_array_equal(closest["points"], scene.compute_closest_points(queries)["points"])
+
+
 def test_points_on_lines_through_edges_have_the_correct_sign(device):
     queries = grid(16).astype(np.float32)
     inside = ((queries > 0) & (queries < 1)).all(1)

@@ -34,6 +34,15 @@ def test_the_volume_of_a_pile_is_within_its_uncertainty(device, rng, noise):
     assert back.cut == pytest.approx(PILE, rel=0.01) and back.significant_cut == pytest.approx(PILE, rel=0.01)
 
 
+@pytest.mark.parametrize("corner", [(0.0, 0.0), (0.25, 0.75)])
+def test_the_corner_is_one_of_a_cell(corner):
+    x, y = (axis.ravel() + 0.5 for axis in np.meshgrid(np.arange(12.0), np.arange(12.0)))
+    before = loom.PointCloud(np.column_stack([x, y, 0 * x]))
+    found = loom.volume_change(before, before.translate([0, 0, 0.5]), 1.0, corner=corner)
+    np.testing.assert_allclose(np.mod(found.difference.corner, 1), corner)
+    assert found.net == pytest.approx(0.5 * found.area)
+
+
 def test_rasters_and_meshes_are_compared_with_clouds(rng):
     clouds = [epoch(rng, pile, classification=np.full(60_000, 2, np.uint8)) for pile in (0, 1)]
     rasters = [loom.rasterize(cloud, 1.0) for cloud in clouds]

@@ -202,3 +202,15 @@ def test_given_views_show_the_inside_of_a_room(device):
     v = mesh.vertices
     apart = np.min(np.abs(np.abs(v - [0, 0, 0.05]) - [2, 1.5, 1.25]), axis=1)
     assert len(v) > 5000 and np.median(apart) < 0.003 and np.quantile(apart, 0.95) < 0.02
+
+
+def test_splats_beyond_the_largest_depth_are_not_fused():
+    """Two balls, 2 m and 5 m before the camera."""
+    ball = loom.TriangleMesh.create_sphere(0.5, 12)
+    splats = loom.GaussianSplats.concatenate([splats_of(ball.translate([0, 0.3 * z - 1, z]), 1500) for z in (2, 5)])
+    camera, events = loom.PinholeCameraIntrinsic(80, 60, 60.0, 60.0, 39.5, 29.5), []
+    for limit, farthest in ((9.0, 5), (3.0, 2)):
+        mesh = loom.meshing.fuse_splats(splats, camera, [np.eye(4)] * 2, voxel_size=0.08, depth_max=limit,
+                                        weight_threshold=1, progress=lambda *event: events.append(event))  # fmt: skip
+        assert farthest - 0.6 < mesh.vertices[:, 2].max() < farthest
+    assert events[:2] == [("fuse splats", 0, 2), ("fuse splats", 1, 2)]

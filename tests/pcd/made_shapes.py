@@ -2,6 +2,8 @@
 
 import numpy as np
 
+import pointloom as loom
+
 SIZES = {"plane": (), "sphere": (0.5,), "cylinder": (0.3,), "cone": (0.4,), "torus": (0.5, 0.15)}
 
 
@@ -29,6 +31,16 @@ def made_shape(kind, count, rng, noise=0.0, sizes=None, arc=1.0, motion=True):
     if not motion:
         R, t = np.eye(3), np.zeros(3)
     return points @ R.T + t, t, R[:, 2]
+
+
+def two_spheres():
+    """A cloud of 2,000 points of a sphere with a radius of 0.3 m, and of 1,200 of one of 0.8 m, with normals."""
+    rng, clouds = np.random.default_rng(0), []
+    for radius, count, center in ((0.3, 2000, [0, 0, 0]), (0.8, 1200, [2, 0, 0])):
+        normals = rng.normal(size=(count, 3))
+        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        clouds.append(loom.PointCloud(radius * normals + center, normals=normals))
+    return loom.PointCloud.concatenate(clouds)
 
 
 def bumpy(rng, count=600):

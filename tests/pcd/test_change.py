@@ -71,6 +71,17 @@ def compared(first, second, device, **options):
     return loom.m3c2(loom.PointCloud(first, device=device), loom.PointCloud(second, device=device), **given)
 
 
+@pytest.mark.parametrize("side", [1, -1])
+def test_distances_are_positive_on_the_side_of_the_orientation(device, side):
+    """A slope whose second epoch is 0.3 m higher, seen from above and from below."""
+    x, y = np.random.default_rng(0).uniform(0, 10, (2, 4000))
+    first, rise = np.column_stack([x, y, 0.5 * x]), np.array([0, 0, 0.3])
+    cores = loom.PointCloud([[5, 5, 2.5]], device=device)
+    result = compared(first, first + rise, device, core_points=cores, orientation=(0, 0, side))
+    assert result.distances[0] == pytest.approx(side * 0.3 * np.cos(np.arctan(0.5)), abs=0.01)
+    assert result.directions[0, 2] * side > 0
+
+
 def test_unchanged_points_are_significant_in_one_of_twenty(device):
     cores = loom.PointCloud(epoch(0)[::40], device=device)
     result = compared(epoch(0), epoch(1), device, core_points=cores)

@@ -247,3 +247,13 @@ def test_no_point_and_a_point_at_the_camera_are_not_seen(device, rng):
     result = visible(points, camera, 50.0, device)[1]
     assert tuple(camera) not in result
     assert result == visible_by_brute_force(np.delete(points, 17, axis=0), camera, 50.0)
+
+
+@pytest.mark.parametrize("joggle", [False, True])
+def test_joggled_inputs_keep_points_inside_facets(device, joggle):
+    """Of 27 points of a cube of 2 m, all but the middle one may be vertices if facets are not merged."""
+    grid = np.stack(np.meshgrid(*[np.arange(3.0)] * 3), -1).reshape(-1, 3)
+    for shape in (loom.PointCloud(grid, device=device), loom.TriangleMesh(grid, [[0, 1, 3]], device=device)):
+        _, rows = shape.compute_convex_hull(joggle_inputs=joggle)
+        assert 8 < len(rows) <= 26 if joggle else len(rows) == 8
+        assert {0, 2, 6, 8, 18, 20, 24, 26} <= set(np.asarray(rows).tolist())

@@ -6,7 +6,7 @@ from scipy.optimize import least_squares
 
 import pointloom as loom
 
-from .made_shapes import factory, made_shape
+from .made_shapes import factory, made_shape, two_spheres
 
 UTM = np.array([500_000.0, 5_400_000.0, 0.0])
 SIZES = ("radius", "minor_radius", "half_angle")
@@ -73,6 +73,22 @@ def test_too_few_samples_are_reported(device, rng):
     assert "shapes may be missed (plane, sphere): use more num_iterations" in result.warnings[0]
     assert "shapes may be missed" in str(result)
     assert not loom.detect_shapes(cloud, 0.01, kinds=("plane", "sphere")).undecided
+
+
+@pytest.mark.parametrize(
+    ("options", "radii"), [({}, [0.3, 0.8]), ({"min_radius": 0.5}, [0.8]), ({"max_radius": 0.5}, [0.3])]
+)
+def test_all_spheres_within_the_radii_are_detected(device, options, radii):
+    result = loom.detect_shapes(two_spheres().to(device), 0.01, kinds="sphere", cluster_epsilon=0.3, **options)
+    assert [shape.radius for shape in result.shapes] == pytest.approx(radii, abs=1e-3)
+
+
+@pytest.mark.parametrize("probability", [0.01, 0.999999])
+def test_kinds_are_undecided_below_the_required_probability(device, rng, probability):
+    cloud = loom.PointCloud(rng.random((3000, 3)), normals=rng.normal(size=(3000, 3)), device=device)
+    limits = {"kinds": "sphere", "min_support": 1000, "num_iterations": 20}
+    result = loom.detect_shapes(cloud, 0.01, probability=probability, **limits)
+    assert not result.shapes and result.undecided == (("sphere",) if probability > 0.5 else ())
 
 
 def test_separate_regions_are_two_shapes(device, rng):

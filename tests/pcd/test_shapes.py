@@ -5,7 +5,7 @@ import pytest
 
 import pointloom as loom
 
-from .made_shapes import SIZES, made_shape
+from .made_shapes import SIZES, made_shape, two_spheres
 
 ROUND = ["sphere", "cylinder", "cone", "torus"]
 
@@ -88,6 +88,28 @@ def test_fit_respects_the_requested_radii(device, rng):
         assert "no cylinder found" in str(error)
     else:
         assert shape.radius <= 0.8
+
+
+@pytest.mark.parametrize(("options", "radius"), [({}, 0.3), ({"min_radius": 0.5}, 0.8), ({"max_radius": 0.5}, 0.3)])
+def test_the_largest_sphere_within_the_radii_is_detected(device, options, radius):
+    cloud = two_spheres().to(device)
+    shape, _ = cloud.segment_shape("sphere", 0.01, 25, **options)
+    assert shape.radius == pytest.approx(radius, abs=1e-3)
+
+
+def test_normals_deviate_by_at_most_the_requested_angle(device):
+    """Each normal is 30 degrees off the radius of a sphere."""
+    z = np.random.default_rng(0).uniform(-0.9, 0.9, (2, 2000))
+    angle, height = np.pi * z[0] / 0.9, z[1]
+    radial = np.stack([np.sqrt(1 - height**2) * np.cos(angle), np.sqrt(1 - height**2) * np.sin(angle), height], 1)
+    around = np.stack([-np.sin(angle), np.cos(angle), 0 * angle], 1)
+    normals = np.cos(np.pi / 6) * radial + np.sin(np.pi / 6) * around
+    cloud = loom.PointCloud(radial, normals=normals, device=device)
+    assert len(cloud.segment_shape("sphere", 0.01, 31)[1]) == 2000
+    try:
+        assert len(cloud.segment_shape("sphere", 0.01, 29)[1]) < 200
+    except ValueError as error:
+        assert "no sphere found" in str(error)
 
 
 @pytest.mark.parametrize(("kind", "noise"), [("sphere", 0.0), ("cylinder", 0.005), ("cone", 0.005), ("torus", 0.0)])

@@ -14,7 +14,7 @@ from pointloom.registration.icp import estimation as estimators
 from pointloom.registration.rigid import fit_pose
 
 from .estimator_steps import DISTANCE, legacy_cloud, result_after, tensor_after, tensor_cloud, tensor_kernel
-from .icp_clouds import back, wavy, wavy_normals
+from .icp_clouds import back, noisy_pair, wavy, wavy_normals
 from .poses import as_pose
 
 reg = loom.registration
@@ -291,3 +291,34 @@ def test_doppler_resolves_motion_that_planes_cannot(device):
     results = (reg.registration_icp(scan, target, 1.0, None, method, rules) for method in methods)
     with_speeds, by_planes = (abs(result.transformation[0, 3] - 0.3) for result in results)
     assert with_speeds < 0.01 < 0.1 < by_planes
+
+
+def test_a_robust_kernel_of_colored_icp_ignores_wrong_colors(rng):
+    """A fifth of the points is black: the Tukey loss removes their photometric rows, as far ones with any color."""
+    points = wavy(rng, 3000)
+    paint = np.repeat(0.5 + 0.4 * np.sin(6 * points[:, :1]), 3, axis=1)
+    target = loom.PointCloud(points, normals=wavy_normals(points), colors=paint)
+    spoiled = paint.copy()
+    spoiled[::5] = 0
+    T = as_pose([0, 0, 0.01], [0.02, 0.01, 0.0])
+    source = loom.PointCloud(back(points, T), colors=spoiled)
+    rules, make = reg.ICPConvergenceCriteria(1e-10, 1e-10, 60), reg.TransformationEstimation
+    errors = []
+    for method in (make.colored(0.5), make.colored(0.5, kernel=reg.RobustKernel.tukey(0.15))):
+        result = reg.registration_icp(source, target, 0.1, None, method, rules)
+        errors.append(np.abs(result.transformation - T).max())
+    print(errors)
+    assert errors[1] < 0.3 * errors[0]
+
+
+def test_generalized_icp_with_isotropic_covariances_is_point_to_point(rng):
+    """With epsilon = 1 each point has the identity as covariance."""
+    source, target = noisy_pair(3)
+    rules = reg.ICPConvergenceCriteria(1e-12, 1e-12, 60)
+    make = reg.TransformationEstimation
+    results = [
+        reg.registration_icp(source, target, 0.15, None, method, rules).transformation
+        for method in (make.point_to_point(), make.generalized(epsilon=1.0), make.generalized())
+    ]
+    np.testing.assert_allclose(results[1], results[0], atol=1e-5)
+    assert np.abs(results[2] - results[0]).max() > 1e-4

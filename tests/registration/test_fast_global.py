@@ -66,6 +66,41 @@ def test_absolute_scale_starts_at_one_meter(device, rng, angle_between):
     assert absolute.fitness > 0.99
 
 
+def annealed(case, steps, *, division_factor=1.4, use_absolute_scale=False, max_distance=0.025):
+    """The pose after these steps of Zhou et al., each with weights (mu / (mu + r^2))^2 and a closed form."""
+    source, target = case.source[case.pairs[:, 0]], case.target[case.pairs[:, 1]]
+    corners = [np.array([cloud.min(0), cloud.max(0)]) for cloud in (case.source, case.target)]
+    T = as_pose(shift=corners[1].mean(0) - corners[0].mean(0))
+    mu = 1.0 if use_absolute_scale else max(((high - low) ** 2).sum() / 4 for low, high in corners)
+    for step in range(steps):
+        w = (mu / (mu + ((moved(source, T) - target) ** 2).sum(1))) ** 2
+        a, b = w @ source / w.sum(), w @ target / w.sum()
+        U, _, V = np.linalg.svd(((target - b) * w[:, None]).T @ (source - a))
+        T[:3, :3] = U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V
+        T[:3, 3] = b - T[:3, :3] @ a
+        if mu > max_distance**2 and step % 2 == 0:
+            mu /= division_factor
+    return T
+
+
+@pytest.mark.parametrize("options", [{}, {"division_factor": 2.5}, {"use_absolute_scale": True}])
+@pytest.mark.parametrize("steps", [2, 9])
+def test_mu_follows_its_schedule(device, rng, options, steps):
+    case = made_up(rng, count=300, outliers=0.6)
+    result = fgr(case, device, iteration_number=steps, tuple_test=False, **options)
+    np.testing.assert_allclose(result.transformation, annealed(case, steps, **options), atol=1e-5)
+
+
+def test_triples_have_sides_of_a_minimum_ratio_and_a_maximum_count(device, rng):
+    case = made_up(rng, outliers=0.0)
+    case.target = 0.9 * case.target
+    assert_no_pose(fgr(case, device, tuple_scale=0.95), "10 correspondences needed, 0 left after the tuple test")
+    assert fgr(case, device, tuple_scale=0.85, maximum_correspondence_distance=0.2).fitness > 0.9
+    case.target = case.target / 0.9
+    assert_no_pose(fgr(case, device, maximum_tuple_count=3), "10 correspondences needed, 9 left after the tuple test")
+    assert fgr(case, device, maximum_tuple_count=30).fitness > 0.9
+
+
 def fgr_of_open3d(o3d, case):
     theirs = o3d.pipelines.registration
     o3d.utility.random.seed(0)

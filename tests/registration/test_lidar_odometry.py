@@ -110,6 +110,25 @@ def test_the_map_follows_the_sensor(device, fast_drive):
     assert np.linalg.norm(odometry.poses[-1][:3, 3] - truth_of(fast_drive).poses[-1, :3, 3]) < 0.5
 
 
+@pytest.mark.parametrize("limit", [1, 3, 20])
+def test_a_voxel_of_the_map_has_at_most_as_many_points_as_requested(device, limit):
+    """A dense scan fills eight voxels, and is downsampled to one point in each half of their edges."""
+    scan = loom.PointCloud(np.random.default_rng(0).uniform(6, 10, (4000, 3)), device=device)
+    odometry = LidarOdometry(voxel_size=2.0, max_points_per_voxel=limit)
+    odometry.register(scan)
+    counts = np.unique(np.floor(odometry.map.points / 2.0), axis=0, return_counts=True)[1]
+    assert len(counts) == 8 and counts.max() == min(limit, 8) and counts.min() >= min(limit, 7)
+
+
+def test_only_errors_and_paths_above_the_smallest_motion_change_the_threshold(device, fast_drive):
+    """A sensor moves by 2 m a scan: the first prediction is wrong by 2 m, later ones by less than 1 m."""
+    small, large = ([step.threshold for step in follow(fast_drive, device, 8, min_motion=motion).steps]
+                    for motion in (0.001, 1.0))  # fmt: skip
+    assert small[:2] == [2.0, 2.0] and large[:4] == [2.0] * 4  # until the path exceeds five times that motion
+    assert (np.diff(small[2:]) < 0).all() and len(set(large[4:])) == 1
+    assert large[4] == pytest.approx(small[2], rel=0.02)
+
+
 def test_a_stationary_sensor_stays(device, street):
     scans = street.drive(6, speed=0.0, beams=24, azimuths=360)
     odometry = follow(scans, device)

@@ -351,3 +351,16 @@ def test_a_different_body_is_reported_unreliable():
     for one, other in ((torus, tube), (lumpy, torus), (tube, lumpy)):
         result = drift(loom.PointCloud(one(400, 0)), loom.PointCloud(other(400, 1)), max_iterations=300)
         assert not result.reliable
+
+
+def test_a_wider_field_bends_less(rng):
+    """A half of a strip is raised: a field of half its size follows the step, a far wider one does not."""
+    body = rng.uniform(-1, 1, (150, 3)) * [1, 0.2, 0.02]
+    scan = body + np.where(body[:, :1] > 0, [0, 0, 0.1], 0)
+    clouds, errors, events = (loom.PointCloud(body), loom.PointCloud(scan)), [], []
+    for width in (0.5, 20.0):
+        options = {"kind": "deformable", "width": width, "max_iterations": 30}
+        result = drift(*clouds, **options, progress=lambda *event: events.append(event))
+        errors.append(np.abs(result.warped.points - scan).mean())
+    assert errors[0] < 0.3 * errors[1]
+    assert events[:2] == [("drift", 0, 30), ("drift", 1, 30)] and events[-1][0] == "drift"

@@ -226,6 +226,27 @@ def test_disconnected_components_are_counted():
         reg.global_optimization(reg.PoseGraph(nodes, edges), option=option)
 
 
+def solve_from_afar(**criteria):
+    """The report of a graph whose first four attempts raise the cost, so that its damping grows."""
+    scene, rng = ring(30, seed=4, noise=0.02, loops=4), np.random.default_rng(5)
+    scene.poses = np.array([shaken(T, rng, 1.2) for T in scene.poses])
+    return solve(scene, distance=5.0, max_iteration=1000, **criteria).report
+
+
+def test_steps_grow_as_fast_as_the_factors_of_the_damping_allow():
+    factors = [(0.0, 0.0), (0.0, 1.0), (0.9, 1.0), (1.0, 1.0)]
+    reports = [solve_from_afar(lower_scale_factor=low, upper_scale_factor=high) for low, high in factors]
+    counts = [report.iterations for report in reports]
+    assert counts == sorted(set(counts)) and counts[1] > 1.5 * counts[0] and counts[3] > 5 * counts[1]
+    assert all(report.converged for report in reports)
+
+
+@pytest.mark.parametrize(("attempts", "ends"), [(3, "max_iteration_lm"), (5, "min_relative_residual_increment")])
+def test_attempts_with_more_damping_end_at_their_maximum(attempts, ends):
+    report = solve_from_afar(max_iteration_lm=attempts)
+    assert report.criterion == ends and (report.iterations > 0) == report.converged == (attempts == 5)
+
+
 def test_too_few_iterations_are_reported():
     scene = ring(20, seed=14, noise=0.02)
     solved = solve(scene, max_iteration=1)

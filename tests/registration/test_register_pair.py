@@ -35,6 +35,30 @@ def test_a_given_initial_pose_is_refined_on_three_scales(pair):
     assert result.reliable
 
 
+METHODS = {
+    name: getattr(reg.TransformationEstimation, name.replace("-", "_"))()
+    for name in ("point-to-point", "symmetric", "generalized", "colored")
+}
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_each_method_refines_within_the_requested_distance(pair, method):
+    distance = 0.15
+    result = reg.register_pair(*pair, init=NEAR, voxel_size=0.12, method=method, max_correspondence_distance=distance)
+    rules = [reg.ICPConvergenceCriteria()]
+    plain = reg.multi_scale_icp(*pair, [0.12], rules, [distance], NEAR, METHODS[method], estimate_normals=True)
+    np.testing.assert_array_equal(result.transformation, plain.transformation)
+    assert result.method == method and result.max_correspondence_distance == distance
+
+
+def test_pairs_farther_than_the_requested_distance_are_not_used(pair):
+    away = as_pose(shift=[0, 0, 0.3]) @ NEAR
+    near, far = (reg.register_pair(*pair, init=away, voxel_size=0.1, method="point-to-point",
+                                   max_correspondence_distance=distance) for distance in (0.1, 1.0))  # fmt: skip
+    np.testing.assert_allclose(near.transformation, away)
+    assert abs(far.transformation[2, 3] - NEAR[2, 3]) < 0.01
+
+
 def test_without_an_initial_pose_it_searches_globally(rng):
     points = bumpy(rng)
     source = loom.PointCloud(moved(points[points[:, 0] > -0.4], np.linalg.inv(POSE)))

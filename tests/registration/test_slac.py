@@ -130,6 +130,64 @@ def test_fragments_run_on_every_device(device):
     assert np.abs(bent.points - clouds[0].points).max() < 2e-3 and len(bent.normals) == len(bent)
 
 
+def test_the_grid_has_cells_of_the_requested_size():
+    clouds, graph = two()
+    for size in (0.25, 0.5):
+        params = slac.SLACOptimizerParams(grid_size=size, max_iterations=1)
+        _, grid = slac.run_slac_optimizer_for_fragments(clouds, graph, params)
+        steps = np.diff(np.unique(np.round(grid.get_init_positions()[:, 0], 6)))
+        assert grid.grid_size == size and steps == pytest.approx(size)
+
+
+@pytest.mark.parametrize(
+    ("options", "used"),
+    [
+        ({}, True),
+        ({"fitness_threshold": 0.5}, True),
+        ({"fitness_threshold": 0.7}, False),
+        ({"distance_threshold": 0.02}, False),
+    ],
+)
+def test_edges_are_used_by_their_distances_and_fitness(options, used):
+    """A rotation of 0.1 rad: 60 % of the pairs move by less than 0.07 m, 14 % by less than 0.02 m."""
+    clouds, graph = two(at=(0, 0, 0))
+    clouds.append(loom.PointCloud(corner(seed=2, at=(0, 0, 0))))
+    graph.nodes.append(PoseGraphNode(as_pose([0, 0, 0.1])))
+    graph.edges += [PoseGraphEdge(1, 2), PoseGraphEdge(0, 2)]
+    solved = run_rigid_optimizer_for_fragments(clouds, graph, slac.SLACOptimizerParams(**options))
+    assert [overlap.used for overlap in solved.report.overlaps] == [True, True, used]
+
+
+def test_options_of_deformed_depth_are_those_of_clouds_and_images():
+    """The grid moves all points by 2 cm along the view of a rotated camera."""
+    camera = loom.PinholeCameraIntrinsic(32, 24, 40.0, 40.0, 15.5, 11.5)
+    depth = np.where(np.arange(32) < 16, 2000, 3000).astype(np.uint16) * np.ones((24, 1), np.uint16)
+    extrinsic = as_pose([0, np.pi / 2, 0], [0, 0, 0.5])
+    grid = slac.ControlGrid(0.5)
+    grid.touch(loom.PointCloud.create_from_depth_image(depth, camera, extrinsic, 500.0, 7.0))
+    grid.set_positions(grid.get_init_positions() + invert_pose(extrinsic)[:3, :3] @ [0, 0, 0.02])
+    image = loom.RGBDImage(np.zeros((24, 32, 3), np.uint8), depth, depth_scale=500.0, depth_trunc=7.0)
+    for limit, far in ((7.0, 6.02), (5.0, 0.0)):
+        results = (
+            grid.deform_depth(depth, camera, extrinsic, 500.0, limit),
+            grid.deform_rgbd(image, camera, extrinsic, depth_max=limit).depth,
+        )
+        for result in results:
+            np.testing.assert_allclose(result, np.where(depth == 2000, 4.02, far), rtol=1e-6)
+
+
+def test_a_stiffer_grid_bends_less():
+    clouds, graph = two()
+    clouds[1] = loom.PointCloud(clouds[1].points * [1, 1, 1.03])
+    shifts = []
+    for weight in (0.1, 10.0):
+        params = slac.SLACOptimizerParams(regularizer_weight=weight)
+        _, grid = slac.run_slac_optimizer_for_fragments(clouds, graph, params)
+        moves = grid.get_curr_positions() - grid.get_init_positions()
+        shifts.append(np.linalg.norm(moves - moves.mean(axis=0), axis=1).max())
+    assert shifts[1] < 0.7 * shifts[0]
+
+
 def test_stray_points_are_removed():
     clouds, graph = two()
     _, grid = slac.run_slac_optimizer_for_fragments(clouds, graph)

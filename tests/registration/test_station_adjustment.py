@@ -367,6 +367,50 @@ def test_a_station_with_an_undetermined_motion_is_reported():
         assert ("do not determine the pose of E " in str(result.warnings)) == is_open
 
 
+@pytest.mark.parametrize("sigma", [0.02, 0.2])
+def test_observed_positions_define_the_frame_with_their_deviation(sigma):
+    """The pairs are far more exact, so the mean height of the three scans has a deviation of sigma / sqrt(3)."""
+    clouds, rough = bumpy_scans()
+    result = register_stations(clouds, poses=rough, positions=rough[:, :3, 3], position_sigma=sigma, voxel_size=0.2)
+    assert result.reference is None and result.sigma0 < 1
+    np.testing.assert_allclose(result.sigmas[:, 2], sigma / np.sqrt(3), rtol=1e-3)
+
+
+@pytest.mark.parametrize("sigma", [1e-3, 1e-2])
+def test_an_observed_up_direction_has_its_deviation(sigma):
+    """The pairs are more exact, so the mean tilt of the three scans has a deviation of sigma / sqrt(3)."""
+    clouds, rough = bumpy_scans()
+    result = register_stations(clouds, poses=rough, level_sigma=sigma, voxel_size=0.2)
+    np.testing.assert_allclose(result.sigmas[:, 3:5], sigma / np.sqrt(3), rtol=0.03)
+
+
+def test_stages_of_stations_are_reported():
+    clouds, rough = bumpy_scans()
+    events = []
+    register_stations(clouds, poses=rough, voxel_size=0.3, progress=lambda *event: events.append(event))
+    assert events[0] == ("prepare", 0, 3) and events[-1] == ("adjust", 2, 2)
+    assert ("pairs", 3, 3) in events and ("adjust", 1, 2) in events
+
+
+@pytest.mark.parametrize(("rough", "placed"), [(2.0, False), (4.0, True)])
+def test_pairs_farther_from_the_positions_than_rough_are_not_used(rough, placed):
+    clouds, poses = bumpy_scans()
+    positions = poses[:, :3, 3] + [[0, 0, 0], [0, 0, 0], [0, -3, 0]]
+    result = register_stations(clouds, poses=poses, positions=positions, rough=rough, voxel_size=0.2)
+    assert result.placed.tolist() == [True, True, placed]
+
+
+@pytest.mark.parametrize(("overlap", "is_tried"), [(0.5, True), (0.8, False)])
+def test_pairs_of_less_overlap_than_requested_are_not_used(overlap, is_tried):
+    """Two strips that are 4.2 m and 4.5 m wide have 2.7 m in common."""
+    clouds, poses = bumpy_scans()
+    x = [cloud.points[:, 0] + T[0, 3] for cloud, T in zip(clouds, poses, strict=True)]
+    strips = [clouds[0].select_by_mask(x[0] < 1.2), clouds[2].select_by_mask(x[2] > -1.5)]
+    result = register_stations(strips, poses=poses[[0, 2]], overlap=overlap, voxel_size=0.2)
+    (pair,) = [*result.pairs, *result.rejected]
+    assert (pair.warnings != ("no overlap",)) == is_tried
+
+
 @pytest.mark.slow
 def test_a_courtyard_is_put_together_to_a_third_of_a_millimeter(court, court_result):
     errors = errors_of(court_result.poses, court[1], True)

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -304,3 +305,37 @@ def test_the_number_of_threads_changes_no_bit_of_poses_and_surface():
         command = [sys.executable, "-c", PROGRAM]
         answers.append(subprocess.check_output(command, env=environment, text=True, timeout=300).splitlines())
     assert len(answers[0]) == 4 and answers[0] == answers[1]
+
+
+def test_stages_of_fragments_are_reused_and_refined_on_request(folder, tmp_path):
+    def run_with(**options):
+        given = FragmentOptions(tmp_path / "work", SMALL_FRAGMENTS, **options)
+        return loom.rgbd.reconstruct(loom.open_frames(folder), fragments=given).account.system
+
+    assert run_with().resumed == 0 and not (tmp_path / "work" / "slac").exists()
+    report = run_with(resume=True, slac=True)
+    assert report.resumed and report.slac is not None and (tmp_path / "work" / "slac").exists()
+
+
+class Recorded:
+    """Frames that record the names of the threads that read them."""
+
+    intrinsic, depth_scale = CAMERA, 1000.0
+
+    def __init__(self):
+        self.frames, self.threads = waves(), []
+
+    def __len__(self):
+        return len(self.frames)
+
+    def read(self, index):
+        self.threads.append(threading.current_thread().name)
+        return self.frames[index]
+
+
+@pytest.mark.parametrize("call", [loom.rgbd.track, loom.rgbd.reconstruct])
+@pytest.mark.parametrize("count", [0, 2])
+def test_frames_are_read_ahead_by_another_thread(call, count):
+    frames = Recorded()
+    call(frames, voxel_size=0.05, read_ahead=count)
+    assert any(name.startswith("pointloom-read") for name in frames.threads) == (count > 0)

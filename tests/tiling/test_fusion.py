@@ -274,3 +274,9 @@ def test_progress_is_reported_for_frames_and_cubes(frames, tmp_path, monkeypatch
     loom.tiling.run_job(tmp_path / "job", progress=lambda *words: events.append(words))
     assert list(dict.fromkeys(stage for stage, _, _ in events)) == ["frames", "cubes"]
     assert events[0] == ("frames", 0, 4) and ("frames", 4, 4) in events and events[-1][1] == events[-1][2] > 0
+
+
+def test_depth_units_of_a_plan_are_those_of_its_frames(frames, tmp_path):
+    mesh = by_cubes(frames, tmp_path / "job", depth_scale=1250.0)
+    one = loom.rgbd.fuse(loom.open_frames(frames, depth_scale=1250.0), voxel_size=VOXEL).mesh
+    assert len(mesh.triangles) == len(one) > 100

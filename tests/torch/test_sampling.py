@@ -62,6 +62,8 @@ def test_voxels_are_those_of_unique_cells(dtype):
     cells = torch.floor(points.double() / 0.7).long()
     keys = torch.cat([torch.arange(3)[:, None, None].expand(3, 200, 1), cells], -1)[is_point]
     torch.testing.assert_close(indices[is_point], torch.unique(keys, dim=0, return_inverse=True)[1])
+    packed = loom.torch.voxel_indices(points[is_point], 0.7, batch=keys[:, 0], batch_size=3)
+    torch.testing.assert_close(packed, indices[is_point])
 
 
 def test_points_that_are_not_finite_are_in_no_voxel():
@@ -106,6 +108,8 @@ def test_interpolated_features_are_weighted_means_with_gradients():
     weights = (1 / d.values) / (1 / d.values).sum(-1, keepdim=True)
     rows = features[torch.arange(2)[:, None, None], d.indices]
     torch.testing.assert_close(loom.torch.interpolate(query, points, features), (weights[..., None] * rows).sum(2))
+    near = loom.torch.interpolate(query, points, features, k=1)
+    torch.testing.assert_close(near, rows[:, :, 0])
     given = leaves(query, points, features)
     assert torch.autograd.gradcheck(loom.torch.interpolate, given)
     assert torch.autograd.gradgradcheck(loom.torch.interpolate, given)

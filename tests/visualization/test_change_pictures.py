@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.core.errors import FileError
 from pointloom.pcd.change import M3C2Result
 from pointloom.visualization.change import pictures
 from pointloom.visualization.change.pictures import paint_change
@@ -92,3 +93,14 @@ def test_changes_of_another_cloud_are_refused():
         paint_change(cloud, [1.0, 2.0, 3.0], limit=0)
     with pytest.raises(TypeError, match="cloud"):
         loom.draw_change([1, 2], [1.0])
+
+
+def test_options_of_an_image_of_changes_are_those_of_its_view(calls, tmp_path):
+    cloud, changes, path, camera = row_of(3), [1.0, -1, 0], tmp_path / "a.png", {"zoom": 0.5}
+    options = {"title": "sunk", "camera": camera, "point_size": 9}
+    picture = loom.draw_change(cloud, changes, path, size=(64, 48), **options)
+    assert calls[0].args[1] == camera and calls[0].kwargs["point_size"] == 9
+    assert calls[0].kwargs["color_bar"].title == "sunk [m]"
+    with pytest.raises(FileError, match=r"a\.png"):
+        loom.draw_change(cloud, changes, path, size=(32, 24), overwrite=False)
+    np.testing.assert_array_equal(loom.read_color(path), picture)

@@ -104,8 +104,10 @@ def test_sequential_pairs_are_matched(stages, tmp_path):
 def test_a_known_camera_is_fixed_and_scaled_to_the_images(scene_images, tmp_path):
     images = write_images(tmp_path / "images", scene_images)
     twice = loom.PinholeCameraIntrinsic(2 * WIDTH, 2 * HEIGHT, 2 * FOCAL, 2 * FOCAL, WIDTH - 0.5, HEIGHT - 0.5)
-    settings = SfmSettings(intrinsic=twice, max_features=500)
-    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", settings)
+    settings, steps = SfmSettings(intrinsic=twice, max_features=500, use_gpu=False), []
+    options = {"progress": lambda *step: steps.append(step)}
+    result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", settings, **options)
+    assert not result.features.on_gpu and steps
     assert len(result.model) == COUNT and result.reliable
     camera = result.model.cameras[0]
     assert (camera.model, camera.params) == ("PINHOLE", (FOCAL, FOCAL, WIDTH / 2, HEIGHT / 2))

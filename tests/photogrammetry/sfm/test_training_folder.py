@@ -268,3 +268,10 @@ def test_pycolmap_reads_the_folder_and_projects_the_points_where_they_are_seen(t
         assert (kind, width, height, params) == ("PINHOLE", straight.width, straight.height, pytest.approx(expected))
         assert count > 30 and off < 0.05
     assert tracks == sum(count for *_, count, _ in images.values())
+
+
+def test_images_are_reported_and_undistorted_on_the_device(tmp_path, device):
+    events, model = [], model_of()
+    written(tmp_path, model, device=device, progress=lambda *event: events.append(event))
+    count = len(model.names)
+    assert events == [("images", k, count) for k in range(count + 1)]

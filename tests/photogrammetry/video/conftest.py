@@ -90,7 +90,7 @@ def quick(monkeypatch):
     def straighten(folder, report, *, frames, model, max_size, device):
         loom.write_colmap_model(folder / surface.SPARSE, motion.read_model(model))
         (folder / surface.IMAGES).mkdir()
-        (folder / surface.IMAGES / "all").write_text(str(min(max_size, 64)))
+        (folder / surface.IMAGES / "all").write_text(str(max_size))
         return {"images": state.registered, "sizes": [[min(max_size, 64), 48]]}
 
     @stage("depth")

@@ -311,6 +311,15 @@ def test_marks_of_unused_images_are_ignored():
     check_marks(GroundControl([], [mark]), ["IMG_0001.jpg"], {}, ["IMG_0001.jpg", "IMG_0009.jpg"])
 
 
+@pytest.mark.parametrize("where", ["", "marks.csv (line 3)"])
+def test_errors_name_the_origin_of_a_mark_or_the_file_of_the_control(where):
+    control = GroundControl([], [ControlMark("A", "none.jpg", (3, 4), where=where)], path="gcp.txt")
+    with pytest.raises(FileError) as caught:
+        check_marks(control, ["IMG_0001.jpg"], {})
+    assert str(caught.value.path) == ("marks.csv" if where else "gcp.txt")
+    assert ("line 3" in str(caught.value)) == bool(where)
+
+
 ODM = """WGS84 UTM 32N
 447000.0 5260000.0 410.0 320 240 a.jpg A
 447000.0 5260000.0 410.0 100 240.5 b.jpg A

@@ -302,6 +302,18 @@ def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_pa
     assert all(stage.is_reused for stage in result.stages.values())
 
 
+def test_requested_outputs_are_written_and_stages_are_reported(quick, film, tmp_path):
+    events = []
+    outputs = loom.photogrammetry.VideoOutputs(trajectory=tmp_path / "path.log", picture=tmp_path / "room.png")
+    options = {"work": tmp_path / "work", "device": "cpu", "progress": lambda *event: events.append(event)}
+    result = loom.photogrammetry.reconstruct_video(
+        film, loom.photogrammetry.VideoSettings(max_size=100), outputs=outputs, **options
+    )
+    assert len(loom.read_trajectory(tmp_path / "path.log").poses) == len(result.model) > 0
+    assert loom.read_color(tmp_path / "room.png").shape[2] == 3 and events
+    assert [file.read_text() for file in (tmp_path / "work").rglob("all")] == ["100"]
+
+
 def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, tmp_path):
     quick.reasons, quick.fraction = ["only 4 of 8 images could be placed: film more slowly"], 0.15
     first = loom.photogrammetry.reconstruct_video(film, work=tmp_path / "work")

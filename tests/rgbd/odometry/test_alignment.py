@@ -184,3 +184,13 @@ def test_tiny_frames_are_no_success_and_no_error(device, size):
     camera = loom.PinholeCameraIntrinsic(size[1], size[0], 50.0, 50.0, size[1] / 2, size[0] / 2)
     one = od.OdometryFrame(np.ones(size, np.float32), camera, device=device)
     assert not od.align_frames(one, one).reliable
+
+
+def test_steps_and_the_depth_range_are_limited(device):
+    images = [image(pose) for pose in (FIRST, SECOND)]
+    pair = [loom.RGBDImage(color, depth, depth_trunc=10.0, device=device) for depth, color in images]
+    full = od.compute_rgbd_odometry(*pair, CAMERA)
+    short = od.compute_rgbd_odometry(*pair, CAMERA, max_iterations=(1, 1, 1))
+    assert short.iterations == 3 < full.iterations
+    far, none = (od.compute_rgbd_odometry(*pair, CAMERA, depth_min=nearest) for nearest in (2.0, 3.9))
+    assert 0 < far.inliers < 0.9 * full.inliers and none.inliers == 0 and not none.reliable

@@ -8,6 +8,7 @@ import os
 import shutil
 import weakref
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from pointloom.datasets.scenes.room import surface_errors
 from pointloom.rgbd.reconstruction.fragments import fragments_in, make_fragments
 from pointloom.rgbd.reconstruction.job_files import JobFiles
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
-from pointloom.rgbd.reconstruction.placement import register_fragments
+from pointloom.rgbd.reconstruction.placement import multiway, register_fragments
 from pointloom.rgbd.reconstruction.refinement import method_for, refine_registration
 from pointloom.rgbd.reconstruction.scene import integrate_scene
 
@@ -350,7 +351,8 @@ def test_open3ds_configuration_is_accepted_unchanged(tmp_path):
     understood = {name: value for name, value in TUTORIAL.items() if name in names}
     assert {name: names[name] for name in understood} == understood
     other = "name", "python_multi_threading", "depth_map_type", "block_count", "device", "subfolder_slac", "debug_mode"
-    assert set(TUTORIAL) - set(names) == {*other}
+    unwritten = "folder_fragment", "folder_scene", "template_global_posegraph"
+    assert set(TUTORIAL) - set(names) == {*other, *unwritten}
 
 
 def test_the_defaults_are_open3ds_except_data_dependent_ones():
@@ -381,8 +383,51 @@ def test_names_of_the_tensor_system_are_accepted_with_or_without_groups():
     assert Config.from_names(grouped) == Config.from_names(flat) == Config(**fragments, **methods, **surface)
 
 
+def test_the_seed_is_that_of_the_registration(tmp_path, monkeypatch):
+    search = Mock(wraps=multiway.register_multiway)
+    monkeypatch.setattr(multiway, "register_multiway", search)
+    settings = config(n_frames_per_fragment=1, n_frames_least=1, seed=7)
+    make_fragments(ShortSequence([0, 1]), settings, tmp_path)
+    register_fragments(settings, tmp_path)
+    assert search.call_args.kwargs["seed"] == 7
+
+
+def test_the_voxel_of_the_scene_is_a_512th_of_its_cube():
+    assert Config(tsdf_cubic_size=2.56).volume_voxel_size == pytest.approx(0.005)
+    assert Config(tsdf_cubic_size=5.12, tsdf_voxel_size=0.02).volume_voxel_size == 0.02
+
+
+def test_files_have_the_requested_names(tmp_path):
+    names = {
+        "template_fragment_posegraph": "parts/%d.graph.json",
+        "template_fragment_posegraph_optimized": "parts/%d.optimized.json",
+        "template_fragment_pointcloud": "parts/%d.ply",
+        "template_global_posegraph_optimized": "all/registered.json",
+        "template_refined_posegraph": "all/edges.json",
+        "template_refined_posegraph_optimized": "all/refined.json",
+        "template_global_mesh": "model.ply",
+        "template_global_traj": "path.log",
+        "folder_slac": "bent",
+        "template_optimized_posegraph_slac": "poses.json",
+    }
+    settings = config(n_frames_per_fragment=2, max_iterations=1, **names)
+    sequence = ShortSequence([0, 1, 2, 3])
+    report = run_reconstruction_system(sequence, settings, tmp_path, stages=("refine", "slac", "integrate"))
+    assert report.used == 4
+    written = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.*")}
+    expected = (
+        {"config.json"}
+        | {each % k for each in list(names.values())[:3] for k in (0, 1)}
+        | set(list(names.values())[3:8])
+    )
+    expected |= {"bent/poses.json", "bent/control_grid.npz", "bent/output_slac_pointcloud.ply"}
+    assert {name for name in written if not name.startswith("records")} == expected
+
+
 def test_a_written_configuration_is_read_again(tmp_path):
-    config = Config(voxel_size=0.1, icp_method="generalized", tsdf_voxel_size=0.02)
+    config = Config(
+        "frames", path_intrinsic="camera.json", voxel_size=0.1, icp_method="generalized", tsdf_voxel_size=0.02
+    )
     config.write(tmp_path / "config.json")
     assert Config.read(tmp_path / "config.json") == config
 
@@ -404,7 +449,7 @@ def test_a_written_configuration_is_read_again(tmp_path):
         ({"integration": {"voxel_size": 0.1}, "voxel_size": 0.1}, "voxel_size: given twice"),
         ({"sdf_trunc": 0.001}, "sdf_trunc: expected at least one voxel"),
         ({"n_frames_least": 200}, "n_frames_least: expected at most n_frames_per_fragment"),
-        ({"folder_scene": "/scene"}, "folder_scene: expected a path within the job's folder"),
+        ({"folder_slac": "/slac"}, "folder_slac: expected a path within the job's folder"),
         ({"template_global_mesh": "../mesh.ply"}, "template_global_mesh: expected a path within"),
         ({"template_fragment_posegraph": "fragment.json"}, "template_fragment_posegraph: expected one %03d"),
         ({"template_fragment_posegraph": "%03d/%03d.json"}, "template_fragment_posegraph: expected one %03d"),
@@ -491,6 +536,21 @@ def test_loops_are_detected_where_keyframes_overlap(tmp_path):
     assert after < 0.75 * before
     ends = [(edge.source_node_id, edge.target_node_id) for edge in graph.edges if edge.uncertain]
     assert len(ends) == aligned and (8, 0) in ends
+
+
+def test_loops_of_a_fragment_have_more_confidence_if_preferred(tmp_path):
+    """The confidence of an edge is (mu / (mu + r))^2, with mu proportional to the preference."""
+    sequence = ShortSequence([0, 1, 2, 1, 0])
+    ratios = []
+    for preference in (0.1, 0.4):
+        folder = tmp_path / str(preference)
+        settings = config(n_keyframes_per_n_frame=2, preference_loop_closure_odometry=preference)
+        make_fragments(sequence, settings, folder)
+        graph = loom.registration.read_pose_graph(folder / "fragments" / "fragment_optimized_000.json")
+        roots = np.sqrt([edge.confidence for edge in graph.edges if edge.uncertain])
+        ratios.append(roots / (1 - roots))
+    assert len(ratios[0]) == 3
+    np.testing.assert_allclose(ratios[1] / ratios[0], 4, rtol=1e-3)  # r differs a little
 
 
 def test_a_covered_lens_breaks_the_fragment_and_odometry_bridges_it(tmp_path):

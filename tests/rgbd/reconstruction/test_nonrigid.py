@@ -118,6 +118,16 @@ def test_a_softer_grid_deforms_more(completed_run, job):
     assert refine_with_slac(softer, job, resume=True).figures["bent_m"] > completed_run[1].slac["bent_m"]
 
 
+@pytest.mark.parametrize(("fitness", "used"), [(0.1, 3), (1.0, 2)])
+def test_thresholds_of_the_configuration_select_pairs_and_edges(completed_run, job, fitness, used):
+    """Two of the three edges join consecutive fragments, which are always used."""
+    given = rec.ReconstructionConfig(
+        **SETTINGS.to_names() | {"fitness_threshold": fitness, "distance_threshold": 0.005}
+    )
+    figures = refine_with_slac(given, job, resume=True).figures
+    assert figures["used"] == used and figures["rmse_before"] < 0.005 < completed_run[1].slac["rmse_before"]
+
+
 def test_a_single_fragment_is_unchanged(tmp_path):
     plain = rec.run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path / "plain")
     report = rec.run_reconstruction_system(ShortSequence([0, 1]), config(), tmp_path / "slac", stages=OPTIONAL_STAGES)

@@ -2,6 +2,7 @@
 
 import dataclasses
 import itertools
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -93,6 +94,14 @@ def test_a_similar_room_is_not_joined():
     closure = close_loops(twins)
     assert all(loop.target // 2 == loop.source // 2 for loop in closure.loops)
     assert farthest_shift(closure.T_world_submap, twins) < 0.02
+
+
+def test_the_seed_is_that_of_the_registration(monkeypatch):
+    search = Mock(wraps=loops_module.verify_far)
+    monkeypatch.setattr(loops_module, "verify_far", search)
+    parts = [hall_run("cpu", 4, (0.0, 1.2)), hall_run("cpu", 4, (np.pi, np.pi + 1.2), first=10)]
+    close_loops(parts, voxel_size=0.1, drift=2.0, seed=7)
+    assert search.call_args.args[2] == 7
 
 
 def test_a_symmetric_hall_is_not_rotated(device):

@@ -155,6 +155,31 @@ def test_a_model_tracks_and_renders(device):
     assert len(model.extract_point_cloud(0)) > 100
 
 
+def test_a_model_has_the_requested_truncation_scale_range_and_start(device):
+    shown = frame(0)
+    start = np.array([[0, -1, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
+    options = {"truncation": 0.3, "depth_scale": 2000.0, "depth_max": 1.2, "T_init": start, "leave_out_moving": False}
+    model = loom.rgbd.SlamModel(sequence().intrinsic, voxel_size=VOXEL, device=device, **options)
+    assert model.volume.truncation == pytest.approx(0.3) and not model.leave_out_moving
+    np.testing.assert_array_equal(model.current_frame_pose, start)
+    model.integrate(shown, np.eye(4))
+    depth = model.extract_point_cloud(0).points[:, 2]
+    assert depth.min() == pytest.approx(shown.depth[shown.depth > 0].min() / 2000, abs=VOXEL)
+    assert 1.1 < depth.max() < 1.2 + VOXEL < shown.depth.max() / 2000
+    views = [model.seen_from(np.eye(4), weight_threshold=threshold) for threshold in (0.0, 1.0)]
+    seen, unseen = (loom.rgbd.align_frames(view, view).inliers for view in views)
+    assert seen > 50 and unseen == 0  # one frame has a weight of 1
+    slam = loom.rgbd.DenseSLAM(sequence().intrinsic, voxel_size=VOXEL, device=device, truncation=0.3)
+    slam.step(shown)
+    assert slam.volume.truncation == pytest.approx(0.3)
+
+
+def test_the_seed_of_the_keyframes_is_the_requested_one():
+    slam = loom.rgbd.DenseSLAM(sequence().intrinsic, voxel_size=VOXEL, seed=7)
+    slam.step(frame(0))
+    assert slam.keyframes.seed == 7
+
+
 def test_images_of_another_size_are_refused(device):
     slam, shown = begun(device), frame(0)
     with pytest.raises(ValueError, match="intrinsic"):
@@ -249,6 +274,13 @@ def test_the_submap_in_progress_can_be_extracted():
     assert recorder.current is None
     recorder.add(hall_depth(np.eye(4)), np.eye(4))
     assert recorder.current.frames.tolist() == [0]
+
+
+@pytest.mark.parametrize("truncation", [0.2, 0.45])
+def test_submaps_have_the_requested_truncation(truncation):
+    recorder = SubmapRecorder(CAMERA, voxel_size=0.1, color=False, truncation=truncation)
+    recorder.add(hall_depth(np.eye(4)), np.eye(4))
+    assert recorder.current.volume.truncation == pytest.approx(truncation)
 
 
 def test_bad_frames_and_sizes_are_refused():

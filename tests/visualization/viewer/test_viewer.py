@@ -620,10 +620,16 @@ def test_empty_things_are_shown_as_nothing(shown, page, rng):
     assert np.linalg.norm(shown.get_view().T_world_camera[:3, 3] - UTM) < 20
 
 
+@pytest.mark.skipif(sys.platform == "darwin", reason="has one loopback address")
+def test_a_viewer_listens_on_the_requested_address():
+    with loom.Viewer(host="127.0.0.2", port=0) as viewer:
+        assert "127.0.0.2" in viewer.url
+
+
 def test_a_screenshot_matches_the_page(shown, rng, tmp_path):
     shown.background = (0, 0, 1)
     shown.add("cloud", loom.PointCloud(rng.random((3000, 3))), color=(1, 0, 0), shaded=False)
-    picture = shown.screenshot(tmp_path / "shot.png")
+    picture = shown.screenshot(tmp_path / "shot.png", client=None)
     assert picture.shape == (960, 1280, 3)
     assert (loom.read_color(tmp_path / "shot.png") == picture).all()
     assert (picture[0, 0] == [0, 0, 255]).all()
@@ -735,3 +741,11 @@ def test_the_first_view_is_upright(viewer):
 def upwards(viewer):
     """The axis that points up the most in the first view."""
     return "xyz"[int(np.argmax(-viewer.home().T_world_camera[:3, 1]))]
+
+
+def test_progress_of_the_program_has_its_fraction(shown, monkeypatch):
+    calls = []
+    monkeypatch.setattr(shown.server.pages, "set_progress", lambda *given: calls.append(given))
+    shown.tell_progress("Reading", 0.4)
+    shown.tell_progress("")
+    assert calls == [("Reading", 0.4), ("", None)]

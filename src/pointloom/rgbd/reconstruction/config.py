@@ -47,12 +47,13 @@ VALUE_ALIASES = {
     "icp_method": {"colored": "color", "point2point": "point_to_point", "point2plane": "point_to_plane"},
     "odometry_method": {"point2plane": "point_to_plane"},
 }
-# Ignored: Open3D's parallelization and memory options.
+# Ignored: Open3D's parallelization and memory options, and names of files and folders that are not written here.
 IGNORED = frozenset(
     (
         *("name", "python_multi_threading", "multiprocessing", "block_count", "est_point_count", "engine"),
         *("debug_mode", "depth_map_type", "device", "depth_folder", "color_folder", "path_color_intrinsic"),
         *("integrate_color", "subfolder_slac", "icp_distance_thr"),
+        *("folder_fragment", "folder_scene", "template_global_posegraph"),
     )
 )
 
@@ -84,7 +85,7 @@ class ReconstructionConfig:
         seed: Selects correspondences if there are very many.
         max_iterations, distance_threshold, fitness_threshold, regularizer_weight, method, save_output_as: Options of
         the non-rigid refinement (SLAC).
-        folder_fragment, folder_scene, folder_slac: Folders within the job's folder, as all `template_` names.
+        folder_slac: Folder of the refinement's files. It and all `template_` names are relative to the job's folder.
 
     Raises:
         TypeError, ValueError: A value of another type or out of range; named in the message.
@@ -125,13 +126,10 @@ class ReconstructionConfig:
     regularizer_weight: float = 1.0
     method: str = "slac"
     save_output_as: str = "pointcloud"
-    folder_fragment: str = "fragments/"
-    folder_scene: str = "scene/"
     folder_slac: str = "slac/"
     template_fragment_posegraph: str = "fragments/fragment_%03d.json"
     template_fragment_posegraph_optimized: str = "fragments/fragment_optimized_%03d.json"
     template_fragment_pointcloud: str = "fragments/fragment_%03d.ply"
-    template_global_posegraph: str = "scene/global_registration.json"
     template_global_posegraph_optimized: str = "scene/global_registration_optimized.json"
     template_refined_posegraph: str = "scene/refined_registration.json"
     template_refined_posegraph_optimized: str = "scene/refined_registration_optimized.json"
