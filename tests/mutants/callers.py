@@ -1,4 +1,4 @@
-"""The tests that are most likely to notice a change of a function: those that reach it in the fewest, rarest steps.
+"""The tests that are most likely to notice a change of a function: those that reach it in few and rare steps.
 
 A graph has the functions, methods, classes and constants of the product and of the tests. An edge leads from each to
 the definitions whose names it uses, found by imports and by names of attributes. The weight of a changed function flows
@@ -180,7 +180,7 @@ class CallGraph:
             seen |= above.keys()
             level = {caller: weight for caller, weight in above.items() if not is_test(caller)}
         chosen = [
-            (weight * resemblance(file, test.file), test)
+            (float(f"{weight * resemblance(file, test.file):.9g}"), test)  # not by the order of sums
             for test, weight in weights.items()
             if with_slow or test.name not in self.modules[test.file].slow
         ]

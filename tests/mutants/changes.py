@@ -34,7 +34,8 @@ TEXT_CALLS = {"debug", "info", "warning", "error", "exception", "log", "warn", "
 TEXT_FUNCTIONS = {"__repr__", "__dir__", "_repr_html_", "_repr_png_", "__init_subclass__"}
 TEXT_NAMES = {"__all__", "_internal", "__slots__", "__version__", "__match_args__"}
 TYPE_NAMES = {"int", "float", "str", "bool", "bytes", "None", "list", "tuple", "dict", "set", "object", "type"}
-OPTION_CLASS = re.compile(r"Options?$|Criteria$|Settings$|Config$")
+OPTION_CLASS = re.compile(r"(Options?|Criteria|Settings|Config)$")
+OPTION_CLASSES = re.compile(rb"^class \w*(Options?|Criteria|Settings|Config)\b", re.MULTILINE)
 OPTION_VALUE = re.compile(r"(options?|criteria|settings|config)$")
 CHECK = re.compile(r"_?check_\w+$")
 LOCK = re.compile(r"lock", re.IGNORECASE)
@@ -381,11 +382,11 @@ def is_literal(node: ast.expr) -> bool:
     return isinstance(node, ast.Name) or (isinstance(node, ast.Constant) and node.value is not ...)
 
 
-def option_fields(trees: Iterable[ast.Module]) -> dict[str, str]:
+def option_fields(sources: Iterable[bytes]) -> dict[str, str]:
     """The defaults of the fields of classes of options, without those that differ between classes."""
     fields: dict[str, set[str]] = {}
-    for tree in trees:
-        for node in tree.body:
+    for source in filter(OPTION_CLASSES.search, sources):
+        for node in ast.parse(source).body:
             if isinstance(node, ast.ClassDef) and OPTION_CLASS.search(node.name):
                 for part in node.body:
                     value = getattr(part, "value", None)

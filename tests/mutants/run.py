@@ -5,15 +5,14 @@
     make mutants ARGS="--only src/pointloom/pcd --seed 7 --list"
     make mutants ARGS="--one src/pointloom/pcd/ground.py:120:14:comparison"
 
-Each change is tried with the tests that reach it in the fewest steps (callers.py), then with more tests, changes of
-kernels then on the emulated CUDA device. The exit code is 0, or 1 if --at-least is given and a smaller fraction was
-noticed, or 2 for wrong arguments and for tests that fail without any change.
+Each change is tried with the most specific tests (callers.py), then with more tests, changes of kernels then on the
+emulated CUDA device. The tests that failed run once more without any change: one that fails then notices nothing. The
+exit code is 0, or 1 if --at-least is given and a smaller fraction was noticed, or 2 for wrong arguments.
 """
 
 from __future__ import annotations
 
 import argparse
-import ast
 import contextlib
 import gc
 import os
@@ -25,6 +24,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -32,17 +32,19 @@ from pathlib import Path
 
 from .callers import CallGraph
 from .changes import Change, draw, find_changes, iter_modules, option_fields
+from .cpu_budget import FAILED
 
 ROOT = Path(__file__).resolve().parents[2]
 PRODUCT, KERNELS = "src/pointloom", "src/pointloom/kernels/"
-COPIED = ("src", "docs", "tests", "benchmarks", "pyproject.toml")
+NOT_COPIED = {"build", "dist", "demo"}  # and hidden files
 NOT_TESTED = ("src/pointloom/_pyinstaller/", "src/pointloom/torch/")  # not by tests that run in .venv
 NOT_TESTS = ("tests/browser/", "tests/other_tools/", "tests/torch/", "tests/mutants/")  # these need other programs
 EMULATED = "tests/emulated_cuda/"  # its tests run on the emulated device only
+ON_EMULATED = "emulated CUDA"  # name of a round
 QUICK = ("--quick",)  # the choice of `make test`, as in the Makefile
 SPECIFIC_FILES, SPECIFIC_TESTS, WIDER_FILES = 3, 16, 6
 INTERRUPTED, NO_TESTS = 2, 5  # exit codes of pytest; 2, too, if a test file cannot be imported
-WALL_FACTOR = 10  # seconds of the clock for each allowed CPU second: a deadlock takes no CPU seconds
+IDLE_SECONDS, IDLE_CHECKS = 120, 12  # seconds without any activity from which on tests are in a deadlock
 RECENT_COMMITS = 10  # that --changed compares with on the main branch itself
 MIN_TRIED = 20  # changes from which on --at-least is checked
 
@@ -86,12 +88,15 @@ class Outcome:
 
 
 def copy_tree(root: Path, to: Path) -> Path:
-    """A copy of what the tests need, with the compiled bytecode."""
-    for name in COPIED:
-        if (root / name).is_dir():
-            shutil.copytree(root / name, to / name, symlinks=True)
-        elif (root / name).exists():
-            shutil.copy2(root / name, to / name)
+    """Copy what the tests need, with the compiled bytecode."""
+    to.mkdir()
+    for path in root.iterdir():
+        if path.name in NOT_COPIED or path.name.startswith("."):
+            continue
+        if path.is_dir() and not path.is_symlink():
+            shutil.copytree(path, to / path.name, symlinks=True)
+        else:
+            shutil.copy2(path, to / path.name, follow_symlinks=False)
     return to
 
 
@@ -105,16 +110,19 @@ def run_tests(tree: Path, tests: Sequence[str], options: Sequence[str], seconds:
         "MUTANT_CPU_SECONDS": str(seconds),
     }
     command = [sys.executable, "-m", "pytest", "-x", "-q", "--no-header", "-p", "cpu_budget", *options, *tests]
-    hard = int(3 * seconds) + 5  # CPU seconds: one test may be long, an endless loop is longer
+    hard = int(min(3 * seconds, 3600)) + 5  # CPU seconds: one test may be long, an endless loop is longer
     with tempfile.TemporaryFile("w+") as output:
         process = subprocess.Popen(
             command, cwd=tree, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
             start_new_session=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (hard, hard)),
         )  # fmt: skip
-        timer = WALL_FACTOR * seconds + 60
         pidfd = os.pidfd_open(process.pid)
         try:
-            if not select.select([pidfd], [], [], timer)[0]:
+            idle, last = 0, ()
+            while idle < IDLE_CHECKS and not select.select([pidfd], [], [], IDLE_SECONDS / IDLE_CHECKS)[0]:
+                now = activity_of(process.pid)
+                idle, last = idle + 1 if now == last else 0, now
+            if idle == IDLE_CHECKS:
                 os.killpg(process.pid, signal.SIGKILL)
             _, status, usage = os.wait4(process.pid, 0)
         finally:
@@ -123,6 +131,20 @@ def run_tests(tree: Path, tests: Sequence[str], options: Sequence[str], seconds:
         kill_group(process.pid)
         output.seek(0)
         return process.returncode, output.read()[-20_000:], usage.ru_utime + usage.ru_stime
+
+
+def activity_of(group: int) -> tuple[object, ...]:
+    """CPU time of the processes of a group. It always differs while a thread is ready to run, on a loaded machine, too.
+
+    So a deadlock takes no CPU seconds and is recognized by equal values.
+    """
+    ticks = []
+    for path in Path("/proc").glob("[0-9]*/task/[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            fields = path.read_text().rpartition(")")[2].split()
+            if int(fields[2]) == group:
+                ticks.append((path, fields[11:13], time.monotonic() if fields[0] in "RD" else 0.0))
+    return tuple(ticks)
 
 
 def kill_group(group: int) -> None:
@@ -136,21 +158,21 @@ def sign_of(code: int, output: str) -> str:
     is_stopped = code == INTERRUPTED and "the CPU seconds are used" in output and " failed" not in output
     if code in (0, NO_TESTS) or is_stopped:
         return ""
-    failures = [line.split(" - ")[0] for line in output.splitlines() if line.startswith(("FAILED ", "ERROR "))]
     if code < 0:
         return f"ended by {signal.Signals(-code).name}"
-    return failures[0] if failures else f"exit code {code}: {(output.strip().splitlines() or [''])[-1]}"
+    lines = [line for line in output.splitlines() if line] or [""]
+    return next((line for line in lines if line.startswith(FAILED)), f"exit code {code}: {lines[-1]}")
 
 
-def try_change(tree: Path, outcome: Outcome, step: Round, tests: list[str], number: int) -> None:
-    """Apply a change to the copy, run tests, and put the file back."""
+def try_change(tree: Path, outcome: Outcome, step: Round, tests: list[str], number: int, left: float) -> None:
+    """Apply a change to the copy, run tests for at most the CPU seconds `left`, and put the file back."""
     path = tree / outcome.change.file
     source, before = path.read_bytes(), path.stat()
     path.write_bytes(outcome.change.apply(source))
     # Compiled bytecode is that of another content if time and size of the file agree: each content has its own time.
     os.utime(path, (before.st_atime, before.st_mtime + 10 * (number + 1)))
     try:
-        code, output, seconds = run_tests(tree, tests, step.options, step.seconds)
+        code, output, seconds = run_tests(tree, tests, step.options, min(step.seconds, left))
     finally:
         path.write_bytes(source)
         os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
@@ -195,7 +217,7 @@ def rounds(graph: CallGraph, options: argparse.Namespace) -> Iterator[Round]:
     if not options.specific:
         yield Round("wider", choice, 3 * options.seconds, wider)
         if shutil.which("gcc"):
-            yield Round("emulated CUDA", ("--emulated-cuda-quick",), 3 * options.seconds, emulated)
+            yield Round(ON_EMULATED, ("--emulated-cuda-quick",), 3 * options.seconds, emulated)
 
 
 def try_all(root: Path, changes: Sequence[Change], graph: CallGraph, options: argparse.Namespace) -> list[Outcome]:
@@ -212,11 +234,12 @@ def try_all(root: Path, changes: Sequence[Change], graph: CallGraph, options: ar
                 number, change = item
                 outcome = outcomes[change]
                 tests = [] if outcome.noticed_by else step.choose(change)
-                if not tests or own_seconds() > options.budget:
+                left = options.budget - own_seconds()
+                if not tests or left < 0:
                     return
                 tree = copies.get()
                 try:
-                    try_change(tree, outcome, step, tests, number)
+                    try_change(tree, outcome, step, tests, number, left)
                 finally:
                     copies.put(tree)
                 status = outcome.noticed_by or "not noticed"
@@ -236,24 +259,24 @@ def own_seconds() -> float:
 
 
 def check_tests(tree: Path, outcomes: Sequence[Outcome], options: argparse.Namespace) -> None:
-    """Run the tests that failed without any change: a test that fails anyway notices nothing.
-
-    Raises:
-        UsageError: One fails.
-    """
-    for emulated in (False, True):
-        words = ("--emulated-cuda-quick",) if emulated else () if options.all else QUICK
-        failed = {
-            outcome.noticed_by.partition(" ")[2]
-            for outcome in outcomes
-            if outcome.noticed_by.startswith(("FAILED ", "ERROR "))
-            and outcome.tried[-1].startswith("emulated") == emulated
-        }
-        if failed:
-            functions = sorted({test.partition("[")[0] for test in failed})
-            code, output, _ = run_tests(tree, files_of(functions) if emulated else functions, words, 600.0)
-            if sign_of(code, output):
-                raise UsageError(f"a test fails without any change: {sign_of(code, output)}\n{output[-3000:]}")
+    """Run the tests that failed without any change: changes noticed by one that fails again were not noticed."""
+    failed: dict[bool, dict[str, list[Outcome]]] = {False: {}, True: {}}
+    for outcome in outcomes:
+        if outcome.noticed_by.startswith(FAILED):
+            is_emulated = outcome.tried[-1].startswith(ON_EMULATED)
+            failed[is_emulated].setdefault(outcome.noticed_by.removeprefix(FAILED), []).append(outcome)
+    for is_emulated, tests in failed.items():
+        words = ("--emulated-cuda",) if is_emulated else () if options.all else QUICK
+        while tests:
+            code, output, _ = run_tests(tree, sorted(tests), words, float("inf"))
+            sign = sign_of(code, output)
+            if not sign:
+                break
+            for outcome in tests.pop(sign.removeprefix(FAILED), None) or [o for some in tests.values() for o in some]:
+                outcome.noticed_by = ""
+                outcome.tried.append(f"fails without any change: {sign}")
+            if not sign.startswith(FAILED):
+                break
 
 
 # ---------------------------------------------------------------------------------------------------- command line
@@ -333,7 +356,7 @@ def chosen_changes(root: Path, options: argparse.Namespace) -> list[Change]:
     if not (root / options.only).exists():
         raise UsageError(f"--only: expected a file or a folder of the product, got {options.only}")
     every = list(iter_modules(root, PRODUCT))
-    fields = option_fields(ast.parse((root / file).read_bytes()) for file in every)
+    fields = option_fields((root / file).read_bytes() for file in every)
     if options.one:
         file = options.one.partition(":")[0]
         found = [change for change in find_changes(root, {file} & {*every}, fields) if str(change) == options.one]

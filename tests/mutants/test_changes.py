@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 from collections import Counter
 
 import pytest
@@ -77,7 +76,7 @@ def test_an_option_is_replaced_before_a_loop_and_as_a_field():
     loop = 'def f(limit=3):\n    """Text."""\n    for a in range(limit):\n        yield a\n'
     assert results(loop, "option") == ['"""Text."""; limit = 3']
     source = "class IcpOption:\n    limit: int = 3\n\n\ndef f(option, other):\n    return option.limit + other.limit\n"
-    fields = option_fields([ast.parse(source)])
+    fields = option_fields([source.encode()])
     assert fields == {"limit": "3"}
     assert results(source, "option", fields) == ["return 3 + other.limit"]
 

@@ -44,7 +44,7 @@ def run(tree, *words):
 def test_a_change_that_a_test_notices_is_printed_with_the_test(tree, capsys):
     assert run(tree, "--one", LOW) == 0
     shown = capsys.readouterr().out
-    assert f"{LOW}  FAILED tests/test_clamp.py::test_low" in shown and "1 of 1 changes noticed" in shown
+    assert f"{LOW}  FAILED TEST tests/test_clamp.py::test_low" in shown and "1 of 1 changes noticed" in shown
     assert "NOT NOTICED" not in shown and (tree / FILE).read_text() == SOURCE
 
 
@@ -74,12 +74,21 @@ def test_an_endless_loop_is_noticed(tree, capsys):
     assert "ended by SIGKILL" in capsys.readouterr().out
 
 
+@pytest.mark.slow
+def test_a_deadlock_is_noticed(tree, capsys, monkeypatch):
+    wait = "    if high < 5:\n        threading.Event().wait()\n    return min(max(x, low), high)\n"
+    (tree / FILE).write_text(f"import threading\n\n\ndef clamp(x, low, high):\n{wait}")
+    monkeypatch.setattr("tests.mutants.run.IDLE_SECONDS", 2.4)
+    assert run(tree, "--one", f"{FILE}:5:13:comparison") == 0
+    assert "ended by SIGKILL" in capsys.readouterr().out
+
+
 def test_a_test_that_fails_without_any_change_notices_nothing(tree, capsys):
     (tree / "tests" / "test_clamp.py").write_text(TEST.format("", 1))
-    assert run(tree, "--one", LOW) == 2
-    shown = capsys.readouterr()
-    assert "a test fails without any change: FAILED tests/test_clamp.py::test_low" in shown.err
-    assert "changes noticed" not in shown.out
+    assert run(tree, "--one", LOW) == 0
+    shown = capsys.readouterr().out
+    assert "fails without any change: FAILED TEST tests/test_clamp.py::test_low" in shown
+    assert "0 of 1 changes noticed" in shown
 
 
 def test_the_list_is_that_of_the_seed_and_every_line_can_be_repeated(tree, capsys):
