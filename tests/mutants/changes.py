@@ -29,7 +29,8 @@ OPPOSITES = (
     ("atomic_min", "atomic_max"), ("floor", "ceil"), ("any", "all"), ("cos", "sin"),
 )  # fmt: skip
 OPPOSITE = dict(OPPOSITES) | {high: low for low, high in OPPOSITES}
-SYMMETRIC = {*OPPOSITE, "isclose", "allclose", "array_equal", "hypot", "dot", "isinstance"}
+SYMMETRIC = {*OPPOSITE, "isclose", "allclose", "array_equal", "hypot", "dot"}
+TYPED = {"isinstance", "launch", "partial", "cast"}  # an exchange of their arguments is an error in any case
 TEXT_CALLS = {"debug", "info", "warning", "error", "exception", "log", "warn", "TypeVar", "NewType", "cast", "overload"}
 TEXT_FUNCTIONS = {"__repr__", "__dir__", "_repr_html_", "_repr_png_", "__init_subclass__"}
 TEXT_NAMES = {"__all__", "_internal", "__slots__", "__version__", "__match_args__"}
@@ -256,6 +257,8 @@ class ChangeFinder:
         if isinstance(statement, ast.Assign):
             targets = statement.targets
             names = [target.id for target in targets if isinstance(target, ast.Name)]
+            if self.owner[-1] == "__init__" and any(isinstance(target, ast.Attribute) for target in targets):
+                return False  # later methods read it
             others = [target for target in targets if isinstance(target, ast.Attribute | ast.Subscript)]
             return len(names) + len(others) == len(targets) and set(names) <= scope.assigned
         return isinstance(statement, ast.AugAssign | ast.Continue | ast.Break | ast.Return | ast.Delete)
@@ -344,7 +347,7 @@ class ChangeFinder:
         if name in OPPOSITE:
             end = self._end(node.func)
             self._add("minmax", Edit(end - len(name), end, OPPOSITE[name].encode()))
-        elif name not in SYMMETRIC:
+        elif name not in SYMMETRIC | TYPED:
             for left, right in zip(node.args, node.args[1:], strict=False):
                 texts = self._text(left), self._text(right)
                 if type(left) is type(right) and texts[0] != texts[1] and not isinstance(left, ast.Starred):

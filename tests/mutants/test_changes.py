@@ -64,6 +64,12 @@ def test_a_statement_is_dropped_only_if_later_ones_still_have_their_variables(op
     assert results(f"def f(self, a, b, c):\n    {body}\n    return a\n", operator) == expected
 
 
+def test_fields_of_a_new_object_are_not_dropped():
+    source = "class A:\n    def {}(self, a):\n        self.a = a\n        return\n"
+    assert results(source.format("__init__"), "statement") == []
+    assert results(source.format("set"), "statement") == ["pass"]
+
+
 def test_an_option_is_replaced_by_its_default_at_the_start_and_where_it_is_passed_on():
     source = "def f(a, *, limit=3, mode=None):\n    b = g(a, limit=limit)\n    return h(b, mode)\n"
     assert results(source, "option") == [
