@@ -122,8 +122,8 @@ LOADED_RUNS ?= 10
 flakes: $(BROWSER) ## Run the tests of pages, threads and processes RUNS times, LOADED_RUNS times beside busy processes
 	@$(BIN)/python tests/flakes.py --runs $(RUNS) --loaded-runs $(LOADED_RUNS) $(ARGS)
 
-mutants: $(FULL) ## Small changes of behavior, one at a time: do the tests notice? (an hour on two cores, continues where it ended, not in CI)
-	@$(BIN)/python tests/mutants/run.py $(ARGS)
+mutants: $(EMULATION) ## Draw 60 small changes of behavior, apply one at a time: do the tests notice? (ARGS=--help)
+	@$(BIN)/python -m tests.mutants.run $(ARGS)
 
 nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
 	@$(BIN)/python scripts/nightly.py $(ARGS)

@@ -3,15 +3,14 @@
     make rest-set    measures the lines that each test takes, and writes the file
 
 CI runs the quick tests (`make test`) and then the rest (`--rest`). Of the rest it needs the least expensive tests that
-take each line of the product that no quick test takes, the tests that start processes (their lines are not measured),
-and the tests that alone detect a mutant. All others are in the file. A new test is not in the file, so CI runs it.
+take each line of the product that no quick test takes, and the tests that start processes (their lines are not
+measured). All others are in the file. A new test is not in the file, so CI runs it.
 """
 
 from __future__ import annotations
 
 import sys
-import tomllib
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
@@ -96,20 +95,9 @@ def product_files() -> list[Path]:
     return sorted(path.resolve() for path in PRODUCT.rglob("*.py"))
 
 
-def tests_of_mutants() -> set[str]:
-    """The functions that the lists of mutants name."""
-    lists = (tomllib.loads(path.read_text(encoding="utf-8"))["mutant"] for path in (TESTS / "mutants").glob("*.toml"))
-    names = (name for mutants in lists for mutant in mutants for name in mutant["tests"])
-    return {name.partition("[")[0] for name in names if "::" in name}
-
-
-def required_tests(tests: dict[str, Taken], of_mutants: Collection[str]) -> set[str]:
-    """The tests that CI keeps in any case: those of processes, and those that mutants name."""
-    return {
-        name
-        for name, taken in tests.items()
-        if taken.of_children > CHILD_SECONDS or name.partition("[")[0] in of_mutants
-    }
+def required_tests(tests: dict[str, Taken]) -> set[str]:
+    """The tests that CI keeps in any case: those of processes."""
+    return {name for name, taken in tests.items() if taken.of_children > CHILD_SECONDS}
 
 
 def names_of(left: set[str], every: Iterable[str]) -> list[str]:
@@ -127,7 +115,7 @@ def main(folder: Path) -> int:
     tests = recorded(folder / "rest")
     for taken in tests.values():
         taken.items -= quick
-    chosen = smallest_set(tests, required_tests(tests, tests_of_mutants()))
+    chosen = smallest_set(tests, required_tests(tests))
     left = tests.keys() - chosen
     FILE.write_text(HEAD + "".join(f"{name}\n" for name in names_of(left, tests)))
     for title, names in (("run by CI", chosen), ("left to nightly", left)):

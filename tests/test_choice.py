@@ -16,7 +16,7 @@ import pointloom as loom
 
 from . import choice, rest_set
 from .cpu_seconds import CpuSeconds
-from .mutants.run import QUICK, check_list, read_mutants
+from .mutants.run import QUICK
 from .products import each_pair
 from .smallest_set import Taken
 
@@ -249,10 +249,6 @@ def test_more_cpu_seconds_than_allowed_fail_a_run(tmp_path, limit, code):
     assert done.returncode == code and ("FAILED: expected at most" in done.stdout) == bool(code)
 
 
-def test_mutants_name_present_code_and_tests():
-    check_list(ROOT, read_mutants(ROOT / "tests" / "mutants"))
-
-
 def test_tests_left_to_nightly_exist():
     """The names in nightly_tests.txt; a name that is gone would stand for a test that CI runs."""
     for name in rest_set.left_out():
@@ -260,13 +256,12 @@ def test_tests_left_to_nightly_exist():
         assert f"\ndef {function.partition('[')[0]}(" in (ROOT / path).read_text(), name
 
 
-def test_mutants_and_processes_keep_their_tests():
+def test_processes_keep_their_tests():
     function = "tests/kernels/test_memory.py::test_named"
     tests = {
         "processes": Taken(2.0, of_children=1.5, items={1}),
         f"{function}[1]": Taken(2.0, items={1}),
         "another": Taken(0.1, items={1}),
     }
-    mutants = {function}
-    assert rest_set.required_tests(tests, mutants) == {"processes", f"{function}[1]"}
+    assert rest_set.required_tests(tests) == {"processes"}
     assert rest_set.names_of({f"{function}[1]", "a[1]"}, [f"{function}[1]", "a[1]", "a[2]"]) == ["a[1]", function]

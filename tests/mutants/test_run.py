@@ -1,13 +1,16 @@
-"""The runner of mutants, on a tree of one function: what counts as noticed, and which lists are refused."""
+"""`make mutants` on a product of one function: which changes are noticed, the options, and the exit codes."""
 
 from __future__ import annotations
 
+import subprocess
+
 import pytest
 
-from .run import main
+from .run import base_of, changed_files, main
 
+FILE = "src/pointloom/pcd/clamp.py"
 SOURCE = "def clamp(x, low, high):\n    return min(max(x, low), high)\n"
-TEST = "from clamp import clamp\n\n\ndef test_low():\n    assert clamp(-1, 0, 5) == {}\n"
+TEST = "from pointloom.pcd.clamp import clamp\n\n\n{}def test_low():\n    assert clamp(-1, 0, 5) == {}\n"
 CONFTEST = """
 def pytest_addoption(parser):
     parser.addoption("--quick", action="store_true")
@@ -15,113 +18,140 @@ def pytest_addoption(parser):
 def pytest_collection_modifyitems(config, items):
     items[:] = [item for item in items if not (config.getoption("--quick") and item.get_closest_marker("slow"))]
 """
-NOTICED = {
-    "name": "no lower limit", "file": "src/clamp.py", "old": "max(x, low)", "new": "x",
-    "tests": ["tests/test_clamp.py"],
-}  # fmt: skip
-UNNOTICED = NOTICED | {"name": "no upper limit", "old": "min(max(x, low), high)", "new": "max(x, low)"}
+LOW, HIGH = f"{FILE}:2:16:minmax", f"{FILE}:2:12:minmax"
+SEED = ("--seed", "1", "--specific")
 
 
 @pytest.fixture
 def tree(tmp_path):
     """A function that clamps a number, and a test of the lower bound only."""
-    for folder in ("src", "tests", "list"):
-        (tmp_path / folder).mkdir()
-    (tmp_path / "src" / "clamp.py").write_text(SOURCE)
-    (tmp_path / "tests" / "test_clamp.py").write_text(TEST.format(0))
+    (tmp_path / FILE).parent.mkdir(parents=True)
+    (tmp_path / "tests").mkdir()
+    (tmp_path / FILE).write_text(SOURCE)
+    (tmp_path / "src/pointloom/__init__.py").touch()
+    (tmp_path / "tests" / "test_clamp.py").write_text(TEST.format("", 0))
     plain = "-p no:dash -p no:hypothesispytest -p no:benchmark"  # which take seconds to start
-    settings = f'[tool.pytest.ini_options]\npythonpath = ["src"]\naddopts = "{plain}"\n'
+    settings = f'[tool.pytest.ini_options]\npythonpath = ["src"]\naddopts = "{plain}"\nmarkers = ["slow"]\n'
     (tmp_path / "pyproject.toml").write_text(settings)
     (tmp_path / "tests" / "conftest.py").write_text(CONFTEST)
     return tmp_path
 
 
-def run(tree, *mutants, words=()):
-    lines = []
-    for mutant in mutants:
-        lines += ["[[mutant]]", *(f"{name} = {value!r}" for name, value in mutant.items())]
-    (tree / "list" / "pcd.toml").write_text("\n".join(lines))
-    return main(words, root=tree, folder=tree / "list")
+def run(tree, *words):
+    return main([*SEED, *words], root=tree)
 
 
-@pytest.mark.slow
-def test_a_mutant_that_no_test_notices_is_a_failure_that_names_it(tree, capsys):
-    assert run(tree, NOTICED, UNNOTICED) == 1
+def test_a_change_that_a_test_notices_is_printed_with_the_test(tree, capsys):
+    assert run(tree, "--one", LOW) == 0
     shown = capsys.readouterr().out
-    assert "FAILED tests/test_clamp.py::test_low" in shown and "NOT NOTICED" in shown
-    assert "1 of 2 noticed: 50.0%" in shown and "not noticed: no upper limit (src/clamp.py)" in shown
-    assert (tree / "src" / "clamp.py").read_text() == SOURCE
-
-
-def test_mutants_that_are_all_noticed_are_a_success(tree, capsys):
-    assert run(tree, NOTICED, UNNOTICED, words=["--only", "lower", "--jobs", "1"]) == 0
-    assert "1 of 1 noticed: 100.0%" in capsys.readouterr().out
-
-
-def test_a_test_that_fails_without_any_mutant_notices_nothing(tree, capsys):
-    (tree / "tests" / "test_clamp.py").write_text(TEST.format(1))
-    assert run(tree, NOTICED) == 2
-    shown = capsys.readouterr()
-    assert "the tests do not pass without any mutant" in shown.err and "noticed" not in shown.out
+    assert f"{LOW}  FAILED TEST tests/test_clamp.py::test_low" in shown and "1 of 1 changes noticed" in shown
+    assert "NOT NOTICED" not in shown and (tree / FILE).read_text() == SOURCE
 
 
 @pytest.mark.slow
-def test_a_mutant_only_detected_by_slow_tests_is_detected_with_all_tests(tree, capsys):
-    slow = f"import pytest\n{TEST.format(0)}".replace("def test", "@pytest.mark.slow\ndef test")
-    (tree / "tests" / "test_clamp.py").write_text(slow)
-    with (tree / "pyproject.toml").open("a") as settings:
-        settings.write('markers = ["slow"]\n')
-    assert run(tree, NOTICED) == 1
-    assert "0 of 1 noticed" in capsys.readouterr().out
-    assert run(tree, NOTICED, words=["--all"]) == 0
+def test_a_change_that_no_test_notices_is_printed_with_its_lines_and_the_tests_that_were_tried(tree, capsys):
+    (tree / FILE).write_text(SOURCE.replace("min(max(x, low), high)", "max(x, low) if high > 3 else high"))
+    assert run(tree, "--one", f"{FILE}:2:32:comparison") == 0
+    shown = capsys.readouterr().out
+    assert f"NOT NOTICED {FILE}:2:32:comparison  in clamp" in shown and "specific: tests/test_clamp.py" in shown
+    assert "- return max(x, low) if high > 3 else high\n" in shown
+    assert "+ return max(x, low) if high >= 3 else high\n" in shown and "0 of 1 changes noticed" in shown
 
 
-@pytest.mark.parametrize(
-    ("change", "reason"),
-    [
-        ({"old": "median(x)"}, "no lower limit: src/clamp.py holds the old text 0 times"),
-        ({"old": "low"}, "no lower limit: src/clamp.py holds the old text 2 times"),
-        ({"new": "max(x, low)"}, "another text than the new one"),
-        ({"new": "max(x"}, "no lower limit: the new text is no Python"),
-        ({"file": "src/limits.py"}, "no lower limit: there is no file src/limits.py"),
-        ({"tests": ["tests/test_limits.py::test_low"]}, "there is no test tests/test_limits.py::test_low"),
-        ({"tests": []}, "no lower limit: names no tests"),
-        ({"why": "a limit"}, "no lower limit: expected name, file, old, new, tests, got name"),
-        ({"name": "no upper limit"}, "no upper limit: a name that is taken already"),
-    ],
-)
-def test_a_list_that_is_wrong_is_refused_before_anything_runs(tree, capsys, change, reason):
-    assert run(tree, UNNOTICED, NOTICED | change) == 2
-    shown = capsys.readouterr()
-    assert reason in shown.err and not shown.out
+@pytest.mark.slow
+def test_a_change_that_only_slow_tests_notice_is_noticed_with_all_tests(tree, capsys):
+    text = "import pytest\n" + TEST.format("@pytest.mark.slow\n", 0)
+    (tree / "tests" / "test_clamp.py").write_text(text)
+    assert run(tree, "--one", LOW) == 0 and "no test reaches it" in capsys.readouterr().out
+    assert run(tree, "--one", LOW, "--all") == 0 and "1 of 1 changes noticed" in capsys.readouterr().out
 
 
-def test_the_parts_of_a_list_are_all_of_its_mutants(tree, capsys):
-    names = [f"limit {number}" for number in range(5)]
+@pytest.mark.slow
+def test_an_endless_loop_is_noticed(tree, capsys):
+    loop = "def clamp(x, low, high):\n    while x < low:\n        x += 1\n    return min(x, high)\n"
+    (tree / FILE).write_text(loop)
+    assert run(tree, "--one", f"{FILE}:3:11:operator", "--seconds", "0.1") == 0
+    assert "ended by SIGKILL" in capsys.readouterr().out
+
+
+@pytest.mark.slow
+def test_a_deadlock_is_noticed(tree, capsys, monkeypatch):
+    wait = "    if high < 5:\n        threading.Event().wait()\n    return min(max(x, low), high)\n"
+    (tree / FILE).write_text(f"import threading\n\n\ndef clamp(x, low, high):\n{wait}")
+    monkeypatch.setattr("tests.mutants.run.IDLE_SECONDS", 2.4)
+    assert run(tree, "--one", f"{FILE}:5:13:comparison") == 0
+    assert "ended by SIGKILL" in capsys.readouterr().out
+
+
+def test_a_test_that_fails_without_any_change_notices_nothing(tree, capsys):
+    (tree / "tests" / "test_clamp.py").write_text(TEST.format("", 1))
+    assert run(tree, "--one", LOW) == 0
+    shown = capsys.readouterr().out
+    assert "fails without any change: FAILED TEST tests/test_clamp.py::test_low" in shown
+    assert "0 of 1 changes noticed" in shown
+
+
+def test_the_list_is_that_of_the_seed_and_every_line_can_be_repeated(tree, capsys):
     listed = []
-    for part in ("1/3", "2/3", "3/3"):
-        assert run(tree, *(NOTICED | {"name": name} for name in names), words=["--list", "--part", part]) == 0
-        listed.append([line.partition("limit")[2] for line in capsys.readouterr().out.splitlines()])
-    assert [int(number) for part in listed for number in part] == [*range(5)]
-    assert all(listed)
-
-
-def test_only_the_mutants_of_the_named_list_are_selected(tree, capsys):
-    (tree / "list" / "other.toml").write_text("[[mutant]]\nname = 'not read'\n")
-    assert run(tree, NOTICED, words=["--list", "--from", "pcd.toml"]) == 0
-    assert capsys.readouterr().out.split() == ["src/clamp.py", *NOTICED["name"].split()]
+    for _ in range(2):
+        assert run(tree, "--list", "--count", "2") == 0
+        listed.append(capsys.readouterr().out)
+    names = [line for line in listed[0].splitlines() if line.startswith("src/")]
+    assert listed[0] == listed[1] and len(names) == 2
+    assert run(tree, "--list", "--one", names[1]) == 0
+    assert names[1] in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["--part", "0/2"], "--part: expected K/N with K from 1 to N, such as 1/3, got 0/2"),
-        (["--part", "3/2"], "got 3/2"),
-        (["--part", "1"], "got 1"),
-        (["--from", "io.toml"], "--from: expected a .toml file with mutants in tests/mutants, got io.toml"),
-        (["--only", "kernels/"], "--only kernels/: no mutant has this"),
+        (["--count", "0"], "--count, --jobs, --seconds: expected positive numbers"),
+        (
+            ["--only", "src/pointloom/rgbd"],
+            "--only: expected a file or a folder of the product, got src/pointloom/rgbd",
+        ),
+        (["--one", f"{FILE}:1:1:lock"], "--one: expected a change as --list prints it"),
+        (["--changed", "nothing"], "--changed: expected a commit, got nothing"),
     ],
 )
-def test_a_part_a_list_or_a_name_that_does_not_exist_is_refused(tree, capsys, words, reason):
-    assert run(tree, NOTICED, words=words) == 2
+def test_wrong_arguments_are_refused_by_name(tree, capsys, words, reason):
+    assert run(tree, *words) == 2
     assert reason in capsys.readouterr().err
+
+
+@pytest.fixture
+def repository(tree):
+    """The tree as a repository of 13 commits, the last of which changes the product."""
+
+    def git(*words, cwd=tree):
+        author = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+        subprocess.run(["git", *author, *words], cwd=cwd, check=True, capture_output=True)
+
+    git("init", "-b", "main")
+    for number in range(13):
+        (tree / "notes.txt").write_text(str(number))
+        if number == 12:
+            (tree / FILE).write_text(SOURCE + "\n\nLIMIT = 3\n")
+        git("add", "-A")
+        git("commit", "-m", str(number))
+    return git
+
+
+@pytest.mark.slow
+def test_changed_modules_are_those_of_the_last_commits_of_a_clone_and_of_a_branch(tree, repository, tmp_path_factory):
+    assert changed_files(tree, base_of(tree, "")) == {FILE}
+    every = {FILE, "src/pointloom/__init__.py"}  # a clone of one commit has nothing to compare with
+    for depth, expected in ((1, every), (2, {FILE}), (13, {FILE})):
+        clone = tmp_path_factory.mktemp("clones") / str(depth)
+        repository("clone", "--depth", str(depth), tree.as_uri(), str(clone))
+        assert changed_files(clone, base_of(clone, "")) == expected
+    repository("checkout", "-b", "topic")
+    assert changed_files(tree, base_of(tree, "HEAD")) == set()
+    (tree / "src/pointloom/pcd/new.py").write_text("A = 1\n")
+    assert changed_files(tree, base_of(tree, "HEAD")) == {"src/pointloom/pcd/new.py"}
+
+
+@pytest.mark.slow
+def test_without_a_changed_module_nothing_is_drawn(tree, repository, capsys):
+    assert run(tree, "--changed", "HEAD") == 0
+    assert "0 changes" in capsys.readouterr().out
