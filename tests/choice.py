@@ -11,7 +11,7 @@ Taichi's with `--taichi`. Without an option the tests of tests/kernels that take
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -52,7 +52,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Leave out tests, and begin with the groups that take longest in processes of pytest-xdist."""
     quick, rest, nightly = (config.getoption(option) for option in (OPTION, REST, NIGHTLY))
     taichi, mode = config.getoption(TAICHI), oracle.mode_of(config)
-    left_out = rest_set.left_out() if rest or nightly else frozenset()
+    left_out = rest_set.left_out() if rest or nightly else ()
     selected = [
         item
         for item in items
@@ -77,13 +77,13 @@ def is_left_out(item: pytest.Item) -> bool:
     return bool(marks & {"slow", "nightly"}) or needs_taichi(item) or "o3d" in fixtures_of(item)
 
 
-def is_in_rest(item: pytest.Item, left_out: frozenset[str]) -> bool:
+def is_in_rest(item: pytest.Item, left_out: Container[str]) -> bool:
     """True if CI runs a test after `make test`."""
-    is_nightly = item.get_closest_marker("nightly") is not None or rest_set.is_named(item.nodeid, left_out)
+    is_nightly = item.get_closest_marker("nightly") is not None or item.nodeid in left_out
     return is_left_out(item) and not is_nightly and not needs_taichi(item)
 
 
-def is_in_nightly(item: pytest.Item, left_out: frozenset[str]) -> bool:
+def is_in_nightly(item: pytest.Item, left_out: Container[str]) -> bool:
     """True if only `make nightly` runs a test, or runs it with Open3D instead of a stored answer."""
     if needs_taichi(item):
         return False

@@ -237,13 +237,6 @@ def test_mutants_name_present_code_and_tests():
     check_list(ROOT, read_mutants(ROOT / "tests" / "mutants"))
 
 
-def test_tests_left_to_nightly_exist():
-    """The names in nightly_tests.txt; a name that is gone would stand for a test that CI runs."""
-    for name in rest_set.left_out():
-        path, _, function = name.partition("::")
-        assert f"\ndef {function.partition('[')[0]}(" in (ROOT / path).read_text(), name
-
-
 def test_mutants_and_processes_keep_their_tests():
     function = "tests/kernels/test_memory.py::test_named"
     tests = {
@@ -253,4 +246,3 @@ def test_mutants_and_processes_keep_their_tests():
     }
     mutants = {function}
     assert rest_set.required_tests(tests, mutants) == {"processes", f"{function}[1]"}
-    assert rest_set.names_of({f"{function}[1]", "a[1]"}, [f"{function}[1]", "a[1]", "a[2]"]) == ["a[1]", function]
