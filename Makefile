@@ -71,7 +71,7 @@ MARKS := $(CURDIR)/build/emulated-cuda/marks
 CONTEXTS := $(CURDIR)/build/emulated-cuda/contexts
 INTERLEAVED := EMULATED_CUDA_ORDER=$${EMULATED_CUDA_ORDER:-3} $(PYTEST)
 
-test-cuda-emulated-quick: $(EMULATION) ## ... the set that CI runs, threads interleaved; each kernel must be launched
+test-cuda-emulated-quick: $(EMULATION) ## ... all but those of quick_set.txt, as in CI, threads interleaved
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py
 	@$(INTERLEAVED) --emulated-cuda-quick $(ON_DEVICE) $(ARGS)
 

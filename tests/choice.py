@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +54,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Leave out tests, and begin with the groups that take longest in processes of pytest-xdist."""
     quick, rest, nightly = (config.getoption(option) for option in (OPTION, REST, NIGHTLY))
     taichi, mode = config.getoption(TAICHI), oracle.mode_of(config)
-    left_out = rest_set.left_out() if rest or nightly else frozenset()
+    left_out = rest_set.left_out() if rest or nightly else ()
     selected = [
         item
         for item in items
@@ -79,14 +79,14 @@ def is_left_out(item: pytest.Item) -> bool:
     return bool(marks & {"slow", "nightly"}) or needs_taichi(item) or "o3d" in fixtures_of(item)
 
 
-def is_in_rest(item: pytest.Item, left_out: frozenset[str]) -> bool:
+def is_in_rest(item: pytest.Item, left_out: Container[str]) -> bool:
     """True if CI runs a test after `make test`."""
-    is_nightly = item.get_closest_marker("nightly") is not None or rest_set.is_named(item.nodeid, left_out)
+    is_nightly = item.get_closest_marker("nightly") is not None or item.nodeid in left_out
     reads_data = item.get_closest_marker("real_data") is not None and bool(os.environ.get("POINTLOOM_DATA"))
     return (is_left_out(item) or reads_data) and not is_nightly and not needs_taichi(item)
 
 
-def is_in_nightly(item: pytest.Item, left_out: frozenset[str]) -> bool:
+def is_in_nightly(item: pytest.Item, left_out: Container[str]) -> bool:
     """True if only `make nightly` runs a test, or runs it with Open3D instead of a stored answer."""
     if needs_taichi(item):
         return False

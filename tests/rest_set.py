@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from .smallest_set import Recorder, Taken, recorded, smallest_set
+from .smallest_set import LeftOut, Recorder, Taken, recorded, smallest_set
 
 OPTION, TOGETHER = "--lines", "--lines-together"
 TESTS = Path(__file__).parent
@@ -26,7 +26,6 @@ LINES_OF_FILE = 100_000  # number of a line: number of its file times this, plus
 CHILD_SECONDS = 0.5  # CPU [s] of child processes from which on a test is one of processes
 HEAD = """\
 # Tests that CI leaves to `make nightly`: other tests take the same lines. Written by `make rest-set` (rest_set.py).
-# A name without parameters stands for all of them.
 """
 
 
@@ -40,15 +39,9 @@ def pytest_configure(config: pytest.Config) -> None:
         config.pluginmanager.register(LineContexts(Path(folder).resolve(), together=config.getoption(TOGETHER)))
 
 
-def left_out() -> frozenset[str]:
-    """The names in the file."""
-    lines = FILE.read_text().splitlines() if FILE.exists() else ()
-    return frozenset(line for line in lines if line and not line.startswith("#"))
-
-
-def is_named(node: str, names: frozenset[str]) -> bool:
-    """True if a test, or its function, is named."""
-    return node in names or node.partition("[")[0] in names
+def left_out() -> LeftOut:
+    """The tests in the file."""
+    return LeftOut(FILE)
 
 
 class LineContexts(Recorder):
@@ -100,15 +93,6 @@ def required_tests(tests: dict[str, Taken]) -> set[str]:
     return {name for name, taken in tests.items() if taken.of_children > CHILD_SECONDS}
 
 
-def names_of(left: set[str], every: Iterable[str]) -> list[str]:
-    """The names of tests, with the name of the function for all of its tests."""
-    cases: dict[str, set[str]] = {}
-    for node in every:
-        cases.setdefault(node.partition("[")[0], set()).add(node)
-    whole = {function for function, nodes in cases.items() if nodes <= left}
-    return sorted({node.partition("[")[0] if node.partition("[")[0] in whole else node for node in left})
-
-
 def main(folder: Path) -> int:
     """Write the file by the records of `folder`/quick and `folder`/rest, and print what was chosen."""
     quick = set().union(*(taken.items for taken in recorded(folder / "quick").values()))
@@ -117,7 +101,9 @@ def main(folder: Path) -> int:
         taken.items -= quick
     chosen = smallest_set(tests, required_tests(tests))
     left = tests.keys() - chosen
-    FILE.write_text(HEAD + "".join(f"{name}\n" for name in names_of(left, tests)))
+    names = left_out()
+    names.leave_out(left, tests)
+    names.write(FILE, HEAD)
     for title, names in (("run by CI", chosen), ("left to nightly", left)):
         print(f"{title}: {len(names)} tests, {sum(tests[name].seconds for name in names):.0f} CPU s")
     return 0

@@ -19,6 +19,7 @@ import pytest
 
 from .cpu_seconds import cpu_seconds
 
+KEPT = "+ "  # begins the name of a case that runs although its function is left out
 FIXED_SECONDS = 0.05  # CPU [s] of any test: its collection, its fixtures, its report
 
 
@@ -104,3 +105,48 @@ def recorded(folder: Path) -> dict[str, Taken]:
             known = tests.setdefault(name, Taken(seconds, of_children))
             known.items.update(items)
     return tests
+
+
+class LeftOut:
+    """The tests that a set leaves out, by the names in a file. All others run: new ones, too.
+
+    A line of the file is the path of tests and the names of functions, or the name of one case. A name without a test
+    has no effect.
+    """
+
+    def __init__(self, path: Path | None = None) -> None:
+        text = path.read_text() if path is not None and path.exists() else ""
+        lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+        self.kept = {line.removeprefix(KEPT) for line in lines if line.startswith(KEPT)}
+        self.cases = {line for line in lines if "::" in line and not line.startswith(KEPT)}
+        files = (line.partition(": ") for line in lines if "::" not in line)
+        self.functions = {f"{file}::{name}" for file, _, names in files for name in names.split()}
+
+    def __contains__(self, node: str) -> bool:
+        """True if a test is left out."""
+        return node in self.cases or (node.partition("[")[0] in self.functions and node not in self.kept)
+
+    def leave_out(self, left: Collection[str], every: Iterable[str]) -> None:
+        """Leave out tests, and no others of `every`: a function instead of its cases if most of them are."""
+        cases: dict[str, set[str]] = {}
+        for node in every:
+            cases.setdefault(node.partition("[")[0], set()).add(node)
+        for function, nodes in cases.items():
+            out = nodes & set(left)
+            self.kept -= nodes
+            self.cases -= nodes
+            if function in self.functions or 2 * len(out) > len(nodes):
+                self.functions.add(function)
+                self.kept |= nodes - out
+            else:
+                self.cases |= out
+
+    def write(self, path: Path, head: str) -> None:
+        """Write the file below a comment."""
+        names: dict[str, list[str]] = {}
+        for function in sorted(self.functions):
+            file, _, name = function.partition("::")
+            names.setdefault(file, []).append(name)
+        lines = [f"{file}: {' '.join(functions)}" for file, functions in names.items()]
+        lines += [*sorted(self.cases), *(KEPT + name for name in sorted(self.kept))]
+        path.write_text(head + "".join(f"{line}\n" for line in lines))

@@ -249,13 +249,6 @@ def test_more_cpu_seconds_than_allowed_fail_a_run(tmp_path, limit, code):
     assert done.returncode == code and ("FAILED: expected at most" in done.stdout) == bool(code)
 
 
-def test_tests_left_to_nightly_exist():
-    """The names in nightly_tests.txt; a name that is gone would stand for a test that CI runs."""
-    for name in rest_set.left_out():
-        path, _, function = name.partition("::")
-        assert f"\ndef {function.partition('[')[0]}(" in (ROOT / path).read_text(), name
-
-
 def test_processes_keep_their_tests():
     function = "tests/kernels/test_memory.py::test_named"
     tests = {
@@ -264,4 +257,3 @@ def test_processes_keep_their_tests():
         "another": Taken(0.1, items={1}),
     }
     assert rest_set.required_tests(tests) == {"processes"}
-    assert rest_set.names_of({f"{function}[1]", "a[1]"}, [f"{function}[1]", "a[1]", "a[2]"]) == ["a[1]", function]

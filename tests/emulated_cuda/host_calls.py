@@ -1,84 +1,122 @@
-"""Host work of every operation: device calls, transfers, allocations and Python calls.
+"""Host work of operations on the emulated device, and its limits: launches, waits, allocations and bytes.
 
-    python tests/emulated_cuda/host_calls.py [--device cpu] [--only REGEX] [--sites] [--write [--why REASON]]
+    python tests/emulated_cuda/host_calls.py [--only REGEX] [--sites] [--write]
 
-The default device is the emulated cuda:0. The operations are those of tests/host_work.py. Each runs until two
-successive counts are equal. Counts above host_calls.json are printed. `--write` writes lower counts and new operations
-to it, the limits of test_host_calls.py here and in tests/. Higher counts need a reason, `--why`, which is stored in the
-row. `--sites` lists the lines with the most transfers to the host.
+The operations are those of docs/gpu.md (benchmarks/gpu_operations.py, at the size of a dry run), and the ones with most
+launches among benchmarks/digests.py. Each has a row in host_calls.json, and may exceed each count of it by a tenth,
+rounded up: by one at small counts, not at zero. `--write` writes the rows that exceed a limit, or could have a lower
+one by more than this. `--sites` lists the lines with the most transfers to the host.
 """
 
 import argparse
 import contextlib
+import functools
+import json
 import os
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 FOLDER = Path(__file__).resolve().parent
 
 
 def parse_options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--device", choices=("cuda:0", "cpu"), default="cuda:0", help="cuda:0 is the emulated device")
     parser.add_argument("--only", default="", metavar="REGEX", help="operations whose names have this")
     parser.add_argument("--sites", action="store_true", help="the lines that transfer most to the host")
-    parser.add_argument("--write", action="store_true", help="write lower counts and new operations")
-    parser.add_argument("--why", metavar="REASON", help="with --write: write higher counts, too, for this reason")
+    parser.add_argument("--write", action="store_true", help="write the rows whose counts changed by over a tenth")
     return parser.parse_args()
 
 
 if __name__ == "__main__":
     given = parse_options()
-    os.environ.setdefault("POINTLOOM_VERBOSITY", "warning")  # as in the tests: messages are calls, too
+    os.environ.setdefault("POINTLOOM_VERBOSITY", "warning")
     sys.path.insert(0, str(FOLDER.parents[1]))
-    if given.device != "cpu":
-        from tests.emulated_cuda.install import install
+    from tests.emulated_cuda.install import install
 
-        install()
+    install()
 
 import warp as wp  # noqa: E402  after the device
 
-import pointloom as loom  # noqa: E402
 from pointloom.kernels.language import device_arrays  # noqa: E402
-from tests import host_work  # noqa: E402
 from tests.emulated_cuda.allocations import Allocations  # noqa: E402
 from tests.emulated_cuda.install import installed  # noqa: E402
-from tests.host_work import Counts, Operations, PythonCalls, Row, Work  # noqa: E402
-from tests.small_scenes import parts_of  # noqa: E402
+from tests.small_scenes import BENCHMARKS, COUNT, ON_CLOUDS, ONCE, SmallScenes, digest_scenes  # noqa: E402
 
+TABLE, CUDA = FOLDER / "host_calls.json", "cuda:0"
+MAX_RUNS = 3  # of an operation: the first fills caches
 COLUMNS = {  # of the table: what the device counts
     "launches": "launches asked for",
-    "graphs": "graphs",
-    "made": "graphs made",
     "waits": "waits",
     "allocations": "allocations",
-    "up": "copies to device",
     "uploaded": "bytes to device",
-    "down": "copies to host",
     "downloaded": "bytes to host",
 }
+NO_ROW = ("normals_scan", "poisson_depth_9")  # a file of POINTLOOM_DATA; the same code as poisson_depth_7
+MOST_LAUNCHES = ("register_multiway", "register_stations", "correspondences_from_features")  # and one on clouds
+Counts = dict[str, int]
+Work = Callable[[], Any]
+
+
+class CountedScenes(SmallScenes):
+    """Small scenes whose clouds return Warp arrays, so downloads are results or internal transfers."""
+
+    def __init__(self) -> None:
+        super().__init__(CUDA)
+        self._surfaces: dict[int, digest_scenes.SampledSurface] = {}
+
+    def cloud(self, points: Any, **attributes: Any) -> Any:
+        return super().cloud(points, **attributes).to(CUDA, arrays="warp")
+
+    @property
+    def surface(self) -> digest_scenes.SampledSurface:
+        return self.surfaces(COUNT)
+
+    def surfaces(self, count: int) -> digest_scenes.SampledSurface:
+        if count not in self._surfaces:
+            made = self._surfaces[count] = self.sample(count, 10)
+            _ = made.facing, made.source  # inputs of some operations
+        return self._surfaces[count]
+
+
+@contextlib.contextmanager
+def conditions() -> Iterator[None]:
+    """The conditions of all counts: frames are on the device, small arrays are in blocks, benchmarks are importable."""
+    plain, blocks = digest_scenes.textured, device_arrays.blocks
+    device_arrays.blocks = device_arrays.BLOCKS
+    digest_scenes.textured = lambda *arguments: plain(*arguments).to(CUDA, arrays="warp")
+    sys.path.append(BENCHMARKS)
+    try:
+        yield
+    finally:
+        sys.path.remove(BENCHMARKS)
+        digest_scenes.textured, device_arrays.blocks = plain, blocks
+
+
+def operations(scenes: CountedScenes) -> dict[str, Callable[[], Work]]:
+    """The operations of the table: a function that makes the input of a call, and returns the call."""
+    from gpu_operations import OPERATIONS
+
+    timed = [o for o in OPERATIONS.values() if o.name not in NO_ROW and not o.name.endswith("_device")]
+    return {
+        **{o.name: functools.partial(o.prepare, o.small) for o in timed},
+        **{name: lambda name=name: functools.partial(ONCE[name], scenes) for name in MOST_LAUNCHES},
+        "assess_registration": lambda: functools.partial(ON_CLOUDS["assess_registration"], scenes.surface),
+    }
 
 
 def count_on_device(work: Work) -> Counts:
-    """A row of the table, with the bytes downloaded beyond those of the result."""
-    device, results, calls = installed(), [], PythonCalls()
+    """The counts of a call."""
+    device = installed()
     assert device is not None
-
-    def run() -> None:
-        with calls:
-            results.append(work())
-
     with bytes_in_blocks() as in_blocks:
         before = device.memory.total
-        requests = device.count_requests(run)
+        requests = device.count_requests(work)
         allocated = device.memory.total - before + in_blocks[0]
     counts = {column: requests[name] for column, name in COLUMNS.items()} | {"allocated": allocated}
-    return counts | {"beyond": max(0, counts["downloaded"] - host_bytes(results[0])), "python": calls.calls}
+    return counts | {"waits": max(counts["waits"], requests["copies to host"])}  # Warp's own copies are no waits here
 
 
 @contextlib.contextmanager
@@ -101,29 +139,6 @@ def bytes_in_blocks() -> Iterator[list[int]]:
         yield count
     finally:
         device_arrays._place_for, device_arrays.Block = place, block
-
-
-def host_bytes(result: Any) -> int:
-    """Bytes of a result that the call has put on the host."""
-    if isinstance(result, np.ndarray):
-        return result.nbytes
-    if result is None or isinstance(result, (wp.array, str, bool, int, float, np.generic, bytes)):
-        return 0
-    if isinstance(result, Mapping):
-        return sum(map(host_bytes, result.values()))
-    if isinstance(result, (list, tuple)):
-        return sum(map(host_bytes, result))
-    return _bytes_of_parts(result)
-
-
-def _bytes_of_parts(result: Any) -> int:
-    """Of an object; a part that is fetched only now is none of them."""
-    if isinstance(result, loom.PointCloud):
-        return 0  # Warp arrays
-    device, sizes = installed(), []
-    assert device is not None
-    requests = device.count_requests(lambda: sizes.extend(map(host_bytes, parts_of(result).values())))
-    return max(0, sum(sizes) - requests["bytes to host"])
 
 
 class Sites:
@@ -156,57 +171,51 @@ def _line() -> str:
     return " < ".join(calls)
 
 
-def counted(works: Operations, name: str, sites: Sites | None) -> list[Counts]:
-    """The counts of an operation at each size."""
-    prepare, count = works.all[name], host_work.count_on_cpu if works.device == "cpu" else count_on_device
-
-    def run(size: int) -> Counts:
-        work = prepare(size)
-        if sites is not None:
-            sites.copies.clear()  # of earlier runs
-        return count(work)
-
-    return [host_work.settled_counts(lambda size=size: run(size)) for size in works.sizes_of(name)]
+def limit(count: int) -> int:
+    """The limit of a stored count: a tenth more, rounded up."""
+    return -(-11 * count // 10)
 
 
-def updated(works: Operations, name: str, row: Row | None, counts: list[Counts]) -> tuple[Row, bool]:
-    """The row to write, and whether a count rose without a reason. Prints each rise."""
-    if row is None:
-        return host_work.row_of(counts), False
-    rises = host_work.rises(name, works.device, works.sizes_of(name), row, counts)
-    for message in rises:
-        print(f"    RISE {message}")
-    return host_work.merged(row, counts, given.why if rises else None), bool(rises) and not given.why
+def exceeded(counts: Mapping[str, int], row: Mapping[str, int]) -> list[str]:
+    """A message for each count above the limit of its row."""
+    above = [column for column, n in row.items() if counts[column] > limit(n)]
+    return [f"{column}: expected at most {limit(row[column]):,}, got {counts[column]:,}" for column in above]
+
+
+def counted(prepare: Callable[[], Work], row: Mapping[str, int] | None = None) -> Counts:
+    """The counts of the first run within the limits of a row, or of the last run."""
+    for _ in range(MAX_RUNS):
+        counts = count_on_device(prepare())
+        if row is not None and not exceeded(counts, row):
+            break
+    return counts
+
+
+def read_table() -> dict[str, Counts]:
+    return json.loads(TABLE.read_text())
 
 
 def main() -> int:
-    works, sites = Operations(given.device), Sites() if given.sites else None
-    table = host_work.read_table()
-    known = table.get(given.device, {})
-    table[given.device] = rows = {name: row for name, row in known.items() if name in works.all}
-    failed = rose = 0
-    with host_work.conditions(given.device):
-        for name in works.all:
-            if not re.search(given.only, name):
-                continue
-            try:
-                counts = counted(works, name, sites)
-            except Exception as error:
-                failed += 1
-                print(f"{name:62} {type(error).__name__}: {error}", flush=True)
-                continue
-            row = host_work.row_of(counts)
-            print(f"{name:62} {' '.join(f'{column} {n}' for column, n in row.items())}", flush=True)
+    table, sites, is_above = read_table(), Sites() if given.sites else None, False
+    with conditions():
+        works = operations(CountedScenes())
+        rows = {name: row for name, row in table.items() if name in works}
+        for name in filter(re.compile(given.only).search, works):
+            if sites is not None:
+                sites.copies.clear()
+            counts, row = counted(works[name]), rows.get(name)
+            print(f"{name:32} {' '.join(f'{column} {n}' for column, n in counts.items())}", flush=True)
+            messages = [] if row is None else exceeded(counts, row)
+            print("".join(f"    {message}\n" for message in messages), end="")
+            is_above |= bool(messages)
             if sites is not None:
                 sites.print_largest()
-            rows[name], is_higher = updated(works, name, known.get(name), counts)
-            rose += is_higher
+            if row is None or messages or exceeded(row, counts):
+                rows[name] = counts
             if given.write:  # after each operation, so that a run may be interrupted
-                host_work.write_table(table)
-    if rose:
-        print(f"{rose} operations do more host work than {host_work.TABLE.name} allows. The limits of these counts")
-        print("were not changed. Reduce the work, or state its reason: --write --why REASON.")
-    return int(failed > 0 or rose > 0)
+                lines = [f"{json.dumps(name)}: {json.dumps(rows[name])}" for name in works if name in rows]
+                TABLE.write_text("{\n" + ",\n".join(lines) + "\n}\n")
+    return int(is_above and not given.write)
 
 
 if __name__ == "__main__":

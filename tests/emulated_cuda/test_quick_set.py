@@ -1,7 +1,6 @@
-"""The set of tests that CI runs on the emulated device: its file, and the choice of its tests."""
+"""The choice of the tests that CI runs, and the file that names the others."""
 
-from ..smallest_set import Taken, smallest_set
-from . import quick_set
+from ..smallest_set import LeftOut, Taken, smallest_set
 
 TESTS = {
     "fast": Taken(0.1, items={1, 2}),
@@ -11,6 +10,8 @@ TESTS = {
     "alone": Taken(5.0, items={4}),
     "required": Taken(2.0, items={3}),
 }
+CASES = [f"tests/a.py::test_a[{k}]" for k in range(4)]
+OTHERS = ["tests/a.py::test_b", "tests/b.py::test_c[x: y z]", "tests/b.py::test_c[other]"]
 
 
 def test_the_smallest_set_takes_all_items_in_the_fewest_seconds():
@@ -24,20 +25,27 @@ def test_a_test_whose_items_later_tests_take_is_removed():
     assert smallest_set(tests) == {"a", "b"}
 
 
-def test_names_of_tests_that_no_longer_exist_are_found():
-    name = "tests/pcd/test_hulls.py::test_none[cuda:0]"
-    assert quick_set.missing_tests([name], ["tests/pcd/test_boxes.py::test_a"]) == []  # the file was not collected
-    assert quick_set.missing_tests([name], ["tests/pcd/test_hulls.py::test_a"]) == [name]
-    assert quick_set.missing_tests(["tests/none.py::test_a"], []) == ["tests/none.py::test_a"]
+def written(left_out: LeftOut, path) -> LeftOut:
+    left_out.write(path, "# a comment\n")
+    return LeftOut(path)
 
 
-def test_a_kernel_that_no_test_launches_is_found():
-    kernels = quick_set.kernel_names()
-    assert len(kernels) > 1000 and {"bound_points_kernel", "sum_moments"} <= kernels
-    launched = {*kernels - {"bound_points_kernel", "sum_moments"}, "sum_moments_fold_tiles"}
-    assert quick_set.unlisted_kernels(launched, ()) == ["bound_points_kernel"]
-    assert quick_set.unlisted_kernels(launched, ["bound_points_kernel"]) == []
+def test_all_tests_run_but_those_left_out(tmp_path):
+    left = {*CASES[:3], *OTHERS[:2]}
+    left_out = LeftOut()
+    left_out.leave_out(left, [*CASES, *OTHERS])
+    read = written(left_out, tmp_path / "set.txt")
+    assert {node for node in [*CASES, *OTHERS] if node in read} == left
+    new = ["tests/a.py::test_new", "tests/c.py::test_a[0]", "tests/b.py::test_c[new]"]
+    assert not [node for node in new if node in read]
+    assert "tests/a.py::test_a[new]" in read  # most cases of the function are
 
 
-def test_the_file_names_only_kernels_that_exist():
-    assert quick_set.read_set().kernels <= quick_set.kernel_names()
+def test_a_smaller_set_is_chosen_from_the_tests_of_an_earlier_one(tmp_path):
+    """Of a function that was left out, only the case that ran was a candidate."""
+    left_out = LeftOut()
+    left_out.leave_out(CASES[:3], CASES)
+    for left, expected in (([], CASES[:3]), (CASES[3:], CASES)):
+        left_out = written(left_out, tmp_path / "set.txt")
+        left_out.leave_out(left, [CASES[3], OTHERS[0]])
+        assert [node for node in [*CASES, *OTHERS] if node in left_out] == expected

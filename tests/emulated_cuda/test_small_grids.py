@@ -7,6 +7,7 @@ is listed if its small, long launches do more than FRACTION of the memory access
 """
 
 from collections.abc import Iterable
+from functools import partial
 
 import numpy as np
 
@@ -17,10 +18,9 @@ from pointloom.kernels.poses.consensus_poses import find_consensus
 from pointloom.kernels.poses.pair_fits import PairCoordinates
 from pointloom.registration.globally.global_registration import MAX_PAIRS
 
-from .. import host_work
-from ..host_work import CUDA
-from ..small_scenes import scenes
+from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, scenes
 from .findings import Launch
+from .host_calls import CUDA, CountedScenes, Work, conditions
 from .install import Device
 from .settings import Order
 
@@ -65,13 +65,13 @@ def small_and_long(launches: Iterable[Launch], ratio: float) -> dict[str, Launch
     }
 
 
-def registered_globally() -> host_work.Work:
+def registered_globally() -> Work:
     """Clouds with many points to a voxel: a voxel is a fraction of a cloud's extent, so the rows hardly grow."""
     clouds = [loom.PointCloud(scenes.bumpy_surface(COUNT, seed), device=CUDA) for seed in (0, 1)]
     return lambda: loom.registration.register_globally(*clouds, voxel_size=0.25)
 
 
-def consensus() -> host_work.Work:
+def consensus() -> Work:
     p, q = np.random.default_rng(0).random((2, PAIRS, 3)).astype(np.float32)
     q[: PAIRS // 10] = p[: PAIRS // 10]
     ends = [upload(points, vec3, CUDA) for points in (p, q)]
@@ -80,7 +80,7 @@ def consensus() -> host_work.Work:
     return lambda: find_consensus(pairs, 0.03, 0.03, np.eye(3))
 
 
-def launches_of(device: Device, work: host_work.Work) -> list[Launch]:
+def launches_of(device: Device, work: Work) -> list[Launch]:
     device.synchronize()
     with device.findings.recording() as launches:
         work()
@@ -101,11 +101,13 @@ def test_few_long_threads_are_found():
 def test_no_operation_spends_its_time_in_few_long_threads(emulated, settings):
     """Each exception has a reason, and an exception that no longer occurs is removed."""
     settings(order=Order.FORWARD, uninitialized=False)
-    with host_work.conditions(CUDA):
-        operations = host_work.Operations(CUDA)
-        variants = {name.partition(",")[0]: name for name in reversed(operations.on_clouds)}  # the first of each
-        works = {name: (operations.on_clouds[name](COUNT), TYPICAL / COUNT) for name in variants.values()}
-        works |= {name: (operations.on_scenes[name](0), ratio) for name, ratio in SCENES.items()}
+    with conditions():
+        data = CountedScenes()
+        surface = data.surfaces(COUNT)
+        on_clouds = [name for name in ON_CLOUDS if not name.startswith(ON_HOST)]
+        variants = {name.partition(",")[0]: name for name in reversed(on_clouds)}  # the first of each
+        works = {name: (partial(ON_CLOUDS[name], surface), TYPICAL / COUNT) for name in variants.values()}
+        works |= {name: (partial(ONCE[name], data), ratio) for name, ratio in SCENES.items()}
         works |= {"register_globally": (registered_globally(), TYPICAL / COUNT)}
         works |= {"find_consensus": (consensus(), MAX_PAIRS / PAIRS)}
         occurrences: dict[str, str] = {}
