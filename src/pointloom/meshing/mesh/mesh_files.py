@@ -108,7 +108,7 @@ def write_triangle_mesh(
             warning: STL has no vertex data, STL and OFF no textures, and only .ply, .vtk and .vtp all attributes (.glb
             and .gltf those of vertices, .off triangle colors). GLB duplicates vertices at texture seams and sorts
             triangles by material.
-        ascii: Text instead of binary, for .ply and .vtk.
+        ascii: Text instead of binary, for .ply and .vtk. Files of .obj, .off and .gltf are always text.
         overwrite: Allow replacing existing files.
         write_vertex_normals, write_vertex_colors: Write these arrays if the mesh has them.
         write_triangle_uvs: Write texture coordinates, material ids and textures.
@@ -116,7 +116,7 @@ def write_triangle_mesh(
 
     Raises:
         FileError: If the file cannot be written, or the format cannot store the mesh.
-        ValueError: If text is requested for STL, OFF or GLB, a material id has no texture, or `up` is invalid.
+        ValueError: If text is requested for a binary format, a material id has no texture, or `up` is invalid.
         TypeError: If `mesh` is not a mesh.
 
     Example:
