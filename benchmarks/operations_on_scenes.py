@@ -1,4 +1,4 @@
-"""The operations of digests.py that run once, on their own scenes."""
+"""Records of the operations on other scenes than one cloud. digests.py runs each of them once."""
 
 from __future__ import annotations
 
@@ -16,12 +16,13 @@ from digest_fields import FIELDS
 from digest_files import WRITTEN
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
-from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import ROTATED, UTM, SampledSurface, Scenes, about, estimators, loom, pose_of, reg
 from digest_shapes import SHAPES
 from digest_stations import surveyed
 from digest_volumes import VOLUMES
 from numpy.typing import NDArray
+from operation import records
+from operations_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 
 
 def dlpack_cloud(d: Scenes) -> Any:
@@ -571,7 +572,7 @@ def odometry(d: Scenes, **options: Any) -> list[Any]:
     return [run.poses, run.map, run.steps, run.summary]
 
 
-ONCE: dict[str, Callable[[Scenes], Any]] = {
+CALLS: dict[str, Callable[[Scenes], Any]] = {
     "from_dlpack": dlpack_cloud,
     "project_to_utm": projected,
     "boxes moved": lambda d: moved_boxes(d.surface),
@@ -789,7 +790,5 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         reg().evaluate_trajectory(d.path, d.true_path, align=align, lengths=[2, 3]) for align in (True, "first", None)
     ],
     "evaluate_trajectory, scale": lambda d: reg().evaluate_trajectory(d.path, d.true_path, with_scale=True, delta=2),
-} | DRAWN
-ONCE |= FIELDS | SHAPES
-ONCE |= OCCUPANCY | WRITTEN
-ONCE |= VOLUMES
+}
+ONCE = records(CALLS | DRAWN | FIELDS | SHAPES | OCCUPANCY | WRITTEN | VOLUMES)
