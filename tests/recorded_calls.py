@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from types import CodeType, FunctionType
@@ -11,9 +11,11 @@ from typing import Any
 
 import pointloom as loom
 
+from .hostile import faults_of
 from .small_scenes import ON_CLOUDS, ONCE, SmallScenes
 
 COUNT = 60  # points of a cloud
+MODULES = (loom, loom.meshing, loom.registration, loom.rgbd)
 
 
 def names_in(function: Any, seen: set[Any] | None = None) -> set[str]:
@@ -47,11 +49,17 @@ def has_record(name: str) -> bool:
     return any(name.rpartition(".")[2] in names for *_, names in _records())
 
 
+def owner_of(name: str) -> Any:
+    """The class of a method, or the module of a function."""
+    kind, _, last = name.rpartition(".")
+    module = next(module for module in MODULES if (kind or last) in module.__all__)
+    return getattr(module, kind) if kind else module
+
+
 @contextmanager
 def recorded(name: str) -> Iterator[list[inspect.BoundArguments]]:
     """Record the arguments of each call of a public function or method."""
-    owner_name, _, last = name.rpartition(".")
-    owner = getattr(loom, owner_name) if owner_name else loom
+    owner, last = owner_of(name), name.rpartition(".")[2]
     function, calls = getattr(owner, last), []
     signature = inspect.signature(function)
 
@@ -87,13 +95,15 @@ def valid_call(name: str) -> tuple[Callable[..., Any], dict[str, Any]]:
     arguments = dict(given.arguments)
     arguments |= arguments.pop(kinds.get(inspect.Parameter.VAR_KEYWORD, ""), {})
     arguments.pop(kinds.get(inspect.Parameter.VAR_POSITIONAL, ""), None)
-    owner_name, _, last = name.rpartition(".")
-    if "self" in arguments:
-        return getattr(arguments.pop("self"), last), arguments
-    return getattr(getattr(loom, owner_name) if owner_name else loom, last), arguments
+    return getattr(arguments.pop("self", owner_of(name)), name.rpartition(".")[2]), arguments
 
 
-def is_number(function: Callable[..., Any], argument: str) -> bool:
-    """True if an argument is a number, or a number or None."""
-    annotation = str(inspect.signature(function).parameters[argument].annotation)
-    return annotation.removesuffix(" | None") in ("int", "float")
+def faults_of_recorded(name: str, arguments: Iterable[str], clouds: Collection[str]) -> list[str]:
+    """Faults of a public function for hostile values of its arguments, of which some are `clouds`."""
+    function, valid = valid_call(name)
+    faults = []
+    for argument in arguments:
+        annotation = str(inspect.signature(function).parameters[argument].annotation)
+        is_number = annotation.removesuffix(" | None") in ("int", "float")
+        faults += faults_of(function, valid, argument, clouds=argument in clouds, number=is_number)
+    return faults

@@ -130,8 +130,10 @@ def grown(cloud: loom.PointCloud, part: str, value: float) -> loom.PointCloud:
     return loom.PointCloud(rows.pop("points"), device=cloud.device, **rows)
 
 
-CHANGES = [(cloud, part) for cloud in ("cloud", "other", "facing", "source") for part in ("points", "normals")]
-CHANGES = [change for change in CHANGES if change not in (("cloud", "normals"), ("other", "normals"))]
+CHANGES = (  # cloud and what is changed in it
+    *(("cloud", "points"), ("other", "points"), ("facing", "points")),
+    *(("facing", "normals"), ("source", "points"), ("source", "normals")),
+)
 
 
 def changed(scene: Any, name: str, part: str, value: float) -> Any:
