@@ -21,7 +21,7 @@ class Operation:
         offset_tolerance: Maximum change of the result of a cloud at another position, in the units of the result. None
             if the result depends on the position.
         neighbor_tolerance: Maximum change of the result of the other elements if one has a number that is not finite.
-        counts_host_work: Count its launches, waits and allocations in the tests.
+        counts_host_work: Its launches, waits, allocations and bytes have limits in tests/emulated_cuda/host_calls.json.
     """
 
     call: Callable[[Any], Any]

@@ -246,6 +246,8 @@ CALLS: dict[str, Callable[[SampledSurface], Any]] = {
         lambda p: reg().get_information_matrix_from_point_clouds(p.source, p.cloud, p.max_distance, p.pose),
         offset_tolerance=None,
     ),
-    "assess_registration": lambda p: reg().assess_registration(p.source, p.cloud, p.pose, p.max_distance),
+    "assess_registration": Operation(
+        lambda p: reg().assess_registration(p.source, p.cloud, p.pose, p.max_distance), counts_host_work=True
+    ),
 }
 ON_CLOUDS = records(CALLS)

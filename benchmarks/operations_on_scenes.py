@@ -21,7 +21,7 @@ from digest_shapes import SHAPES
 from digest_stations import surveyed
 from digest_volumes import VOLUMES
 from numpy.typing import NDArray
-from operation import records
+from operation import Operation, records
 from operations_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 
 
@@ -757,10 +757,13 @@ CALLS: dict[str, Callable[[Scenes], Any]] = {
     "registration_icp_batch, generalized": lambda d: icp_batch(d, "ForGeneralizedICP"),
     "multi_scale_icp": lambda d: multi_scale(d.surface),
     "multi_scale_icp, far": lambda d: multi_scale(d.far),
-    "correspondences_from_features": lambda d: [
-        reg().correspondences_from_features(*d.features, mutual, ratio=ratio, device=d.device)
-        for mutual, ratio in ((False, None), (True, None), (False, 0.9))
-    ],
+    "correspondences_from_features": Operation(
+        lambda d: [
+            reg().correspondences_from_features(*d.features, mutual, ratio=ratio, device=d.device)
+            for mutual, ratio in ((False, None), (True, None), (False, 0.9))
+        ],
+        counts_host_work=True,
+    ),
     "ransac, checkers": checked,
     "ransac, features": lambda d: [ransac_features(d, mutual) for mutual in (False, True)],
     "ransac, pairs": lambda d: [ransac(d), ransac(d, ransac_n=4, checkers=checkers()[:2], seed=1)],
@@ -772,12 +775,12 @@ CALLS: dict[str, Callable[[Scenes], Any]] = {
     "robust registration": robust_global,
     "register_globally": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08),
     "register_globally, not refined": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08, refine=False),
-    "register_multiway": registered_fragments,
+    "register_multiway": Operation(registered_fragments, counts_host_work=True),
     "run_reconstruction_system": reconstructed,
     "SLAC": aligned_fragments,
     "register_nonrigid": bent,
     "coherent_point_drift": drifted,
-    "register_stations": surveyed,
+    "register_stations": Operation(surveyed, counts_host_work=True),
     "global_optimization": lambda d: optimized(d, "levenberg-marquardt", reference_node=0),
     "global_optimization, Gauss-Newton": lambda d: optimized(d, "gauss-newton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,
