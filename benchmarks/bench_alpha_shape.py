@@ -10,6 +10,7 @@ import numpy as np
 import real_scans
 import scenes
 from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
+from reasons import SPREAD
 
 BUNNY = "reconstruction/bun_zipper{}.ply"
 Array = np.ndarray
@@ -78,6 +79,8 @@ ALPHA_SHAPE = Operation(
     ),
     check=check,
     memory_size="200k",
+    targets={"bunny 8k, 6 mm": 4, "bunny 36k, 2 mm": 5, "bunny 36k, 6 mm": 4, "200k": 5},
+    reasons={"bunny 8k, 6 mm": SPREAD.format(4.3)},
 )
 OPERATIONS = (ALPHA_SHAPE,)
 

@@ -7,7 +7,7 @@ pointloom's, except for some that share an edge with another one.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -85,7 +85,13 @@ def operation(name: str, factors: tuple[float, ...], long: tuple[str, ...] = ())
 
 
 ONE = operation("ball_pivoting", (2.0,), long=("1M",))
-THREE = operation("ball_pivoting_3", (1.0, 2.0, 4.0))
+THREE = replace(
+    operation("ball_pivoting_3", (1.0, 2.0, 4.0)),
+    targets={"1M": 4},
+    reasons={
+        "1M": ("92 % of the time is the search for triangles: neighbors, directions without a ball, pairs of corners.")
+    },
+)
 OPERATIONS = (ONE, THREE)
 
 

@@ -78,6 +78,7 @@ RIGID = Operation(
     contestants=CONTESTANTS,
     check=check,
     memory_size="2k, 10 steps",
+    targets={"10k, 3 steps": 20},
 )
 DEFORMABLE = Operation(
     name="drift_deformable",
@@ -86,6 +87,7 @@ DEFORMABLE = Operation(
     contestants=CONTESTANTS,
     check=check,
     memory_size="2k, 10 steps",
+    targets={"10k, 2 steps": 20},
 )
 OPERATIONS = (RIGID, DEFORMABLE)
 

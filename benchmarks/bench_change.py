@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import scenes
 from contest import POINTLOOM, Contestant, Operation, Trial, anew, thread_count, timed, waiting
+from reasons import SPREAD
 
 RAISED = 0.02  # [m] offset of half of the second epoch
 ERROR = 0.001  # registration error [m]
@@ -91,6 +92,11 @@ M3C2 = Operation(
     ),
     check=check,
     memory_size="200k",
+    targets={"200k": 10, "1M, 100k cores": 10},
+    reasons={
+        "1M, 100k cores": SPREAD.format(10.3),
+        "200k": "Half of the time is tests of points against cylinders, half tests of boxes.",
+    },
 )
 OPERATIONS = (M3C2,)
 

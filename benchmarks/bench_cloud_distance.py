@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import scenes
 from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, thread_count, timed, waiting
+from reasons import CALL
 
 Scans = tuple[np.ndarray, np.ndarray]
 
@@ -61,6 +62,8 @@ DISTANCE = Operation(
         Contestant("pykdtree", prepare_pykdtree, lambda result: result[0]),
     ),
     check=check,
+    targets={"200k": 3, "1M": 3},
+    reasons={"1k": CALL},
 )
 OPERATIONS = (DISTANCE,)
 

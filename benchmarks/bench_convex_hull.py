@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import scenes
 from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
+from reasons import CALL
 
 
 def surface(count: int) -> Callable[[], np.ndarray]:
@@ -48,6 +49,8 @@ HULL = Operation(
     ),
     check=check,
     memory_size="1M",
+    targets={"1M": 1},
+    reasons={"1k": CALL},
 )
 OPERATIONS = (HULL,)
 

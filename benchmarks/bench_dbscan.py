@@ -26,6 +26,7 @@ from contest import (
     timed,
     waiting,
 )
+from reasons import CALL
 
 MIN_POINTS = 10
 
@@ -106,6 +107,8 @@ DBSCAN = Operation(
     check=check,
     memory_size="200k",
     long=("5M",),
+    targets={"200k": 4, "1M": 4},
+    reasons={"1k": CALL},
 )
 OPERATIONS = (DBSCAN,)
 

@@ -24,6 +24,7 @@ from contest import (
     timed,
     waiting,
 )
+from reasons import CALL, PROCESSOR
 
 DEPTH_MAX = 5.0  # [m]
 BLUR = (5, 10.0, 10.0)  # Open3D's kernel size, deviation of values [m] and of distances [px]
@@ -144,6 +145,8 @@ UNPROJECT = Operation(
     ),
     check=check_normals,
     unit_count=len,
+    targets={"30 frames": 4},
+    reasons={"64x48": CALL, "30 frames": PROCESSOR.format(4.0)},
 )
 PROJECT = Operation(
     name="cloud_to_depth",
@@ -160,6 +163,7 @@ PROJECT = Operation(
     ),
     check=check_depth,
     unit_count=len,
+    reasons={"64x48": CALL},
 )
 OPERATIONS = (UNPROJECT, PROJECT)
 

@@ -133,6 +133,7 @@ OPERATION = Operation(
     ),
     check=check,
     memory_size="8k",
+    targets={"8k": 3, "30k": 3, "kitchen 8k": 5},
 )
 OPERATIONS = (OPERATION,)
 

@@ -100,6 +100,7 @@ OPERATION = Operation(
     ),
     check=check,
     memory_size="200k",
+    targets={"200k": 4, "1M": 4},
 )
 OPERATIONS = (OPERATION,)
 

@@ -66,6 +66,7 @@ HIDDEN = Operation(
     ),
     check=check,
     memory_size="1M",
+    targets={"200k": 3, "1M": 1, "fragment": 3},
 )
 OPERATIONS = (HIDDEN,)
 

@@ -50,6 +50,7 @@ OPERATION = Operation(
     ),
     check=check,
     memory_size="200k",
+    targets={"200k": 5, "1M": 5},
 )
 OPERATIONS = (OPERATION,)
 

@@ -104,6 +104,7 @@ MARCHING_CUBES = Operation(
     ),
     check=check,
     memory_size="256^3",
+    targets={"128^3": 1.2, "256^3": 1},
 )
 OPERATIONS = (MARCHING_CUBES,)
 

@@ -4,12 +4,14 @@ compared.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache, partial
 from typing import Any
 
 import numpy as np
 from contest import POINTLOOM, Contestant, Operation, load_open3d, timed
 from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
+from reasons import CALL, PROCESSOR
 
 
 @cache
@@ -108,9 +110,14 @@ def operation(name: str, scene: Any, steps: tuple[tuple[str, tuple[Any, ...]], .
 
 
 REPEATS = (("remove_duplicated_vertices", ()), ("remove_duplicated_triangles", ()), ("remove_degenerate_triangles", ()))
-CLEAN = operation("mesh_clean", loose_mesh, REPEATS)
-MERGE = operation("mesh_merge_close", loose_mesh, (("merge_close_vertices", (0.02,)),))
-CROWDED = operation("mesh_non_manifold", crowded_mesh, (("remove_non_manifold_edges", ()),), check_manifold)
+CLEAN = replace(
+    operation("mesh_clean", loose_mesh, REPEATS), targets={"76k": 3}, reasons={"1k": CALL, "76k": PROCESSOR.format(3.4)}
+)
+MERGE = replace(operation("mesh_merge_close", loose_mesh, (("merge_close_vertices", (0.02,)),)), reasons={"1k": CALL})
+CROWDED = replace(
+    operation("mesh_non_manifold", crowded_mesh, (("remove_non_manifold_edges", ()),), check_manifold),
+    reasons={"1k": CALL},
+)
 ORIENT = operation("mesh_orient", flipped_mesh, (("orient_triangles", ()),))
 FILL = Operation(
     name="mesh_fill_holes",
@@ -121,6 +128,7 @@ FILL = Operation(
         Contestant("open3d-tensor", fill_open3d, facts),
     ),
     check=check_filled,
+    reasons={"1k": CALL},
 )
 OPERATIONS = (CLEAN, MERGE, CROWDED, ORIENT, FILL)
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from contest import POINTLOOM, Contestant, Operation, timed
 from mesh_scenes import Arrays, in_open3d, in_pointloom, torn_mesh, wavy_mesh
+from reasons import CALL
 
 
 def prepare_pointloom(scene: Arrays, device: str) -> Any:
@@ -43,6 +44,8 @@ MESH_COMPONENTS = Operation(
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
+    targets={"closed 76k": 5},
+    reasons={"closed 1k": CALL},
 )
 OPERATIONS = (MESH_COMPONENTS,)
 

@@ -9,6 +9,7 @@ import numpy as np
 from bench_poisson_disk import Scene, surface
 from contest import POINTLOOM, Contestant, Operation, timed, waiting
 from mesh_scenes import in_open3d, in_pointloom
+from reasons import CALL
 
 
 def prepare_pointloom(scene: Scene, device: str) -> Any:
@@ -42,6 +43,7 @@ MESH_SAMPLING = Operation(
         Contestant("open3d-legacy", prepare_open3d, lambda cloud: spread(np.asarray(cloud.points))),
     ),
     check=check,
+    reasons={"1k": CALL},
 )
 OPERATIONS = (MESH_SAMPLING,)
 

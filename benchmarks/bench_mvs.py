@@ -125,6 +125,13 @@ STEREO_PAIR = Operation(
         Contestant("opencv-sgbm", prepare_opencv, facts),
     ),
     check=check,
+    reasons=dict.fromkeys(
+        ["room 320x240", "room 640x480", "room 960x720", "motorcycle 741x500"],
+        (
+            "PatchMatch compares 35 slanted patches per pixel of each image, and SGBM codes of one row of "
+            'disparities. `method="sgm"` is the fast way for pairs.'
+        ),
+    ),
 )
 SEMI_GLOBAL = Operation(
     name="stereo_pair_sgm",
@@ -136,6 +143,10 @@ SEMI_GLOBAL = Operation(
         Contestant("opencv-sgbm-hh", partial(prepare_opencv, mode="HH"), facts),
     ),
     check=check,
+    reasons=dict.fromkeys(
+        ["room 320x240", "room 640x480", "room 960x720", "motorcycle 741x500"],
+        "Eight paths and both depth maps, at a lower error; SGBM sums five paths for one map.",
+    ),
 )
 OPERATIONS = (STEREO_PAIR, SEMI_GLOBAL)
 

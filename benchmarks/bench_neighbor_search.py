@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import scenes
 from contest import POINTLOOM, Contestant, Operation, anew, load_open3d, open3d_device, thread_count, timed, waiting
+from reasons import CALL, SPREAD
 
 K = 20
 
@@ -117,6 +118,8 @@ QUERY = Operation(
     contestants=contestants(prebuilt),
     check=check,
     memory_size="surface 200k",
+    targets={"surface 200k": 2, "lidar synthetic": 2, "lidar real": 1.5, "lidar returns": 2},
+    reasons={"surface 1k": CALL, "lidar returns": SPREAD.format(2.06)},
 )
 BUILD_AND_QUERY = Operation(
     name="knn20_with_build",
@@ -125,6 +128,7 @@ BUILD_AND_QUERY = Operation(
     contestants=contestants(with_build),
     check=check,
     memory_size="surface 200k",
+    reasons={"surface 1k": CALL},
 )
 OPERATIONS = (QUERY, BUILD_AND_QUERY)
 

@@ -19,6 +19,7 @@ from contest import (
     timed,
     waiting,
 )
+from reasons import SPREAD
 
 MAX_NN = 30
 
@@ -100,6 +101,8 @@ HYBRID = Operation(
     contestants=CONTESTANTS[:3],
     check=check,
     memory_size="200k",
+    targets={"200k": 5, "1M": 5},
+    reasons={"200k": SPREAD.format(5.3)},
 )
 KNN = Operation(
     name="normals_knn30",

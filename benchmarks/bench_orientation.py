@@ -76,6 +76,7 @@ ORIENTATION = Operation(
     check=check,
     memory_size="200k",
     long=("1M",),
+    targets={"200k": 3},
 )
 OPERATIONS = (ORIENTATION,)
 

@@ -20,6 +20,7 @@ from contest import (
     timed,
     waiting,
 )
+from reasons import CALL
 
 NEIGHBORS, RATIO = 20, 2.0
 POINTS = 10
@@ -111,6 +112,7 @@ STATISTICAL = Operation(
         Contestant("open3d-tensor", statistical_tensor, mask_positions, ("cpu", "cuda")),
     ),
     check=check,
+    targets={"200k": 4, "1M": 4},
 )
 RADIUS = Operation(
     name="radius_outliers",
@@ -122,6 +124,8 @@ RADIUS = Operation(
         Contestant("open3d-tensor", radius_tensor, mask_positions, ("cpu", "cuda")),
     ),
     check=check,
+    targets={"200k": 5, "1M": 5},
+    reasons={"1k": CALL},
 )
 OPERATIONS = (STATISTICAL, RADIUS)
 

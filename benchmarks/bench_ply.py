@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import scenes
 from contest import POINTLOOM, Contestant, Operation, Trial, load_open3d, timed
+from reasons import CALL
 
 
 def reading_pointloom(scene: scenes.ColoredPoints, device: str) -> Any:
@@ -82,6 +83,8 @@ READ = Operation(
         Contestant("open3d-tensor", reading_open3d, facts_open3d),
     ),
     check=check,
+    targets={"5M": 1},
+    reasons={"1k": CALL},
 )
 WRITE = Operation(
     name="ply_write",
@@ -92,6 +95,8 @@ WRITE = Operation(
         Contestant("open3d-tensor", writing_open3d, facts_of_file),
     ),
     check=check,
+    targets={"5M": 1},
+    reasons={"1k": CALL},
 )
 OPERATIONS = (READ, WRITE)
 

@@ -46,6 +46,7 @@ POISSON_DISK = Operation(
         Contestant("open3d-legacy", prepare_open3d, lambda cloud: np.asarray(cloud.points)),
     ),
     check=check,
+    targets={"10000": 3, "100000": 3},
 )
 OPERATIONS = (POISSON_DISK,)
 

@@ -138,6 +138,7 @@ GRAPH = Operation(
     contestants=CONTESTANTS,
     check=check,
     memory_size="ring 1000",
+    targets={"ring 1000": 4, "grid 900": 4},
 )
 OPERATIONS = (GRAPH,)
 

@@ -96,6 +96,7 @@ OPERATION = Operation(
     ),
     check=check,
     memory_size="200k, 5 cm",
+    targets={"200k, 5 cm": 4, "kitchen, 5 cm": 4},
 )
 OPERATIONS = (OPERATION,)
 

@@ -191,6 +191,7 @@ RECONSTRUCTION = Operation(
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
+    targets={"24 frames": 3},
 )
 OPERATIONS = (RECONSTRUCTION,)
 

@@ -14,6 +14,7 @@ import numpy as np
 import scenes
 from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 from numpy.typing import NDArray
+from reasons import PROCESSOR
 
 ROTATION = np.radians(75) * np.array([0.3, 0.2, 0.93]) / np.linalg.norm([0.3, 0.2, 0.93])
 SHIFT = np.array([1.0, 2.0, 3.0])  # [m]
@@ -134,6 +135,8 @@ OPERATION = Operation(
     ),
     check=check,
     memory_size="200k, 5 cm",
+    targets={"200k, 5 cm": 2, "200k, 8 cm": 2},
+    reasons={"200k, 5 cm": PROCESSOR.format(3.4), "200k, 8 cm": PROCESSOR.format(3.6)},
 )
 OPERATIONS = (OPERATION,)
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 from contest import POINTLOOM, Contestant, Operation, given_on, open3d_device, timed, waiting
+from reasons import ROUNDS
 
 Scene = dict[str, Any]
 TRUTH = np.array([0.02, -0.015, 0.03])  # [m]
@@ -103,6 +104,8 @@ RGBD_ODOMETRY = Operation(
         Contestant("open3d-tensor", prepare_tensor, facts, ("cpu", "cuda")),
     ),
     check=check,
+    targets={"pair": 4, "prepared": 4},
+    reasons={"pair 64x48": ROUNDS},
 )
 OPERATIONS = (RGBD_ODOMETRY,)
 

@@ -70,6 +70,7 @@ SEGMENT = Operation(
     ),
     check=check,
     memory_size="1M",
+    targets={"200k": 5, "1M": 5},
 )
 OPERATIONS = (SEGMENT,)
 

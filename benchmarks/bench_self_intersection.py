@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from contest import POINTLOOM, Contestant, Operation, timed
 from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
+from reasons import CALL
 
 
 def prepare_pointloom(scene: Arrays, device: str) -> Any:
@@ -37,6 +38,8 @@ SELF_INTERSECTION = Operation(
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
+    targets={"closed 76k": 10},
+    reasons={"closed 1k": CALL},
 )
 OPERATIONS = (SELF_INTERSECTION,)
 

@@ -8,6 +8,7 @@ alternative explanations of the points.
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -93,7 +94,14 @@ def operation(kind: str) -> Operation:
     )
 
 
-SPHERE, CYLINDER = operation("sphere"), operation("cylinder")
+SPHERE = replace(
+    operation("sphere"),
+    targets={"15k": 20, "150k": 20},
+    reasons=dict.fromkeys(
+        ["15k", "150k"], ("The result is refined, with normals and uncertainty; pyransac3d stops after the samples.")
+    ),
+)
+CYLINDER = replace(operation("cylinder"), targets={"15k": 20, "150k": 20})
 OPERATIONS = (SPHERE, CYLINDER)
 
 

@@ -117,6 +117,12 @@ STATIONS = Operation(
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
+    targets={"8 of 50k": 1.5},
+    reasons={
+        "8 of 50k": (
+            "Poses are ten times as accurate: a third of the time rates each pair, a quarter is ICP at several scales."
+        )
+    },
 )
 OPERATIONS = (STATIONS,)
 

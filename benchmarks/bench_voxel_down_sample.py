@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import scenes
 from contest import POINTLOOM, Contestant, Operation, load_open3d, open3d_device, thread_count, timed, waiting
+from reasons import CALL, PROCESSOR
 
 VOXEL_SIZE = 0.02  # [m]
 
@@ -75,6 +76,8 @@ VOXEL_DOWN_SAMPLE = Operation(
         Contestant("small_gicp", prepare_small_gicp, lambda cloud: cloud.points()[:, :3]),
     ),
     check=check,
+    targets={"200k": 2, "1M": 1.5},
+    reasons={"1k": CALL, "200k": PROCESSOR.format(2.7)},
 )
 OPERATIONS = (VOXEL_DOWN_SAMPLE,)
 

@@ -70,7 +70,7 @@ class Operation:
     """A compared operation.
 
     Attributes:
-        name: Name in the table and in targets.py.
+        name: Name in the table.
         scenes: Functions that create the data, by size.
         quick: The same for a quick run, with small data.
         contestants: pointloom is the first.
@@ -78,6 +78,8 @@ class Operation:
         unit_count: Scene -> number of units per call; times are given per unit.
         memory_size: The size for the peak memory; None for the last one.
         long: Sizes that only `--long` measures.
+        targets: By size, the factor of the best baseline's time on the CPU to pointloom's that is required.
+        reasons: By size, why the target is not reached, or why the baseline is faster. docs/measured.md lists these.
     """
 
     name: str
@@ -88,6 +90,8 @@ class Operation:
     unit_count: Callable[[Any], int] = field(default=lambda scene: 1)
     memory_size: str | None = None
     long: tuple[str, ...] = ()
+    targets: Mapping[str, float] = field(default_factory=dict)
+    reasons: Mapping[str, str] = field(default_factory=dict)
 
     def sizes(self, *, quick: bool = False, long: bool = False) -> Mapping[str, Callable[[], Any]]:
         """The sizes that a run measures."""

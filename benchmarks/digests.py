@@ -35,10 +35,10 @@ sys.path.insert(0, str(FOLDER))
 
 import numpy as np  # noqa: E402
 import scenes  # noqa: E402
-from digest_on_clouds import ON_CLOUDS  # noqa: E402
-from digest_once import ONCE  # noqa: E402
 from digest_scenes import SampledSurface, Scenes, loom  # noqa: E402
 from numpy.typing import NDArray  # noqa: E402
+from operations_on_clouds import ON_CLOUDS  # noqa: E402
+from operations_on_scenes import ONCE  # noqa: E402
 from real_data import DataMissingError  # noqa: E402
 
 DIGITS = 16

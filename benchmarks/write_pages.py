@@ -125,7 +125,7 @@ def measured_table(run: dict[str, Any]) -> str:
     """All rows, and the reasons of those below their target or behind.
 
     Raises:
-        ValueError: A row is behind or below its target, and targets.py has no reason.
+        ValueError: A row is behind or below its target, and the operation has no reason.
     """
     rows = compared(run)
     text = (
@@ -147,7 +147,7 @@ def measured_table(run: dict[str, Any]) -> str:
             below.append((row["operation"], row["size"]))
     if missing := [f"{operation} {size}" for operation, size in below if (operation, size) not in REASONS]:
         raise ValueError(
-            f"targets.py: REASONS has no entry for {'; '.join(missing)}, which are behind or below a target"
+            f"expected a reason in the `reasons` of the operations (benchmarks/bench_*.py) for {'; '.join(missing)}, which are behind or below a target"
         )
     ahead = sum(row["ratio"] >= 1 for row in rows)
     lines += ["", f"pointloom is ahead in {ahead} of {len(rows)} rows. Rows behind, or below their target:", ""]

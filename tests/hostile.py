@@ -133,6 +133,7 @@ def faults_of(
     clouds: bool = False,
     finite: bool = True,
     also: str = "",
+    number: bool | None = None,
 ) -> list[str]:
     """Faults of a call for hostile values of one argument, one line each.
 
@@ -145,6 +146,7 @@ def faults_of(
         clouds: The argument accepts only clouds; the error for an array must show how to make one.
         finite: The argument must be finite.
         also: An alternative name of the argument in messages.
+        number: The argument is a number. If None: the valid one is.
     """
     good = arguments[name]
     names = [*arguments, also] if also else [*arguments]
@@ -152,7 +154,7 @@ def faults_of(
         names.append("PathLike")  # Python's own words
     pattern = re.compile(rf"\b({'|'.join(names)})\b")
     numbers = NO_NUMBERS if finite else {title: NO_NUMBERS[title] for title in NO_NUMBERS if title not in NOT_FINITE}
-    is_number = isinstance(good, int | float) and not isinstance(good, bool)
+    is_number = isinstance(good, int | float) and not isinstance(good, bool) if number is None else number
     faults = []
     for title, value in HOSTILE.items():
         if name in CALLBACKS and callable(value):

@@ -13,9 +13,9 @@ BENCHMARKS = str(Path(__file__).parents[1] / "benchmarks")
 sys.path.append(BENCHMARKS)
 import digest_scenes  # noqa: E402
 import scenes  # noqa: E402
-from digest_on_clouds import ON_CLOUDS  # noqa: E402
-from digest_once import ONCE  # noqa: E402
 from digests import digest, parts_of  # noqa: E402
+from operations_on_clouds import ON_CLOUDS  # noqa: E402
+from operations_on_scenes import ONCE  # noqa: E402
 
 sys.path.remove(BENCHMARKS)
 

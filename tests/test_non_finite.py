@@ -2,7 +2,7 @@
 
 Each input of each operation gets one more element at its end, of which one number is not finite. The result of the
 other elements must be the one without that element, or, where the operation does not read the number, the one with a
-finite element there. No solver may report a better result.
+finite element there. No solver may report a better result. Operations on one cloud are in test_operations.py.
 """
 
 from __future__ import annotations
@@ -26,16 +26,8 @@ POSITION = np.array([1.53, 1.22, 0.01])  # of the element that is added
 MORE = """
 0 made(points, weight=weight).voxel_down_sample(0.25)["weight"]
 1e-4 made(points, covariances=covariances).voxel_down_sample(0.25)["covariances"]
-0 made(points, normals=normals).voxel_down_sample(0.25).normals
-0 made(points, normals=normals).region_growing()
-0 made(points, normals=normals).smooth_bilateral().points
-0 made(points, normals=normals).smooth_mls(radius=0.4, max_nn=15).points
 1e-5 made(points, normals=normals).smooth_taubin(2).points
-0 made(points, normals=normals).normalize_normals().normals
-0 made(points, normals=normals).flip_normals().normals
-0 made(points, normals=normals).orient_normals_to_align_with_direction().normals
 0 made(points, normals=normals).segment_shape("cylinder", 0.02, seed=1)[1]
-1e-4 loom.compute_fpfh_feature(made(points, normals=normals), radius=0.6)
 0 loom.detect_shapes(made(points, normals=normals), 0.02).labels
 1e-3 loom.meshing.create_surface(made(points, normals=normals)).mesh.get_surface_area()
 1e-3 reg.registration_icp(other, made(points, covariances=covariances), 0.2, start, reg.TransformationEstimation.generalized())
@@ -54,10 +46,7 @@ MORE = """
 1e-5 drive(made(points, times=times))
 1e-6 loom.meshing.compare_cloud_to_mesh(made(points), mesh).distances
 1e-6 loom.meshing.compare_cloud_to_mesh(cloud, loom.TriangleMesh(vertices, mesh.triangles)).distances
-1e-6 loom.m3c2(cloud, made(points), normal_radii=[0.5], cylinder_radius=0.3, max_distance=1.0).level_of_detection
-1e-6 loom.height_above_ground(made(points, classification=np.full(len(points), 2, np.uint8)))
 1e-6 loom.rasterize(made(points), 0.5, "dsm").values
-0 loom.NearestNeighborSearch(made(points)).knn_search(queries, 3)[0]
 0 loom.NearestNeighborSearch(cloud).hybrid_search(queries, 0.3, 5)[0]
 0 scene.compute_signed_distance(queries)
 0 scene.compute_distance(queries)
@@ -85,7 +74,6 @@ MORE = """
 0 loom.erode_depth_edges(depth)
 0 loom.fill_depth_holes(depth, 1, 1e-6)[0]
 0 loom.meshing.fuse_volumes([volume, volume], poses).extract_point_cloud(weight_threshold=0).points
-1e-4 loom.compute_metrics(made(points), other).chamfer
 0 loom.AxisAlignedBoundingBox.create_from_points(points).max_bound
 1e-6 loom.OrientedBoundingBox.create_from_points_minimal(points).extent
 0 loom.TriangleMesh(vertices, mesh.triangles).remove_duplicated_vertices().vertices
@@ -106,12 +94,8 @@ EXCEPTIONS = {
         "triangles of the second mesh have other numbers",
         lambda actual, without: np.array_equal(actual - (actual > 768), without),
     ),
-    "cloud.region_growing normals": (
-        "a neighbor without a normal takes a place of one with a normal",
-        lambda actual, without: (actual[: len(without)] != without).sum() <= 2,
-    ),
 }
-TOLERANCES = {"normal_disagreement": 2e-3, "registration": 1e-3}  # a neighbor without a normal takes a place
+TOLERANCES = {"registration": 1e-3}  # a neighbor without a normal takes a place
 
 
 def few_rows(actual: np.ndarray, count: int) -> bool:
@@ -260,7 +244,7 @@ ROWS = [
 ROWS += [line.split(" ", 1) for line in MORE.strip().splitlines()]
 
 
-@pytest.mark.slow_on_emulated_cuda("218 operations, some thirteen hundred runs")
+@pytest.mark.slow_on_emulated_cuda("170 operations, some thousand runs")
 @pytest.mark.parametrize(("tolerance", "operation"), ROWS, ids=[operation for _, operation in ROWS])
 def test_one_element_that_is_not_finite_is_refused_or_left_out(tolerance, operation, device, scenes):
     scene = scenes[device] = scenes.get(device) or scene_on(device)

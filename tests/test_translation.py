@@ -1,5 +1,8 @@
 """Results do not depend on the position of the data: operations at four offsets, shifted back, equal the one at zero.
 
+The operations are those on meshes, volumes, rays and pairs of scans, and calls with given positions. Those on one cloud
+are in test_operations.py.
+
 Coordinates are multiples of 2^-16 m, which float32 represents exactly within 128 m of an origin, but not at some km.
 """
 
@@ -16,49 +19,25 @@ import pointloom as loom
 from .registration.poses import as_pose
 
 reg = loom.registration
-OFFSETS = [(0, 0, 0), (500, -350, 50), (5000, 4000, 100), (9000, -8000, 300), (500_000, 5_400_000, 300)]
+OFFSETS = [(0, 0, 0), (501, -351, 51), (5001, 3999, 99), (9000, -7998, 300), (500_001, 5_400_000, 300)]  # by 3 m
 
 # How a result is moved back, its tolerance (0: bitwise), and the operation.
 # same: independent of the offset; moved: positions; pose: of the world to itself; world: to the world from elsewhere.
 CASES = """
 moved 0 cloud.points
 moved 1e-6 cloud.get_center()
-same 1e-6 cloud.compute_mean_and_covariance()[1]
 moved 0 cloud.get_max_bound()
-moved 1e-6 cloud.get_oriented_bounding_box().center
-same 1e-6 cloud.get_oriented_bounding_box().extent
-moved 1e-6 cloud.get_minimal_oriented_bounding_box().center
-same 1e-5 cloud.estimate_normals(max_nn=12).normals
-same 1e-5 cloud.estimate_covariances(max_nn=12)["covariances"]
 same 1e-5 cloud.orient_normals_towards_camera_location(at([2, 1.5, 1])).normals
-same 0 cloud.orient_normals_consistent_tangent_plane(10).normals
-same 1e-4 loom.compute_fpfh_feature(cloud, radius=0.6)
-same 0 cloud.cluster_dbscan(0.15, 5)
 same 0 cloud.voxel_down_sample_and_trace(0.2, at([-1, -1, -1]), at([5, 5, 5])).voxel_of_point
-moved 1e-6 cloud.voxel_down_sample(0.25).points
-same 0 cloud.farthest_point_indices(20)
-same 0 cloud.remove_statistical_outlier(8, 1.0)[1]
-same 0 cloud.remove_radius_outlier(5, 0.2)[1]
-same 1e-6 cloud.compute_point_cloud_distance(other)
-same 1e-6 cloud.compute_nearest_neighbor_distance()
-same 1e-5 cloud.compute_mahalanobis_distance()
 same 0 cloud.crop(loom.AxisAlignedBoundingBox(at([0, 0, 0]), at([2, 2, 1]))).normals
 same 0 cloud.crop(loom.OrientedBoundingBox(at([2, 1, 1]), turn, [2, 2, 1])).normals
 same 0 cloud.hidden_point_removal(at([2, 1.5, 1.2]), 100.0)[1]
-moved 0 cloud.compute_convex_hull()[0].vertices
-same 0 cloud.segment_plane(0.01, seed=1)[1]
-same 1e-4 cloud.segment_plane(0.01, seed=1)[0][:3]
-same 1e-4 loom.m3c2(cloud, other, normal_radii=[0.5], cylinder_radius=0.3, max_distance=1.0).distances
-moved 1e-4 cloud.smooth_laplacian(2, 0.5, 8).points
-moved 1e-4 cloud.smooth_mls(radius=0.4, max_nn=15).points
 moved 1e-6 cloud.rotate(turn, center=at([1, 1, 1])).points
 moved 1e-6 cloud.scale(2.0, center=at([1, 1, 1])).points
 moved 1e-6 cloud.transform(about(near)).points
 same 0 loom.NearestNeighborSearch(cloud).knn_search(at([[1, 1, 1], [2, 0, 1]]), 5)[0]
 moved 1e-6 loom.PointCloud.create_from_depth_image(depth, camera, view @ shift(-1)).points
 same 1e-6 cloud.project_to_depth_image(64, 48, camera, view @ shift(-1))
-moved 1e-6 loom.PointCloud.concatenate([cloud, other]).points
-same 2e-5 cloud.detect_planar_patches(60, 75, min_num_points=30)[0].extent
 moved 0 mesh.vertices
 same 1e-6 mesh.get_surface_area()
 same 1e-5 mesh.get_volume()
@@ -110,19 +89,11 @@ world 1e-5 reg.register_multiway([cloud, other], voxel_size=0.1).poses[1] @ shif
 world 1e-5 reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=0)).nodes[2].pose @ shift(1)
 moved 1e-5 reg.deskew_point_cloud(cloud, about(start), np.arange(len(cloud))).points
 moved 1e-3 reg.coherent_point_drift(other, cloud, max_iterations=5).warped.points
-same 0 cloud.cluster_euclidean(0.15, 5)
-moved 0 cloud.farthest_point_down_sample(10).points
-moved 0 cloud.get_axis_aligned_bounding_box().get_box_points()
 moved 0 cloud.get_min_bound()
-same 1e-6 cloud.normal_disagreement(8)
 moved 1e-6 loom.PointCloud.create_from_rgbd_image(loom.RGBDImage(np.full((48, 64, 3), 100, np.uint8), depth), camera, view @ shift(-1)).points
 same 1e-6 cloud.project_to_rgbd_image(64, 48, camera, view @ shift(-1)).depth
-same 0 cloud.region_growing()
-same 0 cloud.remove_duplicated_points().normals
-same 0 cloud.segment_planes(0.01, seed=1)[0]
 same 1e-4 ball.segment_shape("sphere", 0.02, seed=1)[0].radius
 moved 1e-4 ball.segment_shape("sphere", 0.02, seed=1)[0].center
-moved 1e-5 cloud.smooth_bilateral().points
 moved 0 cloud.thin(0.3, corner=at([-1, -1, -1])).points
 same 0 mesh.boolean_union(mesh.translate([0.5, 0.25, 0.125])).triangles
 same 1e-5 mesh.clip_plane(at([0.1, 0, 0]), [1, 0, 0.2]).get_surface_area()
@@ -156,10 +127,6 @@ same 0 loom.AxisAlignedBoundingBox(at([0, 0, 0]), at([2, 2, 1])).get_point_indic
 same 0 loom.OrientedBoundingBox(at([2, 1, 1]), turn, [2, 2, 1]).get_point_indices_within_bounding_box(cloud.points)
 moved 1e-6 loom.OrientedBoundingBox.create_from_points(cloud.points).center
 pose 2e-5 reg.registration_robust_based_on_correspondence(other, cloud, pairs, 0.1).transformation
-same 0 loom.classify_ground(cloud)
-same 1e-4 loom.compute_eigen_features(cloud, radius=0.3)["linearity"]
-same 0 loom.compute_iss_keypoints(cloud).normals
-same 1e-4 loom.estimate_curvature(cloud, radius=0.4)["curvature"]
 same 1e-4 loom.fit_shape(ball, "sphere").radius
 same 1e-3 loom.meshing.create_surface(ball).mesh.get_surface_area()
 same 1e-6 loom.meshing.compare_meshes(mesh, mesh.translate([0.01, 0, 0])).metrics.hausdorff

@@ -70,7 +70,8 @@ REUSED = (
     ("surfaces", "lidar-volumes.png", "TSDFVolume.integrate_points PagedTSDFVolume.integrate_points"),
 )  # fmt: skip
 
-# Results that can be drawn. An operation that returns one of them has a picture or is in NEEDS_NONE.
+# Results that can be drawn. reference/coverage lists the operations that return one, have no picture and are not in
+# NEEDS_NONE.
 VISIBLE = {
     "PointCloud", "TriangleMesh", "LineSet", "VoxelGrid", "AxisAlignedBoundingBox", "OrientedBoundingBox", "ConvexHull",
     "VisibleSurface", "Raster", "Profile", "GaussianSplats", "SplatImage", "DistanceField", "TSDFVolume", "Trajectory",

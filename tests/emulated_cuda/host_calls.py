@@ -55,7 +55,6 @@ COLUMNS = {  # of the table: what the device counts
     "downloaded": "bytes to host",
 }
 NO_ROW = ("normals_scan", "poisson_depth_9")  # a file of POINTLOOM_DATA; the same code as poisson_depth_7
-MOST_LAUNCHES = ("register_multiway", "register_stations", "correspondences_from_features")  # and one on clouds
 Counts = dict[str, int]
 Work = Callable[[], Any]
 
@@ -102,8 +101,8 @@ def operations(scenes: CountedScenes) -> dict[str, Callable[[], Work]]:
     timed = [o for o in OPERATIONS.values() if o.name not in NO_ROW and not o.name.endswith("_device")]
     return {
         **{o.name: functools.partial(o.prepare, o.small) for o in timed},
-        **{name: lambda name=name: functools.partial(ONCE[name], scenes) for name in MOST_LAUNCHES},
-        "assess_registration": lambda: functools.partial(ON_CLOUDS["assess_registration"], scenes.surface),
+        **{n: lambda r=r: functools.partial(r, scenes) for n, r in ONCE.items() if r.counts_host_work},
+        **{n: lambda r=r: functools.partial(r, scenes.surface) for n, r in ON_CLOUDS.items() if r.counts_host_work},
     }
 
 

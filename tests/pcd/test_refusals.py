@@ -311,6 +311,7 @@ splats().rasterize(np.eye(3), np.eye(4)) | intrinsic: expected a PinholeCameraIn
 """
 INDICES = """
 gap.farthest_point_down_sample(2, 3) | start_index: 3 is out of range for a cloud of 3 points
+gap.farthest_point_down_sample(3, 3) | start_index: 3 is out of range for a cloud of 3 points
 cloud.select_by_index([3]) | indices: 3..3 are out of range for a cloud of 3 points
 cloud.select_by_index([0, -4], invert=True) | indices: -4..0 are out of range for a cloud of 3 points
 cloud.select_by_index(np.array([2**64 - 1], np.uint64)) | indices: 18446744073709551615

@@ -153,7 +153,7 @@ def _near_ground(
     points: Points, box: tuple[Any, Any], corner: NDArray[np.float64], cell: float, window: float
 ) -> NearGround:
     check_window(window, cell)
-    radius = math.ceil(window / cell)
+    radius = max(1, math.ceil(window / cell))  # the quotient may underflow
     with np.errstate(over="ignore"):
         low, high = (np.floor((end.astype(np.float64)[:2] - corner) / cell) for end in box)
         first, shape = window_over(low, high, radius)

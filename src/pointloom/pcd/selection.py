@@ -530,7 +530,8 @@ class Selection(PointArrays):
             >>> cloud.farthest_point_down_sample(3).points[:, 0].tolist()
             [0.0, 5.0, 9.0]
         """
-        if check_count("num_samples", num_samples, minimum=0) == len(self):
+        count, _ = self._check_farthest(num_samples, start_index)
+        if count == len(self):
             return self.remove_non_finite_points()
         chosen = upload(self._farthest(num_samples, start_index), int32, self.device)
         return self.select_rows(sort_rows(chosen, len(self)))
@@ -547,15 +548,19 @@ class Selection(PointArrays):
         """
         return hand_out_host(self._farthest(num_samples, start_index), self.arrays.library, self.device)
 
-    def _farthest(self, num_samples: int, start_index: int) -> NDArray[np.int32]:
+    def _check_farthest(self, num_samples: int, start_index: int) -> tuple[int, int]:
         count = check_count("num_samples", num_samples, minimum=0)
         start = check_count("start_index", start_index, minimum=0)
         if count > len(self):
             raise ValueError(f"num_samples: expected at most the cloud's {len(self)} points, got {num_samples!r}")
+        if count and start >= len(self):
+            raise IndexError(f"start_index: {start_index!r} is out of range for a cloud of {len(self)} points")
+        return count, start
+
+    def _farthest(self, num_samples: int, start_index: int) -> NDArray[np.int32]:
+        count, start = self._check_farthest(num_samples, start_index)
         if count == 0:
             return np.zeros(0, np.int32)
-        if start >= len(self):
-            raise IndexError(f"start_index: {start_index!r} is out of range for a cloud of {len(self)} points")
         points = self.arrays["points"]
         first = download(gather_rows(points, upload(np.array([start]), int32, self.device)))[0]  # sync
         if not np.isfinite(first).all():

@@ -1,4 +1,4 @@
-"""The operations of digests.py that run once, on their own scenes."""
+"""Records of the operations on other scenes than one cloud. digests.py runs each of them once."""
 
 from __future__ import annotations
 
@@ -16,12 +16,13 @@ from digest_fields import FIELDS
 from digest_files import WRITTEN
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
-from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 from digest_scenes import ROTATED, UTM, SampledSurface, Scenes, about, estimators, loom, pose_of, reg
 from digest_shapes import SHAPES
 from digest_stations import surveyed
 from digest_volumes import VOLUMES
 from numpy.typing import NDArray
+from operation import Operation, records
+from operations_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
 
 
 def dlpack_cloud(d: Scenes) -> Any:
@@ -571,7 +572,7 @@ def odometry(d: Scenes, **options: Any) -> list[Any]:
     return [run.poses, run.map, run.steps, run.summary]
 
 
-ONCE: dict[str, Callable[[Scenes], Any]] = {
+CALLS: dict[str, Callable[[Scenes], Any]] = {
     "from_dlpack": dlpack_cloud,
     "project_to_utm": projected,
     "boxes moved": lambda d: moved_boxes(d.surface),
@@ -756,10 +757,13 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "registration_icp_batch, generalized": lambda d: icp_batch(d, "ForGeneralizedICP"),
     "multi_scale_icp": lambda d: multi_scale(d.surface),
     "multi_scale_icp, far": lambda d: multi_scale(d.far),
-    "correspondences_from_features": lambda d: [
-        reg().correspondences_from_features(*d.features, mutual, ratio=ratio, device=d.device)
-        for mutual, ratio in ((False, None), (True, None), (False, 0.9))
-    ],
+    "correspondences_from_features": Operation(
+        lambda d: [
+            reg().correspondences_from_features(*d.features, mutual, ratio=ratio, device=d.device)
+            for mutual, ratio in ((False, None), (True, None), (False, 0.9))
+        ],
+        counts_host_work=True,
+    ),
     "ransac, checkers": checked,
     "ransac, features": lambda d: [ransac_features(d, mutual) for mutual in (False, True)],
     "ransac, pairs": lambda d: [ransac(d), ransac(d, ransac_n=4, checkers=checkers()[:2], seed=1)],
@@ -771,12 +775,12 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "robust registration": robust_global,
     "register_globally": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08),
     "register_globally, not refined": lambda d: reg().register_globally(*d.thinned, voxel_size=0.08, refine=False),
-    "register_multiway": registered_fragments,
+    "register_multiway": Operation(registered_fragments, counts_host_work=True),
     "run_reconstruction_system": reconstructed,
     "SLAC": aligned_fragments,
     "register_nonrigid": bent,
     "coherent_point_drift": drifted,
-    "register_stations": surveyed,
+    "register_stations": Operation(surveyed, counts_host_work=True),
     "global_optimization": lambda d: optimized(d, "levenberg-marquardt", reference_node=0),
     "global_optimization, Gauss-Newton": lambda d: optimized(d, "gauss-newton", edge_prune_threshold=0.1),
     "pose graph, write and read": graph_file,
@@ -789,7 +793,5 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
         reg().evaluate_trajectory(d.path, d.true_path, align=align, lengths=[2, 3]) for align in (True, "first", None)
     ],
     "evaluate_trajectory, scale": lambda d: reg().evaluate_trajectory(d.path, d.true_path, with_scale=True, delta=2),
-} | DRAWN
-ONCE |= FIELDS | SHAPES
-ONCE |= OCCUPANCY | WRITTEN
-ONCE |= VOLUMES
+}
+ONCE = records(CALLS | DRAWN | FIELDS | SHAPES | OCCUPANCY | WRITTEN | VOLUMES)

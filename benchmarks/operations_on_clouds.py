@@ -1,4 +1,4 @@
-"""The operations of digests.py that run on every cloud."""
+"""Records of the operations on clouds. digests.py runs them on every cloud."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import scenes
 from digest_scenes import HEIGHT, WIDTH, SampledSurface, about, estimators, loom, pose_of, reg
+from operation import Operation, records
 
 
 def there_and_back(value: Any, ending: str, write: str, read: str, **options: Any) -> Any:
@@ -86,7 +87,7 @@ def depth_lens(p: SampledSurface) -> Any:
 
 
 SIZE = (WIDTH, HEIGHT)
-ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
+CALLS: dict[str, Callable[[SampledSurface], Any]] = {
     "voxel_down_sample": lambda p: p.facing.voxel_down_sample(4 * p.spacing),
     "voxel_down_sample, nearest": lambda p: p.cloud.voxel_down_sample(4 * p.spacing, reduction="nearest"),
     "thin": lambda p: p.cloud.thin(4 * p.spacing),
@@ -132,7 +133,9 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     "normalize_normals": lambda p: p.facing.normalize_normals(),
     "orient_normals_to_align_with_direction": lambda p: p.facing.orient_normals_to_align_with_direction([0.1, 0.2, -1]),
     "orient_normals_towards_camera_location": lambda p: p.facing.orient_normals_towards_camera_location(p.middle),
-    "normal_disagreement": lambda p: [p.facing.normal_disagreement(k) for k in (1, 12)],
+    "normal_disagreement": Operation(
+        lambda p: [p.facing.normal_disagreement(k) for k in (1, 12)], neighbor_tolerance=2e-3
+    ),
     "orient_normals_consistent_tangent_plane": lambda p: p.facing.orient_normals_consistent_tangent_plane(12),
     "orient_normals_consistent_tangent_plane, penalty": lambda p: p.facing.orient_normals_consistent_tangent_plane(
         8, 0.5, 0.9
@@ -205,10 +208,14 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     "smooth_taubin": lambda p: p.cloud.smooth_taubin(2),
     "smooth_taubin, fixed": lambda p: p.cloud.smooth_taubin(3, knn=12, use_fixed_neighborhoods=True),
     "classify_ground": lambda p: ground_of(p),
-    "classify_ground, corner": lambda p: ground_of(p, corner=(0, 0)),
+    "classify_ground, corner": Operation(  # coarser grids begin at the corner
+        lambda p: ground_of(p, corner=(0, 0)), offset_tolerance=None
+    ),
     "height_above_ground": lambda p: loom().height_above_ground(halved(p), reach=20 * p.spacing, cell=2 * p.spacing),
     "rasterize": lambda p: loom().rasterize(halved(p), 3 * p.spacing, "chm").values,
-    "rasterize, triangles": lambda p: loom().rasterize(halved(p), 3 * p.spacing, "dtm", method="tin").values,
+    "rasterize, triangles": Operation(  # heights are float32
+        lambda p: loom().rasterize(halved(p), 3 * p.spacing, "dtm", method="tin").values, offset_tolerance=1e-4
+    ),
     "project_to_depth_image": lambda p: p.cloud.project_to_depth_image(
         *SIZE, depth_lens(p), p.camera, depth_max=2 * p.size
     ),
@@ -235,8 +242,12 @@ ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     "registration_ndt, one voxel": lambda p: ndt(p, neighbor_search_type=0, min_points_per_voxel=4),
     "registration_icp_batch, three poses": from_poses,
     "evaluate_registration": lambda p: reg().evaluate_registration(p.source, p.cloud, p.max_distance),
-    "get_information_matrix_from_point_clouds": lambda p: reg().get_information_matrix_from_point_clouds(
-        p.source, p.cloud, p.max_distance, p.pose
+    "get_information_matrix_from_point_clouds": Operation(  # rotations are about the origin
+        lambda p: reg().get_information_matrix_from_point_clouds(p.source, p.cloud, p.max_distance, p.pose),
+        offset_tolerance=None,
     ),
-    "assess_registration": lambda p: reg().assess_registration(p.source, p.cloud, p.pose, p.max_distance),
+    "assess_registration": Operation(
+        lambda p: reg().assess_registration(p.source, p.cloud, p.pose, p.max_distance), counts_host_work=True
+    ),
 }
+ON_CLOUDS = records(CALLS)
