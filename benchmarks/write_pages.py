@@ -147,7 +147,8 @@ def measured_table(run: dict[str, Any]) -> str:
             below.append((row["operation"], row["size"]))
     if missing := [f"{operation} {size}" for operation, size in below if (operation, size) not in REASONS]:
         raise ValueError(
-            f"expected a reason in the `reasons` of the operations (benchmarks/bench_*.py) for {'; '.join(missing)}, which are behind or below a target"
+            f"{'; '.join(missing)}: behind or below a target; expected an entry in the `reasons` of the operation "
+            "(benchmarks/bench_*.py)"
         )
     ahead = sum(row["ratio"] >= 1 for row in rows)
     lines += ["", f"pointloom is ahead in {ahead} of {len(rows)} rows. Rows behind, or below their target:", ""]
