@@ -98,6 +98,13 @@ def test_distant_piers_constrain_the_motion(device, rng):
     assert odometry.summary.reliable and odometry.poses[-1, 0, 3] == pytest.approx(0.8, abs=0.05)
 
 
+def test_few_piers_of_a_corridor_in_other_units_determine_a_fast_start(device, rng):
+    scans = [16 * corridor_scan(rng, 4000, PIERS, 1.2 * k, 0.1) for k in range(2)]
+    lengths = {"max_range": 30.0, "min_range": 0.3, "initial_threshold": 2.0, "min_motion": 0.1}
+    odometry = run(scans, device, **{name: 16 * length for name, length in lengths.items()})
+    np.testing.assert_allclose(odometry.poses[-1, :3, 3] / 16, [1.2, 0, 0], atol=0.02)
+
+
 def test_repeated_piers_are_reported_as_ambiguous(device, rng):
     piers = np.arange(-40, 40, 2.0)
     odometry = run([corridor_scan(rng, 20000, piers, 2.0 * k, 0.06) for k in range(3)], device)
