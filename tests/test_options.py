@@ -1,7 +1,7 @@
 """Each option of each public function is given by a test that does not only pass wrong arguments.
 
-A file gives an option if it calls a function of this name with so many positional arguments, or if it names the function
-and has the option's name as a keyword or a string. Methods of the same name in several classes count as one.
+A file gives an option if it calls a function of this name with so many positional arguments, or if it names the
+function and has the option's name as a keyword or a string. Methods of the same name in several classes count as one.
 """
 
 from __future__ import annotations
