@@ -104,16 +104,24 @@ def test_sequential_pairs_are_matched(stages, tmp_path):
 def test_a_known_camera_is_fixed_and_scaled_to_the_images(scene_images, tmp_path):
     images = write_images(tmp_path / "images", scene_images)
     twice = loom.PinholeCameraIntrinsic(2 * WIDTH, 2 * HEIGHT, 2 * FOCAL, 2 * FOCAL, WIDTH - 0.5, HEIGHT - 0.5)
-    settings, steps = SfmSettings(intrinsic=twice, max_features=500, use_gpu=False), []
+    settings, steps = SfmSettings(intrinsic=twice, max_features=500), []
     options = {"progress": lambda *step: steps.append(step)}
     result = loom.photogrammetry.reconstruct_images(images, tmp_path / "work", settings, **options)
-    assert not result.features.on_gpu and steps
+    assert [stage for stage, done, _ in steps if not done][:1] == ["features"]
     assert len(result.model) == COUNT and result.reliable
     camera = result.model.cameras[0]
     assert (camera.model, camera.params) == ("PINHOLE", (FOCAL, FOCAL, WIDTH / 2, HEIGHT / 2))
     assert set(result.seconds) == {"features", "pairs", "model"}
     with pytest.raises(loom.FileError, match="sparse:"):
         loom.photogrammetry.reconstruct_images(images, tmp_path / "work")
+
+
+def test_a_gpu_that_is_requested_and_missing_is_an_error(scene_images, tmp_path):
+    if pytest.importorskip("pycolmap").has_cuda:
+        pytest.skip("pycolmap has CUDA")
+    images = write_images(tmp_path / "in", scene_images[:2])
+    with pytest.raises(loom.FileError, match="use_gpu: this pycolmap was built without CUDA"):
+        find_features(images, tmp_path / "f.db", SfmSettings(use_gpu=True))
 
 
 def test_a_camera_of_other_images_is_refused(scene_images, tmp_path):
