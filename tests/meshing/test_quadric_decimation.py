@@ -176,21 +176,26 @@ def test_normals_and_colors_match_their_position(device):
     np.testing.assert_array_equal(thin.vertex_normals, np.tile([0, 0, 1], (len(where), 1)))
 
 
-def test_texture_is_preserved(device):
-    """Two charts of a bent sheet with a seam between them, and another material on the far side."""
+@pytest.mark.parametrize(("chart_count", "material_count"), [(2, 1), (1, 2)])
+def test_texture_is_preserved(device, chart_count, material_count):
+    """A bent sheet with a seam between two charts, or with another material on the far side."""
     vertices, triangles = grid(21)
     bent = np.c_[vertices[:, :2], 2 * np.sin(vertices[:, 1] / 4)]
     right = vertices[triangles][:, :, 0].mean(axis=1) > 10
     corners = vertices[triangles][..., :2] / 40
-    corners[right, :, 0] = 0.95 - corners[right, :, 0]  # mirrored, far from the other chart
-    texture = {"triangle_uvs": corners.reshape(-1, 2), "triangle_material_ids": right.astype(int)}
-    mesh = TriangleMesh(bent, triangles, textures=[np.zeros((2, 2, 3), np.uint8)] * 2, device=device, **texture)
+    if chart_count == 2:
+        corners[right, :, 0] = 0.95 - corners[right, :, 0]  # mirrored, far from the other chart
+    texture = {"triangle_uvs": corners.reshape(-1, 2), "triangle_material_ids": right * (material_count - 1)}
+    images = [np.zeros((2, 2, 3), np.uint8)] * material_count
+    mesh = TriangleMesh(bent, triangles, textures=images, device=device, **texture)
     thin = mesh.simplify_quadric_decimation(80)
-    assert len(thin) in (79, 80) and len(thin.textures) == 2
-    sides, uvs = thin.triangle_material_ids, thin.triangle_uvs.reshape(-1, 3, 2).astype(float)
-    where = thin.vertices[thin.triangles]
-    assert (where[sides == 0][..., 0] < 10.001).all() and (where[sides == 1][..., 0] > 9.999).all()
-    uvs[sides == 1, :, 0] = 0.95 - uvs[sides == 1, :, 0]
+    assert len(thin) in (79, 80) and len(thin.textures) == material_count
+    uvs, where = thin.triangle_uvs.reshape(-1, 3, 2).astype(float), thin.vertices[thin.triangles]
+    sides = where[..., 0].mean(axis=1) > 10
+    assert (where[~sides][..., 0] < 10.001).all() and (where[sides][..., 0] > 9.999).all()
+    np.testing.assert_array_equal(thin.triangle_material_ids, sides * (material_count - 1))
+    if chart_count == 2:
+        uvs[sides, :, 0] = 0.95 - uvs[sides, :, 0]
     # The sheet is bent along y alone, so x is exact; y up to the chord error of a triangle.
     np.testing.assert_allclose(uvs[..., 0] * 40, where[..., 0], atol=1e-3)
     np.testing.assert_allclose(uvs[..., 1] * 40, where[..., 1], atol=0.1)

@@ -123,6 +123,9 @@ class CallGraph:
         for file, module in self.modules.items():
             for name, uses in module.definitions.items():
                 caller = Definition(file, name)
+                owner, _, method = name.rpartition(".")
+                if owner:  # who makes an object of a class calls its __init__, and may call the others
+                    self.callers[caller][Definition(file, owner)] = 1.0 if method.startswith("__") else 0.3
                 for used, weight in self._used(file, module, uses):
                     if used != caller:
                         self.callers[used][caller] = max(weight, self.callers[used].get(caller, 0.0))
@@ -162,8 +165,25 @@ class CallGraph:
             yield from ((definition, 1 / len(found)) for definition in found)
 
     def tests_of(self, file: str, owner: str, *, with_slow: bool = False) -> list[tuple[float, Definition]]:
-        """The tests that reach a definition, the likeliest to notice its change first, with their weights."""
-        level = self._start(file, owner)
+        """The tests that reach a definition, the likeliest to notice its change first, with their weights.
+
+        If none reaches it: those that reach another definition of its module.
+        """
+        names = self.modules[file].definitions
+        own = {".".join(owner.split(".")[:2]), owner.partition(".")[0]} & names.keys()
+        for start in ([max(own, key=len)] if own else [], names):
+            weights = self._weights({Definition(file, name): 1.0 for name in start})
+            chosen = [
+                (float(f"{weight * resemblance(file, test.file):.9g}"), test)  # not by the order of sums
+                for test, weight in weights.items()
+                if with_slow or test.name not in self.modules[test.file].slow
+            ]
+            if chosen:
+                break
+        return sorted(chosen, key=lambda pair: (-pair[0], pair[1]))
+
+    def _weights(self, level: dict[Definition, float]) -> dict[Definition, float]:
+        """The weights that arrive at tests from some definitions."""
         weights: dict[Definition, float] = defaultdict(float)
         seen = set(level)
         for _ in range(LEVELS):
@@ -179,20 +199,7 @@ class CallGraph:
                     weights[caller] += weight
             seen |= above.keys()
             level = {caller: weight for caller, weight in above.items() if not is_test(caller)}
-        chosen = [
-            (float(f"{weight * resemblance(file, test.file):.9g}"), test)  # not by the order of sums
-            for test, weight in weights.items()
-            if with_slow or test.name not in self.modules[test.file].slow
-        ]
-        return sorted(chosen, key=lambda pair: (-pair[0], pair[1]))
-
-    def _start(self, file: str, owner: str) -> dict[Definition, float]:
-        """Where the search starts: the definition, for a method its class, too; else all of the module."""
-        names = self.modules[file].definitions
-        parts = owner.split(".")
-        start = {Definition(file, ".".join(parts[:2])): 1.0, Definition(file, parts[0]): 0.3 if parts[1:] else 1.0}
-        known = {definition: weight for definition, weight in start.items() if definition.name in names}
-        return known or {Definition(file, name): 1.0 for name in names}
+        return weights
 
 
 def is_device_function(definition: Definition) -> bool:

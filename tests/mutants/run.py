@@ -185,7 +185,7 @@ def files_of(tests: Sequence[str]) -> list[str]:
     return list(dict.fromkeys(test.partition("::")[0] for test in tests))
 
 
-def rounds(graph: CallGraph, options: argparse.Namespace) -> Iterator[Round]:
+def rounds(root: Path, graph: CallGraph, options: argparse.Namespace) -> Iterator[Round]:
     """The choices of tests, from specific to wide."""
     choice = () if options.all else QUICK
 
@@ -209,7 +209,8 @@ def rounds(graph: CallGraph, options: argparse.Namespace) -> Iterator[Round]:
         return [file for file, _ in ranked(change)[:WIDER_FILES]]
 
     def emulated(change: Change) -> list[str]:
-        if not change.file.startswith(KERNELS):
+        is_of_device = change.operator == "option" and "device" in change.lines((root / change.file).read_bytes())[1]
+        if not change.file.startswith(KERNELS) and not is_of_device:
             return []
         return [file for file, _ in ranked(change, emulated=True)[:SPECIFIC_FILES]]
 
@@ -228,7 +229,7 @@ def try_all(root: Path, changes: Sequence[Change], graph: CallGraph, options: ar
         for number in range(options.jobs):
             copies.put(copy_tree(root, Path(folder, str(number))))
 
-        for step in rounds(graph, options):
+        for step in rounds(root, graph, options):
 
             def work(item: tuple[int, Change], step: Round = step) -> None:
                 number, change = item
@@ -386,6 +387,7 @@ def report(root: Path, outcomes: Sequence[Outcome]) -> float:
 def main(words: Sequence[str] | None = None, *, root: Path = ROOT) -> int:
     """The command; returns its exit code."""
     gc.disable()  # a graph of the whole product has no rubbish
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # removes the copies
     options = parsed(words)
     options.seed = options.seed or (git(root, "rev-parse", "--short=12", "HEAD") or ["0"])[0]
     try:

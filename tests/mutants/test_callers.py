@@ -11,6 +11,9 @@ FILES = {
 from ..kernels.fits import fit
 
 class Cloud:
+    def __init__(self):
+        self.a = 1
+
     def normals(self):
         return fit(self)
 
@@ -95,8 +98,13 @@ def test_slow_tests_are_included_on_request(graph):
 @pytest.mark.parametrize("owner", ["weight", "LIMIT", "weight.inner"])
 def test_private_functions_and_constants_have_the_tests_of_their_callers_the_nearest_first(graph, owner):
     found = names(graph, "kernels/fits.py", owner)
-    assert found[0] == "test_fit" and "test_normals" in found and "test_planes" not in found
+    assert found[0] == "test_fit" and "test_normals" in found
+    assert found[-1] == "test_planes"  # makes an object of the class
 
 
-def test_a_function_that_no_test_reaches_has_none(graph):
-    assert names(graph, "kernels/fits.py", "unused") == []
+def test_a_function_that_no_test_reaches_has_the_tests_of_its_module(graph):
+    assert names(graph, "kernels/fits.py", "unused")[0] == "test_fit"
+
+
+def test_the_start_of_an_object_has_the_tests_that_make_one(graph):
+    assert "test_normals" in names(graph, "pcd/normals.py", "Cloud.__init__")

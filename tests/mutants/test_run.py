@@ -83,6 +83,7 @@ def test_a_deadlock_is_noticed(tree, capsys, monkeypatch):
     assert "ended by SIGKILL" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_test_that_fails_without_any_change_notices_nothing(tree, capsys):
     (tree / "tests" / "test_clamp.py").write_text(TEST.format("", 1))
     assert run(tree, "--one", LOW) == 0
