@@ -11,6 +11,7 @@ import pointloom as loom
 from pointloom.cli.shell.cli import cli
 from pointloom.core.errors import FileError
 from pointloom.io.meshes.tables import read_table, write_cloud_table
+from pointloom.io.points.formats import WITH_NAMED_COLUMNS
 from pointloom.io.points.kitti_bin import read_kitti_bin
 from pointloom.io.points.text import read_text, write_text
 from pointloom.io.points.text_parts import TextInParts
@@ -398,7 +399,7 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
     for command in (["register", copy, copy], ["change", copy, copy], ["view", copy, "--save-html", "a.html"]):
         with pytest.raises(SystemExit):
             cli([*command, *names])
-        assert "columns: only .xyz" in capsys.readouterr().err
+        assert f"columns: only {', '.join(WITH_NAMED_COLUMNS)}" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         cli(["multiway", str(folder), "-o", "a.tum", "--voxel", "1", "--job", "job", *names])
     assert "--columns is not supported with --job" in capsys.readouterr().err

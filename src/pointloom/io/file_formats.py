@@ -1,7 +1,7 @@
 """Entries of the tables of file formats. Nothing expensive is imported here, so that `--help` stays fast.
 
 Help texts, completion, pipes, error messages, docs/files.md and the fuzz cases are derived from the tables:
-io/points/formats.py (clouds), io/meshes/mesh_formats.py, io/splats/splat_formats.py, io/images/image_formats.py,
+io/points/formats.py (clouds), io/meshes/mesh_formats.py, io/splats/splat_files.py, io/images/image_formats.py,
 cameras/trajectory_formats.py, core/paths.py (recordings of robots) and visualization/recording/extensions.py.
 """
 

@@ -89,8 +89,9 @@ def quick(monkeypatch):
     @stage("undistorted")
     def straighten(folder, report, *, frames, model, max_size, device):
         loom.write_colmap_model(folder / surface.SPARSE, motion.read_model(model))
+        state.max_size = max_size
         (folder / surface.IMAGES).mkdir()
-        (folder / surface.IMAGES / "all").write_text(str(max_size))
+        (folder / surface.IMAGES / "all").write_text(str(min(max_size, 64)))
         return {"images": state.registered, "sizes": [[min(max_size, 64), 48]]}
 
     @stage("depth")

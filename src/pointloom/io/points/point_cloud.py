@@ -27,6 +27,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
 from ..attribute_names import NameRules, new_names, warn_of_names
 from ..file_formats import listed
+from ..images.image_formats import IMAGES
 from ..table import PointTable
 from .by_extension import read_points, write_table
 from .codecs import WriteOptions
@@ -387,8 +388,8 @@ def _extension(path: FilePath, *, write: bool = False) -> str:
             raise FileError(path, "does not exist")
         if path_of(path).is_dir():
             raise FileError(path, "is a folder", remedy=f"Give the name of a file: {known}")
-        others = (
-            "; meshes: write_triangle_mesh" if write else "; meshes: read_triangle_mesh, images: read_color, read_depth"
-        )
+        if extension in IMAGES:
+            raise FileError(path, "is an image", remedy="Use read_color, or read_depth for depth maps")
+        others = "; meshes: write_triangle_mesh" if write else "; meshes: read_triangle_mesh"
         raise FileError(path, f"unknown extension {extension!r} of a cloud", remedy=f"Use one of {known}{others}")
     return extension
