@@ -9,6 +9,7 @@ import re
 import shutil
 import tempfile
 import warnings
+import zlib
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -133,6 +134,7 @@ def faults_of(
     clouds: bool = False,
     finite: bool = True,
     also: str = "",
+    every: bool = True,
 ) -> list[str]:
     """Faults of a call for hostile values of one argument, one line each.
 
@@ -145,6 +147,7 @@ def faults_of(
         clouds: The argument accepts only clouds; the error for an array must show how to make one.
         finite: The argument must be finite.
         also: An alternative name of the argument in messages.
+        every: Try all values; otherwise a third of them, another one for each argument.
     """
     good = arguments[name]
     names = [*arguments, also] if also else [*arguments]
@@ -154,7 +157,10 @@ def faults_of(
     numbers = NO_NUMBERS if finite else {title: NO_NUMBERS[title] for title in NO_NUMBERS if title not in NOT_FINITE}
     is_number = isinstance(good, int | float) and not isinstance(good, bool)
     faults = []
-    for title, value in HOSTILE.items():
+    first = zlib.crc32(" ".join([name, *arguments]).encode())
+    for k, (title, value) in enumerate(HOSTILE.items()):
+        if not every and (first + k) % 3:
+            continue
         if name in CALLBACKS and callable(value):
             continue  # what it raises is the caller's
         where = f"{name} = {title}"

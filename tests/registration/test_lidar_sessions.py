@@ -124,6 +124,7 @@ def test_equal_blocks_do_not_join_sessions(tmp_path):
     assert not slam.is_joined and [loop for loop in slam.loops if loop.status != "rejected"]
 
 
+@pytest.mark.slow
 def test_common_positions_join_sessions(around, tmp_path):
     """Drives without a common place, with GNSS in one frame."""
     first, second = part_of(around, 0, 40), part_of(around, 62, 110)

@@ -121,6 +121,7 @@ def mapped(around):
     return slam
 
 
+@pytest.mark.slow
 def test_a_loop_around_a_block_removes_most_of_the_drift(mapped, around):
     before, after = errors_of(mapped, around)
     accepted = [loop for loop in mapped.loops if loop.reliable]

@@ -62,6 +62,7 @@ def located(around):
     return mapped(around, readings_of(around))
 
 
+@pytest.mark.slow
 def test_positions_straighten_a_drifting_path(located, around):
     assert shape_error(located.odometry.poses, around) > 2.0
     assert shape_error(located.poses, around) < 0.8
