@@ -20,11 +20,6 @@ from tests.registration.test_lidar_slam import (
 )
 
 
-@pytest.fixture(scope="module")
-def around():
-    return make_drive(AROUND)
-
-
 def part_of(drive, first, last):
     rows = slice(first, last)
     return BlockDrive(drive.scans[rows], drive.times[rows], drive.poses[rows])

@@ -108,11 +108,6 @@ HEADING_DRIFT = [0, 0, 0.0004, 0, 0.002, 0.002]  # [rad, m] a scan
 
 
 @pytest.fixture(scope="module")
-def around():
-    return make_drive(AROUND)
-
-
-@pytest.fixture(scope="module")
 def mapped(around):
     with pytest.MonkeyPatch.context() as patch:
         slam = slam_of(patch, around, HEADING_DRIFT)
@@ -121,7 +116,6 @@ def mapped(around):
     return slam
 
 
-@pytest.mark.slow
 def test_a_loop_around_a_block_removes_most_of_the_drift(mapped, around):
     before, after = errors_of(mapped, around)
     accepted = [loop for loop in mapped.loops if loop.reliable]
