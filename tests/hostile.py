@@ -262,16 +262,19 @@ def calls_of_clouds(table: Table, clouds: tuple[str, str]) -> list[str]:
 def faults_of_clouds(entry: tuple[str, dict[str, str]], clouds: tuple[str, str], things: dict[str, Any]) -> list[str]:
     """What goes wrong where each hostile cloud takes the place of one of two clouds, or of both."""
     function, expressions = entry
-    first, second = clouds
+    text = " ".join([function, *expressions.values()])
+    used = [name for name in clouds if re.search(rf"\b{name}\b", text)]
+    places = [used, *([name] for name in used if len(used) > 1)]
+    assert used, text
     faults = []
     for title, cloud in hostile_clouds().items():
-        for hostile in ({first: cloud, second: cloud}, {first: cloud}, {second: cloud}):
-            values = things | hostile
+        for names in places:
+            values = things | dict.fromkeys(names, cloud)
 
             def run(values=values):
                 return eval(function, values)(**{name: eval(good, dict(values)) for name, good in expressions.items()})
 
-            faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
+            faults += [f"{title} as {', '.join(names)}: {fault}" for fault in warnings_of(run)]
     return faults
 
 
