@@ -9,6 +9,7 @@ import re
 import shutil
 import tempfile
 import warnings
+import zlib
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -134,6 +135,7 @@ def faults_of(
     finite: bool = True,
     also: str = "",
     number: bool | None = None,
+    every: bool = True,
 ) -> list[str]:
     """Faults of a call for hostile values of one argument, one line each.
 
@@ -147,6 +149,7 @@ def faults_of(
         finite: The argument must be finite.
         also: An alternative name of the argument in messages.
         number: The argument is a number. If None: the valid one is.
+        every: Try all values; otherwise a third of them, another one for each argument.
     """
     good = arguments[name]
     names = [*arguments, also] if also else [*arguments]
@@ -156,7 +159,10 @@ def faults_of(
     numbers = NO_NUMBERS if finite else {title: NO_NUMBERS[title] for title in NO_NUMBERS if title not in NOT_FINITE}
     is_number = isinstance(good, int | float) and not isinstance(good, bool) if number is None else number
     faults = []
-    for title, value in HOSTILE.items():
+    first = zlib.crc32(" ".join([name, *arguments]).encode())
+    for k, (title, value) in enumerate(HOSTILE.items()):
+        if not every and (first + k) % 3:
+            continue
         if name in CALLBACKS and callable(value):
             continue  # what it raises is the caller's
         where = f"{name} = {title}"
@@ -258,16 +264,19 @@ def calls_of_clouds(table: Table, clouds: tuple[str, str]) -> list[str]:
 def faults_of_clouds(entry: tuple[str, dict[str, str]], clouds: tuple[str, str], things: dict[str, Any]) -> list[str]:
     """What goes wrong where each hostile cloud takes the place of one of two clouds, or of both."""
     function, expressions = entry
-    first, second = clouds
+    text = " ".join([function, *expressions.values()])
+    used = [name for name in clouds if re.search(rf"\b{name}\b", text)]
+    places = [used, *([name] for name in used if len(used) > 1)]
+    assert used, text
     faults = []
     for title, cloud in hostile_clouds().items():
-        for hostile in ({first: cloud, second: cloud}, {first: cloud}, {second: cloud}):
-            values = things | hostile
+        for names in places:
+            values = things | dict.fromkeys(names, cloud)
 
             def run(values=values):
                 return eval(function, values)(**{name: eval(good, dict(values)) for name, good in expressions.items()})
 
-            faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
+            faults += [f"{title} as {', '.join(names)}: {fault}" for fault in warnings_of(run)]
     return faults
 
 

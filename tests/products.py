@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable
 from typing import Any
 
 import pytest
@@ -42,3 +43,12 @@ def _few(combinations: list[tuple[int, ...]]) -> list[tuple[int, ...]]:
 
 def _pairs(indices: tuple[int, ...]) -> set[tuple[tuple[int, int], ...]]:
     return set(itertools.combinations(enumerate(indices), min(2, len(indices))))
+
+
+def few_quick(count: int, names: str | tuple[str, ...], values: Iterable[Any], **more: Any) -> pytest.MarkDecorator:
+    """`pytest.mark.parametrize` with all values but the first `count` marked `slow`: any of them shows the claim."""
+    cases = [(value,) if isinstance(names, str) else value for value in values]
+    marks = [() if k < count else pytest.mark.slow for k in range(len(cases))]
+    return pytest.mark.parametrize(
+        names, [pytest.param(*case, marks=mark) for case, mark in zip(cases, marks, strict=True)], **more
+    )

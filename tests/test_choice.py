@@ -17,7 +17,7 @@ import pointloom as loom
 from . import choice, rest_set
 from .cpu_seconds import CpuSeconds
 from .mutants.run import QUICK
-from .products import each_pair
+from .products import each_pair, few_quick
 from .smallest_set import Taken
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -220,6 +220,13 @@ def test_in_make_test_each_two_values_of_parameters_meet():
     for first, second in itertools.combinations(range(len(values)), 2):
         met = {(case[first], case[second]) for case in quick}
         assert met == {*itertools.product(*(list(values.values())[k] for k in (first, second)))}
+
+
+@pytest.mark.parametrize(("names", "values"), [("a", [1, 2, 3]), (("a", "b"), [(1, 2), (3, 4), (5, 6)])])
+def test_only_the_first_cases_run_in_make_test(names, values):
+    cases = few_quick(2, names, values).args[1]
+    assert [case.values for case in cases] == [value if isinstance(value, tuple) else (value,) for value in values]
+    assert [case.marks for case in cases] == [(), (), (pytest.mark.slow,)]
 
 
 def test_the_slowest_tests_are_listed_in_order(capsys):

@@ -188,11 +188,14 @@ DEVICE_FUNCTIONS = {
     *("ScopedStream", "ScopedCapture", "capture_begin", "capture_end", "capture_launch", "capture_while", "set_stream"),
     *("utils.array_scan", "utils.array_cast", "utils.radix_sort_pairs"),
 }
+DEVICE_NAMES = DEVICE_METHODS | {name.rpartition(".")[2] for name in DEVICE_FUNCTIONS}
 HOST_METHODS = {("core/other_geometry.py", "tensors[name].cpu().numpy")}  # Open3D's own arrays, on the host
 
 
 def device_faults(source: str, path: str) -> list[str]:
     """Calls that reach a device past the lock; functions of Warp are right in a `with` that takes it."""
+    if path in DEVICE_FILES or not any(f".{name}(" in source for name in DEVICE_NAMES):
+        return []
     faults, nodes = [], list(ast.walk(parsed(source)))
     locked = {
         id(inner)
@@ -201,7 +204,9 @@ def device_faults(source: str, path: str) -> list[str]:
         for inner in ast.walk(node)
     }
     for node in nodes:
-        if path in DEVICE_FILES or not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
+        if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
+            continue
+        if node.func.attr not in DEVICE_NAMES:
             continue
         called = ast.unparse(node.func)
         is_of_tensor = path.startswith(("open3d/", "torch/"))  # methods of other libraries' tensors have these names

@@ -452,6 +452,7 @@ def cover(folder: Path, *numbers: int) -> None:
         write_png(path, np.zeros_like(read_depth(path)))
 
 
+@pytest.mark.slow
 def test_frames_become_a_mesh_a_trajectory_and_a_picture(sequence_folder, tmp_path, device):
     mesh, poses, picture = tmp_path / "mesh.ply", tmp_path / "poses.log", tmp_path / "mesh.png"
     words = ["--trajectory", poses, "--picture", picture, "--device", device]

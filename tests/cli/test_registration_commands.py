@@ -21,6 +21,7 @@ from pointloom.registration.globally.pair import METHODS
 from pointloom.registration.voxel_size import choose_voxel_size
 from pointloom.visualization.render.plots import trajectory_plot
 
+from ..products import few_quick
 from ..registration.station_scenes import BOXES, COURT, scan_all
 from .commands import answer, chosen_device, names_in, output_of, refusal, run, unreliable
 from .surface_poses import NEAR, POSE, VOXEL, bumpy, colors_at, moved, path_of, yaw_pose
@@ -116,6 +117,7 @@ def test_the_summary_describes_the_registration(near, tmp_path):
     assert [word for word in words if word not in result.stdout] == []
 
 
+@pytest.mark.slow
 def test_the_picture_shows_both_clouds_before_and_after(near, tmp_path):
     far = tmp_path / "far.ply"
     loom.write_point_cloud(far, loom.read_point_cloud(near[0]).transform(yaw_pose(0, 0, 0, 1)))
@@ -749,7 +751,7 @@ def test_other_errors_are_not_reported_as_a_second_sensor(distort):
     assert loom.registration.evaluate_trajectory(Trajectory(distort(truth)), Trajectory(truth)).reliable
 
 
-@pytest.mark.parametrize("key", ["Tr:", "Tr_velo_to_cam:", None])
+@few_quick(1, "key", ["Tr:", "Tr_velo_to_cam:", None])
 def test_evaluate_accepts_the_extrinsic_of_kitti(tmp_path, key):
     lidar = steered(120)
     files = tmp_path / "lidar.kitti", tmp_path / "camera.kitti"

@@ -123,6 +123,7 @@ def test_volumes_and_polygons_are_displayed(tmp_path, mesh):
     assert [one["kind"] for one in report["geometries"]] == ["TSDFVolume", "SelectionPolygonVolume", "TriangleMesh"]
 
 
+@pytest.mark.slow
 def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
     points, colors = rng.random((30_000, 3)), np.tile([[1.0, 0, 0]], (30_000, 1))
     loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(points, colors=colors, intensity=points[:, 0]))

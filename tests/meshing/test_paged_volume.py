@@ -93,6 +93,7 @@ def test_frames_before_one_that_exceeds_the_capacity_stay(device, tmp_path):
         assert_same_bits(volume.to_volume(), integrate_frames(loom.TSDFVolume(**SIZES, device=device), range(2)))
 
 
+@pytest.mark.slow
 def test_scan_rays_carve_voxels_on_disk(device, tmp_path):
     side = np.linspace(-0.6, 0.6, 31)
     wall = np.stack([np.repeat(side, 31), np.tile(side, 31)], axis=1)

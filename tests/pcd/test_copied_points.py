@@ -5,6 +5,8 @@ import pytest
 
 import pointloom as loom
 
+from ..products import few_quick
+
 reg = loom.registration
 
 
@@ -68,8 +70,14 @@ OF_ALL = {
 }
 
 
-@pytest.mark.parametrize("interleaved", [False, True])
-@pytest.mark.parametrize("name", [*PER_POINT, *OF_ALL])
+NAMES = [*PER_POINT, *OF_ALL]
+
+
+@few_quick(
+    len(NAMES),
+    ("name", "interleaved"),
+    [(name, (k + late) % 2 == 0) for late in (0, 1) for k, name in enumerate(NAMES)],
+)
 def test_copies_do_not_fill_neighborhoods(device, rng, name, interleaved):
     cloud, measure = bumps(rng), (PER_POINT | OF_ALL)[name]
     expected = np.asarray(measure(cloud.to(device)))

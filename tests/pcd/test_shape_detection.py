@@ -6,6 +6,7 @@ from scipy.optimize import least_squares
 
 import pointloom as loom
 
+from ..products import few_quick
 from .made_shapes import factory, made_shape, two_spheres
 
 UTM = np.array([500_000.0, 5_400_000.0, 0.0])
@@ -17,7 +18,7 @@ def detect(points, device, noise, **options):
     return loom.detect_shapes(cloud, max(0.004, 2.5 * noise), 25, min_support=500, **options)
 
 
-@pytest.mark.parametrize(("noise", "clutter"), [(0.0, 0.2), (0.005, 0.5)])
+@few_quick(1, ("noise", "clutter"), [(0.0, 0.2), (0.005, 0.5)])
 def test_each_part_of_a_hall_is_detected_once_with_its_points_and_sizes(device, noise, clutter):
     points, labels, parts = factory(np.random.default_rng(1), noise, clutter)
     result = detect(points + UTM, device, noise)

@@ -113,3 +113,11 @@ def street(made_street):
 def fast_drive(street):
     """12 scans, at 20 m/s from the start."""
     return street.drive(12, speed=20.0, beams=40, azimuths=360)
+
+
+@pytest.fixture(scope="session")
+def around():
+    """A drive around a block that ends where it began."""
+    from .test_lidar_slam import AROUND, make_drive
+
+    return make_drive(AROUND)

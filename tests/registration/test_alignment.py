@@ -6,6 +6,7 @@ from scipy.linalg import subspace_angles
 
 import pointloom as loom
 
+from ..products import few_quick
 from .poses import as_pose
 from .test_icp import FREE, degenerate
 
@@ -44,7 +45,7 @@ def about(corner, pose):
     return as_pose([0, 0, 0], corner) @ pose @ as_pose([0, 0, 0], -np.asarray(corner))
 
 
-@pytest.mark.parametrize("corner", [np.zeros(3), UTM], ids=["zero", "UTM"])
+@few_quick(1, "corner", [np.zeros(3), UTM], ids=["zero", "UTM"])
 def test_a_displacement_is_measured_and_its_correction_undoes_it(device, corner, rng):
     source, target = pair(rng, device, corner)
     for rotation, translation in (([0, 0, 0], [0.03, 0, 0.04]), ([0, 0.01, 0.02], [0, 0.02, 0])):
@@ -87,6 +88,7 @@ def test_clouds_without_a_common_surface_are_not_aligned(rng):
     assert not assess(loom.PointCloud(), target, np.eye(4), 0.15).alignment.aligned
 
 
+@pytest.mark.slow
 def test_the_default_distance_is_chosen_from_the_clouds(rng):
     source, target = pair(rng)
     assert assess(source, target, np.eye(4)).alignment.aligned

@@ -12,6 +12,7 @@ import pointloom as loom
 from pointloom.registration import assessment_constants as constants
 from pointloom.registration.globally import rating
 
+from ..products import few_quick
 from .icp_clouds import PLANE
 from .poses import as_pose
 from .test_alignment import UTM, about, assess, pair
@@ -37,7 +38,7 @@ def street(rng):
     return points + rng.normal(0, 0.01, points.shape)
 
 
-@pytest.mark.parametrize("slide", [3.3, -3.3])
+@few_quick(1, "slide", [3.3, -3.3])
 def test_a_pose_that_slid_along_a_street_is_not_reliable(device, rng, slide):
     """Its score and displacement are accepted: the surfaces match, and along the street none is measured."""
     source, target = (loom.PointCloud(street(rng), device=device) for _ in range(2))
@@ -121,6 +122,7 @@ def test_the_report_has_the_parts_in_json_and_in_text(rng):
     assert "score" in str(found) and found.warnings[0] in str(found) and "<td>" in found._repr_html_()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("corner", [np.zeros(3), UTM], ids=["zero", "UTM"])
 def test_results_hold_it_and_compute_it_once(device, rng, corner, monkeypatch):
     calls, compute = [], reg.assess_registration

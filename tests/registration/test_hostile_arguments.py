@@ -203,10 +203,22 @@ def marked(values, expensive):
 
 @pytest.mark.parametrize(("call", "argument"), marked(CASES, EXPENSIVE))
 def test_a_hostile_value_is_rejected_by_name(call, argument):
+    check_argument(call, argument, every=(call, argument) in EXPENSIVE)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("call", TABLE)
+def test_all_hostile_values_are_rejected_by_name(call):
+    for case in CASES:
+        if case[0] == call and case not in EXPENSIVE:
+            check_argument(*case, every=True)
+
+
+def check_argument(call, argument, every):
     function, expressions = TABLE[call]
     values = things()
     good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
-    kinds = {"clouds": argument in CLOUDS_ONLY, "finite": (call, argument) not in MAY_BE_INFINITE}
+    kinds = {"clouds": argument in CLOUDS_ONLY, "finite": (call, argument) not in MAY_BE_INFINITE, "every": every}
     faults = hostile.faults_of(lambda **given: eval(function, dict(values))(**given), good, argument, **kinds)
     assert not faults, "\n".join(faults)
 

@@ -75,6 +75,7 @@ def test_turns_of_60_degrees_between_scans_are_followed():
     assert errors.rotation.max() < 0.5 and errors.position.max() < 0.06
 
 
+@pytest.mark.slow
 def test_an_imu_at_rest_changes_nothing_material():
     drive = Drive(12, noise=1.0)
     with_imu, without = follow(drive, drive.readings), follow(drive)
@@ -93,6 +94,7 @@ def test_a_rotated_imu_beside_the_scanner_needs_its_pose():
     assert "T_sensor_imu" in "".join(follow(drive, wrong).summary.warnings)
 
 
+@pytest.mark.slow
 def test_scans_without_readings_keep_the_velocity():
     drive = Drive(14, positions=stroll)
     keep = (drive.readings.times < 0.55) | (drive.readings.times > 0.72)

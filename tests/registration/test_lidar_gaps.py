@@ -11,6 +11,7 @@ from pointloom.registration.lidar.deskewing import twist_of
 from pointloom.registration.lidar.gaps import MIN_GAP, ScanClock, intervals_between, motion_in, poses_after
 from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
 
+from ..products import few_quick
 from .drives import random_street, scan_at, street_of_equal_houses
 from .poses import as_pose
 
@@ -29,7 +30,7 @@ def drive(scene, device, missing, *, has_times=False, speed_before=SPEED):
 
 
 @pytest.mark.parametrize("has_times", [False, True])
-@pytest.mark.parametrize("missing", [8, 20])
+@few_quick(1, "missing", [20, 8])
 def test_the_path_is_right_after_missing_scans(device, missing, has_times):
     odometry, error = drive(random_street(7), device, missing, has_times=has_times)
     assert error < 0.1 and odometry.summary.reliable

@@ -26,6 +26,7 @@ from pointloom.registration.lidar.lidar_steps import OdometryStep
 from pointloom.registration.lidar.scan_matching import AdaptiveThreshold, rotated_guesses
 
 from ..interruptions import run_lines
+from ..products import few_quick
 from .drives import clouds, follow, truth_of
 from .poses import as_pose
 
@@ -50,7 +51,7 @@ def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_helps(devi
     assert skewed.segment_rotation > 2 * straight.segment_rotation
 
 
-@pytest.mark.parametrize("speed", [1.0, 45.0])
+@few_quick(1, "speed", [1.0, 45.0])
 def test_a_drive_can_start_at_any_speed(device, street, speed):
     scans = street.drive(6, speed=speed, beams=40, azimuths=360, seed=3)
     odometry, centers = follow(scans, device), truth_of(scans).poses[:, :3, 3]
@@ -102,6 +103,7 @@ def test_the_ground_in_distant_rings_holds_the_height_and_the_tilt(device):
         assert np.degrees(np.arccos(odometry.poses[:, 2, 2].min())) < 0.3
 
 
+@pytest.mark.slow
 def test_the_map_follows_the_sensor(device, fast_drive):
     odometry = follow(fast_drive, device, max_range=12.0, voxel_size=0.5, min_range=1.0)
     gaps = np.linalg.norm(odometry.map.points - odometry.poses[-1][:3, 3], axis=1)

@@ -14,6 +14,7 @@ from pointloom.registration.lidar.path_errors import RANGE_SCALE, SHIFT_FACTOR, 
 from pointloom.registration.lidar.scan_matching import MIN_SURE_PATCHES, OpenDirections, rises_surely
 from pointloom.registration.unobservable_motions import rises_clearly
 
+from ..products import few_quick
 from .drives import random_street, scan_at
 from .poses import as_pose
 
@@ -69,7 +70,7 @@ def beam_scan(rng, width, beams, *, ends=()):
     return rays[near] * (t[near] + rng.normal(0, 0.01, near.sum()))[:, None]
 
 
-@pytest.mark.parametrize(("width", "beams", "min_range"), [(2.0, 32, 5.0), (2.4, 16, 0.5), (4.0, 64, 0.5)])
+@few_quick(1, ("width", "beams", "min_range"), [(2.0, 32, 5.0), (2.4, 16, 0.5), (4.0, 64, 0.5)])
 def test_the_pattern_of_the_beams_does_not_constrain_motion_along_a_corridor(device, rng, width, beams, min_range):
     scans = [beam_scan(rng, width, beams) for _ in range(6)]
     summary = run(scans, device, max_range=40.0, min_range=min_range).summary
@@ -114,6 +115,7 @@ def test_repeated_piers_are_reported_as_ambiguous(device, rng):
     assert "of the first scans fit equally well" in str(odometry.summary.warnings)
 
 
+@pytest.mark.slow
 def test_one_foreign_scan_is_harmless(device, fast_drive, rng):
     drive = zip(fast_drive.scans[:8], fast_drive.times[:8], strict=True)
     scans = [loom.PointCloud(points, time=times, device=device) for points, times in drive]
@@ -137,6 +139,7 @@ def test_a_quickly_rotated_scanner_is_relocalized(device, fast_drive, angle):
     np.testing.assert_allclose(T, predicted @ np.linalg.inv(rotation), atol=0.05)
 
 
+@pytest.mark.slow
 def test_rings_of_a_car_that_pitches_before_it_moves_are_no_new_surfaces(device):
     scene, odometry = random_street(2), LidarOdometry(max_range=40.0, min_range=0.5)
     for k in range(14):

@@ -20,11 +20,6 @@ from tests.registration.test_lidar_slam import (
 )
 
 
-@pytest.fixture(scope="module")
-def around():
-    return make_drive(AROUND)
-
-
 def part_of(drive, first, last):
     rows = slice(first, last)
     return BlockDrive(drive.scans[rows], drive.times[rows], drive.poses[rows])
@@ -124,6 +119,7 @@ def test_equal_blocks_do_not_join_sessions(tmp_path):
     assert not slam.is_joined and [loop for loop in slam.loops if loop.status != "rejected"]
 
 
+@pytest.mark.slow
 def test_common_positions_join_sessions(around, tmp_path):
     """Drives without a common place, with GNSS in one frame."""
     first, second = part_of(around, 0, 40), part_of(around, 62, 110)

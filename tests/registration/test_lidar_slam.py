@@ -108,11 +108,6 @@ HEADING_DRIFT = [0, 0, 0.0004, 0, 0.002, 0.002]  # [rad, m] a scan
 
 
 @pytest.fixture(scope="module")
-def around():
-    return make_drive(AROUND)
-
-
-@pytest.fixture(scope="module")
 def mapped(around):
     with pytest.MonkeyPatch.context() as patch:
         slam = slam_of(patch, around, HEADING_DRIFT)

@@ -39,6 +39,7 @@ def swaying_cloud(device):
     return cloud, bend(cloud, loom.PointCloud(swayed(lumpy(2 * COUNT, 1)), device=device))
 
 
+@pytest.mark.slow
 @LONG
 def test_the_surface_of_a_body_is_deformed_onto_the_scan(device):
     _, result = swaying_cloud(device)

@@ -17,6 +17,7 @@ from pointloom import registration as reg
 from pointloom.core.errors import FileError
 from pointloom.registration.rigid import invert_pose, make_pose, rotation_of
 
+from ..products import few_quick
 from .pose_rings import (
     METHODS,
     TIGHT,
@@ -286,8 +287,8 @@ def test_poses_confidences_and_edges_match_open3d(oracle, count, outliers, metho
     assert result.report.residual == pytest.approx(cost_of(poses_of(result), remaining, 0.05), rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("method", "noise", "distance"), [(METHODS[0], 0.02, 0.1), (METHODS[1], 0.02, 0.3), (METHODS[0], 0.05, 0.3)]
+@few_quick(
+    1, ("method", "noise", "distance"), [(METHODS[0], 0.02, 0.1), (METHODS[1], 0.02, 0.3), (METHODS[0], 0.05, 0.3)]
 )
 def test_default_criteria_give_open3ds_residual_and_edges(oracle, noise, distance, method):
     scene = ring(60, seed=4, noise=noise, outliers=10)

@@ -11,16 +11,11 @@ from pointloom.registration.lidar import lidar_slam
 from pointloom.registration.lidar.lidar_graph import MotionEdge, SubmapGraph
 from pointloom.registration.lidar.position_priors import PositionRow, align_path, heading_of
 from pointloom.registration.rigid import fit_pose, make_pose
-from tests.registration.test_lidar_slam import AROUND, SIZES, make_drive, slam_of, truth_of
+from tests.registration.test_lidar_slam import SIZES, slam_of, truth_of
 
 DRIFT = [0, 0, 0.002, 0, 0.01, 0.005]  # [rad, m] a scan: 20 degrees, 2 m in all
 OFFSET = np.array([0.4, -0.2, 1.0])  # [m] of the antenna
 TURN, SHIFT = heading_of(complex(np.cos(0.7), np.sin(0.7))), np.array([5e5, 5.4e6, 120.0])
-
-
-@pytest.fixture(scope="module")
-def around():
-    return make_drive(AROUND)
 
 
 def in_reference(drive, points):

@@ -224,6 +224,7 @@ def test_a_few_matches_beside_the_planes_can_be_chance(monkeypatch):
     assert few.rest == pytest.approx(0.2)
 
 
+@pytest.mark.slow
 def test_relief_on_planes_is_evidence(device, rng):
     source = loom.PointCloud(uneven_ground(rng, 1, -2, 1), device=device)
     same, other = (loom.PointCloud(uneven_ground(rng, k, -1, 2), device=device) for k in (1, 2))

@@ -16,6 +16,7 @@ from pointloom.registration.globally.pair import _feature_ratio
 from pointloom.registration.result import Registered
 from pointloom.registration.rigid import to_local
 
+from ..products import few_quick
 from .hilly_clouds import hills, misplacement, uneven_ground
 from .poses import moved, random_pose
 from .room_corners import ONE, OTHER, corner
@@ -54,7 +55,7 @@ def test_attributes_origins_and_stray_points_change_nothing(device, hilly_pair, 
     assert result.score > 0.9 and abs(result.score - plain.score) < 0.05
 
 
-@pytest.mark.parametrize("seed", range(4))
+@few_quick(3, "seed", range(4))
 def test_rooms_are_registered_from_any_pose(device, room_pair, tolerances, seed):
     rng = np.random.default_rng(seed)
     start = random_pose(rng, 2.0)
@@ -168,7 +169,7 @@ def test_a_staircase_moved_by_a_step_is_an_alternative(device, rng):
     assert not pair.reliable and len(pair.to_dict()["alternatives"]) == len(shifts) - 1
 
 
-@pytest.mark.parametrize("heights_of", [2, 3])
+@few_quick(1, "heights_of", [2, 3])
 def test_a_pose_on_gently_uneven_ground_is_refined_along_the_ground(device, heights_of):
     """The slopes determine it weakly. Poses 0.12 m off were returned, one with a second pose as an alternative."""
     rng = np.random.default_rng(heights_of)

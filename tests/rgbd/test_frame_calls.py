@@ -19,6 +19,7 @@ from pointloom.core.timing import Clock
 from pointloom.rgbd.reconstruction.config import ReconstructionConfig
 from pointloom.rgbd.reconstruction.fragment_model import FragmentOptions
 
+from ..products import few_quick
 from .fusion.walls import Wall
 from .sequences import CAMERA, turning_path, waves
 
@@ -56,7 +57,7 @@ def command(*words: object) -> dict[str, Any]:
     return json.loads(run("reconstruct", *words, "--json", codes=(0, 3)))
 
 
-@pytest.mark.parametrize("refine", [False, True], ids=["as given", "refined"])
+@few_quick(1, "refine", [False, True], ids=["as given", "refined"])
 def test_a_list_a_generator_and_a_folder_give_the_same_bits(folder, refine):
     listed, streamed = loom.frames_from(waves(), CAMERA), loom.frames_from(iter(waves()), CAMERA)
     options = {"voxel_size": 0.02, "refine": refine}
@@ -95,7 +96,7 @@ def test_images_without_a_camera_are_sent_to_frames_from():
         loom.rgbd.fuse([(None, np.ones((48, 64), np.uint16))])  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("refine", [False, True], ids=["as given", "refined"])
+@few_quick(1, "refine", [False, True], ids=["as given", "refined"])
 def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, refine):
     words = ["fuse", folder, "-o", tmp_path / "mesh.ply", "--voxel", 0.02, *(["--refine"] if refine else [])]
     shown, report = run(*words), json.loads(run(*words, "--force", "--json"))

@@ -191,7 +191,19 @@ def test_the_good_arguments_are_taken(package, call):
 
 @pytest.mark.parametrize(("package", "call", "argument"), CASES)
 def test_a_hostile_value_is_refused_by_name(package, call, argument):
+    check_argument(package, call, argument, every=(call, argument) in SLOW)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("package", "call"), [(package, call) for package, table in TABLES.items() for call in table])
+def test_all_hostile_values_are_refused_by_name(package, call):
+    for argument in TABLES[package][call][1]:
+        if (call, argument) not in SLOW:
+            check_argument(package, call, argument, every=True)
+
+
+def check_argument(package, call, argument, every):
     act, good = good_call(package, call)
     finite, also = (call, argument) not in MAY_BE_INFINITE, ALSO.get(argument, "") if package == "slam" else ""
-    faults = faults_of(act, good, argument, finite=finite, also=also)
+    faults = faults_of(act, good, argument, finite=finite, also=also, every=every)
     assert not faults, "\n".join(faults)

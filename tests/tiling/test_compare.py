@@ -74,6 +74,7 @@ def epoch_of(folder, plan):
     return read_cloud(sorted(folder.iterdir()), np.array(plan["origin"]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 def test_distances_to_another_epoch_match_one_machine(files, second_epoch, tmp_path, size):
     steps = [{"step": "distance", "other": second_epoch, "max_distance": 0.5}]

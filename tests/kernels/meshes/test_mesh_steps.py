@@ -158,6 +158,7 @@ def test_the_samples_equal_those_of_a_heap(device, rng, monkeypatch, name, count
     np.testing.assert_array_equal(by_rounds(points, count, widest, device), by_heap(points, count, widest))
 
 
+@pytest.mark.slow
 def test_more_samples_within_the_radius_than_a_group_gathers_are_weighted_too(device, rng, monkeypatch):
     monkeypatch.setattr(neighbor_limits, "LIST_SIZE", 1)  # 512 of them
     points = rng.random((560, 3)) * [1, 1, 0]

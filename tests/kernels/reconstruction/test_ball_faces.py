@@ -30,7 +30,7 @@ def faces_of(points, normals, radius, device):
 
 
 def brute_faces(points, normals, radius):
-    """All triples at once: the ball's center by the circumcenter, and its distance to all points."""
+    """All triples at once: the ball's center by the circumcenter, and its distance to all points, if it exists."""
     rows = np.array(list(itertools.combinations(range(len(points)), 3)))
     a, b, c = rows.T
     B, C = points[b] - points[a], points[c] - points[a]
@@ -42,11 +42,12 @@ def brute_faces(points, normals, radius):
     agree = (normals[rows] * u[:, None]).sum(axis=2)
     side = np.sign(agree.sum(axis=1))
     fits = (rest >= 0) & (side[:, None] * agree >= 0).all(axis=1)
-    centers = points[a] + middle + u * (side * np.sqrt(np.maximum(rest, 0)))[:, None]
+    rows, side = rows[fits], side[fits]
+    centers = (points[a] + middle)[fits] + u[fits] * (side * np.sqrt(rest[fits]))[:, None]
     distances = np.linalg.norm(points - centers[:, None], axis=2)
     np.put_along_axis(distances, rows, np.inf, axis=1)
-    fits &= (distances > radius).all(axis=1)
-    return {(a, b, c) if s > 0 else (a, c, b) for (a, b, c), s in zip(rows[fits].tolist(), side[fits], strict=True)}
+    empty = (distances > radius).all(axis=1)
+    return {(a, b, c) if s > 0 else (a, c, b) for (a, b, c), s in zip(rows[empty].tolist(), side[empty], strict=True)}
 
 
 def as_set(triangles):

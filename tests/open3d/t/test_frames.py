@@ -94,6 +94,7 @@ def test_odometry_reports_what_it_cannot_use(views):
     assert np.allclose(*(one.transformation.numpy() for one in first), atol=1e-3)
 
 
+@pytest.mark.slow
 def test_a_model_tracks_a_camera_as_the_example_of_dense_slam(device):
     views = loom.datasets.room_frames(48, width=WIDTH, height=HEIGHT)[:3]
     slam, Tensor, where = bridge.t.pipelines.slam, bridge.core.Tensor, bridge.core.Device(device.upper())

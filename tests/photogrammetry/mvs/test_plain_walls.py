@@ -80,6 +80,7 @@ def test_a_gray_wall_with_a_textured_frame_is_filled_and_passes_the_filter(devic
     assert (loom.photogrammetry.filter_depth_maps(maps)[0].depth[inner(kind[0])] > 0).mean() > 0.8
 
 
+@pytest.mark.slow
 def test_a_textured_ball_before_a_gray_wall_stays_a_ball(monkeypatch, device):
     _, wrong, kind = estimate(True, device=device)
     without_priors = tuple(dataclasses.replace(phase, prior=False) for phase in plane_search.SEARCH_PHASES)

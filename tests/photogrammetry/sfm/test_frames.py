@@ -238,6 +238,7 @@ def test_variable_frame_rates_neither_duplicate_nor_drop_frames(make_video, pann
     assert len(errors) == 40 and max(errors) < 12
 
 
+@pytest.mark.slow
 @READERS
 def test_large_frames_are_scaled_while_they_are_decoded(make_video, panned, tmp_path, reader):
     video = make_video("large.mp4", [np.kron(frame, np.ones((4, 4), np.uint8)) for frame in panned[:12]])

@@ -18,6 +18,7 @@ from pointloom.photogrammetry.sfm.camera_check import CameraCheck
 from pointloom.photogrammetry.sfm.model_quality import ModelQuality, assess_model, parallax, triangulation_angles
 from pointloom.photogrammetry.sfm.repetition_check import RepetitionCheck, check_repetition
 
+from ...products import few_quick
 from .conftest import has_pycolmap
 
 FOCAL, WIDTH, HEIGHT = 500.0, 640, 480
@@ -59,7 +60,7 @@ def test_pure_rotation_gives_no_parallax_for_any_lens(points, focal, k):
     assert parallax(model) < 1.0  # of which features that are 0.3 px off make up 0.6
 
 
-@pytest.mark.parametrize("side", [0.2, 1.0])
+@few_quick(1, "side", [0.2, 1.0])
 def test_rotation_does_not_explain_a_moving_camera(points, side):
     model = model_of(views(8, side=side, angle=0.3), points, noise=0.3)
     assert parallax(model) > 3 and parallax(model, fixed=True) >= parallax(model)
@@ -102,7 +103,7 @@ def test_points_with_at_most_one_observation_have_no_angle():
     assert "only 1 of 5 images" in str(assess_model(model, 5).warnings)
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1e6])
+@few_quick(1, "scale", [1e-6, 1e6])
 def test_the_quality_does_not_depend_on_the_unit_or_the_position(points, scale):
     model = model_of(views(8, side=1.0, angle=0.3), points)
     T = np.diag([scale, scale, scale, 1.0])
@@ -252,6 +253,7 @@ def with_objects(size: float, *, count: int = 25, kinds: int = 0) -> tuple[np.nd
     return points, seen
 
 
+@pytest.mark.slow
 def test_two_equal_objects_are_no_repetition(tmp_path):
     """Only one period fits, and the objects are small compared with the shift. Three of six images show both."""
     check = check_repetition(scene(tmp_path / "matches.db", *with_objects(0.5)), tmp_path / "matches.db")

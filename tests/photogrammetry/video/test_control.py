@@ -15,6 +15,7 @@ from pointloom.photogrammetry.video.ground_control import ControlMark, GroundCon
 from pointloom.photogrammetry.video.job import check_marks
 from pointloom.photogrammetry.video.units import VideoUnits, fit_units
 
+from ...products import few_quick
 from .made_flights import FRAME, errors, gps_of, hidden, nadir, oblique
 
 LENS = loom.CameraModel("OPENCV", 640, 480, [480, 482, 322, 238, -0.08, 0.03, 0.001, -0.0005])
@@ -107,6 +108,7 @@ def test_maps_require_control_with_a_coordinate_system():
     assert not VideoUnits(control=replace(control, crs="")).may_place
 
 
+@pytest.mark.slow
 def test_errors_of_noisy_marks_agree_with_the_reported_accuracy():
     off, expected = [], []
     for seed in range(2):
@@ -132,7 +134,7 @@ def test_a_check_point_does_not_move_the_model():
     assert "standard deviations off" in row(after, "E").warnings[0]
 
 
-@pytest.mark.parametrize(("wrong", "meters"), [("A", (1.0, 0.0, 0.0)), ("F", (0.0, 0.0, 1.0))])
+@few_quick(1, ("wrong", "meters"), [("A", (1.0, 0.0, 0.0)), ("F", (0.0, 0.0, 1.0))])
 def test_a_blunder_is_excluded_and_named(wrong, meters):
     fit = fit_control(noise=0.3, wrong=[(wrong, meters)], seed=2)
     assert [point.name for point in fit.control.points if point.use == "unused"] == [wrong]
@@ -141,6 +143,7 @@ def test_a_blunder_is_excluded_and_named(wrong, meters):
     assert errors(fit, MODEL, POSES)[2] < 0.2
 
 
+@pytest.mark.slow
 def test_two_blunders_among_seven_points_do_not_hide_each_other():
     fit = fit_control(noise=0.3, wrong=[("A", (2.0, 0, 0)), ("B", (0.0, 2.5, 0))])
     assert [point.name for point in fit.control.points if point.use == "unused"] == ["A", "B"]
@@ -266,6 +269,7 @@ def test_scale_bars_alone_set_the_scale_and_nothing_else():
     assert bars_alone(bar("A", "B"), align=None).up.direction is not None  # cameras still make it upright
 
 
+@pytest.mark.slow
 def test_one_wrong_bar_of_three_is_excluded_and_two_contradicting_ones_are_reported():
     fit = bars_alone(bar("A", "B"), bar("C", "E", 3.0), bar("D", "F"), noise=0.2)
     assert [each.use for each in fit.control.bars] == ["control", "unused", "control"]

@@ -367,6 +367,7 @@ def imaged(quick, film, tmp_path, monkeypatch):
     return path
 
 
+@pytest.mark.slow
 def test_control_is_reported_and_remakes_only_the_mesh(imaged, quick, film, output, tmp_path):
     args = ("video", film, "-o", output, "--work", tmp_path / "work", "--force")
     answer(*args)

@@ -14,6 +14,7 @@ from pointloom.io.frames.frames import READ_AHEAD
 from pointloom.meshing.volume.surface_weights import FRAME_THRESHOLDS
 from pointloom.rgbd.fusion.pose_check import PoseCheck
 
+from ...products import few_quick
 from .walls import Wall
 
 VOXEL = 0.05
@@ -86,7 +87,7 @@ class Turning(Posed):
         self.intrinsic = dataclasses.replace(K, fx=focal * K.fx, fy=focal * K.fy)
 
 
-@pytest.mark.parametrize(("unit", "factor"), [(1.0, 1.0), (0.5, 0.5), (0.8, 0.8), (1.25, 1.25), (2.0, 2.0)])
+@few_quick(2, ("unit", "factor"), [(1.0, 1.0), (0.5, 0.5), (0.8, 0.8), (1.25, 1.25), (2.0, 2.0)])
 def test_a_wrong_depth_scale_is_reported_with_a_better_factor(unit, factor):
     result = loom.rgbd.fuse(Turning(unit=unit), voxel_size=VOXEL, depth_max=8.0)
     assert result.depth_factor == pytest.approx(factor, rel=0.02)
@@ -102,6 +103,7 @@ def test_poses_in_millimeters_are_reported():
     assert loom.rgbd.fuse(frames, voxel_size=VOXEL).depth_factor == pytest.approx(1000, rel=0.02)
 
 
+@pytest.mark.slow
 def test_refined_frames_in_a_wrong_unit_are_compared_with_the_given_poses():
     result = loom.rgbd.fuse(Turning(unit=1.25), voxel_size=VOXEL, refine=True)
     assert result.depth_factor == pytest.approx(1.25, rel=0.02) and not result.reliable
@@ -138,7 +140,7 @@ def test_frames_that_cannot_be_refined_are_correct_on_the_surface():
     assert any("poses could not be refined" in warning for warning in result.warnings)
 
 
-@pytest.mark.parametrize("focal", [0.9, 1.1])
+@few_quick(1, "focal", [0.9, 1.1])
 def test_a_wrong_focal_length_of_posed_frames_is_reported(focal):
     camera = loom.rgbd.fuse(Turning(focal=focal), voxel_size=VOXEL).camera
     assert camera.factor * focal == pytest.approx(1.0, abs=0.04) and not camera.reliable

@@ -26,6 +26,7 @@ from pointloom.rgbd.reconstruction.refinement import method_for, refine_registra
 from pointloom.rgbd.reconstruction.scene import integrate_scene
 
 from ...interruptions import run_lines
+from ...products import few_quick
 from .walks import ShortSequence, blank, config, drift_of, frame_at
 
 run_reconstruction_system = loom.rgbd.run_reconstruction_system
@@ -77,6 +78,7 @@ def test_open3d_reads_the_pose_graphs(room, o3d):
     assert len(o3d.io.read_pose_graph(str(folder / "fragments" / "fragment_optimized_000.json")).nodes) == 3
 
 
+@pytest.mark.slow
 def test_each_stage_can_be_run_by_itself(room, tmp_path):
     sequence, folder, _ = room
     settings = config(n_frames_per_fragment=3)
@@ -253,7 +255,7 @@ class FullDisk(io.FileIO):
         return super().write(data)
 
 
-@pytest.mark.parametrize("room", [3000, 200_000])
+@few_quick(1, "room", [3000, 200_000])
 def test_a_full_disk_is_reported_and_the_run_resumes_from_there(tmp_path, monkeypatch, complete_digest, room):
     FullDisk.room = room
     with monkeypatch.context() as patch:

@@ -134,6 +134,7 @@ def test_a_single_fragment_is_unchanged(tmp_path):
     assert (report.slac["anchors"], report.slac["edges"]) == (0, 0) and report.mesh == plain.mesh
 
 
+@pytest.mark.slow
 def test_frames_without_color_are_deformed_too(tmp_path, device):
     sequence = deformed_sequence(4)
     changed = {i: change | {"color": None} for i, change in sequence.changed.items()}

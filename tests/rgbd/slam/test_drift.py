@@ -332,6 +332,7 @@ def test_tracking_fails_without_foreground_exclusion():
     assert "lost" in statuses(results) or off(results, source) > 0.06
 
 
+@pytest.mark.slow
 def test_foreground_moving_before_the_camera_is_excluded(device):
     source, slam = frames(*range(14)), begun(device)
     results = slam.run([with_object(f, 20 + int(14 * np.sin(k / 3)), 30) for k, f in enumerate(source)])
@@ -351,6 +352,7 @@ def test_a_stationary_camera_excludes_nothing():
     assert slam.foreground.frames == 0 and not slam.fixed_parts.note
 
 
+@pytest.mark.slow
 def test_exclusion_ends_after_the_foreground_disappears():
     """The object moves in the first six frames. The part near it is static again after eight checks."""
     source, slam, is_excluded = frames(*range(36)), begun("cpu"), []

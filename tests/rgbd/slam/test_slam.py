@@ -80,6 +80,7 @@ def test_a_camera_that_was_covered_is_relocalized(device):
     assert error < 2 * NEAR and angle < 2 * MAX_ROTATION_ERROR
 
 
+@pytest.mark.slow
 def test_a_lost_camera_is_relocalized_from_a_keyframe(device):
     slam = begun(device)
     slam.run(frames(*range(0, 28, 2)))

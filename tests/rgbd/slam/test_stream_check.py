@@ -13,6 +13,7 @@ from pointloom.rgbd.slam.results import TrackingResult
 from pointloom.rgbd.slam.stream_check import DOUBTFUL, MIRRORED_SIGNS, STALE, Apart, FrozenDepth, Rotations, StreamLag
 from pointloom.rgbd.slam.tracking import covered_frames
 
+from ...products import few_quick
 from .slam_walks import begun, blank, changed, fit, frames, sequence, statuses
 
 
@@ -73,7 +74,7 @@ def test_late_or_early_depth_is_reported_with_its_delay(late):
     assert abs(shaking(90, late, period=None).current.frames - late) < 0.2
 
 
-@pytest.mark.parametrize("late", [0, 1, -1, 0.5])
+@few_quick(2, "late", [1, 0, -1, 0.5])
 def test_a_frame_at_30_hz_is_accepted(late):
     for seed in range(5):
         assert not shaking(120, late, seed).apart and not shaking(120, late, seed, period=None).apart
@@ -94,7 +95,7 @@ def test_late_depth_is_doubtful_before_it_is_reported():
     assert doubtful < reported <= 30 and not any(shaking(k, 0).is_doubtful for k in range(10, 60, 3))
 
 
-@pytest.mark.parametrize(("steady", "spread"), [(0.01, 0.0003), (0, 1e-5)], ids=["steady", "none"])
+@few_quick(1, ("steady", "spread"), [(0.01, 0.0003), (0, 1e-5)], ids=["steady", "none"])
 def test_a_steady_rotation_and_a_stationary_camera_are_synchronized(steady, spread):
     for seed in range(10):
         rng, lag = np.random.default_rng(seed), StreamLag()

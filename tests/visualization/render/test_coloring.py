@@ -12,6 +12,8 @@ from pointloom.visualization.render.coloring import color_cloud, label_color
 from pointloom.visualization.render.colormaps import COLORMAPS, LABEL_COLORS, MISSING_COLOR, NOISE_COLOR, colormap_table
 from pointloom.visualization.render.plots import PLOT_SIZE, check_plot, error_histogram, trajectory_plot
 
+from ...products import few_quick
+
 UTM = np.array([399_000.25, 5_823_000.5, 34.0])
 
 
@@ -199,7 +201,7 @@ def test_a_path_is_colored_by_its_error():
     np.testing.assert_array_equal(picture, trajectory_plot(path, truth, times=None, title="a $title"))
 
 
-@pytest.mark.parametrize("widest", [(0, 1), (0, 2), (1, 2)])
+@few_quick(1, "widest", [(0, 1), (0, 2), (1, 2)])
 def test_a_path_is_drawn_in_the_plane_of_its_largest_extents(widest):
     path = np.zeros((40, 3))
     path[:, widest[0]], path[:, widest[1]] = np.linspace(0, 8, 40), np.linspace(0, 8, 40)
@@ -215,11 +217,12 @@ def test_bars_have_the_colors_of_the_map_and_far_values_are_left_out():
     assert all(count_of(picture, colormap_table("viridis")[k], 12) > 500 for k in (26, 77, 128, 255))
 
 
-@pytest.mark.parametrize(
+@few_quick(
+    5,
     "values",
     [
-        [], [3.0], np.full(50, 7.0), [np.nan] * 4, [1.0, np.inf, -np.inf], RNG.normal(size=99) * 1e-9,
-        RNG.normal(size=99) * 1e9, RNG.normal(size=99) + 5e6, [-1e30, 1e30],
+        [], [np.nan] * 4, [1.0, np.inf, -np.inf], [-1e30, 1e30], RNG.normal(size=99) * 1e-9, [3.0], np.full(50, 7.0),
+        RNG.normal(size=99) * 1e9, RNG.normal(size=99) + 5e6,
     ],
 )  # fmt: skip
 def test_any_values_make_a_plot(values):

@@ -249,6 +249,16 @@ def viewer():
 
 @pytest.mark.parametrize(("function", "expressions", "argument"), CASES, ids=lambda value: str(value)[:24])
 def test_a_hostile_value_is_refused_by_name(viewer, function, expressions, argument):
+    check_argument(viewer, function, expressions, argument, every=False)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("function", "expressions", "argument"), CASES, ids=lambda value: str(value)[:24])
+def test_all_hostile_values_are_refused_by_name(viewer, function, expressions, argument):
+    check_argument(viewer, function, expressions, argument, every=True)
+
+
+def check_argument(viewer, function, expressions, argument, every):
     cloud = loom.PointCloud(np.random.default_rng(0).random((60, 3)))
     things: dict[str, Any] = {"viewer": viewer, "loom": loom, "cloud": cloud, "pose": np.eye(4)}
 
@@ -261,7 +271,7 @@ def test_a_hostile_value_is_refused_by_name(viewer, function, expressions, argum
 
     good = {name: eval(value, things) for name, value in expressions.items()}
     call(**good)
-    faults = faults_of(call, good, argument, also=WORDS.get(argument, ""))
+    faults = faults_of(call, good, argument, also=WORDS.get(argument, ""), every=every)
     assert not faults, "\n".join(faults)
 
 
