@@ -225,7 +225,7 @@ class PinholeCameraIntrinsic(HintedNames):
         write_pinhole_camera_intrinsic(path, self)
 
     @classmethod
-    def from_matrix(cls, K: object, width: int, height: int) -> PinholeCameraIntrinsic:
+    def from_matrix(cls, K: ArrayLike, width: int, height: int) -> PinholeCameraIntrinsic:
         """The camera with calibration matrix K, shape (3, 3) [px].
 
         Raises:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..core.units import called_by_user, warn_of_units
 
@@ -11,7 +12,7 @@ MIN_FARTHEST_DEPTH = 0.05  # [m] no depth camera measures all pixels closer
 
 
 def warn_of_scale(
-    depth: object, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
+    depth: ArrayLike, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
 ) -> None:
     """Warn if scale and limit [m] leave no depth of a host image, or float depth is implausibly small.
     `limit` is the argument's name in the message; `times` is a factor of all depths."""

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import Form, form_of
 from ..core.checks import check_count, check_number, check_numeric, check_positive
+from ..core.devices import DeviceLike
 from ..core.gpu_arrays import device_for, take_numbers
 from ..kernels.images.depth import PixelGrid, pixel_normals
 from ..kernels.images.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
@@ -37,7 +38,7 @@ def filter_depth_bilateral(
     dist_sigma: float = 2.0,
     *,
     depth_scale: float | None = None,
-    device: object = None,
+    device: DeviceLike = None,
 ) -> Depth:
     """Smooth depth with a bilateral filter, which preserves edges.
 
@@ -80,7 +81,7 @@ def erode_depth_edges(
     depth_threshold: float = 0.1,
     *,
     depth_scale: float | None = None,
-    device: object = None,
+    device: DeviceLike = None,
 ) -> Depth:
     """Remove pixels near depth edges and holes, where sensors mix foreground and background.
 
@@ -115,7 +116,7 @@ def fill_depth_holes(
     depth_threshold: float = 0.1,
     *,
     depth_scale: float | None = None,
-    device: object = None,
+    device: DeviceLike = None,
 ) -> tuple[Depth, NDArray[np.bool_]]:
     """Fill small holes whose border is one surface. Larger holes, and those at depth edges and at the border, remain.
 
@@ -215,7 +216,7 @@ def create_normal_map(
     invalid_fill: float = 0.0,
     *,
     depth_scale: float | None = None,
-    device: object = None,
+    device: DeviceLike = None,
 ) -> NDArray[np.float32]:
     """Estimate a normal for each pixel from the differences to the points on the right and below.
 
@@ -252,7 +253,7 @@ def create_normal_map(
 
 
 def pyrdown_depth(
-    depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float | None = None, device: object = None
+    depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float | None = None, device: DeviceLike = None
 ) -> Depth:
     """Halve a depth image: the next level of `create_depth_pyramid`, of shape (h // 2, w // 2)."""
     jump = check_positive("diff_threshold", diff_threshold)
@@ -265,7 +266,7 @@ def pyrdown_depth(
     return _like(depth, halved, height // 2, width // 2)
 
 
-def pyrdown_color(color: ArrayLike, *, device: object = None) -> NDArray[np.uint8]:
+def pyrdown_color(color: ArrayLike, *, device: DeviceLike = None) -> NDArray[np.uint8]:
     """Halve a color image: every second pixel after a 5 x 5 Gaussian filter with a standard deviation of 1.
 
     Args:
@@ -302,7 +303,7 @@ def create_depth_pyramid(
     diff_threshold: float = DEPTH_DIFF,
     *,
     depth_scale: float | None = None,
-    device: object = None,
+    device: DeviceLike = None,
 ) -> list[Depth]:
     """A pyramid of depth images, the largest first. Each level has every second pixel of the previous one.
 
@@ -340,14 +341,14 @@ def create_depth_pyramid(
     return cast("list[Depth]", images)
 
 
-def _metric(depth: object, depth_scale: float | None, device: object) -> tuple[wp.array, int, int]:
+def _metric(depth: RGBDImage | ArrayLike, depth_scale: float | None, device: DeviceLike) -> tuple[wp.array, int, int]:
     if isinstance(depth, RGBDImage):
         return depth.depth_array, depth.height, depth.width
     metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device_for(depth, device))
     return metric, height, width
 
 
-def _like(depth: object, metric: wp.array, height: int, width: int) -> Any:
+def _like(depth: RGBDImage | ArrayLike, metric: wp.array, height: int, width: int) -> Any:
     if isinstance(depth, RGBDImage):
         return RGBDImage.from_device_arrays(depth.color_array, metric, height, width, depth.array_library)
     return form_of(depth).hand_out(metric, shape=(height, width))

@@ -13,6 +13,7 @@ from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import NUMPY, check_library, library_of, owned, view_as
 from ..core.attribute_hints import HintedNames
 from ..core.checks import check_count, check_positive, is_on_gpu
+from ..core.devices import DeviceLike
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
 from ..core.masked_arrays import unmasked
 from ..core.pickled_arrays import check_form, device_like, pickled, unpickled, unpickling
@@ -77,7 +78,7 @@ class RGBDImage(HintedNames):
         *,
         depth_scale: float | None = None,
         depth_trunc: float = OPEN3D_DEPTH_MAX,
-        device: object = None,
+        device: DeviceLike = None,
     ):
         where = device_for(depth, device)
         self.depth_array, scale, self.height, self.width = upload_depth(
@@ -98,7 +99,7 @@ class RGBDImage(HintedNames):
         depth_trunc: float = OPEN3D_DEPTH_MAX,
         convert_rgb_to_intensity: bool = True,
         *,
-        device: object = None,
+        device: DeviceLike = None,
     ) -> Self:
         """An RGB-D image with Open3D's defaults: colors become intensities.
 
@@ -130,21 +131,21 @@ class RGBDImage(HintedNames):
 
     @classmethod
     def create_from_redwood_format(
-        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: object = None
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: DeviceLike = None
     ) -> Self:
         """A frame of the Redwood data sets: millimeters, truncated at 4 m. See `create_from_color_and_depth`."""
         return cls.create_from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
     def create_from_tum_format(
-        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: object = None
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: DeviceLike = None
     ) -> Self:
         """A frame of the TUM RGB-D data sets: 5000 units per meter, cut at 4 m. See `create_from_color_and_depth`."""
         return cls.create_from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
     def create_from_sun_format(
-        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: object = None
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: DeviceLike = None
     ) -> Self:
         """A frame of SUN3D: 16-bit millimeters rotated left by three bits, truncated at 7 m.
 
@@ -154,7 +155,7 @@ class RGBDImage(HintedNames):
 
     @classmethod
     def create_from_nyu_format(
-        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: object = None
+        cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: DeviceLike = None
     ) -> Self:
         """A raw frame of NYU Depth v2: 351.3 / (1092.5 - d) meters, truncated at 7 m.
 
@@ -205,7 +206,7 @@ class RGBDImage(HintedNames):
         vars(self).update(vars(made))
 
     @classmethod
-    def _from_raw(cls, layout: str, color: object, depth: object, to_intensity: bool, device: object) -> Self:
+    def _from_raw(cls, layout: str, color: ArrayLike, depth: ArrayLike, to_intensity: bool, device: DeviceLike) -> Self:
         where = device_for(depth, device)
         raw, height, width = _upload_raw(depth, where)
         metric, _ = metric_depth(decode_depth(raw, layout), 1000.0, RAW_TRUNC)
@@ -229,7 +230,7 @@ class RGBDImage(HintedNames):
 
 
 def upload_depth(
-    depth: object, depth_scale: float | None, depth_max: float, device: object, *, limit: str = "depth_max"
+    depth: ArrayLike, depth_scale: float | None, depth_max: float, device: DeviceLike, *, limit: str = "depth_max"
 ) -> tuple[wp.array, float, int, int]:
     """Upload depth as flat float32 [m]. Returns the array, the scale, height and width.
     Zero, negative, NaN and infinite depths, and those beyond `depth_max`, become 0. `limit` is its name in errors."""
@@ -265,7 +266,7 @@ def upload_raw_depth(
     return raw, scale, farthest, image.shape[0], image.shape[1]
 
 
-def integer_scale(depth: object, depth_scale: float) -> float | None:
+def integer_scale(depth: RGBDImage | ArrayLike, depth_scale: float) -> float | None:
     """The depth scale of a source of integers. None for floats, which are in meters."""
     if isinstance(depth, RGBDImage):
         return None

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..core.array_libraries import form_of, view_as
 from ..core.checks import check_count, check_numeric
-from ..core.devices import resolve_device
+from ..core.devices import DeviceLike, resolve_device
 from ..core.gpu_arrays import take_numbers
 from ..kernels.array_types import Array2
 from ..kernels.images.sphere import find_sphere_positions
@@ -69,7 +69,7 @@ class Panorama:
 
     names = FACES
 
-    def __init__(self, width: int, height: int, *, side: int | None = None, device: object = None):
+    def __init__(self, width: int, height: int, *, side: int | None = None, device: DeviceLike = None):
         check_count("width", width, minimum=MIN_FACE_PIXELS)
         check_count("height", height, minimum=MIN_FACE_PIXELS // 2)
         if abs(width - 2 * height) > 2:

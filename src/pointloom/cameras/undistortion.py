@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import form_of, view_as
 from ..core.checks import check_numeric
-from ..core.devices import resolve_device
+from ..core.devices import DeviceLike, resolve_device
 from ..core.gpu_arrays import device_for, take_numbers
 from ..kernels.images.undistortion import LensOptics, find_lens_positions, mask_visible, sample_image
 from ..kernels.lang import uint8
@@ -62,7 +62,7 @@ class Undistortion:
         blank_fraction: float = 0.0,
         max_size: int | None = None,
         size: tuple[int, int] | None = None,
-        device: object = None,
+        device: DeviceLike = None,
     ):
         if not isinstance(camera, CameraModel):
             raise TypeError(f"camera: expected a CameraModel, got {type(camera).__name__}; see its from_intrinsic")
@@ -128,7 +128,7 @@ def undistort_image(
     blank_fraction: float = 0.0,
     max_size: int | None = None,
     size: tuple[int, int] | None = None,
-    device: object = None,
+    device: DeviceLike = None,
 ) -> tuple[Any, PinholeCameraIntrinsic]:
     """Undistort an image to a pinhole camera.
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import gc
 
-from .devices import resolve_device
+from .devices import DeviceLike, resolve_device
 
 
-def free_memory(device: object = None) -> int:
+def free_memory(device: DeviceLike = None) -> int:
     """Return unused GPU memory to the system, for other programs and libraries.
 
     A GPU caches up to half of its memory (docs/gpu.md). This releases the cache and the streams and graphs of

@@ -29,21 +29,21 @@ from .coordinates import (
     usable_points,
     warn_of_steps,
 )
-from .devices import check_same_device, resolve_device
+from .devices import DeviceLike, check_same_device, resolve_device
 from .exchange import share
 
 INTEGERS = (wp.int8, wp.int16, int32, int64, uint8, wp.uint16, wp.uint32, wp.uint64)
 REALS = (*INTEGERS, wp.bool, wp.float16, float32, float64)
 
 
-def device_for(values: object, device: object) -> Any:
+def device_for(values: object, device: DeviceLike) -> Any:
     """The requested device. If None: the GPU of the input array, else the CPU."""
     if device is not None or not is_on_gpu(values):
         return resolve_device(device)
     return share("array", values).device
 
 
-def take_numbers(name: str, values: object, device: object = None) -> wp.array:
+def take_numbers(name: str, values: object, device: DeviceLike = None) -> wp.array:
     """A contiguous GPU array of real numbers, any shape. Vector components become the last axis."""
     array = share(name, values)
     if device is not None:
@@ -58,7 +58,7 @@ def take_numbers(name: str, values: object, device: object = None) -> wp.array:
     return view_as(array, scalar, shape) if width else array
 
 
-def take_rows(name: str, values: object, width: int, device: object = None, *, rows: int | None = None) -> wp.array:
+def take_rows(name: str, values: object, width: int, device: DeviceLike = None, *, rows: int | None = None) -> wp.array:
     array = take_numbers(name, values, device)
     if array.ndim != 2 or array.shape[1] != width:
         if array.size or array.shape[0]:
@@ -71,13 +71,13 @@ def take_rows(name: str, values: object, width: int, device: object = None, *, r
     return array
 
 
-def take_vectors(name: str, values: object, device: object, *, rows: int | None = None) -> wp.array:
+def take_vectors(name: str, values: object, device: DeviceLike, *, rows: int | None = None) -> wp.array:
     """Numbers (n, 3) as vec3."""
     array = take_rows(name, values, 3, device, rows=rows)
     return view_as(_as(array, float32), vec3, (array.shape[0],))
 
 
-def take_vectors_in_float64(name: str, values: object, device: object) -> wp.array:
+def take_vectors_in_float64(name: str, values: object, device: DeviceLike) -> wp.array:
     """Numbers (n, 3) as vec3d (n,)."""
     rows = take_rows(name, values, 3, device)
     return view_as(_as(rows, float64), vec3d, (rows.shape[0],))
@@ -99,7 +99,7 @@ def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None)
 
 
 def take_points(
-    name: str, values: object, origin: NDArray[np.float64] | None, device: object = None, *, rows: int | None = None
+    name: str, values: object, origin: NDArray[np.float64] | None, device: DeviceLike = None, *, rows: int | None = None
 ) -> tuple[wp.array, NDArray[np.float64]]:
     """Positions (n, 3) as vec3 relative to an origin, and the origin, chosen as in `split_origin`.
     Shares memory if the array is float32 and the origin is zero."""
@@ -118,7 +118,7 @@ def take_points(
 
 
 def take_positions(
-    name: str, values: object, origin: NDArray[np.float64], device: object
+    name: str, values: object, origin: NDArray[np.float64], device: DeviceLike
 ) -> tuple[wp.array, tuple[int, ...]]:
     """Positions (..., 3) as vec3 (n,) relative to an origin, and their leading shape."""
     array = take_numbers(name, values, device)
@@ -129,7 +129,7 @@ def take_positions(
     return take_points(name, flat, origin, device)[0], leading
 
 
-def take_rays(values: object, origin: NDArray[np.float64], device: object) -> tuple[wp.array, tuple[int, ...]]:
+def take_rays(values: object, origin: NDArray[np.float64], device: DeviceLike) -> tuple[wp.array, tuple[int, ...]]:
     """Rays (..., 6) as float32 (6 n,) with starts relative to an origin, and their leading shape."""
     array = take_numbers("rays", values, device)
     if not array.ndim or array.shape[-1] != 6:
@@ -139,7 +139,7 @@ def take_rays(values: object, origin: NDArray[np.float64], device: object) -> tu
     return local, tuple(array.shape[:-1])
 
 
-def take_column(name: str, values: object, device: object, rows: int) -> wp.array:
+def take_column(name: str, values: object, device: DeviceLike, rows: int) -> wp.array:
     """An attribute (n,) or (n, c) in its own type."""
     array = take_numbers(name, values, device)
     if array.ndim not in (1, 2) or array.shape[0] != rows:
@@ -182,7 +182,7 @@ def take_corners(values: Any, device: Any, count: int) -> wp.array:
     return view_as(_as(array, int32), vec3i, (array.shape[0],))
 
 
-def take_mask(name: str, values: object, device: object, count: int) -> wp.array:
+def take_mask(name: str, values: object, device: DeviceLike, count: int) -> wp.array:
     array = take_numbers(name, values, device)
     if array.dtype != wp.bool or tuple(array.shape) != (count,):
         given = f"{array.dtype.__name__} {list(array.shape)}"

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .atomic import atomic_write
+from .devices import DeviceLike
 from .errors import FileError, FilePath
 from .json_files import read_json_object
 from .paths import os_errors, path_of
@@ -48,7 +49,7 @@ class KeptArrays:
         return arrays
 
 
-def digest_of_inputs(settings: object, arrays: Iterable[NDArray[Any]], device: object) -> str:
+def digest_of_inputs(settings: object, arrays: Iterable[NDArray[Any]], device: DeviceLike) -> str:
     """Digest of settings (numbers, strings and lists), arrays, the device and the version of pointloom."""
     listed = [np.ascontiguousarray(array) for array in arrays]
     forms = [[list(array.shape), array.dtype.str] for array in listed]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..kernels.lang import vec2, vec3, vec3i
 from ..kernels.memory import download, upload
 from .checks import shown
-from .devices import resolve_device
+from .devices import DeviceLike, resolve_device
 from .errors import DeviceError
 
 VECTORS = {vec2: "vec2", vec3: "vec3", vec3i: "vec3i"}
@@ -25,7 +25,7 @@ def pickled(arrays: dict[str, wp.array]) -> dict[str, tuple[NDArray[Any], str]]:
     return {name: (download(array).copy(), VECTORS.get(array.dtype, "")) for name, array in arrays.items()}
 
 
-def unpickled(state: dict[str, tuple[NDArray[Any], str]], device: object) -> dict[str, wp.array]:
+def unpickled(state: dict[str, tuple[NDArray[Any], str]], device: DeviceLike) -> dict[str, wp.array]:
     """The arrays on a device. Raises for entries of a wrong type."""
     return {name: _upload_checked(name, *entry, device) for name, entry in state.items()}
 

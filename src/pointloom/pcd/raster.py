@@ -79,7 +79,7 @@ class Raster:
     def __sub__(self, other: Raster | float) -> Raster:
         return self._combined("-", other, np.subtract, "difference")
 
-    def _combined(self, sign: str, other: object, compute: np.ufunc, kind: str) -> Raster:
+    def _combined(self, sign: str, other: Raster | float, compute: np.ufunc, kind: str) -> Raster:
         if isinstance(other, Real):
             change = check_number(f"raster {sign} number", other)
             return dataclasses.replace(self, values=compute(self.values.astype(np.float64), change).astype(np.float32))

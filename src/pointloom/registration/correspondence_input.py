@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_numeric, check_rows, is_on_gpu
 from ..core.devices import check_same_device
@@ -29,7 +29,7 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
         common_reference("source, target", (source, target))
 
 
-def check_pairs(corres: object, source: PointCloud, target: PointCloud) -> Pairs:
+def check_pairs(corres: ArrayLike, source: PointCloud, target: PointCloud) -> Pairs:
     """Correspondences as int32 [m, 2]. Negative indices are rejected."""
     pairs = check_rows("corres", corres, 2)
     if pairs.dtype.kind not in "iu" and pairs.size:
@@ -43,7 +43,7 @@ def check_pairs(corres: object, source: PointCloud, target: PointCloud) -> Pairs
     return np.ascontiguousarray(pairs, dtype=np.int32)
 
 
-def pairs_on_device(corres: object, source: PointCloud, target: PointCloud) -> wp.array:
+def pairs_on_device(corres: ArrayLike, source: PointCloud, target: PointCloud) -> wp.array:
     if is_on_gpu(corres):
         return take_pairs(corres, source.device, (len(source), len(target)))
     return upload(check_pairs(corres, source, target), int32, source.device)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import hand_out, library_of
 from ..core.checks import check_numeric, check_positive, is_on_gpu
@@ -20,8 +20,8 @@ Pairs = NDArray[np.int32]
 
 
 def correspondences_from_features(
-    source_features: object,
-    target_features: object,
+    source_features: ArrayLike,
+    target_features: ArrayLike,
     mutual_filter: bool = False,
     mutual_consistency_ratio: float = 0.1,
     *,
@@ -71,7 +71,9 @@ def correspondences_from_features(
     return hand_out(pairs, library_of(source_features), on_host=not is_on_gpu(source_features))
 
 
-def features_on_device(source_features: object, target_features: object, device: DeviceLike = None) -> list[wp.array]:
+def features_on_device(
+    source_features: ArrayLike, target_features: ArrayLike, device: DeviceLike = None
+) -> list[wp.array]:
     sides = [_check_features("source_features", source_features), _check_features("target_features", target_features)]
     _check_lengths(*(tuple(side.shape) for side in sides))
     common = _common_device(sides, device)
@@ -107,7 +109,7 @@ def _check_lengths(source: tuple[int, ...], target: tuple[int, ...]) -> None:
     )
 
 
-def _common_device(sides: list[Any], device: object) -> Any:
+def _common_device(sides: list[Any], device: DeviceLike) -> Any:
     devices = [side.device for side in sides if isinstance(side, wp.array)]
     if len(devices) == 2:
         check_same_device("source_features, target_features", *devices)

@@ -150,7 +150,7 @@ def take_pair(
     return a._replace(points=a.points.to(dtype)), b._replace(points=b.points.to(dtype))
 
 
-def count_clouds(batch: object) -> int:
+def count_clouds(batch: torch.Tensor) -> int:
     """Number of clouds of a batch vector: the largest label and 1. The host waits for a GPU."""
     check_integers("batch", batch)  # type: ignore[arg-type]
     return int(batch.max()) + 1 if batch.numel() else 0  # type: ignore[attr-defined]

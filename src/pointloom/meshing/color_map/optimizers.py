@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.trajectory import Trajectory
 from ...core.kept_arrays import Arrays, KeptArrays
 from ...core.progress import ReportProgress, ignore_progress
@@ -48,7 +49,7 @@ def optimize_color_map(
     camera_trajectory: Trajectory,
     option: ColorMapOption | None = None,
     *,
-    intrinsic: object,
+    intrinsic: PinholeCameraIntrinsic | ArrayLike,
     method: str = "rigid",
     occlusion: str | None = None,
 ) -> ColorMapResult:
@@ -98,7 +99,7 @@ def color_mesh(
     images_rgbd: Sequence[Any],
     camera_trajectory: Trajectory,
     option: ColorMapOption | None,
-    intrinsic: object,
+    intrinsic: PinholeCameraIntrinsic | ArrayLike,
     method: str,
     occlusion: str | None = None,
     *,

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.meshes.sheets import MIN_VOLUME_RATIO
 from .mesh_nesting import Parts, find_enclosing
+
+if TYPE_CHECKING:
+    from .mesh import TriangleMesh
+
 
 MIN_OPEN_BULGE = 0.02  # the same for an open part: a fifth of a sphere's
 
@@ -35,7 +39,9 @@ def find_doubled(copies: Copies, names: NDArray[np.int32], loose: NDArray[np.boo
     return doubled[names] & loose
 
 
-def find_covered(mesh: object, copies: Copies, names: NDArray[np.int32], twins: NDArray[np.int32]) -> NDArray[np.bool_]:
+def find_covered(
+    mesh: TriangleMesh, copies: Copies, names: NDArray[np.int32], twins: NDArray[np.int32]
+) -> NDArray[np.bool_]:
     """Triangles of parts covered by others, bool (t,). One of each pair of sides stays. A part is covered if all its
     triangles have copies in kept parts. Solids and walls of hollows are covered only by copies of the same orientation.
     Open parts are dropped first, then inward ones, then later ones. `names` are the first triangles of parts, `twins`

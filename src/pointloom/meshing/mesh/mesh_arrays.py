@@ -129,7 +129,7 @@ class MeshArrays(StoredArrays, Movable):
         return self.arrays.up
 
     @up.setter
-    def up(self, value: object) -> None:
+    def up(self, value: ArrayLike | str | None) -> None:
         self.arrays.up = None if value is None else check_up(value)
 
     @classmethod

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, is_one_camera
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color
@@ -85,7 +85,9 @@ def check_images(names: Names, images: Any, intrinsics: object, T_camera_world: 
     return PosedImages(colors, depths, checked, T)
 
 
-def _take(image: object, intrinsic: object, device: Device) -> tuple[wp.array, wp.array | None, PinholeCameraIntrinsic]:
+def _take(
+    image: RGBDImage | ArrayLike, intrinsic: PinholeCameraIntrinsic | ArrayLike, device: Device
+) -> tuple[wp.array, wp.array | None, PinholeCameraIntrinsic]:
     if isinstance(image, RGBDImage):
         check_same_device("device", image.device, device)
         camera = check_intrinsic(intrinsic, image.width, image.height)
@@ -100,5 +102,5 @@ def _take(image: object, intrinsic: object, device: Device) -> tuple[wp.array, w
     return upload_color(pixels, height, width, device), None, camera
 
 
-def _named(image: object, pixels: NDArray[Any]) -> str:
+def _named(image: RGBDImage | ArrayLike, pixels: NDArray[Any]) -> str:
     return type(image).__name__ if pixels.dtype == object or not pixels.ndim else f"shape {list(pixels.shape)}"

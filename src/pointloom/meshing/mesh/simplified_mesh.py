@@ -144,7 +144,7 @@ def simplify_mesh(
     )
 
 
-def _one_of(triangles: object, ratio: float | None, voxel_size: object) -> tuple[str, float]:
+def _one_of(triangles: int | None, ratio: float | None, voxel_size: float | None) -> tuple[str, float]:
     given = {"triangles": triangles, "ratio": ratio, "voxel_size": voxel_size}
     names = [name for name, amount in given.items() if amount is not None]
     if len(names) != 1:

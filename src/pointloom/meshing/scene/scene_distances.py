@@ -186,7 +186,7 @@ class SceneDistances(SceneGeometries):
         return form.hand_out(mark_inside(distances), shape=shape)
 
     def _signed_distances(
-        self, query_points: Any, nthreads: Any, nsamples: object
+        self, query_points: Any, nthreads: Any, nsamples: int
     ) -> tuple[wp.array, tuple[int, ...], Form]:
         """(distances on the device, leading shape, input form)."""
         samples = check_count("nsamples", nsamples)

@@ -87,7 +87,7 @@ class SceneGeometries(Serialized, KnownNames):
         """Device of the scene."""
         return self._device
 
-    def add_triangles(self, mesh: Any, triangles: Any = None, *, pose: object = None) -> int:
+    def add_triangles(self, mesh: Any, triangles: Any = None, *, pose: ArrayLike | None = None) -> int:
         """Add a mesh. Returns the id of the new geometry: 0, 1, ...
 
         Args:

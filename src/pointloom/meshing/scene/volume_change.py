@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -169,7 +170,7 @@ def volume_change(
     return _compare(first, second, error)
 
 
-def _grid_for(before: Surface, after: Surface, cell: object, corner: object) -> tuple[float, Grid]:
+def _grid_for(before: Surface, after: Surface, cell: float | None, corner: ArrayLike | None) -> tuple[float, Grid]:
     """Cell and corner of the grid, by a raster if one is given."""
     raster = next((surface for surface in (before, after) if isinstance(surface, Raster)), None)
     side = None if cell is None else check_positive("cell", cell, maximum=LARGEST_NUMBER)
@@ -183,7 +184,7 @@ def _grid_for(before: Surface, after: Surface, cell: object, corner: object) -> 
     return raster.cell, raster.corner if start is None else start
 
 
-def _classes_for(before: Surface, after: Surface, classes: object) -> list[tuple[int, ...] | None]:
+def _classes_for(before: Surface, after: Surface, classes: int | Iterable[int] | None) -> list[tuple[int, ...] | None]:
     """Classes that count in each epoch. None: all but noise."""
     numbers = check_classes(classes)
     if numbers is not None:

@@ -42,7 +42,7 @@ class StackedFrames(NamedTuple):
 
 def stacked_frames(
     depth: Any,
-    intrinsic: object,
+    intrinsic: PinholeCameraIntrinsic | ArrayLike,
     extrinsic: ArrayLike,
     color: Any,
     depth_scale: float | None,

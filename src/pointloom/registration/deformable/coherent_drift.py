@@ -21,6 +21,7 @@ from ...core.checks import (
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, with_warnings
 from ...core.wording import format_fraction
+from ...kernels.array_types import AnyArray
 from ...kernels.arrays.side_by_side import read_together
 from ...kernels.bending.coherent_drift import (
     Drift,
@@ -246,7 +247,7 @@ class _DriftRegistration:
         self.variance, self.taken = max(self.variance, MIN_VARIANCE), self.taken + 1
         return abs(before - self.variance) / before
 
-    def _sums(self, positions: object) -> tuple[Array, Array]:
+    def _sums(self, positions: AnyArray) -> tuple[Array, Array]:
         targets = reduce(sum_targets, self.number, [self.drift.targets, self.drift.fractions])
         sources = reduce(sum_pulls, self.size, [positions, self.drift.sums])
         first, second = read_together([targets, sources])  # sync

@@ -27,6 +27,7 @@ from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, with_warnings
 from ...core.wording import format_fraction
+from ...kernels.array_types import AnyArray
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.quantiles import quantiles_of
 from ...kernels.bending.bending_steps import BendingSteps
@@ -326,7 +327,7 @@ class _NonRigidRegistration:
         limit = max(TRIM_MEDIANS * medians[0], 0.25 * self.spacing) if medians else np.inf
         return min(self.max_distance, limit)
 
-    def _measure(self, moved: object) -> tuple[Array, float, float]:
+    def _measure(self, moved: AnyArray) -> tuple[Array, float, float]:
         residuals = empty(self.count, float64, self.tree.device)
         launch(measure_residuals_kernel, self.count, [moved, self.partners, self.surface, residuals])
         values = np.array(download(residuals))  # sync
@@ -365,7 +366,7 @@ class _NonRigidRegistration:
         )
 
 
-def _fraction_within(nearest: object, distance: float, count: int) -> float:
+def _fraction_within(nearest: AnyArray, distance: float, count: int) -> float:
     keys = np.asarray(download(nearest), np.int64)
     squares = (keys >> 32).astype(np.int32).view(np.float32)
     return float(((keys >= 0) & (squares <= distance * distance)).sum()) / max(count, 1)

@@ -153,7 +153,13 @@ class _Alignment:
     """State between steps. Poses are about the scene center and the grid origin."""
 
     def __init__(
-        self, fragments: object, graph: PoseGraph, params: SLACOptimizerParams | None, progress: object, *, bends: bool
+        self,
+        fragments: Sequence[PointCloud],
+        graph: PoseGraph,
+        params: SLACOptimizerParams | None,
+        progress: ReportProgress | None,
+        *,
+        bends: bool,
     ):
         self.params = SLACOptimizerParams() if params is None else params
         if not isinstance(self.params, SLACOptimizerParams):

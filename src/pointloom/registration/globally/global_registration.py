@@ -372,7 +372,7 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: fl
     return result
 
 
-def _distinct(corres: object, source: PointCloud, target: PointCloud) -> wp.array:
+def _distinct(corres: ArrayLike, source: PointCloud, target: PointCloud) -> wp.array:
     """Remove duplicate correspondences, which would count more than others."""
     if is_on_gpu(corres):
         return distinct_pairs(pairs_on_device(corres, source, target))

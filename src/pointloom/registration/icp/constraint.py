@@ -90,7 +90,7 @@ def check_information(name: str, matrix: object) -> Matrix:
     return (M + M.T) / 2
 
 
-def _weights_of(name: str, sigma: object) -> NDArray[np.float64]:
+def _weights_of(name: str, sigma: ArrayLike | None) -> NDArray[np.float64]:
     """1 / sigma^2 of three axes, or zeros if unknown."""
     if sigma is None:
         return np.zeros(3)

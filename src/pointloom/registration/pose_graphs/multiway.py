@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -303,7 +303,7 @@ def fragments_result(
     return FragmentsResult(poses, is_placed, reference, fragments.groups, fragments.graph, pairs, size, motions)
 
 
-def pairs_to_try(count: int, neighbors: object, pairs: object) -> list[tuple[int, int]]:
+def pairs_to_try(count: int, neighbors: int | None, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
     if pairs is None:
         nearby = count if count <= ALL_PAIRS else FOLLOWING_CLOUDS
         span = nearby if neighbors is None else check_count("neighbors", neighbors)

@@ -7,6 +7,7 @@ import os
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...cameras.camera import read_json_matrix
 from ...core.atomic import atomic_write, check_writable
@@ -103,7 +104,7 @@ def write_pose_graph(path: str | os.PathLike[str], pose_graph: PoseGraph, *, ove
         file.write(text.encode("ascii"))
 
 
-def _columns(matrix: object) -> list[float]:
+def _columns(matrix: ArrayLike) -> list[float]:
     return np.asarray(matrix, np.float64).T.ravel().tolist()
 
 

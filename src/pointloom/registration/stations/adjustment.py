@@ -94,7 +94,12 @@ class _Rows:
         self.count = 0
 
     def add(
-        self, kind: str, observation: object, residual: Array, root: Array, blocks: list[tuple[int, Array]]
+        self,
+        kind: str,
+        observation: TargetObservation | ControlPoint | StationPair | int,
+        residual: Array,
+        root: Array,
+        blocks: list[tuple[int, Array]],
     ) -> None:
         k = len(root)
         for first, J in blocks:

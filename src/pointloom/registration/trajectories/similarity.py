@@ -121,7 +121,7 @@ def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, di
     return wanted / measured
 
 
-def _position_of(model: SfmModel, name: str, value: object) -> NDArray[np.float64]:
+def _position_of(model: SfmModel, name: str, value: str | ArrayLike) -> NDArray[np.float64]:
     if isinstance(value, str):
         if value not in model.names:
             raise KeyError(f"{name}: no image {shown(value)}{nearest_name(value, model.names)}")

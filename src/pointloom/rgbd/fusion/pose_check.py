@@ -6,7 +6,7 @@ import itertools
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.frame_check import FrameCheck
@@ -58,7 +58,7 @@ class PoseCheck:
         self._every, self._count = 1, 0
         self.images = FrameCheck(intrinsic, depth_unit)
 
-    def add(self, depth: object, color: object, T_world_camera: Pose, given: Pose) -> None:
+    def add(self, depth: ArrayLike, color: ArrayLike | None, T_world_camera: Pose, given: Pose) -> None:
         self.images.add(depth, color)
         if self._count % self._every == 0:
             if len(self._samples) == MAX_FRAMES:

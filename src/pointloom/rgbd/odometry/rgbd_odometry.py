@@ -18,6 +18,7 @@ from ...cameras.depth_range import DEPTH_MAX, OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage, check_intrinsic, upload_depth
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_list, check_positive, check_rigid
+from ...core.devices import DeviceLike
 from ...core.errors import DeviceError
 from ...core.gpu_arrays import device_for
 from ...core.observers import report
@@ -195,7 +196,9 @@ def compute_odometry_information_matrix(
     return measure_information(first, second, camera, pose, max_distance, farthest)
 
 
-def _reported(result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: object) -> OdometryResult:
+def _reported(
+    result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: PinholeCameraIntrinsic
+) -> OdometryResult:
     report("rgbd_odometry", source=source, target=target, intrinsic=camera, result=result)
     return result
 
@@ -218,7 +221,7 @@ def _check_pair(name: str, source: RGBDImage, target: RGBDImage, intrinsic: obje
     return check_intrinsic(intrinsic, source.width, source.height, name)
 
 
-def _upload(name: str, depth: ArrayLike, depth_scale: float | None, device: object) -> tuple[Any, int, int]:
+def _upload(name: str, depth: ArrayLike, depth_scale: float | None, device: DeviceLike) -> tuple[Any, int, int]:
     try:
         metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device)
     except (ValueError, TypeError) as error:

@@ -7,7 +7,7 @@ import os
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_numeric, check_positive
@@ -22,6 +22,7 @@ from ..render.colormaps import MISSING_COLOR
 from ..render.picture import Picture
 from ..render.picture_files import write_image
 from ..render.render import render
+from ..render.view import ViewLike
 
 COLORMAP = "coolwarm"  # blue below, red above, neutral at zero
 MAX_COLORED_DISTANCE = 1e100  # maximum distance for colors
@@ -36,7 +37,9 @@ UNCHANGED, UNKNOWN = "not significant", "no distance"
 
 
 @explain_argument_errors
-def paint_change(cloud: PointCloud, change: object, *, limit: float | None = None) -> PointCloud:
+def paint_change(
+    cloud: PointCloud, change: M3C2Result | CloudToMeshResult | ArrayLike, *, limit: float | None = None
+) -> PointCloud:
     """Color the points of a cloud by signed distance: red positive, blue negative, gray not significant.
 
     Args:
@@ -63,12 +66,12 @@ def paint_change(cloud: PointCloud, change: object, *, limit: float | None = Non
 @explain_argument_errors
 def draw_change(
     cloud: PointCloud,
-    change: object,
+    change: M3C2Result | CloudToMeshResult | ArrayLike,
     path: str | os.PathLike[str] | None = None,
     *,
     limit: float | None = None,
     title: str = "change",
-    camera: object = None,
+    camera: ViewLike = None,
     size: tuple[int, int] = (1280, 960),
     point_size: float | None = None,
     overwrite: bool = True,
@@ -114,7 +117,7 @@ def draw_change(
     return picture
 
 
-def _painted(cloud: Any, change: Any, limit: object) -> tuple[PointCloud, Coloring, list[tuple[str, Any]]]:
+def _painted(cloud: Any, change: Any, limit: float | None) -> tuple[PointCloud, Coloring, list[tuple[str, Any]]]:
     """The colored cloud, its coloring, and the legend entries for gray."""
     check_cloud("cloud", cloud)
     distances, changed = _distances_of(change)
@@ -129,7 +132,7 @@ def _painted(cloud: Any, change: Any, limit: object) -> tuple[PointCloud, Colori
     return painted, dataclasses.replace(coloring, has_missing=False), [(", ".join(gray), MISSING_COLOR)] if gray else []
 
 
-def _distances_of(change: object) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def _distances_of(change: M3C2Result | CloudToMeshResult | ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     if isinstance(change, M3C2Result | CloudToMeshResult):
         return asnumpy(change.distances), asnumpy(change.is_significant)
     values = check_numeric("change", on_host("change", change)).astype(np.float64)

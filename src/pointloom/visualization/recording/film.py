@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.progress import ReportProgress, ignore_progress
 from ...kernels.lang import int32, vec3
 from ...kernels.memory import empty, upload
@@ -20,7 +20,7 @@ from ..render.open3d_views import OPEN3D_KEYS
 from ..render.parts import Lines, Part, Points, Triangles, Triple
 from ..render.render import open3d_parameters
 from ..render.scene import Scene
-from ..render.view import View, fit_view
+from ..render.view import View, ViewLike, fit_view
 from .script import Look
 from .shapes import spread_rows
 from .timeline import Frame, Shape, Timeline
@@ -53,7 +53,7 @@ def find_view(view: View | Mapping[str, Any] | None, timeline: Timeline, look: A
     return view if isinstance(view, View) else _view_by_parameters(timeline, view, width, height)
 
 
-def check_look(view: object) -> View | dict[str, Any] | None:
+def check_look(view: ViewLike) -> View | dict[str, Any] | None:
     """Validate a view, or Open3D's parameters of one on a test box."""
     if view is None or isinstance(view, View):
         return view
@@ -95,7 +95,7 @@ class Film:
     """Renders the frames of a timeline from a view in world coordinates (its size is ignored)."""
 
     def __init__(
-        self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: object = None
+        self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: DeviceLike = None
     ):
         self.timeline, self.width, self.height, self.background = timeline, width, height, background
         self._names = _plotted(timeline, width, height)
@@ -129,7 +129,7 @@ class Film:
 class _Plots:
     """The strip of plots. The static part is drawn once."""
 
-    def __init__(self, timeline: Timeline, names: Sequence[str], width: int, height: int, device: object):
+    def __init__(self, timeline: Timeline, names: Sequence[str], width: int, height: int, device: DeviceLike):
         self._names, self._count = names, len(timeline.frames)
         self._values = [np.array([frame.values.get(name, math.nan) for frame in timeline.frames]) for name in names]
         self._panel, self._height = width / max(len(names), 1), height
@@ -227,7 +227,7 @@ def _sized(view: View, width: int, height: int) -> View:
 class Stills:
     """Renders the frames of a timeline. Unchanged shapes stay on the device (None: CPU)."""
 
-    def __init__(self, timeline: Timeline, view: View, background: Triple, device: object):
+    def __init__(self, timeline: Timeline, view: View, background: Triple, device: DeviceLike):
         self._timeline, self._background, self._device = timeline, background, resolve_device(device)
         T = view.T_world_camera.copy()
         T[:3, 3] -= timeline.origin  # origin of the shapes, so that no large numbers are rounded

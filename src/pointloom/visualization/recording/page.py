@@ -13,11 +13,11 @@ import math
 import os
 import re
 import zlib
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from typing import IO, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_positive, check_rows, check_shape
@@ -166,7 +166,7 @@ class _Table:
         self.rows: list[Any] = []
         self._numbers: dict[Any, int] = {}
 
-    def add(self, row: object) -> int:
+    def add(self, row: Hashable) -> int:
         number = self._numbers.setdefault(row, len(self.rows))
         if number == len(self.rows):
             self.rows.append(row)
@@ -254,7 +254,7 @@ def _outermost(shape: Shape) -> NDArray[np.float64]:
     return np.unique(np.concatenate([sample[extents.argmax(axis=0)], axes]), axis=0).astype(np.float64)
 
 
-def _check_background(background: object) -> list[float]:
+def _check_background(background: ArrayLike) -> list[float]:
     values = check_finite("background", check_shape("background", background, (3,)))
     if values.min() < 0 or values.max() > 1:
         raise ValueError(f"background: expected numbers from 0 to 1, got {values.tolist()}")

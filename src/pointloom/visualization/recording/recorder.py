@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_name, check_number, check_progress, check_transformation
 from ...core.escaped_text import escaped
@@ -138,7 +138,9 @@ class Recorder(Serialized):
     def __repr__(self) -> str:
         return f"Recorder({escaped(self.path)}, {len(self._frames)} frames, {len(self._store.shapes)} shapes)"
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+    def _repr_mimebundle_(
+        self, include: Iterable[str] | None = None, exclude: Iterable[str] | None = None
+    ) -> dict[str, Any]:
         """For notebooks: the recording, once it is written."""
         from .cell_output import notebook_size, recording_output
 
@@ -193,7 +195,7 @@ class Recorder(Serialized):
         pose = entry.pose if chosen.pose is None else None
         self._set(name, sketch(geometry, chosen, self.max_points), chosen, pose)
 
-    def set_pose(self, name: str, pose: object) -> None:
+    def set_pose(self, name: str, pose: ArrayLike) -> None:
         """Set the pose (4x4, geometry to world) of a geometry without a copy of it.
 
         Raises `KeyError` for an unknown name and `ValueError` if `pose` is not a transformation.

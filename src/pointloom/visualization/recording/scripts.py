@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,13 @@ from ..render.pair_picture import SOURCE_COLOR, TARGET_COLOR
 from ..render.parts import Matrix
 from .script import PLAIN_COLOR, Data, FrameTarget, Look, Script, Stage, look_at
 from .shapes import spread_rows
+
+if TYPE_CHECKING:
+    from ...cameras.camera import PinholeCameraIntrinsic
+    from ...cameras.images import RGBDImage
+    from ...kernels.array_types import Indices
+    from ...meshing.volume.tsdf import TSDFVolume
+    from ...registration.lidar.lidar_odometry import LidarOdometry
 
 
 class Scripts:
@@ -112,7 +119,7 @@ class Clusters(Script):
     def events(self) -> dict[str, Callable[..., None]]:
         return {"clusters": self.clusters}
 
-    def clusters(self, cloud: PointCloud, labels: object, **_: Any) -> None:
+    def clusters(self, cloud: PointCloud, labels: Indices, **_: Any) -> None:
         rows = spread_rows(len(cloud), self.stage.max_points)
         chosen, cluster_labels = cloud.select_by_index(rows), download(labels)[rows]
         self.look = self.look or look_at(chosen)
@@ -242,7 +249,7 @@ class Fusion(Travel):
     def events(self) -> dict[str, Callable[..., None]]:
         return {"integrate": self.integrate, "track": self.track, "loops": self.loops, "rgbd_odometry": self.odometry}
 
-    def integrate(self, volume: Any, intrinsic: object, T_world_camera: Matrix, **_: Any) -> None:
+    def integrate(self, volume: Any, intrinsic: PinholeCameraIntrinsic, T_world_camera: Matrix, **_: Any) -> None:
         if volume is not self._volume:
             self._begin(volume)
         self._count += 1
@@ -280,7 +287,7 @@ class Fusion(Travel):
         count = len(closure.loops)
         self.stage.step(f"{count} loop{'' if count == 1 else 's'} closed")
 
-    def odometry(self, source: Any, target: object, intrinsic: Any, result: Any, **_: Any) -> None:
+    def odometry(self, source: Any, target: RGBDImage, intrinsic: Any, result: Any, **_: Any) -> None:
         """A frame was aligned with another. The path continues if that was the last one."""
         if target is not self._image:
             self._pose = np.eye(4)
@@ -303,7 +310,7 @@ class Fusion(Travel):
             self._draw_surface()
             self.stage.step(f"the surface of {self._count} frames")
 
-    def _begin(self, volume: object) -> None:
+    def _begin(self, volume: TSDFVolume) -> None:
         self.finish()
         self.path, self._volume, self._camera = [], volume, None
         self._count, self._shown, self._surfaces, self._every = 0, (0, 0), 0, SURFACE_EVERY
@@ -335,7 +342,7 @@ class Drive(Travel):
     def events(self) -> dict[str, Callable[..., None]]:
         return {"scan": self.scan}
 
-    def scan(self, odometry: object, scan: PointCloud, step: Any, **_: Any) -> None:
+    def scan(self, odometry: LidarOdometry, scan: PointCloud, step: Any, **_: Any) -> None:
         if odometry is not self._odometry:
             self._odometry, self.path, self._every = odometry, [], SURFACE_EVERY
         self._scans = step.index + 1

@@ -17,10 +17,11 @@ from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_color
+from ...core.devices import DeviceLike
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ...io.file_formats import listed
@@ -37,7 +38,7 @@ FASTEST_GIF = 50.0  # [1/s] viewers slow down delays below 2/100 s
 PALETTE_FRAMES = 12  # frames that define the colors of a GIF
 
 
-def check_recording(path: str | Path, *, fps: float, background: object, overwrite: bool) -> None:
+def check_recording(path: str | Path, *, fps: float, background: ArrayLike, overwrite: bool) -> None:
     """Check format, path and ffmpeg before any work. Raises FileError or ValueError."""
     suffix = Path(path).suffix.lower()
     if suffix not in RECORDINGS:
@@ -62,7 +63,7 @@ def write_recording(
     background: Triple,
     overwrite: bool,
     report_progress: ReportProgress,
-    device: object = None,
+    device: DeviceLike = None,
 ) -> None:
     """Write a recording atomically in the format of the suffix. Raises FileError."""
     suffix = Path(path).suffix.lower()

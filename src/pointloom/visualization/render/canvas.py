@@ -21,7 +21,7 @@ from ...core.checks import (
     check_rows,
     check_shape,
 )
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.masked_arrays import unmasked
 from ...kernels.drawing import canvas as strokes
 from ...kernels.drawing.canvas import Paint, Sheet, clip_box
@@ -59,13 +59,13 @@ class Canvas:
         self.sheet, self.device = Sheet(picture, self.width, self.height), picture.device
 
     @classmethod
-    def blank(cls, width: int, height: int, background: Color = LIGHT_COLOR, device: object = None) -> Self:
+    def blank(cls, width: int, height: int, background: Color = LIGHT_COLOR, device: DeviceLike = None) -> Self:
         width, height = check_count("width", width), check_count("height", height)
         pixels = np.tile(np.array(_color_bytes("background", background), np.uint8), width * height)
         return cls(upload(pixels, uint8, resolve_device(device)), width, height)
 
     @classmethod
-    def of_image(cls, image: NDArray[np.uint8], device: object = None) -> Self:
+    def of_image(cls, image: NDArray[np.uint8], device: DeviceLike = None) -> Self:
         values = _check_image(image)
         return cls(upload(values.ravel(), uint8, resolve_device(device)), values.shape[1], values.shape[0])
 

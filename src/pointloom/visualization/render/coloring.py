@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_shape, shown
 from ...core.units import symbol_of
+from ...kernels.array_types import AnyArray
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.drawing import value_colors
 from ...kernels.drawing.value_colors import Ramp, sample_evenly
@@ -189,11 +190,11 @@ def name_labels(seen: list[int], attribute: str) -> dict[int, str]:
     return names
 
 
-def _is_raised(flag: object) -> bool:
+def _is_raised(flag: AnyArray) -> bool:
     return bool(download(flag)[0])  # sync
 
 
-def _check_limits(limits: object) -> tuple[float, float]:
+def _check_limits(limits: ArrayLike) -> tuple[float, float]:
     low, high = check_finite("limits", check_shape("limits", limits, (2,))).tolist()
     if not low < high:
         raise ValueError(f"limits: expected (low, high) with low < high, got {shown(limits)}")

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from ...cameras.trajectory import Trajectory
 from ...core.array_libraries import view_as
 from ...core.checks import check_name, check_rows, is_on_gpu
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.other_geometry import conversion_of, is_other
 from ...core.units import LengthUnit
+from ...kernels.array_types import AnyArray
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import int32, vec2, vec3
 from ...kernels.memory import empty, move, upload
@@ -32,7 +33,7 @@ from ...pcd.splat_images import columns_of
 from ...pcd.splats import GaussianSplats
 from ...pcd.units import InUnit, common_reference
 from . import outlines
-from .coloring import color_cloud
+from .coloring import Coloring, color_cloud
 from .frame_views import mesh_of_frames
 from .frustum import CameraFrustum
 from .outlines import Segments, upload_lines
@@ -167,7 +168,7 @@ def as_known(geometry: Any) -> Any:
     return np.from_dlpack(geometry)
 
 
-def parts_of(geometry: object, style: Style | None = None, device: object = None) -> list[Part]:
+def parts_of(geometry: object, style: Style | None = None, device: DeviceLike = None) -> list[Part]:
     """Drawn parts of a geometry on a device (None: that of the geometry, else the CPU). Arrays on it are shared.
 
     Raises TypeError if it cannot be drawn and ValueError for inconsistent arrays.
@@ -209,13 +210,13 @@ def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
 
 
 def _points(
-    positions: object,
+    positions: AnyArray,
     origin: NDArray[np.float64],
-    colors: object,
-    normals: object,
+    colors: AnyArray,
+    normals: AnyArray,
     style: Style,
     has_own: bool,
-    coloring: object = None,
+    coloring: Coloring | None = None,
 ) -> Points:
     """Points. Their own colors are unlit unless the style requires lighting."""
     return Points(
@@ -293,18 +294,18 @@ def _surface_style(style: Style) -> dict[str, Any]:
     return chosen | {name: value for name, value in decided.items() if value is not None}
 
 
-def _of_voxels(grid: VoxelGrid, style: Style, device: object) -> list[Part]:
+def _of_voxels(grid: VoxelGrid, style: Style, device: DeviceLike) -> list[Part]:
     parts: list[Part] = voxel_parts(grid, _surface_style(style), device)
     return parts
 
 
-def _of_hull(hull: ConvexHull, style: Style, device: object) -> list[Part]:
+def _of_hull(hull: ConvexHull, style: Style, device: DeviceLike) -> list[Part]:
     if style.wireframe is False:
         return _of_mesh(hull, style, device)
     return [_lines(outlines.of_triangles(hull.vertices, hull.triangles), style, device)]
 
 
-def _of_tsdf(volume: TSDFVolume, style: Style, device: object) -> list[Part]:
+def _of_tsdf(volume: TSDFVolume, style: Style, device: DeviceLike) -> list[Part]:
     return _of_mesh(volume.extract_triangle_mesh(), style, device)
 
 

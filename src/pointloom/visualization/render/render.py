@@ -8,13 +8,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, overload
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import check_pixels
 from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import view_as
 from ...core.checks import check_color, shown
-from ...core.devices import resolve_device
+from ...core.devices import DeviceLike, resolve_device
 from ...core.units import called_by_user, warn_of_units
 from ...core.up_axis import check_up
 from ...kernels.drawing.layers import join_mattes
@@ -23,6 +23,7 @@ from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import download, empty
 from ...kernels.meshes.mesh_measures import vertex_normals
 from .canvas import Canvas
+from .coloring import Coloring
 from .frame_views import mesh_of_frames, view_scene
 from .geometries import Named, check_units, named_geometries, parts_of
 from .open3d_views import OPEN3D_KEYS, read_view
@@ -32,7 +33,7 @@ from .picture import Picture as Picture
 from .scene import Drawing, Scene
 from .styles import Style
 from .up_axis import DEFAULT_LOOK, Look, look_of
-from .view import Frame, Insets, View
+from .view import Frame, Insets, View, ViewLike
 
 BLACK_COLOR, WHITE_COLOR = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 PLAIN_BEFORE_DARK: Triple = (0.85, 0.85, 0.85)  # of lines without a color
@@ -43,16 +44,16 @@ SHADINGS = ("smooth", "flat", "none")
 
 @overload
 def render(
-    geometries: object, camera: object = None, *args: Any, depth: Literal[False] = False, **options: Any
+    geometries: object, camera: ViewLike = None, *args: Any, depth: Literal[False] = False, **options: Any
 ) -> Picture: ...
 @overload
 def render(
-    geometries: object, camera: object = None, *args: Any, depth: Literal[True], **options: Any
+    geometries: object, camera: ViewLike = None, *args: Any, depth: Literal[True], **options: Any
 ) -> tuple[Picture, NDArray[np.float32]]: ...
 @explain_argument_errors
 def render(
     geometries: object,
-    camera: object = None,
+    camera: ViewLike = None,
     size: tuple[int, int] = (1280, 960),
     *,
     point_size: float | None = None,
@@ -62,12 +63,12 @@ def render(
     background: Triple | str = (1.0, 1.0, 1.0),
     shading: str | None = None,
     labels: Iterable[tuple[str, Any]] | None = None,
-    legend: object = None,
-    color_bar: object = None,
+    legend: bool | Iterable[tuple[str, ArrayLike]] | None = None,
+    color_bar: bool | Coloring | None = None,
     scale_bar: bool = False,
     up: str | Triple | None = None,
     depth: bool = False,
-    device: object = None,
+    device: DeviceLike = None,
 ) -> Any:
     """Render an image of clouds, meshes, lines, boxes, cameras, trajectories and voxel grids.
 
@@ -162,7 +163,7 @@ def render(
 
 
 def _groups_of(
-    named: Sequence[Named], for_all: Style, shading: str | None, device: object, *, on_dark: bool
+    named: Sequence[Named], for_all: Style, shading: str | None, device: DeviceLike, *, on_dark: bool
 ) -> list[list[Part]]:
     groups = [parts_of(geometry, style.over(for_all), device) for _, geometry, style in named]
     if shading is not None:
@@ -199,7 +200,7 @@ def _all_of(groups: list[list[Part]]) -> list[Part]:
 
 
 def resolve_view(
-    camera: object,
+    camera: ViewLike,
     scene: Scene,
     width: int,
     height: int,
@@ -256,7 +257,7 @@ def _shaded(part: Part, shading: str) -> Part:
     return dataclasses.replace(part, normals=normals, lit=True)
 
 
-def device_of(named: Sequence[Named], device: object) -> Any:
+def device_of(named: Sequence[Named], device: DeviceLike) -> Any:
     """The given device, else that of the first geometry that has one."""
     if device is None:
         devices = (getattr(geometry, "device", None) for _, geometry, _ in named)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
-from typing import Any
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...core.checks import LARGEST_NUMBER, check_count, check_direction, check_rigid, check_rows
@@ -17,6 +18,8 @@ from .open3d_parameters import cross_product, view_from_open3d, view_to_open3d
 
 Triple = tuple[float, float, float]
 Insets = tuple[int, int, int, int]  # [px] left, top, right, bottom
+#: A view, the path of a view's JSON, a mapping of Open3D's parameters, or None to fit the scene.
+ViewLike: TypeAlias = "View | str | os.PathLike[str] | Mapping[str, Any] | None"
 
 FIELD_OF_VIEW = 40.0  # [degrees] of the wider side: little perspective distortion
 FIT_MARGIN = 1.06  # leaves 6 % of the image free
@@ -127,7 +130,7 @@ class View:
 
 
 def fit_view(
-    points: object,
+    points: ArrayLike,
     *,
     direction: Triple = (-0.65, 0.7, -0.75),
     up: Triple = (0.0, 0.0, 1.0),

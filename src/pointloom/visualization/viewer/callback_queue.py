@@ -7,7 +7,7 @@ import dataclasses
 import logging
 import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from typing import Any
 
 from ...core.errors import PointloomError
@@ -76,7 +76,7 @@ class Calls:
         self._requested: float | None = None  # time of an unanswered request for signals
         self._thread: threading.Thread | None = None
 
-    def call(self, client: int | None, job: Callable[[], Any], key: object = None) -> None:
+    def call(self, client: int | None, job: Callable[[], Any], key: Hashable = None) -> None:
         """Queue a function for a page. A waiting call of the same `key` is replaced."""
         with self._condition:
             key = object() if key is None else key

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ..render.open3d_views import OPEN3D_KEYS, read_view
 from ..render.up_axis import level_up
-from ..render.view import View
+from ..render.view import View, ViewLike
 from .items import Bounds, Frame
 
 if TYPE_CHECKING:
@@ -116,7 +116,7 @@ def diagonal(bounds: Bounds) -> float:
     return float(np.linalg.norm(bounds[1] - bounds[0])) or 1.0
 
 
-def read_parameters(view: object) -> View | dict[str, Any] | None:
+def read_parameters(view: ViewLike) -> View | dict[str, Any] | None:
     if view is None or isinstance(view, View):
         return view
     if isinstance(view, str | os.PathLike):

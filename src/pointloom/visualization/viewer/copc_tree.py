@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_indices
 from ...core.coordinates import choose_origin
@@ -130,13 +130,13 @@ class CopcTree(NodesInView):
         colors = None if table.colors is None else to_bytes(table.colors)
         return Node(positions, middle, half, self.indices_of(i), colors)
 
-    def colors_of(self, indices: object) -> NDArray[np.uint8] | None:
+    def colors_of(self, indices: ArrayLike) -> NDArray[np.uint8] | None:
         """Colors of points in the file, uint8 (k, 3), or None."""
         if not self.has_colors:
             return None
         return self.paint(indices, lambda cloud: np.asarray(to_bytes(np.asarray(cloud.colors))))
 
-    def paint(self, indices: object, paint: Callable[[PointCloud], NDArray[Any]]) -> NDArray[Any]:
+    def paint(self, indices: ArrayLike, paint: Callable[[PointCloud], NDArray[Any]]) -> NDArray[Any]:
         """Apply `paint` (cloud to rows) to the nodes of points, whose indices (k,) are grouped by node."""
         indices = np.asarray(indices, np.int64)
         if not len(indices):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count
 from ...core.coordinates import quiet
-from ...core.errors import FileError
+from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...io.points.in_parts import open_in_parts
 from ...io.table import PointTable
@@ -30,7 +30,7 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
 
 @quiet()
 def columns_of(
-    path: object, part: PointTable, origin: NDArray[np.float64], attributes: Sequence[str]
+    path: FilePath, part: PointTable, origin: NDArray[np.float64], attributes: Sequence[str]
 ) -> dict[str, NDArray[Any]]:
     """Columns of a part for a tree: positions relative to an origin, uint8 colors, attributes prefixed by a dot."""
     columns: dict[str, NDArray[Any]] = {"positions": (part.points - origin).astype(np.float32)}

@@ -13,11 +13,12 @@ import tempfile
 import threading
 import weakref
 import webbrowser
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_positive
@@ -49,9 +50,9 @@ def draw(
     point_show_normal: bool = False,
     mesh_show_wireframe: bool = False,
     mesh_show_back_face: bool = False,
-    lookat: object = None,
-    up: object = None,
-    front: object = None,
+    lookat: ArrayLike | None = None,
+    up: ArrayLike | None = None,
+    front: ArrayLike | None = None,
     zoom: float | None = None,
     field_of_view: float | None = None,
     *,
@@ -334,7 +335,9 @@ class InlinePage:
     def __repr__(self) -> str:
         return f"InlinePage({'; '.join(self.notes)})"
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+    def _repr_mimebundle_(
+        self, include: Iterable[str] | None = None, exclude: Iterable[str] | None = None
+    ) -> dict[str, Any]:
         """The page in a frame, with the image as fallback."""
         if self.html is None:
             return still_output(repr(self), self.notes, self.picture)

@@ -6,6 +6,7 @@ from collections import deque
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .camera import diagonal
 from .items import Bounds
@@ -47,7 +48,7 @@ class Homes:
     def __init__(self) -> None:
         self._positions: deque[Any] = deque(maxlen=MAX_HOMES)
 
-    def put(self, position: object) -> None:
+    def put(self, position: ArrayLike) -> None:
         self._positions.append(position)
 
     def leave(self) -> None:

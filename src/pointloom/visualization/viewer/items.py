@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.coordinates import box_of_finite, finite_rows
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.memory import download
 from ...pcd.cloud import PointCloud
+from ..render.coloring import Coloring
 from ..render.geometries import bounds_of, parts_of
 from ..render.parts import Part, Points, Triangles
 from ..render.styles import Style
 from .extents import Bounds
+
+if TYPE_CHECKING:
+    from .copc_tree import CopcTree
+    from .detail_tree import DetailTree
+
 
 Matrix = NDArray[np.float64]
 
@@ -150,7 +156,7 @@ class Item:
             some.colors = self.tree.colors_of(np.asarray(indices, np.int64))
         return some
 
-    def recolor(self, coloring: object) -> None:
+    def recolor(self, coloring: Coloring | None) -> None:
         self.coloring, self._shown = coloring, None
 
     def colors_of(self, indices: Any) -> NDArray[np.uint8]:
@@ -204,7 +210,9 @@ class Item:
         return self._sample if pose is None else self._sample @ pose[:3, :3].T + pose[:3, 3]
 
 
-def make_item(name: str, number: int, geometry: object, style: Style, tree: object = None) -> Item:
+def make_item(
+    name: str, number: int, geometry: object, style: Style, tree: CopcTree | DetailTree | None = None
+) -> Item:
     """Make an item. Raises TypeError if it cannot be drawn and ValueError for inconsistent arrays."""
     parts = parts_of(geometry, style)
     cloud = None
@@ -235,7 +243,7 @@ def _cloud_of(part: Points) -> PointCloud:
     return PointCloud(download(part.positions).reshape(-1, 3) + part.origin, **rows)
 
 
-def to_bytes(colors: object) -> NDArray[np.uint8]:
+def to_bytes(colors: ArrayLike) -> NDArray[np.uint8]:
     """Colors from 0 to 1 as uint8; clipped, NaN is black."""
     values = np.nan_to_num(np.asarray(colors, np.float32), nan=0.0, posinf=1.0, neginf=0.0)
     return (np.clip(values, 0, 1) * np.float32(255) + np.float32(0.5)).astype(np.uint8)

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...core.checks import check_name, check_number, check_positive, check_rigid
 from .items import Item, Matrix, make_item
@@ -67,7 +68,7 @@ class LiveTimeline:
     def time(self) -> float:
         return self.times[-1 if self._shown is None else self._shown - self.dropped]
 
-    def set_time(self, t: object) -> None:
+    def set_time(self, t: float) -> None:
         time = check_number("t", t)
         if self.times and time < self.times[-1]:
             raise ValueError(f"t: expected at least the newest time, {self.times[-1]:g}, got {time:g}")
@@ -108,7 +109,7 @@ class LiveTimeline:
         for name in self.names():
             self._put(name, None)
 
-    def set_pose(self, name: str, T: object) -> None:
+    def set_pose(self, name: str, T: ArrayLike) -> None:
         self._put(name, dataclasses.replace(self._find(name), pose=check_rigid("T", T)))
 
     def set_visible(self, name: str, visible: bool) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_finite, check_indices, check_numeric, check_positive
 from ..render.view import View, check_view
@@ -69,7 +69,7 @@ class NodesInView:
         taken = int(np.searchsorted(np.cumsum(counts[ranked]), budget, side="right"))
         return ranked[: max(taken, min(1, budget))].tolist()
 
-    def pixels(self, view: View, lengths: object) -> NDArray[np.float64]:
+    def pixels(self, view: View, lengths: ArrayLike) -> NDArray[np.float64]:
         """Maximum projected size of lengths in a view, where each node's cell is nearest to the camera.
 
         Args:
@@ -95,10 +95,10 @@ class NodesInView:
         names = self._names[self._check_nodes(nodes)]
         return np.isin(names, names >> 3)
 
-    def _check_nodes(self, nodes: object) -> NDArray[Any]:
+    def _check_nodes(self, nodes: ArrayLike) -> NDArray[Any]:
         return check_indices("nodes", nodes, len(self), of=f"tree of {len(self)} nodes")
 
-    def _check_counts(self, counts: object) -> NDArray[np.int64]:
+    def _check_counts(self, counts: ArrayLike) -> NDArray[np.int64]:
         numbers = check_numeric("counts", counts)
         if numbers.shape != self.counts.shape:
             raise ValueError(f"counts: expected shape [{len(self)}], one per node, got {list(numbers.shape)}")

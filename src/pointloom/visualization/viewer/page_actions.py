@@ -9,6 +9,8 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from numpy.typing import ArrayLike
+
 from ...core.errors import PointloomError
 from ...io.images.image_files import encode_png
 from ..render.open3d_views import read_view, write_view
@@ -149,7 +151,7 @@ class PageActions:
                     self._edits.set_visible(name, visible)
 
     @show_errors_in_page
-    def color(self, client: int, by: str | None, colormap: str | None, limits: object) -> None:
+    def color(self, client: int, by: str | None, colormap: str | None, limits: ArrayLike | None) -> None:
         self.display.color_by(by, colormap, limits)
 
     def _color(self, client: int, *, fit: bool = False) -> None:

@@ -6,6 +6,7 @@ Names and labels are sent as plain text, never as HTML or Markdown.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -138,7 +139,7 @@ class Panel:
         self.normals.value, self.wireframe.value = scene.normals, scene.wireframe
 
 
-def legend_of(coloring: Coloring, items: object) -> tuple[str, Any]:
+def legend_of(coloring: Coloring, items: Iterable[Item]) -> tuple[str, Any]:
     """Content of a legend: ("bar", title, ticks and colormap), or ("labels", rows of name, color and count)."""
     if coloring.limits is not None and coloring.colormap is not None:
         title, ticks = bar_ticks(coloring)

@@ -12,6 +12,7 @@ from ...core.coordinates import finite_rows
 from ...kernels.memory import download
 from ..recording.shapes import spread_rows
 from ..render.parts import Points
+from ..render.view import View
 from .items import Frame, Item, Matrix
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ class WholeCloud:
         if self.waits:
             self._send_step(len(self._nodes))
 
-    def look(self, view: object) -> None:
+    def look(self, view: View) -> None:
         """No effect: the page has all points."""
 
     def set_colors(self, colors_of: Callable[[NDArray[np.int64]], NDArray[np.uint8]]) -> None:

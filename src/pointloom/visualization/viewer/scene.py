@@ -6,7 +6,7 @@ import threading
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_finite, check_name, check_positive, check_shape
 from ...core.errors import PointloomError
@@ -94,7 +94,7 @@ class Scene:
         return self._up
 
     @up.setter
-    def up(self, value: object) -> None:
+    def up(self, value: ArrayLike | str | None) -> None:
         self._up = None if value is None else check_up(value)
 
     def home(self) -> View:
@@ -230,10 +230,10 @@ class Scene:
         return np.vstack([*samples, boxes.corners()])
 
 
-def check_color(color: object) -> NDArray[np.float64]:
+def check_color(color: ArrayLike) -> NDArray[np.float64]:
     return np.clip(check_finite("background", check_shape("background", color, (3,))), 0, 1)
 
 
-def check_size(size: object) -> float:
+def check_size(size: float) -> float:
     """Point size [px], clipped to the visible range."""
     return min(max(check_positive("point_size", size), SMALLEST_POINT), LARGEST_POINT)

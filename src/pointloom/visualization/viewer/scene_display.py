@@ -8,10 +8,11 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...pcd.cloud import PointCloud
 from ..render.parts import Triangles
-from ..render.view import View
+from ..render.view import View, ViewLike
 from .camera import camera_limits, camera_of
 from .deferred_update import DeferredUpdate
 from .home_views import AutoFit
@@ -174,7 +175,7 @@ class SceneDisplay:
         self.panel.put_item(item)
         self.changed()
 
-    def set_view(self, view: object) -> None:
+    def set_view(self, view: ViewLike) -> None:
         home = self.scene.set_view(view)
         self._update_first_camera()
         self.in_pages(lambda session: session.look_from(home))
@@ -185,13 +186,13 @@ class SceneDisplay:
             self.in_pages(lambda session: session.resize_points())
             self.panel.show_state()
 
-    def set_background(self, color: object) -> None:
+    def set_background(self, color: ArrayLike) -> None:
         with self.scene.lock:
             self.scene.background, self.scene.has_own_background = check_color(color), True
             self._paint_background()
             self.panel.show_state()
 
-    def color_by(self, by: str | None, colormap: str | None = None, limits: object = None) -> None:
+    def color_by(self, by: str | None, colormap: str | None = None, limits: ArrayLike | None = None) -> None:
         scene = self.scene
         with scene.lock, self.batch():
             scene.coloring = scene.coloring.checked(by, colormap, limits, scene.shown.values())

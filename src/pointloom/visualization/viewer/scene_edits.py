@@ -9,6 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar, cast
 
+from numpy.typing import ArrayLike
+
 from ...core.checks import check_name, check_number, check_rigid
 from ...core.errors import PointloomError
 from ..render.geometries import Named, named_geometries
@@ -120,7 +122,7 @@ class SceneEdits:
             self.display.clear()
 
     @logged
-    def set_pose(self, name: str, T: object) -> None:
+    def set_pose(self, name: str, T: ArrayLike) -> None:
         with self.scene.lock:
             self.scene.check_open()
             self.scene.find(name)

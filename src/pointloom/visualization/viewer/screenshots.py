@@ -7,7 +7,7 @@ import os
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
@@ -110,7 +110,7 @@ def shown_geometry(scene: Scene, item: Item, clip: Clip | None = None) -> Named:
     return item.name, geometry, style
 
 
-def clipped(geometry: object, clip: Clip, pose: object) -> Any:
+def clipped(geometry: object, clip: Clip, pose: ArrayLike | None) -> Any:
     """Clip a cloud or mesh at a pose. Other types are returned unchanged."""
     if not clip.cuts:
         return geometry

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid, check_shape
 from ..render.view import View, check_view
@@ -99,7 +99,7 @@ class CloudStream:
         client: PageClient,
         tree: DetailTree | CopcTree,
         *,
-        origin: object,
+        origin: ArrayLike,
         budget: int,
         point_size: float | None = None,
         metric: bool = False,
@@ -152,7 +152,7 @@ class CloudStream:
             if not self._is_closed:
                 self._frame.visible = bool(visible)
 
-    def set_pose(self, T: object) -> None:
+    def set_pose(self, T: ArrayLike) -> None:
         """Set T_world_cloud, 4x4, and select nodes again."""
         pose = check_rigid("T", T)
         with self._working:

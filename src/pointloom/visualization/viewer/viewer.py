@@ -6,12 +6,12 @@ import atexit
 import contextlib
 import os
 import weakref
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_count, check_name, check_positive
@@ -20,7 +20,7 @@ from ..notebook_output import live_output
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.parts import Triple
-from ..render.view import View
+from ..render.view import View, ViewLike
 from .client_presence import KEEP_ALIVE, Presence
 from .controls import DEFAULT_FOLDER, Control
 from .copc_tree import CopcTree
@@ -97,7 +97,7 @@ class Viewer:
         title: str = "pointloom",
         max_points: int = MAX_POINTS,
         point_size: float = POINT_SIZE,
-        background: object = (1.0, 1.0, 1.0),
+        background: ArrayLike = (1.0, 1.0, 1.0),
         size: tuple[int, int] = (1280, 960),
     ):
         self.scene = Scene(
@@ -134,7 +134,9 @@ class Viewer:
     def __repr__(self) -> str:
         return f"Viewer({self.url}, {len(self.scene.shown)} geometries{', closed' if self.closed else ''})"
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+    def _repr_mimebundle_(
+        self, include: Iterable[str] | None = None, exclude: Iterable[str] | None = None
+    ) -> dict[str, Any]:
         """For notebooks: the page in a frame, with a static image as fallback."""
         if self.closed:
             return {"text/plain": repr(self)}
@@ -218,7 +220,7 @@ class Viewer:
         """Remove all geometries. The view is fitted again to the next one."""
         self.edits.clear()
 
-    def set_pose(self, name: str, T: object) -> None:
+    def set_pose(self, name: str, T: ArrayLike) -> None:
         """Move a geometry. Sends 84 bytes to each page, independent of its size.
 
         Args:
@@ -279,10 +281,10 @@ class Viewer:
         return self.scene.up
 
     @up.setter
-    def up(self, value: object) -> None:
+    def up(self, value: ArrayLike | str | None) -> None:
         self.scene.up = value
 
-    def set_view(self, view: object = None, **parameters: Any) -> None:
+    def set_view(self, view: ViewLike = None, **parameters: Any) -> None:
         """Set the camera of all current and later pages. The key R in a page resets to it.
 
         Args:
@@ -325,10 +327,10 @@ class Viewer:
         return self.scene.background.copy()
 
     @background.setter
-    def background(self, color: object) -> None:
+    def background(self, color: ArrayLike) -> None:
         self.display.set_background(color)
 
-    def color_by(self, by: str | None, *, colormap: str | None = None, limits: object = None) -> None:
+    def color_by(self, by: str | None, *, colormap: str | None = None, limits: ArrayLike | None = None) -> None:
         """Color the clouds by a property of their points.
 
         Args:

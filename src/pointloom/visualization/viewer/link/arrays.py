@@ -6,14 +6,14 @@ from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....core.checks import check_finite, check_number, check_shape
 
 NORMAL_SCALE = 32767
 
 
-def immutable_rows(values: object, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
+def immutable_rows(values: ArrayLike, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
     """Rows (n, *tail) of one of `dtypes` (others become the first): a read-only array itself, else a copy."""
     given = np.asarray(values)
     first, *others = map(np.dtype, dtypes)
@@ -28,7 +28,7 @@ def immutable_rows(values: object, dtypes: Iterable[Any], *tail: int) -> NDArray
     return array
 
 
-def packed_normals(values: object) -> NDArray[np.int16]:
+def packed_normals(values: ArrayLike) -> NDArray[np.int16]:
     """Unit normals (n, 3) as int16; int16 is returned as is."""
     given = np.asarray(values)
     if given.dtype != np.int16:
@@ -37,7 +37,7 @@ def packed_normals(values: object) -> NDArray[np.int16]:
     return immutable_rows(given, [np.int16], 3)
 
 
-def placing(R: object, t: object, scale: float) -> list[float]:
+def placing(R: ArrayLike | None, t: ArrayLike | None, scale: float) -> list[float]:
     """Rotation (3, 3), translation (3,) (None: identity) and scale as 12 numbers, rows of 3x4."""
     pose = np.zeros((3, 4))
     pose[:, :3] = np.eye(3) if R is None else check_finite("R", check_shape("R", R, (3, 3)))
@@ -47,10 +47,10 @@ def placing(R: object, t: object, scale: float) -> list[float]:
     return pose.ravel().tolist()
 
 
-def triple(name: str, values: object) -> list[float]:
+def triple(name: str, values: ArrayLike) -> list[float]:
     return check_finite(name, check_shape(name, values, (3,))).tolist()
 
 
-def color(name: str, values: object) -> list[int]:
+def color(name: str, values: ArrayLike) -> list[int]:
     numbers = check_shape(name, values, (3,))
     return np.clip(np.rint(check_finite(name, numbers)), 0, 255).astype(int).tolist()

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....core.checks import check_angle, check_finite, check_number, check_positive, check_shape
 from .arrays import triple
@@ -39,7 +39,7 @@ class CameraState:
 FIRST_STATE = CameraState(np.zeros(3), np.eye(3), math.radians(60), (800, 600), np.array([0.0, 0.0, 1.0]))
 
 
-def nearest_rotation(matrix: object) -> NDArray[np.float64] | None:
+def nearest_rotation(matrix: ArrayLike) -> NDArray[np.float64] | None:
     """The rotation closest to a matrix (3, 3) with rounding errors. None if it is no rotation."""
     values = np.asarray(matrix, np.float64)
     if not (np.isfinite(values).all() and np.abs(values).max() < 2):

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....core.checks import check_number
 from .arrays import color, immutable_rows
@@ -73,7 +74,7 @@ class Gui:
         fields = {"options": words, "value": words[0] if value is None else value}
         return self._input("dropdown", label, fields, {"options": _words, "value": str}, common)
 
-    def add_rgb(self, label: str, value: object, **common: Any) -> Input:
+    def add_rgb(self, label: str, value: ArrayLike, **common: Any) -> Input:
         """Add a color field, 0 to 255."""
         return self._input("rgb", label, {"value": value}, {"value": _rgb}, common)
 
@@ -81,7 +82,7 @@ class Gui:
         """Add plain text with line breaks. Its `value` is assignable."""
         return self._shown("words", None, {"value": text}, {"value": str}, common)
 
-    def add_table(self, rows: object, **common: Any) -> Shown:
+    def add_table(self, rows: Mapping[str, str] | Iterable[tuple[str, str]], **common: Any) -> Shown:
         """Add rows of label and text, as a mapping or pairs."""
         return self._shown("table", None, {"value": rows}, {"value": _rows}, common)
 
@@ -89,12 +90,12 @@ class Gui:
         """Add a button for uploading a text file of up to 1 MiB; `accept` as in HTML."""
         return self._add(Upload(self, "upload", _fields(label, {"accept": accept}, **common), {"accept": str}))
 
-    def add_colorbar(self, title: str, ticks: object, colors: object, **common: Any) -> Shown:
+    def add_colorbar(self, title: str, ticks: Iterable[tuple[float, str]], colors: ArrayLike, **common: Any) -> Shown:
         """Add a color bar beside the image: ticks are pairs of a fraction and a text, colors uint8 (256, 3)."""
         fields = {"title": title, "ticks": ticks, "colors": colors}
         return self._shown("colorbar", None, fields, {"title": str, "ticks": _ticks, "colors": _ramp}, common)
 
-    def add_legend(self, entries: object, **common: Any) -> Shown:
+    def add_legend(self, entries: Iterable[tuple[str, ArrayLike, str]], **common: Any) -> Shown:
         """Add a legend: rows of label, color (0 to 255) and text."""
         return self._shown("legend", None, {"entries": entries}, {"entries": _entries}, common)
 
@@ -224,7 +225,7 @@ def _entries(entries: Any) -> tuple[tuple[str, tuple[int, ...], str], ...]:
     return tuple((str(label), _rgb(rgb), str(text)) for label, rgb, text in entries)
 
 
-def _ramp(colors: object) -> Any:
+def _ramp(colors: ArrayLike | None) -> Any:
     return None if colors is None else immutable_rows(colors, [np.uint8], 3)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any, TypedDict, Unpack
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....core.checks import check_fraction, check_positive
 from ....io.images.image_files import encode_png
@@ -34,12 +34,21 @@ class Node:
     Calls on a removed node, or after its page was closed, have no effect.
     """
 
-    def __init__(self, channel: Channel, kind: str, number: int, R: object, t: object, scale: float, visible: bool):
+    def __init__(
+        self,
+        channel: Channel,
+        kind: str,
+        number: int,
+        R: ArrayLike | None,
+        t: ArrayLike | None,
+        scale: float,
+        visible: bool,
+    ):
         self._channel, self.kind, self.id = channel, kind, number
         self._R, self._t, self._scale, self._visible = R, t, scale, visible
         self._removed = False
 
-    def set_transform(self, R: object, t: object, scale: float | None = None) -> None:
+    def set_transform(self, R: ArrayLike | None, t: ArrayLike | None, scale: float | None = None) -> None:
         """Set rotation (3, 3), translation (3,) and scale in the parent's frame; None: identity, zero, unchanged."""
         self._scale = self._scale if scale is None else scale
         self._send({"pose": placing(R, t, self._scale)})
@@ -95,11 +104,11 @@ class Scene:
 
     def add_points(
         self,
-        positions: object,
-        colors: object = None,
+        positions: ArrayLike,
+        colors: ArrayLike | None = None,
         *,
-        plain: object = None,
-        normals: object = None,
+        plain: ArrayLike | None = None,
+        normals: ArrayLike | None = None,
         size: float = 3.0,
         metric: bool = False,
         relief: bool = True,
@@ -117,14 +126,14 @@ class Scene:
 
     def add_surface(
         self,
-        positions: object,
-        indices: object,
+        positions: ArrayLike,
+        indices: ArrayLike,
         *,
-        normals: object = None,
-        colors: object = None,
-        plain: object = None,
-        uvs: object = None,
-        texture: object = None,
+        normals: ArrayLike | None = None,
+        colors: ArrayLike | None = None,
+        plain: ArrayLike | None = None,
+        uvs: ArrayLike | None = None,
+        texture: ArrayLike | None = None,
         lit: bool = True,
         cull: bool = False,
         wireframe: bool = False,
@@ -141,10 +150,10 @@ class Scene:
 
     def add_lines(
         self,
-        ends: object,
-        colors: object = None,
+        ends: ArrayLike,
+        colors: ArrayLike | None = None,
         *,
-        plain: object = None,
+        plain: ArrayLike | None = None,
         width: float = 1.0,
         **placement: Unpack[Placement],
     ) -> Node:
@@ -152,7 +161,7 @@ class Scene:
         properties = {"ends": ends, "colors": colors, "plain": plain, "width": width}
         return self._add("lines", properties, **placement)
 
-    def add_label(self, text: str, position: object, *, anchor: str = "center") -> Node:
+    def add_label(self, text: str, position: ArrayLike, *, anchor: str = "center") -> Node:
         """Add a text at a position (3,) of the parent's frame; `anchor` is the corner of the text at that position."""
         return self._add("label", {"text": text, "anchor": anchor}, t=position)
 
@@ -180,8 +189,8 @@ class Scene:
         properties: dict[str, Any],
         *,
         parent: Node | None = None,
-        R: object = None,
-        t: object = None,
+        R: ArrayLike | None = None,
+        t: ArrayLike | None = None,
         scale: float = 1.0,
         visible: bool = True,
     ) -> Node:
@@ -208,30 +217,30 @@ def checked(kind: str, properties: dict[str, Any]) -> dict[str, Any]:
     return sent
 
 
-def _positions(values: object) -> NDArray[Any]:
+def _positions(values: ArrayLike) -> NDArray[Any]:
     return immutable_rows(values, [np.float32, np.float16], 3)
 
 
-def _singles(values: object) -> NDArray[Any]:
+def _singles(values: ArrayLike) -> NDArray[Any]:
     return immutable_rows(values, [np.float32], 3)
 
 
-def _ends(values: object) -> NDArray[Any]:
+def _ends(values: ArrayLike) -> NDArray[Any]:
     return immutable_rows(values, [np.float32], 2, 3).reshape(-1, 3)
 
 
-def _colors(values: object) -> NDArray[np.uint8]:
+def _colors(values: ArrayLike) -> NDArray[np.uint8]:
     return immutable_rows(values, [np.uint8], 3)
 
 
-def _end_colors(values: object) -> NDArray[np.uint8]:
+def _end_colors(values: ArrayLike) -> NDArray[np.uint8]:
     given = np.asarray(values)
     if given.ndim == 3:
         return immutable_rows(given, [np.uint8], 2, 3).reshape(-1, 3)
     return np.repeat(_colors(given), 2, axis=0)
 
 
-def _indices(values: object) -> NDArray[Any]:
+def _indices(values: ArrayLike) -> NDArray[Any]:
     given = np.asarray(values)
     return (
         immutable_rows(given, [np.uint32], 3)
@@ -240,11 +249,11 @@ def _indices(values: object) -> NDArray[Any]:
     )
 
 
-def _uvs(values: object) -> NDArray[Any]:
+def _uvs(values: ArrayLike) -> NDArray[Any]:
     return immutable_rows(values, [np.float32], 2)
 
 
-def _texture(values: object) -> NDArray[np.uint8]:
+def _texture(values: ArrayLike) -> NDArray[np.uint8]:
     return np.frombuffer(encode_png(np.ascontiguousarray(values, np.uint8)), np.uint8)[:, None]
 
 

@@ -15,6 +15,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from ....core.checks import check_color, check_fraction
 from ...page.sources import live_page
 from ..guard import RequestGuard
@@ -136,7 +138,7 @@ class PageServer:
         """Context in which this thread's changes are applied together; may be nested."""
         return self.delivery.atomic()
 
-    def set_background(self, rgb: object, own: bool = True) -> None:
+    def set_background(self, rgb: ArrayLike, own: bool = True) -> None:
         """Set the background color, 0 to 1. If not `own`, a page may follow dark mode."""
         self._channel.send({"op": "background", "color": check_color("rgb", rgb).tolist(), "own": bool(own)})
 
@@ -147,7 +149,7 @@ class PageServer:
             self._first = moved(self._first, sent)
             self.delivery.keep({"op": "camera", **sent})
 
-    def set_bounds(self, low: object, high: object) -> None:
+    def set_bounds(self, low: ArrayLike, high: ArrayLike) -> None:
         self._channel.send({"op": "bounds", "low": triple("low", low), "high": triple("high", high)})
 
     def set_hint(self, text: str) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....core.checks import check_direction, check_number, check_rows, check_shape, check_transformation
 from ....kernels.drawing import picking
@@ -52,14 +52,14 @@ class Clip:
     def cuts(self) -> bool:
         return self.normal is not None or bool(np.isfinite(self.low).any() or np.isfinite(self.high).any())
 
-    def heights(self, points: object) -> list[NDArray[np.float64]]:
+    def heights(self, points: ArrayLike) -> list[NDArray[np.float64]]:
         """Signed distances of points (n, 3) to each active plane [m], positive inside: float64 (n,) each."""
         positions = check_rows("points", points, 3, dtype=np.float64)
         distances = [positions[:, i] - self.low[i] for i in range(3) if np.isfinite(self.low[i])]
         distances += [self.high[i] - positions[:, i] for i in range(3) if np.isfinite(self.high[i])]
         return distances if self.normal is None else [*distances, positions @ self.normal - self.offset]
 
-    def keep(self, points: object) -> NDArray[np.bool_]:
+    def keep(self, points: ArrayLike) -> NDArray[np.bool_]:
         """True for world points (n, 3) inside. False for NaN."""
         positions = check_rows("points", points, 3, dtype=np.float64)
         is_inside = np.isfinite(positions[:, 0]) & np.isfinite(positions[:, 1]) & np.isfinite(positions[:, 2])
@@ -67,14 +67,14 @@ class Clip:
             is_inside &= height >= 0
         return is_inside
 
-    def keeper(self, pose: object = None) -> Keep:
+    def keeper(self, pose: ArrayLike | None = None) -> Keep:
         """`keep` for points in the coordinates of a geometry at a pose, 4x4 or None."""
         T = None if pose is None else check_transformation("pose", pose)
 
         return lambda points: self.keep(points if T is None else np.asarray(points) @ T[:3, :3].T + T[:3, 3])
 
 
-def hidden_points(cloud: PointCloud, clip: Clip, *, pose: object = None) -> Any:
+def hidden_points(cloud: PointCloud, clip: Clip, *, pose: ArrayLike | None = None) -> Any:
     """uint8 (n,) on the cloud's device, 1 for hidden points. None without clipping. `pose`: cloud to world, 4x4."""
     if not clip.cuts:
         return None
@@ -85,7 +85,7 @@ def hidden_points(cloud: PointCloud, clip: Clip, *, pose: object = None) -> Any:
     return picking.mask_clipped(cloud.arrays["points"], T, clip.low, clip.high, normal, offset)
 
 
-def clip_mesh(mesh: TriangleMesh, clip: Clip, *, pose: object = None) -> TriangleMesh:
+def clip_mesh(mesh: TriangleMesh, clip: Clip, *, pose: ArrayLike | None = None) -> TriangleMesh:
     """Clip a mesh through its triangles, in its own coordinates. Textures are dropped if anything is clipped.
 
     Returns the mesh itself if it is completely visible.

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....core.atomic import atomic_write
 from ....core.checks import check_finite, check_positive, check_rows
@@ -44,7 +44,7 @@ class PairFit:
     residuals: NDArray[np.float64]
 
 
-def fit_pairs(source: object, target: object) -> PairFit:
+def fit_pairs(source: ArrayLike, target: ArrayLike) -> PairFit:
     """Least-squares rigid transformation between picked points (m, 3) [m] (Umeyama 1991).
 
     Raises ValueError for fewer than 3 pairs, other shapes, non-finite or collinear points (spread below 1/50 of the
@@ -95,8 +95,8 @@ class PairRegistration(Assessed):
 def register_from_pairs(
     source: PointCloud,
     target: PointCloud,
-    source_points: object,
-    target_points: object,
+    source_points: ArrayLike,
+    target_points: ArrayLike,
     *,
     refine: bool = True,
     max_correspondence_distance: float | None = None,
@@ -177,9 +177,9 @@ def _method(target: PointCloud) -> tuple[PointCloud, TransformationEstimation]:
 def save_pairs(
     path: Any,
     names: tuple[str, str],
-    indices: object,
-    source_points: object,
-    target_points: object,
+    indices: ArrayLike,
+    source_points: ArrayLike,
+    target_points: ArrayLike,
     registration: PairRegistration,
 ) -> None:
     """Write pairs and their registration as JSON, atomically. Raises FileError."""

@@ -6,7 +6,7 @@ import dataclasses
 import math
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....core.checks import check_finite, check_rows, check_shape
 from ....core.units import LengthUnit, symbol_of
@@ -26,7 +26,7 @@ class Distance:
     slope: float
 
 
-def distance_between(a: object, b: object) -> Distance:
+def distance_between(a: ArrayLike, b: ArrayLike) -> Distance:
     """Distance from one point to another.
 
     Example:
@@ -39,7 +39,7 @@ def distance_between(a: object, b: object) -> Distance:
     return Distance(length, float(d[0]), float(d[1]), float(d[2]), slope)
 
 
-def path_length(points: object) -> float:
+def path_length(points: ArrayLike) -> float:
     """Length of a path through points (n, 3) [m]. 0 for fewer than 2.
 
     Example:
@@ -50,7 +50,7 @@ def path_length(points: object) -> float:
     return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())
 
 
-def angle_at(a: object, b: object, c: object) -> float:
+def angle_at(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> float:
     """Angle at b between the directions to a and c [degrees], 0 to 180. NaN if one has no length.
 
     Example:
@@ -94,5 +94,5 @@ def angle_text(value: float) -> str:
     return "none" if math.isnan(value) else f"{value:.2f}°"
 
 
-def _point(name: str, value: object) -> NDArray[np.float64]:
+def _point(name: str, value: ArrayLike) -> NDArray[np.float64]:
     return check_finite(name, check_shape(name, value, (3,)))

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....core.checks import check_number, check_positive, check_transformation
 from ....kernels.drawing import picking
@@ -138,7 +138,7 @@ def ray_through(view: View, x: float, y: float) -> tuple[NDArray[np.float64], ND
     return view.T_world_camera[:3, 3].copy(), view.T_world_camera[:3, :3] @ direction
 
 
-def project(view: View, point: object) -> tuple[float, float, float]:
+def project(view: View, point: ArrayLike) -> tuple[float, float, float]:
     """Column and row [px] and depth [m] of a world point. NaN if it is not in front of the camera."""
     q = view.T_world_camera[:3, :3].T @ (np.asarray(point, np.float64) - view.T_world_camera[:3, 3])
     if not q[2] > 0:
@@ -175,6 +175,6 @@ def coordinate_text(value: float, resolution: float = 0.0) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
-def _value_text(value: object) -> str:
+def _value_text(value: ArrayLike) -> str:
     values = np.atleast_1d(np.asarray(value))
     return " ".join(f"{v}" if values.dtype.kind in "iub" else f"{float(v):.7g}" for v in values.ravel().tolist())

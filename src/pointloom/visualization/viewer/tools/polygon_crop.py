@@ -11,7 +11,7 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....cameras.camera import PinholeCameraIntrinsic
 from ....core.checks import check_finite, check_rows, check_shape, check_transformation
@@ -34,7 +34,7 @@ VIEW_MARGIN = 1.1  # margin around the points
 Matrix = NDArray[np.float64]
 
 
-def check_polygon(polygon: object) -> NDArray[np.float64]:
+def check_polygon(polygon: ArrayLike) -> NDArray[np.float64]:
     """Corners of a polygon [px], float64 (m, 2). ValueError for fewer than 3, non-finite or collinear corners."""
     corners = check_finite("polygon", check_rows("polygon", polygon, 2, dtype=np.float64))
     if len(corners) < MIN_CORNERS:
@@ -57,7 +57,7 @@ def looks_along_axis(view: View) -> bool:
     return float(np.abs(view.T_world_camera[:3, 2]).max()) >= MIN_AXIS_COSINE
 
 
-def view_along(view: View, low: object, high: object, axis: str | None = None) -> View:
+def view_along(view: View, low: ArrayLike, high: ArrayLike, axis: str | None = None) -> View:
     """Nearly orthographic view of a box along a coordinate axis, from 500 times its depth and height.
 
     Side, up direction and image size follow `view`; `axis` None takes the nearest axis.
@@ -95,7 +95,9 @@ def _up_axis(view: View, axis: int) -> NDArray[np.float64]:
     return up_axis
 
 
-def seen_inside(cloud: PointCloud, view: View, polygon: object, *, pose: object = None) -> NDArray[np.int32]:
+def seen_inside(
+    cloud: PointCloud, view: View, polygon: ArrayLike, *, pose: ArrayLike | None = None
+) -> NDArray[np.int32]:
     """Ascending indices of the points inside a polygon (m, 2) [px] (even-odd rule), including hidden points.
 
     Example:
@@ -118,7 +120,9 @@ def seen_inside(cloud: PointCloud, view: View, polygon: object, *, pose: object 
     return download(positions_of(mask))  # sync
 
 
-def polygon_to_volume(view: View, polygon: object, points: Any, *, pose: object = None) -> SelectionPolygonVolume:
+def polygon_to_volume(
+    view: View, polygon: ArrayLike, points: Any, *, pose: ArrayLike | None = None
+) -> SelectionPolygonVolume:
     """Convert a polygon (m, 2) [px] in a view along an axis, preferably from `view_along`, to Open3D's volume.
 
     `points` (a cloud or (n, 3)) define depth and reference plane of the prism, which extends beyond them by their
@@ -145,7 +149,7 @@ def polygon_to_volume(view: View, polygon: object, points: Any, *, pose: object 
     return SelectionPolygonVolume(volume_corners, axis, low - (high - low), high + (high - low))
 
 
-def _ends(cloud: PointCloud, pose: object, axis: int) -> tuple[float, float]:
+def _ends(cloud: PointCloud, pose: ArrayLike | None, axis: int) -> tuple[float, float]:
     """Lowest and highest world coordinate of the finite points along an axis; (inf, -inf) if none."""
     moved = cloud if pose is None else cloud.transform(check_transformation("pose", pose))
     finite = moved.remove_non_finite_points()
@@ -162,6 +166,8 @@ def _meet(view: View, corner: NDArray[np.float64], axis: int, level: float) -> N
     return point
 
 
-def indices_in_volume(cloud: PointCloud, volume: SelectionPolygonVolume, *, pose: object = None) -> NDArray[np.int32]:
+def indices_in_volume(
+    cloud: PointCloud, volume: SelectionPolygonVolume, *, pose: ArrayLike | None = None
+) -> NDArray[np.int32]:
     moved = cloud if pose is None else cloud.transform(check_transformation("pose", pose))
     return download(positions_of(mask_volume(volume, moved.arrays["points"], moved.origin)))  # sync

@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....core.errors import PointloomError
 from ....kernels.lang import int32, vec3
@@ -444,7 +445,7 @@ def _same(before: tuple[Any, ...] | None, now: tuple[Any, ...]) -> bool:
     return before is not None and len(before) == len(now) and all(a is b for a, b in zip(before, now, strict=True))
 
 
-def clip_part(part: Triangles, clip: Clip, pose: object) -> Triangles:
+def clip_part(part: Triangles, clip: Clip, pose: ArrayLike | None) -> Triangles:
     """Clip a surface. A textured one loses all triangles that are partly outside."""
     positions = download(part.positions).reshape(-1, 3)
     faces = download(part.indices).reshape(-1, 3)
