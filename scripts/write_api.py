@@ -2,7 +2,7 @@
 
     python scripts/write_api.py            # write the file
     python scripts/write_api.py --check    # print the difference and names without a docstring; exit code 1 if any
-    python scripts/write_api.py --compare docs/api-0.1.0.txt    # print what was removed or changed since; 1 if any
+    python scripts/write_api.py --compare FILE    # print what was removed or changed since; 1 if any
 
 The file makes each change of the public interface visible in a diff. Names of `pointloom.open3d` are Open3D's and are
 left out.

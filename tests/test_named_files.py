@@ -7,7 +7,7 @@ may be that of any file of the repository. Not checked:
 - in code (fenced blocks, and spans with a space): paths that do not begin with a folder of the repository;
 - strings outside src, which are data.
 
-A word in capitals stands for any text: `docs/api-VERSION.txt`.
+A word in capitals stands for any text: `constraints/NAME.txt`.
 """
 
 import re
@@ -119,7 +119,7 @@ def test_missing_files_are_found(text, source):
         ('"""Points (search/point_tree.py)."""', "src/pointloom/kernels/pcd/a.py"),
         ("As in Open3D's `reconstruction/no_such_file.py`, with `python no_such_file.py`.", "docs/a.md"),
         ("```\npython no_such_file.py\n```\n", "docs/a.md"),
-        ("tests/test_*.py, src/<name>.py, poses.txt, docs/api-VERSION.txt", "docs/a.md"),
+        ("tests/test_*.py, src/<name>.py, poses.txt, constraints/NAME.txt", "docs/a.md"),
         ('write("tests/no_such_file.py")', "tests/a.py"),
     ],
 )

@@ -15,7 +15,6 @@ const PAGE_WEIGHTS = {
   "project/changelog": 0.2,
   "adr/": 0.15,
   "open3d-names": 0.5,
-  "migration": 0.3,
   "measured": 0.7,
 };
 const OTHER_RESULT = 0.6; // the text of a page counts for its names, too

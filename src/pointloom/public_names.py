@@ -113,15 +113,12 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
         return message
     from .core.attribute_hints import nearest_name
     from .core.open3d_names import BRIDGE, COMMON, MODULES, hint, row_of
-    from .core.renamed_names import renamed
 
     if package == OPEN3D or package.startswith(f"{OPEN3D}."):
         own = hint(row_of(name, (BRIDGE,)))
         if not own and (other := _in_open3d(name)):
             return f"{message}; it is {other}"
         return message + (own or hint(row_of(name)) or _also(package, name) or nearest_name(name, known))
-    if new := renamed(package.replace(package.partition(".")[0], SHORT_NAME, 1), name):
-        return f"{message}; it is {new}"
     row = hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}")))
     other = _also(package, name)
     if row and f"{SHORT_NAME}.torch." in other:  # operators on tensors, for networks

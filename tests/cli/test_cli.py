@@ -74,21 +74,6 @@ def test_every_command_has_help_and_accepts_json():
         assert f"\n  pointloom {name}" in printed  # an example
 
 
-def test_old_option_names_work_and_are_hidden():
-    for command, old, new in (
-        ("normals", "--max-nn", "--neighbors"),
-        ("clean", "--ratio", "--deviations"),
-        ("cluster", "--eps", "--radius"),
-        ("cluster", "--min-points", "--neighbors"),
-        ("compare-meshes", "--max", "--max-distance"),
-        ("evaluate", "--align", "--alignment"),
-    ):
-        words = run(command, "--help").stdout.split()
-        assert new in words and old not in words
-        errors = [run(command, "a.ply", "b.ply", name, "-5").stderr for name in (old, new)]
-        assert errors[0] == errors[1] and f"invalid value for '{new}'" in errors[0]
-
-
 def test_every_command_with_an_output_has_the_option_o():
     for name, command in cli.commands.items():
         if any(one.name in ("output", "named_output") for one in command.params):

@@ -44,7 +44,6 @@ def test_commands_options_and_choices_are_completed(folder):
     assert completed("pointloom cle") == [("plain", "clean"), ("plain", "clean-mesh")]
     assert ("plain", "--device") in completed("pointloom clean --de")
     assert completed("pointloom completion z") == [("plain", "zsh")]
-    assert completed("pointloom normals --max-") == []  # an earlier name
 
 
 def test_files_are_completed_by_type(folder):

@@ -333,8 +333,8 @@ def feet(tmp_path, rng):
     ("words", "message"),
     [
         (["downsample", "--voxel", 1], "one a voxel of 1 ft"),
-        (["cluster", "--eps", 0.001], "eps 0.001 ft"),
-        (["cluster", "--eps", 0.001], "fewer than 10 points within 0.001 ft"),
+        (["cluster", "--radius", 0.001], "eps 0.001 ft"),
+        (["cluster", "--radius", 0.001], "fewer than 10 points within 0.001 ft"),
         (["normals", "--radius", 0.001], r"within 0.001 ft, .* within \S+ ft:"),
         (["clean", "--radius", 0.001, "--min-neighbors", 5], r"6 points within 0.001 ft, .* within \S+ ft:"),
         (["mesh", "--method", "alpha", "--alpha", 1], "ft^2"),

@@ -151,6 +151,8 @@ MESSAGES = [
     ("loom.registration.compute_iss_keypoints", "it is loom.compute_iss_keypoints"),
     ("loom.registration.OdometryFrame", "it is loom.rgbd.OdometryFrame"),
     ("loom.PointClouds", "did you mean 'PointCloud'"),
+    ("loom.meshing.run_non_rigid_optimizer", r'here: loom.meshing.optimize_color_map.method="non-rigid".'),
+    ("loom.slam.Model", "here: loom.registration.LidarSLAM and LidarOdometry for scans, loom.rgbd.DenseSLAM for RGB-D"),
     ("loom.load('a.ply')", r"here: loom\.read_point_cloud\(path\) for points, loom\.read_triangle_mesh"),
     ("loom.KDTree(points)", r"here: loom\.NearestNeighborSearch\(points\)"),
     ("loom.registration.icp", r"here: loom\.registration\.registration_icp"),
@@ -197,6 +199,24 @@ def test_the_error_for_an_open3d_name_quotes_its_row(line, message):
     names |= {"loom": loom, "volume": loom.TSDFVolume(voxel_size=0.1), "hybrid": KDTreeSearchParamHybrid()}
     with pytest.raises((AttributeError, TypeError), match=message):
         exec(line, names)
+
+
+def packages_of(package):
+    """A package of `pointloom.open3d` and the packages in it, without tensors and data sets."""
+    yield package
+    for name in {*package.__all__} - {"core", "data"}:
+        if isinstance(value := getattr(package, name), ModuleType) and hasattr(value, "__path__"):
+            yield from packages_of(value)
+
+
+def test_the_error_of_each_name_of_open3d_that_is_not_in_loom_has_an_equivalent():
+    names = {name for package in packages_of(o3d) for name in package.__all__}
+    names -= {"core", "data", "io", "visualization"}  # modules of pointloom or left out
+    absent = sorted(names - {*loom.__all__})
+    assert {"registration_icp", "run_rigid_optimizer", "read_pinhole_camera_intrinsic", "KDTreeFlann"} <= {*absent}
+    for name in absent:
+        with pytest.raises(AttributeError, match=rf"'{name}'; (here: |it is loom|not here|always)"):
+            getattr(loom, name)
 
 
 def test_errors_from_within_stay_as_they_are():

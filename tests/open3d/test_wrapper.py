@@ -192,9 +192,14 @@ def test_objects_of_the_real_package_are_rejected(to_open3d):
 
 
 def test_pointloom_objects_are_accepted(cloud):
-    assert len(cloud.compute_point_cloud_distance(loom.PointCloud(np.eye(3)))) == 50
-    assert o3d.geometry.PointCloud(loom.PointCloud(np.eye(3))).has_points()
-    assert len((o3d.geometry.TriangleMesh.create_box() + loom.TriangleMesh.create_box()).triangles) == 24
+    points = np.asarray(cloud.points)
+    expected = np.linalg.norm(points[:, None] - np.eye(3), axis=2).min(axis=1)
+    np.testing.assert_allclose(cloud.compute_point_cloud_distance(loom.PointCloud(np.eye(3))), expected, atol=1e-6)
+    np.testing.assert_array_equal(o3d.geometry.PointCloud(loom.PointCloud(np.eye(3))).points, np.eye(3))
+    box, large = o3d.geometry.TriangleMesh.create_box(), loom.TriangleMesh.create_box(2, 3, 4)
+    both = box + large
+    np.testing.assert_array_equal(both.vertices, np.concatenate([np.asarray(box.vertices), large.vertices]))
+    np.testing.assert_array_equal(both.triangles, np.concatenate([np.asarray(box.triangles), large.triangles + 8]))
 
 
 SHAPES = {"DoubleVector": (4,), "IntVector": (4,), "Vector2dVector": (4, 2), "Vector3dVector": (4, 3)}

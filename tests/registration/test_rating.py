@@ -15,6 +15,7 @@ from pointloom.kernels.poses.main_planes import MainPlanes
 from pointloom.kernels.surface.hollow_side import Surface, find_sides
 from pointloom.registration import evidence
 from pointloom.registration.evidence import Evidence
+from pointloom.registration.globally.rating import score_registration
 from pointloom.registration.rigid import symmetric_matrices
 from pointloom.registration.surfaces import surface_of
 
@@ -251,15 +252,22 @@ def test_details_decide_where_the_usual_evidence_does_not():
     assert weak._replace(details=few._replace(visible=0.5, relief=0.95)).score > 0.5
 
 
-def test_features_that_agree_with_one_pose_alone_replace_some_other_evidence():
-    details = evidence.Details(visible=0.45, rest=0.14, matches=90, relief=0.4, relief_matches=500, contrary=100)
-    weak = Evidence(0.34, 0.05, 900, rest=0.08, details=details)
-    ratios = (0.0, 1.0, 1.6, 2.5, 5.0, 50.0)
-    scores = [weak._replace(feature_ratio=ratio).score for ratio in ratios]
-    assert scores[0] == scores[1] == scores[2] < 0.5 < scores[3] < scores[4] == scores[5]
-    bare = weak._replace(rest=0.0, details=details._replace(rest=0.0, matches=0, contrary=0))
-    assert bare._replace(feature_ratio=50.0).score < 0.01  # three planes alone, as in all corridors
-    assert weak._replace(matches=10, feature_ratio=50.0).score < 0.5  # of all matches
+def test_features_that_agree_with_one_pose_alone_replace_some_other_evidence(device, rng):
+    """Boxes of 7 to 25 cm in a corner of a room are weak evidence, of 6 to 21 cm too weak, and of other places none."""
+
+    def room(scale, boxes=ONE):
+        scaled = [(x, y, *(scale * size for size in sizes)) for x, y, *sizes in boxes]
+        return loom.PointCloud(corner(rng, scaled), device=device)
+
+    def score(source, target, ratio):
+        return score_registration(source, target, 0.075, np.eye(4), feature_ratio=ratio)
+
+    weak, weaker = [(room(scale), room(scale)) for scale in (0.18, 0.15)]
+    assert score(*weak, 0.0) < 0.5 < score(*weak, 3.0) < score(*weak, 50.0)
+    assert score(*weak, 1.5) == score(*weak, 0.0), "another pose has about as many features"
+    assert score(*weaker, 1000.0) < 0.5
+    for other in (room(0.18, OTHER), room(0.18, ())):
+        assert score(weak[0], other, 1000.0) < 0.1, "three planes alone, as in all rooms"
 
 
 def test_few_matches_beside_the_planes_and_weak_relief_are_chance():

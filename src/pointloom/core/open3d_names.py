@@ -12,7 +12,7 @@ from pathlib import Path
 
 MODULES = (  # sections of Open3D's modules. The others are of classes or arguments
     "modules", "geometry", "io", "camera", "utility", "visualization", "registration", "odometry", "integration",
-    "slac", "slam", "tensor",
+    "color_map", "slac", "slam", "tensor",
 )  # fmt: skip
 SHAPES = "Geometry"  # common to all shapes of Open3D
 ARGUMENTS = "arguments"

@@ -434,11 +434,13 @@ def _cell_count(cells: NDArray[Any]) -> int:
 def _vtk_faces(cells: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     """Lengths and corners of cells, stored as the length of each followed by its corners."""
     cells = cells.astype(np.int64, copy=False).reshape(-1)
-    if len(cells) and len(cells) % (cells[0] + 1) == 0 and (cells[:: cells[0] + 1] == cells[0]).all():
+    if len(cells) and cells[0] > 0 and len(cells) % (cells[0] + 1) == 0 and (cells[:: cells[0] + 1] == cells[0]).all():
         rows = cells.reshape(-1, cells[0] + 1)
         return rows[:, 0], rows[:, 1:].reshape(-1)
     starts, at = [], 0
     while at < len(cells):
+        if not 0 <= cells[at] < len(cells) - at:
+            raise ValueError(f"faces: expected the length of each face before its corners, got {cells[at]}")
         starts.append(at)
         at += int(cells[at]) + 1
     is_corner = np.ones(len(cells), bool)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import ConvexHull
 
 from pointloom.kernels.extent.central_hull import find_central_hull
 from pointloom.kernels.extent.hull_filter import farthest_rows, mask_outer
@@ -18,8 +19,6 @@ def rows_of(triangles):
 
 @pytest.mark.parametrize("center", ["inside", "outside"])
 def test_the_triangles_are_those_of_qhull(center, rng):
-    from scipy.spatial import ConvexHull
-
     points = rng.normal(size=(3000, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True) * rng.uniform(1, 1.01, (3000, 1))
     if center == "outside":
@@ -49,8 +48,9 @@ def test_an_uncertain_point_is_inserted_after_the_others(rng):
     """Two points on one ray: the second is below a facet at the center only until there are others."""
     points = np.concatenate([[[1, 0, 0], [0.5, 0, 0]], rng.normal(size=(200, 3))])
     points[2:] /= np.linalg.norm(points[2:], axis=1, keepdims=True)
-    triangles = find_central_hull(points)
-    assert triangles is not None and 1 not in triangles
+    triangles, outer = find_central_hull(points), np.delete(np.arange(202), 1)
+    assert triangles is not None
+    assert rows_of(triangles) == rows_of(outer[ConvexHull(points[outer]).simplices])
 
 
 def test_the_farthest_point_of_each_cube_face_is_selected(device, rng):

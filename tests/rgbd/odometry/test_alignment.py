@@ -80,19 +80,21 @@ def aligned(device, seed, noise=1.0, method="point-to-plane"):
     return loom.rgbd.align_frames(source, frame(np.eye(4), device, noise=noise, seed=2 * seed + 1), method=method)
 
 
-def components(result):
-    """The error along the eigenvectors of the covariance, in standard deviations [6]."""
+def components(result, covariance):
+    """The error along the eigenvectors of a covariance, in standard deviations [6]."""
     error = MOVED @ np.linalg.inv(result.transformation)
     motion = np.concatenate([rotation_vector(error[:3, :3]), error[:3, 3]])
-    scale = np.sqrt(np.diag(result.covariance))
-    values, vectors = np.linalg.eigh(result.covariance / np.outer(scale, scale))
+    scale = np.sqrt(np.diag(covariance))
+    values, vectors = np.linalg.eigh(covariance / np.outer(scale, scale))
     return vectors.T @ (motion / scale) / np.sqrt(values)
 
 
 @pytest.mark.parametrize("method", ["point-to-plane", "hybrid"])
 def test_errors_of_noisy_frames_are_of_the_size_of_the_standard_deviations(device, method):
-    found = np.concatenate([components(aligned(device, seed, method=method)) for seed in range(6)])
-    assert 0.25 < np.sqrt(np.mean(found**2)) < 1.5  # below 1: coarse pixels round the surfaces, which is no noise
+    results = [aligned(device, seed, method=method) for seed in range(6)]
+    for kind in ("covariance", "check_covariance"):
+        found = np.concatenate([components(result, getattr(result, kind)) for result in results])
+        assert 0.25 < np.sqrt(np.mean(found**2)) < 1.5  # below 1: coarse pixels round the surfaces, which is no noise
 
 
 def test_more_noise_gives_larger_standard_deviations(device):
@@ -100,9 +102,14 @@ def test_more_noise_gives_larger_standard_deviations(device):
     assert (more > 1.2 * less).all()
 
 
-def test_checks_assume_larger_errors_than_those_of_frames(device):
-    result = aligned(device, 0)
-    assert np.linalg.eigvalsh(result.check_covariance - result.covariance).min() > 0
+def test_checks_assume_errors_of_a_model_that_residuals_do_not_contain(device):
+    """Residuals of a frame with itself are zero, but those of a model that contains its errors are small, too."""
+    one = frame(np.eye(4), device)
+    same, noisy = loom.rgbd.align_frames(one, one), aligned(device, 0)
+    sigmas, checks, usual = (
+        np.sqrt(np.diag(matrix)) for matrix in (same.covariance, same.check_covariance, noisy.check_covariance)
+    )
+    assert sigmas.max() < 1e-5 and (0.1 * usual < checks).all() and (checks < usual).all()
 
 
 def test_the_unit_covariance_is_that_of_a_shift_in_the_middle_of_the_pixels(device):

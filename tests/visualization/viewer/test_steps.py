@@ -371,26 +371,30 @@ def drag(viewer, value):
 
 
 def test_the_time_line_comes_with_the_second_moment_and_follows_the_newest(viewer):
-    viewer.set_time(0)
-    assert viewer.edits.timeline._control is None
-    viewer.add("a", cloud_of(0))
-    for frame in (1, 2):
-        viewer.set_time(frame)
-        viewer.update("a", cloud_of(frame))
-    control = viewer.edits.timeline._control
-    assert (control.min, control.max, control.step, control.value) == (0, 2, 1, 2)
     with page_in(viewer) as page:
+        viewer.set_time(0)
+        viewer.add("a", cloud_of(0))
+        assert page.of_kind("timeline") == []
+        for frame in (1, 2):
+            viewer.set_time(frame)
+            viewer.update("a", cloud_of(frame))
+        (control,) = page.of_kind("timeline")
+        assert (control.min, control.max, control.step, control.value) == (0, 2, 1, 2)
         page.send("value", id=control.id, value=1)
         assert shown(viewer)["a"][0] == 1
         for wrong in ("1", None, True):  # invalid numbers are ignored
             page.send("value", id=control.id, value=wrong)
-    viewer.set_time(3)
-    viewer.update("a", cloud_of(3))
-    assert (control.max, control.value) == (3, 1) and shown(viewer)["a"][0] == 1
-    drag(viewer, 3)
-    assert shown(viewer)["a"][0] == 3
-    viewer.set_time(4)
-    assert control.value == 4
+        viewer.set_time(3)
+        viewer.update("a", cloud_of(3))
+        assert shown(viewer)["a"][0] == 1
+        with page_in(viewer) as late_page:
+            (other,) = late_page.of_kind("timeline")
+            assert (other.max, other.value) == (3, 1)
+        page.send("value", id=control.id, value=3)
+        assert shown(viewer)["a"][0] == 3
+        viewer.set_time(4)
+        (control,) = page.of_kind("timeline")
+        assert control.value == 4
 
 
 def test_times_in_seconds_are_reached_by_steps_of_the_page(viewer):

@@ -22,6 +22,8 @@ from pointloom.visualization.viewer.detail_tree import DetailTree
 from pointloom.visualization.viewer.items import make_item
 from pointloom.visualization.viewer.streaming import CloudStream
 
+from .events import wait_until
+from .stand_in import page_in
 from .test_detail_tree import UTM, hills
 
 BUDGET = 90_000
@@ -545,12 +547,28 @@ def test_files_other_than_copc_are_rejected(city, tmp_path):
     assert not declares_copc(city, more_than=COUNT) and not declares_copc(plain)
 
 
+def placed(node, positions):
+    """Positions in the coordinates of the parent of a node."""
+    pose = np.reshape(node.pose, (3, 4))
+    return positions @ pose[:, :3].T + pose[:, 3]
+
+
 def test_a_viewer_shows_a_file_in_parts(city):
-    with loom.Viewer(port=0, max_points=5_000) as viewer:
+    """Buildings are the points with x > 60 m."""
+    with loom.Viewer(port=0, max_points=20_000) as viewer, page_in(viewer) as page:
         viewer.add_copc("city", city, color_by="height")
         viewer.color_by("classification")
-        item = viewer.scene.shown["city"]
-        assert item.point_count == COUNT and item.colors_of(np.arange(COUNT - 5, COUNT)).shape == (5, 3)
-        assert viewer.scene.budget_of(item) == 5_000
+        wait_until(lambda: (nodes := shown_in(page)) and len(np.unique(nodes[0].colors, axis=0)) == 2)
+        nodes, origin = shown_in(page), viewer.scene.frame.origin
+        parts = [placed(page.nodes[node.parent], placed(node, node.positions.astype(float))) for node in nodes]
+        points, colors = np.concatenate(parts) + origin - UTM, np.concatenate([node.colors for node in nodes])
+        assert 10_000 < len(points) <= 20_000
+        assert np.abs(points[:, 2] - points[:, 0] / 20 - 0.5).max() < 1.0
+        far, near = (np.unique(colors[mask], axis=0) for mask in (points[:, 0] > 60.5, points[:, 0] < 59.5))
+        assert len(far) == len(near) == 1 and (far != near).any()
         viewer.remove("city")
-        assert viewer.items == {}
+        wait_until(lambda: not shown_in(page))
+
+
+def shown_in(page):
+    return [node for node in page.nodes.values() if node.kind == "points" and node.visible]

@@ -52,16 +52,18 @@ def click_on(page, position):
 
 
 def test_one_tool_is_at_work_at_a_time_and_its_button_ends_it(page):
-    before = len(page.page.controls)
+    points, before = waves(), {*page.page.controls}
     page.press("Pick a point")
     page.press("Measure")
-    assert page.box.tool.label == "Measure" and len(page.clicks) == 1
+    for index in (500, 820):
+        click_on(page, points[index])
+    assert f"{np.linalg.norm(points[820] - points[500]):.4f} m" in page.table and "index" not in page.table
     page.press("Measure")
-    assert page.box.tool is None and page.clicks == () and len(page.page.controls) == before
-    page.key("escape")
-    page.key("enter")
-    page.key("backspace")
-    assert page.box.tool is None
+    for key in ("", "escape", "enter", "backspace"):
+        if key:
+            page.key(key)
+        click_on(page, points[777])
+        assert {*page.page.controls} == before and page.page.nodes == {} and page.table == ""
 
 
 def test_a_picked_point_is_reported_and_marked(page):

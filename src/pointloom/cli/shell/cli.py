@@ -230,7 +230,6 @@ def convert(
     "--neighbors max_nn=N",
     click.IntRange(min=3),
     "Maximum number of neighbors, including the point itself.",
-    old="--max-nn",
     default=30,
 )
 @option("--toward=X Y Z", float, "Orient normals toward this position, such as a scanner.", nargs=3)

@@ -145,7 +145,7 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
 @click.argument("second", type=FILE, metavar="B")
 @option("--samples=N", COUNT_TYPE, "Number of samples on each mesh.", default=100_000)
 @option("--threshold thresholds=A,B,...", Lengths(), "Thresholds of the F-score [m].")
-@option("--max-distance limit=M", LENGTH, "Exit code 3 if any distance is larger [m].", old="--max")
+@option("--max-distance limit=M", LENGTH, "Exit code 3 if any distance is larger [m].")
 @option("--error-map=OUT", FILE, "Write A, colored by its distance to B.")
 @option("--picture=PNG", FILE, "Render A, colored by its distance to B, with a histogram.")
 @option("--seed=N", SEED_TYPE, "Random seed.", default=0)

@@ -60,21 +60,6 @@ class RecordingFile(click.Path):
         return path
 
 
-class Renamed(click.Option):
-    """An option that also accepts an earlier name, hidden from help and completion."""
-
-    def __init__(self, *args: Any, old: str, **attrs: Any):
-        super().__init__(*args, **attrs)
-        self.old = old
-
-    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
-        shown, self.opts = self.opts, [*self.opts, self.old]
-        try:
-            super().add_to_parser(parser, ctx)
-        finally:
-            self.opts = shown
-
-
 class CompletedPath(click.Path):
     """A path with completion of the files named by the parameter's metavar."""
 
@@ -102,13 +87,13 @@ def option(names: str, kind: Any, help: str, **attributes: Any) -> Decorator:
             name of the parameter.
         kind: Type of the value. `bool`: a flag. A list: the allowed names.
         help: Help text.
-        attributes: Other parameters of `click.option`. `old` is an earlier name, see `Renamed`.
+        attributes: Other parameters of `click.option`.
     """
     words, _, metavar = names.partition("=")
     kind = click.Choice(kind) if isinstance(kind, list) else kind
     attributes |= {"is_flag": True} if kind is bool else {"type": kind, "metavar": metavar or None}
     attributes = ({"show_default": True} if "default" in attributes else {}) | attributes
-    return click.option(*words.split(), cls=Renamed if "old" in attributes else None, help=help, **attributes)
+    return click.option(*words.split(), help=help, **attributes)
 
 
 def in_order(*options: Decorator) -> Decorator:

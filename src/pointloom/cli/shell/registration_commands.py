@@ -328,13 +328,7 @@ def _viewer(title: str) -> Viewer:
 @click.command(short_help="Compare a trajectory with the true one.")
 @click.argument("poses", type=FILE, metavar="POSES")
 @click.argument("truth", type=FILE, metavar="TRUTH")
-@option(
-    "--alignment align",
-    ["none", "first", "se3", "sim3"],
-    "Alignment of POSES with TRUTH.",
-    old="--align",
-    default="se3",
-)
+@option("--alignment align", ["none", "first", "se3", "sim3"], "Alignment of POSES with TRUTH.", default="se3")
 @option(
     "--extrinsic=FILE", FILE, "T_truth_estimate between two sensors of one rig: 4x4 matrix, or KITTI's calib.txt (Tr)."
 )

@@ -27,12 +27,7 @@ COORDINATE = Number("a coordinate in meters, -inf or inf", lambda number: True)
 @option("--non-finite", bool, "Remove non-finite points, as every other filter does.")
 @option("--duplicates", bool, "Remove all but the first point at each position.")
 @option("--neighbors=N", COUNT_TYPE, "Statistical filter: number of neighbors. Default: 20.")
-@option(
-    "--deviations ratio=R",
-    FACTOR_TYPE,
-    "Statistical filter: standard deviations above the mean. Default: 2.0.",
-    old="--ratio",
-)
+@option("--deviations ratio=R", FACTOR_TYPE, "Statistical filter: standard deviations above the mean. Default: 2.0.")
 @option("--radius=M", LENGTH, "Radius filter: maximum distance of neighbors [m].")
 @option("--min-neighbors=N", COUNT_TYPE, "Radius filter: minimum number of neighbors.")
 @option("--removed=FILE", FILE, "Write the removed points, if any, to this cloud.")
@@ -82,14 +77,8 @@ def clean(
 
 
 @click.command(short_help="Label the points of a cloud by cluster.")
-@option("--radius eps=M", LENGTH, "Maximum distance of neighbors [m]: eps of DBSCAN.", old="--eps", required=True)
-@option(
-    "--neighbors min_points=N",
-    COUNT_TYPE,
-    "Minimum neighbors of a core point, including itself.",
-    old="--min-points",
-    default=10,
-)
+@option("--radius eps=M", LENGTH, "Maximum distance of neighbors [m]: eps of DBSCAN.", required=True)
+@option("--neighbors min_points=N", COUNT_TYPE, "Minimum neighbors of a core point, including itself.", default=10)
 @option("--largest=N", COUNT_TYPE, "Keep only the N largest clusters. Default: all points.")
 @option("--paint", bool, "Color the points by label (tab20, noise black).")
 @from_cloud_to_cloud()
