@@ -125,7 +125,7 @@ flakes: $(BROWSER) ## Run the tests of pages, threads and processes RUNS times, 
 mutants: $(EMULATION) ## Draw 60 small changes of behavior, apply one at a time: do the tests notice? (ARGS=--help)
 	@$(BIN)/python -m tests.mutants.run $(ARGS)
 
-nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
+nightly: $(BENCH) $(EMULATION) $(BROWSER) ## An hour of what is too slow for CI, drawn by the date, with a table of results (ARGS=--all: everything, many hours)
 	@$(BIN)/python scripts/nightly.py $(ARGS)
 
 lint: $(FULL) ## Check style, format, spelling, sizes, prose, changes/ and docs/api.txt
