@@ -178,7 +178,7 @@ gpu-kit: $(FULL) ## Pack what a GPU machine without network needs, N MiB a call 
 gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on where it ended (ARGS=--dry without a GPU)
 	@$(BIN)/python benchmarks/gpu_kit $(ARGS)
 
-trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected (an hour on two cores, continues where it ended, not in CI)
+trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected of cases drawn by the date (40 minutes on two cores; ARGS=--all: all cases, continues where it ended)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
 bench: $(BENCH) $(TORCH) ## Run the benchmarks beside the best peers
