@@ -106,6 +106,7 @@ DBSCAN = Operation(
     check=check,
     memory_size="200k",
     long=("5M",),
+    slow={"1M": ("scikit-learn",)},
 )
 OPERATIONS = (DBSCAN,)
 

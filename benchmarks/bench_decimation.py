@@ -151,6 +151,7 @@ DECIMATION = Operation(
         Contestant("meshoptimizer", prepare_meshoptimizer, facts),
     ),
     check=check,
+    slow={"wavy 1M to 100k": ("open3d-legacy",)},
 )
 OPERATIONS = (DECIMATION,)
 

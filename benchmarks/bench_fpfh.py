@@ -100,6 +100,7 @@ OPERATION = Operation(
     ),
     check=check,
     memory_size="200k",
+    slow={"1M": ("open3d-legacy",)},
 )
 OPERATIONS = (OPERATION,)
 

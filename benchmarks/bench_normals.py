@@ -100,6 +100,7 @@ HYBRID = Operation(
     contestants=CONTESTANTS[:3],
     check=check,
     memory_size="200k",
+    slow={"1M": ("open3d-legacy",)},
 )
 KNN = Operation(
     name="normals_knn30",

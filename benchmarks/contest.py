@@ -78,6 +78,7 @@ class Operation:
         unit_count: Scene -> number of units per call; times are given per unit.
         memory_size: The size for the peak memory; None for the last one.
         long: Sizes that only `--long` measures.
+        slow: Baselines by size that the CPU measures with `--long` only: calls of 10 s, twice those of another one.
     """
 
     name: str
@@ -88,6 +89,7 @@ class Operation:
     unit_count: Callable[[Any], int] = field(default=lambda scene: 1)
     memory_size: str | None = None
     long: tuple[str, ...] = ()
+    slow: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def sizes(self, *, quick: bool = False, long: bool = False) -> Mapping[str, Callable[[], Any]]:
         """The sizes that a run measures."""
