@@ -125,7 +125,7 @@ flakes: $(BROWSER) ## Run the tests of pages, threads and processes RUNS times, 
 mutants: $(EMULATION) ## Draw 60 small changes of behavior, apply one at a time: do the tests notice? (ARGS=--help)
 	@$(BIN)/python -m tests.mutants.run $(ARGS)
 
-nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
+nightly: $(BENCH) $(EMULATION) $(BROWSER) ## An hour of what is too slow for CI, drawn by the date, with a table of results (ARGS=--all: everything, many hours)
 	@$(BIN)/python scripts/nightly.py $(ARGS)
 
 lint: $(FULL) ## Check style, format, spelling, lines of modules and functions, prose, changes/ and docs/api.txt
@@ -180,7 +180,7 @@ gpu-kit: $(FULL) ## Pack what a GPU machine without network needs, N MiB a call 
 gpu-run: $(BENCH) ## On a GPU: facts, all tests, benchmarks, profile; goes on where it ended (ARGS=--dry without a GPU)
 	@$(BIN)/python benchmarks/gpu_kit $(ARGS)
 
-trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected (an hour on two cores, continues where it ended, not in CI)
+trust: $(FULL) ## Rates of unreliable results accepted and reliable ones rejected of cases drawn by the date (40 minutes on two cores; ARGS=--all: all cases, continues where it ended)
 	@$(BIN)/python benchmarks/trust/run.py $(ARGS)
 
 bench: $(BENCH) $(TORCH) ## Run the benchmarks beside the best peers

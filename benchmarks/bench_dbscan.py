@@ -109,6 +109,7 @@ DBSCAN = Operation(
     long=("5M",),
     targets={"200k": 4, "1M": 4},
     reasons={"1k": CALL},
+    slow={"1M": ("scikit-learn",)},
 )
 OPERATIONS = (DBSCAN,)
 

@@ -165,6 +165,7 @@ DECIMATION = Operation(
         "bunny 69k to 2k": INDEPENDENT_EDGES,
         "wavy 1M to 100k": INDEPENDENT_EDGES,
     },
+    slow={"wavy 1M to 100k": ("open3d-legacy",)},
 )
 OPERATIONS = (DECIMATION,)
 

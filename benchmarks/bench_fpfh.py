@@ -101,6 +101,7 @@ OPERATION = Operation(
     check=check,
     memory_size="200k",
     targets={"200k": 4, "1M": 4},
+    slow={"1M": ("open3d-legacy",)},
 )
 OPERATIONS = (OPERATION,)
 

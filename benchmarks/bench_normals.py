@@ -103,6 +103,7 @@ HYBRID = Operation(
     memory_size="200k",
     targets={"200k": 5, "1M": 5},
     reasons={"200k": SPREAD.format(5.3)},
+    slow={"1M": ("open3d-legacy",)},
 )
 KNN = Operation(
     name="normals_knn30",

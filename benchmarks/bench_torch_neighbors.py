@@ -102,6 +102,7 @@ OPERATION = Operation(
     ),
     check=check,
     memory_size="32 x 2048",
+    slow={"1 x 200k": ("torch.cdist",)},
 )
 OPERATIONS = (OPERATION,)
 

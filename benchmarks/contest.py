@@ -80,6 +80,7 @@ class Operation:
         long: Sizes that only `--long` measures.
         targets: By size, the factor of the best baseline's time on the CPU to pointloom's that is required.
         reasons: By size, why the target is not reached, or why the baseline is faster. docs/measured.md lists these.
+        slow: Baselines by size that the CPU measures with `--long` only: calls of 10 s, twice those of another one.
     """
 
     name: str
@@ -92,6 +93,7 @@ class Operation:
     long: tuple[str, ...] = ()
     targets: Mapping[str, float] = field(default_factory=dict)
     reasons: Mapping[str, str] = field(default_factory=dict)
+    slow: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def sizes(self, *, quick: bool = False, long: bool = False) -> Mapping[str, Callable[[], Any]]:
         """The sizes that a run measures."""

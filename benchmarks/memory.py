@@ -1,6 +1,6 @@
 """Peak memory of one contestant at one operation, in a separate process.
 
-    python benchmarks/memory.py OPERATION SIZE CONTESTANT [DEVICE]
+    python benchmarks/memory.py MODULE OPERATION SIZE CONTESTANT [DEVICE]
 
 prints {"bytes": ...}: the peak memory during the operation minus the memory before it, after loading the data and
 compiling kernels on small data. On the CPU this is resident memory (ru_maxrss), with freed memory released first; on a
@@ -11,12 +11,13 @@ from __future__ import annotations
 
 import ctypes
 import gc
+import importlib
 import json
 import resource
 import sys
 from pathlib import Path
 
-from contest import POINTLOOM, Contestant, Operation, Trial, limit_threads, operations
+from contest import POINTLOOM, Contestant, Operation, Trial, limit_threads
 
 
 def peak_bytes(trial: Trial) -> int:
@@ -75,9 +76,9 @@ def warm_up(operation: Operation, contestant: Contestant, device: str) -> None:
     contestant.trial(scene, device).once()
 
 
-def measure(operation_name: str, size: str, label: str, device: str) -> int:
+def measure(module: str, operation_name: str, size: str, label: str, device: str) -> int:
     """The peak of one contestant, warmed up on the smallest data."""
-    _, operation = operations()[operation_name]
+    operation = next(each for each in importlib.import_module(module).OPERATIONS if each.name == operation_name)
     contestant, run_device = operation.contestant(label, device)
     warm_up(operation, contestant, run_device)
     scene = {**operation.quick, **operation.scenes}[size]()  # kept alive until the end, with its files
@@ -86,6 +87,6 @@ def measure(operation_name: str, size: str, label: str, device: str) -> int:
 
 
 if __name__ == "__main__":
-    name, size, label, device = [*sys.argv[1:], "cpu"][:4]
+    module, name, size, label, device = [*sys.argv[1:], "cpu"][:5]
     limit_threads(device)
-    print(json.dumps({"bytes": measure(name, size, label, device)}))
+    print(json.dumps({"bytes": measure(module, name, size, label, device)}))

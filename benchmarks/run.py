@@ -24,7 +24,7 @@ FOLDER = Path(__file__).resolve().parent
 TORCH = FOLDER.parent / "build" / "torch" / "bin" / "python"  # .venv with torch, as `make bench` makes it
 sys.path.insert(0, str(FOLDER))
 
-from contest import Operation, operations, thread_count  # noqa: E402
+from contest import POINTLOOM, Operation, operations, thread_count  # noqa: E402
 from report import Row, Timing, collect, document, table  # noqa: E402
 
 
@@ -159,14 +159,17 @@ def measure_memory(
     options: argparse.Namespace,
     problems: dict,
 ) -> None:
-    """Measure the peak memory of each contestant in a separate process, and add it to the rows.
+    """Measure the peak memory of pointloom and the best baseline in separate processes, and add it to the rows.
+
+    With `--long`, that of all contestants.
 
     On the CPU two processes run at a time: no time is measured here.
     """
 
     def measure_one(case: tuple[str, str, str, Timing]) -> None:
         name, size, label, timing = case
-        command = [interpreter_of(chosen[name][0]), str(FOLDER / "memory.py"), name, size, label, options.device]
+        module = chosen[name][0]
+        command = [interpreter_of(module), str(FOLDER / "memory.py"), module, name, size, label, options.device]
         done = subprocess.run(command, capture_output=True, text=True, cwd=FOLDER.parent, check=False)
         try:
             timing.memory = document_in(done.stdout)["bytes"]
@@ -180,7 +183,8 @@ def measure_memory(
     for name, (_, operation) in chosen.items():
         size = operation.memory_size or list(operation.sizes(long=options.long))[-1]
         if row := rows.get((name, size)):
-            cases += [(name, size, label, timing) for label, timing in row.timings.items()]
+            labels = row.timings if options.long else {POINTLOOM, row.best_peer}
+            cases += [(name, size, label, timing) for label, timing in row.timings.items() if label in labels]
     with ThreadPoolExecutor(2 if options.device == "cpu" else 1) as pool:
         list(pool.map(measure_one, cases))
 

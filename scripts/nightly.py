@@ -1,23 +1,27 @@
-"""Run the checks that are too slow for CI, one after another: `make nightly`. The next run continues where it ended.
+"""Run checks that are too slow for CI, an hour of them drawn by the date: `make nightly`.
 
-    make nightly                                          all steps without a stored result, then the table
-    make nightly ARGS="--budget 60"                       those that are expected to end within 60 minutes
-    make nightly ARGS="--only mutants --only fuzz"        the steps whose names begin so
-    make nightly ARGS="--only fuzz --again"               a step that has a result, such as a failed one
-    make nightly ARGS="--list"                            names, results, expected minutes and commands
+    make nightly                                     the steps of today, then the table
+    make nightly ARGS="--seed 2026-11-30"            the steps of another day
+    make nightly ARGS="--all"                        all steps, many hours
+    make nightly ARGS="--only taichi --only fuzz"    the steps whose names begin so
+    make nightly ARGS="--list"                       days, expected minutes and commands of all steps
 
-The newest result of each step is stored with the digest of its inputs: the contents of its files, uncommitted and
-untracked ones included, its command, its variables, the version of Python, and whether POINTLOOM_DATA is set. A step
-with a result for the present inputs is not run again. An interruption loses only the step that was running.
+Some steps run each day, with the date as seed. Each other step has one day of a cycle, on which it is among the first
+ones. Steps whose day has passed without a result follow, the latest day first. A step is started only if it is expected
+to end within the budget, by its measured time where there is one. The number of days of the cycle is printed.
 
-Results and logs are in build/nightly, or in the folder that POINTLOOM_NIGHTLY names. The exit code is 1 if a selected
-step failed or was not run.
+The newest result of each step is in build/nightly, or in the folder that POINTLOOM_NIGHTLY names, with its log. The
+next run continues: results of the same day count toward the budget, and a step does not run again if it has passed
+since its day, or has a result for the present tree (uncommitted files included), command, variables, version of Python
+and presence of POINTLOOM_DATA. `--again` runs it anyway. An interruption loses only the step that was running. The exit
+code is 1 if a step failed, or with --all or --only was not run.
 """
 
 from __future__ import annotations
 
 import argparse
 import contextlib
+import datetime
 import hashlib
 import json
 import math
@@ -30,7 +34,7 @@ import subprocess
 import sys
 import tempfile
 import time
-import tomllib
+import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -39,59 +43,59 @@ ROOT = Path(__file__).resolve().parents[1]
 PASSED, FAILED, NOT_RUN = "passed", "failed", "not run"
 NO_TESTS = re.compile(r"^make(\[\d+\])?: \*\*\* .*\] Error 5$", re.MULTILINE)  # pytest's exit code
 STOPS = (signal.SIGINT, signal.SIGTERM)
+STEP_LIMIT = 3.0  # times the expected seconds, at least MIN_LIMIT: then the step is ended and has failed
+MIN_LIMIT, TIMED_OUT = 600.0, 124
 STOP_SECONDS = 10.0  # from SIGTERM to SIGKILL for the processes of an interrupted step
 # Set by make for its own targets; a step is to run as on its own.
 DROPPED = {"ARGS", "RUNS", "LOADED_RUNS", "TESTS", "MAKEFLAGS", "MFLAGS", "MAKEOVERRIDES", "MAKELEVEL"}
 
 # ------------------------------------------------------------------------------------------------ table of steps
 
-PRODUCT = ("src/",)
-TESTS = ("tests/", "!tests/mutants/", "!tests/test_nightly.py")
-CODE = (*PRODUCT, *TESTS, "benchmarks/")  # what tests of a package read
-ALL = ("", "!scripts/nightly.py", "!tests/test_nightly.py")
-OF_ALL_STEPS = ("constraints/", "pyproject.toml", "Makefile")
-
+BUDGET = 60.0  # minutes on two cores
 FILES_OF_PART = 20  # test files of one step
-MUTANTS_OF_PART = 40
 EMULATED = (
     "kernels", "core", "cameras", "pcd", "io", "registration", "meshing", "rgbd", "visualization", "photogrammetry",
     "tiling", "datasets", "cli", "open3d", "emulated_cuda",
 )  # fmt: skip
 ARCHITECTURES = (75, 90, 120)
-ORDERS = (0, 2)  # order 3 is that of the coverage of kernels
-FLAKES = {"quiet": ((5, 0), 4), "loaded": ((0, 2), 5)}  # kind -> runs and loaded runs of a part, number of parts
+ORDERS = (0, 2, 3)
+FLAKES = {"quiet": (4, 0), "loaded": (0, 2)}  # kind -> runs and loaded runs
+# Of 60 changes, of which 92 % should be noticed: less than 80 % is chance in one of 1,000 runs.
+MUTANTS = "--count 60 --jobs 2 --budget 1500 --at-least 0.8"
 
 PYTHON = ".venv/bin/python"
 # With other libraries: the newest versions that pip finds (its settings choose the index), in their own environment.
-OTHERS = "torch jax numba open3d pyinstaller pytest pytest-xdist hypothesis"
-TESTS_BESIDE = " ".join(
-    f"tests/core/test_{name}.py" for name in ("array_libraries", "other_array_libraries", "standard_streams")
+# They include packages that tests import but that are in no list of constraints.
+OTHERS = "torch jax numba open3d pyinstaller meshoptimizer>=0.2.30a0 pytest pytest-xdist hypothesis"
+TESTS_BESIDE = (
+    *(f"tests/core/test_{name}.py" for name in ("array_libraries", "other_array_libraries", "standard_streams")),
+    *("tests/core/test_surroundings.py", "tests/io/test_gltf.py"),
 )
 BESIDE = f"""set -e
 {PYTHON} -m venv build/beside
-build/beside/bin/python -m pip install --quiet --upgrade --editable . {OTHERS}
+build/beside/bin/python -m pip install --quiet --upgrade --editable . {" ".join(map(repr, OTHERS.split()))}
 build/beside/bin/python -m pip list
-build/beside/bin/python -m pytest -n 0 {TESTS_BESIDE}"""
+build/beside/bin/python -m pytest -n 0 {" ".join(TESTS_BESIDE)}"""
 
 
 @dataclass(frozen=True)
 class Step:
-    """A command and what its result depends on.
+    """A command of the table.
 
     Attributes:
         name: Of the form family-part, unique.
         command: Run in the root of the checkout.
-        inputs: Prefixes of the paths of files; "!" before a prefix excludes them again.
-        variables: Environment variables.
         minutes: Expected time on two cores, before the first result.
+        is_daily: It runs each day, with the date as seed.
+        variables: Environment variables.
         may_be_empty: It passes, too, if pytest selects no test.
     """
 
     name: str
     command: tuple[str, ...]
-    inputs: tuple[str, ...] = ALL
+    minutes: float
+    is_daily: bool = False
     variables: dict[str, str] = field(default_factory=dict)
-    minutes: float = 30.0
     may_be_empty: bool = False
 
     def line(self) -> str:
@@ -100,32 +104,33 @@ class Step:
         return " ".join([*(f"{name}={value}" for name, value in self.variables.items()), *words])
 
 
-def all_steps(root: Path = ROOT) -> list[Step]:
-    """The steps of `make nightly`, the ones that take longest at the end."""
-    versions = (PYTHON, "scripts/test_versions.py")
+def all_steps(day: datetime.date, root: Path = ROOT) -> list[Step]:
+    """The steps of `make nightly`."""
+    versions, fuzz = (
+        (PYTHON, "scripts/test_versions.py"),
+        (PYTHON, "benchmarks/fuzz/run.py", "--count", "300", "--seed"),
+    )
     return [
-        Step("gpu-kit", ("make", "gpu-run", "ARGS=--dry"), CODE),
-        *(
-            Step(f"cuda-architectures-{number}", ("make", "check-cuda", f"ARGS={number}"), PRODUCT)
-            for number in ARCHITECTURES
-        ),
-        Step("trust", ("make", "trust", "ARGS=--quick"), CODE, minutes=10),
+        Step("mutants", ("make", "mutants", f"ARGS={MUTANTS} --seed {day}"), 13, is_daily=True),
+        Step("fuzz", (*fuzz, str(day.toordinal())), 5, is_daily=True),
         Step(
-            "fuzz", (PYTHON, "benchmarks/fuzz/run.py", "--count", "3000", "--seed", "1"), (*PRODUCT, "benchmarks/fuzz/")
+            "trust", ("make", "trust", f"ARGS=--budget 5 --seed {day} --output build/nightly/trust"), 5, is_daily=True
         ),
+        Step("gpu-kit", ("make", "gpu-run", "ARGS=--dry"), 10),
+        *(Step(f"cuda-architectures-{each}", ("make", "check-cuda", f"ARGS={each}"), 8) for each in ARCHITECTURES),
         *(
-            Step(f"{choice}-versions{name}", (*versions, choice, *options))
+            Step(f"{choice}-versions{name}", (*versions, choice, *options), 15)
             for choice in ("oldest", "newest")
             for name, options in (("", ()), ("-rest", ("--rest",)))
         ),
-        Step("platforms", (PYTHON, "scripts/check_platforms.py"), ("scripts/check_platforms.py", "docs/install.md")),
-        Step("beside", ("sh", "-c", BESIDE), CODE),
-        Step("other-tools", ("make", "test-other-tools"), (*CODE, "docs/other-tools.md"), minutes=5),
-        Step("gallery", ("sh", "-c", "make docs-clean && make docs")),
+        Step("platforms", (PYTHON, "scripts/check_platforms.py"), 3),
+        Step("beside", ("sh", "-c", BESIDE), 12),
+        Step("other-tools", ("make", "test-other-tools"), 8),
+        Step("gallery", ("sh", "-c", "make docs-clean && make docs"), 15),
         *nightly_tests(root),
         *taichi_tests(root),
         *flakes(root),
-        *mutants(root),
+        Step("kernel-coverage", ("make", "kernel-coverage", "TESTS=full"), 90),
         *emulated(root),
     ]
 
@@ -137,45 +142,30 @@ def nightly_tests(root: Path) -> Iterator[Step]:
     parts = [part for package in packages for part in test_parts(root, package)]
     for name, paths in [*parts, ("others", [relative(path, root) for path in sorted(top.glob("test_*.py"))])]:
         command = ("make", "test-all", f"ARGS=--nightly {' '.join(paths)}")
-        yield Step(f"nightly-tests-{name}", command, may_be_empty=True)
+        yield Step(f"nightly-tests-{name}", command, 3, may_be_empty=True)
 
 
 def taichi_tests(root: Path) -> Iterator[Step]:
     """The tests that run on Taichi: those of tests/kernels in parts, and all others."""
     for name, paths in test_parts(root, "kernels"):
-        yield Step(f"taichi-{name}", ("make", "test-all", f"ARGS=--taichi {' '.join(paths)}"), CODE)
-    yield Step("taichi-others", ("make", "test-all", "ARGS=--taichi --ignore tests/kernels"))
+        yield Step(f"taichi-{name}", ("make", "test-all", f"ARGS=--taichi {' '.join(paths)}"), 6)
+    yield Step("taichi-others", ("make", "test-all", "ARGS=--taichi --ignore tests/kernels"), 20)
 
 
 def flakes(root: Path) -> Iterator[Step]:
-    """Repeated runs of tests/flakes.py, in parts: each group of its tests, with and without busy processes."""
+    """Repeated runs of each group of tests/flakes.py, with and without busy processes."""
     for number, paths in enumerate(runpy.run_path(str(root / "tests" / "flakes.py"))["GROUPS"], 1):
-        for kind, ((runs, loaded_runs), parts) in FLAKES.items():
+        for kind, (runs, loaded_runs) in FLAKES.items():
             command = ("make", "flakes", f"RUNS={runs}", f"LOADED_RUNS={loaded_runs}", f"ARGS={' '.join(paths)}")
-            for part in range(1, parts + 1):
-                yield Step(f"flakes-{number}-{kind}-{part}", command)
-
-
-def mutants(root: Path) -> Iterator[Step]:
-    """The lists of mutants, long ones in parts."""
-    for path in sorted((root / "tests" / "mutants").glob("*.toml")):
-        count = len(tomllib.loads(path.read_text(encoding="utf-8"))["mutant"])
-        parts = math.ceil(count / MUTANTS_OF_PART)
-        for part in range(1, parts + 1):
-            command = ("make", "mutants", f"ARGS=--all --from {path.name} --part {part}/{parts}")
-            name = f"mutants-{path.stem}" + (f"-{part}" if parts > 1 else "")
-            inputs = (*CODE, "docs/", "tests/mutants/run.py", f"tests/mutants/{path.name}")
-            yield Step(name, command, inputs)
+            yield Step(f"flakes-{number}-{kind}", command, 12)
 
 
 def emulated(root: Path) -> Iterator[Step]:
-    """The tests on the emulated device: all with the coverage of kernels, then in two orders of threads, by package."""
-    inputs = (*CODE, "docs/")
-    yield Step("kernel-coverage", ("make", "kernel-coverage", "TESTS=full"), inputs)
+    """The tests on the emulated device in each order of threads, by package."""
     for order in ORDERS:
         for name, paths in (part for package in EMULATED for part in test_parts(root, package)):
             command = ("make", "test-cuda-emulated", f"ARGS={' '.join(paths)}")
-            yield Step(f"emulated-{order}-{name}", command, inputs, {"EMULATED_CUDA_ORDER": str(order)})
+            yield Step(f"emulated-{order}-{name}", command, 4, variables={"EMULATED_CUDA_ORDER": str(order)})
 
 
 def test_parts(root: Path, package: str) -> list[tuple[str, list[str]]]:
@@ -208,7 +198,38 @@ def relative(path: Path, root: Path) -> str:
     return path.relative_to(root).as_posix()
 
 
-# ------------------------------------------------------------------------------------------------ inputs and results
+# ------------------------------------------------------------------------------------------------ drawing
+
+
+class Cycle:
+    """The days of the steps: each day has the daily steps and about the same expected minutes of the others.
+
+    Attributes:
+        days: The number of days in which all steps that fit into the budget are drawn once.
+    """
+
+    def __init__(self, steps: Sequence[Step], day: datetime.date) -> None:
+        self.day = day
+        drawn = [step for step in steps if not step.is_daily and step.minutes <= BUDGET]
+        each = max(BUDGET - sum(step.minutes for step in steps if step.is_daily), 1.0)
+        self.days = max(math.ceil(sum(step.minutes for step in drawn) / each), 1)
+        minutes, self._days = [0.0] * self.days, {}
+        for step in sorted(drawn, key=lambda step: (-step.minutes, zlib.crc32(step.name.encode()))):
+            self._days[step.name] = number = minutes.index(min(minutes))
+            minutes[number] += step.minutes
+
+    def age(self, step: Step) -> int:
+        """The number of days since the latest day of a step; that of one which fits into no day: the whole cycle."""
+        if step.is_daily:
+            return 0
+        return (self.day.toordinal() - self._days[step.name]) % self.days if step.name in self._days else self.days
+
+    def latest(self, step: Step) -> str:
+        """The latest day of a step."""
+        return (self.day - datetime.timedelta(self.age(step))).isoformat()
+
+
+# ------------------------------------------------------------------------------------------------ results
 
 
 class Tree:
@@ -223,8 +244,7 @@ class Tree:
             index = Path(folder) / "index"
             index.write_bytes((self.root / self.git("rev-parse", "--git-path", "index").strip()).read_bytes())
             self.git("add", "--all", index=index)
-            rows = self.git("ls-tree", "-r", "-z", self.git("write-tree", index=index).strip()).split("\0")
-        self.files = [(path, facts) for facts, _, path in (row.partition("\t") for row in rows if row)]
+            self.contents = self.git("write-tree", index=index).strip()
 
     def commit(self) -> str:
         """The short hash of the commit, with "+" if the tree differs from it."""
@@ -233,12 +253,8 @@ class Tree:
 
     def digest(self, step: Step) -> str:
         """A digest of all that the result of a step depends on."""
-        prefixes = (*OF_ALL_STEPS, *step.inputs)
-        wanted = [prefix for prefix in prefixes if not prefix.startswith("!")]
-        excluded = [prefix[1:] for prefix in prefixes if prefix.startswith("!")]
         facts = {
-            # An exclusion is overruled by a longer prefix, such as one list of an excluded folder.
-            "files": [(p, content) for p, content in self.files if longest(p, wanted) > longest(p, excluded)],
+            "tree": self.contents,
             "command": step.command,
             "variables": step.variables,
             "python": f"{sys.version_info.major}.{sys.version_info.minor}",
@@ -253,16 +269,12 @@ class Tree:
         return done.stdout.decode()
 
 
-def longest(path: str, prefixes: Sequence[str]) -> int:
-    """The length of the longest prefix of a path, -1 if there is none."""
-    return max((len(prefix) for prefix in prefixes if path.startswith(prefix)), default=-1)
-
-
 @dataclass(frozen=True)
 class Result:
-    """The stored result of a step for one digest of its inputs."""
+    """The stored result of a step for one digest of its inputs, and the day whose steps were run."""
 
     digest: str
+    day: str
     result: str
     seconds: float
     cpu_seconds: float
@@ -292,11 +304,6 @@ class Results:
         new.write_text(json.dumps({name: asdict(each) for name, each in self.newest.items()}, indent=1))
         new.replace(self.path)
 
-    def of(self, step: Step, digest: str) -> Result | None:
-        """The result of a step for these inputs."""
-        result = self.newest.get(step.name)
-        return result if result and result.digest == digest else None
-
     def log(self, step: Step) -> Path:
         return self.logs / f"{step.name}.log"
 
@@ -307,8 +314,11 @@ class Results:
 # ------------------------------------------------------------------------------------------------ running
 
 
-def run_command(step: Step, root: Path, log: Path) -> int:
-    """Run the command of a step with its output in `log`; returns its exit code. An interruption ends its processes."""
+def run_command(step: Step, root: Path, log: Path, limit: float) -> int:
+    """Run the command of a step with its output in `log`; returns its exit code.
+
+    An interruption ends its processes, and so do `limit` seconds.
+    """
     environment = {name: value for name, value in os.environ.items() if name not in DROPPED} | step.variables
     arrived: list[int] = []  # an exception inside of Popen would lose the process
     before = {number: signal.signal(number, lambda *words: arrived.append(words[0])) for number in STOPS}
@@ -329,7 +339,11 @@ def run_command(step: Step, root: Path, log: Path) -> int:
         try:
             if arrived:
                 raise KeyboardInterrupt
-            return process.wait()
+            return process.wait(limit)
+        except subprocess.TimeoutExpired:
+            end_processes(process)
+            output.write(f"\nended after {limit / 60:.0f} minutes\n".encode())
+            return TIMED_OUT
         finally:
             end_processes(process)
 
@@ -344,16 +358,17 @@ def end_processes(process: subprocess.Popen[bytes]) -> None:
     process.wait()
 
 
-def run_step(step: Step, tree: Tree, results: Results) -> None:
+def run_step(step: Step, day: str, tree: Tree, results: Results) -> None:
     """Run a step and store its result."""
+    tree.refresh()
     digest, commit, log = tree.digest(step), tree.commit(), results.log(step)
     print(f"{step.name}: {step.line()[:200]}\n    log: {log}", flush=True)
     begin, cpu = time.monotonic(), cpu_seconds()
-    code = run_command(step, tree.root, log)
+    code = run_command(step, tree.root, log, max(STEP_LIMIT * results.expected_seconds(step), MIN_LIMIT))
     seconds, cpu = time.monotonic() - begin, cpu_seconds() - cpu
     is_empty = step.may_be_empty and NO_TESTS.search(log.read_text(encoding="utf-8", errors="replace"))
     outcome = PASSED if code == 0 or is_empty else FAILED
-    result = Result(digest, outcome, round(seconds, 1), round(cpu, 1), commit, last_line(log, code))
+    result = Result(digest, day, outcome, round(seconds, 1), round(cpu, 1), commit, last_line(log, code))
     tree.refresh()
     if tree.digest(step) == digest:
         results.add(step, result)
@@ -375,96 +390,135 @@ def last_line(log: Path, code: int) -> str:
     return lines[-1][:160] if lines else f"no output, exit code {code}"
 
 
-def run_steps(chosen: Sequence[Step], options: argparse.Namespace, tree: Tree, results: Results) -> None:
-    """Run the chosen steps that have no result and fit into the budget."""
-    begin = time.monotonic()
-    for step in chosen:
-        tree.refresh()
-        if results.of(step, tree.digest(step)) and not options.again:
-            continue
-        spent = time.monotonic() - begin
-        if options.budget is None or spent + results.expected_seconds(step) <= 60 * options.budget:
-            run_step(step, tree, results)
+class Run:
+    """The steps of a run, in order, and whether their newest results count."""
 
+    def __init__(self, steps: Sequence[Step], options: argparse.Namespace, tree: Tree, results: Results) -> None:
+        self.options, self.tree, self.results = options, tree, results
+        self.cycle, self.day = Cycle(steps, options.seed), options.seed.isoformat()
+        self.is_drawn = not (options.all or options.only)
+        self.steps = [step for step in steps if step.name.startswith(tuple(options.only or [""]))]
+        if self.is_drawn:
+            self.steps.sort(key=self.cycle.age)
+        minutes = BUDGET if options.budget is None and self.is_drawn else options.budget
+        self.budget = math.inf if minutes is None else 60 * minutes
 
-# ------------------------------------------------------------------------------------------------ output
+    def is_done(self, step: Step) -> bool:
+        """True if the newest result is of the present inputs, or if a drawn step has passed since its day."""
+        last = self.results.newest.get(step.name)
+        if last is None:
+            return False
+        has_passed = self.is_drawn and last.result == PASSED and last.day >= self.cycle.latest(step)
+        return has_passed or last.digest == self.tree.digest(step)
 
+    def is_of_today(self, step: Step) -> bool:
+        """True if the newest result of a step is of the day of a drawn run."""
+        last = self.results.newest.get(step.name)
+        return self.is_drawn and last is not None and last.day == self.day
 
-def report(chosen: Sequence[Step], tree: Tree, results: Results) -> int:
-    """Print the table, the failed steps and what remains; returns the exit code."""
-    tree.refresh()
-    width = max(len(step.name) for step in chosen)
-    print(f"\n{'step':<{width}}  {'result':<8} {'seconds':>9}  commit")
-    counts = {PASSED: 0, FAILED: 0, NOT_RUN: 0}
-    notes, remaining, seconds, cpu = [], [], 0.0, 0.0
-    for step in chosen:
-        result = results.of(step, tree.digest(step))
-        if result is None:
-            counts[NOT_RUN] += 1
-            remaining.append(step)
+    def run(self) -> None:
+        """Run the steps that are not done and fit into the budget."""
+        self.tree.refresh()
+        is_again = self.options.again
+        earlier = (
+            0.0 if is_again else sum(self.results.newest[s.name].seconds for s in self.steps if self.is_of_today(s))
+        )
+        begin = time.monotonic() - earlier
+        for step in self.steps:
+            is_due = is_again or not self.is_done(step)
+            if is_due and time.monotonic() - begin + self.results.expected_seconds(step) <= self.budget:
+                run_step(step, self.day, self.tree, self.results)
+
+    def report(self) -> int:
+        """Print the table and the failed and remaining steps; returns the exit code."""
+        self.tree.refresh()
+        results = self.results
+        done = [step for step in self.steps if self.is_of_today(step) or self.is_done(step)]
+        missing = [step for step in self.steps if step not in done]
+        if self.is_drawn:
+            done = [step for step in done if self.is_of_today(step) or not self.cycle.age(step)]
+            missing = [step for step in missing if not self.cycle.age(step)]
+        width = max(len(step.name) for step in self.steps)
+        print(f"\n{'step':<{width}}  {'result':<8} {'seconds':>9} {'CPU s':>9}  commit")
+        for name, each in ((step.name, results.newest[step.name]) for step in done):
+            print(f"{name:<{width}}  {each.result:<8} {each.seconds:>9.1f} {each.cpu_seconds:>9.1f}  {each.commit}")
+        for step in missing:
             last = results.newest.get(step.name)
             other = f"{last.result} at {last.commit}, for other inputs" if last else ""
-            print(f"{step.name:<{width}}  {NOT_RUN:<8} {'':>9}  {other}".rstrip())
-            continue
-        counts[result.result] += 1
-        seconds, cpu = seconds + result.seconds, cpu + result.cpu_seconds
-        print(f"{step.name:<{width}}  {result.result:<8} {result.seconds:>9.1f}  {result.commit}")
-        if result.result == FAILED:
-            notes.append(f"failed: {step.name}: {result.last_line}\n    log: {results.log(step)}")
-    total = ", ".join(f"{count} {name}" for name, count in counts.items())
-    print(f"{'total':<{width}}  {'':<8} {seconds:>9.1f}  {total}; {cpu:.0f} CPU s")
-    if notes:
-        print("\n".join(notes))
-    if remaining:
-        minutes = sum(results.expected_seconds(step) for step in remaining) / 60
-        print(f"remaining: {len(remaining)} steps, {minutes:.0f} min expected: {', '.join(s.name for s in remaining)}")
-    return 1 if counts[FAILED] or counts[NOT_RUN] else 0
+            print(f"{step.name:<{width}}  {NOT_RUN:<8} {'':>9} {'':>9}  {other}".rstrip())
+        rows = [results.newest[step.name] for step in done]
+        counts = {name: sum(each.result == name for each in rows) for name in (PASSED, FAILED)} | {
+            NOT_RUN: len(missing)
+        }
+        times = f"{sum(each.seconds for each in rows):>9.1f} {sum(each.cpu_seconds for each in rows):>9.1f}"
+        print(f"{'total':<{width}}  {'':<8} {times}  {', '.join(f'{count} {name}' for name, count in counts.items())}")
+        for step in done:
+            if results.newest[step.name].result == FAILED:
+                print(f"failed: {step.name}: {results.newest[step.name].last_line}\n    log: {results.log(step)}")
+        if missing:
+            minutes = sum(map(results.expected_seconds, missing)) / 60
+            print(f"remaining: {len(missing)} steps, {minutes:.0f} min expected: {', '.join(s.name for s in missing)}")
+        if self.is_drawn:
+            self._report_others(len(done) + len(missing))
+        return 1 if counts[FAILED] or (missing and not self.is_drawn) else 0
+
+    def _report_others(self, count: int) -> None:
+        """Print how many steps are not of this day, and how many have no result within a cycle."""
+        first = (self.options.seed - datetime.timedelta(self.cycle.days - 1)).isoformat()
+        newest = (self.results.newest.get(step.name) for step in self.steps)
+        recent = sum(last is not None and last.day >= first for last in newest)
+        total, days = len(self.steps), self.cycle.days
+        print(f"not drawn on {self.day}: {total - count} of {total} steps, each is among the first once in {days} days")
+        print(f"without any result of the last {days} days: {total - recent} of {total} steps")
+
+    def print_list(self) -> None:
+        """Print names, days, expected minutes and commands."""
+        width = max(len(step.name) for step in self.steps)
+        for step in self.steps:
+            day = "daily" if step.is_daily else self.cycle.latest(step)
+            minutes = self.results.expected_seconds(step) / 60
+            print(f"{step.name:<{width}}  {day:<10}  {minutes:5.1f} min  {step.line()}")
 
 
-def print_list(chosen: Sequence[Step], results: Results) -> None:
-    """Print names, expected minutes and commands."""
-    width = max(len(step.name) for step in chosen)
-    for step in chosen:
-        print(f"{step.name:<{width}}  {results.expected_seconds(step) / 60:5.1f} min  {step.line()}")
+# ------------------------------------------------------------------------------------------------ command line
 
 
-def read_options(words: Sequence[str] | None, steps: Sequence[Step]) -> argparse.Namespace:
+def read_options(words: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="make nightly", description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--only", action="append", default=[], metavar="STEP", help="steps whose names begin so")
-    parser.add_argument("--again", action="store_true", help="run also steps that have a result")
-    parser.add_argument(
-        "--budget", type=float, metavar="MINUTES", help="start only steps that are expected to end within this time"
-    )
-    parser.add_argument("--list", action="store_true", help="print the steps and run nothing")
-    options = parser.parse_args(words)
-    for prefix in options.only:
-        if not any(step.name.startswith(prefix) for step in steps):
-            families = sorted({step.name.partition("-")[0] for step in steps})
-            parser.error(f"expected the beginning of a step's name, got {prefix!r}. Steps: {', '.join(families)}")
-    return options
+    add = parser.add_argument
+    add("--seed", type=datetime.date.fromisoformat, default=datetime.date.today(), metavar="DATE", help="another day")
+    add("--all", action="store_true", help="all steps, without a budget")
+    add("--only", action="append", default=[], metavar="STEP", help="steps whose names begin so, without a budget")
+    add("--again", action="store_true", help="run also steps that have a result")
+    add("--budget", type=float, metavar="MINUTES", help="start only steps that are expected to end in this time (60)")
+    add("--list", action="store_true", help="print the steps and run nothing")
+    return parser.parse_args(words)
 
 
 def main(words: Sequence[str] | None = None, *, root: Path = ROOT, steps: Sequence[Step] | None = None) -> int:
     """The command; returns the exit code."""
-    steps = all_steps(root) if steps is None else steps
-    options = read_options(words, steps)
-    chosen = [step for step in steps if step.name.startswith(tuple(options.only or [""]))]
+    options = read_options(words)
+    steps = all_steps(options.seed, root) if steps is None else steps
+    for prefix in options.only:
+        if not any(step.name.startswith(prefix) for step in steps):
+            families = ", ".join(sorted({step.name.partition("-")[0] for step in steps}))
+            raise SystemExit(f"make nightly: --only: expected the beginning of a step ({families}), got {prefix!r}")
     folder = os.environ.get("POINTLOOM_NIGHTLY") or root / "build" / "nightly"
-    tree, results = Tree(root), Results(Path(folder).resolve())
+    run = Run(steps, options, Tree(root), Results(Path(folder).resolve()))
     if options.list:
-        print_list(chosen, results)
+        run.print_list()
         return 0
     before = {number: signal.signal(number, signal.default_int_handler) for number in STOPS}  # it may be ignored
     try:
-        run_steps(chosen, options, tree, results)
+        run.run()
     except KeyboardInterrupt:
         print("\nInterrupted. The result of the step that was running is not stored.", flush=True)
-        report(chosen, tree, results)
+        run.report()
         return 128 + signal.SIGINT
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
-    return report(chosen, tree, results)
+    return run.report()
 
 
 if __name__ == "__main__":

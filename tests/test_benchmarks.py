@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import importlib
 import json
 import sys
+from collections import Counter
 from collections.abc import Iterator
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from .programs import benchmarks_on_path
+from .programs import BENCHMARKS as FOLDER
+from .programs import benchmarks_on_path, load_program
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -45,6 +49,13 @@ def test_long_and_memory_sizes_are_sizes_of_the_operation(contest):
         assert set(operation.long) < set(operation.scenes)
         assert list(operation.sizes(long=True)) == list(operation.scenes)
         assert operation.memory_size is None or operation.memory_size in operation.sizes()
+
+
+def test_baselines_of_long_runs_are_contestants_beside_another_one(contest):
+    for _, operation in contest.operations().values():
+        names = {contestant.name for contestant in operation.contestants}
+        for size, slow in operation.slow.items():
+            assert size in operation.sizes() and {*slow} < names - {contest.POINTLOOM}
 
 
 def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device(contest):
@@ -243,3 +254,22 @@ def test_only_a_complete_run_replaces_the_saved_results(tmp_path, monkeypatch, r
     assert list(tmp_path.iterdir()) == []
     run.save(argparse.Namespace(output=None, quick=False, only=None), about, about)
     assert json.loads((tmp_path / "results" / "operations-cpu.json").read_text()) == about
+
+
+def test_a_clearly_slower_baseline_ends_after_one_lap_and_the_others_do_not(monkeypatch):
+    conftest = load_program(FOLDER / "conftest.py", "conftest_of_benchmarks")
+    seconds, calls = {"pointloom": 0.01, "slow": 0.05, "best": 0.02, "second": 0.03}, []
+
+    def time_one(label, benchmark, rounds):
+        calls.append(label)
+        benchmark.stats = SimpleNamespace(stats=SimpleNamespace(min=seconds[label]))
+        return rounds * seconds[label], None
+
+    monkeypatch.setattr(conftest, "_timed", time_one)
+    started = SimpleNamespace(entries={label: conftest.Entry(label, 0.1, 0.0) for label in seconds})
+    for _ in range(conftest.LAPS):
+        for label in seconds:
+            with contextlib.suppress(pytest.skip.Exception):
+                conftest.Contest.later_calls(started, label, SimpleNamespace())
+    assert Counter(calls) == {"pointloom": 3, "best": 3, "second": 3, "slow": 1}
+    assert started.entries["best"].estimate == pytest.approx(0.02)

@@ -1,5 +1,6 @@
-"""`make nightly` on a small repository: stored results, digests of inputs, interruptions, the budget, the table."""
+"""`make nightly` on a small repository: the drawing by date, stored results, interruptions, the budget, the table."""
 
+import datetime
 import json
 import os
 import re
@@ -14,7 +15,9 @@ from .programs import ROOT, script
 
 nightly = script("nightly")
 
-LINE = re.compile(r"^(?P<step>[\w-]+) +(?P<result>passed|failed|not run) *(?P<seconds>[\d.]+)? *(?P<commit>.*)$")
+LINE = re.compile(
+    r"^(?P<step>[\w-]+) +(?P<result>passed|failed|not run) *(?P<seconds>[\d.]+)? *(?P<cpu>[\d.]+)? *(?P<commit>.*)$"
+)
 
 
 def git(tree, *words):
@@ -39,14 +42,14 @@ def tree(tmp_path, monkeypatch):
     return folder
 
 
-def step(name, script="", **fields):
+def step(name, script="", minutes=1.0, **fields):
     """A step that adds its name to the file `ran`, then runs a script."""
-    return nightly.Step(
-        name, ("sh", "-c", f"echo {name} >> ran; {script or 'echo done'}"), **{"inputs": ("src/",)} | fields
-    )
+    return nightly.Step(name, ("sh", "-c", f"echo {name} >> ran; {script or 'echo done'}"), minutes, **fields)
 
 
 def run(tree, steps, *words):
+    """Run all steps, unless the words draw or choose some."""
+    words = words if any(word in ("--seed", "--only") for word in words) else ("--all", *words)
     return nightly.main(words, root=tree, steps=steps)
 
 
@@ -69,35 +72,21 @@ def test_a_step_with_a_result_for_the_same_inputs_is_not_run_again(tree, capsys)
     steps = [step("one"), step("two")]
     assert run(tree, steps) == 0
     assert ran(tree) == ["one", "two"]
-    (tree / "docs" / "page.md").write_text("no input of these steps")
     (tree / "src" / "ignored.tmp").write_text("ignored by git")
     assert run(tree, steps) == 0
     assert ran(tree) == []
     assert [row[0] for row in table(capsys).values()] == ["passed", "passed"]
 
 
-@pytest.mark.parametrize("name", ["src/a.py", "src/new.py", "pyproject.toml", "constraints/test.txt"])
-def test_a_step_runs_again_when_a_file_that_it_depends_on_changes(tree, name):
-    steps = [step("code"), step("page", inputs=("docs/",))]
+@pytest.mark.parametrize("name", ["src/a.py", "docs/new.md"])
+def test_a_step_runs_again_when_a_file_changes_or_is_removed(tree, name):
+    steps = [step("one")]
     run(tree, steps)
-    ran(tree)
-    (tree / name).parent.mkdir(exist_ok=True)
     (tree / name).write_text("second\n")
-    assert run(tree, steps) == 0
-    assert ran(tree) == (["code"] if name.startswith("src/") else ["code", "page"])
-
-
-def test_a_removed_file_changes_the_digest_and_an_excluded_one_does_not(tree):
-    (tree / "src" / "list.toml").write_text("1")
-    steps = [step("all"), step("without", inputs=("src/", "!src/a")), step("one", inputs=("!src/", "src/list"))]
     run(tree, steps)
-    ran(tree)
-    (tree / "src" / "a.py").unlink()
-    run(tree, steps)
-    assert ran(tree) == ["all"]
-    (tree / "src" / "list.toml").write_text("2")
-    run(tree, steps)
-    assert ran(tree) == ["all", "without", "one"]
+    (tree / name).unlink()
+    run(tree, steps, "--only", "one")
+    assert ran(tree) == ["one"] * 3
 
 
 def test_the_command_the_variables_and_real_data_are_inputs(tree, monkeypatch):
@@ -177,8 +166,8 @@ import sys
 from pathlib import Path
 sys.path.insert(0, sys.argv[1])
 import nightly
-steps = [nightly.Step(name, ("sh", "-c", script), ("src/",)) for name, script in zip(sys.argv[2::2], sys.argv[3::2])]
-sys.exit(nightly.main([], root=Path.cwd(), steps=steps))
+steps = [nightly.Step(name, ("sh", "-c", script), 1.0) for name, script in zip(sys.argv[2::2], sys.argv[3::2])]
+sys.exit(nightly.main(["--all"], root=Path.cwd(), steps=steps))
 """
 
 
@@ -242,19 +231,106 @@ def test_a_damaged_file_of_results_is_an_error_that_names_it(tree, tmp_path):
         run(tree, [step("one")])
 
 
-def test_an_unknown_step_is_an_error_that_lists_the_known_ones(tree, capsys):
-    with pytest.raises(SystemExit):
+def test_an_unknown_step_is_an_error_that_lists_the_known_ones(tree):
+    with pytest.raises(SystemExit, match=r"--only: .* \(flakes, fuzz\), got 'muta'"):
         run(tree, [step("fuzz"), step("flakes-1")], "--only", "muta")
-    assert "got 'muta'. Steps: flakes, fuzz" in capsys.readouterr().err
 
 
-ALL_STEPS = nightly.all_steps(ROOT)
+def test_a_step_that_takes_much_longer_than_expected_is_ended_and_fails(tree, monkeypatch, capsys):
+    monkeypatch.setattr(nightly, "MIN_LIMIT", 0.2)
+    assert run(tree, [step("long", "sleep 600", minutes=1e-4), step("next")]) == 1
+    assert "failed: long: ended after 0 minutes" in capsys.readouterr().out
+    assert ran(tree) == ["long", "next"]
 
 
-def test_names_of_steps_are_unique_and_their_inputs_exist():
+# ------------------------------------------------------------------------------------------------ the drawing
+
+MONDAY, TUESDAY, WEDNESDAY = "2026-11-30", "2026-12-01", "2026-12-02"
+
+
+def on(steps, day):
+    """The names of the steps that are among the first ones of a day."""
+    cycle = nightly.Cycle(steps, datetime.date.fromisoformat(day))
+    return [step.name for step in steps if cycle.age(step) == 0]
+
+
+def test_a_drawn_run_takes_the_steps_of_its_day_first_and_then_those_missed(tree):
+    steps = [*(step(name, minutes=25) for name in "abcd"), step("daily", minutes=5, is_daily=True)]
+    first, second = on(steps, MONDAY), on(steps, TUESDAY)
+    assert len(first) == len(second) == 3 and {*first} | {*second} == {*"abcd", "daily"}
+    assert run(tree, steps, "--seed", MONDAY) == 0
+    names = ran(tree)
+    assert {*names[:3]} == {*first} and {*names[3:]} == {*second} - {"daily"}
+    assert run(tree, steps, "--seed", MONDAY) == 0
+    assert ran(tree) == []
+    (tree / "src" / "a.py").write_text("second\n")
+    assert run(tree, steps, "--seed", TUESDAY) == 0  # the others have passed since their day, with another tree
+    assert {*ran(tree)} == {*second}
+    (tree / "src" / "a.py").write_text("third\n")
+    assert run(tree, steps, "--seed", WEDNESDAY) == 0
+    assert {*ran(tree)} == {*first}
+
+
+def test_a_step_that_failed_in_a_drawn_run_runs_again_when_a_file_changes(tree):
+    steps = [step("bad", "grep second src/a.py"), step("good")]
+    assert run(tree, steps, "--seed", MONDAY) == 1
+    assert run(tree, steps, "--seed", MONDAY) == 1
+    assert sorted(ran(tree)) == ["bad", "good"]
+    (tree / "src" / "a.py").write_text("second\n")
+    assert run(tree, steps, "--seed", MONDAY) == 0
+    assert ran(tree) == ["bad"]
+
+
+def test_results_of_the_same_day_count_toward_the_budget(tree, tmp_path, capsys):
+    run(tree, [step("long")], "--seed", MONDAY)
+    path = tmp_path / "results" / "results.json"
+    results = json.loads(path.read_text())
+    results["long"]["seconds"] = 58 * 60.0
+    path.write_text(json.dumps(results))
+    ran(tree)
+    steps = [step("long", is_daily=True), step("more", minutes=5, is_daily=True), step("short", is_daily=True)]
+    assert run(tree, steps, "--seed", MONDAY) == 0
+    assert ran(tree) == ["short"]
+    assert "remaining: 1 steps, 5 min expected: more" in capsys.readouterr().out
+    (tree / "src" / "a.py").write_text("second\n")
+    run(tree, steps, "--seed", TUESDAY)
+    assert ran(tree) == ["long", "more", "short"]
+
+
+def test_the_table_counts_the_steps_that_were_not_drawn(tree, capsys):
+    steps = [step(name, minutes=40) for name in "abc"] + [step("whole", minutes=90)]
+    run(tree, steps, "--seed", MONDAY, "--budget", "50")
+    run(tree, steps, "--seed", TUESDAY, "--budget", "0")
+    shown = capsys.readouterr().out
+    assert f"not drawn on {MONDAY}: 1 of 4 steps, each is among the first once in 2 days" in shown
+    assert f"not drawn on {TUESDAY}: 3 of 4 steps" in shown
+    assert "without any result of the last 2 days: 1 of 4 steps" in shown
+
+
+DAY = datetime.date(2026, 11, 30)
+ALL_STEPS = nightly.all_steps(DAY)
+
+
+def test_each_step_that_fits_into_the_budget_is_drawn_once_in_a_cycle():
+    days = nightly.Cycle(ALL_STEPS, DAY).days
+    for offset in range(days):
+        cycle = nightly.Cycle(ALL_STEPS, DAY + datetime.timedelta(offset))
+        minutes = sum(step.minutes for step in ALL_STEPS if cycle.age(step) == 0)
+        assert minutes < 1.1 * nightly.BUDGET
+    drawn = [step for step in ALL_STEPS if not step.is_daily and step.minutes <= nightly.BUDGET]
+    cycles = [nightly.Cycle(ALL_STEPS, DAY + datetime.timedelta(offset)) for offset in range(days)]
+    assert all(sum(cycle.age(step) == 0 for cycle in cycles) == 1 for step in drawn)
+
+
+def test_names_of_steps_are_unique():
     assert len({step.name for step in ALL_STEPS}) == len(ALL_STEPS)
-    for prefix in {prefix for step in ALL_STEPS for prefix in step.inputs}:
-        assert (ROOT / prefix.removeprefix("!")).exists(), prefix
+
+
+def test_daily_steps_have_the_date_as_seed():
+    tomorrow = nightly.all_steps(DAY + datetime.timedelta(1))
+    assert [a.name for a, b in zip(ALL_STEPS, tomorrow, strict=True) if a.command != b.command] == [
+        step.name for step in ALL_STEPS if step.is_daily
+    ]
 
 
 def test_the_steps_of_a_set_take_each_of_its_test_files_once():
@@ -268,14 +344,29 @@ def test_the_steps_of_a_set_take_each_of_its_test_files_once():
         assert sorted(taken) == sorted(file for folder in folders for file in folder.rglob("test_*.py"))
 
 
-def test_each_list_of_mutants_is_covered_by_its_parts():
-    commands = [step.command[-1] for step in ALL_STEPS if step.name.startswith("mutants-")]
-    words, parts = [re.search(r"--from (\S+) --part (\d+)/(\d+)", command) for command in commands], {}
-    for word in words:
-        parts.setdefault((word[1], int(word[3])), []).append(int(word[2]))
-    assert sorted(name for name, _ in parts) == sorted(path.name for path in (ROOT / "tests/mutants").glob("*.toml"))
-    assert all(numbers == [*range(1, total + 1)] for (_, total), numbers in parts.items())
-
-
 def test_all_architectures_of_check_cuda_are_steps():
     assert f"ARCHITECTURES = {nightly.ARCHITECTURES}" in (ROOT / "src/pointloom/kernels/check_cuda.py").read_text()
+
+
+OTHER_NAMES = {
+    "datafusion": "rerun-sdk",  # by its extra "catalog"
+    "foxglove": "foxglove-sdk",
+    "pil": "pillow",
+    "rerun": "rerun-sdk",
+    "skimage": "scikit-image",
+    "vtkmodules": "vtk",
+}
+
+
+def test_each_package_that_a_test_may_skip_for_is_installed_by_a_list_of_constraints_or_a_step():
+    lists = "\n".join(path.read_text() for path in (ROOT / "constraints").glob("*.txt"))
+    installed = {name.lower().replace("_", "-") for name in re.findall(r"^[\w.-]+", lists, re.MULTILINE)}
+    installed |= {re.split("[<>=]", word)[0] for word in nightly.OTHERS.split()}
+    missing = set()
+    for path in (ROOT / "tests").rglob("*.py"):
+        modules = re.findall(r"""importorskip\(["']([\w]+)""", path.read_text(encoding="utf-8"))
+        for module in {module for module in modules if module not in sys.stdlib_module_names}:
+            package = module.lower().replace("_", "-")
+            if OTHER_NAMES.get(package, package) not in installed:
+                missing.add((path.relative_to(ROOT).as_posix(), module))
+    assert not missing

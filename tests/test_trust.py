@@ -81,9 +81,53 @@ def test_only_cases_without_a_result_are_run(tmp_path, code):
     for name in "abcd":
         stored.add(result(name))
     named = {"depth": {name: Case(name, list) for name in "abcde"}, "lidar": {"f": Case("f", list)}}
-    jobs = run.jobs_of(named, stored, named)
+    jobs = run.jobs_of(named, named, stored)
     assert [(job.area, job.case) for job in jobs] == [("depth", "e"), ("lidar", "f")]
     assert jobs[0].seconds == 2.0 and jobs[1].seconds == run.SECONDS["lidar"]
+
+
+def test_the_same_fraction_of_each_area_is_drawn_by_a_seed(monkeypatch):
+    monkeypatch.setattr(run, "SECONDS", {"one": 400.0, "two": 100.0, "single": 60.0})
+    named = {area: {str(k): Case(str(k), list) for k in range(n)} for area, n in (("one", 40), ("two", 200))}
+    named["single"] = {"all": Case("all", list)}
+    draws = [run.draw(named, f"2026-11-{day:02d}", 280.0) for day in range(1, 31)]
+    assert draws[0] == run.draw(named, "2026-11-01", 280.0) != draws[1]
+    for drawn in draws:
+        single = 60.0 * len(drawn["single"])
+        assert 269 < 10 * len(drawn["one"]) + 0.5 * len(drawn["two"]) + single <= 280
+        assert abs(len(drawn["one"]) / 40 - len(drawn["two"]) / 200) < 0.2
+    assert 5 < sum(len(drawn["single"]) for drawn in draws) < 25
+    assert {name for drawn in draws for name in drawn["one"]} == {*named["one"]}
+    assert run.draw(named, "a", float("inf")) == named
+
+
+def test_only_rows_of_complete_areas_are_written(tmp_path, monkeypatch, capsys):
+    def written(*words):
+        monkeypatch.setattr(sys, "argv", ["run.py", "--output", str(tmp_path / "results"), *words])
+        page.write_text(
+            "<!-- rates -->\n| a |\n|---|\n<!-- /rates -->\n<!-- cases -->\n| a |\n|---|\n<!-- /cases -->\n"
+        )
+        assert run.main() == 0
+        return [row.split(" | ")[0] for row in page.read_text().splitlines() if row.startswith("| depth")]
+
+    page = tmp_path / "page.md"
+    cases = {str(k): Case(str(k), list) for k in range(4)}
+    judged = [Judged("depth network", "a case", 1, 1, 0, 0)]
+    monkeypatch.setattr(run, "PAGE", page)
+    monkeypatch.setattr(run, "areas", lambda: ["depth"])
+    monkeypatch.setattr(run, "cases_of", lambda area: cases)
+    monkeypatch.setattr(run, "SECONDS", {"depth": 240.0 * len(os.sched_getaffinity(0))})
+    monkeypatch.setattr(
+        run,
+        "run_jobs",
+        lambda jobs: ((job, results.Result(job.area, job.case, 1.0, tuple(judged), ())) for job in jobs),
+    )
+    assert written("--write", "--budget", "2") == []
+    shown = capsys.readouterr()
+    assert "2 of 4 cases drawn" in shown.out and "| depth network | 0 of 2 (0.0 to 65.8 %) | - |" in shown.out
+    assert "rows not written, since cases are missing: depth" in shown.err
+    assert written("--all", "--write") == ["| depth network"]
+    assert "2 of 4 cases left" in capsys.readouterr().out
 
 
 def test_a_process_keeps_its_area_and_then_takes_the_most_expensive_one_that_is_free():
@@ -97,7 +141,7 @@ def test_a_process_that_starts_during_an_interruption_is_stopped(monkeypatch):
     stopped = []
 
     class Interrupted(run.Worker):
-        def start(self, job, limit):
+        def start(self, job):
             raise KeyboardInterrupt
 
         def stop(self):
@@ -106,7 +150,7 @@ def test_a_process_that_starts_during_an_interruption_is_stopped(monkeypatch):
     monkeypatch.setattr(run, "Worker", Interrupted)
     monkeypatch.setattr(run, "ONE_THREAD", {})
     with pytest.raises(KeyboardInterrupt):
-        list(run.run_jobs([run.Job("a", "1", 1.0)], {}))
+        list(run.run_jobs([run.Job("a", "1", 1.0)]))
     assert len(stopped) == len(os.sched_getaffinity(0))
 
 
@@ -156,7 +200,7 @@ def test_an_interrupted_run_continues(tmp_path, how):
     script, output = tmp_path / "script.py", tmp_path / "output"
     folders = ", ".join(repr(str(path)) for path in (tmp_path, ROOT / "benchmarks" / "trust", ROOT / "benchmarks"))
     script.write_text(SCRIPT.format(folders=folders))
-    command, lines = [sys.executable, str(script), "--output", str(output)], output / "made.jsonl"
+    command, lines = [sys.executable, str(script), "--all", "--output", str(output)], output / "made.jsonl"
     os.mkfifo(pipe := tmp_path / "pipe")
     first = subprocess.Popen(command, env=os.environ | {"PIPE": str(pipe)}, start_new_session=True)
     pipe.read_bytes()  # until two cases are stored

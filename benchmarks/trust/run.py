@@ -1,11 +1,13 @@
 """Rates of unreliable results accepted and of reliable results rejected.
 
-    make trust [ARGS="--only lidar --write"]        POINTLOOM_DATA: folder of real data, optional
-    make trust ARGS=--quick                         the first cases of each area, five minutes in total
+    make trust                                      cases drawn with the date as seed, 40 minutes on all idle cores
+    make trust ARGS="--all --write"                 all cases, and the tables of docs/trust.md
+    make trust ARGS="--only lidar --budget 5"       POINTLOOM_DATA: folder of real data, optional
 
 Cases that should be rejected and cases that should be accepted, by area: those of each area's own file, and synthetic
-sites on which no constant was chosen (held_out.py). Prints the tables of docs/trust.md. `--write` replaces the rows of
-the areas that were run, and keeps the others.
+sites on which no constant was chosen (held_out.py). Each area gets the same fraction of its expected time, and one
+without a list of cases is drawn with this probability. The table has all cases with a result for the present code, of
+earlier runs, too. `--write` replaces the rows of the areas of which all cases have a result, and keeps the others.
 
 Each result is stored in build/trust, or in the folder of `--output`. A run that was interrupted continues with the
 cases that are left. A case runs again if the code that it ran has changed (results.py). Areas run in one process per
@@ -15,14 +17,15 @@ core, each with one thread: two of them finish sooner than one with two threads.
 from __future__ import annotations
 
 import argparse
+import datetime
 import fcntl
 import importlib
-import itertools
 import os
+import random
 import signal
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
@@ -38,7 +41,7 @@ from results import Result, Results, imported_modules, read_lines  # noqa: E402
 
 PAGE = FOLDER.parent.parent / "docs" / "trust.md"
 OUTPUT = FOLDER.parent.parent / "build" / "trust"
-QUICK_SECONDS = 300.0  # of all areas with --quick
+BUDGET = 40.0  # minutes on all cores
 MOST_CASES = 12  # of a kind of result in the table of failure cases
 REPORT_SECONDS = 60.0  # between progress lines if standard error is no terminal
 ONE_THREAD = {"POINTLOOM_CPU_THREADS": "1", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
@@ -85,19 +88,32 @@ def cases_of(area: str) -> dict[str, Case]:
     return named
 
 
-def run_case(area: str, name: str, limit: float = float("inf")) -> Result | str:
-    """Run a case in this process; it ends early after `limit` seconds. The reason if its data are missing."""
+def run_case(area: str, name: str) -> Result | str:
+    """Run a case in this process. The reason if its data are missing."""
     from real_data import DataMissingError
 
-    begin, judged = _cpu(), []
+    begin = _cpu()
     try:
-        for each in cases_of(area)[name].judge():
-            judged.append(each)
-            if _cpu() - begin > limit:
-                break
+        judged = tuple(cases_of(area)[name].judge())
     except DataMissingError as error:
         return str(error)
-    return Result(area, name, _cpu() - begin, tuple(judged), imported_modules())
+    return Result(area, name, _cpu() - begin, judged, imported_modules())
+
+
+def draw(named: dict[str, dict[str, Case]], seed: str, seconds: float) -> dict[str, dict[str, Case]]:
+    """Draw cases that are expected to take at most some CPU seconds, the same fraction of each area."""
+    order, drawn = [], {area: {} for area in named}
+    for area, cases in named.items():
+        generator = random.Random(f"{seed} {area}")
+        first = generator.random()
+        names = generator.sample(list(cases), len(cases))
+        order += [((k + first) / len(names), area, name) for k, name in enumerate(names)]
+    for _, area, name in sorted(order):
+        each = SECONDS[area] / len(named[area])
+        if each <= seconds:
+            drawn[area][name] = named[area][name]
+            seconds -= each
+    return drawn
 
 
 def _cpu() -> float:
@@ -116,13 +132,13 @@ class Job:
     seconds: float
 
 
-def jobs_of(names: Iterable[str], stored: Results, only: dict[str, dict[str, Case]]) -> list[Job]:
-    """The cases without a valid result. Those of one area take equal times, or as their area's stored ones do."""
+def jobs_of(drawn: dict[str, dict[str, Case]], named: dict[str, dict[str, Case]], stored: Results) -> list[Job]:
+    """The drawn cases without a valid result. Those of one area take equal times, or as their area's stored ones do."""
     jobs = []
-    for area in names:
-        known = [stored.valid[area, case].seconds for case in only[area] if (area, case) in stored.valid]
-        each = sum(known) / len(known) if len(known) > 3 else SECONDS[area] / max(len(only[area]), 1)
-        jobs += [Job(area, case, each) for case in only[area] if (area, case) not in stored.valid]
+    for area in drawn:
+        known = [stored.valid[area, case].seconds for case in named[area] if (area, case) in stored.valid]
+        each = sum(known) / len(known) if len(known) > 3 else SECONDS[area] / max(len(named[area]), 1)
+        jobs += [Job(area, case, each) for case in drawn[area] if (area, case) not in stored.valid]
     return jobs
 
 
@@ -132,12 +148,12 @@ class Worker:
     def __init__(self) -> None:
         self.area, self._pool = "", None
 
-    def start(self, job: Job, limit: float) -> Future:
+    def start(self, job: Job) -> Future:
         if self._pool is None or job.area != self.area:
             self.stop()
             self.area = job.area
             self._pool = ProcessPoolExecutor(1, get_context("spawn"), initializer=_prepare, initargs=(os.getpid(),))
-        return self._pool.submit(run_case, job.area, job.case, limit)
+        return self._pool.submit(run_case, job.area, job.case)
 
     def stop(self) -> None:
         """End the process, also while it runs a case."""
@@ -169,7 +185,7 @@ def next_job(jobs: list[Job], area: str, others: set[str]) -> Job:
     return next(job for job in jobs if job.area == best)
 
 
-def run_jobs(jobs: list[Job], limits: dict[str, float]) -> Iterator[tuple[Job, Result | str | BaseException]]:
+def run_jobs(jobs: list[Job]) -> Iterator[tuple[Job, Result | str | BaseException]]:
     """Run the jobs in one process per core, and yield each result as it ends. No process is left behind."""
     os.environ.update(ONE_THREAD)
     workers = [Worker() for _ in range(len(os.sched_getaffinity(0)))]
@@ -181,7 +197,7 @@ def run_jobs(jobs: list[Job], limits: dict[str, float]) -> Iterator[tuple[Job, R
                 job = next_job(queue, worker.area, {other.area for other, _ in running.values()})
                 queue.remove(job)
                 idle.remove(worker)
-                running[worker.start(job, limits.get(job.area, float("inf")))] = worker, job
+                running[worker.start(job)] = worker, job
             for future in wait(running, return_when=FIRST_COMPLETED).done:
                 worker, job = running.pop(future)
                 idle.append(worker)
@@ -222,42 +238,56 @@ def main() -> int:
     parser.add_argument("--only", action="append", choices=areas(), help="an area; may be given several times")
     parser.add_argument("--output", type=Path, default=OUTPUT, help="folder of the stored results (build/trust)")
     parser.add_argument("--cases", action="store_true", help="print each case, not only the rates")
-    parser.add_argument("--write", action="store_true", help="write the tables into docs/trust.md")
-    parser.add_argument("--quick", action="store_true", help="the first cases of each area, five minutes in all")
+    parser.add_argument("--write", action="store_true", help="write the tables of complete areas into docs/trust.md")
+    parser.add_argument("--all", action="store_true", help="all cases, not drawn ones")
+    parser.add_argument("--budget", type=float, default=BUDGET, metavar="MINUTES", help="of the drawn cases (40)")
+    parser.add_argument("--seed", default=str(datetime.date.today()), help="of the drawn cases, instead of the date")
     parser.add_argument(
         "--read", type=Path, action="append", help="read cases from files of an --output folder instead of running any"
     )
     arguments = parser.parse_args()
     if arguments.read:
         rows = [row for path in arguments.read for line in read_lines(path) for row in line.get("judged", [line])]
-        report([Judged(**row) for row in rows], cases=arguments.cases, write=arguments.write)
+        judged = [Judged(**row) for row in rows]
+        report(judged, judged if arguments.write else [], cases=arguments.cases)
         return 0
     chosen = [name for name in areas() if not arguments.only or name in arguments.only]
     named = {area: cases_of(area) for area in chosen}
-    if arguments.quick:
-        judged, failures = run_quickly(named)
-    else:
-        judged, failures = run_all(named, arguments.output)
-    report(judged, cases=arguments.cases, write=arguments.write)
+    seconds = float("inf") if arguments.all else 60 * arguments.budget * len(os.sched_getaffinity(0))
+    judged, incomplete, failures = run_all(draw(named, arguments.seed, seconds), named, arguments.output)
+    complete = [each for area in chosen if area not in incomplete for each in judged[area]]
+    report(
+        [each for area in chosen for each in judged[area]], complete if arguments.write else [], cases=arguments.cases
+    )
+    if arguments.write and incomplete:
+        print(f"{PAGE.name}: rows not written, since cases are missing: {', '.join(incomplete)}", file=sys.stderr)
     print("\n".join(failures), file=sys.stderr)
     return int(bool(failures))
 
 
-def run_all(named: dict[str, dict[str, Case]], folder: Path) -> tuple[list[Judged], list[str]]:
-    """Run the cases without a stored result. All results of the areas that are complete, and the failures."""
+def run_all(
+    drawn: dict[str, dict[str, Case]], named: dict[str, dict[str, Case]], folder: Path
+) -> tuple[dict[str, list[Judged]], list[str], list[str]]:
+    """Run the drawn cases without a stored result.
+
+    Returns:
+        The results of all cases that have one, by area, the areas that lack some, and the failures.
+    """
     stored = Results(folder)
     with (folder / "lock").open("w") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             raise SystemExit(f"{folder}: another run writes into this folder") from None
-        jobs, failures, missing = jobs_of(named, stored, named), [], set()
-        count, work = sum(map(len, named.values())), sum(job.seconds for job in jobs)
+        jobs, failures, missing = jobs_of(drawn, named, stored), [], set()
+        count, work = sum(map(len, drawn.values())), sum(job.seconds for job in jobs)
         cores = len(os.sched_getaffinity(0))
+        total = sum(map(len, named.values()))
+        print(f"{count:,} of {total:,} cases drawn")
         print(f"{len(jobs):,} of {count:,} cases left, about {work / 60 / cores:.0f} min on {cores} idle cores")
         progress = Progress(jobs)
         try:
-            for job, outcome in run_jobs(jobs, {}):
+            for job, outcome in run_jobs(jobs):
                 if isinstance(outcome, Result):
                     stored.add(outcome)
                 elif isinstance(outcome, BaseException):
@@ -268,38 +298,21 @@ def run_all(named: dict[str, dict[str, Case]], folder: Path) -> tuple[list[Judge
                 progress.add(job)
         except KeyboardInterrupt:
             raise SystemExit(f"\ninterrupted: run the same command again to continue ({folder})") from None
-    failed = {failure.split(",")[0] for failure in failures}
-    cases = [
-        (area, case) for area in named if area not in failed for case in named[area] if (area, case) not in missing
-    ]
-    return [judged for key in cases for judged in stored.valid[key].judged], failures
+    keys = {area: [(area, case) for case in named[area] if (area, case) not in missing] for area in named}
+    has_result = {area: [key for key in keys[area] if key in stored.valid] for area in named}
+    judged = {area: [each for key in has_result[area] for each in stored.valid[key].judged] for area in named}
+    print(f"{sum(map(len, has_result.values())):,} of {total:,} cases have a result for the present code")
+    return judged, [area for area in named if len(has_result[area]) < len(keys[area])], failures
 
 
-def run_quickly(named: dict[str, dict[str, Case]]) -> tuple[list[Judged], list[str]]:
-    """The first cases of each area, in the order of the areas. Nothing is stored."""
-    share = QUICK_SECONDS * len(os.sched_getaffinity(0)) / len(named)
-    jobs = []
-    for area, cases in named.items():
-        each = SECONDS[area] / max(len(cases), 1)
-        jobs += [Job(area, case, each) for case in itertools.islice(cases, max(1, int(share / each)))]
-    judged, failures, progress = [], [], Progress(jobs)
-    for job, outcome in run_jobs(jobs, dict.fromkeys(named, share)):
-        if isinstance(outcome, Result):
-            judged += outcome.judged
-        else:
-            failures += [f"{job.area}, {job.case}: {outcome!r}"] if isinstance(outcome, BaseException) else []
-        progress.add(job)
-    return judged, failures
-
-
-def report(cases_of_run: list[Judged], *, cases: bool, write: bool) -> None:
-    """Print the tables and write them into the page."""
-    print("\n".join([*rates(cases_of_run), "", *(table(cases_of_run) if cases else [])]))
-    if write:
-        failures = [c for c in cases_of_run if c.wrong_believed or c.right_refused]
-        kinds = list(dict.fromkeys(c.area for c in cases_of_run))
+def report(judged: list[Judged], written: list[Judged], *, cases: bool) -> None:
+    """Print the tables, and write those of some results into the page."""
+    print("\n".join([*rates(judged), "", *(table(judged) if cases else [])]))
+    if written:
+        failures = [c for c in written if c.wrong_believed or c.right_refused]
+        kinds = list(dict.fromkeys(c.area for c in written))
         first = [c for kind in kinds for c in [f for f in failures if f.area == kind][:MOST_CASES]]
-        for name, lines in (("rates", rates(cases_of_run)), ("cases", table(first))):
+        for name, lines in (("rates", rates(written)), ("cases", table(first))):
             write_between(PAGE, name, "\n".join(merged(text_between(PAGE, name).splitlines(), lines, kinds)))
 
 
