@@ -259,7 +259,10 @@ def graph_of(sources: dict[str, str]) -> dict[str, set[str]]:
     edges: dict[str, set[str]] = {}
     for path, source in sources.items():
         edges[path] = set()
-        for imported in imports_of(without_types(source), path):
+        for_types = lines_for_types(source)
+        for imported in imports_of(source, path):
+            if imported.line in for_types:
+                continue
             steps = [*imported.module.split("."), imported.name][1:]
             names = "/".join(steps), "/".join(steps[:-1])
             targets = [f"{name}{end}" for name in names for end in (".py", "/__init__.py")]
@@ -267,13 +270,10 @@ def graph_of(sources: dict[str, str]) -> dict[str, set[str]]:
     return edges
 
 
-def without_types(source: str) -> str:
-    """Source without the code under `if TYPE_CHECKING:`."""
-    if "TYPE_CHECKING" not in source:
-        return source
-    tree = ast.parse(source)
-    tree.body = [n for n in tree.body if not (isinstance(n, ast.If) and ast.unparse(n.test) == "TYPE_CHECKING")]
-    return ast.unparse(tree)
+def lines_for_types(source: str) -> set[int]:
+    """The lines of the code under `if TYPE_CHECKING:`."""
+    blocks = [n for n in parsed(source).body if isinstance(n, ast.If) and ast.unparse(n.test) == "TYPE_CHECKING"]
+    return {line for block in blocks for line in range(block.lineno, (block.end_lineno or block.lineno) + 1)}
 
 
 @pytest.fixture(autouse=True, scope="module")
