@@ -174,7 +174,8 @@ def test_all_tests_include_those_left_out(run_suite):
     ids=lambda owner: owner.__name__,
 )
 def test_the_compilers_are_compared_on_every_operation(owner):
-    written = "".join(path.read_text() for path in (ROOT / "benchmarks").glob("digest_*.py"))
+    paths = [path for kind in ("digest_*.py", "operations_on_*.py") for path in (ROOT / "benchmarks").glob(kind)]
+    written = "".join(path.read_text() for path in paths)
     names = {name for name in dir(owner) if not name.startswith("_") and callable(getattr(owner, name))}
     names -= {
         name for name in names if name.startswith("create_from_") and hasattr(owner, name.removeprefix("create_"))

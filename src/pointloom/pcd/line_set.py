@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,10 +17,6 @@ from ..core.html_tables import array_type, html_table
 from ..kernels.linear_algebra import inv, matmul
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .motion import Movable
-
-if TYPE_CHECKING:
-    from ..meshing.mesh.mesh import TriangleMesh
-
 
 Rows = NDArray[np.float64]
 
@@ -96,7 +92,7 @@ class LineSet(Movable):
         return cls(box.get_box_points(), BOX_EDGES).paint_uniform_color(box.color)
 
     @classmethod
-    def create_from_triangle_mesh(cls, mesh: TriangleMesh) -> LineSet:
+    def create_from_triangle_mesh(cls, mesh: object) -> LineSet:
         """The unique edges of a mesh, in vertex order.
 
         Args:
