@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable
-from typing import Any, Self
+from typing import Any, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -51,6 +51,8 @@ from .mesh_seams import Sewn, sew
 from .surface_values import with_attributes_of, with_vectors_of
 from .vertex_numbers import check_finite_vertices, check_vertices
 
+Mesh = TypeVar("Mesh", bound="MeshRemeshing")
+
 CONTRACTIONS = ("average", "quadric")
 MAX_TRIANGLES = 2**29  # 32-bit half-edge indices, also of the result
 # Limits of splits and collapses, of the target length (Botsch and Kobbelt 2004).
@@ -71,7 +73,7 @@ ENERGIES = ("spokes", "smoothed")
 class MeshRemeshing(MeshMeasures):
     """Methods of TriangleMesh that simplify, remesh, subdivide, smooth and deform it."""
 
-    _internal = ("drop_degenerate_triangles", "subdivided")
+    _internal = ("drop_degenerate_triangles",)
 
     @returns_new
     def simplify_vertex_clustering(self, voxel_size: float, contraction: object = "average") -> Self:
@@ -259,7 +261,7 @@ class MeshRemeshing(MeshMeasures):
             >>> mesh.subdivide_midpoint().triangles.tolist()
             [[0, 3, 5], [3, 1, 4], [4, 2, 5], [3, 4, 5]]
         """
-        return self.subdivided(number_of_iterations, subdivision.halve, self.arrays["vertices"].size)
+        return _subdivided(self, number_of_iterations, subdivision.halve, self.arrays["vertices"].size)
 
     @returns_new
     def subdivide_loop(self, number_of_iterations: int = 1) -> Self:
@@ -287,43 +289,7 @@ class MeshRemeshing(MeshMeasures):
         """
         count = check_count("number_of_iterations", number_of_iterations, minimum=0)
         sewn = sew(self) if count and len(self) else Sewn(self, None)
-        return sewn.mesh.subdivided(count, subdivision.mask, 0, sewn.in_order)
-
-    def subdivided(
-        self, iterations: int, rule: Callable[..., list[Any]], first_new: int, in_order: SortedEdges | None = None
-    ) -> Self:
-        """Apply a subdivision rule. Normals before `first_new` stay unchanged. `in_order`: known `sorted_edges`."""
-        count = check_count("number_of_iterations", iterations, minimum=0)
-        if count == 0 or not len(self):
-            return self.with_arrays()
-        if count > 16 or 3 * len(self) * 4**count > MAX_CORNERS:
-            raise ValueError(
-                f"number_of_iterations: {count} iterations produce {len(self)} * 4^{count} triangles, more than the "
-                f"{MAX_CORNERS // 3:,} that 32 bits can index. Use fewer iterations"
-            )
-        arrays: dict[str, Any] = self.arrays | {kind: dict(columns) for kind, columns in self.arrays.attributes.items()}
-        names = list(self.arrays.per_vertex())
-        values = [widen_rows(arrays[name]) for name in names]
-        for _ in range(count):
-            triangles = arrays["triangles"]
-            split, in_order = subdivision.EdgeSplit(triangles, values[0].size, in_order), None
-            values = rule(triangles, split, values)
-            arrays["triangles"] = subdivision.split_triangles(triangles, split)
-            if arrays["vertex_attributes"]:
-                arrays["vertex_attributes"] = each(arrays["vertex_attributes"], subdivision.mixed_ends(split).of)
-            if "triangle_uvs" in arrays:
-                arrays["triangle_uvs"] = subdivision.split_corners(arrays["triangle_uvs"])
-            if "triangle_material_ids" in arrays:
-                arrays["triangle_material_ids"] = subdivision.repeat_four_times(arrays["triangle_material_ids"])
-        if arrays["triangle_attributes"]:
-            quarters = upload(np.repeat(np.arange(len(self), dtype=np.int32), 4**count), int32, self.device)
-            arrays |= self.arrays.attributes_at("triangle_attributes", quarters)
-        for name, rows in zip(names, values, strict=True):
-            if name == "vertex_normals":
-                arrays[name] = narrow_directions(rows, self.arrays[name], first_new)
-            else:
-                arrays[name] = narrow_rows(rows)
-        return self.with_arrays(**arrays)
+        return _subdivided(sewn.mesh, count, subdivision.mask, 0, sewn.in_order)
 
     @returns_new
     def filter_smooth_simple(self, number_of_iterations: int = 1, filter_scope: object = "all") -> Self:
@@ -525,6 +491,43 @@ class MeshRemeshing(MeshMeasures):
         if "vertex_normals" in self.arrays:
             deformed["vertex_normals"] = rotate_directions(rotations, self.arrays["vertex_normals"], sewn.sewn_indices)
         return self.with_arrays(**deformed)
+
+
+def _subdivided(
+    mesh: Mesh, iterations: int, rule: Callable[..., list[Any]], first_new: int, in_order: SortedEdges | None = None
+) -> Mesh:
+    """Apply a subdivision rule. Normals before `first_new` stay unchanged. `in_order`: known `sorted_edges`."""
+    count = check_count("number_of_iterations", iterations, minimum=0)
+    if count == 0 or not len(mesh):
+        return mesh.with_arrays()
+    if count > 16 or 3 * len(mesh) * 4**count > MAX_CORNERS:
+        raise ValueError(
+            f"number_of_iterations: {count} iterations produce {len(mesh)} * 4^{count} triangles, more than the "
+            f"{MAX_CORNERS // 3:,} that 32 bits can index. Use fewer iterations"
+        )
+    arrays: dict[str, Any] = mesh.arrays | {kind: dict(columns) for kind, columns in mesh.arrays.attributes.items()}
+    names = list(mesh.arrays.per_vertex())
+    values = [widen_rows(arrays[name]) for name in names]
+    for _ in range(count):
+        triangles = arrays["triangles"]
+        split, in_order = subdivision.EdgeSplit(triangles, values[0].size, in_order), None
+        values = rule(triangles, split, values)
+        arrays["triangles"] = subdivision.split_triangles(triangles, split)
+        if arrays["vertex_attributes"]:
+            arrays["vertex_attributes"] = each(arrays["vertex_attributes"], subdivision.mixed_ends(split).of)
+        if "triangle_uvs" in arrays:
+            arrays["triangle_uvs"] = subdivision.split_corners(arrays["triangle_uvs"])
+        if "triangle_material_ids" in arrays:
+            arrays["triangle_material_ids"] = subdivision.repeat_four_times(arrays["triangle_material_ids"])
+    if arrays["triangle_attributes"]:
+        quarters = upload(np.repeat(np.arange(len(mesh), dtype=np.int32), 4**count), int32, mesh.device)
+        arrays |= mesh.arrays.attributes_at("triangle_attributes", quarters)
+    for name, rows in zip(names, values, strict=True):
+        if name == "vertex_normals":
+            arrays[name] = narrow_directions(rows, mesh.arrays[name], first_new)
+        else:
+            arrays[name] = narrow_rows(rows)
+    return mesh.with_arrays(**arrays)
 
 
 def _check_contraction(contraction: object) -> str:

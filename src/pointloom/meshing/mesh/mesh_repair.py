@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,6 +41,8 @@ from .mesh_arrays import MeshArrays, check_mesh
 from .mesh_measures import MeshMeasures
 from .mesh_nesting import Parts, choose_sides, find_enclosing
 from .mesh_sheets import cut_and_stitch, find_flips, flipped_mesh
+
+Mesh = TypeVar("Mesh", bound="MeshRepair")
 
 MAX_INT32 = 2**31 - 1
 TRIANGLES_PER_EDGE = 2  # triangles per edge of a closed surface
@@ -126,8 +128,6 @@ class MeshRepair(MeshMeasures):
     `is_self_intersecting` and `is_intersecting` raise ValueError for them.
     """
 
-    _internal = ("fill_small_holes", "findings", "nested", "unique_edges")
-
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> NDArray[np.int32]:
         """List the edges of more than two triangles.
 
@@ -144,7 +144,7 @@ class MeshRepair(MeshMeasures):
             >>> mesh.get_non_manifold_edges().tolist(), len(mesh.get_non_manifold_edges(False))
             ([[0, 1]], 7)
         """
-        edges = self.unique_edges()
+        edges = _unique_edges(self)
         mask = mesh_edges.mask_counts(edges, TRIANGLES_PER_EDGE + 1, MAX_INT32)
         if not allow_boundary_edges:
             mask = mesh_edges.mask_other_counts(edges, TRIANGLES_PER_EDGE)
@@ -159,7 +159,7 @@ class MeshRepair(MeshMeasures):
             >>> mesh.get_boundary_edges().tolist()
             [[0, 1], [0, 2], [1, 3], [2, 3]]
         """
-        edges = self.unique_edges(padded=True)
+        edges = _unique_edges(self, padded=True)
         return self._ends(edges, mesh_edges.mask_counts(edges, 1, 1))
 
     def get_boundaries(self) -> list[NDArray[np.int32]]:
@@ -273,7 +273,7 @@ class MeshRepair(MeshMeasures):
         """
         check_finite_corners("euler_poincare_characteristic", self)
         used = count_referenced(self.arrays["triangles"], self.arrays["vertices"].size)
-        return used - self.unique_edges().count + len(self)
+        return used - _unique_edges(self).count + len(self)
 
     def compute_adjacency_list(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
         """List the neighbors of each vertex along edges.
@@ -306,9 +306,6 @@ class MeshRepair(MeshMeasures):
         """
         return self.arrays.hand_out(triangle_areas(self.arrays["vertices"], self.arrays["triangles"]))
 
-    def unique_edges(self, padded: bool = False) -> mesh_edges.UniqueKeys:
-        return mesh_edges.find_edges(self.arrays["triangles"], self.arrays["vertices"].size, padded)
-
     def _ends(self, edges: mesh_edges.UniqueKeys, mask: Mask) -> NDArray[np.int32]:
         ends = mesh_edges.edge_ends(edges, positions_of(mask), self.arrays["vertices"].size)
         return self.arrays.hand_out(ends)
@@ -340,7 +337,7 @@ class MeshRepair(MeshMeasures):
             >>> mesh.fill_holes().triangles[3].tolist(), mesh.fill_holes().is_watertight()
             ([2, 3, 1], True)
         """
-        return self.fill_small_holes(check_positive("hole_size", hole_size))[0]
+        return _fill_small_holes(self, check_positive("hole_size", hole_size))[0]
 
     @returns_new
     def repair(
@@ -384,9 +381,9 @@ class MeshRepair(MeshMeasures):
         mesh = flipped_mesh(stitched.mesh, flipped)
         area, filled, left = mesh.get_surface_area(), 0, None
         if size is not None:
-            mesh, filled, left = mesh.fill_small_holes(size)
+            mesh, filled, left = _fill_small_holes(mesh, size)
         added = len(mesh) - flipped.size
-        mesh, orientable = mesh.nested(flipped)
+        mesh, orientable = _nested(mesh, flipped)
         area_in = self.finite_area()
         report = MeshRepairReport(
             removed_non_finite_triangles=len(self) - len(finite),
@@ -404,7 +401,7 @@ class MeshRepair(MeshMeasures):
             area_in=area_in,
             is_orientable=orientable,
             holes_left=left,
-            **mesh.findings(),
+            **_findings(mesh),
         )
         return mesh, report
 
@@ -428,48 +425,6 @@ class MeshRepair(MeshMeasures):
         triangles, count = self.arrays["triangles"], self.arrays.vertex_count
         split, rows = split_fans(triangles, count)
         return self.with_arrays(triangles=split, **self.arrays.vertices_at(rows))
-
-    def fill_small_holes(self, hole_size: float) -> tuple[Self, int, int]:
-        """(mesh with filled holes, number filled, number not filled)."""
-        filling = Filling(self.arrays["vertices"], self.arrays["triangles"], hole_size)
-        arrays: dict[str, Any] = {"triangles": filling.triangles}
-        if "triangle_uvs" in self.arrays:
-            arrays["triangle_uvs"] = spread_corners(self.arrays["triangle_uvs"], filling.corners)
-        if "triangle_material_ids" in self.arrays:
-            arrays["triangle_material_ids"] = spread_ids(self.arrays["triangle_material_ids"], filling.corners)
-        if self.arrays.attributes["triangle_attributes"]:
-            sources = spread_ids(positions(len(self), self.device), filling.corners)
-            arrays |= self.arrays.attributes_at("triangle_attributes", sources)
-        return self.with_arrays(**arrays), filling.filled, filling.left
-
-    def nested(self, flipped: Mask) -> tuple[Self, bool]:
-        """(mesh with closed parts oriented by nesting, orientable); `flipped` marks inconsistently oriented input."""
-        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
-        orientation = Orientation(triangles, vertices.size)
-        measured = orientation.measure_parts(vertices, triangles)
-        several = np.count_nonzero(measured.closed & (measured.volumes != 0)) > 1  # a single part cannot be nested
-        labels = download(measured.labels) if several else np.empty(0, np.int64)  # sync
-        parts = Parts(labels, measured.closed, measured.volumes)
-        is_fixed = ~has_marked(measured.labels, flipped, len(measured.closed))  # sync
-        orientation.flip_parts(
-            measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), is_fixed)
-        )
-        return flipped_mesh(self, orientation.flips), orientation.orientable
-
-    def findings(self) -> dict[str, Any]:
-        """Remaining defects, by the field names of MeshRepairReport."""
-        vertices, triangles = self.arrays["vertices"], self.arrays["triangles"]
-        boundary, split, empty = positions_of_each(  # sync
-            mask_counts(self.unique_edges(padded=True), 1, 1),
-            find_split_vertices(triangles, vertices.size),
-            clean_triangles.mask_degenerate(vertices, triangles, zero_area=True),
-        )
-        return {
-            "is_watertight": self.is_watertight(),  # sync
-            "boundary_edges": boundary.size,
-            "non_manifold_vertices": split.size,
-            "zero_area_triangles": empty.size,
-        }
 
     def is_self_intersecting(self) -> bool:
         """True if two triangles without a common vertex intersect. See `get_self_intersecting_triangles`.
@@ -624,8 +579,55 @@ class MeshRepair(MeshMeasures):
         return mesh.compute_vertex_normals() if both_have_normals else mesh
 
 
+def _unique_edges(mesh: Mesh, padded: bool = False) -> mesh_edges.UniqueKeys:
+    return mesh_edges.find_edges(mesh.arrays["triangles"], mesh.arrays["vertices"].size, padded)
+
+
+def _fill_small_holes(mesh: Mesh, hole_size: float) -> tuple[Mesh, int, int]:
+    """(mesh with filled holes, number filled, number not filled)."""
+    filling = Filling(mesh.arrays["vertices"], mesh.arrays["triangles"], hole_size)
+    arrays: dict[str, Any] = {"triangles": filling.triangles}
+    if "triangle_uvs" in mesh.arrays:
+        arrays["triangle_uvs"] = spread_corners(mesh.arrays["triangle_uvs"], filling.corners)
+    if "triangle_material_ids" in mesh.arrays:
+        arrays["triangle_material_ids"] = spread_ids(mesh.arrays["triangle_material_ids"], filling.corners)
+    if mesh.arrays.attributes["triangle_attributes"]:
+        sources = spread_ids(positions(len(mesh), mesh.device), filling.corners)
+        arrays |= mesh.arrays.attributes_at("triangle_attributes", sources)
+    return mesh.with_arrays(**arrays), filling.filled, filling.left
+
+
+def _nested(mesh: Mesh, flipped: Mask) -> tuple[Mesh, bool]:
+    """(mesh with closed parts oriented by nesting, orientable); `flipped` marks inconsistently oriented input."""
+    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
+    orientation = Orientation(triangles, vertices.size)
+    measured = orientation.measure_parts(vertices, triangles)
+    several = np.count_nonzero(measured.closed & (measured.volumes != 0)) > 1  # a single part cannot be nested
+    labels = download(measured.labels) if several else np.empty(0, np.int64)  # sync
+    parts = Parts(labels, measured.closed, measured.volumes)
+    is_fixed = ~has_marked(measured.labels, flipped, len(measured.closed))  # sync
+    orientation.flip_parts(measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), is_fixed))
+    return flipped_mesh(mesh, orientation.flips), orientation.orientable
+
+
+def _findings(mesh: Mesh) -> dict[str, Any]:
+    """Remaining defects, by the field names of MeshRepairReport."""
+    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
+    boundary, split, empty = positions_of_each(  # sync
+        mask_counts(_unique_edges(mesh, padded=True), 1, 1),
+        find_split_vertices(triangles, vertices.size),
+        clean_triangles.mask_degenerate(vertices, triangles, zero_area=True),
+    )
+    return {
+        "is_watertight": mesh.is_watertight(),  # sync
+        "boundary_edges": boundary.size,
+        "non_manifold_vertices": split.size,
+        "zero_area_triangles": empty.size,
+    }
+
+
 def count_edges(mesh: MeshRepair) -> EdgeCounts:
-    edges = mesh.unique_edges()
+    edges = _unique_edges(mesh)
     boundary, crowded = (
         positions_of(mesh_edges.mask_counts(edges, *limits)).size
         for limits in ((1, 1), (TRIANGLES_PER_EDGE + 1, MAX_INT32))

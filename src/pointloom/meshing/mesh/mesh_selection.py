@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, NamedTuple, Self, overload
+from typing import Any, NamedTuple, Self, TypeVar, overload
 
 import numpy as np
 import warp as wp
@@ -53,6 +53,8 @@ from .mesh_arrays import MeshArrays
 from .mesh_attributes import each
 from .section_paths import join_lines, lines_in_plane, outline, run_alike
 
+Mesh = TypeVar("Mesh", bound="MeshSelection")
+
 MIN_CELL_RATIO = 2.0**-45  # of the largest coordinate: float64 cannot resolve smaller cells
 
 
@@ -71,10 +73,7 @@ class _Plane(NamedTuple):
 class MeshSelection(MeshArrays):
     """Methods of TriangleMesh that select, remove and cut parts."""
 
-    _internal = (
-        "cut_by", "drop_triangles", "drop_triangles_and_vertices", "keep_triangles", "merge_close", "part_above",
-        "section_at", "with_lid",
-    )  # fmt: skip
+    _internal = ("drop_triangles", "drop_triangles_and_vertices", "merge_close")
 
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:
@@ -132,16 +131,6 @@ class MeshSelection(MeshArrays):
         if self.arrays.attributes["vertex_attributes"]:
             arrays |= self.arrays.attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
         return self.with_arrays(triangles=triangles, **arrays, **per_triangle)
-
-    def keep_triangles(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
-        """Select by a uint8 mask: (mesh, triangle rows, rows of used vertices, positions of other masks). One sync."""
-        count = self.arrays["vertices"].size
-        used = mesh_edits.mark_chosen(self.arrays["triangles"], mask, count)
-        rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
-        arrays = self.arrays.triangles_at(rows) | self.arrays.vertices_at(vertices)
-        new_indices = mesh_edits.mask_and_index(vertices, count)[1]
-        arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
-        return self.with_arrays(**arrays), rows, vertices, *positions
 
     def _inverse_mask(self, mask: ArrayLike, count: int, of: str) -> wp.array:
         """Inverse of a removal mask, uint8 on the mesh's device."""
@@ -475,7 +464,7 @@ class MeshSelection(MeshArrays):
             TriangleMesh(4 vertices, 2 triangles, cpu)
         """
         count, area = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)
-        return self.keep_triangles(self._parts().mask_large(count, area))[0]  # sync
+        return _keep_triangles(self, self._parts().mask_large(count, area))[0]  # sync
 
     def _parts(self) -> Parts:
         return Parts(self.arrays["vertices"], self.arrays["triangles"])
@@ -517,23 +506,9 @@ class MeshSelection(MeshArrays):
         values = check_finite("vertex_values", values.astype(np.float64))
         where, ratio = check_number("level", level), check_fraction("island_ratio", island_ratio)
         cut = LevelCut(self.arrays["triangles"], upload(values, float64, self.device), where)
-        cut_mesh = self._cut_up(cut)
+        cut_mesh = _cut_up(self, cut)
         mask = mask_trimmed(cut_mesh.arrays["vertices"], cut, self.arrays["triangles"], ratio)
-        return cut_mesh.keep_triangles(mask)[0]  # sync
-
-    def _cut_up(self, cut: LevelCut) -> Self:
-        """All pieces of a cut as a mesh, with interpolated attributes."""
-        rows = self.arrays.per_vertex()
-        arrays: dict[str, Any] = {name: cut.rows_of(rows[name], name == "vertex_normals") for name in rows}
-        columns = self.arrays.attributes["vertex_attributes"]
-        if columns:
-            arrays["vertex_attributes"] = each(columns, cut.mixed().of)
-        arrays |= self.arrays.attributes_at("triangle_attributes", cut.sources)
-        if "triangle_uvs" in self.arrays:
-            arrays["triangle_uvs"] = cut.corners_of(self.arrays["triangle_uvs"])
-        if "triangle_material_ids" in self.arrays:
-            arrays["triangle_material_ids"] = gather_rows(self.arrays["triangle_material_ids"], cut.sources)
-        return self.with_arrays(triangles=cut.pieces, **arrays)
+        return _keep_triangles(cut_mesh, mask)[0]  # sync
 
     @returns_new
     def clip_plane(self, point: ArrayLike, normal: ArrayLike, *, cap: bool = False) -> Self:
@@ -569,12 +544,12 @@ class MeshSelection(MeshArrays):
         plane, mesh = self._plane(point, normal)
         if cap:
             load_manifold("cap")
-        cut, sides, cut_mesh = mesh.cut_by(plane)
+        cut, sides, cut_mesh = _cut_by(mesh, plane)
         mask = plane_cut.mask_above(sides, with_up=not cap)
         if not cap:
-            return cut_mesh.keep_triangles(mask)[0]  # sync
-        above, half_edges = cut_mesh.part_above(cut, sides, mask)  # sync
-        return above.with_lid(half_edges, plane)
+            return _keep_triangles(cut_mesh, mask)[0]  # sync
+        above, half_edges = _part_above(cut_mesh, cut, sides, mask)  # sync
+        return _with_lid(above, half_edges, plane)
 
     @overload
     def slice_plane(self, point: ArrayLike, normal: ArrayLike, contour_values: ArrayLike = (0.0,)) -> LineSet: ...
@@ -616,7 +591,7 @@ class MeshSelection(MeshArrays):
             raise ValueError(f"contour_values: expected shape [k], got {list(heights.shape)}")
         (plane, mesh), points, lines = self._plane(point, normal), [np.zeros((0, 3))], []
         for height in heights.tolist():
-            positions, ends = mesh.section_at(plane._replace(offset=plane.offset - height))
+            positions, ends = _section_at(mesh, plane._replace(offset=plane.offset - height))
             lines.append(ends + sum(map(len, points)))
             points.append(positions)
         return LineSet(np.concatenate(points), np.concatenate([np.zeros((0, 2), np.int64), *lines]).astype(np.int32))
@@ -642,7 +617,7 @@ class MeshSelection(MeshArrays):
             (9, True, [0.25, 0.25])
         """
         plane, mesh = self._plane(point, normal)
-        points, ends = mesh.section_at(plane)
+        points, ends = _section_at(mesh, plane)
         flat = matmul(points - self.arrays.origin, plane.axes().T)
         loops, paths = join_lines(ends, dict(enumerate(flat)))
         return [points[[*loop, loop[0]]] for loop in loops] + [points[path] for path in paths]
@@ -665,68 +640,97 @@ class MeshSelection(MeshArrays):
             mesh = self.drop_triangles(clean_triangles.mask_not_finite(vertices, self.arrays["triangles"]))  # sync
         return _Plane(direction, float(matmul(direction, self.arrays.origin - center)), slack), mesh
 
-    def cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
-        """(cut, side of each piece, mesh of all pieces)."""
-        heights = plane_cut.measure_heights(self.arrays["vertices"], *plane)
-        cut = LevelCut(self.arrays["triangles"], heights, 0.0)
-        cut_mesh = self._cut_up(cut)
-        return cut, plane_cut.find_sides(cut_mesh.arrays["vertices"], cut.pieces, cut.sides, plane.normal), cut_mesh
 
-    def section_at(self, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """(points (n, 3) [m], lines (k, 2))."""
-        cut, sides, cut_mesh = self.cut_by(plane)
-        rows = positions_of(plane_cut.mark_in_plane(cut))  # sync
-        half_edges = plane_cut.read_half_edges(cut_mesh.arrays["vertices"], cut.pieces, sides, rows)  # sync
-        ends = lines_in_plane(half_edges.rows, self.arrays["vertices"].size)
-        used, numbers = np.unique(ends, return_inverse=True)
-        return half_edges.positions(used) + self.arrays.origin, numbers.reshape(-1, 2)
+def _with_more(mesh: Mesh, lid: NDArray[np.int32], half_edges: NDArray[np.int32]) -> Mesh:
+    """Add cap triangles whose corners take the attributes of the first of the given half-edges there."""
+    numbers = half_edges[:, 3]
+    ends = np.concatenate([half_edges[:, 0], half_edges[:, 1]])
+    end_corners = np.concatenate([numbers, numbers - numbers % 3 + (numbers + 1) % 3])
+    vertices, first = np.unique(ends, return_index=True)
+    corners = end_corners[first][np.searchsorted(vertices, lid.reshape(-1))].astype(np.int32)
+    current = mesh.arrays["triangles"]
+    rows = np.concatenate([np.arange(current.size, dtype=np.int32), corners[::3] // 3])
+    arrays = mesh.arrays.triangles_at(upload(rows, int32, mesh.device))
+    arrays["triangles"] = concatenate_rows([current, upload(lid, vec3i, mesh.device)])
+    if "triangle_uvs" in mesh.arrays:
+        more = upload(corners, int32, mesh.device)
+        arrays["triangle_uvs"] = spread_corners(mesh.arrays["triangle_uvs"], more)
+    return mesh.with_arrays(**arrays)
 
-    def part_above(self, cut: LevelCut, sides: wp.array, mask: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
-        """(kept pieces with their vertices, their half-edges in the plane). Two syncs."""
-        mesh, rows, chosen, half_edges = self.keep_triangles(mask, plane_cut.mark_in_plane(cut, mask))  # sync
-        vertices, pieces = self.arrays["vertices"], cut.pieces
-        new_indices = [
-            mesh_edits.mask_and_index(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))
+
+def _cut_up(mesh: Mesh, cut: LevelCut) -> Mesh:
+    """All pieces of a cut as a mesh, with interpolated attributes."""
+    rows = mesh.arrays.per_vertex()
+    arrays: dict[str, Any] = {name: cut.rows_of(rows[name], name == "vertex_normals") for name in rows}
+    columns = mesh.arrays.attributes["vertex_attributes"]
+    if columns:
+        arrays["vertex_attributes"] = each(columns, cut.mixed().of)
+    arrays |= mesh.arrays.attributes_at("triangle_attributes", cut.sources)
+    if "triangle_uvs" in mesh.arrays:
+        arrays["triangle_uvs"] = cut.corners_of(mesh.arrays["triangle_uvs"])
+    if "triangle_material_ids" in mesh.arrays:
+        arrays["triangle_material_ids"] = gather_rows(mesh.arrays["triangle_material_ids"], cut.sources)
+    return mesh.with_arrays(triangles=cut.pieces, **arrays)
+
+
+def _keep_triangles(mesh: Mesh, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
+    """Select by a uint8 mask: (mesh, triangle rows, rows of used vertices, positions of other masks). One sync."""
+    count = mesh.arrays["vertices"].size
+    used = mesh_edits.mark_chosen(mesh.arrays["triangles"], mask, count)
+    rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
+    arrays = mesh.arrays.triangles_at(rows) | mesh.arrays.vertices_at(vertices)
+    new_indices = mesh_edits.mask_and_index(vertices, count)[1]
+    arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
+    return mesh.with_arrays(**arrays), rows, vertices, *positions
+
+
+def _cut_by(mesh: Mesh, plane: _Plane) -> tuple[LevelCut, wp.array, Mesh]:
+    """(cut, side of each piece, mesh of all pieces)."""
+    heights = plane_cut.measure_heights(mesh.arrays["vertices"], *plane)
+    cut = LevelCut(mesh.arrays["triangles"], heights, 0.0)
+    cut_mesh = _cut_up(mesh, cut)
+    return cut, plane_cut.find_sides(cut_mesh.arrays["vertices"], cut.pieces, cut.sides, plane.normal), cut_mesh
+
+
+def _section_at(mesh: Mesh, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """(points (n, 3) [m], lines (k, 2))."""
+    cut, sides, cut_mesh = _cut_by(mesh, plane)
+    rows = positions_of(plane_cut.mark_in_plane(cut))  # sync
+    half_edges = plane_cut.read_half_edges(cut_mesh.arrays["vertices"], cut.pieces, sides, rows)  # sync
+    ends = lines_in_plane(half_edges.rows, mesh.arrays["vertices"].size)
+    used, numbers = np.unique(ends, return_inverse=True)
+    return half_edges.positions(used) + mesh.arrays.origin, numbers.reshape(-1, 2)
+
+
+def _part_above(cut_mesh: Mesh, cut: LevelCut, sides: wp.array, mask: wp.array) -> tuple[Mesh, plane_cut.HalfEdges]:
+    """(kept pieces with their vertices, their half-edges in the plane). Two syncs."""
+    mesh, rows, chosen, half_edges = _keep_triangles(cut_mesh, mask, plane_cut.mark_in_plane(cut, mask))  # sync
+    vertices, pieces = cut_mesh.arrays["vertices"], cut.pieces
+    new_indices = [mesh_edits.mask_and_index(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))]
+    return mesh, plane_cut.read_half_edges(
+        vertices, pieces, sides, half_edges, (new_indices[0], new_indices[1])
+    )  # sync
+
+
+def _with_lid(mesh: Mesh, half_edges: plane_cut.HalfEdges, plane: _Plane) -> Mesh:
+    ends = outline(half_edges.rows)[:, ::-1]  # in the direction of the cap's triangles
+    used = np.unique(ends)
+    flat = matmul(half_edges.positions(used), plane.axes()[::-1].T)  # seen from below
+    loops, paths = join_lines(ends, dict(zip(used.tolist(), flat, strict=True)))
+    if paths:
+        warnings.warn(
+            f"cap: {len(paths)} outlines are not closed, because the mesh is not, and are not capped", stacklevel=4
+        )
+    loops = [loop for loop in loops if len(loop) > 2]
+    polygons = [flat[np.searchsorted(used, loop)] for loop in loops]
+    if not run_alike(loops, ends):
+        is_reversed = loops_to_reverse(polygons)
+        loops = [loop[::-1] if reverse else loop for loop, reverse in zip(loops, is_reversed, strict=True)]
+        polygons = [
+            polygon[::-1] if reverse else polygon for polygon, reverse in zip(polygons, is_reversed, strict=True)
         ]
-        return mesh, plane_cut.read_half_edges(
-            vertices, pieces, sides, half_edges, (new_indices[0], new_indices[1])
-        )  # sync
-
-    def with_lid(self, half_edges: plane_cut.HalfEdges, plane: _Plane) -> Self:
-        ends = outline(half_edges.rows)[:, ::-1]  # in the direction of the cap's triangles
-        used = np.unique(ends)
-        flat = matmul(half_edges.positions(used), plane.axes()[::-1].T)  # seen from below
-        loops, paths = join_lines(ends, dict(zip(used.tolist(), flat, strict=True)))
-        if paths:
-            warnings.warn(
-                f"cap: {len(paths)} outlines are not closed, because the mesh is not, and are not capped", stacklevel=4
-            )
-        loops = [loop for loop in loops if len(loop) > 2]
-        polygons = [flat[np.searchsorted(used, loop)] for loop in loops]
-        if not run_alike(loops, ends):
-            is_reversed = loops_to_reverse(polygons)
-            loops = [loop[::-1] if reverse else loop for loop, reverse in zip(loops, is_reversed, strict=True)]
-            polygons = [
-                polygon[::-1] if reverse else polygon for polygon, reverse in zip(polygons, is_reversed, strict=True)
-            ]
-        numbers = np.array([v for loop in loops for v in loop], np.int32)
-        return self._with_more(numbers[fill_loops("cap", polygons)], half_edges.rows)
-
-    def _with_more(self, lid: NDArray[np.int32], half_edges: NDArray[np.int32]) -> Self:
-        """Add cap triangles whose corners take the attributes of the first of the given half-edges there."""
-        numbers = half_edges[:, 3]
-        ends = np.concatenate([half_edges[:, 0], half_edges[:, 1]])
-        end_corners = np.concatenate([numbers, numbers - numbers % 3 + (numbers + 1) % 3])
-        vertices, first = np.unique(ends, return_index=True)
-        corners = end_corners[first][np.searchsorted(vertices, lid.reshape(-1))].astype(np.int32)
-        current = self.arrays["triangles"]
-        rows = np.concatenate([np.arange(current.size, dtype=np.int32), corners[::3] // 3])
-        arrays = self.arrays.triangles_at(upload(rows, int32, self.device))
-        arrays["triangles"] = concatenate_rows([current, upload(lid, vec3i, self.device)])
-        if "triangle_uvs" in self.arrays:
-            more = upload(corners, int32, self.device)
-            arrays["triangle_uvs"] = spread_corners(self.arrays["triangle_uvs"], more)
-        return self.with_arrays(**arrays)
+    numbers = np.array([v for loop in loops for v in loop], np.int32)
+    return _with_more(mesh, numbers[fill_loops("cap", polygons)], half_edges.rows)
 
 
 def _check_mask(mask: ArrayLike, count: int, of: str) -> NDArray[np.bool_]:

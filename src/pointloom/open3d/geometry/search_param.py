@@ -37,8 +37,6 @@ class KDTreeSearchParam(HintedNames):
 class KDTreeSearchParamKNN(KDTreeSearchParam):
     """The nearest `knn`: pointloom's `max_nn=knn`."""
 
-    _internal = ("native_keywords",)
-
     _fields = ("knn",)
 
     def __init__(self, knn: int = 30):
@@ -51,8 +49,6 @@ class KDTreeSearchParamKNN(KDTreeSearchParam):
 class KDTreeSearchParamRadius(KDTreeSearchParam):
     """All within a radius: pointloom's `radius=radius, max_nn=None`."""
 
-    _internal = ("native_keywords",)
-
     _fields, _type = ("radius",), SearchType.RadiusSearch
 
     def __init__(self, radius: float):
@@ -64,8 +60,6 @@ class KDTreeSearchParamRadius(KDTreeSearchParam):
 
 class KDTreeSearchParamHybrid(KDTreeSearchParam):
     """The nearest `max_nn` within a radius: pointloom's `radius=radius, max_nn=max_nn`."""
-
-    _internal = ("native_keywords",)
 
     _fields, _type = ("radius", "max_nn"), SearchType.HybridSearch
 

@@ -26,8 +26,6 @@ class VisualizerWithEditing(Visualizer):
     effect.
     """
 
-    _internal = ("on_opened",)
-
     def __init__(self, voxel_size: float = -1.0, use_dialog: bool = True, directory: str = ""):
         super().__init__()
         self._picked: dict[int, Any] = {}  # coordinates by index, in the order of the clicks

@@ -143,8 +143,9 @@ class Session:
 
     def set_pose(self, item: Item) -> None:
         stream = self.streams.get(item.name)
-        if stream is not None:
-            stream.set_pose(item.pose_of(item.parts[0]))
+        pose = item.pose_of(item.parts[0])
+        if stream is not None and pose is not None:
+            stream.set_pose(pose)
 
     def set_visible(self, item: Item) -> None:
         stream = self.streams.get(item.name)

@@ -21,8 +21,6 @@ class RigidOptimizerOption(Settings):
     """Options of `run_rigid_optimizer`. Nothing is written to `debug_output_dir`."""
 
     _kind = options.ColorMapOption
-    _internal = ("native_keywords",)
-
     maximum_iteration: Any = 0
     maximum_allowable_depth: float = 2.5
     depth_threshold_for_visibility_check: float = 0.03

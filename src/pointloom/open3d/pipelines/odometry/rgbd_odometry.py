@@ -18,8 +18,6 @@ from ...wrapper import IDENTITY_POSE, unwrap
 
 
 class OdometryOption(Settings, of=options):
-    _internal = ("native_keywords",)
-
     iteration_number_per_pyramid_level: Any = field(default_factory=lambda: IntVector([20, 10, 5]))
     depth_diff_max: float = 0.03
     depth_min: float = 0.0

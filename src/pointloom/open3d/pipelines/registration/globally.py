@@ -47,8 +47,6 @@ class RANSACConvergenceCriteria(Settings):
     """Limits of RANSAC. A confidence outside 0 to 1 is clipped, as in Open3D: before 0.12 it was a count."""
 
     _kind = RANSACLimits
-    _internal = ("native_keywords",)
-
     max_iteration: Any = 100000
     confidence: float = 0.999
 

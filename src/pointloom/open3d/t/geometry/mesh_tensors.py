@@ -32,7 +32,7 @@ class MeshTensors(Geometry):
     The names "normals" and "colors" of vertices and "texture_uvs" of triangles have a meaning. Others are attributes.
     """
 
-    _internal = ("surface", "texture", "set_texture", "textured", "map_tensors", "set_native")
+    _internal = ("surface", "texture", "set_texture", "textured", "set_native")
 
     _parts: ClassVar = ("vertex", "triangle")
     _fixed = ("vertex", "triangle")

@@ -209,7 +209,7 @@ def _pair(value: Any) -> tuple[float, float]:
     return low, high
 
 
-def _rgb(value: object) -> tuple[int, ...]:
+def _rgb(value: ArrayLike) -> tuple[int, ...]:
     return tuple(color("color", value))
 
 

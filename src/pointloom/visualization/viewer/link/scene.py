@@ -266,7 +266,7 @@ def _one_of(options: tuple[str, ...]) -> Callable[[Any], str]:
     return check
 
 
-def _plain(value: object) -> list[int]:
+def _plain(value: ArrayLike) -> list[int]:
     return color("plain", value)
 
 

@@ -111,8 +111,6 @@ class TransformationEstimationForDopplerICP(_DopplerFields, of=estimation):
     The source needs the attribute "dopplers" [m/s]; "directions" are those of its points without it.
     """
 
-    _internal = ("native_keywords",)
-
     def __init__(self, *fields: Any, **named: Any):
         if len(fields) == 1 and not named and not isinstance(fields[0], TransformationEstimation):
             fields, named = (), {"lambda_doppler": fields[0]}
