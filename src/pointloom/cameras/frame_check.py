@@ -83,7 +83,7 @@ class FrameCheck:
         self._every, self._count = 1, 0
         self._pairing = -1, _Registration()
 
-    def add(self, depth: ArrayLike, color: ArrayLike | None) -> None:
+    def add(self, depth: ArrayLike | None, color: ArrayLike | None) -> None:
         """Add the next frame on the host. Others are skipped."""
         if self._count % self._every == 0 and isinstance(depth, np.ndarray) and depth.ndim == 2:
             if len(self._samples) == MAX_FRAMES:

@@ -56,7 +56,7 @@ class ImageNames:
             return matches
         return self._find(number_of, int(query)) if re.fullmatch(r"\d+", query) else []
 
-    def _find(self, way: Callable[[str], Any], key: str) -> list[int]:
+    def _find(self, way: Callable[[str], Any], key: str | int) -> list[int]:
         if way not in self._indices:
             self._indices[way] = {}
             for k, name in enumerate(self._names):

@@ -154,7 +154,7 @@ class Selection(PointArrays):
     def __getitem__(self, key: str) -> NDArray[Any]: ...
     @overload
     def __getitem__(self, key: slice | Sequence[SupportsIndex] | NDArray[Any] | SupportsDLPack) -> Self: ...
-    def __getitem__(self, key: str | slice | ArrayLike) -> NDArray[Any] | Self:
+    def __getitem__(self, key: object) -> NDArray[Any] | Self:
         """Get an attribute by name as NumPy array, or points by slice, mask of shape (n,) or indices.
 
         Raises:

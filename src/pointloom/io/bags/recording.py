@@ -40,7 +40,7 @@ from .recorded_frames import RecordedFrames, choose_images
 from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
-_READERS = dict(zip(RECORDINGS, (read_bag1, read_mcap, read_db3), strict=True))
+_READERS: dict[str, Callable[[Path], Any]] = dict(zip(RECORDINGS, (read_bag1, read_mcap, read_db3), strict=True))
 _MAX_CHUNKS, _MAX_BYTES = 4, 1 << 28  # cached unpacked chunks: those of a recording overlap little in time
 
 

@@ -53,7 +53,7 @@ class Names:
     poses: str
 
 
-def check_images(names: Names, images: Any, intrinsics: object, T_camera_world: Any, device: Device) -> PosedImages:
+def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any, device: Device) -> PosedImages:
     """Validate as many images (RGBDImages or uint8 arrays) as cameras and poses, and upload them."""
     listed, poses = check_list(names.images, images, "images"), list(T_camera_world)
     if not listed:

@@ -116,7 +116,7 @@ def volume_change(
     cell: float | None = None,
     *,
     registration_error: float = 0.0,
-    classes: ArrayLike | None = None,
+    classes: int | Iterable[int] | None = None,
     max_gap: float | None = None,
     corner: ArrayLike | None = None,
 ) -> VolumeChange:

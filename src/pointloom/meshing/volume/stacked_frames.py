@@ -42,7 +42,7 @@ class StackedFrames(NamedTuple):
 
 def stacked_frames(
     depth: Any,
-    intrinsic: PinholeCameraIntrinsic | ArrayLike,
+    intrinsic: PinholeCameraIntrinsic | Sequence[PinholeCameraIntrinsic] | ArrayLike,
     extrinsic: ArrayLike,
     color: Any,
     depth_scale: float | None,

@@ -154,7 +154,7 @@ class _Alignment:
 
     def __init__(
         self,
-        fragments: Sequence[PointCloud],
+        fragments: Sequence[PointCloud | str | os.PathLike[str]],
         graph: PoseGraph,
         params: SLACOptimizerParams | None,
         progress: ReportProgress | None,
