@@ -507,7 +507,7 @@ def test_invalid_scales_and_similarities_are_rejected():
     for factor in (0, -1, np.nan, np.inf, 1e31):
         with pytest.raises(ValueError, match="factor"):
             MODEL.scaled(factor)
-    for T in (np.diag([1, 2, 1, 1.0]), np.diag([1, 1, -1, 1.0]), np.full((4, 4), np.nan)):
+    for T in (np.diag([1, 2, 1, 1.0]), np.diag([1, 1, -1, 1.0]), np.full((4, 4), np.nan), np.diag([1e31] * 3 + [1])):
         with pytest.raises(ValueError, match="transformation"):
             MODEL.transform(T)
 

@@ -469,5 +469,5 @@ def test_stations_are_written_as_they_were_read(tmp_path, rng):
     clouds = [loom.PointCloud(rng.random((5, 3)), a=rng.random(5), b=rng.random(5))]
     with pytest.raises(loom.FileError, match="attributes 'a', 'b' cannot be stored"):
         loom.write_stations(tmp_path / "e.e57", clouds, [np.eye(4)])
-    loom.write_stations(tmp_path / "e.e57", clouds, [np.eye(4)], drop_unsupported=True)
+    loom.write_stations(tmp_path / "e.e57", iter(clouds), iter([np.eye(4)]), drop_unsupported=True)
     assert not loom.read_stations(tmp_path / "e.e57").clouds[0].attributes

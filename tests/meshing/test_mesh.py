@@ -142,6 +142,14 @@ def test_meshes_are_moved_rotated_and_scaled_about_a_center(device, shift):
         np.testing.assert_allclose(result.vertices, expected, atol=2e-6, rtol=2e-7)
 
 
+def test_vertices_and_origin_are_converted_to_another_unit(device):
+    mesh = TriangleMesh(*MESHES["two tetrahedra at a vertex"], device=device).translate(FAR)
+    mesh.unit = "foot"
+    meters = mesh.to_unit("metre")
+    assert meters.unit == "metre" and np.array_equal(meters.origin, mesh.origin * 0.3048)
+    np.testing.assert_allclose(meters.vertices - meters.origin, (mesh.vertices - mesh.origin) * 0.3048, rtol=1e-6)
+
+
 def test_a_painted_mesh_has_one_color_and_the_original_is_unchanged(device):
     mesh = rough_ball(device)
     painted = mesh.paint_uniform_color([1, 0.5, 0.25])

@@ -178,6 +178,7 @@ def test_vectors_grow_like_lists():
         (lambda: o3d.geometry.PointCloud() + loom, TypeError, "expected a PointCloud, got module"),
         (lambda: o3d.geometry.PointCloud().estimate_normals(0.1), TypeError, "KDTreeSearchParamHybrid"),
         (lambda: o3d.geometry.KDTreeFlann(o3d.geometry.PointCloud()), ValueError, "got none"),
+        (lambda: o3d.geometry.KDTreeFlann(np.zeros(3)), TypeError, "data: expected"),
         (lambda: o3d.geometry.Image(np.zeros((2, 2))), TypeError, "astype"),
     ],
 )  # fmt: skip

@@ -102,6 +102,7 @@ def test_all_formats_of_an_area_give_the_same_area(tmp_path):
         ([[0, 0], [1, np.nan], [2, 2]], "finite"),
         ("POINT(1 2)", "expected GeoJSON"),
         ("POLYGON((1 2, 3 x, 4 5))", "not well-known text"),
+        ("[[0, 0], [1, 0], [1, 1]]", "expected an object of GeoJSON"),
         ({"type": "LineString", "coordinates": [[0, 0], [1, 1]]}, "expected polygons, got a 'LineString'"),
         ({"type": "FeatureCollection", "features": []}, "at least one polygon"),
         ({"type": "Polygon"}, "without 'coordinates'"),

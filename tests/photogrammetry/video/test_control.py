@@ -252,6 +252,12 @@ def bar(a, b, off=0.0, sigma=0.002):
     return ScaleBar(a, b, float(np.linalg.norm(POINTS[NAMES.index(a)] - POINTS[NAMES.index(b)])) + off, sigma)
 
 
+@pytest.mark.parametrize("ends", [("A", "A"), ("", "B"), ("A", "")])
+def test_a_scale_bar_has_two_named_ends(ends):
+    with pytest.raises(ValueError, match="b: expected the names of two points"):
+        ScaleBar(*ends, 1.5)
+
+
 def bars_alone(*bars, noise=0.0, align="none"):
     control = GroundControl([], marks_of(POSES, POINTS, noise=noise), bars)
     return fit_units(VideoUnits(control=control, align=align), MODEL)

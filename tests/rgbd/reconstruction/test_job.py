@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import weakref
+from functools import partial
 from pathlib import Path
 from unittest.mock import Mock
 
@@ -15,7 +16,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core import atomic
-from pointloom.core.errors import FileError
+from pointloom.core.errors import DeviceError, FileError
 from pointloom.core.wording import json_text
 from pointloom.datasets.scenes.room import surface_errors
 from pointloom.rgbd.reconstruction.fragments import fragments_in, make_fragments
@@ -104,6 +105,13 @@ def test_a_stage_requires_the_previous_one(tmp_path):
     register_fragments(settings, tmp_path)
     with pytest.raises(FileError, match="refine_with_slac"):
         integrate_scene(sequence, settings, tmp_path, slac=True)
+
+
+def test_each_stage_runs_on_the_device_that_is_passed(tmp_path):
+    of_frames = (partial(stage, ShortSequence([0])) for stage in (make_fragments, integrate_scene))
+    for stage in (*of_frames, register_fragments, refine_registration, refine_with_slac):
+        with pytest.raises(DeviceError, match="cuda:99"):
+            stage(config(), tmp_path, device="cuda:99")
 
 
 def test_recomputed_fragments_are_registered_again(tmp_path):
@@ -551,6 +559,20 @@ def test_loops_of_a_fragment_have_more_confidence_if_preferred(tmp_path):
         ratios.append(roots / (1 - roots))
     assert len(ratios[0]) == 3
     np.testing.assert_allclose(ratios[1] / ratios[0], 4, rtol=1e-3)  # r differs a little
+
+
+def test_loops_between_fragments_have_more_confidence_if_preferred(tmp_path):
+    """As within a fragment."""
+    sizes, ratios = {"n_frames_per_fragment": 1, "n_frames_least": 1}, []
+    make_fragments(ShortSequence([0, 1, 2]), config(**sizes), tmp_path)
+    register_fragments(config(**sizes), tmp_path)
+    for preference in (1.0, 4.0):
+        graph = refine_registration(
+            config(preference_loop_closure_registration=preference, **sizes), tmp_path
+        ).pose_graph
+        (root,) = np.sqrt([edge.confidence for edge in graph.edges if edge.uncertain])
+        ratios.append(root / (1 - root))
+    assert ratios[1] / ratios[0] == pytest.approx(4, rel=1e-3)
 
 
 def test_a_covered_lens_breaks_the_fragment_and_odometry_bridges_it(tmp_path):

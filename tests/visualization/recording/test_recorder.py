@@ -588,6 +588,15 @@ def test_values_are_plotted_beneath_up_to_the_frame():
     assert (film_of(timeline, (320, 240))._picture_height, film._picture_height) == (240, 188)
 
 
+def test_two_known_values_are_joined_by_a_line():
+    def ink(*values):  # dark pixels between the second and the third of four frames
+        frames = [Frame({}, "", {"a": value}) for value in values]
+        return int((film_of(Timeline(np.zeros(3), [], frames), (320, 240)).draw(3)[200:, 150:170] < 240).any(-1).sum())
+
+    none = float("nan")
+    assert ink(none, 1.0, 2.0, none) > ink(none, 1.0, none, 2.0)
+
+
 def test_frames_without_anything_and_values_that_are_not_finite_are_drawn():
     frames = [Frame({}, "", {"a": float("nan")}), Frame({}, "x", {"a": float("inf"), "b": 2})]
     for size in ((320, 240), (160, 120), (16, 16)):
