@@ -10,6 +10,7 @@ from pointloom.kernels.memory import download, upload
 from pointloom.kernels.segmentation.shape_fit import EXACT_GAIN, Selection, ShapeFitter
 from pointloom.kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
 from pointloom.kernels.segmentation.shape_parts import heights_across, largest_part, rows_labeled
+from pointloom.kernels.segmentation.shape_search import ShapeLimits, ShapeSearch
 
 NAMES = {PLANE: "plane", SPHERE: "sphere", CYLINDER: "cylinder", CONE: "cone", TORUS: "torus"}
 AXIS = np.array([0.36, 0.48, 0.8])
@@ -42,6 +43,19 @@ def made(kind, rng, count=700, noise=0.004):
         points = r * e + s * normals
     points = points + p + noise * rng.normal(size=(count, 1)) * normals
     return points.astype(np.float32), normals.astype(np.float32)
+
+
+@pytest.mark.parametrize("kind", NAMES, ids=NAMES.get)
+def test_points_count_for_a_shape_if_they_and_their_normals_are_near(device, rng, kind):
+    points, normals = made(kind, rng, noise=0.0)
+    normals[:200] = np.cross(normals[:200], rng.normal(size=(200, 3)))  # tangents
+    points[200:300] += 0.03 * normals[200:300]
+    of_device = [upload(values, vec3, device) for values in (points, normals)]
+    search = ShapeSearch(*of_device, upload(np.arange(700), int32, device))
+    shape = np.array(TRUE[kind])
+    shape[:3] -= search.center
+    limits = ShapeLimits(distance=0.02, cosine=0.9, smallest=0.0, largest=10.0)
+    assert search.score(shape[None], np.array([kind]), limits).tolist() == [400]
 
 
 def distances(kind, shape, x):

@@ -226,6 +226,7 @@ def test_functions_of_one_name_exist_as_method_and_function():
         (lambda: o3c.Tensor(["a"]), "np_array"),
         (lambda: o3c.Tensor(np.zeros(2, np.float16)), "dtype"),
         (lambda: o3c.Tensor([1, 2])[None], "index"),
+        (lambda: o3c.Tensor.zeros((2, 2, 2)).argmax((0, 1)), "dim: expected one axis or all"),
         (lambda: o3c.Tensor([1, 2]).item(), "item"),
         (lambda: len(o3c.Tensor(1)), "length"),
         (lambda: o3c.Tensor([1, 2]).reshape((2, -3)), "dst_shape"),

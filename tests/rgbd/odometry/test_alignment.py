@@ -24,6 +24,14 @@ def test_the_motion_between_exact_images_is_estimated(device, method, tolerances
     assert angle < tolerances.odometry_made_angle and distance < tolerances.odometry_made_distance
 
 
+@pytest.mark.parametrize("shift", [(-0.02, 0.05, 0.0), (0.0, -0.02, 0.05), (0.05, 0.0, -0.02)])
+def test_shifts_of_opposite_signs_are_estimated(device, tolerances, shift):
+    moved = pose_of([0, 0, 0], shift)
+    result = od.align_frames(frame(FIRST, device), frame(moved, device))
+    angle, distance = errors_of(result.transformation, np.linalg.inv(moved))
+    assert angle < tolerances.odometry_made_angle and distance < tolerances.odometry_made_distance
+
+
 def test_depth_alone_is_enough(device, tolerances):
     frames = [frame(pose, device, with_color=False, noise=1.0, seed=k) for k, pose in enumerate((FIRST, SECOND))]
     result = od.align_frames(*frames)
