@@ -89,10 +89,13 @@ def test_holes_that_would_share_one_chord_are_filled_separately(device):
     corners += [[0, 0, 2], [0, 0, -2]]
     upper = [[0, 2, 6], [2, 1, 6], [1, 3, 6], [3, 0, 6]]
     lower = [[4, 0, 7], [1, 4, 7], [5, 1, 7], [0, 5, 7]]
-    mesh = TriangleMesh(corners, upper + lower, device=device)
+    uvs = np.array(corners)[upper + lower][..., [0, 2]].reshape(-1, 2)  # texture coordinates of each vertex
+    mesh = TriangleMesh(corners, upper + lower, triangle_uvs=uvs, device=device)
     assert [len(loop) for loop in mesh.get_boundaries()] == [4, 4]
     filled = mesh.fill_holes()
     assert len(filled) == 12 and filled.is_edge_manifold(allow_boundary_edges=False)
+    expected = filled.vertices[filled.triangles][..., [0, 2]].reshape(-1, 2)
+    np.testing.assert_allclose(filled.triangle_uvs, expected, atol=1e-6)
     assert mesh.repair(hole_size=10)[1].filled_holes == 2
 
 

@@ -1,5 +1,7 @@
 """register_pair: its steps, its report, rejected clouds, and pairs that stay level."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -87,6 +89,15 @@ def test_normals_are_estimated_only_for_clouds_without_them(pair):
     result = reg.multi_scale_icp(source, target, [-1], rules, [0.2], None, PLANE, estimate_normals=True)
     plain = reg.registration_icp(source, target.estimate_normals(max_nn=30), 0.2, None, PLANE, rules[0])
     np.testing.assert_array_equal(result.transformation, plain.transformation)
+
+
+def test_the_number_of_voxels_that_the_error_names_is_enough():
+    cloud = loom.PointCloud(0.1 * np.argwhere(np.ones((5, 5, 2))))  # one point per voxel
+    with pytest.raises(ValueError, match=r"source: has points in 2 voxels of 0\.1 m") as caught:
+        reg.register_pair(cloud.select_by_index([0, 1]), cloud, init=np.eye(4), voxel_size=0.1)
+    (needed,) = re.findall(r"and (\d+) are needed", str(caught.value))
+    few = cloud.select_by_index(range(int(needed)))
+    assert reg.register_pair(few, cloud, init=np.eye(4), voxel_size=0.1).thinned == (len(few), 50)
 
 
 def test_stages_and_results_are_reported(pair):

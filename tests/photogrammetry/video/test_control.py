@@ -383,6 +383,9 @@ def test_scale_bars_are_read_from_a_separate_file_with_additional_marks(written)
     assert (len(control.bars), len(control.marks), control.crs) == (2, 6, "WGS84 UTM 32N")
     alone = "name,image,column,row\nP,a.jpg,5,6\nP,b.jpg,6,7\nQ,a.jpg,5,6\nQ,b.jpg,7,7\nbar,P,Q,1.5\n"
     assert VideoUnits(scale_bars=written(alone, "bars.csv")).ground.bars[0].meters == 1.5
+    assert VideoUnits(control=written(ODM), scale_bars=bars).ground.bars == control.bars
+    with pytest.raises(ValueError, match="scale_bars: scale is also given"):
+        VideoUnits(scale=2.0, scale_bars=bars)
     with pytest.raises(FileError, match=r"gcp2\.txt"):
         read_ground_control(None, scale_bars=written(ODM.replace("bar A", "# "), "gcp2.txt"))
 
