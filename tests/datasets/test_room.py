@@ -8,7 +8,7 @@ import pytest
 from benchmarks.room_loops import room_loop_sequence
 from pointloom import PinholeCameraIntrinsic
 from pointloom.core.errors import FileError
-from pointloom.datasets.scenes.furniture import LAMP_POSITION, ROOM_SIZE, furnished_room
+from pointloom.datasets.scenes.furniture import LAMP_POSITION, ROOM_SIZE, SolidBuilder, furnished_room
 from pointloom.datasets.scenes.room import film_pose, room_pose, room_sequence, surface_errors, write_room_sequence
 from pointloom.io.frames.datasets import open_dataset
 from pointloom.kernels.memory import download
@@ -78,6 +78,17 @@ def test_a_room_of_coarse_light_has_the_exact_depth_and_measured_depth_follows_t
     sigma = 0.0012 + 0.0019 * (true - 0.4) ** 2
     assert (measured == 0)[beside_edge].mean() > 0.6
     assert (np.abs(measured - true) < 6.5 * sigma + 0.001)[measured > 0].all() and (measured > 0).any()
+
+
+def test_a_beam_is_drawn_over_its_full_length(device):
+    builder, camera = SolidBuilder(), PinholeCameraIntrinsic(64, 48, 35.0, 35.0, 31.5, 23.5)
+    builder.box((0, 0, 2), (2.4, 0.2, 0.2), (0.5, 0.5, 0.5))
+    box = {"lamp": (0, 0, 1), "low": (-2, -2, -1), "high": (2, 2, 3), "step": 1.0}
+    room = Room(builder.solids(device), np.array(builder.paints), np.array(builder.patterns), **box)
+    depth = download(room.render(camera, np.eye(4))[0]).reshape(48, 64)
+    v, u = np.mgrid[:48, :64]
+    on_front = (np.abs(u - 31.5) * 1.9 / 35 <= 1.2) & (np.abs(v - 23.5) * 1.9 / 35 <= 0.1)
+    np.testing.assert_allclose(depth, np.where(on_front, 1.9, 0.0), rtol=1e-5)
 
 
 def test_the_camera_keeps_clear_of_the_furniture_and_moves_smoothly():
