@@ -109,7 +109,9 @@ def test_any_line_end_is_read(path, end, form):
 
 
 @pytest.mark.parametrize("names", [("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), "rgb"])
-@pytest.mark.parametrize(("code", "full"), [("uchar", 255), ("ushort", 65535), ("float", 1), ("double", 1)])
+@pytest.mark.parametrize(
+    ("code", "full"), [("uchar", 255), ("int", 255), ("ushort", 65535), ("float", 1), ("double", 1)]
+)
 def test_colors_of_every_name_and_type_are_scaled_to_0_1(path, names, code, full):
     head = HEAD.replace("end_header\n", "".join(f"property {code} {name}\n" for name in names) + "end_header\n")
     table = read_ply(write(path, head + f"0 0 0 0 0 {full}\n0 0 0 {full} 0 0\n"))

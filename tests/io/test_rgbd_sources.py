@@ -4,6 +4,7 @@ import sys
 import threading
 import time
 from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -65,6 +66,11 @@ def test_a_list_has_a_length_and_may_be_read_twice_a_generator_neither():
         ((COLOR.astype(np.float32), DEPTH), TypeError, "color: expected uint8"),
         ((COLOR, DEPTH, float("nan")), ValueError, "timestamp"),
         ((COLOR, DEPTH, "noon"), TypeError, "timestamp"),
+        (
+            SimpleNamespace(color=None, depth=DEPTH, T_world_camera=np.diag([2.0, 2, 2, 1])),
+            ValueError,
+            "T_world_camera",
+        ),
         ((COLOR,), ValueError, r"expected \(color, depth\)"),
         (DEPTH, TypeError, r"expected \(color, depth\) or an object with color and depth"),
     ],
