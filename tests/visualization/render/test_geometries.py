@@ -513,6 +513,12 @@ def test_files_without_transparency_support_are_rejected_with_a_remedy(tmp_path,
         write_image(tmp_path / name, np.zeros((4, 4, 4), np.uint8))
 
 
+@pytest.mark.parametrize("shape", [(1, 16384, 4), (16384, 1, 4)])
+def test_images_larger_than_webp_allows_are_rejected(tmp_path, shape):
+    with pytest.raises(ValueError, match=r"image: expected at most 16383 pixels per side for \.webp"):
+        write_image(tmp_path / "a.webp", np.zeros(shape, np.uint8))
+
+
 def test_lines_are_light_before_black(device):
     box = loom.AxisAlignedBoundingBox([-1, -1, 4], [1, 1, 6])
     assert draw(box, background="black", device=device).max() > 200
