@@ -6,7 +6,7 @@ import re
 
 import click
 import pytest
-from machinery import commands, pages, public, reference, texts
+from machinery import commands, pages, pictures, public, reference, texts
 from sphinx.ext.napoleon import GoogleDocstring
 
 from pointloom.cli.shell.cli import cli
@@ -26,6 +26,11 @@ def with_defaults(a=0.05, b=1_000_000, c=(0.0, 1.5), d=None, e="x", f=Color.RED,
 
 # slow: needs Sphinx, which `make test` does not install
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("names_of_torch")]
+
+
+def test_the_page_of_coverage_lists_results_without_picture(monkeypatch):
+    monkeypatch.setattr(pictures, "without_picture", lambda: ["pointloom.PointCloud.thin"])
+    assert "PointCloud.thin" in reference.coverage_page().partition("No picture of the result")[2]
 
 
 def test_every_public_name_has_a_page_and_an_index_entry():
