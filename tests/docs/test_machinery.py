@@ -6,7 +6,7 @@ import re
 
 import click
 import pytest
-from machinery import commands, pages, pictures, public, reference, texts
+from machinery import commands, pages, public, reference, texts
 from sphinx.ext.napoleon import GoogleDocstring
 
 from pointloom.cli.shell.cli import cli
@@ -29,7 +29,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("names_of_torch")]
 
 
 def test_the_page_of_coverage_lists_results_without_picture(monkeypatch):
-    monkeypatch.setattr(pictures, "without_picture", lambda: ["pointloom.PointCloud.thin"])
+    monkeypatch.setattr(reference, "without_picture", lambda: ["pointloom.PointCloud.thin"])
     assert "PointCloud.thin" in reference.coverage_page().partition("No picture of the result")[2]
 
 
