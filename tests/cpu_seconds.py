@@ -1,8 +1,9 @@
 """The CPU seconds of a run of the tests: the sum in units of a reference workload, and the slowest tests.
 
 Wall-clock seconds show which tests ran while the machine had other work, and CPU seconds differ between machines. The
-quotient of the CPU seconds of all processes and those of a fixed workload, measured in the same processes before and
-after their tests, can be compared. `python -m tests.cpu_seconds` prints the seconds of the workload on this machine.
+quotient of the CPU seconds of all processes and those of a fixed workload can be compared. The same processes measure
+it before, between and after their tests, since other guests of a host slow a machine down for some minutes.
+`python -m tests.cpu_seconds` prints the seconds of the workload on this machine.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 import pytest
 
 SHOWN, MIN_SECONDS = 20, 0.3  # tests, and the CPU seconds [s] below which a test is not listed
+TESTS_BETWEEN = 1_000  # measurements of the workload in a process: eight in `make test`, 1 % of its seconds
 MAX_QUOTIENT = "--max-cpu-quotient"
 REFERENCE = "reference workload"
 
@@ -52,7 +54,8 @@ class CpuSeconds:
         self.before = 0.0
         self.seconds: Counter[str] = Counter()  # of tests
         self.processes: list[float] = []  # seconds of each process that ran tests
-        self.references: list[float] = []  # of the workload, before and after the tests of each process
+        self.references: list[float] = []  # of the workload in each process
+        self.tests = 0  # that began in this process
 
     def pytest_addoption(self, parser: pytest.Parser) -> None:
         text = f"with -n: fail if the CPU seconds exceed N times those of the {REFERENCE}"
@@ -63,6 +66,9 @@ class CpuSeconds:
             self.references.append(reference_seconds())
 
     def pytest_runtest_logstart(self) -> None:
+        self.tests += 1
+        if self.references and self.tests % TESTS_BETWEEN == 0:
+            self.references.append(reference_seconds())
         self.before = sum(cpu_seconds())
 
     @pytest.hookimpl(wrapper=True)
@@ -80,7 +86,8 @@ class CpuSeconds:
         yield  # the first process waits for the others here
         if hasattr(session.config, "workeroutput"):
             self.references.append(reference_seconds())
-            session.config.workeroutput["cpu_seconds"] = sum(cpu_seconds()), self.references
+            spent = sum(cpu_seconds()) - sum(self.references)
+            session.config.workeroutput["cpu_seconds"] = spent, self.references
         limit = session.config.getoption(MAX_QUOTIENT)
         if limit is not None and self.quotient() > limit:
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
