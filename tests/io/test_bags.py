@@ -136,6 +136,12 @@ def test_drivers_layouts_give_points_and_seconds(tmp_path, driver, layout):
     assert cloud.grid == ((4, 60) if layout.get("height") else None)
 
 
+def test_scans_have_arrays_of_the_requested_library(tmp_path):
+    recording = loom.open_recording(write(tmp_path, "mcap", driver=next(iter(DRIVERS)), count=1))
+    assert next(recording.scans(arrays="warp")).array_library == "warp"
+    assert next(recording.scans()).array_library == "numpy"
+
+
 @pytest.mark.parametrize("form", FORMS)
 def test_truncated_recording_is_read_up_to_the_cut_with_a_warning(tmp_path, form):
     path = file_of(write(tmp_path, form, count=20))
