@@ -3,10 +3,10 @@
 `make test` is `pytest --quick`, `make test-all` is pytest without it. `--quick` leaves out the tests that are marked
 `slow` or `nightly`, those that need Open3D itself (tests/oracle.py) and all runs on Taichi, which is optional. CI runs
 `--rest`, too: those but Taichi's, the `nightly` ones, and the ones in nightly_tests.txt (tests/rest_set.py), and with
-real data all tests that read these. `make
-nightly` runs all others with `--nightly`, the tests that use stored answers of Open3D among them, with Open3D, and
-Taichi's with `--taichi`. Without an option the tests of tests/kernels that take `device`, and others marked
-`both_compilers`, run on Warp and on Taichi. tests/test_compilers.py compares all operations on both.
+real data all tests that read these. `make nightly` runs all others with `--nightly`, the tests that use stored answers
+of Open3D among them, with Open3D, and Taichi's with `--taichi`. Without an option the tests of tests/kernels that take
+`device`, and others marked `both_compilers`, run on Warp and on Taichi. tests/test_compilers.py compares all operations
+on both.
 """
 
 from __future__ import annotations

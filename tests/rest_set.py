@@ -101,9 +101,9 @@ def main(folder: Path) -> int:
         taken.items -= quick
     chosen = smallest_set(tests, required_tests(tests))
     left = tests.keys() - chosen
-    names = left_out()
-    names.leave_out(left, tests)
-    names.write(FILE, HEAD)
+    written = left_out()
+    written.leave_out(left, tests)
+    written.write(FILE, HEAD)
     for title, names in (("run by CI", chosen), ("left to nightly", left)):
         print(f"{title}: {len(names)} tests, {sum(tests[name].seconds for name in names):.0f} CPU s")
     return 0

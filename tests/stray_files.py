@@ -32,13 +32,19 @@ def untracked() -> set[str]:
     return {line[3:] for line in done.stdout.splitlines() if line.startswith("?? ")}
 
 
+def is_worker(session: pytest.Session) -> bool:
+    """True in a process of pytest -n beside others: the first one checks."""
+    return hasattr(session.config, "workeroutput")
+
+
 def pytest_sessionstart(session: pytest.Session) -> None:
-    session.config.stash[_before] = untracked()
+    if not is_worker(session):
+        session.config.stash[_before] = untracked()
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    if hasattr(session.config, "workeroutput"):  # of a process beside others (pytest -n): the first one checks
+    if is_worker(session):
         return
     session.config.stash[_strays] = strays = sorted(untracked() - session.config.stash[_before])
     if strays and session.exitstatus == pytest.ExitCode.OK:

@@ -187,7 +187,7 @@ class ChangeFinder:
         self.owner.pop()
 
     def _ignored_options(self, function: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope, nodes: dict) -> None:
-        """At the start of a public function: each parameter with a default gets it, whatever the caller passed."""
+        """At the start of a public function: replace each argument that has a default by the default."""
         has_docstring = is_text(function.body[0])
         rest = function.body[has_docstring:]
         if not scope.is_public or not rest or (len(rest) == 1 and isinstance(rest[0], ast.Raise | ast.Pass)):
