@@ -46,7 +46,9 @@ MIN_PAIRS, MAX_PAIRS = 3, 25
 CLEAR_PAIRS = 5  # pairs after which a row that is clearly above the limit ends early
 CLEAR_MARGIN = 1.15  # times the limit
 MAX_REPEATS = 4  # rounds of the faster contestant in one pair
-PAUSE_SECONDS = 0.03  # waiting threads of the previous contestant spin for some ms before they sleep
+MIN_REPEATS = 2  # of short calls: the first one after a pause is up to twice as slow on some virtual machines
+SHORT_CALL = 0.1  # [s]; a longer call is hardly changed by the pause before it
+PAUSE_SECONDS = 0.03  # between contestants: waiting threads of the previous one spin for some ms before they sleep
 BUSY_CORES = 0.25  # used by other processes: above it the machine is busy
 RECORD_RUNS = 5
 MIN_MACHINE_ROWS = 8  # rows whose baselines tell how fast this machine is beside that of the record
@@ -237,8 +239,11 @@ class Contest:
             raise ResultsDisagreeError(reason[0]) from error
         del facts
         with few_objects_to_collect():
-            estimates = [self._round(trial).wall for trial in self.trials]  # the first call compiled
-        self.repeats = [max(1, min(MAX_REPEATS, int(max(estimates) / (3 * max(e, 1e-9))))) for e in estimates]
+            estimates = [self._rounds(trial, 1)[0].wall for trial in self.trials]  # the first call compiled
+        self.repeats = [
+            max(MIN_REPEATS if e < SHORT_CALL else 1, min(MAX_REPEATS, int(max(estimates) / (3 * max(e, 1e-9)))))
+            for e in estimates
+        ]
 
     def run(self, seconds: float, is_enough: Callable[[Rounds], bool] = lambda rounds: False) -> Rounds:
         """Time pairs of rounds for some seconds, or until there are enough."""
@@ -248,7 +253,7 @@ class Contest:
     def _run(self, seconds: float, is_enough: Callable[[Rounds], bool]) -> Rounds:
         rounds, begin, cpu, cores = Rounds(), self.clock.wall(), self.clock.cpu(), self.clock.cores()
         while True:
-            ours, theirs = ([self._round(t) for _ in range(n)] for t, n in zip(self.trials, self.repeats, strict=True))
+            ours, theirs = map(self._rounds, self.trials, self.repeats)
             rounds.pairs.append((ours, theirs))
             spent, count = self.clock.wall() - begin, len(rounds.pairs)
             other = self.clock.cores() - cores - (self.clock.cpu() - cpu)
@@ -257,11 +262,15 @@ class Contest:
             if count >= MIN_PAIRS and (is_over or is_enough(rounds)):
                 return rounds
 
+    def _rounds(self, trial: Trial, count: int) -> list[Round]:
+        """Time some calls of one contestant, after a pause."""
+        self.clock.sleep(PAUSE_SECONDS)
+        return [self._round(trial) for _ in range(count)]
+
     def _round(self, trial: Trial) -> Round:
         """Time one call. Its arguments are made and its result is freed outside of the timed region."""
         arguments = trial.arguments()
         gc.collect()
-        self.clock.sleep(PAUSE_SECONDS)
         wall, cpu = self.clock.wall(), self.clock.cpu()
         result = trial.call(*arguments)
         wall, cpu = self.clock.wall() - wall, self.clock.cpu() - cpu

@@ -6,7 +6,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any
@@ -142,15 +142,33 @@ def run_one(run) -> Callable[..., SimpleNamespace]:
 def test_a_row_at_its_recorded_ratio_passes_after_three_alternating_pairs(run_one):
     result = run_one(0.01, 0.02, [record_of(2.0)])
     assert result.code == 0 and "1 row: 1 passed, 0 failed" in result.out
-    assert result.log == (2 + 3) * ["pointloom", "other"]  # two first calls of each
+    first, pair = ["pointloom", "other"], ["pointloom", "pointloom", "other", "other"]  # two rounds of a short call
+    assert result.log == 2 * first + 3 * pair
 
 
 @pytest.mark.parametrize(("factor", "pairs"), [(1.01, 3), (0.95, 5), (0.85, 25), (0.7, 2 * 25)])
 def test_a_row_closer_to_the_limit_has_more_pairs(run_one, factor, pairs, speed):
     assert (speed.MIN_PAIRS, speed.CLEAR_PAIRS, speed.MAX_PAIRS) == (3, 5, 25)
     result = run_one(0.01, 0.01 * factor, [record_of(1.0)])
-    assert result.log.count("pointloom") == result.log.count("other") == 2 + pairs
+    assert result.log.count("pointloom") == result.log.count("other") == 2 + 2 * pairs
     assert result.code == (factor < speed.LIMIT)
+
+
+def test_long_calls_have_one_round_in_a_pair(run_one):
+    assert run_one(0.2, 0.4, [record_of(2.0)]).log == (2 + 3) * ["pointloom", "other"]
+
+
+def test_a_first_call_that_is_slow_after_a_pause_does_not_count(speed):
+    times, is_cold = Times(), []
+    clock = replace(times.clock(), sleep=lambda seconds: is_cold.append(True))
+
+    def ours(number: int) -> tuple[float, float]:
+        seconds = 0.02 if is_cold else 0.01
+        is_cold.clear()
+        return seconds, seconds
+
+    contest = speed.Contest(row_of(), fake_operation(times, ours, constant(0.03)), clock)
+    assert contest.run(1.0).ratio == pytest.approx(3.0)
 
 
 def test_a_row_below_the_limit_fails_after_a_second_and_longer_try(run_one):
