@@ -181,6 +181,17 @@ def test_statistical_outliers_agree_with_brute_force(points, nb_neighbors, std_r
     np.testing.assert_array_equal(is_inlier[clear], (distances <= limit)[clear])
 
 
+def test_two_copies_of_a_position_are_two_neighbors(device, rng):
+    """Copies count once only where all of the nearest points are copies, whose mean distance would be 0."""
+    p = np.repeat(rng.random((300, 3)).astype(np.float32).astype(float), 2, axis=0)
+    for nb_neighbors, std_ratio in ((6, 0.5), (3, 1.0)):
+        distances = np.sort(cdist(p, p), axis=1)[:, :nb_neighbors].mean(axis=1)
+        expected = np.flatnonzero(distances <= distances.mean() + std_ratio * distances.std(ddof=1))
+        _, indices = loom.PointCloud(p, device=device).remove_statistical_outlier(nb_neighbors, std_ratio)
+        assert 0 < len(expected) < len(p)
+        np.testing.assert_array_equal(indices, expected)
+
+
 FILTERS = {
     "statistical": lambda cloud: cloud.remove_statistical_outlier(5, 1.0),
     "radius": lambda cloud: cloud.remove_radius_outlier(2, 0.1),

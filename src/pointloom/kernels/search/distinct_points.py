@@ -109,13 +109,14 @@ class Copies(NamedTuple):
     most: int
 
 
-def distinct_points(tree: PointTree, max_nn: int | None) -> DistinctPoints | None:
+def distinct_points(tree: PointTree, max_nn: int | None, most: int | None = None) -> DistinctPoints | None:
     """The distinct positions if copies would fill a neighborhood of `max_nn` points, else None. Neighborhoods without a
-    maximum number (None) contain all positions within their radius."""
+    maximum number (None) contain all positions within their radius. More than `most` copies of a position fill one: if
+    None, so many that fewer than MIN_DISTINCT positions may remain."""
     if max_nn is None:
         return None
     copies = copies_of(tree)
-    return None if copies is None or copies.most <= _limit(max_nn) else _distinct_of(tree, copies)
+    return None if copies is None or copies.most <= _limit(max_nn, most) else _distinct_of(tree, copies)
 
 
 def without_copies(tree: PointTree) -> PointTree:
@@ -131,19 +132,24 @@ def _distinct_of(tree: PointTree, copies: Copies) -> DistinctPoints:
 
 
 def by_distinct_points(
-    tree: PointTree, max_nn: int | None, radius: float, measure: Callable[..., list[Any]], *given: Any
+    tree: PointTree,
+    max_nn: int | None,
+    radius: float,
+    measure: Callable[..., list[Any]],
+    *given: Any,
+    most: int | None = None,
 ) -> list[Any]:
     """Arrays (n, ...) of `measure(tree, *given)`, from neighborhoods of a tree's points with arrays `given` (n, ...).
 
     Where copies of one position fill a neighborhood of the `max_nn` nearest within `radius`, results are those of the
-    distinct positions, with what is given for the first point of each.
+    distinct positions, with what is given for the first point of each. `most` is that of `distinct_points`.
     """
-    values, distinct = measure(tree, *given), distinct_points(tree, max_nn)
+    values, distinct = measure(tree, *given), distinct_points(tree, max_nn, most)
     if distinct is None:
         return values
     copies, picks = copies_of(tree), positions(tree.source.size, tree.device)
     assert copies is not None and max_nn is not None
-    known = [copies.firsts, copies.counts, distinct.rows, _limit(max_nn), picks]
+    known = [copies.firsts, copies.counts, distinct.rows, _limit(max_nn, most), picks]
     launch_over_leaves(pick_results_kernel, tree, max_nn, [squared_radius(radius), *known])
     others = measure(distinct.tree, *(gather_rows(values, distinct.firsts) for values in given))
     return [gather_rows(concatenate_rows(pair), picks) for pair in zip(values, others, strict=True)]
@@ -160,8 +166,8 @@ def copies_of(tree: PointTree) -> Copies | None:
     return tree.copies
 
 
-def _limit(max_nn: int) -> int:
-    return max(1, max_nn // MIN_DISTINCT)
+def _limit(max_nn: int, most: int | None) -> int:
+    return max(1, max_nn // MIN_DISTINCT if most is None else most)
 
 
 def _count_copies(points: Points) -> Copies:

@@ -97,9 +97,9 @@ def root_distances_kernel(
 def average_distances(tree: PointTree, k: int) -> Doubles:
     """Mean distance [m] to the k nearest points including itself, float64 (n). NaN for non-finite points.
 
-    Copies of a position count once in neighborhoods that they fill (`by_distinct_points`).
+    Copies of a position count once where the `k` nearest points are copies, whose mean distance would be 0.
     """
-    (means,) = by_distinct_points(tree, k, INFINITY, lambda tree: [_average_distances(tree, k)])
+    (means,) = by_distinct_points(tree, k, INFINITY, lambda tree: [_average_distances(tree, k)], most=k - 1)
     return means
 
 
