@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ..core.checks import is_on_gpu
 from ..core.exchange import share_numbers
 from ..core.reports import Assessed, failed, quality
+from ..core.serialized import keep_through_forks
 from ..core.wording import format_fraction, plain
 from ..kernels.memory import download
 from ..pcd.cloud import PointCloud
@@ -105,6 +106,7 @@ class RegistrationResult(Assessed):
         self._assessment: RegistrationAssessment | None = None
         self._assessed_pose = transformation.copy()  # assessed if the attribute is changed
         self._lock = threading.RLock()  # an assessment is computed once, also if several threads read it
+        keep_through_forks(self)
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -228,6 +230,7 @@ class RegistrationResult(Assessed):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state, _lock=threading.RLock())
+        keep_through_forks(self)
 
     def __copy__(self) -> RegistrationResult:
         """A result with the same clouds, which computes on access what this one has not computed."""
