@@ -36,7 +36,7 @@ class Serialized:
     A second thread waits until the running call has returned, so it never sees a change that is under way. The lock is
     re-entrant: methods call each other, and callbacks of a method may use its object. Ctrl-C ends a waiting call.
 
-    A fork waits for running calls, at most FORK_SECONDS. The child raises RuntimeError for objects that are in use then.
+    A fork waits for running calls, at most FORK_SECONDS. A child raises RuntimeError for objects still in use.
     """
 
     _lock: Any

@@ -139,7 +139,7 @@ class RegistrationResult(Assessed):
     def covariance(self) -> PoseCovariance | None:
         """Covariance of the error of the pose, of `assessment`, computed on first access.
 
-        Priors and fixed motions are not used. None with a scale, without a pose, and in pickles made before the access.
+        Priors and fixed motions are not used. None with a scale or without a pose.
         """
         return None if self._clouds is None or self._clouds.has_scale else self.assessment.covariance
 
@@ -221,8 +221,8 @@ class RegistrationResult(Assessed):
             self.warnings = (f"scale not determined: {len(rows):,} source points match {targets} target points",)
 
     def __getstate__(self) -> dict[str, Any]:
-        """State for pickle and deepcopy without clouds, with correspondences, score and warnings computed."""
-        pairs, _ = self.correspondence_set, self.warnings
+        """State for pickle and deepcopy without clouds, with all values computed that need them."""
+        pairs, _ = self.correspondence_set, (self.warnings, self.covariance)
         known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
         known |= {"_clouds": None, "_assessment": None}
         left_out = {"correspondence_set", "_lock"}
