@@ -17,6 +17,13 @@ AZIMUTHS, BEAMS = 900, 64  # of a LiDAR
 CALLS = 10  # number of prepared frames
 
 
+def package(*names: str) -> Any:
+    """The first public package of pointloom that exists: gpu_kit/compare.py measures code before a change, too."""
+    import pointloom as loom
+
+    return next(getattr(loom, name) for name in names if hasattr(loom, name))
+
+
 # ------------------------------------------------------------------------------------------------ registration
 
 
@@ -60,8 +67,8 @@ def _lidar(size: int) -> Call:
 def _rgbd_frame(pixels: int) -> Call:
     """A tracked frame: prepared, and aligned with the previous one."""
     import pointloom as loom
-    from pointloom import rgbd
 
+    rgbd = package("rgbd", "odometry")
     width, height = image_size(pixels)
     frames = scenes.room_frames(2, width, height)
     camera = loom.PinholeCameraIntrinsic(width, height, *frames.intrinsic)
@@ -78,11 +85,9 @@ def _rgbd_frame(pixels: int) -> Call:
 def _slam_frame(pixels: int) -> Call:
     from room_loops import room_loop_sequence
 
-    import pointloom as loom
-
     width, height = image_size(pixels)
     room = room_loop_sequence(300, width=width, height=height, device=DEVICE)
-    system = loom.rgbd.DenseSLAM(room.intrinsic, voxel_size=6.4 / width, device=DEVICE)  # 1 cm at VGA
+    system = package("rgbd", "slam").DenseSLAM(room.intrinsic, voxel_size=6.4 / width, device=DEVICE)  # 1 cm at VGA
     read = [room.read(k) for k in range(2 + CALLS)]
     frames = iter([SimpleNamespace(depth=f.depth, color=f.color, timestamp=f.timestamp) for f in read])
 
@@ -97,10 +102,8 @@ def _slam_frame(pixels: int) -> Call:
 def _mvs(pixels: int) -> Call:
     import mvs_scenes
 
-    import pointloom as loom
-
-    room = mvs_scenes.room(VIEWS, image_size(pixels // VIEWS)[0])
-    return lambda: list(loom.photogrammetry.estimate_depth_maps(room.images, room.cameras, device=DEVICE))
+    room, mvs = mvs_scenes.room(VIEWS, image_size(pixels // VIEWS)[0]), package("photogrammetry", "mvs")
+    return lambda: list(mvs.estimate_depth_maps(room.images, room.cameras, device=DEVICE))
 
 
 def _fuse(_: int) -> Call:

@@ -242,6 +242,15 @@ def test_a_comparison_of_the_wrong_code_is_an_error(tmp_path, monkeypatch):
         compare.times_with(tmp_path, "call", ("tree=100",), 10)
 
 
+def test_an_operation_that_the_former_code_cannot_run_is_an_error(tmp_path, monkeypatch):
+    results = {"tree 100": {"error": "AttributeError: no rgbd"}, "knn 100": {"seconds of call": 1.0}}
+    output = json.dumps({"package": str(tmp_path / "pointloom"), "results": results})
+    done = subprocess.CompletedProcess([], 0, stdout=output, stderr="")
+    monkeypatch.setattr(subprocess, "run", lambda *given, **options: done)
+    with pytest.raises(RuntimeError, match="tree 100: AttributeError: no rgbd"):
+        compare.times_with(tmp_path, "call", ("tree=100", "knn=100"), 10)
+
+
 def fatbin(*entries: tuple[int, int, bytes]) -> bytes:
     """A fatbin of entries (kind, architecture, payload)."""
     body = b""

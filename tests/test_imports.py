@@ -86,7 +86,7 @@ WARP_FILES = {
     "kernels/language/pools.py", "kernels/language/streams.py", "kernels/language/warp_compiler.py",
     "kernels/language/cuda_code.py", "kernels/language/taichi_compiler.py", "kernels/check_cuda.py",
     "kernels/memory.py", "kernels/arrays/side_by_side.py", "kernels/arrays/sort.py", "kernels/arrays/prefix_sum.py",
-    "kernels/arrays/pinned_uploads.py",
+    "kernels/language/pinned_uploads.py",
 }  # fmt: skip
 
 # What a file takes from lang.py when it defines device code.

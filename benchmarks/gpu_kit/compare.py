@@ -109,6 +109,9 @@ def times_with(sources: Path | None, kind: str, calls: tuple[str, ...], seconds:
     document = json.loads(lines[-1])
     if not Path(document["package"]).is_relative_to(sources or devices.ROOT):
         raise RuntimeError(f"expected the code of {sources}, got that of {document['package']}")
+    errors = [f"{name}: {result['error']}" for name, result in document["results"].items() if "error" in result]
+    if errors:
+        raise RuntimeError("; ".join(errors))
     return document["results"]
 
 

@@ -8,10 +8,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import warp as wp
 
 import pointloom as loom
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.lang import float32, vec3
+from pointloom.kernels.lang import vec3
 from pointloom.kernels.language import device_copies, pinned_results
 from pointloom.kernels.memory import download, upload
 
@@ -31,7 +32,8 @@ def pool(emulated):
 
 
 def on_device(count=COUNT, first=0):
-    return upload(np.arange(first, first + count, dtype=np.float32), float32, resolve_device("cuda:0"))
+    """An array that Warp uploads, without page-locked memory."""
+    return wp.array(np.arange(first, first + count, dtype=np.float32), device="cuda:0")
 
 
 def address_of(values):
@@ -183,14 +185,14 @@ def test_vectors_and_empty_results(pool):
 
 
 FORK = """
-from pointloom.kernels.memory import download, upload
-from pointloom.kernels.lang import float32
+import warp as wp
+from pointloom.kernels.memory import download
 from pointloom.kernels.language.pinned_results import pool
 from pointloom.core.devices import resolve_device
 
 count, device = 1 << 18, resolve_device("cuda:0")
-first = download(upload(np.full(count, 1, np.float32), float32, device))
-idle = download(upload(np.full(count, 2, np.float32), float32, device))
+first = download(wp.array(np.full(count, 1, np.float32), device=device))
+idle = download(wp.array(np.full(count, 2, np.float32), device=device))
 del idle
 (reading, writing), (waiting, going) = os.pipe(), os.pipe()
 child = os.fork()
@@ -204,7 +206,7 @@ if child == 0:
 first[:] = 3
 address = first.__array_interface__["data"][0]
 del first
-again = download(upload(np.full(count, 4, np.float32), float32, device))
+again = download(wp.array(np.full(count, 4, np.float32), device=device))
 os.write(going, b"1")
 _, status = os.waitpid(child, 0)
 found = {"child": json.loads(os.read(reading, 1 << 16)), "status": status, "size": pool.size}

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.kernels.arrays import pinned_uploads
+from pointloom.kernels.language import pinned_uploads
 from pointloom.kernels.volumes import device_frames
 
 from ..interruptions import run_lines
@@ -16,14 +16,14 @@ LIMITS = {"depth_scale": 1000.0, "depth_max": 3.0}
 FILES = (
     "meshing/volume/tsdf.py", "meshing/volume/stacked_frames.py", "kernels/volumes/voxel_blocks.py",
     "kernels/volumes/integrate.py", "kernels/volumes/device_frames.py", "kernels/volumes/frame_record.py",
-    "kernels/arrays/hash_table.py", "kernels/arrays/atomic_changes.py", "kernels/arrays/pinned_uploads.py",
+    "kernels/arrays/hash_table.py", "kernels/arrays/atomic_changes.py", "kernels/language/pinned_uploads.py",
 )  # fmt: skip
 
 
 @pytest.fixture(autouse=True)
 def large(monkeypatch):
     """Small images are uploaded like large ones."""
-    monkeypatch.setattr(pinned_uploads, "MIN_PINNED_BYTES", 8)
+    monkeypatch.setattr(pinned_uploads, "STAGED_BYTES", 8)
 
 
 def scene(count):

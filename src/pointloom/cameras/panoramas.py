@@ -13,6 +13,7 @@ from ..core.array_libraries import form_of, view_as
 from ..core.checks import check_count, check_numeric
 from ..core.devices import DeviceLike, resolve_device
 from ..core.gpu_arrays import take_numbers
+from ..core.pickled_arrays import device_like, unpickling
 from ..kernels.array_types import Array2
 from ..kernels.images.sphere import find_sphere_positions
 from ..kernels.images.undistortion import sample_image
@@ -87,6 +88,16 @@ class Panorama:
         self._source_pixels = find_sphere_positions(
             self.side, self.side / 2, rotations, self.width, self.height, self.device
         )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"width": self.width, "height": self.height, "side": self.side, "device": str(self.device)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Restore on the saved device, or the first GPU if its index does not exist."""
+        with unpickling("panorama"):
+            device = device_like("panorama", state["device"])
+            made = type(self)(state["width"], state["height"], side=state["side"], device=device)
+        vars(self).update(vars(made))
 
     def apply(self, image: ArrayLike) -> Any:
         """Compute the cube faces of a panorama.

@@ -13,6 +13,8 @@ from ..core.array_libraries import form_of, view_as
 from ..core.checks import check_numeric
 from ..core.devices import DeviceLike, resolve_device
 from ..core.gpu_arrays import device_for, take_numbers
+from ..core.pickled_arrays import device_like, unpickling
+from ..kernels.array_types import Device
 from ..kernels.images.undistortion import LensOptics, find_lens_positions, mask_visible, sample_image
 from ..kernels.lang import uint8
 from ..kernels.memory import download, upload
@@ -66,8 +68,11 @@ class Undistortion:
     ):
         if not isinstance(camera, CameraModel):
             raise TypeError(f"camera: expected a CameraModel, got {type(camera).__name__}; see its from_intrinsic")
-        self.camera, self.device = camera, resolve_device(device)
-        self.intrinsic = camera.undistorted(blank_fraction=blank_fraction, max_size=max_size, size=size)
+        intrinsic = camera.undistorted(blank_fraction=blank_fraction, max_size=max_size, size=size)
+        self._prepare(camera, intrinsic, resolve_device(device))
+
+    def _prepare(self, camera: CameraModel, intrinsic: PinholeCameraIntrinsic, device: Device) -> None:
+        self.camera, self.intrinsic, self.device = camera, intrinsic, device
         lens, (width, height) = camera._lens, (camera.width, camera.height)
         thin = lens.kind == FIELD_OF_VIEW and lens.shape[0] ** 2 < MIN_SQUARED_OMEGA
         wide = 2.0 * math.tan(lens.shape[0] / 2.0) if lens.kind == FIELD_OF_VIEW and not thin else 0.0
@@ -75,6 +80,14 @@ class Undistortion:
         self._source_pixels = find_lens_positions(optics, self.intrinsic, self.device)
         steps = (lens.focal[0] / self.intrinsic.fx, lens.focal[1] / self.intrinsic.fy)
         self._side = min(max(1, math.floor(min(steps) + 1e-9)), MAX_SIDE)  # lens pixels per pinhole pixel
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"camera": self.camera, "intrinsic": self.intrinsic, "device": str(self.device)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Restore on the saved device, or the first GPU if its index does not exist."""
+        with unpickling("undistortion"):
+            self._prepare(state["camera"], state["intrinsic"], device_like("undistortion", state["device"]))
 
     @property
     def seen(self) -> NDArray[np.bool_]:

@@ -10,13 +10,13 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..kernels.lang import vec2, vec3, vec3i
+from ..kernels.lang import mat33d, vec2, vec3, vec3d, vec3i, vec4
 from ..kernels.memory import download, upload
 from .checks import shown
 from .devices import DeviceLike, resolve_device
 from .errors import DeviceError
 
-VECTORS = {vec2: "vec2", vec3: "vec3", vec3i: "vec3i"}
+VECTORS = {vec2: "vec2", vec3: "vec3", vec3i: "vec3i", vec4: "vec4", vec3d: "vec3d", mat33d: "mat33d"}
 KINDS = {name: kind for kind, name in VECTORS.items()}
 
 
@@ -36,10 +36,12 @@ def _upload_checked(name: str, values: Any, kind: str, device: Any) -> wp.array:
     if not kind:
         return upload(values, wp.dtype_from_numpy(values.dtype), device)
     vector = KINDS[kind]
-    width, scalar = len(vector()), wp.dtype_to_numpy(vector._wp_scalar_type_)
-    if values.dtype != scalar or values.size % width or (values.size and values.shape[-1] != width):
-        raise ValueError(f"{name}: expected {np.dtype(scalar)} [n, {width}], got {values.dtype} {list(values.shape)}")
-    return upload(values.reshape(-1, width), vector, device)
+    inner, scalar = tuple(vector._shape_), wp.dtype_to_numpy(vector._wp_scalar_type_)
+    is_fitting = values.shape[-len(inner) :] == inner if values.size else True
+    if values.dtype != scalar or not is_fitting:
+        expected = f"{np.dtype(scalar)} [n, {', '.join(map(str, inner))}]"
+        raise ValueError(f"{name}: expected {expected}, got {values.dtype} {list(values.shape)}")
+    return upload(values.reshape(-1, *inner), vector, device)
 
 
 def check_form(name: str, array: wp.array, *forms: tuple[Any, tuple[int, ...]]) -> wp.array:

@@ -1,14 +1,19 @@
-"""Objects that several threads may use: one call at a time."""
+"""Objects that several threads may use, one call at a time, also in forked processes and pickles."""
 
 from __future__ import annotations
 
 import contextlib
 import functools
 import inspect
+import os
 import threading
+import time
+import weakref
 from collections.abc import Callable, Iterable, Iterator
 from types import FunctionType
-from typing import Any, Self, TypeVar, cast
+from typing import Any, NoReturn, Self, TypeVar, cast
+
+import numpy as np
 
 from .attribute_hints import internal_names
 
@@ -18,6 +23,11 @@ _OPERATORS = {
     "__len__", "__contains__", "__getitem__", "__setitem__", "__delitem__", "__iter__", "__call__", "__repr__",
     "__getstate__", "__copy__", "__deepcopy__", "__reduce__",
 }  # fmt: skip
+FORK_SECONDS = 1.0  # [s] at most that a fork waits for running calls: longer than a frame or a scan takes
+
+_locked: weakref.WeakValueDictionary[int, Any] = weakref.WeakValueDictionary()  # objects with locks, by their id
+_forking = threading.RLock()  # one fork at a time
+_acquired: list[Any] = []  # during a fork: objects that no other thread uses
 
 
 class Serialized:
@@ -25,6 +35,8 @@ class Serialized:
 
     A second thread waits until the running call has returned, so it never sees a change that is under way. The lock is
     re-entrant: methods call each other, and callbacks of a method may use its object. Ctrl-C ends a waiting call.
+
+    A fork waits for running calls, at most FORK_SECONDS. A child raises RuntimeError for objects still in use.
     """
 
     _lock: Any
@@ -32,6 +44,7 @@ class Serialized:
     def __new__(cls, *args: Any, **options: Any) -> Self:
         made = super().__new__(cls)
         object.__setattr__(made, "_lock", threading.RLock())
+        keep_through_forks(made)
         return made
 
     def __init_subclass__(cls, **options: Any) -> None:
@@ -45,11 +58,80 @@ class Serialized:
                 made.__set_name__(cls, name)  # for error messages
                 setattr(cls, name, made)
             elif inspect.isfunction(value):
-                setattr(cls, name, one_at_a_time(value))
+                made = one_at_a_time(value)
+                setattr(cls, name, _without_views(made) if name in ("__getstate__", "__reduce__") else made)
 
     def __getstate__(self) -> Any:
         """The attributes without the lock: a copy has its own."""
-        return {name: value for name, value in vars(self).items() if name != "_lock"}
+        with self._lock:
+            return without_views({name: value for name, value in vars(self).items() if name != "_lock"})
+
+
+def without_views(state: Any) -> Any:
+    """The state of a pickle with copies of its containers and views: pickle reads them after the lock is released."""
+    if isinstance(state, np.ndarray):
+        return state if state.flags.owndata else state.copy()
+    if type(state) is dict:
+        return {key: without_views(value) for key, value in state.items()}
+    return type(state)(map(without_views, state)) if type(state) in (list, tuple) else state
+
+
+def _without_views(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    @functools.wraps(function)
+    def state_of(self: Any) -> Any:
+        with self._lock:
+            return without_views(function(self))
+
+    return state_of
+
+
+class _LostLock:
+    """Lock of an object in a child process whose state another thread of the parent was changing."""
+
+    def __init__(self, kind: str) -> None:
+        self._kind = kind
+
+    def __enter__(self) -> NoReturn:
+        raise RuntimeError(
+            f"this {self._kind} was in use by another thread when the process was forked, so its state is not known; "
+            "create it in the child, or fork between the calls"
+        )
+
+    def __exit__(self, *_: object) -> None: ...
+
+    def acquire(self, timeout: float) -> bool:
+        return False
+
+
+def keep_through_forks(owner: Any) -> None:
+    """Let a forked process use an object with a `_lock` that another thread of the parent may hold."""
+    _locked[id(owner)] = owner
+
+
+def _before_fork() -> None:
+    _forking.acquire()
+    end = time.monotonic() + FORK_SECONDS
+    for owner in list(_locked.values()):
+        if owner._lock.acquire(timeout=max(0.0, end - time.monotonic())):
+            _acquired.append(owner)
+
+
+def _after_fork_in_parent() -> None:
+    while _acquired:
+        _acquired.pop()._lock.release()
+    _forking.release()
+
+
+def _after_fork_in_child() -> None:
+    known = {id(owner) for owner in _acquired}
+    _after_fork_in_parent()
+    for owner in list(_locked.values()):
+        if id(owner) not in known:
+            object.__setattr__(owner, "_lock", _LostLock(type(owner).__name__))
+
+
+if hasattr(os, "register_at_fork"):  # not on Windows
+    os.register_at_fork(before=_before_fork, after_in_parent=_after_fork_in_parent, after_in_child=_after_fork_in_child)
 
 
 def one_at_a_time(function: Method) -> Method:

@@ -20,6 +20,7 @@ from ..core.atomic import restore_folder
 from ..core.errors import FileError, FilePath, PointloomError
 from ..core.interrupts import signal_exception
 from ..core.paths import path_of
+from ..core.serialized import keep_through_forks
 
 # A header without an end would otherwise be searched in gigabytes of payload. Real ones are below 100 KiB.
 MAX_HEADER_BYTES = 1 << 20
@@ -47,6 +48,7 @@ class SourceFile:
         self._stamp = _Stamp.of(os.fstat(self._file))
         self._window = (0, b"")
         self._lock = threading.Lock()  # for systems where reading moves the position of the file
+        keep_through_forks(self)
 
     def __del__(self) -> None:
         if (file := getattr(self, "_file", None)) is not None:

@@ -22,6 +22,7 @@ from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import lock_for, own, why_no_cuda_here
 from .language.huge_pages import MIN_MAPPED_BYTES, request_huge_pages
 from .language.pinned_results import release_pinned
+from .language.pinned_uploads import release_pieces
 
 POOL_FRACTION = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
 _pools: set[str] = set()  # GPUs whose pool keeps memory, by name
@@ -38,7 +39,8 @@ def _keep_pool(device: Device) -> None:
         wp.set_mempool_release_threshold(device, POOL_FRACTION)
 
 
-on_give_back: list[Callable[[], None]] = [release_pinned]  # callbacks that release arrays kept for the next call
+# callbacks that release what is kept for the next call; pieces of page-locked memory first
+on_give_back: list[Callable[[], None]] = [release_pieces, release_pinned]
 
 
 def give_back(device: Device) -> int:
@@ -230,12 +232,12 @@ def upload(
             return out
         else:
             created = empty(outer, dtype, home)
-            with lock_for(home):
-                if device_copies.is_written(created, values):
-                    return created
-    with _Allocation(home):
-        out: Any = wp.array(values, dtype=dtype, device=home, copy=copied)
-        return own(out)
+            write(created, values)
+            return created
+    on_host: Any = wp.get_device("cpu")
+    with _Allocation(on_host):
+        out: Any = wp.array(values, dtype=dtype, device=on_host, copy=copied)
+    return move(out, home)
 
 
 def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device: Device) -> list[Array1[Element]]:
@@ -266,14 +268,21 @@ def fill_column(target: Any, column: int, source: wp.array) -> None:
 
 
 def write(target: Any, values: np.ndarray) -> None:
-    """Overwrite an array with a NumPy array of the same type and size."""
+    """Overwrite an array with a NumPy array of the same type and size, which may change afterwards."""
     if target.device.is_cpu:
         view = np.asarray(target) if target.ptr else target.numpy()  # as host_view, whose call would take longer
         view.reshape(-1)[:] = values.reshape(-1)
         return
     with lock_for(target.device):
         if not device_copies.is_written(target, values):
-            copy(target, upload(values, target.dtype, wp.get_device("cpu"), copied=False), count=target.size)
+            _write_by_warp(target, upload(values, target.dtype, wp.get_device("cpu"), copied=False))
+
+
+def _write_by_warp(target: Any, source: Any) -> None:
+    """Copy an array of the host to a GPU, and wait: Warp's copy may read the source later. Take the lock."""
+    wp.copy(target, source, count=target.size)
+    if not target.device.captures:
+        wp.synchronize_stream(target.device.stream)  # sync
 
 
 def clone(values: Array) -> Array:
@@ -310,10 +319,14 @@ def move(values: Array, device: Device) -> Array:
     home: Any = values.device
     with lock_for(device), lock_for(home):
         out: Any = empty(values.shape, values.dtype, device)
-        if home.is_cuda and out.device.is_cuda:
+        if home.is_cpu:
+            if not device_copies.is_written(out, host_view(values)):
+                _write_by_warp(out, values)
+            return out
+        if out.device.is_cuda:
             out.device.stream.wait_stream(home.stream)  # Warp copies on the stream of the other GPU only
         wp.copy(out, values)
-        if home.is_cuda and out.device.is_cpu:
+        if out.device.is_cpu:
             wp.synchronize_stream(home.stream)  # sync
     return out
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ..core.checks import is_on_gpu
 from ..core.exchange import share_numbers
 from ..core.reports import Assessed, failed, quality
+from ..core.serialized import keep_through_forks
 from ..core.wording import format_fraction, plain
 from ..kernels.memory import download
 from ..pcd.cloud import PointCloud
@@ -105,6 +106,7 @@ class RegistrationResult(Assessed):
         self._assessment: RegistrationAssessment | None = None
         self._assessed_pose = transformation.copy()  # assessed if the attribute is changed
         self._lock = threading.RLock()  # an assessment is computed once, also if several threads read it
+        keep_through_forks(self)
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -137,7 +139,7 @@ class RegistrationResult(Assessed):
     def covariance(self) -> PoseCovariance | None:
         """Covariance of the error of the pose, of `assessment`, computed on first access.
 
-        Priors and fixed motions are not used. None with a scale, without a pose, and in pickles made before the access.
+        Priors and fixed motions are not used. None with a scale or without a pose.
         """
         return None if self._clouds is None or self._clouds.has_scale else self.assessment.covariance
 
@@ -219,8 +221,8 @@ class RegistrationResult(Assessed):
             self.warnings = (f"scale not determined: {len(rows):,} source points match {targets} target points",)
 
     def __getstate__(self) -> dict[str, Any]:
-        """State for pickle and deepcopy without clouds, with correspondences, score and warnings computed."""
-        pairs, _ = self.correspondence_set, self.warnings
+        """State for pickle and deepcopy without clouds, with all values computed that need them."""
+        pairs, _ = self.correspondence_set, (self.warnings, self.covariance)
         known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
         known |= {"_clouds": None, "_assessment": None}
         left_out = {"correspondence_set", "_lock"}
@@ -228,6 +230,7 @@ class RegistrationResult(Assessed):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state, _lock=threading.RLock())
+        keep_through_forks(self)
 
     def __copy__(self) -> RegistrationResult:
         """A result with the same clouds, which computes on access what this one has not computed."""

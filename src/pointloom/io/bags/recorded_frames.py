@@ -20,6 +20,7 @@ from ...cameras.depth_range import DEPTH_SCALE
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.reports import Assessed
+from ...core.serialized import keep_through_forks
 from ..frames.dataset_layouts import associate
 from ..frames.datasets import Frame
 from ..frames.frame_checks import checked_frame
@@ -189,6 +190,7 @@ class RecordedFrames(Assessed):
         self._recording, self.depth, self.color = recording, depth, color
         self._kinds, self.damage = recording.topic_types(), recording.damage
         self._lock = threading.Lock()
+        keep_through_forks(self)
         self.left_out: list[str] = []
         self.pairing: tuple[int, ...] = ()
         self._rows = self._pairs(tolerance)[::every]

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_count
 from ...core.errors import FileError, FilePath
+from ...core.serialized import keep_through_forks
 from ...core.units import LengthUnit
 from ...kernels.lru_cache import LruCache
 from ..optional_imports import foreign_errors, import_for
@@ -39,6 +40,7 @@ class CopcNodes:
         self.row: np.dtype[Any] = self.octree.file.layout.dtype()
         self.nodes_read = self.bytes_read = 0
         self._lock = threading.Lock()
+        keep_through_forks(self)
         self._stamp = _stamp_of(self.path)
 
     @property

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array_types import Device
-from . import warp_parts
+from . import pinned_uploads, warp_parts
 from .device_arrays import Kind, kind_of, makes_arrays_plainly
 from .huge_pages import MIN_MAPPED_BYTES, populate
 from .pinned_results import MIN_PINNED_BYTES, fill_pinned
@@ -61,7 +61,7 @@ def is_copied(target: Any, source: Any, count: int, offset: int = 0) -> bool:
 
 
 def is_written(target: Any, values: NDArray[Any]) -> bool:
-    """Copy the bytes of a contiguous NumPy array, as many as the target has."""
+    """Copy the bytes of a contiguous NumPy array, as many as the target has. The array may change afterwards."""
     device = target.device
     if not _is_plain(target) or device.captures or not values.flags.c_contiguous:
         return False
@@ -69,9 +69,8 @@ def is_written(target: Any, values: NDArray[Any]) -> bool:
     size = target.size * kind.element_bytes
     if size == 0 or size != values.nbytes or values.dtype != kind.scalar:
         return False
-    address = values.__array_interface__["data"][0]
-    done = warp_parts.core().wp_memcpy_h2d(device.context, target.ptr, address, size, device.stream.cuda_stream)
-    return _checked(done, device)
+    pinned_uploads.send(device, target.ptr, values)
+    return True
 
 
 def is_sent(target: Any, source: Any) -> bool:

@@ -7,6 +7,7 @@ noise level, since noise of normals and brightness looks like information.
 
 import contextlib
 import dataclasses
+import os
 import threading
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
@@ -394,6 +395,8 @@ class Descent:
 
 _descents: LruCache[Descent] = LruCache(MAX_CACHED)  # on GPUs, by frame sizes and rules
 _lock = threading.Lock()
+if hasattr(os, "register_at_fork"):  # not on Windows
+    os.register_at_fork(after_in_child=_lock._at_fork_reinit)  # type: ignore[attr-defined]
 
 
 def clear_descents() -> None:

@@ -19,7 +19,6 @@ from ..array_types import Array1, Array2, Doubles, Scalars
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key
 from ..arrays.lanes import max_int_of_lanes
-from ..arrays.pinned_uploads import write_pinned
 from ..arrays.prefix_sum import inclusive_scan
 from ..lang import (
     WARP,
@@ -339,14 +338,11 @@ class DeviceFrames:
             self._allocate(raw.size, element, scale, farthest, cameras, pixels is not None, cells)
             self._key = key
         images = [(self._raw, raw)] if pixels is None else [(self._raw, raw), (self._pixels, pixels)]
-        of_host = []
         for target, image in images:
             if isinstance(image, np.ndarray):
-                of_host.append((target, image))
+                write(target, image)
             else:
                 copy(target, image, count=image.size)
-        if of_host:
-            write_pinned(*zip(*of_host, strict=True))
 
     def _allocate(
         self,

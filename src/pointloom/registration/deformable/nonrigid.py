@@ -22,8 +22,10 @@ from ...core.checks import (
     check_positive,
     check_progress,
     check_rows,
+    check_shape,
 )
 from ...core.devices import check_same_device
+from ...core.pickled_arrays import check_form, device_like, pickled, unpickled, unpickling
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, with_warnings
 from ...core.wording import format_fraction
@@ -512,6 +514,24 @@ class Deformation:
 
     def __repr__(self) -> str:
         return f"Deformation({len(self):,} nodes, {self.device})"
+
+    def __getstate__(self) -> dict[str, Any]:
+        graph = self._graph
+        arrays = pickled({"nodes": graph.nodes, "rotations": graph.rotations, "centers": graph.centers})
+        return {"arrays": arrays, "device": str(self.device), "source": self._source, "target": self._target}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Restore on the saved device, or the first GPU if its index does not exist."""
+        with unpickling("deformation"):
+            arrays = unpickled(state["arrays"], device_like("deformation", state["device"]))
+            count = arrays["nodes"].size
+            graph = DeformationGraph(
+                check_form("nodes", arrays["nodes"], (vec3, (count,))),
+                check_form("rotations", arrays["rotations"], (mat33d, (count,))),
+                check_form("centers", arrays["centers"], (vec3d, (count,))),
+            )
+            made = type(self)(graph, *(check_shape(name, state[name], (3,)) for name in ("source", "target")))
+        vars(self).update(vars(made))
 
     @property
     def nodes(self) -> Array:

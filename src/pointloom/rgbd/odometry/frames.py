@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 import warp as wp
@@ -13,6 +13,8 @@ from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_depth
 from ...core.devices import DeviceLike
 from ...core.gpu_arrays import device_for
+from ...core.pickled_arrays import check_form, device_like, pickled, unpickled, unpickling
+from ...kernels.lang import float32, vec4
 from ...kernels.memory import download
 from ...kernels.rgbd.level_copies import level_rows
 from ...kernels.rgbd.open3d_images import fill_missing, mark_missing
@@ -113,6 +115,23 @@ class OdometryFrame:
         self.levels: FrameLevels = make_levels(depth, brightness, size, lens, normals=normals, **limits)
         self.blur = 0.0
         self._coarsest: tuple[NDArray[np.float32], NDArray[np.float32]] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        levels = self.levels
+        arrays = pickled({name: getattr(levels, name) for name in ("depth", "brightness", "planes")})
+        state = {"arrays": arrays, "sizes": levels.sizes, "lenses": levels.host_lenses, "device": str(self.device)}
+        return state | {"intrinsic": self.intrinsic, "has_color": self.has_color, "blur": self.blur}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Restore on the saved device, or the first GPU if its index does not exist."""
+        with unpickling("frame"):
+            device = device_like("frame", state["device"])
+            arrays, levels = unpickled(state["arrays"], device), FrameLevels(state["sizes"], state["lenses"], device)
+            for name, dtype in (("depth", float32), ("brightness", float32), ("planes", vec4)):
+                setattr(levels, name, check_form(name, arrays[name], (dtype, (levels.total,))))
+            self.intrinsic, self.blur = state["intrinsic"], float(state["blur"])
+            self.has_color = bool(state["has_color"])
+        self.levels, self.device, self._coarsest = levels, device, None
 
     def coarsest(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Depth [h, w] and planes [h, w, 4] of the coarsest level, on the host: synchronizes on first access."""

@@ -6,7 +6,7 @@ import dataclasses
 import operator
 from collections import deque
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -148,6 +148,9 @@ class DenseSLAM(Serialized):
     def __repr__(self) -> str:
         counts = ", ".join(f"{n} {status}" for status, n in self.status_counts.items() if n)
         return f"DenseSLAM({counts or 'no frames'}, {len(self.keyframes)} keyframes, {self.volume!r})"
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("DenseSLAM cannot be copied or pickled: keep its results (system.trajectory, system.volume)")
 
     @property
     def model(self) -> SlamModel:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -101,6 +101,9 @@ class SlamModel(Serialized):
 
     def __repr__(self) -> str:
         return f"SlamModel({self.volume!r})"
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("SlamModel cannot be copied or pickled: keep its volume (model.volume)")
 
     @property
     def frame_count(self) -> int:
