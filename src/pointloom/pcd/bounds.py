@@ -112,7 +112,7 @@ class Bounds(Selection, Movable):
         """Apply an affine map; `name` is the argument reported in errors."""
         A, t = T[:3, :3], T[:3, 3]
         moved = matmul(A, self.arrays.origin) + t
-        origin = origin_under(name, A, t, *self.arrays.bounds(), moved)
+        origin = origin_under(name, A, t, *self.arrays.bounds(), moved, in_degrees=self._in_degrees)
         cloud = self._under(A, moved - origin, origin)
         if self._unit is not None or self._crs is not None:
             cloud.unit, cloud.crs = unit_under(self._unit, A), crs_under(self._crs, A)
@@ -130,7 +130,7 @@ class Bounds(Selection, Movable):
         if "covariances" in self.arrays:
             raise ValueError('cloud: covariances cannot be reprojected. Reproject cloud.without("covariances")')
         positions = self.arrays.positions()
-        points, origin, _ = place_points(way.points(positions), None, self.device)
+        points, origin, _ = place_points(way.points(positions), None, self.device, in_degrees=way.unit_name == "degree")
         arrays = {**self.arrays, "points": points}
         if "normals" in arrays:
             normals = way.normals(positions, download(arrays["normals"]))

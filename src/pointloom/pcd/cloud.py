@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import library_for
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
-from ..core.coordinate_systems import CoordinateSystem, check_crs
+from ..core.coordinate_systems import CoordinateSystem, check_crs, is_in_degrees
 from ..core.devices import DeviceLike, resolve_device
 from ..core.escaped_text import escaped
 from ..core.units import LengthUnit, check_unit
@@ -87,12 +87,13 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         library, length_unit = library_for(arrays, points), None if unit is None else check_unit("unit", unit)
-        placed, start, tree = place_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
+        system = None if crs is None else check_crs("crs", crs)
+        placed, start, tree = place_points(
+            points, start, None if is_on_gpu(points) else where, frozen=frozen,
+            in_degrees=is_in_degrees(length_unit, system),
+        )  # fmt: skip
         vars(self).update(
-            arrays=PointStore({"points": placed}, start, library, tree=tree),
-            grid=None,
-            _unit=length_unit,
-            _crs=None if crs is None else check_crs("crs", crs),
+            arrays=PointStore({"points": placed}, start, library, tree=tree), grid=None, _unit=length_unit, _crs=system
         )
         if normals is not None:
             self._set("normals", normals)
