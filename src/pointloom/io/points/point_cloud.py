@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.array_libraries import library_for
 from ...core.checks import check_count, check_positive
 from ...core.coordinate_systems import CoordinateSystem, check_crs, common_crs
-from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
+from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, warn_if_rounded, written_steps
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
@@ -179,9 +179,10 @@ def read_e57_chunks(
 
 
 def _e57_chunks(path: Path, size: int, scan: int | None, device: DeviceLike, arrays: str) -> Iterator[PointCloud]:
-    origin = None
+    origin, is_reported = None, False
     for table in iterate_e57(path, size, scan=scan):
         origin = origin_of(table, path) if origin is None else origin
+        is_reported = is_reported or warn_if_rounded(path, table.points, origin, table.steps, table.unit_lengths)
         yield cloud_of(table, path, device=device, origin=origin, arrays=arrays)
 
 
@@ -238,7 +239,10 @@ def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
     low, high = finite_box(first.points)
     slack = np.array(file.header.scales)  # headers are rounded
     is_right = bool(((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all())
-    return choose_origin(box if is_right else first.points, first.steps)
+    corners = box if is_right else first.points
+    origin = choose_origin(corners, first.steps, in_degrees=first.in_degrees)
+    warn_if_rounded(file.path, corners, origin, first.steps, first.unit_lengths)
+    return origin
 
 
 def _chunks(file: LasFile, chunk_size: int, device: DeviceLike, arrays: str) -> Iterator[PointCloud]:
@@ -259,10 +263,12 @@ def cloud_of(
     origin: ArrayLike | None = None,
     arrays: str | None = None,
 ) -> PointCloud:
-    """Build a cloud from a table. If `origin` is None, one is chosen."""
+    """Build a cloud from a table. If `origin` is None, one is chosen, with a warning if float32 rounds too much."""
     warn_of_viewpoint(path, table.viewpoint, stacklevel=3)
     try:
-        origin = origin_of(table, path, stacklevel=5) if origin is None else origin
+        if origin is None:
+            origin = origin_of(table, path, stacklevel=5)
+            warn_if_rounded(path, table.points, origin, table.steps, table.unit_lengths)
         vectors: dict[str, Any] = {"normals": table.normals, "colors": table.colors}
         cloud = PointCloud(table.points, **vectors, device=device, origin=origin, arrays=arrays)
     except FileError:
@@ -287,7 +293,8 @@ def unit_with_warnings(table: PointTable, path: FilePath) -> LengthUnit | None:
 def origin_of(table: PointTable, path: FilePath, *, stacklevel: int = 3) -> NDArray[np.float64]:
     """Choose the origin of a cloud so that points distinct in the file stay distinct. Warns if the file has degrees."""
     warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
-    return choose_origin(table.points, written_steps(table.points) if table.steps is None else table.steps)
+    steps = written_steps(table.points) if table.steps is None else table.steps
+    return choose_origin(table.points, steps, in_degrees=table.in_degrees)
 
 
 def write_point_cloud(
@@ -374,6 +381,7 @@ def table_of(cloud: PointCloud) -> PointTable:
         grid=cloud.grid,
         unit=cloud.unit,
         crs=cloud.crs,
+        origin=cloud.origin,
     )
 
 
