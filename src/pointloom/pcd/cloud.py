@@ -27,9 +27,10 @@ from .segmentation import Segmentation
 class PointCloud(Normals, Bounds, Segmentation, Conversion):
     """Points with attributes on one device. Operations return a new cloud: `cloud = cloud.estimate_normals()`.
 
-    Positions are float32 about a float64 `origin`, chosen automatically for coordinates beyond 1e4. `points`, `normals`
-    and `colors` are read-only NumPy copies; `array(name)` is the device array. Results share unchanged arrays, keep all
-    attributes, and cache the search tree with the points (20 B per point). Non-finite points are kept, but ignored.
+    Positions are float32 about a float64 `origin`, chosen automatically for coordinates beyond 1e4 and for degrees.
+    `points`, `normals` and `colors` are read-only NumPy copies; `array(name)` is the device array. Results share
+    unchanged arrays, keep all attributes, and cache the search tree with the points (20 B per point). Non-finite points
+    are kept, but ignored.
 
     Operations return arrays of the library that the cloud was made from (docs/arrays.md). NumPy arrays are copied;
     torch, cupy, jax and Warp arrays are shared if type and layout allow, see `from_dlpack`.

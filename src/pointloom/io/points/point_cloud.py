@@ -77,7 +77,8 @@ def read_point_cloud(
 
     Warns:
         GeographicWarning: x and y are degrees.
-        UnitWarning: z has another unit than x and y, or the file gives two units.
+        UnitWarning: z has another unit than x and y, the file gives two units, or float32 about the cloud's origin is
+            coarser than the steps of the file for some points (docs/determinism.md).
         UserWarning: A 64-bit LAS attribute has a no_data value, or a PCD has a VIEWPOINT (not applied) or NaN colors.
 
     Example:
@@ -323,7 +324,8 @@ def write_point_cloud(
         overwrite: Replace an existing file.
         drop_unsupported: Leave out colors, normals and attributes that the format cannot store, instead of an error.
         scale: Coordinate step [m], for .las and .laz: a number or one per axis. If None: 0.001, or finer on axes where
-            most points are within 1,000 m: a millionth of that as a power of ten. Coarser steps give smaller LAZ files.
+            most points are within 1,000 m: a millionth of that as a power of ten. In degrees, x and y have 1e-7, or
+            finer within 0.001 degrees. Coarser steps give smaller LAZ files.
         like: For .las and .laz: a LAS or LAZ file whose coordinate system, other records, identification, offset, GPS
             time type and (if not given) scale are copied. Extra dimensions keep type, scale, no_data value and
             description if this changes no value.
@@ -337,7 +339,8 @@ def write_point_cloud(
             or not that of the cloud.
 
     Warns:
-        UnitWarning: The cloud's unit differs from that of `like` or of the format, or the format cannot store it.
+        UnitWarning: The cloud's unit differs from that of `like` or of the format, or the format cannot store it. Or
+            float32 about the cloud's origin is coarser than the steps of the LAS file for some points.
         LostSystemWarning: The format cannot store the coordinate system, or pyproj is needed to write it.
         UserWarning: Attributes are renamed: unsupported characters become "_", duplicate names get the suffix "_2", and
             values outside the range of a LAS dimension go to, for example, "intensity_value". Or `like` has waveforms
