@@ -54,12 +54,17 @@ def split_origin(
 
 @quiet()
 def choose_origin(
-    points: NDArray[Any], steps: NDArray[np.float64] | None = None, *, in_degrees: bool = False
+    points: NDArray[Any],
+    steps: NDArray[np.float64] | None = None,
+    *,
+    in_degrees: bool = False,
+    in_one_unit: bool = False,
 ) -> NDArray[np.float64]:
     """The origin of points (n, 3), float64 (3,): zero, or near the median, which is robust to outliers.
     `steps` (3,) is the coordinate step of a file. An axis whose steps float32 cannot resolve, such as degrees in steps
-    of 1e-7, is moved to the median in whole thousands of steps if most points are closer to it. Without `steps`, axes
-    of `_axes_with_losses` are moved. `in_degrees` moves x and y. Raises `ValueError` beyond float32."""
+    of 1e-7, is moved to the median in whole thousands of steps if most points are closer to it. Without `steps`, the
+    axes of `axes_far_from_zero` are moved. `in_degrees` moves x and y. Positions of sensors and grids, `in_one_unit`,
+    have one origin for all axes. Raises `ValueError` beyond float32."""
     if not points.size:
         return np.zeros(3)
     low = high = np.zeros(3)
@@ -76,7 +81,8 @@ def choose_origin(
             )
         is_near = max_coordinate <= ORIGIN_LIMIT
     few = sample_points(points, SPREAD_SAMPLE)
-    axes = axes_far_from_zero(few, is_near=bool(is_near), has_steps=steps is not None, in_degrees=in_degrees)
+    in_one_unit |= steps is not None
+    axes = axes_far_from_zero(few, is_near=bool(is_near), in_one_unit=in_one_unit, in_degrees=in_degrees)
     origin = origin_of_sample(sample_points(points), axes) if axes.any() else np.zeros(3)
     if not is_near:
         if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
@@ -139,19 +145,19 @@ def _median(rows: NDArray[np.float64]) -> NDArray[np.float64]:
 
 @quiet()
 def axes_far_from_zero(
-    sample: NDArray[np.float64], *, is_near: bool = True, has_steps: bool = False, in_degrees: bool = False
+    sample: NDArray[np.float64], *, is_near: bool = True, in_one_unit: bool = False, in_degrees: bool = False
 ) -> NDArray[np.bool_]:
     """The axes (3,) that need an origin, from a finite sample (n, 3).
 
-    All if the median is more than 32 times the largest spread from zero, or if not `is_near`. Else, unless `has_steps`
-    (`_refine` decides), x and y if `in_degrees`, or the axes on which float32 would lose digits, because the axes have
+    All if the median is more than 32 times the largest spread from zero, or if not `is_near`. Else, unless
+    `in_one_unit`, x and y if `in_degrees`, or the axes on which float32 would lose digits, because the axes have
     different units or there is one point.
     """
     middle, spread = _spread_of(sample)
     distance, second = np.abs(middle), np.sort(spread)[1]
     if not is_near or (spread.any() and distance.max() > FAR_FROM_ZERO * spread.max()):
         return np.full(3, True)
-    if has_steps:
+    if in_one_unit:
         return np.full(3, False)
     if in_degrees:
         return IN_DEGREES
