@@ -408,3 +408,23 @@ def test_an_axis_that_float32_would_wipe_out_has_an_origin(device, rng, toleranc
     cloud = loom.PointCloud(wall, device=device)
     assert cloud.origin[0] and not cloud.origin[1:].any()
     assert np.abs(cloud.points - wall)[:, 0].max() <= tolerances.float32_relative
+
+
+@pytest.mark.parametrize("options", [{}, {"crs": 4326}])
+@pytest.mark.parametrize("stray", [[0, 0, 0], [0, 0, 1]])
+@pytest.mark.parametrize(("corner", "extent"), [([9.1, 51.2, 100], [0.004, 0.003, 200]), ([5000, 0, 0], [1, 1, 1])])
+def test_a_stray_point_takes_no_precision_from_moved_points(device, corner, extent, stray, options, rng, tolerances):
+    values = np.vstack([rng.random((300, 3)) * extent + corner, [stray]])
+    moved = loom.PointCloud(values, device=device, **options).translate([0.1, 0.1, 0.1]).points
+    vertices = loom.TriangleMesh(values, [], device=device).translate([0.1, 0.1, 0.1]).vertices
+    for result in (moved, vertices):
+        errors = np.abs(result - values - 0.1)[:-1]
+        assert errors[:, :2].max() <= 2 * tolerances.float32_relative * (extent[0] + 0.2)  # moved by 0.1, rounded twice
+
+
+def test_float32_degrees_that_have_lost_digits_are_warned_about(device, rng):
+    degrees = (rng.random((300, 3)) * [0.01, 0.01, 300] + [9, 51, 0]).astype(np.float32)
+    with pytest.warns(UserWarning, match="float32 coordinates near 51 are multiples of"):
+        loom.PointCloud(degrees, device=device, crs=4326)
+    with pytest.warns(UserWarning, match="float32 coordinates near 51 are multiples of"):
+        loom.PointCloud(upload(degrees, vec3, device), unit="degree")

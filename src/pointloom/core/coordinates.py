@@ -8,6 +8,7 @@ get one, too, if float32 would lose digits there. Points in degrees always get o
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -96,12 +97,12 @@ def choose_origin(
     return np.where(refined == 0, origin_of_sample(sample, IN_DEGREES), refined) if in_degrees else refined
 
 
-def warn_if_coarse(name: str, points: NDArray[Any], origin: NDArray[np.float64]) -> None:
+def warn_if_coarse(name: str, points: NDArray[Any], origin: NDArray[np.float64], *, in_degrees: bool = False) -> None:
     """Warn if points (n, 3) are float32 and so far from zero that digits have been lost."""
     if points.dtype == np.float32 and origin.any():
         with quiet():
             sample = sample_points(points, SPREAD_SAMPLE)
-        warn_of_steps(name, sample)
+        warn_of_steps(name, sample[:, :2] if in_degrees else sample)  # heights are meters
 
 
 @quiet()
@@ -231,18 +232,25 @@ def origin_under(
     moved: NDArray[np.float64],
     *,
     in_degrees: bool = False,
+    sample: Callable[[], NDArray[np.float64]] | None = None,
 ) -> NDArray[np.float64]:
-    """Origin after an affine map x -> A x + t of the box `low` to `high`; `moved` is the mapped origin, shape (3,)."""
+    """Origin after an affine map x -> A x + t of the box `low` to `high`; `moved` is the mapped origin, shape (3,).
+    If their old origin is not zero, a `sample` of the points, before the map, also decides: strays enlarge the box."""
     low, high = low.astype(np.float64), high.astype(np.float64)
     middle, half = matmul(A, (low + high) / 2) + t, matmul(np.abs(A), (high - low) / 2)
     corners = np.stack([middle - half, middle + half])
-    if not in_degrees and _is_box_around_zero(*corners.tolist()):
+    if not in_degrees and sample is None and _is_box_around_zero(*corners.tolist()):
         return np.zeros(3)
     if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
         bounds = f"{corners[0].tolist()}..{corners[1].tolist()}"
         raise ValueError(f"{name}: moves the points to {bounds}, beyond the float32 range about their center")
     is_near = bool(np.abs(corners).max() <= ORIGIN_LIMIT)
     axes = axes_far_from_zero(corners, is_near=is_near, in_degrees=in_degrees)
+    if sample is not None and not axes.any():
+        points = matmul(usable_points(sample()), A.T) + t
+        axes = axes_far_from_zero(points) if len(points) else axes
+        if axes.any():
+            return origin_of_sample(points, axes)
     if not axes.any():
         return np.zeros(3)
     origin, extent = choose_origin(corners, in_degrees=in_degrees), np.ptp(corners, axis=0)

@@ -226,7 +226,7 @@ def _choose_origin(name: str, points: wp.array, in_degrees: bool) -> tuple[NDArr
         return np.zeros(3), False
     sample = _usable(download(contiguous(points[:: points.size // MEDIAN_SAMPLE | 1])), points)  # sync
     if points.dtype == vec3:
-        warn_of_steps(name, sample)
+        warn_of_steps(name, sample[:, :2] if in_degrees else sample)  # heights are meters
     return origin_of_sample(sample, axes), is_far
 
 

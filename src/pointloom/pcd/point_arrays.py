@@ -365,7 +365,7 @@ def place_points(
     positions = check_rows("points", values, 3, rows=rows)
     local, start = split_origin(positions, origin, in_degrees=in_degrees)
     if origin is None:
-        warn_if_coarse("points", positions, start)
+        warn_if_coarse("points", positions, start, in_degrees=in_degrees)
     points: Any = upload(local, vec3, device, copied=is_copied)
     is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
     return points, start, CachedTree(points, is_shared=is_shared, frozen=frozen)

@@ -48,6 +48,7 @@ from ...kernels.meshes.mesh_edits import raise_numbers, shift_triangles
 from ...pcd.attribute_columns import concatenate_columns
 from ...pcd.motion import Movable
 from ...pcd.point_arrays import PointArrays, place_points
+from ...pcd.point_store import sample_about
 from ...pcd.stored_arrays import StoredArrays, read_only
 from ...pcd.units import common_reference, crs_under, unit_under
 from .finite_corners import check_finite_corners
@@ -496,7 +497,8 @@ class MeshArrays(StoredArrays, Movable):
         target = matmul(A, self.arrays.origin) + T[:3, 3]
         low, high, finite = bound_points(self.arrays["vertices"])  # sync
         low, high = (low, high) if finite else (np.zeros(3), np.zeros(3))
-        origin = origin_under(name, A, target, low, high, target, in_degrees=self._in_degrees)
+        local = (lambda: sample_about(self.arrays["vertices"], np.zeros(3))) if self.arrays.origin.any() else None
+        origin = origin_under(name, A, target, low, high, target, in_degrees=self._in_degrees, sample=local)
         arrays: dict[str, Any] = {"vertices": transform_points(self.arrays["vertices"], A, target - origin)}
         if "vertex_normals" in self.arrays and not np.array_equal(A, np.eye(3)):
             arrays["vertex_normals"] = transform_directions(self.arrays["vertex_normals"], inv(A).T)
