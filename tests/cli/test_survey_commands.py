@@ -1,9 +1,20 @@
 """ground, dtm, merge, transform, split: results agree with the library, and errors name the remedy."""
 
+import warnings
+from contextlib import nullcontext
+
+import laspy
 import numpy as np
+import pyproj
 import pytest
 
 import pointloom as loom
+from pointloom.io.meshes.by_extension import write_mesh
+from pointloom.io.points.by_extension import write_table
+from pointloom.io.points.codecs import WriteOptions
+from pointloom.io.points.las_crs import GeographicWarning
+from pointloom.io.points.las_writer import write_las
+from pointloom.io.table import MeshTable, PointTable
 
 from .commands import answer, names_in, output_of, refusal, run, unreliable
 
@@ -130,3 +141,125 @@ def test_points_without_a_value_are_reported(tmp_path):
 def test_usage_errors(words, message):
     result = run(*words.split())
     assert result.exit_code == 2 and message in result.stderr
+
+
+@pytest.fixture
+def corridor(tmp_path, rng):
+    """The stored integers of a corridor of 424 km in LAZ with steps of 1 mm, where float32 has steps of 16 mm.
+
+    `a.laz` has all of them in groups of 20 m, `even.laz` and `odd.laz` every other one. `index` is the row.
+    """
+    starts = np.repeat(rng.integers(-150_000_000, 150_000_000, 100), 30)
+    raw = np.column_stack([starts, starts, np.zeros(3000, int)]) + rng.integers(0, 20_000, (3000, 3))
+    for name, rows in (("a", slice(None)), ("even", slice(0, None, 2)), ("odd", slice(1, None, 2))):
+        table = PointTable(raw[rows] * 0.001 + [550_000, 5_450_000, 0], attributes={"index": np.arange(3000)[rows]})
+        write_las(tmp_path / f"{name}.laz", table, scale=0.001, offset=[550_000, 5_450_000, 0])
+    np.savetxt(tmp_path / "unmoved.txt", np.eye(4))
+    return raw
+
+
+EXACT_COMMANDS = {
+    "convert": ("a.laz", "out.laz"),
+    "clean": ("a.laz", "out.laz"),
+    "crop": ("a.laz", "out.laz", "--box", 0, 0, -1, 1e6, 1e7, 100),
+    "merge": ("even.laz", "odd.laz", "-o", "out.laz"),
+    "transform": ("a.laz", "out.laz", "--pose", "unmoved.txt"),
+    "normals": ("a.laz", "out.laz"),
+    "cluster": ("a.laz", "out.laz", "--radius", 10),
+    "plane": ("a.laz", "out.laz", "--distance", 5),
+    "downsample": ("a.laz", "out.laz", "--every", 3),
+    "split": ("a.laz", "-o", "parts", "--cell", 1e6),
+}
+
+
+@pytest.mark.parametrize("command", EXACT_COMMANDS)
+def test_commands_keep_the_integers_of_wide_las_files(command, corridor, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    arguments = EXACT_COMMANDS[command]
+    result = run(command, *arguments, "--json")
+    assert result.exit_code == 0 and "rounded" not in result.stderr
+    outputs = [path for path in (tmp_path / "parts").glob("*.laz")] or [tmp_path / "out.laz"]
+    for path in outputs:
+        las = laspy.read(path)
+        np.testing.assert_array_equal(las.header.scales, [0.001] * 3)
+        assert len(las) and np.abs(las.xyz - corridor[las["index"]] * 0.001 - [550_000, 5_450_000, 0]).max() < 1e-6
+    if command == "merge":
+        assert sorted(las["index"]) == list(range(3000))
+
+
+@pytest.mark.filterwarnings("always::pointloom.core.units.UnitWarning")
+def test_change_and_aligned_sources_keep_the_integers_of_wide_las_files(corridor, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    commands = [("change", "a.laz", "even.laz", "--cylinder", 8, "-o", "points.laz", "--painted", "painted.laz")]
+    commands += [("change", "a.laz", "even.laz", "--cylinder", 8, "-o", "cores.laz", "--cores", 5)]
+    commands += [("register", "a.laz", "even.laz", "-o", "T.txt", "--init", "identity", "--voxel", 1)]
+    commands[-1] += ("--aligned", "aligned.laz")
+    for command in commands:
+        lines = [line for line in run(*command).stderr.splitlines() if "rounded to float32" in line]
+        assert {line.partition(".laz: ")[0] for line in lines} == {"warning: a", "warning: even"} and len(lines) == 2
+        assert all("in steps of up to 0.0156. The steps of the file are 0.001." in line for line in lines)
+    T = np.loadtxt("T.txt")
+    for name, pose in (("points.laz", None), ("painted.laz", None), ("cores.laz", None), ("aligned.laz", T)):
+        las = laspy.read(name)
+        world = corridor[las["index"]] * 0.001 + [550_000, 5_450_000, 0]
+        world = world if pose is None else world @ pose[:3, :3].T + pose[:3, 3]
+        assert np.abs(las.xyz - world).max() < 0.00051
+
+
+def test_rounded_points_of_a_file_are_one_warning_for_each_file(corridor, tmp_path):
+    with pytest.warns(loom.UnitWarning, match="a.laz: .* of 3,000 points far from .* up to 0.0156.*are 0.001") as told:
+        cloud = loom.read_point_cloud(tmp_path / "a.laz")
+    with pytest.warns(loom.UnitWarning, match="a.laz: points far") as told_of_chunks:
+        assert len(list(loom.read_las_chunks(tmp_path / "a.laz", 1000))) == 3
+    with pytest.warns(loom.UnitWarning, match="b.laz: .* of 3,000 points") as told_of_output:
+        loom.write_point_cloud(tmp_path / "b.laz", cloud, like=tmp_path / "a.laz")
+    assert len(told) == len(told_of_chunks) == len(told_of_output) == 1
+    loom.write_point_cloud(tmp_path / "c.laz", cloud, scale=0.05)  # coarser than float32
+    write_las(tmp_path / "near.laz", PointTable(corridor % 30_000_000 * 0.001), scale=0.001)  # 30 km
+    for name in ("c.laz", "near.laz"):
+        loom.read_point_cloud(tmp_path / name)
+
+
+@pytest.mark.parametrize("name", ["a.csv", "a.xyz", "a.ply", "a.pcd", "a.npy", "a.npz"])
+def test_rounded_points_of_files_without_steps_are_a_warning_too(corridor, tmp_path, name):
+    points = corridor * 0.001 + [550_000, 5_450_000, 0]
+    for values, is_coarse in ((points, True), (np.round(points, 1), False)):
+        write_table(tmp_path / name, PointTable(values), WriteOptions())
+        with pytest.warns(loom.UnitWarning, match=f"{name}: .* are 0.001") if is_coarse else nullcontext():
+            loom.read_point_cloud(tmp_path / name)
+    mesh = MeshTable(points, np.arange(3000).reshape(-1, 3))
+    write_mesh(tmp_path / "mesh.ply", mesh, ascii=False, overwrite=True)
+    with pytest.warns(loom.UnitWarning, match="mesh.ply: .* of 3,000 points"):
+        loom.read_triangle_mesh(tmp_path / "mesh.ply")
+
+
+def test_merged_files_have_the_finest_steps_and_all_decimals(tmp_path, rng):
+    values = np.round(rng.random((3, 50, 3)) * 100 + [412_300, 5_651_200, 100], 4)
+    write_las(tmp_path / "coarse.laz", PointTable(np.round(values[0], 2)), scale=0.01)
+    write_las(tmp_path / "fine.laz", PointTable(values[1]), scale=0.0001)
+    write_table(tmp_path / "text.csv", PointTable(np.round(values[2], 3)), WriteOptions())
+    expected = np.vstack([np.round(values[0], 2), values[1], np.round(values[2], 3)])
+    for order in ([0, 1, 2], [2, 0, 1]):
+        sources = [tmp_path / ("coarse.laz", "fine.laz", "text.csv")[k] for k in order]
+        output_of("merge", *sources, "-o", tmp_path / "both.laz", "--force")
+        assert laspy.read(tmp_path / "both.laz").header.scales.tolist() == [0.0001] * 3
+        rows = np.concatenate([np.arange(50) + 50 * k for k in order])
+        np.testing.assert_allclose(laspy.read(tmp_path / "both.laz").xyz, expected[rows], rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("relief", [0.0, 200.0])
+def test_a_survey_in_degrees_keeps_its_centimeters_there_and_back(tmp_path, rng, relief):
+    utm = np.column_stack([rng.random((500, 2)) * 500 + [412_300, 5_651_200], rng.random(500) * relief + 100])
+    loom.write_point_cloud(tmp_path / "utm.laz", loom.PointCloud(utm, crs=25832))
+    output_of("transform", tmp_path / "utm.laz", tmp_path / "degrees.laz", "--crs", "EPSG:4326")
+    las = laspy.read(tmp_path / "degrees.laz")
+    assert las.header.scales[:2].tolist() == [1e-7, 1e-7]
+    exact = pyproj.Transformer.from_crs(25832, 4326, always_xy=True).transform(*utm[:, :2].T)
+    assert np.abs(las.xyz[:, :2] - np.column_stack(exact)).max() < 0.6e-7 and np.abs(las.z - utm[:, 2]).max() < 0.001
+    with pytest.warns(GeographicWarning):
+        loom.write_point_cloud(tmp_path / "copy.laz", loom.read_point_cloud(tmp_path / "degrees.laz"))
+    np.testing.assert_allclose(laspy.read(tmp_path / "copy.laz").xyz, las.xyz, rtol=0, atol=1e-12)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", GeographicWarning)
+        output_of("transform", tmp_path / "degrees.laz", tmp_path / "back.laz", "--crs", "EPSG:25832")
+    assert np.abs(laspy.read(tmp_path / "back.laz").xyz - utm).max() < 0.01

@@ -18,7 +18,7 @@ from pointloom.core.coordinates import (
     origin_under,
     sample_points,
 )
-from pointloom.kernels.lang import vec3
+from pointloom.kernels.lang import vec3, vec3d
 from pointloom.kernels.memory import upload
 
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
@@ -143,7 +143,7 @@ def test_the_origin_stays_at_zero_up_to_its_limit_and_moves_beyond(device):
 @pytest.mark.parametrize("dtype", [np.float64, np.float32, np.float16, np.int32])
 def test_points_that_are_plainly_around_zero_are_not_far_from_it_by_their_medians(dtype, rng):
     plain_count = 0
-    for count in [1, 2, 3, 4, 5, 127, 128, 129, 1000] * 20:
+    for count in [1, 2, 3, 4, 5, 127, 128, 129, 1000] * 25:  # one point of float64 has an origin
         points = (9 * rng.normal(size=(count, 3)) + 300 * rng.choice([0, 0.3, 1, 2])).astype(dtype)
         points[rng.random(count) < rng.choice([0, 0.3, 0.6])] = 0
         points[:1] *= rng.choice([1, 30])
@@ -344,3 +344,87 @@ def test_ground_by_lengths_in_metres_is_a_warning_in_feet(feet):
     assert caught[0].filename == __file__
     loom.classify_ground(feet, cell_size=3.3, max_window=59.1, elevation_threshold=1.64, scaling=4.1)
     loom.classify_ground(feet.to_unit("metre"))
+
+
+def ways_to_store(values, device):
+    """World coordinates after each way to store an array, less what the way added to it."""
+    triangles = np.arange(len(values) // 3 * 3).reshape(-1, 3)
+    shift, half = np.array([0.125, 0.25, 1.0]), len(values) // 2
+    cloud, mesh = loom.PointCloud(values, device=device), loom.TriangleMesh(values, triangles, device=device)
+    on_device = loom.PointCloud(upload(values, vec3d, device))
+    assigned = loom.PointCloud(np.zeros_like(values), device=device)
+    assigned.points = values
+    moved_mesh = loom.TriangleMesh(np.zeros_like(values), triangles, device=device)
+    moved_mesh.vertices = values
+    halves = [loom.PointCloud(part, device=device) for part in (values[:half], values[half:]) if len(part)]
+    stored = [cloud.points, on_device.points, assigned.points, mesh.vertices, moved_mesh.vertices]
+    stored += [cloud.translate(shift).points - shift, mesh.translate(shift).vertices - shift]
+    return [*stored, loom.PointCloud.concatenate(halves).points]
+
+
+@pytest.mark.parametrize("corner", [[9.1234567, 51.1, 100.0], [-71.3, -0.01, 2000.0], [0.2, 51.5, -30.0]])
+@pytest.mark.parametrize("extent", [0.0, 0.0045, 0.5])
+def test_degrees_beside_heights_in_meters_keep_the_float32_of_their_extent(device, extent, corner, rng, tolerances):
+    count = 1 if extent == 0 else 300
+    values = rng.random((count, 3)) * [1.6 * extent, extent, 200] + corner
+    limit = 2 * tolerances.float32_relative * (1.6 * extent + 2.0**-6)  # the origin is rounded, and moved points twice
+    for stored in ways_to_store(values, device):
+        assert np.abs(stored - values)[:, :2].max() <= limit
+        assert np.abs(stored - values)[:, 2].max() <= tolerances.float32_relative * 2200
+
+
+def test_points_in_degrees_have_an_origin_for_any_extent(device, rng, tolerances):
+    values = rng.random((300, 3)) * [40, 25, 3000] + [-10, 35, 0]
+    cloud = loom.PointCloud(values, device=device)
+    assert not cloud.origin.any()
+    for options in ({"unit": "degree"}, {"crs": 4326}, {"crs": 'GEOGCRS["any name"]'}, {"crs": "+proj=longlat"}):
+        cloud = loom.PointCloud(values, device=device, **options)
+        assert cloud.origin[:2].all() and cloud.translate([0, 1, 0]).origin[:2].all()
+        assert np.abs(cloud.points - values)[:, :2].max() <= 21 * tolerances.float32_relative
+        cloud.points = values
+        assert cloud.origin[:2].all()
+    assert not loom.PointCloud(values, crs=25832, device=device).origin.any()
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        [[7, 2, 3]],  # exact in float32
+        [[0.1, 0.2, 0.3]],
+        np.c_[np.random.default_rng(0).random((300, 2)), np.full(300, 2.7)],  # a floor, and one with noise
+        np.random.default_rng(0).normal(size=(300, 3)) * [2, 3, 0.001] + [0, 0, 2.7],
+        np.random.default_rng(0).random((300, 3)) * [200, 200, 3] + [0, 0, 140.3],  # terrain
+        (np.random.default_rng(0).random((300, 3)) * [0.01, 0.01, 200] + [9, 51, 0]).astype(np.float32),
+    ],
+)
+def test_points_that_float32_resolves_keep_a_zero_origin(device, values):
+    for made in (loom.PointCloud(values, device=device), loom.TriangleMesh(values, [], device=device)):
+        assert not made.origin.any()
+        assert not made.translate([0, 0, 0.1]).origin.any() or len(values) == 1
+
+
+def test_an_axis_that_float32_would_wipe_out_has_an_origin(device, rng, tolerances):
+    wall = rng.random((300, 3)) * [0.02, 800, 800] + [5000, -250, 0]
+    cloud = loom.PointCloud(wall, device=device)
+    assert cloud.origin[0] and not cloud.origin[1:].any()
+    assert np.abs(cloud.points - wall)[:, 0].max() <= tolerances.float32_relative
+
+
+@pytest.mark.parametrize("options", [{}, {"crs": 4326}])
+@pytest.mark.parametrize("stray", [[0, 0, 0], [0, 0, 1]])
+@pytest.mark.parametrize(("corner", "extent"), [([9.1, 51.2, 100], [0.004, 0.003, 200]), ([5000, 0, 0], [1, 1, 1])])
+def test_a_stray_point_takes_no_precision_from_moved_points(device, corner, extent, stray, options, rng, tolerances):
+    values = np.vstack([rng.random((300, 3)) * extent + corner, [stray]])
+    moved = loom.PointCloud(values, device=device, **options).translate([0.1, 0.1, 0.1]).points
+    vertices = loom.TriangleMesh(values, [], device=device).translate([0.1, 0.1, 0.1]).vertices
+    for result in (moved, vertices):
+        errors = np.abs(result - values - 0.1)[:-1]
+        assert errors[:, :2].max() <= 2 * tolerances.float32_relative * (extent[0] + 0.2)  # moved by 0.1, rounded twice
+
+
+def test_float32_degrees_that_have_lost_digits_are_warned_about(device, rng):
+    degrees = (rng.random((300, 3)) * [0.01, 0.01, 300] + [9, 51, 0]).astype(np.float32)
+    with pytest.warns(UserWarning, match="float32 coordinates near 51 are multiples of"):
+        loom.PointCloud(degrees, device=device, crs=4326)
+    with pytest.warns(UserWarning, match="float32 coordinates near 51 are multiples of"):
+        loom.PointCloud(upload(degrees, vec3, device), unit="degree")

@@ -18,9 +18,15 @@ from numpy.typing import NDArray
 
 from .checks import shown
 from .errors import PointloomError
+from .units import LengthUnit
 
 _CODES = re.compile(r"EPSG:(\d+)(?:\+(\d+))?", re.IGNORECASE)
 _WKT_NAME = re.compile(r'\s*[A-Za-z_]\w*\s*[\[(]\s*"((?:[^"]|"")*)"')
+# Names of geographic systems in both versions of WKT. A projected system contains such a name nested inside its own.
+_PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re.IGNORECASE)
+_GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)
+_PROJECTED_CODES = (range(2000, 3819), range(20000, 32768))  # EPSG codes of projected systems only
+_GEOGRAPHIC_CODES = range(4001, 4904)  # EPSG: geographic systems with x and y only, but 4328 to 4390 (geocentric)
 _ROOT_CODE = re.compile(r'(?:AUTHORITY|ID)\s*\[\s*"EPSG"\s*,\s*"?(\d+)"?\s*\]\s*\]\s*$')
 MAX_CODE = 999_999  # largest number of an authority: EPSG to 32767, ESRI to 104992
 MAX_UNIT_DIFFERENCE = 1e-9  # of a unit's length, rounding of its text
@@ -145,6 +151,31 @@ def is_same_crs(a: CoordinateSystem | None, b: CoordinateSystem | None) -> bool:
 
 def _can_be_same(a: int | str | None, b: int | str | None) -> bool:
     return a is None or b is None or a == b
+
+
+def is_geographic_text(text: str) -> bool:
+    """True if x and y of a system in well-known text are longitude and latitude."""
+    return bool(_GEOGRAPHIC_WORDS.search(text)) and not _PROJECTED_WORDS.search(text)
+
+
+def is_in_degrees(unit: LengthUnit | None, crs: CoordinateSystem | None) -> bool:
+    """True if x and y are degrees, by their unit or their coordinate system."""
+    return (unit is not None and unit.meters is None) or (crs is not None and _is_text_in_degrees(crs.text))
+
+
+@functools.lru_cache(256)
+def _is_text_in_degrees(text: str) -> bool:
+    if _WKT_NAME.match(text) and "GEODCRS" not in text.upper() and "GEODETICCRS" not in text.upper():
+        return is_geographic_text(text)
+    codes = CoordinateSystem(text).codes
+    if codes is not None and any(codes[0] in projected for projected in _PROJECTED_CODES):
+        return False  # without pyproj, whose import is slow
+    try:
+        system = pyproj_crs("crs", CoordinateSystem(text))
+    except (PointloomError, ValueError):  # no pyproj, or unknown to it
+        return (codes is not None and codes[0] in _GEOGRAPHIC_CODES) or bool(re.search(r"\+proj=(long|lat)", text))
+    system = system.source_crs if system.is_bound else system
+    return bool((system.sub_crs_list[0] if system.is_compound else system).is_geographic)
 
 
 def map_crs(name: str, given: str | None, own: CoordinateSystem | None) -> str | None:

@@ -23,7 +23,7 @@ from .coordinates import (
     MEDIAN_SAMPLE,
     ORIGIN_LIMIT,
     SPREAD_SAMPLE,
-    is_far_from_zero,
+    axes_far_from_zero,
     origin_of_sample,
     sample_points,
     usable_points,
@@ -99,7 +99,13 @@ def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None)
 
 
 def take_points(
-    name: str, values: object, origin: NDArray[np.float64] | None, device: DeviceLike = None, *, rows: int | None = None
+    name: str,
+    values: object,
+    origin: NDArray[np.float64] | None,
+    device: DeviceLike = None,
+    *,
+    rows: int | None = None,
+    in_degrees: bool = False,
 ) -> tuple[wp.array, NDArray[np.float64]]:
     """Positions (n, 3) as vec3 relative to an origin, and the origin, chosen as in `split_origin`.
     Shares memory if the array is float32 and the origin is zero."""
@@ -107,7 +113,7 @@ def take_points(
     count = int(array.shape[0])
     is_float32 = array.dtype == float32
     points = view_as(array if is_float32 else _as(array, float64), vec3 if is_float32 else vec3d, (count,))
-    start, is_far = (origin, False) if origin is not None else _choose_origin(name, points)
+    start, is_far = (origin, False) if origin is not None else _choose_origin(name, points, in_degrees)
     if is_float32 and not start.any():
         return points, start
     float64_points = points if points.dtype == vec3d else view_as(_as(array, float64), vec3d, (count,))
@@ -209,18 +215,19 @@ def _as(array: wp.array, dtype: Any) -> wp.array:
     return array if array.dtype == dtype else cast(array, dtype)
 
 
-def _choose_origin(name: str, points: wp.array) -> tuple[NDArray[np.float64], bool]:
+def _choose_origin(name: str, points: wp.array, in_degrees: bool) -> tuple[NDArray[np.float64], bool]:
     """`choose_origin` for vec3 or vec3d on the GPU. Also True if a coordinate exceeds 10 km.
     Copies about 128 points to the host, about 4,096 if the origin is not zero, and all if none of these is finite."""
     if not points.size:
         return np.zeros(3), False
     is_far, sample = has_far_points(points, ORIGIN_LIMIT, points.size // SPREAD_SAMPLE | 1)  # sync
-    if not is_far and not is_far_from_zero(_usable(sample, points)):
+    axes = axes_far_from_zero(_usable(sample, points), is_near=not is_far, in_degrees=in_degrees)
+    if not axes.any():
         return np.zeros(3), False
     sample = _usable(download(contiguous(points[:: points.size // MEDIAN_SAMPLE | 1])), points)  # sync
     if points.dtype == vec3:
-        warn_of_steps(name, sample)
-    return origin_of_sample(sample), is_far
+        warn_of_steps(name, sample[:, :2] if in_degrees else sample)  # heights are meters
+    return origin_of_sample(sample, axes), is_far
 
 
 def _usable(sample: NDArray[Any], points: wp.array) -> NDArray[np.float64]:

@@ -31,6 +31,8 @@ _PASSED_OVER = ("pointloom.", "numpy.", "contextlib")  # modules where warnings 
 class UnitWarning(UserWarning):
     """Lengths of different units are mixed, or probably are: a radius, scale or limit does not match the data.
 
+    Also issued if float32 is coarser than the steps of a file that is read or written.
+
     Example:
         >>> import warnings, pointloom as loom
         >>> with warnings.catch_warnings():

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import check_numeric, check_rows, check_textures
-from ..core.coordinate_systems import CoordinateSystem
+from ..core.coordinate_systems import CoordinateSystem, is_in_degrees
+from ..core.coordinates import lengths_of_axes
 from ..core.escaped_text import escaped
 from ..core.units import LengthUnit
 
@@ -30,6 +31,7 @@ class PointTable:
         warnings: What contradicts the unit, in sentences.
         viewpoint: Position and quaternion w x y z of the sensor, not applied (PCD), or None.
         crs: Coordinate system, or None.
+        origin: Origin of a cloud whose points are float32 about it, float64 (3,). None for points as stored in a file.
     """
 
     points: NDArray[Any]
@@ -43,6 +45,17 @@ class PointTable:
     warnings: tuple[str, ...] = ()
     viewpoint: tuple[float, ...] | None = None
     crs: CoordinateSystem | None = None
+    origin: NDArray[np.float64] | None = None
+
+    @property
+    def in_degrees(self) -> bool:
+        """True if x and y are longitude and latitude."""
+        return self.is_geographic or is_in_degrees(self.unit, self.crs)
+
+    @property
+    def unit_lengths(self) -> NDArray[np.float64]:
+        """The unit of each axis [m], shape (3,)."""
+        return lengths_of_axes(None if self.unit is None else self.unit.meters, in_degrees=self.in_degrees)
 
     def checked(self) -> PointTable:
         """The table with validated arrays, for writers. Raises `TypeError` or `ValueError`."""
@@ -62,6 +75,7 @@ class PointTable:
             self.warnings,
             self.viewpoint,
             self.crs,
+            self.origin,
         )
 
 

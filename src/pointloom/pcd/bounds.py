@@ -28,6 +28,7 @@ from .convex_hull import ConvexHull, VisibleSurface, find_outer_facets, hull_of_
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .motion import Movable
 from .point_arrays import PointArrays, check_cloud, place_points
+from .point_store import sample_about
 from .selection import Selection
 from .units import common_reference, crs_under, unit_under
 
@@ -112,7 +113,9 @@ class Bounds(Selection, Movable):
         """Apply an affine map; `name` is the argument reported in errors."""
         A, t = T[:3, :3], T[:3, 3]
         moved = matmul(A, self.arrays.origin) + t
-        origin = origin_under(name, A, t, *self.arrays.bounds(), moved)
+        own, points = self.arrays.origin, self.arrays["points"]
+        sample = (lambda: sample_about(points, own)) if own.any() else None
+        origin = origin_under(name, A, t, *self.arrays.bounds(), moved, in_degrees=self._in_degrees, sample=sample)
         cloud = self._under(A, moved - origin, origin)
         if self._unit is not None or self._crs is not None:
             cloud.unit, cloud.crs = unit_under(self._unit, A), crs_under(self._crs, A)
@@ -130,7 +133,7 @@ class Bounds(Selection, Movable):
         if "covariances" in self.arrays:
             raise ValueError('cloud: covariances cannot be reprojected. Reproject cloud.without("covariances")')
         positions = self.arrays.positions()
-        points, origin, _ = place_points(way.points(positions), None, self.device)
+        points, origin, _ = place_points(way.points(positions), None, self.device, in_degrees=way.unit_name == "degree")
         arrays = {**self.arrays, "points": points}
         if "normals" in arrays:
             normals = way.normals(positions, download(arrays["normals"]))

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import library_for
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
-from ..core.coordinate_systems import CoordinateSystem, check_crs
+from ..core.coordinate_systems import CoordinateSystem, check_crs, is_in_degrees
 from ..core.devices import DeviceLike, resolve_device
 from ..core.escaped_text import escaped
 from ..core.units import LengthUnit, check_unit
@@ -27,9 +27,10 @@ from .segmentation import Segmentation
 class PointCloud(Normals, Bounds, Segmentation, Conversion):
     """Points with attributes on one device. Operations return a new cloud: `cloud = cloud.estimate_normals()`.
 
-    Positions are float32 about a float64 `origin`, chosen automatically for coordinates beyond 1e4. `points`, `normals`
-    and `colors` are read-only NumPy copies; `array(name)` is the device array. Results share unchanged arrays, keep all
-    attributes, and cache the search tree with the points (20 B per point). Non-finite points are kept, but ignored.
+    Positions are float32 about a float64 `origin`, chosen automatically for coordinates beyond 1e4 and for degrees.
+    `points`, `normals` and `colors` are read-only NumPy copies; `array(name)` is the device array. Results share
+    unchanged arrays, keep all attributes, and cache the search tree with the points (20 B per point). Non-finite points
+    are kept, but ignored.
 
     Operations return arrays of the library that the cloud was made from (docs/arrays.md). NumPy arrays are copied;
     torch, cupy, jax and Warp arrays are shared if type and layout allow, see `from_dlpack`.
@@ -87,12 +88,13 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         library, length_unit = library_for(arrays, points), None if unit is None else check_unit("unit", unit)
-        placed, start, tree = place_points(points, start, None if is_on_gpu(points) else where, frozen=frozen)
+        system = None if crs is None else check_crs("crs", crs)
+        placed, start, tree = place_points(
+            points, start, None if is_on_gpu(points) else where, frozen=frozen,
+            in_degrees=is_in_degrees(length_unit, system),
+        )  # fmt: skip
         vars(self).update(
-            arrays=PointStore({"points": placed}, start, library, tree=tree),
-            grid=None,
-            _unit=length_unit,
-            _crs=None if crs is None else check_crs("crs", crs),
+            arrays=PointStore({"points": placed}, start, library, tree=tree), grid=None, _unit=length_unit, _crs=system
         )
         if normals is not None:
             self._set("normals", normals)

@@ -119,7 +119,7 @@ class PointArrays(StoredArrays):
 
     @points.setter
     def points(self, values: ArrayLike) -> None:
-        points, origin, tree = place_points(values, None, self.device, rows=len(self))
+        points, origin, tree = place_points(values, None, self.device, rows=len(self), in_degrees=self._in_degrees)
         self.arrays["points"], self.arrays.origin, self.arrays.tree = points, origin, tree
 
     @property
@@ -348,18 +348,24 @@ class PointArrays(StoredArrays):
 
 
 def place_points(
-    values: ArrayLike, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None, frozen: bool = False
+    values: ArrayLike,
+    origin: NDArray[np.float64] | None,
+    device: Any,
+    *,
+    rows: int | None = None,
+    frozen: bool = False,
+    in_degrees: bool = False,
 ) -> tuple[wp.array, NDArray[np.float64], CachedTree]:
     """(points on their GPU or on `device`, their origin, their search tree). The caller never writes to `frozen`
     points."""
     if is_on_gpu(values):
-        points, start = take_points("points", values, origin, device, rows=rows)
+        points, start = take_points("points", values, origin, device, rows=rows, in_degrees=in_degrees)
         return points, start, CachedTree(points, is_shared=points._ref is not None, frozen=frozen)
     is_copied = type(values) is np.ndarray or library_of(values) == NUMPY
     positions = check_rows("points", values, 3, rows=rows)
-    local, start = split_origin(positions, origin)
+    local, start = split_origin(positions, origin, in_degrees=in_degrees)
     if origin is None:
-        warn_if_coarse("points", positions, start)
+        warn_if_coarse("points", positions, start, in_degrees=in_degrees)
     points: Any = upload(local, vec3, device, copied=is_copied)
     is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
     return points, start, CachedTree(points, is_shared=is_shared, frozen=frozen)

@@ -10,12 +10,18 @@ import warp as wp
 from numpy.typing import DTypeLike, NDArray
 
 from ..core.array_libraries import NUMPY, hand_out_copy
-from ..core.coordinates import quiet, split_origin
+from ..core.coordinates import SPREAD_SAMPLE, quiet, split_origin
 from ..core.escaped_text import escaped
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.lang import vec3
-from ..kernels.memory import download, upload
+from ..kernels.memory import contiguous, download, upload
 from .cached_tree import CachedTree
+
+
+def sample_about(points: wp.array, origin: NDArray[np.float64]) -> NDArray[np.float64]:
+    """World coordinates of about 128 of the points (vec3) about an origin, float64 (m, 3)."""
+    with quiet():
+        return download(contiguous(points[:: points.size // SPREAD_SAMPLE | 1])).reshape(-1, 3) + origin
 
 
 class ArrayStore(dict[str, wp.array]):

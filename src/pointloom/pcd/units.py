@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.checks import RIGID_TOLERANCE
-from ..core.coordinate_systems import CoordinateSystem, Reprojection, check_crs, common_crs
+from ..core.coordinate_systems import CoordinateSystem, Reprojection, check_crs, common_crs, is_in_degrees
 from ..core.dropped_results import returns_new
 from ..core.units import DEGREE, LengthUnit, check_unit, common_unit, unit_by_name
 from ..kernels.linear_algebra import matmul
@@ -87,6 +87,11 @@ class InUnit:
 
     def _reprojected(self, way: Reprojection) -> Self:
         raise NotImplementedError
+
+    @property
+    def _in_degrees(self) -> bool:
+        """True if x and y are degrees of longitude and latitude."""
+        return is_in_degrees(self._unit, self._crs)
 
     @property
     def unit(self) -> LengthUnit | None:

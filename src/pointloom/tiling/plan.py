@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 
 from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.checks import check_count, check_finite, check_positive, check_progress, check_shape, shown
-from ..core.coordinates import choose_origin
+from ..core.coordinates import choose_origin, lengths_of_axes, warn_if_rounded
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress
+from ..core.units import unit_of_text
 from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
 from .epochs import describe_epochs
@@ -268,7 +269,10 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     corners = np.array([end for source in filled for end in (source["low"], source["high"])])
     if not np.isfinite(corners).all():
         raise FileError(filled[0]["path"], "the bounds in a header are not finite")
-    origin = choose_origin(corners, np.array(sources[0]["scales"]))
+    scales, unit = np.array(sources[0]["scales"]), unit_of_text(sources[0]["unit"] or "")
+    origin = choose_origin(corners, scales)
+    lengths = lengths_of_axes(None if unit is None else unit.meters, in_degrees=False)
+    warn_if_rounded(original_path(sources[0]), corners, origin, scales, lengths)
     extent = np.maximum((high - low)[:2], np.max((high - low)[:2]) / 1000)  # also for collinear points
     area = max(float(np.prod(extent)), 1e-12)
     if size is None:

@@ -207,7 +207,7 @@ def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
     """Write a tile's points in the files' scale, unmoved positions exactly. Returns the CRC-32."""
     table = table_of(part.cloud)
     if part.exact is not None:
-        table.points = part.exact
+        table.points, table.origin = part.exact, None
     table = with_scan_angle(table)
     table.unit = None if plan.sources[0]["unit"] is None else table.unit
     first = file_of(plan.sources[0])

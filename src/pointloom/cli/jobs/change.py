@@ -30,6 +30,7 @@ from ...pcd.units import common_reference
 from ...visualization.change.pictures import draw_change, paint_change
 from ...visualization.render.picture_files import check_picture
 from .job import Job, JobReport, Settings, in_words_of_command
+from .rows import with_positions
 
 CYLINDER_POINTS = 20  # points of the first epoch in a cylinder of the default radius
 NORMAL_RADII = (1.0, 2.0, 4.0)  # over the cylinder radius
@@ -132,12 +133,12 @@ def change_files(
     if outputs.picture is not None:
         check_picture(outputs.picture, overwrite=job.form["overwrite"])
     with job.stage("read"):
-        first, after = _read(job, earlier, later, settings.get("columns"))
+        stored, first, after = _read(job, earlier, later, settings.get("columns"))
     if isinstance(first, PointCloud):
-        compared = _with_cloud(job, first, after, measure)
+        compared, searched = _with_cloud(job, first, after, measure), first
     else:
-        compared = _with_mesh(job, first, after, measure)
-    _write(job, compared, outputs)
+        compared, searched = _with_mesh(job, first, after, measure), after
+    _write(job, compared, outputs, stored if measure.cores is None else stored[_thinned_rows(searched, measure.cores)])
     return _report(job, later, compared, measure.registration_error)
 
 
@@ -153,7 +154,8 @@ class Compared(NamedTuple):
 
 def _read(
     job: Job, earlier: FilePath, later: FilePath, columns: Sequence[str] | None
-) -> tuple[PointCloud | TriangleMesh, PointCloud]:
+) -> tuple[NDArray[Any], PointCloud | TriangleMesh, PointCloud]:
+    """The positions to measure at as stored in their file, and both epochs."""
     paths = earlier, later
     tables_read = [tables.read_table(*each) for each in zip(paths, columns_of(paths, columns), strict=True)]
     job.unit = common_reference(f"{earlier}, {later}", tables_read)[0]
@@ -162,8 +164,15 @@ def _read(
         raise FileError(later, "is a mesh", remedy="Pass the mesh first: the cloud is compared with it")
     after = _filled(cloud_of(second, later, device=job.device), later)
     if isinstance(first, MeshTable):
-        return mesh_of(first, earlier, device=job.device), after
-    return _filled(cloud_of(first, earlier, device=job.device), earlier), after
+        return second.points, mesh_of(first, earlier, device=job.device), after
+    return first.points, _filled(cloud_of(first, earlier, device=job.device), earlier), after
+
+
+def _thinned_rows(cloud: PointCloud, spacing: float) -> NDArray[np.int32]:
+    """The rows of the points that `thin` keeps."""
+    rows = PointCloud.from_device_arrays({"points": cloud.arrays["points"]}, cloud.origin)
+    rows["row"] = np.arange(len(cloud), dtype=np.int32)
+    return rows.thin(spacing)["row"]
 
 
 def _with_mesh(job: Job, mesh: TriangleMesh, after: PointCloud, measure: ChangeMeasure) -> Compared:
@@ -206,7 +215,7 @@ def _radius_for(cloud: PointCloud, path: FilePath) -> float:
     return rounded_up(distance)
 
 
-def _write(job: Job, compared: Compared, outputs: ChangeOutputs) -> None:
+def _write(job: Job, compared: Compared, outputs: ChangeOutputs, stored: NDArray[Any]) -> None:
     where, result, limit = compared.where, compared.result, outputs.limit
     if outputs.points is not None:
         cloud = where.copy()
@@ -214,9 +223,10 @@ def _write(job: Job, compared: Compared, outputs: ChangeOutputs) -> None:
             cloud[name] = values.astype(np.float32) if values.dtype == np.float64 else np.ascontiguousarray(values)
         cloud["level_of_detection"] = result.level_of_detection.astype(np.float32)
         cloud["significant"] = result.is_significant.astype(np.uint8)
-        job.write_points(table_of(cloud), outputs.points)
+        job.write_points(with_positions(table_of(cloud), stored), outputs.points)
     if outputs.painted is not None:
-        job.write_cloud(paint_change(where, result, limit=limit), outputs.painted)
+        painted = table_of(paint_change(where, result, limit=limit))
+        job.write_points(with_positions(painted, stored), outputs.painted)
     if outputs.picture is not None:
         with job.stage("picture"):
             draw_change(where, result, outputs.picture, limit=limit, overwrite=job.form["overwrite"])

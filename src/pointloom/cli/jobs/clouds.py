@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Unpack
 
@@ -98,7 +98,7 @@ def estimate_normals_of_file(
     """
     job = Job("normals", source, **settings)
     job.check(output, storing("normals"), what="normals")
-    cloud = job.read_cloud()
+    table, cloud = job.read_exact_cloud()
     with job.assessed("normals", {"radius": "--radius"}):
         with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
         if toward is not None:
@@ -108,5 +108,5 @@ def estimate_normals_of_file(
     warning = (
         None if np.isfinite(cloud.points).all(axis=1).any() else "no point is finite, so no normals were estimated"
     )
-    job.write_cloud(with_normals, output)
+    job.write_points(replace(table, normals=with_normals.normals), output)
     return NormalsReport(job.done(warning), str(cloud.device), radius, max_nn, len(cloud))

@@ -47,9 +47,9 @@ def downsample_file(
     job = Job("downsample", source, **settings)
     job.check(output)
     rows = read_rows(job)
+    cloud = cloud_of(rows.table, source, device=job.device) if by == "voxel" else rows.cloud
     with job.assessed("downsample", {"voxel_size": "--voxel"}):
         if by == "voxel":
-            cloud = cloud_of(rows.table, source, device=job.device)
             table = table_of(cloud.voxel_down_sample(amount))
         else:
             table = rows.take(_choose(rows, source, by, amount, seed))

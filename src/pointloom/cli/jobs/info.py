@@ -22,7 +22,7 @@ from ...cameras.pose_text import parse_floats, read_lines, read_pose
 from ...cameras.trajectory import read_trajectory
 from ...cameras.trajectory_formats import TRAJECTORY_FORMATS
 from ...core.atomic import restore_folder
-from ...core.coordinates import describe_bounds, split_origin
+from ...core.coordinates import choose_origin, describe_bounds
 from ...core.errors import FileError, FilePath, values_of_file
 from ...core.json_files import read_json_object
 from ...core.paths import is_recording
@@ -199,16 +199,22 @@ def _facts_of(table: PointTable | MeshTable) -> Cloud | Mesh:
     named = {"normals": table.normals, "colors": table.colors, **table.attributes}
     grid = f"{table.grid[0]} rows of {table.grid[1]}" if table.grid else None
     viewpoint = " ".join(f"{value:g}" for value in table.viewpoint) if table.viewpoint else None
-    return Cloud(len(table.points), grid, table.unit, _table_of(table.points, named), viewpoint=viewpoint)
+    return Cloud(
+        len(table.points),
+        grid,
+        table.unit,
+        _table_of(table.points, named, in_degrees=table.in_degrees),
+        viewpoint=viewpoint,
+    )
 
 
-def _table_of(points: NDArray[Any], named: Mapping[str, NDArray[Any] | None]) -> Table:
+def _table_of(points: NDArray[Any], named: Mapping[str, NDArray[Any] | None], *, in_degrees: bool = False) -> Table:
     return Table(
         coordinates=str(points.dtype),
         attributes={name: _type_name(values) for name, values in named.items() if values is not None},
         not_finite=int(np.count_nonzero(~np.isfinite(points).all(axis=1))),
         bounds=describe_bounds(points),
-        origin=split_origin(points)[1].tolist(),
+        origin=choose_origin(points, in_degrees=in_degrees).tolist(),
     )
 
 

@@ -235,6 +235,15 @@ class Job:
         with self.stage("read"):
             return cloud_of(self.read_points(), self.source, device=where)
 
+    def read_exact_cloud(self) -> tuple[PointTable, PointCloud]:
+        """Points as stored in the source, for the output, and the cloud of `read_cloud`."""
+        from ...io.points.point_cloud import cloud_of, origin_of
+
+        where = self.device
+        with self.stage("read"):
+            table = self.read_points()
+            return table, cloud_of(table, self.source, device=where, origin=origin_of(table, self.source))
+
     def read_mesh(self) -> TriangleMesh:
         from ...meshing.mesh.mesh_files import read_triangle_mesh
 

@@ -18,7 +18,7 @@ from ...core.reports import Fields, quality
 from ...io.meshes import tables
 from ...io.points.by_extension import columns_of
 from ...io.points.point_cloud import cloud_of, table_of
-from ...io.table import MeshTable
+from ...io.table import MeshTable, PointTable
 from ...pcd.cloud import PointCloud
 from ...pcd.point_spacing import probe_points
 from ...pcd.units import common_reference
@@ -28,6 +28,7 @@ from ...visualization.render.pair_picture import draw_pair
 from ...visualization.render.picture_files import check_picture
 from .announced_stages import AnnouncedStages
 from .job import Job, JobReport, Settings
+from .rows import moved_exactly
 
 IDENTITY, GLOBAL = "identity", "global"
 
@@ -73,13 +74,16 @@ class RegisterOutputs:
         if self.picture is not None:
             check_picture(self.picture, overwrite=job.form["overwrite"])
 
-    def write(self, job: Job, clouds: tuple[PointCloud, PointCloud], T: np.ndarray, target: FilePath) -> None:
+    def write(
+        self, job: Job, stored: PointTable, clouds: tuple[PointCloud, PointCloud], T: np.ndarray, target: FilePath
+    ) -> None:
+        """Write the pose, the `stored` source moved in float64, and the picture."""
         form = job.form
         if self.pose is not None:
             write_pose(self.pose, T, overwrite=form["overwrite"])
             job.wrote(self.pose)
         if self.aligned is not None:
-            table = table_of(clouds[0].transform(T))
+            table = moved_exactly(stored, table_of(clouds[0].transform(T)), T)
             left_out = tables.write_cloud_table(self.aligned, table, source=target, system_only=True, **form)
             job.wrote(self.aligned, left_out)
         if self.picture is not None:
@@ -133,7 +137,8 @@ def register_files(
     where, start, constraint = job.device, _start(init), motions.constraint()
     with job.stage("read"):
         first, second = columns_of([source, target], settings.get("columns"))
-        clouds = read_cloud(source, where, first), read_cloud(target, where, second)
+        stored, cloud = read_with_table(source, where, first)
+        clouds = cloud, read_cloud(target, where, second)
     job.unit = common_reference("source, target", clouds)[0]
     try:
         with AnnouncedStages(job.clock, job.progress, silent=("voxels", "rate")) as stages:
@@ -146,7 +151,7 @@ def register_files(
         raise FileError(path, reason, remedy=_REMEDIES[error.lacks]) from error
     with job.stage("write"):
         if registration.result.fitness > 0:
-            outputs.write(job, clouds, registration.transformation, target)
+            outputs.write(job, stored, clouds, registration.transformation, target)
     return RegisterReport(
         job.done(_warning(registration, str(init))),
         os.fspath(target),
@@ -157,12 +162,20 @@ def register_files(
 
 def read_cloud(path: FilePath, device: DeviceLike, columns: Sequence[str] | None = None) -> PointCloud:
     """A cloud with all attributes, or the vertices of a mesh. Raises FileError without finite points."""
+    return read_with_table(path, device, columns)[1]
+
+
+def read_with_table(
+    path: FilePath, device: DeviceLike, columns: Sequence[str] | None = None
+) -> tuple[PointTable, PointCloud]:
+    """The points as stored in a file, and the cloud of `read_cloud`."""
     table = tables.read_table(path, columns)
-    cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
+    points = tables.points_of(table) if isinstance(table, MeshTable) else table
+    cloud = cloud_of(points, path, device=device)
     if not len(probe_points(cloud)):
         contents = f"{len(cloud):,} points, all of them not finite" if len(cloud) else "no points"
         raise FileError(path, f"expected finite points, got {contents}", remedy="Pass another cloud")
-    return cloud
+    return points, cloud
 
 
 def _start(init: FilePath) -> np.ndarray | None:

@@ -1,7 +1,8 @@
 """Points of a file for commands that select or label them: `Rows`.
 
 Operations use the positions only, and rows are written as stored in the file: nothing is rounded to float32, and
-attributes need no device memory.
+attributes need no device memory. `with_positions` and `moved_exactly` do the same for commands whose operations need
+the attributes.
 """
 
 from __future__ import annotations
@@ -12,8 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.coordinate_systems import Reprojection
 from ...io.points.point_cloud import origin_of, unit_with_warnings
 from ...io.table import PointTable
+from ...kernels.linear_algebra import matmul
 from ...pcd.cloud import PointCloud
 from .job import Job, JobReport
 
@@ -60,6 +63,24 @@ def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
     colors = None if table.colors is None else table.colors[rows]
     attributes = {name: values[rows] for name, values in table.attributes.items()}
     return PointTable(table.points[rows], normals, colors, attributes, unit=table.unit, crs=table.crs)
+
+
+def with_positions(table: PointTable, points: NDArray[Any], steps: NDArray[np.float64] | None = None) -> PointTable:
+    """The table of a cloud with other positions (n, 3) than its float32, and the steps that LAS needs for them."""
+    return replace(table, points=points, steps=steps, origin=None)
+
+
+def moved_exactly(table: PointTable, moved: PointTable, matrix: NDArray[np.float64] | None) -> PointTable:
+    """The table of a moved cloud with the source's positions moved in float64. `matrix` is None if not by a matrix."""
+    points = table.points.astype(np.float64)
+    if matrix is not None:
+        points = matmul(points, matrix[:3, :3].T) + matrix[:3, 3]
+    elif table.crs is not None and moved.crs is not None and table.crs is not moved.crs:
+        points = Reprojection(table.crs, moved.crs).points(points)
+    else:
+        points *= table.unit_lengths / moved.unit_lengths
+    is_single = table.points.dtype == moved.points.dtype == np.float32
+    return with_positions(moved, points.astype(np.float32) if is_single else points)
 
 
 def label_rows(table: PointTable, name: str, labels: NDArray[np.integer[Any]]) -> tuple[PointTable, list[str]]:

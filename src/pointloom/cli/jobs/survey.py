@@ -13,13 +13,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.pose_text import read_pose
+from ...core.coordinates import finite_box
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...core.wording import few_of, format_fraction
 from ...io.meshes import tables
 from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...io.points.formats import WRITTEN, storing
+from ...io.points.las_writer import default_steps, fits_steps
 from ...io.points.point_cloud import table_of
+from ...io.table import PointTable
 from ...kernels.linear_algebra import inv
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
@@ -28,7 +31,7 @@ from ...pcd.ground import classify_ground
 from ...pcd.raster_cells import NoGroundError
 from ...pcd.terrain import rasterize
 from .job import Job, JobReport, Settings
-from .rows import RowsReport, label_rows, read_rows
+from .rows import RowsReport, label_rows, moved_exactly, read_rows, with_positions
 
 GROUND_CLASS, OTHER_CLASS = 2, 1  # of LAS
 MAX_FILES = 1000  # of split: more are probably values that are not classes
@@ -147,23 +150,39 @@ class MergeReport(JobReport):
 
 
 def merge_files(sources: Sequence[FilePath], output: FilePath, **settings: Unpack[Settings]) -> MergeReport:
-    """Concatenate clouds in one unit and coordinate system, see `PointCloud.concatenate`."""
+    """Concatenate clouds in one unit and coordinate system, see `PointCloud.concatenate`. Positions are not rounded to
+    float32. LAS gets the finest steps of the sources."""
     job = Job("merge", sources[0], **settings)
     job.check(output)
+    read: list[PointTable] = []
     clouds = []
     for source in sources:
         job.source = source
-        clouds.append(job.read_cloud())
+        table, cloud = job.read_exact_cloud()
+        read.append(table)
+        clouds.append(cloud)
     job.source, job.unit = sources[0], clouds[0].unit
     with job.stage("merge"):
         merged = PointCloud.concatenate(clouds)
     names = dict.fromkeys(name for cloud in clouds for name in cloud.arrays)
     if not len(merged):
         return MergeReport(job.done("no file has a point; nothing was written"), str(job.device), {}, (), 0)
-    job.write_cloud(merged, output)
+    job.write_points(_joined(table_of(merged), [table for table in read if len(table.points)]), output)
     dropped = tuple(name for name in names if name not in merged.arrays)
     counts = {os.fspath(source): len(cloud) for source, cloud in zip(sources, clouds, strict=True)}
     return MergeReport(job.done(), str(job.device), counts, dropped, len(merged))
+
+
+def _joined(merged: PointTable, read: list[PointTable]) -> PointTable:
+    """The table of merged clouds with the positions of the files, in the finest of their steps that fits LAS."""
+    points = np.concatenate([table.points for table in read])
+    points = points.astype(np.promote_types(points.dtype, merged.points.dtype), copy=False)
+    given = (default_steps(table.in_degrees) if table.steps is None else table.steps for table in read)
+    steps = np.min([np.asarray(each) for each in given], axis=0)
+    low, high = finite_box(points)
+    has_steps = any(table.steps is not None for table in read)
+    is_fit = has_steps and fits_steps(low, high, steps, np.round(low / 2 + high / 2))
+    return with_positions(merged, points, steps if is_fit else None)
 
 
 @dataclass(frozen=True)
@@ -201,7 +220,7 @@ def transform_file(
         matrix[:3, 3] = translate
     matrix[:3, :3] *= 1.0 if scale is None else scale
     is_mesh = tables.is_mesh_file(source) and Path(output).suffix.lower() in MESH_FORMATS
-    shape = job.read_mesh() if is_mesh else job.read_cloud()
+    table, shape = (None, job.read_mesh()) if is_mesh else job.read_exact_cloud()
     with job.stage("transform"):
         moved = shape.reproject(epsg) if epsg else shape.to_unit(unit) if unit else shape.transform(matrix)
     job.unit = moved.unit
@@ -212,7 +231,10 @@ def transform_file(
         return TransformReport(job.done(), str(job.device), "mesh", len(moved.vertices), known, system)
     with job.stage("write"):
         like = source if moved.crs == shape.crs and moved.unit == shape.unit else None
-        left_out = tables.write_cloud_table(output, table_of(moved), source=like, system_only=True, **job.form)
+        moved_table = table_of(moved)
+        if table is not None:
+            moved_table = moved_exactly(table, moved_table, None if epsg or unit else matrix)
+        left_out = tables.write_cloud_table(output, moved_table, source=like, system_only=True, **job.form)
         job.wrote(output, left_out)
     return TransformReport(job.done(), str(job.device), "point cloud", len(moved), known, system)
 

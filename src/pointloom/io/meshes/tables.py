@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
+
+import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of, recording_remedy
@@ -65,8 +68,9 @@ def write_cloud_table(
     system_only: bool = False,
 ) -> list[str]:
     """Write a cloud without what the format cannot store. Returns the dropped names.
-    From LAS to LAS, `source` provides scale, offset, coordinate system and, unless `system_only`, other records and
-    identification. From E57 or PTX to E57 it provides scan names and poses, unless `system_only`."""
+    From LAS to LAS, `source` provides offset, coordinate system, scale (or finer steps of the table) and, unless
+    `system_only`, other records and identification. From E57 or PTX to E57 it provides scan names and poses, unless
+    `system_only`."""
     suffix = Path(path).suffix.lower()
     format, left_out = CLOUD_FORMATS[suffix], []
     lost = ["viewpoint"] if table.viewpoint is not None and not format.stores_viewpoint else []
@@ -76,11 +80,14 @@ def write_cloud_table(
     if source is not None and suffix in LAS and kind in LAS:
         like = open_las(source).header
         like = system_of(like) if system_only else like
+        if table.steps is not None:  # finer than those of the source in merged files
+            like = replace(like, scales=tuple(np.minimum(like.scales, table.steps).tolist()))
     elif source is not None and suffix == ".e57" and kind in WITH_SCANS and not system_only:
         frames, beside = read_frames(source) if kind == ".e57" else (read_ptx_frames(source), [])
         if beside:
             warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 files are written with points only")
-    write_table(path, table, WriteOptions(ascii=as_text, overwrite=overwrite, like=like, frames=frames))
+    scale = table.steps if like is None and suffix in LAS else None
+    write_table(path, table, WriteOptions(ascii=as_text, overwrite=overwrite, scale=scale, like=like, frames=frames))
     return left_out + lost
 
 

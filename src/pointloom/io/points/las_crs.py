@@ -9,7 +9,7 @@ import re
 import struct
 import warnings
 
-from ...core.coordinate_systems import CoordinateSystem
+from ...core.coordinate_systems import CoordinateSystem, is_geographic_text
 from ...core.errors import FilePath
 from ...core.escaped_text import escaped
 from .las_header import PROJECTION, LasHeader
@@ -17,11 +17,6 @@ from .las_header import PROJECTION, LasHeader
 WKT_RECORD, _GEOTIFF_KEYS_RECORD, _GEOTIFF_ASCII_RECORD = 2112, 34735, 34737
 NO_NAME = "unknown"  # name of a system that only defines a unit
 _MODEL_TYPE, _GEOGRAPHIC_MODEL = 1024, 2
-
-# Names of geographic systems in both versions of WKT. A projected system contains such a name nested inside
-# its own.
-_PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re.IGNORECASE)
-_GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)
 
 # Keys that name the system, best first: citations are text, types are EPSG codes.
 _CITATION_KEYS = (3073, 1026, 2049)
@@ -90,7 +85,7 @@ class GeographicWarning(UserWarning):
 def is_geographic(header: LasHeader) -> bool:
     text = find_text(header)
     if text:
-        return bool(_GEOGRAPHIC_WORDS.search(text)) and not _PROJECTED_WORDS.search(text)
+        return is_geographic_text(text)
     location, _, value = find_keys(header).get(_MODEL_TYPE, (0, 0, 0))
     return location == 0 and value == _GEOGRAPHIC_MODEL
 

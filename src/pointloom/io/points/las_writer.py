@@ -16,8 +16,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape
-from ...core.coordinates import finite_box, quiet
+from ...core.coordinates import finite_box, quiet, warn_if_rounded
 from ...core.errors import FileError, FilePath
+from ...core.units import DEGREE
 from ...pcd.las_attributes import with_scan_angles
 from ..attribute_names import NameRules
 from ..columns import stack_colors
@@ -28,10 +29,13 @@ from .las_crs import WKT_BIT
 from .las_extra import EXTRA_BYTES, TITLE, TYPES, ExtraColumn, record_of, store_extra
 from .las_header import LasHeader
 from .las_records import needs_1_4, system_record, take_over
+from .las_units import units_of
 
 # Default scale: a millimeter for meters, below what scanners measure; finer for an axis along
-# which the points are within 1000 units, so that objects and degrees keep a millionth of their extent.
+# which the points are within 1000 units, so that objects keep a millionth of their extent.
 _COARSEST_SCALE = 0.001
+# Default scale of degrees: 1 cm, as usual in LAS; finer by the same rule within 0.001 degrees (about 100 m).
+_DEGREE_SCALE, _MIN_DEGREES = 1e-7, 1e-3
 _STEPS_ACROSS = 1.0e6
 _SAMPLE_POINTS = 1 << 16  # sample size of the extent, without 1 % at either end: robust to outliers
 
@@ -56,9 +60,9 @@ def write_las(
     overwrite: bool = True,
 ) -> None:
     """Write points as LAS, or as LAZ if the extension is .laz, atomically.
-    A `scale` of None is 0.001, or finer on axes where most points are within 1,000 units. An `offset` of None is the
-    center of the points in whole units. Records, identification, GPS time type and missing scale and offset are copied
-    from `like`."""
+    A `scale` of None is 0.001, or finer on axes where most points are within 1,000 units. For degrees it is 1e-7, or
+    finer within 0.001 degrees. An `offset` of None is the center of the points in whole units. Records, identification,
+    GPS time type and missing scale and offset are copied from `like`."""
     path = check_writable(path, overwrite=overwrite)
     layout = lay_out(path, table, scale, offset, like)
     compress = path.suffix.lower() == ".laz"
@@ -125,7 +129,9 @@ def lay_out(
         raise FileError(path, reasons, remedy="Change, rename or drop it, or pass drop_unsupported=True")
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # raises outside 0..1
-    scales, offsets = _scaling(path, table.points, scale, offset, like)
+    scales, offsets = _scaling(path, table, scale, offset, like)
+    if table.origin is not None:
+        warn_if_rounded(path, table.points, table.origin, scales, table.unit_lengths)
     system_vlr = system_record(laspy, path, table, like)
     version = "1.4" if _is_new(table) or system_vlr or (like is not None and needs_1_4(like)) else "1.2"
     header = laspy.LasHeader(point_format=_point_format(table), version=version)
@@ -224,11 +230,13 @@ def _extra_columns(table: PointTable, standard: set[str]) -> dict[str, NDArray[A
 
 @quiet()
 def _scaling(
-    path: FilePath, points: NDArray[Any], scale: Any, offset: Any, like: LasHeader | None
+    path: FilePath, table: PointTable, scale: Any, offset: Any, like: LasHeader | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Scales and offsets so that every coordinate fits into 32 bits. The offset of `like` is used if it fits."""
+    """Scales and offsets so that every coordinate fits into 32 bits. The offset of `like` is used if it fits.
+    Degrees do not take the scale of a file in lengths."""
+    points, in_degrees = table.points, table.in_degrees
     low, high = finite_box(points)
-    if like is not None:
+    if like is not None and not (in_degrees and units_of(like).plane not in (None, DEGREE)):
         is_near = scale is not None or fits_steps(low, high, np.array(like.scales), np.array(like.offsets))
         offset = like.offsets if offset is None and is_near else offset
         scale = like.scales if scale is None else scale
@@ -241,7 +249,7 @@ def _scaling(
         )
     extents = np.maximum(high - offsets, offsets - low)
     if scale is None:
-        scale = _fitting_scales(points, extents)
+        scale = _fitting_scales(points, extents, in_degrees)
     steps = check_numeric("scale", scale)
     scales = check_shape("scale", steps if steps.ndim else np.full(3, check_positive("scale", scale)), (3,))
     if not (np.isfinite(scales).all() and (scales > 0).all()):
@@ -260,24 +268,31 @@ def fits_steps(low: Any, high: Any, scales: Any, offsets: Any) -> bool:
     return bool((first >= -(2**31)).all() and (last < 2**31).all())
 
 
+def default_steps(in_degrees: bool) -> list[float]:
+    """The coarsest default scale per axis."""
+    return [_DEGREE_SCALE, _DEGREE_SCALE, _COARSEST_SCALE] if in_degrees else [_COARSEST_SCALE] * 3
+
+
 @quiet()
-def _fitting_scales(points: NDArray[Any], extents: NDArray[np.float64]) -> list[float]:
+def _fitting_scales(points: NDArray[Any], extents: NDArray[np.float64], in_degrees: bool) -> list[float]:
     """A power of ten per axis, not finer than 32 bits and the points' type can resolve."""
+    coarsest = default_steps(in_degrees)
     if not len(points):
-        return [_COARSEST_SCALE] * 3
+        return coarsest
     sample = points[:: len(points) // _SAMPLE_POINTS | 1]
     low, high = np.quantile(sample, (0.01, 0.99), axis=0)
     resolution = np.spacing(np.abs(sample).max(axis=0)).astype(np.float64)
     scales = []
     for axis in range(3):
         finest, extent = max(extents[axis] / _MAX_STEPS, resolution[axis], 1e-12), float(high[axis]) - float(low[axis])
-        if max(finest, extent / _STEPS_ACROSS) >= _COARSEST_SCALE:
-            scales.append(_COARSEST_SCALE)
+        is_wide = in_degrees and axis < 2 and extent >= _MIN_DEGREES
+        if is_wide or max(finest, extent / _STEPS_ACROSS) >= coarsest[axis]:
+            scales.append(coarsest[axis])
             continue
         step = math.ceil(math.log10(finest))
         if extent > 0:
             step = max(step, math.floor(math.log10(extent / _STEPS_ACROSS)))
-        scales.append(min(_COARSEST_SCALE, float(f"1e{step}")))
+        scales.append(min(coarsest[axis], float(f"1e{step}")))
     return scales
 
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.array_libraries import library_for
 from ...core.checks import check_count, check_positive
 from ...core.coordinate_systems import CoordinateSystem, check_crs, common_crs
-from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, written_steps
+from ...core.coordinates import FLOAT32_MAX, choose_origin, finite_box, quiet, warn_if_rounded, written_steps
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
@@ -77,7 +77,8 @@ def read_point_cloud(
 
     Warns:
         GeographicWarning: x and y are degrees.
-        UnitWarning: z has another unit than x and y, or the file gives two units.
+        UnitWarning: z has another unit than x and y, the file gives two units, or float32 about the cloud's origin is
+            coarser than the steps of the file for some points (docs/determinism.md).
         UserWarning: A 64-bit LAS attribute has a no_data value, or a PCD has a VIEWPOINT (not applied) or NaN colors.
 
     Example:
@@ -179,9 +180,10 @@ def read_e57_chunks(
 
 
 def _e57_chunks(path: Path, size: int, scan: int | None, device: DeviceLike, arrays: str) -> Iterator[PointCloud]:
-    origin = None
+    origin, is_reported = None, False
     for table in iterate_e57(path, size, scan=scan):
         origin = origin_of(table, path) if origin is None else origin
+        is_reported = is_reported or warn_if_rounded(path, table.points, origin, table.steps, table.unit_lengths)
         yield cloud_of(table, path, device=device, origin=origin, arrays=arrays)
 
 
@@ -238,7 +240,10 @@ def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
     low, high = finite_box(first.points)
     slack = np.array(file.header.scales)  # headers are rounded
     is_right = bool(((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all())
-    return choose_origin(box if is_right else first.points, first.steps)
+    corners = box if is_right else first.points
+    origin = choose_origin(corners, first.steps, in_degrees=first.in_degrees)
+    warn_if_rounded(file.path, corners, origin, first.steps, first.unit_lengths)
+    return origin
 
 
 def _chunks(file: LasFile, chunk_size: int, device: DeviceLike, arrays: str) -> Iterator[PointCloud]:
@@ -259,10 +264,12 @@ def cloud_of(
     origin: ArrayLike | None = None,
     arrays: str | None = None,
 ) -> PointCloud:
-    """Build a cloud from a table. If `origin` is None, one is chosen."""
+    """Build a cloud from a table. If `origin` is None, one is chosen, with a warning if float32 rounds too much."""
     warn_of_viewpoint(path, table.viewpoint, stacklevel=3)
     try:
-        origin = origin_of(table, path, stacklevel=5) if origin is None else origin
+        if origin is None:
+            origin = origin_of(table, path, stacklevel=5)
+            warn_if_rounded(path, table.points, origin, table.steps, table.unit_lengths)
         vectors: dict[str, Any] = {"normals": table.normals, "colors": table.colors}
         cloud = PointCloud(table.points, **vectors, device=device, origin=origin, arrays=arrays)
     except FileError:
@@ -287,7 +294,8 @@ def unit_with_warnings(table: PointTable, path: FilePath) -> LengthUnit | None:
 def origin_of(table: PointTable, path: FilePath, *, stacklevel: int = 3) -> NDArray[np.float64]:
     """Choose the origin of a cloud so that points distinct in the file stay distinct. Warns if the file has degrees."""
     warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
-    return choose_origin(table.points, written_steps(table.points) if table.steps is None else table.steps)
+    steps = written_steps(table.points) if table.steps is None else table.steps
+    return choose_origin(table.points, steps, in_degrees=table.in_degrees)
 
 
 def write_point_cloud(
@@ -316,7 +324,8 @@ def write_point_cloud(
         overwrite: Replace an existing file.
         drop_unsupported: Leave out colors, normals and attributes that the format cannot store, instead of an error.
         scale: Coordinate step [m], for .las and .laz: a number or one per axis. If None: 0.001, or finer on axes where
-            most points are within 1,000 m: a millionth of that as a power of ten. Coarser steps give smaller LAZ files.
+            most points are within 1,000 m: a millionth of that as a power of ten. In degrees, x and y have 1e-7, or
+            finer within 0.001 degrees. Coarser steps give smaller LAZ files.
         like: For .las and .laz: a LAS or LAZ file whose coordinate system, other records, identification, offset, GPS
             time type and (if not given) scale are copied. Extra dimensions keep type, scale, no_data value and
             description if this changes no value.
@@ -330,7 +339,8 @@ def write_point_cloud(
             or not that of the cloud.
 
     Warns:
-        UnitWarning: The cloud's unit differs from that of `like` or of the format, or the format cannot store it.
+        UnitWarning: The cloud's unit differs from that of `like` or of the format, or the format cannot store it. Or
+            float32 about the cloud's origin is coarser than the steps of the LAS file for some points.
         LostSystemWarning: The format cannot store the coordinate system, or pyproj is needed to write it.
         UserWarning: Attributes are renamed: unsupported characters become "_", duplicate names get the suffix "_2", and
             values outside the range of a LAS dimension go to, for example, "intensity_value". Or `like` has waveforms
@@ -374,6 +384,7 @@ def table_of(cloud: PointCloud) -> PointTable:
         grid=cloud.grid,
         unit=cloud.unit,
         crs=cloud.crs,
+        origin=cloud.origin,
     )
 
 

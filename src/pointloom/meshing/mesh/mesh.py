@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import NUMPY, library_for, library_of
 from ...core.checks import check_rows, check_shape, is_on_gpu, shown
-from ...core.coordinates import split_origin, warn_if_coarse
+from ...core.coordinate_systems import is_in_degrees
+from ...core.coordinates import choose_origin, split_origin, warn_if_coarse
 from ...core.devices import DeviceLike, resolve_device
 from ...core.gpu_arrays import take_corners, take_points
 from ...io.table import MeshTable
@@ -86,6 +87,8 @@ class TriangleMesh(
             own |= {"triangle_attributes": triangle_attributes, "device": device}
             unit, crs = given.pop("reference")
             given |= {name: values for name, values in own.items() if values is not None}
+            if origin is None and is_in_degrees(unit, crs):
+                origin = choose_origin(check_rows("vertices", given["vertices"], 3), in_degrees=True)
             vars(self).update(vars(TriangleMesh(**given, origin=origin, arrays=arrays)))
             self.unit, self.crs = unit, crs
             return

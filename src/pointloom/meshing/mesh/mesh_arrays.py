@@ -26,7 +26,7 @@ from ...core.checks import (
     is_on_gpu,
 )
 from ...core.coordinate_systems import Reprojection
-from ...core.coordinates import origin_under
+from ...core.coordinates import choose_origin, origin_under
 from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.escaped_text import escaped
@@ -48,6 +48,7 @@ from ...kernels.meshes.mesh_edits import raise_numbers, shift_triangles
 from ...pcd.attribute_columns import concatenate_columns
 from ...pcd.motion import Movable
 from ...pcd.point_arrays import PointArrays, place_points
+from ...pcd.point_store import sample_about
 from ...pcd.stored_arrays import StoredArrays, read_only
 from ...pcd.units import common_reference, crs_under, unit_under
 from .finite_corners import check_finite_corners
@@ -223,7 +224,9 @@ class MeshArrays(StoredArrays, Movable):
     @vertices.setter
     def vertices(self, values: ArrayLike) -> None:
         kind: Any = type(self)
-        made = kind(values, device=self.device)
+        is_placed = self._in_degrees and not is_on_gpu(values)
+        origin = choose_origin(check_rows("vertices", values, 3), in_degrees=True) if is_placed else None
+        made = kind(values, device=self.device, origin=origin)
         count = self.arrays["vertices"].size
         per_vertex = [name for name in PER_VERTEX if name in self.arrays and name != "vertices"]
         if made.arrays["vertices"].size != count and (per_vertex or len(self)):
@@ -494,7 +497,8 @@ class MeshArrays(StoredArrays, Movable):
         target = matmul(A, self.arrays.origin) + T[:3, 3]
         low, high, finite = bound_points(self.arrays["vertices"])  # sync
         low, high = (low, high) if finite else (np.zeros(3), np.zeros(3))
-        origin = origin_under(name, A, target, low, high, target)
+        local = (lambda: sample_about(self.arrays["vertices"], np.zeros(3))) if self.arrays.origin.any() else None
+        origin = origin_under(name, A, target, low, high, target, in_degrees=self._in_degrees, sample=local)
         arrays: dict[str, Any] = {"vertices": transform_points(self.arrays["vertices"], A, target - origin)}
         if "vertex_normals" in self.arrays and not np.array_equal(A, np.eye(3)):
             arrays["vertex_normals"] = transform_directions(self.arrays["vertex_normals"], inv(A).T)
@@ -509,7 +513,9 @@ class MeshArrays(StoredArrays, Movable):
 
     def _reprojected(self, way: Reprojection) -> Self:
         positions = self.vertices
-        vertices, origin, _ = place_points(way.points(positions), None, self.device)
+        vertices, origin, _ = place_points(
+            way.points(positions), None, self.device, in_degrees=way.unit_name == "degree"
+        )
         arrays: dict[str, Any] = {"vertices": vertices}
         if "vertex_normals" in self.arrays:
             normals = way.normals(positions, download(self.arrays["vertex_normals"]))

@@ -6,6 +6,8 @@ import os
 from typing import Any
 
 from ...core.array_libraries import library_for
+from ...core.coordinate_systems import is_in_degrees
+from ...core.coordinates import choose_origin, lengths_of_axes, warn_if_rounded
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...core.other_geometry import conversion_of, is_other
@@ -69,9 +71,11 @@ def mesh_of(
 ) -> TriangleMesh:
     """Mesh of a table read from a file. FileError if vertices are too far apart for float32."""
     with content_errors(path):
+        in_degrees = is_in_degrees(table.unit, table.crs)
         mesh = TriangleMesh(
             table.vertices,
             table.triangles,
+            origin=choose_origin(table.vertices, in_degrees=True) if in_degrees else None,
             vertex_normals=table.vertex_normals,
             vertex_colors=table.vertex_colors,
             triangle_uvs=table.triangle_uvs,
@@ -83,6 +87,8 @@ def mesh_of(
             arrays=arrays,
         )
     mesh.unit, mesh.crs = table.unit, table.crs
+    meters = None if table.unit is None else table.unit.meters
+    warn_if_rounded(path, table.vertices, mesh.origin, None, lengths_of_axes(meters, in_degrees=in_degrees))
     return mesh
 
 

@@ -606,7 +606,7 @@ def extract_level(
         raise ValueError(
             f"origin, spacing: the grid from {corner.tolist()} to {far.tolist()} exceeds the float32 range"
         )
-    mesh_origin = choose_origin(np.array([corner, far]))
+    mesh_origin = choose_origin(np.array([corner, far]), in_one_unit=True)
     rows = values.reshape((nx * ny, nz))
     vertices, triangles = extract_surface(rows, (nx, ny, nz), level, corner - mesh_origin, steps)
     return vertices, triangles, mesh_origin

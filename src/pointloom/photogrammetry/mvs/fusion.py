@@ -175,7 +175,7 @@ def _fuse_points(
     maps: DepthMaps, colors: Colors, limits: Agreement, min_views: int, device: Device, report: ReportProgress
 ) -> PointCloud:
     overlaps = _overlaps(maps)
-    origin = choose_origin(np.array([camera.center for camera in maps.cameras]).reshape(-1, 3))
+    origin = choose_origin(np.array([camera.center for camera in maps.cameras]).reshape(-1, 3), in_one_unit=True)
     pixels = _MapsOnDevice(maps, colors, device)
     parts: list[list[wp.array]] = []
     report("fuse", 0, len(maps))

@@ -275,7 +275,8 @@ def write_training_folder(
                 write_mask(part / MASKS, names[k], straight_mask(hidden[k], lens, unseen[lens.camera]))
         report("images", len(lenses), len(lenses))
         straight = [lens.intrinsic for lens in lenses]
-        origin = choose_origin(np.concatenate([model.centers, model.points])) if shift else np.zeros(3)
+        positions = np.concatenate([model.centers, model.points])
+        origin = choose_origin(positions, in_one_unit=True) if shift else np.zeros(3)
         _write_models(part, model, names, straight, origin, with_masks=with_masks)
     return TrainingFolder(
         folder=os.fspath(path),

@@ -22,7 +22,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_MAX
 from ...core.atomic import atomic_write
 from ...core.checks import check_count, check_positive
-from ...core.coordinates import split_origin
+from ...core.coordinates import choose_origin
 from ...core.errors import FileError, FilePath
 from ...core.paths import job_file, path_of, plain_name
 from ...io.frames.datasets import Frame, RGBDDataset, open_frames
@@ -269,7 +269,7 @@ def plan_fusion(
     threshold = min_weight(len(dataset)) if weight_threshold is None else weight_threshold
     pose = np.array(dataset.frames[0].T_world_camera, np.float64)
     first = inv(inv(pose))[None, :3, 3]  # as in `integrate`
-    plan |= {"weight_threshold": float(threshold), "origin": split_origin(first)[1].tolist()}
+    plan |= {"weight_threshold": float(threshold), "origin": choose_origin(first, in_one_unit=True).tolist()}
     plan |= {"color": dataset.frames[0].color is not None, "digest": _digest(dataset), "left_out": dataset.left_out}
     starts = range(0, len(dataset), FRAMES_PER_TASK)
     tasks = [(k, min(FRAMES_PER_TASK, len(dataset) - k)) for k in starts]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_rows
-from ...core.coordinates import choose_origin, split_origin
+from ...core.coordinates import split_origin
 from ...kernels.lang import int32, vec3
 from ...kernels.memory import upload
 from ...pcd.polygon_volume import AXIS_ORDERS as PLANES
@@ -35,7 +35,7 @@ class Segments:
 
 
 def upload_lines(segments: Segments, device: Any) -> Lines:
-    local, origin = split_origin(segments.points, choose_origin(segments.points))
+    local, origin = split_origin(segments.points)
     colors = np.empty((0, 3)) if segments.colors is None else segments.colors
     indices = upload(np.asarray(segments.lines, np.int32).reshape(-1), int32, device)
     part = Lines(upload(local, vec3, device), origin, indices, upload(colors, vec3, device))
