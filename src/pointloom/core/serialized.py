@@ -104,7 +104,7 @@ class _LostLock:
 
 
 def keep_through_forks(owner: Any) -> None:
-    """Let a forked process use an object with a `_lock` that another thread of the parent may hold."""
+    """Let a forked process use an object whose `_lock` another thread of the parent may have acquired."""
     _locked[id(owner)] = owner
 
 
