@@ -217,7 +217,7 @@ class MeshArrays(StoredArrays, Movable):
 
     @property
     def vertices(self) -> NDArray[np.float64]:
-        """Positions [m], float64 copy (m, 3) with the origin added; assignable."""
+        """Positions [m], float64 copy (m, 3) with the origin added; assignable, which keeps the other arrays."""
         return read_only(download(self.arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self.arrays.origin)
 
     @vertices.setter
@@ -394,7 +394,7 @@ class MeshArrays(StoredArrays, Movable):
         """Concatenate meshes without merging vertices. See `remove_duplicated_vertices`.
 
         Keeps the attributes that all non-empty meshes have, as Open3D's `+`. Textures are appended. The origin is the
-        largest mesh's.
+        largest mesh's. `up` is unknown if two meshes have different ones.
 
         Args:
             meshes: At least one, all on one device.
@@ -447,6 +447,8 @@ class MeshArrays(StoredArrays, Movable):
         uvs, textures = _joined_textures(parts)
         joined = cls.from_device_arrays(arrays | uvs, origin, parts[0].array_library, textures=textures)
         joined.unit, joined.crs = common_reference("meshes", parts)
+        known = {mesh.arrays.up for mesh in parts} - {None}
+        joined.arrays.up = known.pop() if len(known) == 1 else None
         return joined
 
     def __getstate__(self) -> dict[str, Any]:

@@ -61,7 +61,8 @@ class PointCloud(BoundedByBoxes):
         if count == len(made):
             made = made.copy()
             if "points" in changed:
-                made.points = np.array(self.points)
+                self.vector("covariances")  # stay, as in Open3D
+                made.points, changed = np.array(self.points), [*changed, "covariances"]
         else:
             for name in VECTORS:
                 self.vector(name)  # of the old cloud
@@ -207,8 +208,13 @@ class PointCloud(BoundedByBoxes):
         inliers, rows = self.native.remove_radius_outlier(nb_points, radius, print_progress)
         return PointCloud.from_native(inliers), rows.tolist()
 
+    def _smoothed(self, made: Any) -> PointCloud:
+        """A smoothed cloud with the covariances of this one, as in Open3D."""
+        kept = {name: values for name, values in self.native.arrays.items() if name == "covariances"}
+        return PointCloud.from_native(made.with_arrays(made.arrays | kept))
+
     def smooth_mls(self, search_param: KDTreeSearchParam = SMOOTHING_NEIGHBORS) -> PointCloud:
-        return PointCloud.from_native(self.native.smooth_mls(**keywords_of(search_param)))
+        return self._smoothed(self.native.smooth_mls(**keywords_of(search_param)))
 
     def smooth_bilateral(
         self, search_param: KDTreeSearchParam = SMOOTHING_NEIGHBORS, sigma_s: float = 0.05, sigma_r: float = 0.05
@@ -216,12 +222,12 @@ class PointCloud(BoundedByBoxes):
         """Smooth along normals, which are estimated from 30 neighbors if missing."""
         search, cloud = keywords_of(search_param), self.native
         cloud = cloud if self.has_normals() else cloud.estimate_normals(radius=None, max_nn=30)
-        return PointCloud.from_native(cloud.smooth_bilateral(**search, sigma_s=sigma_s, sigma_r=sigma_r))
+        return self._smoothed(cloud.smooth_bilateral(**search, sigma_s=sigma_s, sigma_r=sigma_r))
 
     def smooth_laplacian(
         self, iterations: int = 10, lambda_: float = 0.5, knn: int = 20, use_fixed_neighborhoods: bool = False
     ) -> PointCloud:
-        return PointCloud.from_native(self.native.smooth_laplacian(iterations, lambda_, knn, use_fixed_neighborhoods))
+        return self._smoothed(self.native.smooth_laplacian(iterations, lambda_, knn, use_fixed_neighborhoods))
 
     def smooth_taubin(
         self,
@@ -231,7 +237,7 @@ class PointCloud(BoundedByBoxes):
         knn: int = 20,
         use_fixed_neighborhoods: bool = False,
     ) -> PointCloud:
-        return PointCloud.from_native(self.native.smooth_taubin(iterations, lambda_, mu, knn, use_fixed_neighborhoods))
+        return self._smoothed(self.native.smooth_taubin(iterations, lambda_, mu, knn, use_fixed_neighborhoods))
 
     def compute_point_cloud_distance(self, target: CloudLike) -> DoubleVector:
         """Distance of each point to the nearest point of another cloud."""

@@ -477,7 +477,7 @@ class TriangleMesh(TriangleNormals):
     def orient_triangles(self) -> bool:
         """Orient triangles consistently. Returns `is_orientable()`."""
         oriented, is_orientable = self.native.orient_triangles()
-        self._become(oriented)
+        self._become(oriented.with_arrays(vertex_normals=self.native.arrays.get("vertex_normals")))
         return is_orientable and self.is_edge_manifold()
 
     def select_by_index(self, indices: IndicesLike, cleanup: bool = True) -> TriangleMesh:
