@@ -119,7 +119,7 @@ CALLS: dict[str, Callable[[SampledSurface], Any]] = {
     "remove_duplicated_points": lambda p: p.cloud.remove_duplicated_points(),
     "paint_uniform_color": lambda p: p.cloud.paint_uniform_color([0.1, 0.5, 1]),
     "+": lambda p: p.cloud + p.other,
-    "concatenate": lambda p: loom().PointCloud.concatenate([p.facing, p.other, p.cloud]),
+    "concatenate": lambda p: loom().PointCloud.concatenate([p.facing.without("normals"), p.other, p.cloud]),
     "splats, cleaned and moved": lambda p: moved_splats(p),
     "transform": lambda p: p.facing.estimate_covariances(max_nn=8).transform(p.pose),
     "estimate_normals, knn": lambda p: p.cloud.estimate_normals(max_nn=15),

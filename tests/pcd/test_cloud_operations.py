@@ -1,6 +1,7 @@
 """Operations of PointCloud: preserved attributes, unchanged operands, transforms, sums, equal bits in each run."""
 
 import inspect
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from ..small_scenes import ON_CLOUDS, ON_HOST, SmallScenes, digest
 from .any_cloud import examples
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
 
+LOST = "^clouds: the {} are dropped, because not all clouds have them$"
 NORMALS_ALONE = ["estimate_normals", "orient to direction", "orient to camera", "orient alike", "normalize", "flip"]
 
 
@@ -163,7 +165,9 @@ def test_normals_and_colors_survive_addition_as_in_open3d(device, rng, oracle):
             loom.PointCloud(rng.random((count, 3)), device=device, **{name: rng.random((count, 3)) for name in names})
             for names, count in zip((left, right), counts, strict=True)
         ]
-        result = clouds[0] + clouds[1]
+        lacks = all(counts) and set(left) != set(right)
+        with pytest.warns(UserWarning, match="dropped, because") if lacks else nullcontext():
+            result = clouds[0] + clouds[1]
         assert (result.has_normals, result.has_colors) == expected, (left, right, counts)
         np.testing.assert_array_equal(result.points, np.concatenate([cloud.points for cloud in clouds]))
 
@@ -176,7 +180,8 @@ def test_common_attributes_keep_their_type(device, rng):
         attributes["wide"] = rng.integers(0, 9, (count, 3)).astype(np.int16)
         attributes[f"own{count}"] = np.ones(count)
         clouds.append(loom.PointCloud(rng.random((count, 3)), device=device, **attributes))
-    result = loom.PointCloud.concatenate(iter(clouds))
+    with pytest.warns(UserWarning, match=LOST.format("own5, own1 and own12")):
+        result = loom.PointCloud.concatenate(iter(clouds))
     shared = set(clouds[0].attributes) - {"own5"}
     assert set(result.attributes) == shared and len(shared) == 11
     for name in shared:
@@ -386,3 +391,22 @@ def test_generalized_icp_ignores_the_covariances_of_the_points_before_smoothing(
     register, step = loom.registration.registration_icp, loom.registration.TransformationEstimation.generalized()
     poses = [register(one.translate([0.02, 0.01, 0.01]), one, 0.3, np.eye(4), step).transformation for one in smooth]
     np.testing.assert_array_equal(poses[0], poses[1])
+
+
+JOINS = [lambda a, b: a + b, lambda a, b: b + a, lambda a, b: loom.PointCloud.concatenate([a, b])]
+
+
+@pytest.mark.parametrize("join", JOINS)
+def test_a_sum_names_the_arrays_that_some_clouds_lack(device, join, rng):
+    first, second = full_cloud(rng, device, 5), full_cloud(rng, device, 6)
+    del first.normals, second.attributes["ring"]
+    with pytest.warns(UserWarning, match="normals and ring|ring and normals") as caught:
+        total = join(first, second)
+    assert len(caught) == 1 and set(total.arrays) == set(first.arrays) & set(second.arrays)
+    with pytest.warns(UserWarning, match=LOST.format("ring, time and normals")):
+        _ = loom.PointCloud.concatenate([first, second.without("time"), second])
+
+
+def test_a_sum_of_equal_arrays_or_with_an_empty_cloud_is_quiet(device, rng):
+    cloud = full_cloud(rng, device, 5)
+    assert set((cloud + loom.PointCloud(device=device) + cloud).arrays) == set(cloud.arrays)

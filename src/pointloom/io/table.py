@@ -44,6 +44,11 @@ class PointTable:
     viewpoint: tuple[float, ...] | None = None
     crs: CoordinateSystem | None = None
 
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """All arrays except positions, by name."""
+        own = {"normals": self.normals, "colors": self.colors}
+        return {name: values for name, values in own.items() if values is not None} | self.attributes
+
     def checked(self) -> PointTable:
         """The table with validated arrays, for writers. Raises `TypeError` or `ValueError`."""
         points = _floating(check_rows("points", self.points, 3))
