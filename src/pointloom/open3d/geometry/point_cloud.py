@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import Any, ClassVar, Self
 
 import numpy as np
@@ -20,6 +21,10 @@ from .search_param import KDTreeSearchParam, KDTreeSearchParamHybrid, KDTreeSear
 
 KNN = KDTreeSearchParamKNN()
 SMOOTHING_NEIGHBORS = KDTreeSearchParamHybrid(0.05, 30)
+PATCH_COLORS = (  # of planar patches in turn, as in Open3D
+    (0.85, 0.325, 0.098), (0.929, 0.694, 0.125), (0.494, 0.184, 0.556),
+    (0.466, 0.674, 0.188), (0.301, 0.745, 0.933), (0.635, 0.078, 0.184),
+)  # fmt: skip
 VECTORS = ("normals", "colors", "covariances")
 
 
@@ -283,7 +288,10 @@ class PointCloud(BoundedByBoxes):
     ) -> list[Any]:
         limits = normal_variance_threshold_deg, coplanarity_deg, outlier_ratio, min_plane_edge_length, min_num_points
         boxes = self.native.detect_planar_patches(*limits, **keywords_of(search_param))
-        return [geometry.OrientedBoundingBox.from_native(box) for box in boxes]
+        made = [geometry.OrientedBoundingBox.from_native(box) for box in boxes]
+        for box, color in zip(made, itertools.cycle(PATCH_COLORS), strict=False):
+            box.color = color
+        return made
 
     def compute_convex_hull(self, joggle_inputs: bool = False) -> tuple[Any, list[int]]:
         """Mesh of the hull, and the indices of its points."""

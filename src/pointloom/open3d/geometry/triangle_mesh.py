@@ -112,9 +112,11 @@ class MeshFactories(MeshBase):
 
     @classmethod
     def create_from_point_cloud_ball_pivoting(cls, pcd: CloudLike, radii: ArrayLike) -> Self:
-        return cls.from_native(
-            NativeMesh.create_from_point_cloud_ball_pivoting(unwrap(pcd, PointCloud, "pcd"), np.asarray(radii))
-        )
+        """Surface of balls that roll over the points, with triangle normals."""
+        cloud = unwrap(pcd, PointCloud, "pcd")
+        made: Any = cls.from_native(NativeMesh.create_from_point_cloud_ball_pivoting(cloud, np.asarray(radii)))
+        vars(made)["_faces"] = made.native
+        return made
 
     @classmethod
     def create_from_point_cloud_poisson(
