@@ -8,6 +8,8 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.joined_parts import MissingPartsWarning
+from ...core.units import without_warnings
 from ...pcd import cloud
 from .. import geometry
 from ..argument_types import BoxLike, CameraLike, CloudLike, FrameLike, ImageLike, IndicesLike
@@ -101,10 +103,14 @@ class PointCloud(BoundedByBoxes):
         return f"PointCloud with {self._count('points')} points."
 
     def __add__(self, other: object) -> PointCloud:
-        return PointCloud.from_native(self.native + unwrap(other, PointCloud, "other"))
+        return PointCloud.from_native(self._joined(other))
 
     def __iadd__(self, other: object) -> Self:
-        return self._become(self.native + unwrap(other, PointCloud, "other"))
+        return self._become(self._joined(other))
+
+    def _joined(self, other: object) -> cloud.PointCloud:
+        with without_warnings(MissingPartsWarning):  # as in Open3D
+            return self.native + unwrap(other, PointCloud, "other")
 
     @classmethod
     def create_from_depth_image(

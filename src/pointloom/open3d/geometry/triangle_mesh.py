@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_number
+from ...core.joined_parts import MissingPartsWarning
+from ...core.units import without_warnings
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.mesh import mesh
 from .. import geometry
@@ -253,7 +255,8 @@ class TriangleNormals(MeshFactories):
     def _joined(self, other: object) -> tuple[Any, Any]:
         """Both meshes as one. Normals are kept if all triangles have them."""
         parts = [(self.native, self), (unwrap(other, type(self), "other"), other)]
-        made = parts[0][0] + parts[1][0]
+        with without_warnings(MissingPartsWarning):  # as in Open3D
+            made = parts[0][0] + parts[1][0]
         nonempty = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
         if not nonempty or any(faces is None for _, faces, _ in nonempty):
             return made, None
