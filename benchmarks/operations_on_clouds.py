@@ -27,6 +27,12 @@ def cloud_file(cloud: Any, ending: str, **options: Any) -> Any:
     return there_and_back(cloud, ending, "write_point_cloud", "read_point_cloud", **options)
 
 
+def with_common_arrays(*clouds: Any) -> list[Any]:
+    """The clouds without the arrays that only some of them have."""
+    names = set.intersection(*(set(cloud.arrays) for cloud in clouds))
+    return [cloud.without(*(name for name in cloud.arrays if name not in names)) for cloud in clouds]
+
+
 def ground_of(p: SampledSurface, **options: Any) -> Any:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # the surface is steeper than the slope
@@ -118,8 +124,8 @@ CALLS: dict[str, Callable[[SampledSurface], Any]] = {
     ],
     "remove_duplicated_points": lambda p: p.cloud.remove_duplicated_points(),
     "paint_uniform_color": lambda p: p.cloud.paint_uniform_color([0.1, 0.5, 1]),
-    "+": lambda p: p.cloud + p.other,
-    "concatenate": lambda p: loom().PointCloud.concatenate([p.facing, p.other, p.cloud]),
+    "+": lambda p: sum(with_common_arrays(p.cloud, p.other)),
+    "concatenate": lambda p: loom().PointCloud.concatenate(with_common_arrays(p.facing, p.other, p.cloud)),
     "splats, cleaned and moved": lambda p: moved_splats(p),
     "transform": lambda p: p.facing.estimate_covariances(max_nn=8).transform(p.pose),
     "estimate_normals, knn": lambda p: p.cloud.estimate_normals(max_nn=15),

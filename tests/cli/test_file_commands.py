@@ -18,6 +18,7 @@ from pointloom.io.points.formats import storing
 from ..io.las_files import write_raw
 from ..io.sfm_models import ring_model
 from ..io.test_camera_files import camera, document
+from ..io.test_e57 import colored_and_plain
 from .commands import answer, names_in, output_of, refusal, run
 
 
@@ -449,3 +450,23 @@ def test_separate_texture_files_are_rejected_for_a_pipe(tmp_path):
     piped = run(*words, "glb", content=b"")
     (tmp_path / "piped.glb").write_bytes(piped.stdout_bytes)
     assert loom.read_triangle_mesh(tmp_path / "piped.glb").textures[0].shape == (4, 4, 3)
+
+
+@pytest.mark.filterwarnings("always::UserWarning")
+@pytest.mark.parametrize("words", [("convert",), ("downsample", "--every", "2"), ("normals",), ("merge",)])
+@pytest.mark.parametrize("name", ["a.e57", "a.ptx"])
+def test_commands_print_the_fields_that_some_scans_lack(tmp_path, rng, name, words):
+    colored_and_plain(tmp_path, rng)
+    command, *options = words
+    result = run(command, tmp_path / name, *options, "-o", tmp_path / "b.ply")
+    assert result.exit_code in (0, 3), result.stderr
+    assert f"{name}: the colors are dropped, because not all scans have them" in result.stderr
+    assert not loom.read_point_cloud(tmp_path / "b.ply").has_colors
+
+
+@pytest.mark.filterwarnings("always::UserWarning")
+def test_convert_prints_the_elements_of_a_ply_that_a_cloud_cannot_store(tmp_path):
+    head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+    (tmp_path / "a.ply").write_text(f"{head}element edge 1\nproperty int a\nend_header\n1 2 3\n0\n")
+    result = run("convert", tmp_path / "a.ply", tmp_path / "b.pcd")
+    assert "a cloud cannot store them: element 'edge'" in result.stderr and result.exit_code == 0

@@ -94,7 +94,8 @@ def test_scans_are_merged_with_their_indices(tmp_path, rng, device):
     first = scan_of(rng, 5, intensity=rng.random(5))
     second = scan_of(rng, 7, intensity=rng.random(7), rowIndex=np.arange(7), columnIndex=np.arange(7))
     write_by_pye57(path, (first, [1, 0, 0, 0], [10, 0, 0]), (second, QUATERNION, [0, 0, -4]))
-    cloud = loom.read_point_cloud(path, device=device)
+    with pytest.warns(UserWarning, match="a.e57: the row_index and column_index are dropped, because not all"):
+        cloud = loom.read_point_cloud(path, device=device)
     assert cloud["scan_index"].tolist() == [0] * 5 + [1] * 7
     parts = [loom.read_point_cloud(path, scan=k, device=device) for k in (0, 1)]
     np.testing.assert_array_equal(cloud.points, np.concatenate([part.points for part in parts]))
@@ -400,8 +401,11 @@ def several_scans(tmp_path, rng):
 @pytest.mark.parametrize("scan", [None, 0, 1])
 def test_chunks_are_the_points_of_the_complete_file(tmp_path, rng, size, scan):
     path = several_scans(tmp_path, rng)
-    expected = loom.read_point_cloud(path, scan=scan)
-    chunks = list(loom.read_e57_chunks(path, size, scan=scan))
+    results = []
+    for read in (loom.read_point_cloud, lambda path, scan: list(loom.read_e57_chunks(path, size, scan=scan))):
+        with pytest.warns(UserWarning, match="a.e57: the normals are dropped") if scan is None else nullcontext():
+            results.append(read(path, scan=scan))
+    expected, chunks = results
     counts = {None: (3000, 1, 2501), 0: (3000,), 1: (1,)}[scan]
     assert [len(chunk) for chunk in chunks] == [min(size, n - k) for n in counts for k in range(0, n, size)]
     assert len({tuple(chunk.origin) for chunk in chunks}) == 1 and chunks[0].crs == 25832 and chunks[0].unit == "metre"
@@ -471,3 +475,44 @@ def test_stations_are_written_as_they_were_read(tmp_path, rng):
         loom.write_stations(tmp_path / "e.e57", clouds, [np.eye(4)])
     loom.write_stations(tmp_path / "e.e57", iter(clouds), iter([np.eye(4)]), drop_unsupported=True)
     assert not loom.read_stations(tmp_path / "e.e57").clouds[0].attributes
+
+
+ONE_COLORED = "a.(e57|ptx): the colors are dropped, because not all scans have them"
+
+
+def colored_and_plain(folder, rng):
+    """Files of two scans of which one has colors."""
+    clouds = [loom.PointCloud(rng.random((9, 3)) + 1, intensity=rng.random(9)) for _ in range(2)]
+    clouds[1].colors = rng.random((9, 3))
+    loom.write_stations(folder / "a.e57", clouds, [np.eye(4)] * 2)
+    head = "1\n9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"
+    (folder / "a.ptx").write_text(head + "1 2 3 0.5\n" * 9 + head + "1 2 3 0.5 9 8 7\n" * 9)
+
+
+@pytest.mark.parametrize("name", ["a.e57", "a.ptx"])
+def test_a_field_that_some_scans_lack_is_named(tmp_path, rng, name):
+    colored_and_plain(tmp_path, rng)
+    with pytest.warns(UserWarning, match=ONE_COLORED):
+        cloud = loom.read_point_cloud(tmp_path / name)
+    assert not cloud.has_colors and "intensity" in cloud and len(cloud) == 18
+    assert [loom.read_point_cloud(tmp_path / name, scan=k).has_colors for k in (0, 1)] == [False, True]
+    if name == "a.e57":
+        with pytest.warns(UserWarning, match=ONE_COLORED):
+            assert not next(iter(loom.read_e57_chunks(tmp_path / name))).has_colors
+
+
+def test_an_empty_scan_drops_nothing(tmp_path, rng):
+    clouds = [loom.PointCloud(rng.random((n, 3)), colors=rng.random((n, 3))) for n in (5, 0, 6)]
+    clouds[1] = clouds[1].without("colors")
+    loom.write_stations(tmp_path / "a.e57", clouds, [np.eye(4)] * 3)
+    assert loom.read_point_cloud(tmp_path / "a.e57").has_colors
+    assert all(chunk.has_colors for chunk in loom.read_e57_chunks(tmp_path / "a.e57", 4))
+
+
+def test_fields_that_a_cloud_cannot_store_are_named(tmp_path, rng):
+    names = ("cartesianX", "cartesianY", "cartesianZ", "colorRed", "timeStamp", "reflectance")
+    write_raw(tmp_path / "a.e57", {name: (rng.random(4), double) for name in names})
+    lost = "fields colorRed, reflectance are dropped|fields reflectance, colorRed are dropped"
+    for read in (loom.read_point_cloud, loom.read_stations, lambda path: list(loom.read_e57_chunks(path))):
+        with pytest.warns(UserWarning, match=lost):
+            read(tmp_path / "a.e57")

@@ -1,6 +1,7 @@
 """Writing LAS, LAZ and COPC: attributes, systems, octrees, and copies that preserve what their source stores."""
 
 import struct
+from contextlib import nullcontext
 from datetime import date
 
 import laspy
@@ -542,14 +543,18 @@ def test_old_scan_angles_are_converted_to_the_new_formats(rng, tmp_path):
 
 @OF_ALL_INTEGERS
 @pytest.mark.parametrize("suffix", [".las", ".laz", ".copc.laz"])
-@pytest.mark.parametrize("formats", [(1, 6), (8, 3), (5, 10), (0, 7)])
-def test_clouds_of_old_and_new_point_formats_keep_common_dimensions(rng, tmp_path, formats, suffix):
+@pytest.mark.parametrize(
+    ("formats", "lost"), [((1, 6), ""), ((8, 3), "nir"), ((5, 10), "nir"), ((0, 7), "colors and gps_time")]
+)
+def test_clouds_of_old_and_new_point_formats_keep_common_dimensions(rng, tmp_path, formats, lost, suffix):
     clouds, records = [], []
     for k, number in enumerate(formats):
         records.append(make(tmp_path / f"{k}.las", number, 50, rng))
         clouds.append(loom.read_point_cloud(tmp_path / f"{k}.las"))
         clouds[-1]["row"] = np.arange(50 * k, 50 * k + 50)
-    loom.write_point_cloud(tmp_path / f"both{suffix}", clouds[0] + clouds[1], scale=0.1)
+    with pytest.warns(UserWarning, match=f"^clouds: the {lost} are dropped") if lost else nullcontext():
+        both = clouds[0] + clouds[1]
+    loom.write_point_cloud(tmp_path / f"both{suffix}", both, scale=0.1)
     las = laspy.read(tmp_path / f"both{suffix}")
     las.points = las.points[np.argsort(las["row"])]
     for name in ("return_number", "number_of_returns", "classification", "synthetic", "key_point", "withheld"):

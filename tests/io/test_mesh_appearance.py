@@ -592,3 +592,14 @@ def test_colors_of_corners_that_vcglib_does_not_declare_are_left_behind(tmp_path
     path.write_text(path.read_text().replace("9 1 1", "8 1 1"))
     with pytest.raises(FileError, match=r"/m\.ply \(line 20\):"):
         read_ply_mesh(path)
+
+
+def test_faces_without_usemtl_have_the_first_material(tmp_path):
+    (tmp_path / "m.mtl").write_text("newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n")
+    (tmp_path / "m.obj").write_text(f"mtllib m.mtl\n{SQUARE}{FACE}{FACE}")
+    mesh = read_obj(tmp_path / "m.obj")
+    assert [image.reshape(-1, 3).tolist() for image in mesh.textures] == [[[255, 0, 0]]]
+    assert mesh.triangle_material_ids is None and mesh.triangle_uvs is not None
+    (tmp_path / "m.mtl").unlink()
+    with pytest.warns(UserWarning, match="textures are dropped, because the file 'm.mtl' of its materials"):
+        assert not read_obj(tmp_path / "m.obj").textures

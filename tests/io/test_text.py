@@ -237,7 +237,8 @@ def test_colors_are_8_bit_integers(tmp_path):
     colored = scan("1 0 0 0.5 255 0 51\n0 0 0 0.5 0 0 0", "2\n1")
     cloud = loom.read_point_cloud(ptx(tmp_path / "a.ptx", colored))
     np.testing.assert_allclose(cloud.colors, [[1, 0, 0.2]], atol=1e-7)
-    assert not loom.read_point_cloud(ptx(tmp_path / "b.ptx", colored, scan())).has_colors  # not all scans have colors
+    with pytest.warns(UserWarning, match="b.ptx: the colors are dropped, because not all scans have them"):
+        assert not loom.read_point_cloud(ptx(tmp_path / "b.ptx", colored, scan())).has_colors
 
 
 def test_missing_returns_and_coordinates_that_are_not_finite_are_no_points(tmp_path):

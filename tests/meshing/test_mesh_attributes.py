@@ -1,15 +1,17 @@
 """Vertex and triangle attributes, texture coordinates and images follow all mesh operations."""
 
 import copy
+import inspect
 import pickle
 
 import numpy as np
 import pytest
 
 from pointloom import AxisAlignedBoundingBox, TriangleMesh
+from pointloom.meshing import clean_mesh, simplify_mesh, smooth_mesh
 
 from .mesh_soups import FAR
-from .repair_scenes import SIDE_BY_SIDE, moved, sphere
+from .repair_scenes import SIDE_BY_SIDE, box, flipped, joined, loose, moved, partly_flipped, sphere
 
 
 def labeled(device=None, mesh: TriangleMesh | None = None) -> TriangleMesh:
@@ -255,3 +257,148 @@ def test_touching_solids_are_smoothed_separately(device):
     changed = SIDE_BY_SIDE.to(device).filter_smooth_simple(2)
     alone = TriangleMesh.create_box().filter_smooth_simple(2)
     np.testing.assert_array_equal(changed.vertices[:8], alone.vertices)
+
+
+UPPER = AxisAlignedBoundingBox([-2, -2, -0.5], [2, 2, 2])
+TURNED = np.array([[0, 0, 1.0], [1, 0, 0], [0, 1, 0]])
+TEXTURED = {"triangle_uvs", "triangle_material_ids", "textures"}
+CARRIED = {"vertex_attributes", "triangle_attributes"}
+
+# Every method that returns a mesh, with the arrays that its docstring omits from the result.
+RESULTS = {
+    "bake_vertex_colors": (lambda m: m.bake_vertex_colors(32), {"vertex_colors", "triangle_material_ids"}),
+    "boolean_difference": (lambda m: m.boolean_difference(m.translate([0.5, 0, 0])), TEXTURED),
+    "boolean_intersection": (lambda m: m.boolean_intersection(m.translate([0.5, 0, 0])), TEXTURED),
+    "boolean_union": (lambda m: m.boolean_union(m.translate([0.5, 0, 0])), TEXTURED),
+    "clip_plane": (lambda m: m.clip_plane([0, 0, 0.1], [0, 0, 1]), set()),
+    "clip_plane, cap": (lambda m: m.clip_plane([0, 0, 0.1], [0, 0, 1], cap=True), set()),
+    "compute_uvatlas": (lambda m: m.compute_uvatlas(64), {"textures", "triangle_material_ids"}),
+    "compute_vertex_normals": (lambda m: m.compute_vertex_normals(), set()),
+    "concatenate": (lambda m: TriangleMesh.concatenate([m, m.translate([3, 0, 0])]), set()),
+    "copy": (lambda m: m.copy(), set()),
+    "crop": (lambda m: m.crop(UPPER), set()),
+    "deform_as_rigid_as_possible": (
+        lambda m: m.deform_as_rigid_as_possible([0, 1], m.vertices[:2] + np.array([0, 0.2, 0]), 3), set(),
+    ),
+    "extrude_linear": (lambda m: m.crop(UPPER).extrude_linear([0, 0, 1]), TEXTURED),
+    "extrude_rotation": (lambda m: m.crop(UPPER).extrude_rotation(30, [5, 0, 0], translation=0.5), TEXTURED),
+    "fill_holes": (lambda m: m.remove_triangles_by_index([40]).fill_holes(), set()),
+    "filter_sharpen": (lambda m: m.filter_sharpen(1, 0.1), set()),
+    "filter_smooth_laplacian": (lambda m: m.filter_smooth_laplacian(), set()),
+    "filter_smooth_simple": (lambda m: m.filter_smooth_simple(), set()),
+    "filter_smooth_taubin": (lambda m: m.filter_smooth_taubin(), set()),
+    "merge_close_vertices": (lambda m: m.merge_close_vertices(0.3), set()),
+    "normalize_normals": (lambda m: m.normalize_normals(), set()),
+    "orient_triangles": (lambda m: m.orient_triangles(outward=True)[0], set()),
+    "paint_uniform_color": (lambda m: m.paint_uniform_color([1, 0, 0]), set()),
+    "remesh_isotropic": (lambda m: m.remesh_isotropic(0.4, 3), TEXTURED),
+    "remove_degenerate_triangles": (lambda m: m.remove_degenerate_triangles(), set()),
+    "remove_duplicated_triangles": (lambda m: m.remove_duplicated_triangles(), set()),
+    "remove_duplicated_vertices": (lambda m: m.remove_duplicated_vertices(), set()),
+    "remove_non_manifold_edges": (lambda m: m.remove_non_manifold_edges(), set()),
+    "remove_small_components": (lambda m: m.remove_small_components(2), set()),
+    "remove_triangles_by_index": (lambda m: m.remove_triangles_by_index([3, 9]), set()),
+    "remove_triangles_by_mask": (lambda m: m.remove_triangles_by_mask(np.arange(len(m)) < 9), set()),
+    "remove_unreferenced_vertices": (lambda m: m.remove_unreferenced_vertices(), set()),
+    "remove_vertices_by_index": (lambda m: m.remove_vertices_by_index([3, 9]), set()),
+    "remove_vertices_by_mask": (lambda m: m.remove_vertices_by_mask(m.vertices[:, 2] > 0.7), set()),
+    "repair": (lambda m: m.remove_triangles_by_index([40]).repair(hole_size=1.0)[0], set()),
+    "rotate": (lambda m: m.rotate(TURNED), set()),
+    "scale": (lambda m: m.scale(2.0), set()),
+    "select_by_index": (lambda m: m.select_by_index(np.arange(30)), set()),
+    "select_faces_by_mask": (lambda m: m.select_faces_by_mask(np.arange(len(m)) < 30), set()),
+    "simplify_quadric_decimation": (lambda m: m.simplify_quadric_decimation(60), set()),
+    "simplify_vertex_clustering": (lambda m: m.simplify_vertex_clustering(0.5), TEXTURED),
+    "split_non_manifold_vertices": (lambda m: m.split_non_manifold_vertices(), set()),
+    "subdivide_loop": (lambda m: m.subdivide_loop(), set()),
+    "subdivide_midpoint": (lambda m: m.subdivide_midpoint(), set()),
+    "to": (lambda m: m.to("cpu", arrays="warp"), set()),
+    "to_unit": (lambda m: m.to_unit("mm"), set()),
+    "transform": (lambda m: m.transform(np.diag([1, -2, 1, 1.0])), set()),
+    "translate": (lambda m: m.translate([1, 2, 3]), set()),
+    "trim": (lambda m: m.trim(m.vertices[:, 2], 0.1), set()),
+    "clean_mesh": (lambda m: clean_mesh(m, hole_size=1.0).mesh, set()),
+    "simplify_mesh": (lambda m: simplify_mesh(m, triangles=60).mesh, set()),
+    "smooth_mesh": (lambda m: smooth_mesh(m).mesh, set()),
+}  # fmt: skip
+OTHER_RESULTS = {"clear", "compute_convex_hull", "compute_error_map", "reproject"}  # empty, new, painted, elsewhere
+
+
+def complete(device) -> TriangleMesh:
+    """A closed mesh with every kind of array, whose normals point outward."""
+    mesh, rng = labeled(device), np.random.default_rng(0)
+    mesh.vertex_colors = rng.random((len(mesh.vertices), 3))
+    mesh.triangle_uvs, mesh.triangle_material_ids = rng.random((3 * len(mesh), 2)), np.arange(len(mesh)) % 2
+    mesh.textures, mesh.up, mesh.unit = [IMAGE, IMAGE[::-1]], "y", "metre"
+    return mesh.compute_vertex_normals()
+
+
+def arrays_of(mesh: TriangleMesh) -> set[str]:
+    arrays = {*mesh.arrays, *(kind for kind, columns in mesh.arrays.attributes.items() if columns)}
+    return arrays | ({"textures"} if mesh.textures else set()) | ({"up"} if mesh.up else set())
+
+
+def sides(mesh: TriangleMesh) -> np.ndarray:
+    """Cosine between each normal of a used vertex and the sum of its triangles' area vectors."""
+    assert mesh.vertex_normals is not None
+    surface = mesh.compute_vertex_normals().vertex_normals
+    return np.einsum("nc,nc->n", mesh.vertex_normals, surface)[np.unique(mesh.triangles)]
+
+
+def test_the_table_has_all_methods_that_return_a_mesh():
+    kinds = {name: inspect.unwrap(f) for name, f in inspect.getmembers(TriangleMesh, inspect.isfunction)}
+    found = {name for name, f in kinds.items() if "Self" in str(f.__annotations__.get("return"))}
+    assert {name for name in found if name[0] != "_" and name in dir(TriangleMesh)} <= {*RESULTS, *OTHER_RESULTS}
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_results_keep_all_arrays_and_normals_on_the_side_of_their_triangles(device, name):
+    mesh, (operation, omitted) = complete(device), RESULTS[name]
+    result = operation(mesh)
+    assert arrays_of(result) == arrays_of(mesh) - omitted
+    if arrays_of(result) >= CARRIED:
+        assert attributes_of(result) == KINDS
+    assert sides(result).min() > 0
+
+
+BACKWARD = {
+    "reversed": lambda: flipped(sphere()),
+    "partly reversed": lambda: partly_flipped(sphere()),
+    "soup": lambda: loose(partly_flipped(sphere())),
+    "box": lambda: partly_flipped(box()),
+    "nested": lambda: joined(flipped(sphere()), sphere(3.0)),
+    "two": lambda: joined(flipped(sphere()), moved(partly_flipped(sphere()), [4, 0, 0])),
+}
+REPAIRS = {
+    "repair": lambda m: m.repair()[0],
+    "clean_mesh": lambda m: clean_mesh(m).mesh,
+    "orient_triangles": lambda m: m.orient_triangles(outward=True)[0],
+}
+
+
+@pytest.mark.parametrize("stored", ["computed", "opposite", "outward"])
+@pytest.mark.parametrize("repair", REPAIRS)
+@pytest.mark.parametrize("name", BACKWARD)
+def test_normals_turn_with_their_triangles(device, name, repair, stored):
+    mesh = BACKWARD[name]()
+    centers = np.array([[4 * (name == "two") * (x > 2), 0, 0] for x in mesh.vertices[:, 0]])
+    centers = mesh.vertices.mean(axis=0) if name == "box" else centers
+    outward = mesh.vertices - centers
+    mesh = TriangleMesh(mesh.vertices, mesh.triangles, vertex_normals=outward, device=device).normalize_normals()
+    mesh = mesh if stored == "outward" else mesh.compute_vertex_normals()
+    if stored == "opposite":
+        mesh = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], vertex_normals=mesh.vertex_normals, device=device)
+    repaired = REPAIRS[repair](mesh)
+    touched = np.ones(len(repaired.vertices), bool)
+    if len(repaired.vertices) == len(mesh.vertices) and len(repaired) == len(mesh):  # same numbering
+        turned = (repaired.triangles != mesh.triangles).any(axis=1)
+        touched = np.isin(np.arange(len(touched)), repaired.triangles[turned])
+        before, after = mesh.vertex_normals, repaired.vertex_normals
+        assert before is not None and after is not None
+        np.testing.assert_array_equal(after[~touched], before[~touched])
+        np.testing.assert_array_equal(abs(after), abs(before))
+    used = np.intersect1d(np.flatnonzero(touched), repaired.triangles)
+    surface = repaired.compute_vertex_normals().vertex_normals
+    assert surface is not None and repaired.vertex_normals is not None
+    cosines = np.einsum("nc,nc->n", repaired.vertex_normals, surface)[used]
+    assert cosines.min(initial=1) > (-1e-6 if stored != "outward" else 0)

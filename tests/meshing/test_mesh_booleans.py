@@ -42,8 +42,22 @@ def test_colors_are_preserved_and_normals_recomputed_if_both_have_them(device):
     np.testing.assert_array_equal(union.vertex_colors[(union.vertices < 0.4).any(axis=1)][0], [1, 0, 0])
     np.testing.assert_array_equal(union.vertex_colors[(union.vertices > 1.4).any(axis=1)][0], [0, 0, 1])
     assert union.vertex_normals is not None
-    plain = red.boolean_union(box(0.5, device))
+    with pytest.warns(UserWarning, match="vertex_colors and vertex_normals are dropped, because not all meshes"):
+        plain = red.boolean_union(box(0.5, device))
     assert plain.vertex_colors is None and plain.vertex_normals is None
+
+
+def test_attributes_come_from_the_surface_of_their_mesh(device):
+    parts = [box(0, device), box(0.5, device, origin=[1000, 0, 0])]
+    for number, part in enumerate(parts):
+        part.vertex_attributes["part"] = np.full(8, number, np.uint8)
+        part.vertex_attributes["place"], part.triangle_attributes["part"] = part.vertices, np.full(12, number)
+    for result in (parts[0].boolean_union(parts[1]), parts[0].boolean_difference(parts[1])):
+        np.testing.assert_allclose(result.vertex_attributes["place"], result.vertices, atol=1e-4)
+        middles = result.vertices[result.triangles].mean(axis=1)
+        on_first = (np.abs(middles - 0.5).max(axis=1) > 0.5 - 1e-3) & (np.abs(middles - 1).max(axis=1) > 0.5 + 1e-3)
+        assert on_first.any() and (result.triangle_attributes["part"][on_first] == 0).all()
+        assert {*result.vertex_attributes["part"]} == {0, 1} == {*result.triangle_attributes["part"]}
 
 
 BAD = {

@@ -42,7 +42,7 @@ def test_sums_of_many_meshes_and_of_none(device):
 
 
 def test_attributes_missing_in_one_mesh_are_dropped():
-    with pytest.warns(UserWarning, match=r"^textures:"):
+    with pytest.warns(UserWarning, match=r"^meshes: the vertex_normals, .* and textures are dropped"):
         both = dressed() + TriangleMesh.create_box()
     assert not both.has_vertex_normals and not both.has_triangle_uvs and not both.vertex_attributes
     other = TriangleMesh.create_box()
@@ -229,3 +229,19 @@ def test_a_plane_shows_the_full_image():
     mesh = TriangleMesh.create_plane(2, 3, create_uv_map=True)
     np.testing.assert_array_equal(mesh.triangle_uvs * [2, 3], mesh.vertices[mesh.triangles.reshape(-1), :2])
     np.testing.assert_array_equal(mesh.compute_triangle_normals(), [[0, 0, 1]] * 2)
+
+
+def test_a_sum_names_the_arrays_that_some_meshes_lack(device):
+    one, other = (TriangleMesh.create_box(device=device).compute_vertex_normals() for _ in range(2))
+    one.vertex_colors = np.zeros((8, 3))
+    one.vertex_attributes["heat"], other.triangle_attributes["part"] = np.zeros(8), np.zeros(12)
+    for pair in ([one, other], [other, one]):
+        with pytest.warns(UserWarning, match="vertex_colors, heat and part are dropped, because not") as told:
+            both = TriangleMesh.concatenate(pair)
+        assert len(told) == 1 and both.has_vertex_normals and not both.vertex_attributes and not both.has_vertex_colors
+
+
+def test_vertices_without_triangles_keep_the_attributes_of_triangles():
+    mesh = TriangleMesh.create_box()
+    mesh.triangle_attributes["part"] = np.arange(12)
+    assert (mesh + TriangleMesh([[5, 5, 5]])).triangle_attributes["part"].tolist() == [*range(12)]

@@ -1,9 +1,13 @@
 """Operations of PointCloud: preserved attributes, unchanged operands, transforms, sums, equal bits in each run."""
 
+import inspect
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.core.devices import check_same_device
@@ -12,6 +16,7 @@ from ..small_scenes import ON_CLOUDS, ON_HOST, SmallScenes, digest
 from .any_cloud import examples
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
 
+LOST = "^clouds: the {} are dropped, because not all clouds have them$"
 NORMALS_ALONE = ["estimate_normals", "orient to direction", "orient to camera", "orient alike", "normalize", "flip"]
 
 
@@ -160,7 +165,9 @@ def test_normals_and_colors_survive_addition_as_in_open3d(device, rng, oracle):
             loom.PointCloud(rng.random((count, 3)), device=device, **{name: rng.random((count, 3)) for name in names})
             for names, count in zip((left, right), counts, strict=True)
         ]
-        result = clouds[0] + clouds[1]
+        lacks = all(counts) and set(left) != set(right)
+        with pytest.warns(UserWarning, match="dropped, because") if lacks else nullcontext():
+            result = clouds[0] + clouds[1]
         assert (result.has_normals, result.has_colors) == expected, (left, right, counts)
         np.testing.assert_array_equal(result.points, np.concatenate([cloud.points for cloud in clouds]))
 
@@ -173,7 +180,8 @@ def test_common_attributes_keep_their_type(device, rng):
         attributes["wide"] = rng.integers(0, 9, (count, 3)).astype(np.int16)
         attributes[f"own{count}"] = np.ones(count)
         clouds.append(loom.PointCloud(rng.random((count, 3)), device=device, **attributes))
-    result = loom.PointCloud.concatenate(iter(clouds))
+    with pytest.warns(UserWarning, match=LOST.format("own5, own1 and own12")):
+        result = loom.PointCloud.concatenate(iter(clouds))
     shared = set(clouds[0].attributes) - {"own5"}
     assert set(result.attributes) == shared and len(shared) == 11
     for name in shared:
@@ -262,3 +270,143 @@ def scenes():
 def test_two_runs_are_bitwise_identical(device, name, scenes):
     first, second = (digest(ON_CLOUDS[name](scene)) for scene in scenes(device))
     assert first == second
+
+
+SURVEY = [9.5, 50.0, 0.0]  # degrees
+SCREW = rigid(np.random.default_rng(3))
+MOVED = {
+    "smooth_mls": lambda c: c.smooth_mls(radius=None, max_nn=12),
+    "smooth_bilateral": lambda c: c.smooth_bilateral(radius=4.0),
+    "smooth_laplacian": lambda c: c.smooth_laplacian(2),
+    "smooth_laplacian, fixed": lambda c: c.smooth_laplacian(2, use_fixed_neighborhoods=True),
+    "smooth_taubin": lambda c: c.smooth_taubin(2),
+    "deskew_point_cloud": lambda c: loom.registration.deskew_point_cloud(c, SCREW),
+}
+SHARED = {
+    "copy": lambda c: c.copy(),
+    "crop": lambda c: c.crop(loom.OrientedBoundingBox(c.get_center(), np.eye(3), [99, 99, 99])),
+    "estimate_covariances": lambda c: c.estimate_covariances(),
+    "estimate_normals": lambda c: c.estimate_normals(),
+    "farthest_point_down_sample": lambda c: c.farthest_point_down_sample(50),
+    "flip_normals": lambda c: c.flip_normals(),
+    "normalize_normals": lambda c: c.normalize_normals(),
+    "paint_uniform_color": lambda c: c.paint_uniform_color([1, 0, 0]),
+    "random_down_sample": lambda c: c.random_down_sample(0.5),
+    "remove_duplicated_points": lambda c: c.remove_duplicated_points(),
+    "remove_non_finite_points": lambda c: c.remove_non_finite_points(),
+    "remove_radius_outlier": lambda c: c.remove_radius_outlier(2, 3.0)[0],
+    "remove_statistical_outlier": lambda c: c.remove_statistical_outlier(9, 1.0)[0],
+    "select_by_index": lambda c: c.select_by_index([3, 1, 1]),
+    "select_by_mask": lambda c: c.select_by_mask(np.arange(len(c)) % 2 == 0),
+    "uniform_down_sample": lambda c: c.uniform_down_sample(3),
+    "to": lambda c: c.to("cpu", arrays="warp"),
+    "translate": lambda c: c.translate([1, 2, 3]),
+    "scale": lambda c: c.scale(2.0),
+    "rotate": lambda c: c.rotate(SCREW[:3, :3]),
+    "transform": lambda c: c.transform(SCREW),
+    "slice": lambda c: c[::3],
+    "concatenate": lambda c: c + c,
+}
+# Results that depend on axes, on coordinates or on a direction, and are tested for their arrays alone.
+OF_AXES = {
+    "orient_normals_consistent_tangent_plane": lambda c: c.orient_normals_consistent_tangent_plane(8),
+    "orient_normals_to_align_with_direction": lambda c: c.orient_normals_to_align_with_direction(),
+    "orient_normals_towards_camera_location": lambda c: c.orient_normals_towards_camera_location(),
+    "thin": lambda c: c.thin(2.0),
+    "to_unit": lambda c: c.to_unit("foot"),
+    "voxel_down_sample": lambda c: c.voxel_down_sample(2.0),
+    "voxel_down_sample_and_trace": lambda c: c.voxel_down_sample_and_trace(2.0).cloud,
+}
+OTHER_RESULTS = {"clear", "reproject", "without"}  # empty, refuses covariances, without named arrays
+
+
+def complete(rng, device):
+    """A cloud with every kind of array, a time for each point, and covariances as float64."""
+    cloud = full_cloud(rng, device).estimate_covariances()
+    cloud["covariances"], cloud.unit = cloud.covariances.reshape(-1, 9).astype(float), "metre"
+    return cloud
+
+
+def test_the_tables_have_all_methods_that_return_a_cloud():
+    kinds = {name: inspect.unwrap(f) for name, f in inspect.getmembers(loom.PointCloud, inspect.isfunction)}
+    found = {name for name, f in kinds.items() if "Self" in str(f.__annotations__.get("return"))}
+    public = {name for name in found if name[0] != "_" and name in dir(loom.PointCloud)}
+    assert public <= {*MOVED, *SHARED, *OF_AXES, *OTHER_RESULTS}
+
+
+@pytest.mark.parametrize("name", [*MOVED, *SHARED, *OF_AXES])
+def test_a_result_has_covariances_unless_its_points_moved_relative_to_each_other(device, name, rng):
+    cloud = complete(rng, device)
+    result = (MOVED | SHARED | OF_AXES)[name](cloud)
+    assert set(result.arrays) == set(cloud.arrays) - ({"covariances"} if name in MOVED else set())
+
+
+@pytest.mark.parametrize("name", [*MOVED, *SHARED])
+def test_normals_and_covariances_rotate_with_the_points(device, name, rng):
+    """The result of a rotated cloud is the rotated result, in every array."""
+    cloud, operation = complete(rng, device), (MOVED | SHARED)[name]
+    motion = np.eye(4)
+    motion[:3, :3] = rigid(rng)[:3, :3]
+    if name in ("translate", "rotate", "transform", "deskew_point_cloud"):
+        motion[:3, :3] = Rotation.from_rotvec(0.7 * np.array(rotation_axis(SCREW))).as_matrix()  # commutes with it
+    plain, result, R = operation(cloud), operation(cloud.transform(motion)), motion[:3, :3]
+    expected, signs = plain.normals @ R.T, 1.0
+    if name.startswith(("estimate_normals", "smooth_mls")):  # planes fitted to rounded points, of either side
+        signs = np.sign((result.normals * expected).sum(axis=1, keepdims=True))
+    np.testing.assert_allclose(result.normals * signs, expected, rtol=0, atol=1e-3)
+    if "covariances" in plain:
+        expected = R @ plain.covariances @ R.T
+        np.testing.assert_allclose(result.covariances, expected, rtol=0, atol=1e-5 * abs(expected).max())
+
+
+def rotation_axis(T):
+    return Rotation.from_matrix(T[:3, :3]).as_rotvec() / np.linalg.norm(Rotation.from_matrix(T[:3, :3]).as_rotvec())
+
+
+@pytest.mark.parametrize("name", ["attribute", "item"])
+def test_assigned_points_have_no_covariances_of_the_old_ones(device, name, rng):
+    cloud = complete(rng, device)
+    other = cloud.copy()
+    if name == "item":
+        other["points"] = cloud.points[::-1]
+    else:
+        other.points = cloud.points[::-1]
+    assert "covariances" in cloud and set(other.arrays) == set(cloud.arrays) - {"covariances"}
+    with pytest.raises(ValueError, match="covariances"):
+        _ = other.covariances
+
+
+def test_projected_points_have_no_covariances_in_degrees(device, rng):
+    cloud = loom.PointCloud(SURVEY + rng.random((99, 3)) * 1e-3, crs=4326, device=device).estimate_covariances()
+    assert "covariances" not in loom.project_to_utm(cloud)
+    with pytest.raises(ValueError, match="covariances cannot be reprojected"):
+        cloud.reproject(32632)
+
+
+def test_generalized_icp_ignores_the_covariances_of_the_points_before_smoothing(device, rng):
+    """A rough surface that was smoothed has the covariances of the smooth one."""
+    x, y = rng.random((2, 900)) * 4
+    rough = loom.PointCloud(np.column_stack([x, y, 0.2 * np.sin(3 * x) + 0.02 * rng.normal(size=900)]), device=device)
+    smooth = [cloud.smooth_mls(radius=0.4, max_nn=40) for cloud in (rough, rough.estimate_covariances(max_nn=20))]
+    register, step = loom.registration.registration_icp, loom.registration.TransformationEstimation.generalized()
+    poses = [register(one.translate([0.02, 0.01, 0.01]), one, 0.3, np.eye(4), step).transformation for one in smooth]
+    np.testing.assert_array_equal(poses[0], poses[1])
+
+
+JOINS = [lambda a, b: a + b, lambda a, b: b + a, lambda a, b: loom.PointCloud.concatenate([a, b])]
+
+
+@pytest.mark.parametrize("join", JOINS)
+def test_a_sum_names_the_arrays_that_some_clouds_lack(device, join, rng):
+    first, second = full_cloud(rng, device, 5), full_cloud(rng, device, 6)
+    del first.normals, second.attributes["ring"]
+    with pytest.warns(UserWarning, match="normals and ring|ring and normals") as caught:
+        total = join(first, second)
+    assert len(caught) == 1 and set(total.arrays) == set(first.arrays) & set(second.arrays)
+    with pytest.warns(UserWarning, match=LOST.format("ring, time and normals")):
+        _ = loom.PointCloud.concatenate([first, second.without("time"), second])
+
+
+def test_a_sum_of_equal_arrays_or_with_an_empty_cloud_is_quiet(device, rng):
+    cloud = full_cloud(rng, device, 5)
+    assert set((cloud + loom.PointCloud(device=device) + cloud).arrays) == set(cloud.arrays)

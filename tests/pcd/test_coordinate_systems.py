@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -244,3 +245,45 @@ def test_texts_codes_and_objects_are_one_system():
 def test_wrong_systems_are_rejected(value, error):
     with pytest.raises(error, match=r"^crs: expected a coordinate system such as 'EPSG:25832' or 25832, got"):
         loom.PointCloud(CORNER[None], crs=value)
+
+
+UNNAMED = "+proj=tmerc +lat_0=1 +lon_0=9.5 +k=1 +x_0=1000 +y_0=0 +ellps=GRS80 +units=m"
+
+
+@pytest.mark.parametrize("suffix", [".las", ".laz", ".copc.laz", ".ply", ".pcd", ".npz", ".e57"])
+@pytest.mark.parametrize("form", ["WKT1_GDAL", "WKT2_2019"])
+@pytest.mark.parametrize("given", [UNNAMED, UNNAMED + " +towgs84=1,2,3", "+proj=longlat +ellps=bessel"])
+def test_a_system_that_proj_calls_unknown_is_kept(rng, tmp_path, given, form, suffix):
+    pyproj = pytest.importorskip("pyproj")
+    text = pyproj.CRS(given).to_wkt(form)
+    assert '"unknown"' in text[:60]
+    if suffix == ".e57" and "longlat" in given:
+        pytest.skip("lengths in E57 are meters")
+    cloud = loom.PointCloud(rng.random((9, 3)) + np.array([9, 1, 0]), crs=text)
+    cloud.unit = "degree" if "longlat" in given else "metre"
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", loom.GeographicWarning)
+        loom.write_point_cloud(tmp_path / f"a{suffix}", cloud)
+        read = loom.read_point_cloud(tmp_path / f"a{suffix}").crs
+    assert read is not None and pyproj.CRS(read.text) == pyproj.CRS(text)
+
+
+def test_two_systems_that_proj_calls_unknown_are_different():
+    pyproj = pytest.importorskip("pyproj")
+    texts = [pyproj.CRS(UNNAMED.replace("9.5", lon)).to_wkt("WKT1_GDAL") for lon in ("9.5", "9.5", "12")]
+    first, same, other = (loom.PointCloud([[0, 0, 0.0]], crs=text) for text in texts)
+    assert (first + same).crs == first.crs != other.crs
+    with pytest.raises(ValueError, match="expected one coordinate system"):
+        _ = first + other
+
+
+@pytest.mark.parametrize("crs", ["EPSG:25832+7837", "wkt"])
+def test_rasters_of_heights_have_the_system_of_the_heights(rng, tmp_path, crs):
+    pyproj = pytest.importorskip("pyproj")
+    text = pyproj.CRS("EPSG:25832+7837").to_wkt("WKT1_GDAL") if crs == "wkt" else crs
+    points = rng.random((2000, 3)) * [20, 20, 1] + CORNER
+    cloud = loom.PointCloud(points, crs=text, classification=np.full(2000, 2, np.uint8))
+    for kind in ("dtm", "dsm", "lowest"):
+        path = loom.rasterize(cloud, 2.0, kind).write(tmp_path / f"{kind}.tif")
+        stored = pyproj.CRS(loom.read_raster(path).crs)
+        assert stored.is_compound and stored.sub_crs_list[1].to_epsg() == 7837

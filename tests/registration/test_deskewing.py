@@ -206,3 +206,16 @@ def test_points_follow_rotations_between_steps(device, size):
         expected = expm(generator([*vector, *(fraction * velocity)])) @ [*(p[i] + 1), 1]
         np.testing.assert_allclose(moved[i], expected[:3], atol=3e-5)
     assert np.isnan(moved[-1]).all()
+
+
+def test_normals_are_deskewed_with_their_points(device, rng):
+    """The tips of the normals, deskewed as points, are the tips of the deskewed normals."""
+    points, normals, times = rng.uniform(-20, 20, (50, 3)), rng.normal(size=(50, 3)), rng.random(50)
+    times[:2], normals = (0, 1), normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    T = expm(generator([0.3, -0.2, 0.9, 2, 1, -1]))
+    scan = loom.PointCloud(points, normals=normals, time=times, device=device)
+    deskewed, tips = (
+        deskew_point_cloud(one, T) for one in (scan, loom.PointCloud(points + normals, time=times, device=device))
+    )
+    np.testing.assert_allclose(deskewed.normals, tips.points - deskewed.points, atol=2e-5)
+    assert abs(deskewed.normals - normals).max() > 0.1

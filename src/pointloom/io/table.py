@@ -57,6 +57,11 @@ class PointTable:
         """The unit of each axis [m], shape (3,)."""
         return lengths_of_axes(None if self.unit is None else self.unit.meters, in_degrees=self.in_degrees)
 
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """All arrays except positions, by name."""
+        own = {"normals": self.normals, "colors": self.colors}
+        return {name: values for name, values in own.items() if values is not None} | self.attributes
+
     def checked(self) -> PointTable:
         """The table with validated arrays, for writers. Raises `TypeError` or `ValueError`."""
         points = _floating(check_rows("points", self.points, 3))

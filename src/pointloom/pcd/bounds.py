@@ -20,14 +20,14 @@ from ..kernels.extent.mean_covariance import mahalanobis_distances, mean_and_cov
 from ..kernels.extent.visibility import direct_positions, visible_rows
 from ..kernels.lang import float32, int32, vec3
 from ..kernels.linear_algebra import inv, matmul, pinvh
-from ..kernels.memory import download, upload
+from ..kernels.memory import cast, download, upload
 from ..kernels.search.hilbert_order import HilbertOrder
 from ..kernels.search.neighbor_distances import nearest_distances
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .convex_hull import ConvexHull, VisibleSurface, find_outer_facets, hull_of_cloud
 from .minimal_box import fit_principal_box, fit_smallest_box
 from .motion import Movable
-from .point_arrays import PointArrays, check_cloud, place_points
+from .point_arrays import COVARIANCES, PointArrays, check_cloud, place_points
 from .point_store import sample_about
 from .selection import Selection
 from .units import common_reference, crs_under, unit_under
@@ -130,7 +130,7 @@ class Bounds(Selection, Movable):
         return self._under(factor * np.eye(3), np.zeros(3), self.arrays.origin * factor)
 
     def _reprojected(self, way: Reprojection) -> Self:
-        if "covariances" in self.arrays:
+        if COVARIANCES in self.arrays:
             raise ValueError('cloud: covariances cannot be reprojected. Reproject cloud.without("covariances")')
         positions = self.arrays.positions()
         points, origin, _ = place_points(way.points(positions), None, self.device, in_degrees=way.unit_name == "degree")
@@ -149,13 +149,9 @@ class Bounds(Selection, Movable):
         is_shift = len(arrays) == 1 or np.array_equal(A, np.eye(3))  # normals and covariances do not change
         if "normals" in arrays and not is_shift:
             arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
-        if (
-            not is_shift
-            and "covariances" in arrays
-            and arrays["covariances"].dtype == float32
-            and arrays["covariances"].shape[1:] == (9,)
-        ):
-            arrays["covariances"] = transform_covariances(arrays["covariances"], A)
+        if not is_shift and COVARIANCES in arrays and arrays[COVARIANCES].shape[1:] == (9,):
+            rows = arrays[COVARIANCES]
+            arrays[COVARIANCES] = transform_covariances(rows if rows.dtype == float32 else cast(rows, float32), A)
         cloud = self.with_arrays(arrays, grid=self.grid)
         cloud.arrays.origin = origin
         return cloud

@@ -59,7 +59,7 @@ def utm_epsg(cloud: PointCloud) -> int:
 
 
 def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -> PointCloud:
-    """Project a cloud in degrees to UTM meters. Heights and attributes stay.
+    """Project a cloud in degrees to UTM meters. Heights and attributes stay, covariances are dropped.
 
     Args:
         cloud: x is the longitude, y the latitude [degrees]; z is kept.
@@ -101,7 +101,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -
     start = (_FALSE_EASTING, _SOUTHERN_NORTHING if code > _SOUTHERN_EPSG_BASE else 0.0)
     projection = mercator(6.0 * zone - 183.0, _EQUATORIAL_RADIUS, _EARTH_FLATTENING, scale=_UTM_SCALE, start=start)
     points, origin = take_points("cloud", project_degrees(degrees, projection), None)
-    projected = cloud.with_arrays({**cloud.arrays, "points": points}, grid=cloud.grid)
+    projected = cloud.with_points(points, grid=cloud.grid)
     projected.arrays.origin, projected.unit, projected.crs = origin, METRE, check_crs("crs", code)
     return projected
 

@@ -55,7 +55,7 @@ def _as_newer(part: PointArrays, flags: Mapping[str, np.dtype[Any]]) -> PointArr
         if name == "overlap" and "classification" in part:
             is_set = part["classification"] == _OVERLAP_CLASS
         converted[name] = is_set.astype(dtype)
-    added = part.copy()
+    added = part.without(RANK)
     for name, values in converted.items():
         added[name] = values
     return added

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -255,8 +255,8 @@ class Normals(Selection):
             max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
 
         Returns:
-            The cloud with moved points. Points with fewer than 3 neighbors and those not finite stay. Existing normals
-            become those of the planes, on the same side.
+            The cloud with moved points, without covariances. Points with fewer than 3 neighbors and those not finite
+            stay. Existing normals become those of the planes, on the same side.
 
         Raises:
             ValueError: If both limits are None, or a limit is out of range.
@@ -272,7 +272,7 @@ class Normals(Selection):
         search_radius, count = check_search(radius, max_nn)
         normals = self.arrays.get("normals")
         moved, fitted = project_to_planes(self.search_tree(), count, search_radius, normals)
-        return self._moved(moved, {} if normals is None else {"normals": fitted})
+        return self.with_points(moved, None if normals is None else fitted)
 
     @returns_new
     def smooth_bilateral(
@@ -290,7 +290,8 @@ class Normals(Selection):
             sigma_s, sigma_r: Standard deviations along and across the surface [m].
 
         Returns:
-            The cloud with moved points and unchanged normals. Points without a valid normal or not finite stay.
+            The cloud with moved points and unchanged normals, without covariances. Points without a valid normal or not
+            finite stay.
 
         Raises:
             ValueError: If both limits are None, or a number is out of range.
@@ -300,7 +301,7 @@ class Normals(Selection):
         tree, normals = self.search_tree(), self.arrays.get("normals")
         if normals is None:
             normals = estimate_normals(tree, NORMAL_NEIGHBORS, math.inf)
-        return self._moved(average_by_sides(tree, normals, count, search_radius, spatial, across))
+        return self.with_points(average_by_sides(tree, normals, count, search_radius, spatial, across))
 
     @returns_new
     def smooth_laplacian(
@@ -318,7 +319,8 @@ class Normals(Selection):
             use_fixed_neighborhoods: Keep the neighbors of the first pass: faster, avoids clustering. 4 B per neighbor.
 
         Returns:
-            The cloud with moved points and unchanged normals. Points that are not finite stay. Bitwise reproducible.
+            The cloud with moved points and unchanged normals, without covariances. Points that are not finite stay.
+            Bitwise reproducible.
 
         Raises:
             ValueError: If iterations are outside 0..10,000, knn < 1, or `lambda_` is not finite.
@@ -356,10 +358,7 @@ class Normals(Selection):
     def _averaged(self, factors: list[float], knn: int, fixed: bool) -> Self:
         neighbors = check_count("knn", knn)
         run = average_passes_fixed if fixed else average_passes
-        return self._moved(run(self.search_tree(), factors, neighbors))
-
-    def _moved(self, points: Any, others: dict[str, Any] | None = None) -> Self:
-        return self.with_arrays(self.arrays | {"points": points} | (others or {}))
+        return self.with_points(run(self.search_tree(), factors, neighbors))
 
 
 def _check_passes(iterations: object) -> int:

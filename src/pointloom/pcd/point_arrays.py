@@ -30,6 +30,7 @@ from .point_store import PointStore
 from .stored_arrays import StoredArrays, read_only
 
 VECTORS = ("points", "normals", "colors")
+COVARIANCES = "covariances"  # of neighborhoods: (n, 9), valid for the present points only
 
 
 class Attributes(MutableMapping[str, NDArray[Any]]):
@@ -73,6 +74,7 @@ class PointArrays(StoredArrays):
     """
 
     arrays: PointStore  # device arrays for the modules of this package
+    _internal = ("with_points",)
     _how_to_add = "Add an attribute of the points with cloud[{name!r}] = values"
     grid: tuple[int, int] | None
 
@@ -114,13 +116,14 @@ class PointArrays(StoredArrays):
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """World coordinates [m], float64 (n, 3)."""
+        """World coordinates [m], float64 (n, 3). Assigning drops covariances, which belong to the old positions."""
         return read_only(self.arrays.positions())
 
     @points.setter
     def points(self, values: ArrayLike) -> None:
         points, origin, tree = place_points(values, None, self.device, rows=len(self), in_degrees=self._in_degrees)
         self.arrays["points"], self.arrays.origin, self.arrays.tree = points, origin, tree
+        self.arrays.pop(COVARIANCES, None)
 
     @property
     def normals(self) -> NDArray[np.float32]:
@@ -325,6 +328,14 @@ class PointArrays(StoredArrays):
         store = PointStore(arrays, own.origin, own.library, tree=tree)
         vars(cloud).update(arrays=store, grid=grid, _unit=self._unit, _crs=self._crs)  # without checks
         return cloud
+
+    def with_points(
+        self, points: wp.array, normals: wp.array | None = None, *, grid: tuple[int, int] | None = None
+    ) -> Self:
+        """Cloud with moved points about the same origin, and perhaps other normals. Covariances, which belong to the
+        old positions, are dropped."""
+        arrays = {name: values for name, values in self.arrays.items() if name != COVARIANCES} | {"points": points}
+        return self.with_arrays(arrays if normals is None else arrays | {"normals": normals}, grid=grid)
 
     def search_tree(self) -> PointTree:
         """Search tree of the points, built at the first call and cached: 20 B per point."""

@@ -27,6 +27,7 @@ from ..core.checks import (
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
+from ..core.joined_parts import common_names
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.concatenation import concatenate_points
@@ -101,11 +102,14 @@ class Selection(PointArrays):
             TypeError: If an item is not a cloud, or an attribute's types differ.
             DeviceError: If the clouds are on different devices.
 
+        Warns:
+            UserWarning: If an attribute is dropped because some clouds lack it.
+
         Example:
             >>> import pointloom as loom
             >>> a = loom.PointCloud([[0, 0, 0]], ring=[1], time=[0.5])
             >>> b = loom.PointCloud([[5e5, 5.4e6, 0], [5e5, 5.4e6, 1]], ring=[2, 3])
-            >>> both = loom.PointCloud.concatenate([a, b])
+            >>> both = loom.PointCloud.concatenate([a.without("time"), b])
             >>> both["ring"].tolist(), list(both.attributes), both.points[2].tolist()
             ([1, 2, 3], ['ring'], [500000.0, 5400000.0, 1.0])
         """
@@ -123,10 +127,9 @@ class Selection(PointArrays):
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
         arrays = {"points": concatenate_points([part.arrays["points"] for part in parts], shifts)}
-        for name in parts[0].arrays:
-            if name == "points" or not all(name in part for part in parts):
-                continue
-            arrays[name] = concatenate_columns(name, [part.arrays[name] for part in parts], "clouds")
+        for name in common_names("clouds", [part.arrays for part in parts], "clouds"):
+            if name != "points":
+                arrays[name] = concatenate_columns(name, [part.arrays[name] for part in parts], "clouds")
         merged = cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)
         merged.unit, merged.crs = unit, crs
         return merged

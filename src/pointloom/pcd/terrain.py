@@ -29,6 +29,7 @@ from .raster_cells import (
     window_of,
 )
 
+OF_HEIGHTS = ("dtm", "dsm", "lowest")  # above the datum of the cloud's heights
 KINDS = ("dtm", "dsm", "chm", "density", "intensity", "lowest")
 METHODS = ("idw", "tin")
 
@@ -64,8 +65,8 @@ def rasterize(
         classes: LAS classes that count. If None: ground (2) for the ground, otherwise all but noise (7 and 18).
         corner: A corner of cells, x and y.
         bounds: (x0, y0, x1, y1) of the raster. If None: those of the cloud.
-        crs: Coordinate system for files as rasterio accepts it: "EPSG:26910" or well-known text. If None: that of the
-            cloud.
+        crs: Coordinate system for files as rasterio accepts it: "EPSG:26910", "EPSG:25832+7837" or well-known text. If
+            None: that of the cloud, with the system of its heights for "dtm", "dsm" and "lowest".
 
     Returns:
         A Raster. Cells without points are empty, with density 0.
@@ -107,7 +108,7 @@ def rasterize(
         surface = measured_cells(cloud, window, kind, None if kind == "chm" else class_numbers)
     values = raster_values(kind, surface, ground, window, float(cloud.origin[2]))
     low = start + np.array([window.column0, window.row0]) * side
-    system = map_crs("crs, cloud", crs, cloud.crs)
+    system = map_crs("crs, cloud", crs, cloud.crs, with_heights=kind in OF_HEIGHTS)
     return Raster(values, low, side, np.zeros(values.shape, bool), kind, system, unit=cloud.unit)
 
 

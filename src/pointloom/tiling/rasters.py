@@ -15,16 +15,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.coordinate_systems import map_crs
 from ..core.errors import FileError
 from ..core.paths import job_file
 from ..io.optional_imports import foreign_errors, import_for
-from ..io.points.las_crs import find_keys, find_text
+from ..io.points.las_crs import crs_of as system_of
+from ..io.points.las_crs import find_text
 from ..kernels.lru_cache import LruCache
 from ..pcd.cloud import PointCloud
 from ..pcd.geotiff import geotiff
 from ..pcd.raster import NODATA_VALUE, Raster
 from ..pcd.raster_cells import NoGroundError
-from ..pcd.terrain import rasterize
+from ..pcd.terrain import OF_HEIGHTS, rasterize
 from .manifest import Manifest
 from .plan import Plan
 from .sources import file_of
@@ -33,7 +35,6 @@ from .steps.raster import Rasterize
 FOLDER = "rasters"
 WINDOW_CELLS = 1024  # cells per side of the mosaic windows: 12 MB
 MAX_OPEN = 64  # open rasters of tiles
-_PROJECTED_KEY, _USER_DEFINED = 3072, 32767  # GeoTIFF key of the system's number
 
 
 def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, index: tuple[int, int]) -> None:
@@ -53,7 +54,7 @@ def _raster_of(step: Rasterize, cloud: PointCloud, plan: Plan, cells: NDArray[np
     grid = np.array(grid_cells(step, plan))
     padded[:2], padded[2:] = np.maximum(padded[:2], grid[:2]), np.minimum(padded[2:], grid[2:])
     bounds: NDArray[np.float64] = (np.tile(corner, 2) + padded * step.cell).astype(np.float64)
-    crs = params["crs"] or crs_of(plan)
+    crs = params["crs"] or crs_of(plan, step.kind)
     try:
         raster = rasterize(cloud, step.cell, bounds=bounds, crs=crs, **options)
     except NoGroundError:
@@ -96,14 +97,10 @@ def raster_path(folder: Path, name: str, index: tuple[int, int]) -> Path:
     return folder / FOLDER / name / f"{index[0]}_{index[1]}.tif"
 
 
-def crs_of(plan: Plan) -> str | None:
-    """Coordinate system of the files for rasterio. None if unknown."""
+def crs_of(plan: Plan, kind: str) -> str | None:
+    """Coordinate system of the files for rasterio, for rasters of a kind. None if unknown."""
     header = file_of(plan.sources[0]).header
-    text = find_text(header)
-    if text:
-        return text
-    location, _, code = find_keys(header).get(_PROJECTED_KEY, (0, 0, 0))
-    return f"EPSG:{code}" if location == 0 and 0 < code < _USER_DEFINED else None
+    return find_text(header) or map_crs("crs", None, system_of(header), with_heights=kind in OF_HEIGHTS)
 
 
 def mosaics_of(plan: Plan, path: Path) -> list[Path]:
@@ -128,7 +125,7 @@ def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, o
     boxes = np.array([*cells_of.values()])
     x0, y0, x1, y1 = [*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0)]
     shape, low = (int(y1 - y0), int(x1 - x0)), np.array(step.params["corner"]) + np.array([x0, y0]) * step.cell
-    metadata = SimpleNamespace(kind=step.kind, crs=step.params["crs"] or crs_of(plan), nodata=NODATA_VALUE)
+    metadata = SimpleNamespace(kind=step.kind, crs=step.params["crs"] or crs_of(plan, step.kind), nodata=NODATA_VALUE)
     windows: Any = import_for(path, "rasterio.windows", "geo")
     indices = [*cells_of]
     with (

@@ -27,7 +27,7 @@ from ..io.columns import warn_of_loss
 from ..io.points.copc import CopcFile, is_copc, octree_of
 from ..io.points.formats import CLOUD_FORMATS
 from ..io.points.las import LasFile, attribute_types, open_las, scale_by, table_of
-from ..io.points.las_crs import crs_name, is_geographic
+from ..io.points.las_crs import NO_NAME, crs_name, find_text, is_geographic
 from ..io.points.las_records import left_out_of, own_records
 from ..io.points.las_units import units_of
 from ..io.table import PointTable
@@ -130,7 +130,7 @@ def describe(path: Path) -> dict[str, Any]:
         "high": [*map(float, high)],
         "scales": [*header.scales],
         "offsets": [*header.offsets],
-        "crs": crs_name(header),
+        "crs": find_text(header) if crs_name(header) == NO_NAME else crs_name(header),
         "unit": None if units.plane is None else text_of(units.plane),
         "format": header.point_format,
         "attributes": attribute_types(file),

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from ..core.atomic import atomic_write
 from ..core.errors import FileError
+from ..core.joined_parts import common_names
 from ..core.progress import ReportProgress
 from ..core.units import LengthUnit
 from ..io.attribute_names import new_names
@@ -45,8 +46,8 @@ Parts = Callable[[], Iterator[PointTable]]
 @dataclass
 class CommonProperties:
     """Result of the first pass over all files. `normals` and `colors` are True if all points have them; `types` are
-    those of common attributes; `renamed` maps names that LAS cannot store (attribute_names.py); `unit` is None if no
-    file has one."""
+    those of common attributes; `names` are those of all parts; `renamed` maps names that LAS cannot store
+    (attribute_names.py); `unit` is None if no file has one."""
 
     low: NDArray[np.float64] = field(default_factory=lambda: np.full(3, np.inf))
     high: NDArray[np.float64] = field(default_factory=lambda: np.full(3, -np.inf))
@@ -55,6 +56,7 @@ class CommonProperties:
     colors: bool = True
     types: dict[str, Any] | None = None
     renamed: dict[str, str] = field(default_factory=dict)
+    names: dict[str, None] = field(default_factory=dict)
     counts: list[int] = field(default_factory=list)
 
     def add(self, path: Path, table: PointTable, *, is_first: bool) -> None:
@@ -80,6 +82,7 @@ class CommonProperties:
             return
         self.low = np.minimum(self.low, table.points.min(axis=0))
         self.high = np.maximum(self.high, table.points.max(axis=0))
+        self.names |= dict.fromkeys(table.columns())
         self.normals &= table.normals is not None
         self.colors &= table.colors is not None
         types = {name: (values.dtype, values.shape[1:]) for name, values in table.attributes.items()}
@@ -171,6 +174,8 @@ def look_at(paths: list[Path], report: ReportProgress) -> tuple[CommonProperties
         report("counting", number + 1, len(paths))
         if not properties.counts[number]:
             raise FileError(path, "contains no points")
+    kept = [*(name for name in ("normals", "colors") if getattr(properties, name)), *(properties.types or {})]
+    common_names(paths[0], [properties.names, kept], "scans and files")
     extent = float((properties.high - properties.low).max())
     if extent / MAX_COORDINATE_SCALE > 2**31:
         reason = f"expected an extent of at most 2^31 steps of {MAX_COORDINATE_SCALE:g}, got {extent:g} units"

@@ -12,7 +12,9 @@ import numpy as np
 from ...cameras.pose_files import write_poses
 from ...cameras.trajectory_formats import NUMBERED
 from ...core.errors import FileError, FilePath
+from ...core.joined_parts import MissingPartsWarning
 from ...core.reports import Fields
+from ...core.units import without_warnings
 from ...io.meshes import tables
 from ...io.points.point_cloud import table_of
 from ...io.points.scan_files import list_scans
@@ -133,7 +135,8 @@ def _write_results(
     """Write the outputs. Data that the merged cloud cannot store or that not all clouds have is omitted."""
     write_poses_and_graph(job, result, output, graph)
     if merged is not None:
-        merged_cloud = result.merge(clouds)
+        with without_warnings(MissingPartsWarning):  # the report names them
+            merged_cloud = result.merge(clouds)
         named = dict.fromkeys(name for i in np.flatnonzero(result.placed) for name in _names_of(clouds[i]))
         lost = [name for name in named if name not in _names_of(merged_cloud)]
         job.wrote(merged, [*lost, *tables.write_cloud_table(merged, table_of(merged_cloud), **job.form)])

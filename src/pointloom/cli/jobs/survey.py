@@ -15,7 +15,9 @@ from numpy.typing import NDArray
 from ...cameras.pose_text import read_pose
 from ...core.coordinates import finite_box
 from ...core.errors import FileError, FilePath
+from ...core.joined_parts import MissingPartsWarning
 from ...core.reports import Fields
+from ...core.units import without_warnings
 from ...core.wording import few_of, format_fraction
 from ...io.meshes import tables
 from ...io.meshes.mesh_formats import MESH_FORMATS
@@ -162,7 +164,7 @@ def merge_files(sources: Sequence[FilePath], output: FilePath, **settings: Unpac
         read.append(table)
         clouds.append(cloud)
     job.source, job.unit = sources[0], clouds[0].unit
-    with job.stage("merge"):
+    with job.stage("merge"), without_warnings(MissingPartsWarning):  # the report names them
         merged = PointCloud.concatenate(clouds)
     names = dict.fromkeys(name for cloud in clouds for name in cloud.arrays)
     if not len(merged):

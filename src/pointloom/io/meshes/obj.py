@@ -1,7 +1,8 @@
 """Wavefront OBJ and MTL (text): vertices with colors, normals, texture coordinates, materials, faces.
 
 A vertex gets a normal if all its corners agree (Open3D takes the first). Missing texture coordinates are (0, 0). Each
-material becomes one image: map_Kd, else one pixel of Kd, else white. Unsupported content and material errors only warn.
+material becomes one image: map_Kd, else one pixel of Kd, else white. Without any `usemtl`, all faces have the first
+material. Unsupported content and material errors only warn.
 Wavefront, "Object Files (.obj)" and "MTL material format" (1995), with the vertex colors of MeshLab and Blender.
 """
 
@@ -247,7 +248,7 @@ def read_obj(path: FilePath, *, outside_files: bool = False) -> MeshTable:
         warn_of_loss(path, "texture coordinates", corners.missing["texture coordinates"])
     elif (corners.uvs >= 0).any():
         mesh.triangle_uvs = _uvs_of(path, statements.rows(1), corners.uvs[triangles.reshape(-1)])
-    if any(used >= 0 for used in statements.materials):
+    if any(used >= 0 for used in statements.materials) or not statements.material_names:
         used = np.repeat(statements.materials, corners.lengths - 2)
         _add_textures(path, mesh, statements, used, outside_files=outside_files)
     _warn_of_rest(path, mesh, statements)
@@ -303,8 +304,9 @@ def _add_textures(
         warnings.warn(escaped(f"{message}; white is used"), UserWarning, stacklevel=4)
     materials += [Material(name) for name in lacking]
     known = {material.name: number for number, material in enumerate(materials)}
-    numbers = np.array([*(known[name] for name in statements.material_names), len(materials)])
-    if (used < 0).any():
+    without_name = len(materials) if statements.material_names else 0  # without any usemtl: the first, as in Open3D
+    numbers = np.array([*(known[name] for name in statements.material_names), without_name])
+    if (used < 0).any() and without_name:
         materials.append(Material(""))
     if mesh.triangle_uvs is not None:
         mesh.triangle_uvs = move_uvs(mesh.triangle_uvs, materials, numbers[used])

@@ -38,18 +38,19 @@ _FACET_LINES = (
 )  # fmt: skip
 
 
-def read_stl(path: FilePath) -> MeshTable:
+def read_stl(path: FilePath, *, with_normals: bool = False) -> MeshTable:
     """Read a triangle mesh from STL. Vertices are float32 (binary) or float64 (text), in order of first use.
-    Degenerate facets are kept. `triangle_attributes["colors"]` exists if any facet has a color."""
+    Degenerate facets are kept. `triangle_attributes` has "colors" if any facet has a color, and "normals" as stored, if
+    requested."""
     path = Path(path)
     source = open_source(path)
     count = int.from_bytes(source[80:_HEADER_BYTES], "little")
     if len(source) >= _HEADER_BYTES and len(source) == _HEADER_BYTES + count * _FACET_TYPE.itemsize:
         facets = source.array(_FACET_TYPE, count, _HEADER_BYTES)
-        corners = facets["corners"].reshape(-1, 3).astype(np.float32)
+        corners, normals = facets["corners"].reshape(-1, 3).astype(np.float32), facets["normal"]
         colors = _colors_of_bytes(path, bytes(source[:80]), facets["attribute_bytes"])
     elif source[:80].lstrip()[:5].lower() == b"solid":  # some binary files start the same way, but have the right size
-        corners, colors = _read_text(path, source)
+        corners, normals, colors = _read_text(path, source)
     else:
         raise _wrong_size(path, source, count)
     wild = np.flatnonzero(~np.isfinite(corners).all(axis=1))
@@ -60,6 +61,7 @@ def read_stl(path: FilePath) -> MeshTable:
     check_extent(path, corners)
     vertices, triangles = _merge(corners)
     values = {} if colors is None else {"colors": colors}
+    values |= {"normals": normals.astype(np.float32)} if with_normals else {}
     return MeshTable(vertices, triangles.reshape(-1, 3), triangle_attributes=values).checked()
 
 
@@ -98,8 +100,10 @@ def _wrong_size(path: Path, source: SourceFile, count: int) -> FileError:
     return FileError(path, reason, where=f"byte {min(len(source), expected)}", remedy="The file may be cut off")
 
 
-def _read_text(path: Path, source: SourceFile) -> tuple[NDArray[np.float64], NDArray[np.float32] | None]:
-    """Corners of the text form, shape (3 t, 3), and facet colors (t, 3 or 4) or None."""
+def _read_text(
+    path: Path, source: SourceFile
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float32] | None]:
+    """Corners of the text form, shape (3 t, 3), facet normals, and facet colors (t, 3 or 4) or None."""
     body = bytes(source[:])
     lines = unix_lines(body).split(b"\n")
     numbers, step, is_open = [b""] * len(lines), 0, False
@@ -134,8 +138,9 @@ def _read_text(path: Path, source: SourceFile) -> tuple[NDArray[np.float64], NDA
     if is_open:
         raise FileError(path, "truncated: ends without endsolid", where=f"line {len(lines)}")
     rows = AsciiRows(path, b"\n".join(numbers), 1)
-    corners = np.ascontiguousarray(rows.numbers().reshape(-1, 4, 3)[:, 1:].reshape(-1, 3))
-    return corners, _colors_of_lines(path, colors, count) if colors else None
+    facets = rows.numbers().reshape(-1, 4, 3)
+    corners = np.ascontiguousarray(facets[:, 1:].reshape(-1, 3))
+    return corners, facets[:, 0], _colors_of_lines(path, colors, count) if colors else None
 
 
 def _colors_of_lines(path: Path, lines: dict[int, bytes], count: int) -> NDArray[np.float32] | None:

@@ -1,8 +1,8 @@
 """Read E57 scans with pye57 (libE57Format), transformed by their pose T_world_scan.
 
-All scans together get the attribute `scan_index` and keep only common fields. Invalid points are dropped. Invalid
-intensities and times become NaN, invalid colors white with a warning. Lengths are meters. Images are not read. ASTM
-E2807-11; extension "nor" (normals) of libe57.org.
+All scans together get the attribute `scan_index` and keep common fields, with a warning of the others. Invalid points
+are dropped. Invalid intensities and times become NaN, invalid colors white with a warning. Lengths are meters. Images
+are not read. ASTM E2807-11; extension "nor" (normals) of libe57.org.
 """
 
 from __future__ import annotations
@@ -22,9 +22,10 @@ from ...core.coordinate_systems import CoordinateSystem
 from ...core.coordinates import quiet
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
+from ...core.joined_parts import common_names
 from ...core.quaternions import quaternions_to_rotations
 from ...core.units import METRE
-from ..columns import stack_colors, stack_normals
+from ..columns import stack_colors, stack_normals, warn_of_loss
 from ..growing_columns import GrowingColumns
 from ..optional_imports import foreign_errors, import_for
 from ..source import content_errors, open_source
@@ -53,6 +54,9 @@ ATTRIBUTES = {
     "intensity": "intensity", "rowIndex": "row_index", "columnIndex": "column_index",
     "returnIndex": "return_index", "returnCount": "return_count", "timeStamp": "time_stamp",
 }  # fmt: skip
+_READ = {
+    *CARTESIAN, *_SPHERICAL, *COLORS, *NORMALS, *ATTRIBUTES, *_INVALID, *_FLAGS.values(), _COLOR_FLAG,
+}  # fmt: skip
 NARROW = [np.dtype(code) for code in ("u1", "i1", "u2", "i2")]
 WIDE = np.dtype("q")  # pye57 has no 32-bit integers, and 64-bit ones work only under this of their two names
 
@@ -68,11 +72,12 @@ def read_e57(path: FilePath, *, scan: int | None = None) -> PointTable:
     with open_e57(path) as (image, scans):
         if scan is not None and not 0 <= scan < len(scans):
             raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
+        warn_of_lost_fields(path, scans if scan is None else [scans[scan]])
         if scan is not None:
             return replace(read_scan(path, scans[scan]), crs=crs_of_image(image))
         tables = [read_scan(path, node) for node in scans]
         crs = crs_of_image(image)
-    merged = replace(merge_scans(tables), crs=crs)
+    merged = replace(merge_scans(path, with_points(tables)), crs=crs)
     counts = [len(table.points) for table in tables]
     merged.attributes[SCAN_INDEX] = np.repeat(np.arange(len(tables), dtype=np.int32), counts)
     return merged
@@ -147,6 +152,21 @@ def _fields(scan: Any) -> dict[str, Any]:
     prototype = libe57.StructureNode(scan["points"].prototype())
     nodes = (prototype.get(k) for k in range(prototype.childCount()))
     return {node.elementName(): kinds[node.type()](node) for node in nodes if node.type() in kinds}
+
+
+def warn_of_lost_fields(path: FilePath, scans: list[Any]) -> None:
+    """Warn of fields that a cloud cannot store, and of colors and normals without all components."""
+    lost: dict[str, None] = {}
+    with foreign_errors(path, "a scan is damaged"):
+        for scan in scans:
+            prototype = _libe57().StructureNode(scan["points"].prototype())
+            names = [prototype.get(k).elementName() for k in range(prototype.childCount())]
+            lost |= dict.fromkeys(name for name in names if name not in _READ)
+            for triple in (COLORS, NORMALS):
+                partial = [name for name in triple if name in names]
+                lost |= dict.fromkeys(partial if len(partial) < len(triple) else ())
+    if lost:
+        warn_of_loss(path, f"fields {', '.join(lost)}", "a cloud cannot store them", stacklevel=4)
 
 
 class _Layout(NamedTuple):
@@ -226,13 +246,14 @@ def iterate_e57(path: FilePath, size: int, *, scan: int | None = None) -> Iterat
         if scan is not None and not 0 <= scan < len(scans):
             raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
         crs, numbers = crs_of_image(image), range(len(scans)) if scan is None else [scan]
+        warn_of_lost_fields(path, [scans[number] for number in numbers])
         with foreign_errors(path, "a scan is damaged"):
             layouts = {number: _layout_of(path, scans[number], in_world=True) for number in numbers}
         nothing = [
             _table_of(path, {name: np.empty(0, dtype) for name, dtype in layout.wanted.items()}, layout, is_part=True)
-            for layout in layouts.values()
+            for layout in [layouts[n] for n in numbers if scans[n]["points"].childCount()] or [layouts[numbers[0]]]
         ]
-        common = merge_scans(nothing)
+        common = merge_scans(path, nothing)
         for number, layout in layouts.items():
             for columns in _blocks_of(path, scans[number]["points"], layout.wanted, size):
                 with quiet():
@@ -351,15 +372,15 @@ def _color_limits(scan: Any, fields: dict[str, Any]) -> list[tuple[float, float]
     return limits
 
 
-def merge_scans(tables: list[PointTable]) -> PointTable:
-    """Concatenate scans with their common fields. Attribute types are promoted."""
-    names = [name for name in tables[0].attributes if all(name in table.attributes for table in tables)]
-    normals = [table.normals for table in tables if table.normals is not None]
-    colors = [table.colors for table in tables if table.colors is not None]
-    return PointTable(
-        np.concatenate([table.points for table in tables]),
-        np.concatenate(normals) if len(normals) == len(tables) else None,
-        np.concatenate(colors) if len(colors) == len(tables) else None,
-        {name: np.concatenate([table.attributes[name] for table in tables]) for name in names},
-        unit=METRE,
-    )
+def merge_scans(path: FilePath, tables: list[PointTable]) -> PointTable:
+    """Concatenate scans with the fields that all of them have, and warn of the others. Attribute types are promoted."""
+    columns = [table.columns() for table in tables]
+    names = common_names(path, columns, "scans")
+    joined = {name: np.concatenate([column[name] for column in columns]) for name in names}
+    points = np.concatenate([table.points for table in tables])
+    return PointTable(points, joined.pop("normals", None), joined.pop("colors", None), joined, unit=METRE)
+
+
+def with_points(tables: list[PointTable]) -> list[PointTable]:
+    """The scans that have points. The first one if none has."""
+    return [table for table in tables if len(table.points)] or tables[:1]

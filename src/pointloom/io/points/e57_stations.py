@@ -20,7 +20,7 @@ from ...pcd.point_arrays import check_cloud
 from ..optional_imports import foreign_errors
 from ..source import netted
 from ..table import PointTable
-from .e57 import SCAN_INDEX, crs_of_image, open_e57, read_pose, read_scan
+from .e57 import SCAN_INDEX, crs_of_image, open_e57, read_pose, read_scan, warn_of_lost_fields
 from .e57_writer import check_e57, columns_of, unstorable_in_e57, write_scans
 from .point_cloud import cloud_of, table_of
 from .ptx import iterate_ptx
@@ -96,6 +96,7 @@ _Scans = tuple[list[PointTable], list[str], NDArray[np.float64], NDArray[np.bool
 
 def _e57_scans(path: FilePath) -> _Scans:
     with open_e57(path) as (image, scans):
+        warn_of_lost_fields(path, scans)
         tables = [read_scan(path, node, in_world=False) for node in scans]
         with foreign_errors(path, "its list of scans is damaged"):
             names = [node["name"].value() if node.isDefined("name") else "" for node in scans]

@@ -96,6 +96,7 @@ def open_in_parts(path: FilePath) -> RowsInParts | LasInParts | None:
         if header.ascii or header.element(path, "vertex").has_lists:
             return None
         rows = find_rows(path, source, header, "vertex")
+        ply.warn_of_lost_values(path, header)
         return RowsInParts(path, rows, ply.table_of, reference_in_header(source, PLY))
     header = read_pcd_header(path, source)
     pcd.warn_of_viewpoint(path, header.viewpoint)

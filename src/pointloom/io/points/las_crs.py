@@ -15,9 +15,19 @@ from ...core.escaped_text import escaped
 from .las_header import PROJECTION, LasHeader
 
 WKT_RECORD, _GEOTIFF_KEYS_RECORD, _GEOTIFF_ASCII_RECORD = 2112, 34735, 34737
-NO_NAME = "unknown"  # name of a system that only defines a unit
+NO_NAME = "unknown"  # name of a system that only defines a unit. PROJ gives it to all systems of its own strings
 _MODEL_TYPE, _GEOGRAPHIC_MODEL = 1024, 2
 
+<<<<<<< HEAD
+=======
+# Names of geographic systems in both versions of WKT. A projected system contains such a name nested inside
+# its own.
+_PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re.IGNORECASE)
+_GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)
+
+_FIRST_NAME = re.compile(r'\s*\w+\s*\[\s*(?:\w+\s*\[\s*)*"([^"]*)"')  # BOUNDCRS[SOURCECRS[PROJCRS["its name"
+
+>>>>>>> h-parts
 # Keys that name the system, best first: citations are text, types are EPSG codes.
 _CITATION_KEYS = (3073, 1026, 2049)
 _SYSTEM_KEYS, _HEIGHT_KEY = (3072, 2048), 4096
@@ -28,8 +38,8 @@ def crs_name(header: LasHeader) -> str | None:
     """Name of the coordinate system, such as "NAD83 / UTM zone 10N" or "EPSG:26910", or None."""
     text = header.find(PROJECTION, WKT_RECORD)
     if text:
-        match = re.match(r'\s*\w+\s*\[\s*"([^"]*)"', text.decode("utf-8", "replace"))
-        if match and match[1] not in ("", NO_NAME):
+        match = _FIRST_NAME.match(text.decode("utf-8", "replace"))
+        if match and match[1] and not (match[1] == NO_NAME and _is_unit(find_text(header))):
             return match[1]
     keys = find_keys(header)
     letters = (header.find(PROJECTION, _GEOTIFF_ASCII_RECORD) or b"").decode("ascii", "replace")
@@ -59,11 +69,15 @@ def crs_of(header: LasHeader) -> CoordinateSystem | None:
     height = _code_at(keys, _HEIGHT_KEY)
     if plane and not (text and header.encoding & WKT_BIT):
         return CoordinateSystem(f"EPSG:{plane}" + (f"+{height}" if height else ""))
-    is_unit = crs_name(header) is None or text.upper().startswith(("LOCAL_CS", "ENGCRS"))
     try:
-        return None if is_unit or not text else CoordinateSystem(text)
+        return None if not text or _is_unit(text) else CoordinateSystem(text)
     except ValueError:  # damaged text
         return None
+
+
+def _is_unit(text: str) -> bool:
+    """True if a well-known text is a local system, which defines a unit only."""
+    return text.upper().startswith(("LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"))
 
 
 def _code_at(keys: dict[int, tuple[int, ...]], key: int) -> int:

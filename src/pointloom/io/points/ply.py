@@ -143,6 +143,12 @@ def read_ply(path: FilePath, *, source: SourceFile | None = None) -> PointTable:
     path = Path(path)
     source = source or open_source(path)
     header = read_header(path, source)
+    table = _read_vertices(path, source, header)
+    warn_of_lost_values(path, header)
+    return table
+
+
+def _read_vertices(path: Path, source: SourceFile, header: PlyHeader) -> PointTable:
     if not (header.ascii or header.element(path, "vertex").has_lists):
         rows = find_rows(path, source, header, "vertex")
         try:
@@ -150,6 +156,13 @@ def read_ply(path: FilePath, *, source: SourceFile | None = None) -> PointTable:
         except FileError:  # of colors that depend on all rows, or of a row whose number is known for all rows only
             return _table_of(path, rows.columns(), colors_or_loss)
     return _table_of(path, vertex_columns(path, source, header), colors_or_loss)
+
+
+def warn_of_lost_values(path: Path, header: PlyHeader) -> None:
+    """Warn of the lists of vertices and the elements that a cloud cannot store. Faces are those of a mesh."""
+    vertex = header.element(path, "vertex")
+    kept = {prop.name: np.empty(0) for prop in vertex.properties if prop.count_type is None}
+    warn_of_rest(path, header, {"vertex": kept}, what="cloud")
 
 
 def vertex_columns(path: Path, source: SourceFile, header: PlyHeader) -> dict[str, NDArray[Any]]:

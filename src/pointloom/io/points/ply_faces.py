@@ -76,17 +76,21 @@ def _color_channels(scalars: dict[str, NDArray[Any]]) -> list[NDArray[Any]]:
     return channels
 
 
-def warn_of_rest(path: FilePath, header: PlyHeader, columns: Mapping[str, Mapping[str, Column]]) -> None:
+def warn_of_rest(
+    path: FilePath, header: PlyHeader, columns: Mapping[str, Mapping[str, Column]], *, what: str = "mesh"
+) -> None:
+    """Warn of elements, and of properties of the read elements, that a mesh or cloud cannot store. A cloud has no
+    faces."""
     lost = []
     for element in header.elements:
         if not element.count:
             continue
         if element.name not in ("vertex", "face", STRIPS):
             lost.append(f"element {element.name!r}")
-        elif element.name != STRIPS:
+        elif element.name in columns and element.name != STRIPS:
             lost += [f"{element.name} {p.name!r}" for p in element.properties if p.name not in columns[element.name]]
     if lost:
-        warn_of_loss(path, "lists and elements", f"a mesh cannot store them: {', '.join(lost)}", stacklevel=4)
+        warn_of_loss(path, "lists and elements", f"a {what} cannot store them: {', '.join(lost)}", stacklevel=4)
 
 
 def face_name_rules(colors: NDArray[Any] | None) -> NameRules:

@@ -80,6 +80,7 @@ def read_point_cloud(
         UnitWarning: z has another unit than x and y, the file gives two units, or float32 about the cloud's origin is
             coarser than the steps of the file for some points (docs/determinism.md).
         UserWarning: A 64-bit LAS attribute has a no_data value, or a PCD has a VIEWPOINT (not applied) or NaN colors.
+            Some scans lack an array that others have, or a cloud cannot store lists, elements or fields of the file.
 
     Example:
         >>> import pointloom as loom
@@ -147,7 +148,8 @@ def read_e57_chunks(
     """Read an E57 file in chunks, for scans larger than the memory.
 
     A chunk has points of one scan, in world coordinates. All chunks have the same origin, computed from the first one.
-    They have the arrays that all scans have, and an attribute that the file marks as invalid at some points is a float.
+    They have the arrays that all scans have, with a warning of the others. An attribute that the file marks as invalid
+    at some points is a float.
 
     Args:
         path: The .e57 file.

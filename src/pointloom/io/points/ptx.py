@@ -25,7 +25,7 @@ from ..ascii_rows import AsciiRows, is_number, unix_lines
 from ..columns import stack_colors
 from ..source import Source, open_source, parse_count
 from ..table import PointTable
-from .e57 import SCAN_INDEX, ScanFrame, merge_scans
+from .e57 import SCAN_INDEX, ScanFrame, merge_scans, with_points
 
 _HEADER_LINES = 10
 _NO_POSE = np.vstack([np.zeros(3), np.eye(3)])  # position and axes
@@ -93,7 +93,7 @@ def read_ptx(path: FilePath, *, scan: int | None = None) -> PointTable:
         if not 0 <= scan < len(scans):
             raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
         return _in_world(_read_scan(lines, scans[scan]), scans[scan].pose)
-    return merge_scans([*iterate_world_scans(path)])
+    return merge_scans(path, with_points([*iterate_world_scans(path)]))
 
 
 def iterate_ptx(path: FilePath) -> Iterator[tuple[PointTable, NDArray[np.float64]]]:

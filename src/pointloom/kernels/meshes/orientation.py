@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..algebra.transform import widen
-from ..array_types import Array1, Bytes, LongIntegers, Points, Triangles
+from ..array_types import Array1, Bytes, LongIntegers, Points, Triangles, Vectors
 from ..arrays.side_by_side import read_together
 from ..arrays.sort import positions
 from ..arrays.union_find import flatten_sets_kernel, unite
@@ -35,7 +35,8 @@ from ..lang import (
 from ..memory import download, empty, upload, zeros
 from .mesh_components import PartOrder, number_parts
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end
-from .mesh_measures import triangle_cross
+from .mesh_edits import mark_chosen
+from .mesh_measures import triangle_cross, vertex_normals
 from .mesh_topology import corner_vertex
 from .part_votes import follow_majority
 
@@ -144,6 +145,18 @@ def flip_some_corners_kernel(values: array(dtype=vec2), flips: array(dtype=uint8
     flipped[3 * i + 2] = values[3 * i + 2 - other]
 
 
+@kernel
+def flip_some_normals_kernel(
+    normals: array(dtype=vec3), used: array(dtype=uint8), directions: array(dtype=vec3), flipped: array(dtype=vec3)
+):
+    """Flip the normals of used vertices to the side of the surface's direction."""
+    i = tid()
+    normal = normals[i]
+    if used[i] != 0 and dot(normal, directions[i]) < 0.0:
+        normal = -normal
+    flipped[i] = normal
+
+
 class Orientation:
     """Triangles to flip for consistent orientation: `flips` uint8 [t], `orientable` if all components are. The first
     triangle of each component stays, and non-orientable components stay."""
@@ -204,3 +217,10 @@ def flip_some_corners(values: Array1[vec2], flips: Bytes) -> Array1[vec2]:
     flipped = empty(values.size, vec2, values.device)
     launch(flip_some_corners_kernel, flips.size, [values, flips, flipped])
     return flipped
+
+
+def flip_some_normals(normals: Vectors, vertices: Points, triangles: Triangles, flips: Bytes) -> Vectors:
+    """Vertex normals after `flip_some`: those of the flipped triangles are on the side of the new `triangles`."""
+    used = mark_chosen(triangles, flips, normals.size)
+    directions = vertex_normals(vertices, triangles)
+    return compute(flip_some_normals_kernel, normals.size, [normals, used, directions], vec3, normals.device)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Self
 
 import numpy as np
@@ -33,6 +33,7 @@ from ...core.escaped_text import escaped
 from ...core.exchange import on_host
 from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.html_tables import array_type, html_table
+from ...core.joined_parts import missing_names, warn_of_missing
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
 from ...core.up_axis import Direction, check_up, transform_up_vector
 from ...io.table import MeshTable
@@ -218,7 +219,7 @@ class MeshArrays(StoredArrays, Movable):
 
     @property
     def vertices(self) -> NDArray[np.float64]:
-        """Positions [m], float64 copy (m, 3) with the origin added; assignable."""
+        """Positions [m], float64 copy (m, 3) with the origin added; assignable, which keeps the other arrays."""
         return read_only(download(self.arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self.arrays.origin)
 
     @vertices.setter
@@ -397,7 +398,7 @@ class MeshArrays(StoredArrays, Movable):
         """Concatenate meshes without merging vertices. See `remove_duplicated_vertices`.
 
         Keeps the attributes that all non-empty meshes have, as Open3D's `+`. Textures are appended. The origin is the
-        largest mesh's.
+        largest mesh's. `up` is unknown if two meshes have different ones.
 
         Args:
             meshes: At least one, all on one device.
@@ -408,7 +409,7 @@ class MeshArrays(StoredArrays, Movable):
             DeviceError: If the meshes are on different devices.
 
         Warns:
-            UserWarning: If only some meshes have textures, which are dropped then.
+            UserWarning: If only some meshes have an array or textures, which are dropped then.
 
         Example:
             >>> import pointloom as loom
@@ -438,18 +439,22 @@ class MeshArrays(StoredArrays, Movable):
             "vertices": concatenate_points([mesh.arrays["vertices"] for mesh in parts], shifts),
             "triangles": concatenate_rows(_numbered(parts)),
         }
-        for name in ("vertex_normals", "vertex_colors"):
-            if all(name in mesh.arrays for mesh in parts):
-                arrays[name] = concatenate_rows([mesh.arrays[name] for mesh in parts])
-        for kind in ATTRIBUTES:
-            columns = [mesh.arrays.attributes[kind] for mesh in parts]
-            shared = [name for name in columns[0] if all(name in of_part for of_part in columns)]
+        per_vertex, missing = [mesh.arrays.per_vertex() for mesh in parts], []
+        for name in _shared(per_vertex, missing):
+            if name != "vertices":
+                arrays[name] = concatenate_rows([rows[name] for rows in per_vertex])
+        for kind, of in ATTRIBUTES.items():
+            columns = [mesh.arrays.attributes[kind] for mesh in parts if mesh.arrays[of].size]
             arrays[kind] = {
-                name: concatenate_columns(name, [of_part[name] for of_part in columns], "meshes") for name in shared
+                name: concatenate_columns(name, [of_part[name] for of_part in columns], "meshes")
+                for name in _shared(columns, missing)
             }
-        uvs, textures = _joined_textures(parts)
+        uvs, textures = _joined_textures(parts, missing)
+        warn_of_missing("meshes", missing, "meshes")
         joined = cls.from_device_arrays(arrays | uvs, origin, parts[0].array_library, textures=textures)
         joined.unit, joined.crs = common_reference("meshes", parts)
+        known = {mesh.arrays.up for mesh in parts} - {None}
+        joined.arrays.up = known.pop() if len(known) == 1 else None
         return joined
 
     def __getstate__(self) -> dict[str, Any]:
@@ -574,14 +579,21 @@ def _numbered(parts: list[MeshArrays]) -> list[Any]:
     return numbered
 
 
-def _joined_textures(parts: list[MeshArrays]) -> tuple[dict[str, wp.array], Textures]:
-    """Concatenated texture coordinates and material ids, and all textures."""
+def _shared(parts: Sequence[Mapping[str, Any]], missing: list[str]) -> list[str]:
+    """The names that all parts have. The others are appended to `missing`."""
+    others = missing_names(parts)
+    missing += others
+    return [name for name in parts[0] if name not in others] if parts else []
+
+
+def _joined_textures(parts: list[MeshArrays], missing: list[str]) -> tuple[dict[str, wp.array], Textures]:
+    """Concatenated texture coordinates and material ids, and all textures. What some lack is appended to `missing`."""
     triangled = [mesh for mesh in parts if len(mesh)]
     names = ("triangle_uvs", "triangle_material_ids")
     if any("triangle_uvs" in mesh.arrays for mesh in triangled):
-        kinds = {("triangle_uvs" in mesh.arrays, bool(mesh.textures)) for mesh in triangled}
-        if len(kinds) > 1:
-            warnings.warn("textures: dropped, because not all meshes have them", stacklevel=4)
+        kinds = [{"triangle_uvs": "triangle_uvs" in mesh.arrays, "textures": mesh.textures} for mesh in triangled]
+        if others := missing_names([[name for name, has in kind.items() if has] for kind in kinds]):
+            missing += others
             return {}, ()
     joined: dict[str, wp.array] = {}
     textures = tuple(image for mesh in triangled for image in mesh.textures)

@@ -27,6 +27,7 @@ from ...kernels.memory import upload
 from . import shape_arrays as shapes
 from .flat_polygons import fill_loops, loops_to_reverse
 from .mesh_measures import MeshMeasures
+from .mesh_rows import TEXTURE
 from .shape_arrays import Shape
 from .sweep_arrays import (
     check_area,
@@ -612,7 +613,7 @@ class MeshPrimitives(MeshMeasures):
     ) -> Self:
         """New vertices and triangles with attributes copied from this mesh, without normals and textures."""
         local, origin = split_origin(vertices)
-        bare = self.with_arrays(triangle_uvs=None, vertex_normals=None)
+        bare = self.with_arrays(vertex_normals=None, **dict.fromkeys(TEXTURE))
         arrays = bare.arrays.vertices_at(upload(of_vertices.astype(np.int32), int32, self.device))
         arrays |= bare.arrays.triangles_at(upload(of_triangles.astype(np.int32), int32, self.device))
         arrays["vertices"] = upload(local, vec3, self.device)

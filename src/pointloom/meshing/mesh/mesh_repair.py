@@ -40,7 +40,9 @@ from .flat_polygons import LIBRARY, load_manifold
 from .mesh_arrays import MeshArrays, check_mesh
 from .mesh_measures import MeshMeasures
 from .mesh_nesting import Parts, choose_sides, find_enclosing
+from .mesh_rows import TEXTURE
 from .mesh_sheets import cut_and_stitch, find_flips, flipped_mesh
+from .surface_values import with_attributes_of
 
 Mesh = TypeVar("Mesh", bound="MeshRepair")
 
@@ -243,7 +245,7 @@ class MeshRepair(MeshMeasures):
         Returns:
             (mesh, orientable). Each part keeps the orientation of its first triangle. Parts that cannot be oriented
             stay unchanged, and `orientable` is False. Edges of more than two triangles do not connect parts. Vertex
-            normals are not updated: call `compute_vertex_normals`.
+            normals of flipped triangles are flipped to the side of the new triangles.
 
         Example:
             >>> import pointloom as loom
@@ -358,7 +360,8 @@ class MeshRepair(MeshMeasures):
             hole_size: Fill holes of up to this radius [m], as `fill_holes`. If None: none.
 
         Returns:
-            (mesh, report): an edge- and vertex-manifold mesh, and a MeshRepairReport. Texture, normals and colors stay.
+            (mesh, report): an edge- and vertex-manifold mesh, and a MeshRepairReport. Texture, colors and attributes
+            stay. Vertex normals of flipped triangles are flipped to their side.
 
         Raises:
             ValueError: If a number is not finite and positive.
@@ -508,7 +511,8 @@ class MeshRepair(MeshMeasures):
 
         Returns:
             The surface on this mesh's device, relative to its origin. Empty if nothing remains. Vertex colors are
-            interpolated if both meshes have them. Normals are recomputed. Texture is dropped.
+            interpolated if both meshes have them. Normals are recomputed. Texture is dropped. Attributes of both meshes
+            are those of the nearest surface point.
 
         Raises:
             ValueError, TypeError: If a mesh is not closed or not oriented outward, or if `mesh` is not a mesh.
@@ -575,6 +579,12 @@ class MeshRepair(MeshMeasures):
             origin=self.arrays.origin,
         )
         mesh.unit, mesh.crs = common_reference(f"{name}: the meshes", (self, other))
+        both = self.concatenate([part.with_arrays(**dict.fromkeys(TEXTURE)) for part in (self, other)])
+        mesh.arrays.up = both.arrays.up
+        if any(both.arrays.attributes.values()):
+            source = make(both.vertices, both.triangles, device=self.device, origin=self.arrays.origin)
+            source.arrays.attributes = both.arrays.attributes
+            mesh = with_attributes_of(mesh, source)
         both_have_normals = "vertex_normals" in self.arrays and "vertex_normals" in other.arrays
         return mesh.compute_vertex_normals() if both_have_normals else mesh
 

@@ -20,7 +20,7 @@ from ...kernels.meshes import clean_triangles, merge_vertices
 from ...kernels.meshes.copies import find_copies
 from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
 from ...kernels.meshes.mesh_edits import count_referenced, repeated_positions
-from ...kernels.meshes.orientation import Orientation, flip_some, flip_some_corners
+from ...kernels.meshes.orientation import Orientation, flip_some, flip_some_corners, flip_some_normals
 from ...kernels.meshes.part_votes import keep_alone
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
@@ -94,6 +94,9 @@ def flipped_mesh(mesh: MeshType, flips: Mask) -> MeshType:
     arrays: dict[str, Any] = {"triangles": flip_some(mesh.arrays["triangles"], flips)}
     if "triangle_uvs" in mesh.arrays:
         arrays["triangle_uvs"] = flip_some_corners(mesh.arrays["triangle_uvs"], flips)
+    if "vertex_normals" in mesh.arrays:
+        surface = mesh.arrays["vertices"], arrays["triangles"]
+        arrays["vertex_normals"] = flip_some_normals(mesh.arrays["vertex_normals"], *surface, flips)
     return mesh.with_arrays(**arrays)
 
 

@@ -153,7 +153,7 @@ def _check_system(mesh: TriangleMesh, frame: Any, epsg: Any, crs: str | None) ->
     if frame is None:
         if epsg is not None:
             raise ValueError("epsg: requires frame, which georeferences the mesh. For a mesh in UTM pass crs")
-        return map_crs("crs, mesh", crs, mesh.crs)
+        return map_crs("crs, mesh", crs, mesh.crs, with_heights=True)
     if not isinstance(frame, WorldFrame):
         raise TypeError(f"frame: expected a WorldFrame, got {type(frame).__name__}")
     if crs is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox, oriented_box
 from .geometry import Geometry3D
 
 
@@ -37,7 +37,7 @@ class BoundedByBoxes(Geometry3D):
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """Box along the principal axes."""
-        return OrientedBoundingBox.from_native(self.native.get_oriented_bounding_box(robust))
+        return oriented_box(self.native.get_oriented_bounding_box(robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        return OrientedBoundingBox.from_native(self.native.get_minimal_oriented_bounding_box(robust))
+        return oriented_box(self.native.get_minimal_oriented_bounding_box(robust))

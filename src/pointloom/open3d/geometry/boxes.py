@@ -16,6 +16,7 @@ from ..wrapper import as_array, column, unwrap
 from .geometry import Geometry3D, is_rotation
 
 Row = NDArray[np.float64]
+WHITE = (1.0, 1.0, 1.0)  # default color of boxes
 
 
 class Value:
@@ -65,8 +66,11 @@ class BoundingBox(Geometry3D):
         self._edited = self.parts() | parts
 
     def clear(self) -> Self:
-        """Reset to an empty box at zero."""
-        self._wrapped, self._edited = unwrap(type(self)()), None
+        """Reset to an empty box at zero. An axis-aligned box keeps its color, as in Open3D."""
+        color, made = self.color, type(self)()
+        self._wrapped, self._edited = unwrap(made), None
+        if isinstance(made, AxisAlignedBoundingBox):
+            self.color = color
         return self
 
     def transform(self, arg0: ArrayLike) -> Self:
@@ -99,10 +103,10 @@ class BoundingBox(Geometry3D):
         return AxisAlignedBoundingBox.from_native(self.native.get_axis_aligned_bounding_box())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        return OrientedBoundingBox.from_native(self.native.get_oriented_bounding_box(robust))
+        return oriented_box(self.native.get_oriented_bounding_box(robust), self)
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        return OrientedBoundingBox.from_native(self.native.get_minimal_oriented_bounding_box(robust))
+        return oriented_box(self.native.get_minimal_oriented_bounding_box(robust), self)
 
 
 class AxisAlignedBoundingBox(BoundingBox):
@@ -163,6 +167,7 @@ class OrientedBoundingBox(BoundingBox):
         if not isinstance(given, self._kind):
             axes = np.eye(3) if R is None else R
             given = self._kind(column("center", given), axes, np.abs(column("extent", extent)))
+            given.color = WHITE
         self._wrapped, self._shared = given, {}
 
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
@@ -173,27 +178,36 @@ class OrientedBoundingBox(BoundingBox):
         factor = cube_root(float(det(A)))
         axes = matmul(A, self.R) / (factor or 1.0)
         middle = self.center if center is None else column("center", center)
-        return self._become(self._kind(middle + matmul(A, self.center - middle), axes, abs(factor) * self.extent))
+        made = self._kind(middle + matmul(A, self.center - middle), axes, abs(factor) * self.extent)
+        made.color = self.color
+        return self._become(made)
 
     @classmethod
-    def create_from_axis_aligned_bounding_box(cls, aabox: BoxLike) -> Self:
-        return cls.from_native(
+    def create_from_axis_aligned_bounding_box(cls, aabox: BoxLike) -> OrientedBoundingBox:
+        return oriented_box(
             cls._kind.create_from_axis_aligned_bounding_box(unwrap(aabox, AxisAlignedBoundingBox, "aabox"))
         )
 
     @classmethod
-    def create_from_points(cls, points: VectorLike, robust: bool = False) -> Self:
+    def create_from_points(cls, points: VectorLike, robust: bool = False) -> OrientedBoundingBox:
         """Box along the principal axes of points."""
-        return cls.from_native(cls._kind.create_from_points(as_array(points), robust))
+        return oriented_box(cls._kind.create_from_points(as_array(points), robust))
 
     @classmethod
-    def create_from_points_minimal(cls, points: VectorLike, robust: bool = False) -> Self:
+    def create_from_points_minimal(cls, points: VectorLike, robust: bool = False) -> OrientedBoundingBox:
         """Smallest box of points."""
-        return cls.from_native(cls._kind.create_from_points_minimal(as_array(points), robust))
+        return oriented_box(cls._kind.create_from_points_minimal(as_array(points), robust))
 
     def __repr__(self) -> str:
         parts = self.parts()
         return f"OrientedBoundingBox: center: {_row(parts['center'])}, extent: {_row(parts['extent'])[1:]}"
+
+
+def oriented_box(native: boxes.OrientedBoundingBox, source: BoundingBox | None = None) -> OrientedBoundingBox:
+    """A new box in Open3D's default color, or in that of an oriented one that it is made from."""
+    made = OrientedBoundingBox.from_native(native)
+    made.color = source.color if isinstance(source, OrientedBoundingBox) else WHITE
+    return made
 
 
 def _row(values: Row) -> str:

@@ -14,7 +14,7 @@ from ..indices import indices_of
 from ..vectors import Vector2iVector, Vector3dVector
 from ..wrapper import Rows, column, unwrap
 from .bounded import BoundedByBoxes
-from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
+from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox, oriented_box
 from .point_cloud import PointCloud
 
 
@@ -115,11 +115,11 @@ class LineSet(BoundedByBoxes):
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """Box along the principal axes."""
-        return OrientedBoundingBox.from_native(boxes.OrientedBoundingBox.create_from_points(self.native.points, robust))
+        return oriented_box(boxes.OrientedBoundingBox.create_from_points(self.native.points, robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         made = OurCloud(self.native.points).get_minimal_oriented_bounding_box(robust)
-        return OrientedBoundingBox.from_native(made)
+        return oriented_box(made)
 
     def _joined(self, other: object) -> Any:
         """Both sets as one. Colors are kept if all lines have them."""

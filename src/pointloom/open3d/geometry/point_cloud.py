@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.joined_parts import MissingPartsWarning
+from ...core.units import without_warnings
 from ...pcd import cloud
 from .. import geometry
 from ..argument_types import BoxLike, CameraLike, CloudLike, FrameLike, ImageLike, IndicesLike
@@ -20,6 +23,10 @@ from .search_param import KDTreeSearchParam, KDTreeSearchParamHybrid, KDTreeSear
 
 KNN = KDTreeSearchParamKNN()
 SMOOTHING_NEIGHBORS = KDTreeSearchParamHybrid(0.05, 30)
+PATCH_COLORS = (  # of planar patches in turn, as in Open3D
+    (0.85, 0.325, 0.098), (0.929, 0.694, 0.125), (0.494, 0.184, 0.556),
+    (0.466, 0.674, 0.188), (0.301, 0.745, 0.933), (0.635, 0.078, 0.184),
+)  # fmt: skip
 VECTORS = ("normals", "colors", "covariances")
 
 
@@ -61,7 +68,8 @@ class PointCloud(BoundedByBoxes):
         if count == len(made):
             made = made.copy()
             if "points" in changed:
-                made.points = np.array(self.points)
+                self.vector("covariances")  # stay, as in Open3D
+                made.points, changed = np.array(self.points), [*changed, "covariances"]
         else:
             for name in VECTORS:
                 self.vector(name)  # of the old cloud
@@ -95,10 +103,14 @@ class PointCloud(BoundedByBoxes):
         return f"PointCloud with {self._count('points')} points."
 
     def __add__(self, other: object) -> PointCloud:
-        return PointCloud.from_native(self.native + unwrap(other, PointCloud, "other"))
+        return PointCloud.from_native(self._joined(other))
 
     def __iadd__(self, other: object) -> Self:
-        return self._become(self.native + unwrap(other, PointCloud, "other"))
+        return self._become(self._joined(other))
+
+    def _joined(self, other: object) -> cloud.PointCloud:
+        with without_warnings(MissingPartsWarning):  # as in Open3D
+            return self.native + unwrap(other, PointCloud, "other")
 
     @classmethod
     def create_from_depth_image(
@@ -207,8 +219,13 @@ class PointCloud(BoundedByBoxes):
         inliers, rows = self.native.remove_radius_outlier(nb_points, radius, print_progress)
         return PointCloud.from_native(inliers), rows.tolist()
 
+    def _smoothed(self, made: Any) -> PointCloud:
+        """A smoothed cloud with the covariances of this one, as in Open3D."""
+        kept = {name: values for name, values in self.native.arrays.items() if name == "covariances"}
+        return PointCloud.from_native(made.with_arrays(made.arrays | kept))
+
     def smooth_mls(self, search_param: KDTreeSearchParam = SMOOTHING_NEIGHBORS) -> PointCloud:
-        return PointCloud.from_native(self.native.smooth_mls(**keywords_of(search_param)))
+        return self._smoothed(self.native.smooth_mls(**keywords_of(search_param)))
 
     def smooth_bilateral(
         self, search_param: KDTreeSearchParam = SMOOTHING_NEIGHBORS, sigma_s: float = 0.05, sigma_r: float = 0.05
@@ -216,12 +233,12 @@ class PointCloud(BoundedByBoxes):
         """Smooth along normals, which are estimated from 30 neighbors if missing."""
         search, cloud = keywords_of(search_param), self.native
         cloud = cloud if self.has_normals() else cloud.estimate_normals(radius=None, max_nn=30)
-        return PointCloud.from_native(cloud.smooth_bilateral(**search, sigma_s=sigma_s, sigma_r=sigma_r))
+        return self._smoothed(cloud.smooth_bilateral(**search, sigma_s=sigma_s, sigma_r=sigma_r))
 
     def smooth_laplacian(
         self, iterations: int = 10, lambda_: float = 0.5, knn: int = 20, use_fixed_neighborhoods: bool = False
     ) -> PointCloud:
-        return PointCloud.from_native(self.native.smooth_laplacian(iterations, lambda_, knn, use_fixed_neighborhoods))
+        return self._smoothed(self.native.smooth_laplacian(iterations, lambda_, knn, use_fixed_neighborhoods))
 
     def smooth_taubin(
         self,
@@ -231,7 +248,7 @@ class PointCloud(BoundedByBoxes):
         knn: int = 20,
         use_fixed_neighborhoods: bool = False,
     ) -> PointCloud:
-        return PointCloud.from_native(self.native.smooth_taubin(iterations, lambda_, mu, knn, use_fixed_neighborhoods))
+        return self._smoothed(self.native.smooth_taubin(iterations, lambda_, mu, knn, use_fixed_neighborhoods))
 
     def compute_point_cloud_distance(self, target: CloudLike) -> DoubleVector:
         """Distance of each point to the nearest point of another cloud."""
@@ -277,7 +294,10 @@ class PointCloud(BoundedByBoxes):
     ) -> list[Any]:
         limits = normal_variance_threshold_deg, coplanarity_deg, outlier_ratio, min_plane_edge_length, min_num_points
         boxes = self.native.detect_planar_patches(*limits, **keywords_of(search_param))
-        return [geometry.OrientedBoundingBox.from_native(box) for box in boxes]
+        made = [geometry.OrientedBoundingBox.from_native(box) for box in boxes]
+        for box, color in zip(made, itertools.cycle(PATCH_COLORS), strict=False):
+            box.color = color
+        return made
 
     def compute_convex_hull(self, joggle_inputs: bool = False) -> tuple[Any, list[int]]:
         """Mesh of the hull, and the indices of its points."""

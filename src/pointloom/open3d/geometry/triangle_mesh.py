@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_number
+from ...core.joined_parts import MissingPartsWarning
+from ...core.units import without_warnings
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.mesh import mesh
 from .. import geometry
@@ -112,9 +114,11 @@ class MeshFactories(MeshBase):
 
     @classmethod
     def create_from_point_cloud_ball_pivoting(cls, pcd: CloudLike, radii: ArrayLike) -> Self:
-        return cls.from_native(
-            NativeMesh.create_from_point_cloud_ball_pivoting(unwrap(pcd, PointCloud, "pcd"), np.asarray(radii))
-        )
+        """Surface of balls that roll over the points, with triangle normals."""
+        cloud = unwrap(pcd, PointCloud, "pcd")
+        made: Any = cls.from_native(NativeMesh.create_from_point_cloud_ball_pivoting(cloud, np.asarray(radii)))
+        vars(made)["_faces"] = made.native
+        return made
 
     @classmethod
     def create_from_point_cloud_poisson(
@@ -251,7 +255,8 @@ class TriangleNormals(MeshFactories):
     def _joined(self, other: object) -> tuple[Any, Any]:
         """Both meshes as one. Normals are kept if all triangles have them."""
         parts = [(self.native, self), (unwrap(other, type(self), "other"), other)]
-        made = parts[0][0] + parts[1][0]
+        with without_warnings(MissingPartsWarning):  # as in Open3D
+            made = parts[0][0] + parts[1][0]
         nonempty = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
         if not nonempty or any(faces is None for _, faces, _ in nonempty):
             return made, None
@@ -477,7 +482,7 @@ class TriangleMesh(TriangleNormals):
     def orient_triangles(self) -> bool:
         """Orient triangles consistently. Returns `is_orientable()`."""
         oriented, is_orientable = self.native.orient_triangles()
-        self._become(oriented)
+        self._become(oriented.with_arrays(vertex_normals=self.native.arrays.get("vertex_normals")))
         return is_orientable and self.is_edge_manifold()
 
     def select_by_index(self, indices: IndicesLike, cleanup: bool = True) -> TriangleMesh:

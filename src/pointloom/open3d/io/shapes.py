@@ -11,10 +11,11 @@ import numpy as np
 from ...core.errors import FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
+from ...io.meshes.stl import read_stl
 from ...io.points import point_cloud
 from ...io.points.ply_faces import STRIPS
 from ...io.points.ply_header import read_header
-from ...io.source import open_source
+from ...io.source import netted, open_source
 from ...meshing.mesh import mesh_files
 from ...meshing.mesh.mesh import TriangleMesh as NativeMesh
 from ..argument_types import CloudLike, MeshLike
@@ -81,15 +82,22 @@ def read_triangle_mesh(
 ) -> TriangleMesh:
     """Like `loom.read_triangle_mesh`, with Open3D's vertices of an .stl and of a .ply without faces.
 
-    Coincident corners of an .stl are one vertex only if their triangles have the same normal, which becomes the vertex
-    normal. A .ply without faces gives its vertices, with a warning.
+    Coincident corners of an .stl are one vertex only if their facets have the same normal in the file, which becomes
+    the vertex normal. A .ply without faces gives its vertices, with a warning.
     """
+    return TriangleMesh.from_native(read_native_mesh(filename))
+
+
+def read_native_mesh(filename: FilePath) -> NativeMesh:
+    """The mesh of a file with Open3D's vertices."""
     suffix = path_of(filename).suffix.lower()
     if suffix == ".ply" and not _has_faces(filename):
-        warnings.warn(escaped(f"{filename}: contains no faces; the mesh has vertices only"), UserWarning, stacklevel=2)
-        return TriangleMesh.from_native(_vertices_of(point_cloud.read_point_cloud(filename)))
-    mesh = mesh_files.read_triangle_mesh(filename)
-    return TriangleMesh.from_native(_split_at_edges(mesh) if suffix == ".stl" else mesh)
+        warnings.warn(escaped(f"{filename}: contains no faces; the mesh has vertices only"), UserWarning, stacklevel=3)
+        return _vertices_of(point_cloud.read_point_cloud(filename))
+    if suffix == ".stl":
+        table = netted(read_stl)(filename, with_normals=True)
+        return _split_at_edges(mesh_files.mesh_of(table, filename))
+    return mesh_files.read_triangle_mesh(filename)
 
 
 def write_triangle_mesh(
@@ -143,15 +151,16 @@ def _vertices_of(cloud: Any) -> NativeMesh:
 
 
 def _split_at_edges(mesh: NativeMesh) -> NativeMesh:
-    """A mesh with a vertex for each normal of the triangles around a vertex, in the order of the triangles."""
-    normals, corners = mesh.triangle_normals, mesh.triangles.reshape(-1)
+    """A mesh with a vertex for each normal of the facets around a vertex, in the order of the facets. NaN normals are
+    equal."""
+    normals, corners = mesh.triangle_attributes["normals"], mesh.triangles.reshape(-1)
+    compared = np.nan_to_num(normals, nan=0.0)
     group = np.arange(len(corners))  # of each corner: the first one of its vertex
     rest = np.argsort(corners, kind="stable")
     while len(rest):
         is_first = np.diff(corners[rest], prepend=-1) != 0  # of the rest at its vertex
         leaders = rest[is_first][np.cumsum(is_first) - 1]
-        is_same = ((normals[rest // 3] - normals[leaders // 3]) ** 2).sum(axis=1) <= SAME_NORMAL**2
-        is_same |= rest == leaders  # NaN normals
+        is_same = ((compared[rest // 3] - compared[leaders // 3]) ** 2).sum(axis=1) <= SAME_NORMAL**2
         group[rest[is_same]] = leaders[is_same]
         rest = rest[~is_same]
     first, rank = np.unique(group, return_inverse=True)
@@ -159,7 +168,7 @@ def _split_at_edges(mesh: NativeMesh) -> NativeMesh:
         mesh.vertices[corners[first]],
         rank.reshape(-1, 3),
         vertex_normals=normals[first // 3],
-        triangle_attributes=mesh.triangle_attributes,
+        triangle_attributes={name: v for name, v in mesh.triangle_attributes.items() if name != "normals"},
         device=mesh.device,
         origin=mesh.origin,
     )

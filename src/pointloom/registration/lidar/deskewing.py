@@ -40,7 +40,8 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
             "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time".
 
     Returns:
-        The cloud with all attributes and unchanged normals. Points with NaN times become NaN.
+        The cloud with all attributes, with rotated normals and without covariances. Points with NaN times become NaN,
+        their normals too.
 
     Raises:
         ValueError: No times, a wrong length, no finite time, or a motion that is not rigid. Times that float32 does not
@@ -71,10 +72,13 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
         raise ValueError(f"timestamps: expected finite times, got none for {len(cloud):,} points")
     if first == last and len(cloud) > MIN_TIMES:
         warn_of_coarse_times(1, len(cloud))
-    twist = twist_of(to_local(T, cloud.origin, cloud.origin))
+    twist, normals = twist_of(to_local(T, cloud.origin, cloud.origin)), cloud.arrays.get("normals")
     moved = move_points(cloud.arrays["points"], times, np.zeros(3), span, twist)
-    arrays = {name: cloud.arrays[name] for name in cloud.arrays} | {"points": moved}
-    return cloud.with_arrays(arrays, grid=cloud.grid)
+    if normals is not None:
+        rotation = np.eye(4)
+        rotation[:3, :3] = T[:3, :3]
+        normals = move_points(normals, times, np.zeros(3), span, twist_of(rotation))
+    return cloud.with_points(moved, normals, grid=cloud.grid)
 
 
 def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | None:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ....core.checks import check_number
 from ....kernels.meshes import mesh_measures
+from ....meshing.mesh.surface_values import with_attributes_of
 from ....pcd.motion import map_about
 from ... import geometry as legacy
 from ...argument_types import DeviceLike, TensorLike, VectorLike
@@ -218,10 +219,20 @@ class TriangleMesh(MeshFactories, BakedTextures):
         return self._new(self._without("areas").clip_plane(host_of(point), host_of(normal)))
 
     def slice_plane(self, point: TensorLike, normal: TensorLike, contour_values: ArrayLike = (0.0,)) -> Any:
-        """Sections with parallel planes as a LineSet."""
-        lines = self.surface.slice_plane(host_of(point), host_of(normal), contour_values)
+        """Sections with parallel planes as a LineSet, whose points have interpolated vertex attributes."""
+        source = self.surface
+        lines = source.slice_plane(host_of(point), host_of(normal), contour_values)
+        given = {name: tensor for name, tensor in self.vertex.items() if name != "positions"}
+        for name, tensor in given.items():
+            source.vertex_attributes[name] = host_of(tensor).reshape(len(source.vertices), -1).astype(np.float64)
+        cut = with_attributes_of(NativeMesh(lines.points, device=source.device, origin=source.origin), source)
         ends = Tensor(lines.lines, int64, self.device)
-        return geometry.LineSet(Tensor(lines.points, self._float_dtype, self.device), ends)
+        made = geometry.LineSet(Tensor(lines.points, self._float_dtype, self.device), ends)
+        for name, tensor in given.items():
+            values = cut.vertex_attributes[name] if len(lines.points) else np.zeros(0)
+            values = values if tensor.dtype.numpy.kind == "f" else np.rint(values)
+            made.point[name] = Tensor(values.reshape(-1, *tensor.shape[1:]), tensor.dtype, self.device)
+        return made
 
     def fill_holes(self, hole_size: float = 1e6) -> Self:
         return self._new(self._without(*OF_FACES).fill_holes(hole_size))

@@ -48,7 +48,8 @@ def read_point_cloud(
         cloud.point.normals = table.normals.astype(table.points.dtype)
     if table.colors is not None:
         cloud.point.colors = np.rint(table.colors * 255).astype(np.uint8) if _has_bytes(filename) else table.colors
-    for name, values in table.attributes.items():
+    for given, values in table.attributes.items():
+        name = "intensities" if suffix == ".pts" and given == "intensity" else given  # as in Open3D
         if name in cloud.point:
             raise FileError(filename, f"expected one attribute of each name, got {name!r} twice")
         set_attribute(
@@ -78,6 +79,8 @@ def write_point_cloud(
     arrays = {name: tensor.numpy() for name, tensor in pointcloud.point.items()}
     points = arrays.pop("positions", np.zeros((0, 3), np.float32))
     normals, colors = arrays.pop("normals", None), arrays.pop("colors", None)
+    if suffix == ".pts" and "intensities" in arrays:
+        arrays["intensity"] = arrays.pop("intensities")
     if colors is not None and colors.dtype.kind == "u":
         colors = colors / np.float32(np.iinfo(colors.dtype).max)
     others = {name: values.reshape(len(values), -1) for name, values in arrays.items()}

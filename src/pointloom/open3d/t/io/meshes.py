@@ -18,6 +18,7 @@ from ....io.points.npz import read_arrays
 from ....meshing.mesh import mesh_files
 from ...core.dtype import float32, float64, int64
 from ...core.tensor import Tensor
+from ...io.shapes import read_native_mesh
 from ..geometry.triangle_mesh import TriangleMesh
 from .attributes import check_attribute_names, set_attribute
 
@@ -29,13 +30,15 @@ PRIMARY = {"vertex_positions": "vertices", "triangle_indices": "triangles"}  # n
 def read_triangle_mesh(
     filename: FilePath, enable_post_processing: bool = False, print_progress: bool = False
 ) -> TriangleMesh:
-    """Read a mesh with float32 positions, float64 far from zero. Its first texture is the texture map "albedo".
+    """Read a mesh with float32 positions, float64 far from zero, and the vertices of `o3d.io.read_triangle_mesh`.
+
+    Its first texture is the texture map "albedo".
 
     Raises FileError if the file is missing or damaged.
     """
     if Path(filename).suffix.lower() == NPZ:
         return _read_npz(filename)
-    native = mesh_files.read_triangle_mesh(filename)
+    native = read_native_mesh(filename)
     if len(native.textures) > 1:
         message = f"{filename}: {len(native.textures)} textures, of which the first is kept"
         warnings.warn(escaped(message), stacklevel=2)
