@@ -19,13 +19,13 @@ from typing import Any, ClassVar, NamedTuple
 from ... import __version__  # pyright: ignore[reportMissingImports]
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
+from ...core.json_fields import Checks, check_fields
 from ...core.paths import path_of
 from ...core.reports import Assessed, quality
 from ...core.wording import plain
 from ..job_folder import make_folder
 from ..manifest import FINAL_STATES, NAME, Manifest, damage_as_file_errors, new_manifest
 from ..plan import check_same_plan
-from ..plan_check import Checks, check_fields
 from ..schema import TASKS
 
 _STAGE = "stage"  # of meta: the current stage
