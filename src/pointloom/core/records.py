@@ -73,10 +73,12 @@ def read_record(
     if any(content.get(key) != value for key, value in expected.items()):
         return None
     files, result = content.get("files"), content.get("result")
-    if not isinstance(files, dict) or not is_text(content.get("made_from")) or not is_result(result):
+    if not isinstance(files, dict) or not isinstance(result, dict) or not is_text(content.get("made_from")):
+        return None
+    if not is_result(result):
         return None
     try:
         fits = all(digest_of_file(root / name) == digest for name, digest in files.items())
     except (OSError, ValueError):  # also a name that the system rejects
         return None
-    return {**result, "made_from": content["made_from"]} if fits else None
+    return result | {"made_from": content["made_from"]} if fits else None

@@ -141,7 +141,7 @@ class ColorMapResult(Assessed):
     def read_arrays(path: Path, mesh: TriangleMesh, stack: StackedImages, rows: int) -> Arrays:
         """The arrays of `to_arrays`. Raises FileError if they do not fit the mesh, the images and the warps."""
         points, images = mesh.arrays["vertices"].size, stack.count
-        shifts = Warps(stack.layout, rows, "cpu").shifts.size
+        shifts = Warps(stack.layout, rows, stack.device).shifts.size
         expected = {
             "colors": (np.float32, (points, 3)), "poses": (np.float64, (images, 4, 4)), "seen": (np.bool_, (points,)),
             "view_counts": (np.int64, (images,)), "residuals": (np.float64, (2,)), "counts": (np.int64, (2,)),
