@@ -45,6 +45,7 @@ CHART_PADDING = 4  # texels around each chart: two of its image, two of their co
 MAX_SIZE = 16384  # texels per side
 MAX_TEXTURE_SIZE = 8192  # default limit
 TEXEL_BYTES = 120
+MAX_GAIN = 1e6  # between exposures of images with 8 bits
 MAX_PAIRS = 1e15  # triangle-image pairs, and their energy: more do not fit into memory
 
 
@@ -176,8 +177,8 @@ def _read_choice(mesh: TriangleMesh, images: PosedImages, stack: StackedImages, 
 
     def find_fault(arrays: Arrays) -> str:
         views, gains, bends, pairs = (arrays[name] for name in ("views", "gains", "bends", "pairs"))
-        is_finite = (gains > 0).all() and all(np.isfinite(values).all() for values in (gains, pairs))
-        if not (is_finite and (np.abs(bends) <= MAX_VIGNETTING).all() and (abs(pairs) < MAX_PAIRS).all()):
+        is_gain = ((gains > 1 / MAX_GAIN) & (gains < MAX_GAIN)).all()
+        if not (is_gain and (np.abs(bends) <= MAX_VIGNETTING).all() and ((pairs >= 0) & (pairs < MAX_PAIRS)).all()):
             return "gains, bends, pairs: numbers that no choice has"
         if not ((views >= -1) & (views < count)).all():
             return f"views: expected -1 to {count - 1}"

@@ -152,7 +152,9 @@ class ColorMapResult(Assessed):
             wrong = [name for name, values in arrays.items() if not (np.abs(values) < MAX_NUMBER).all()]
             counts, least = arrays["counts"], {"view_counts": 0, "residuals": 0, "colors": 0, "counts": 0}
             wrong += [name for name, minimum in least.items() if (arrays[name] < minimum).any()]
-            wrong += ["counts"] * bool(counts[1] != rows)
+            wrong += ["view_counts"] * bool((arrays["view_counts"] > points).any()) + ["counts"] * bool(
+                counts[1] != rows
+            )
             if wrong:
                 return f"{', '.join(wrong)}: numbers that no result has"
             try:
