@@ -328,6 +328,18 @@ def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, t
     assert in_json(again) == in_json(first)
 
 
+@pytest.mark.parametrize("marker", ["{}", "clips", '{"command": "edit", "source": "walk.mp4"}'])
+def test_a_folder_with_the_marker_of_another_program_is_not_used(quick, film, tmp_path, marker):
+    (tmp_path / "work" / "frames").mkdir(parents=True)
+    others = {tmp_path / "work" / name: name for name in ("frames/mine.png", "report.json")}
+    for path, content in [*others.items(), (tmp_path / "work" / "video.json", marker)]:
+        path.write_text(content)
+    for options in ({"resume": True}, {"overwrite": True}):
+        with pytest.raises(loom.FileError, match="do not belong to a run"):
+            loom.photogrammetry.reconstruct_video(film, work=tmp_path / "work", **options)
+    assert quick.ran == [] and all(path.read_text() == content for path, content in others.items())
+
+
 def places(value, path=()):
     """The positions of all values in JSON, at most two of each list."""
     yield path
