@@ -176,6 +176,8 @@ OF_WRITER = LeftOut("reads what the same call has written")
 OF_SYSTEM = LeftOut("files of the operating system")
 OF_PAGE = LeftOut("a page, image or video that the same call has written")
 
+OF_STEPS = LeftOut("a damaged step is computed again (tests/test_run_folders.py)")
+
 MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "cameras/camera.py": ("camera .json",),
     "cameras/pose_text.py": ("trajectory .log", "extrinsic"),
@@ -187,7 +189,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "core/atomic.py": OF_WRITER,
     "core/cuda_driver.py": OF_SYSTEM,
     "core/json_files.py": ("camera .json",),
-    "core/kept_arrays.py": LeftOut("a damaged step is computed again (tests/core/test_kept_arrays.py)"),
+    "core/kept_arrays.py": OF_STEPS,
     "core/open3d_names.py": OF_PACKAGE,
     "core/records.py": (*RECONSTRUCTION, *WORK),
     "core/stages.py": WORK,
@@ -232,6 +234,10 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "io/splats/splat_ply.py": ("splats .ply",),
     "io/splats/splat_rows.py": ("splats .splat",),
     "io/splats/spz.py": ("splats .spz",),
+    "meshing/color_map/image_texturing.py": OF_STEPS,
+    "meshing/color_map/optimizers.py": OF_STEPS,
+    "meshing/color_map/results.py": OF_STEPS,
+    "meshing/color_map/texturing.py": OF_STEPS,
     "open3d/core/tensor.py": ("open3d tensor",),
     "open3d/io/cameras.py": ("open3d parameters", "open3d trajectory .json"),
     "open3d/io/images.py": ("open3d image .png", "open3d image .jpg"),
@@ -262,6 +268,9 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "photogrammetry/sfm/triangulation.py": OF_WRITER,
     "photogrammetry/sfm/video_files.py": VIDEOS,
     "photogrammetry/video/control_files.py": ("ground control", "ground control .csv", "scale bars"),
+    "photogrammetry/video/job.py": LeftOut(
+        "only the marker of a folder (tests/photogrammetry/video/test_video_command.py)"
+    ),
     "photogrammetry/video/known_motion.py": LeftOut("copies images that were read before"),
     "registration/deformable/control_grid_files.py": ("control grid",),
     "registration/lidar/lidar_sessions.py": ("LiDAR map",),
@@ -269,6 +278,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "registration/pose_graphs/pose_graph_files.py": ("pose graph",),
     "registration/stations/survey_tables.py": ("control of stations", "targets of stations"),
     "rgbd/reconstruction/config.py": ("configuration",),
+    "rgbd/reconstruction/job_files.py": ("configuration",),
     "tiling/border_merging.py": JOB_TILES,
     "tiling/buckets.py": JOB_TILES,
     "tiling/jobs/fused_mesh.py": ("job of fusion, cube", "job of fusion, result"),

@@ -114,15 +114,51 @@ def test_images_outside_the_folder_are_omitted_by_default(tmp_path, name):
         np.testing.assert_array_equal(with_outside.textures[0], IMAGE)
 
 
-def test_a_link_beside_the_file_may_lead_anywhere(tmp_path):
-    folder = tmp_path / "in"
+@pytest.mark.parametrize("name", ["m.obj", "library.obj", "m.ply", "m.gltf", "buffer.gltf", "folder.gltf"])
+def test_links_out_of_the_folder_are_followed_only_on_request(tmp_path, name):
+    """Links within the folder, and a folder that is a link itself, are read."""
+    folder, target = tmp_path / "in", tmp_path / "p.png"
     folder.mkdir()
-    (tmp_path / "p.png").write_bytes(encode_png(IMAGE))
-    (folder / "p.png").symlink_to(tmp_path / "p.png")
-    (folder / "sub").mkdir()
-    (folder / "m.mtl").write_text("newmtl a\nmap_Kd sub/../p.png\n")
-    (folder / "m.obj").write_text(CLIMBING["m.obj"])
-    np.testing.assert_array_equal(loom.read_triangle_mesh(folder / "m.obj").textures[0], IMAGE)
+    target.write_bytes(encode_png(IMAGE))
+    mtl = "newmtl a\nmap_Kd p.png\n"
+    if name == "m.ply":
+        (folder / name).write_text(CLIMBING[name].replace("../", ""))
+    elif name.endswith(".obj"):
+        (folder / name).write_text(CLIMBING["m.obj"])
+        (folder / "m.mtl").write_text(mtl)
+    else:
+        scene = one_triangle(TEXCOORD_0=np.zeros((3, 2), "f4"), extra={"material": 0})
+        look = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}
+        uri = "sub/p.png" if name == "folder.gltf" else "p.png"
+        scene.more = {"materials": [look], "textures": [{"source": 0}], "images": [{"uri": uri}]}
+        (folder / "m.bin").write_bytes(scene.data)
+        scene.write(folder / name, uri="m.bin")
+    (folder / "inner").mkdir()
+    inner = folder / "inner" / "p.png"
+    inner.write_bytes(target.read_bytes())
+    outer, link = {
+        "library.obj": (tmp_path / "m.mtl", folder / "m.mtl"),
+        "buffer.gltf": (tmp_path / "m.bin", folder / "m.bin"),
+        "folder.gltf": (tmp_path / "sub", folder / "sub"),
+    }.get(name, (target, folder / "p.png"))
+    if name == "folder.gltf":
+        outer.mkdir()
+        (outer / "p.png").write_bytes(target.read_bytes())
+    else:
+        (folder / "p.png").symlink_to(inner)
+        if link.name != "p.png":
+            outer.write_bytes(link.read_bytes())
+        (tmp_path / "other").symlink_to(folder)
+        np.testing.assert_array_equal(loom.read_triangle_mesh(tmp_path / "other" / name).textures[0], IMAGE)
+        link.unlink()
+    link.symlink_to(outer)
+    if name == "buffer.gltf":
+        with pytest.raises(FileError, match="outside of its folder"):
+            loom.read_triangle_mesh(folder / name)
+    else:
+        with pytest.warns(UserWarning, match="outside of its folder"):
+            assert loom.read_triangle_mesh(folder / name).textures == ()
+    np.testing.assert_array_equal(loom.read_triangle_mesh(folder / name, outside_files=True).textures[0], IMAGE)
 
 
 def sparse_scene(rows, values, *, base: bool, code="u2", count=None) -> Scene:

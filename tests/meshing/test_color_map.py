@@ -292,8 +292,8 @@ def test_an_interrupted_texture_continues_to_the_same_result(device, tmp_path, m
     expected = loom.meshing.texture_mesh(wall(device=device), given, **call)
     get = KeptArrays.get
 
-    def interrupted(self, name, make):
-        arrays = get(self, name, make)
+    def interrupted(self, name, *given):
+        arrays = get(self, name, *given)
         left[0] -= 1
         if not left[0]:
             raise KeyboardInterrupt

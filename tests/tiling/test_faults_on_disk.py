@@ -326,6 +326,42 @@ def test_a_plan_with_invalid_values_is_an_error_that_names_the_manifest(job, cha
             call(job)
 
 
+OF_OTHER_TYPES = {
+    "a state": "UPDATE tiles SET state = 5",
+    "a state of bytes": "UPDATE tiles SET state = x'ff'",
+    "a count": "UPDATE tiles SET points_out = 'x'",
+    "a negative count": "UPDATE tiles SET points_in = -1",
+    "a file that the plan lacks": "UPDATE sources SET id = 1000000 WHERE id = 0",
+    "a negative tile": "UPDATE tiles SET id = -1 WHERE id = 0",
+    "a tile that the plan lacks": "UPDATE tiles SET id = 1000000 WHERE id = 0",
+    "a checksum": "UPDATE checksums SET crc = 'x'",
+}
+
+
+@pytest.mark.parametrize("change", OF_OTHER_TYPES.values(), ids=OF_OTHER_TYPES)
+def test_a_manifest_with_values_of_other_types_is_an_error(job, change):
+    """SQLite stores values of any type in any column."""
+    loom.tiling.run_tiles(job)
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base:
+        base.executescript(change)
+    for call in (tile_status, loom.tiling.run_tiles):
+        with contextlib.suppress(FileError):
+            call(job)
+    with pytest.raises(FileError, match=r"plan\.sqlite.*damaged"):
+        loom.tiling.finish_tiles(job)
+
+
+@pytest.mark.parametrize("change", ["total = 'x'", "squares = 1.5", "count = 'x'"])
+def test_sums_of_other_types_are_an_error(files, tmp_path, change):
+    steps = [{"step": "remove_statistical_outlier", "nb_neighbors": 5, "std_ratio": 2.0}]
+    loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=50)
+    loom.tiling.run_tiles(tmp_path / "job")
+    with contextlib.closing(sqlite3.connect(tmp_path / "job" / NAME)) as base:
+        base.executescript(f"UPDATE tiles SET state = 'waiting', pass = 1; UPDATE numbers SET {change}")
+    with pytest.raises(FileError, match=r"plan\.sqlite.*damaged"):
+        loom.tiling.run_tiles(tmp_path / "job")
+
+
 FOREIGN = {
     "the owner": "UPDATE tiles SET state = 'running', owner = '{path}'",
     "the owner, from the folder": "UPDATE tiles SET state = 'running', owner = '../../kept.txt'",

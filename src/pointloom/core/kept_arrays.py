@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
-import shutil
-import zipfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from importlib import metadata
 from pathlib import Path
@@ -18,35 +17,69 @@ from .atomic import atomic_write
 from .devices import DeviceLike
 from .errors import FileError, FilePath
 from .json_files import read_json_object
-from .paths import os_errors, path_of
+from .paths import os_errors
 from .progress import ReportProgress, ignore_progress
-from .records import digest_of, digest_of_bytes
+from .records import digest_of, digest_of_bytes, digest_of_file
 from .wording import json_text
-from .work_folder import check_work_folder, locked
+from .work_folder import RunFolder
 
 Arrays = Mapping[str, NDArray[Any]]
 
 INPUTS = "inputs.json"
-_DAMAGED = (OSError, EOFError, ValueError, KeyError, zipfile.BadZipFile)
+_KIND = "kept steps"  # distinguishes the marker from other files named inputs.json
 
 
 class KeptArrays:
-    """Arrays of finished steps by name, and the progress of those that run. Without a folder every step is computed."""
+    """Arrays of finished steps by name, and the progress of those that run. Without a folder every step is computed.
 
-    def __init__(self, folder: Path | None = None, report: ReportProgress = ignore_progress):
-        self._folder, self.report = folder, report
+    The manifest lists the files with their digests. A file is listed before it is written, so that all own files are
+    listed.
+    """
 
-    def get(self, name: str, make: Callable[[], Arrays]) -> Arrays:
-        """The arrays of a step, read from the folder or computed and written atomically."""
-        if self._folder is None:
+    def __init__(self, run: RunFolder | None = None, inputs: str = "", report: ReportProgress = ignore_progress):
+        self._run, self._inputs, self.report = run, inputs, report
+        self._digests: dict[str, str] = {}
+        if run is not None:
+            self._start(run)
+
+    def _start(self, run: RunFolder) -> None:
+        manifest = read_json_object(run.file(INPUTS)) if run.is_run else {}
+        if manifest.get("inputs") == self._inputs:
+            self._digests = manifest["files"]
+        else:
+            _remove(run, manifest.get("files", ()))
+            self._write_manifest(run)
+
+    def _write_manifest(self, run: RunFolder) -> None:
+        content = {"kind": _KIND, "inputs": self._inputs, "files": self._digests}
+        with atomic_write(run.file(INPUTS)) as file:
+            file.write(json_text(content).encode() + b"\n")
+
+    def get(self, name: str, make: Callable[[], Arrays], read: Callable[[Path], Arrays]) -> Arrays:
+        """The arrays of a step: those that `read` validates, else computed and written atomically. `read` raises
+        FileError for arrays that the step cannot use."""
+        if self._run is None:
             return make()
-        path = self._folder / f"{name}.npz"
-        with contextlib.suppress(*_DAMAGED), path.open("rb") as file, np.load(file) as stored:
-            return {key: stored[key] for key in stored.files}
-        arrays: Mapping[str, Any] = make()
-        with atomic_write(path) as file:
-            np.savez(file, **arrays)
+        path = self._run.file(f"{name}.npz")
+        known = self._digests.get(path.name)
+        with contextlib.suppress(OSError, FileError):
+            if known is not None and digest_of_file(path) == known:
+                return read(path)
+        if known is None and os.path.lexists(path):
+            raise FileError(path, "was written by another program", remedy="Move it away, or give another folder")
+        arrays, content = make(), io.BytesIO()
+        np.savez(content, **arrays)  # type: ignore[arg-type]
+        self._digests[path.name] = digest_of_bytes([content.getbuffer()])
+        self._write_manifest(self._run)
+        with atomic_write(self._run.file(path.name)) as file:
+            file.write(content.getbuffer())
         return arrays
+
+    def end(self) -> None:
+        """Remove the folder if no step is finished."""
+        if self._run is not None and not any((self._run.path / name).exists() for name in self._digests):
+            _remove(self._run, (INPUTS,))
+            _remove_empty(self._run)
 
 
 def digest_of_inputs(settings: object, arrays: Iterable[NDArray[Any]], device: DeviceLike) -> str:
@@ -62,39 +95,56 @@ def kept_arrays(
     folder: FilePath | None, inputs: Callable[[], str], report: ReportProgress = ignore_progress
 ) -> Iterator[KeptArrays]:
     """Keep the steps of the block in a folder, if any. `inputs` returns a digest of all inputs: steps of others are
-    removed first. Raises FileError if the folder contains other files or is in use.
+    removed first. Raises FileError if the folder is of another program, contains links or is in use.
     """
     if folder is None:
-        yield KeptArrays(None, report)
+        yield KeptArrays(report=report)
         return
-    root = check_work_folder(path_of(folder, "work"), marker=INPUTS, resume=True, overwrite=False)
-    with os_errors(root, "written"):
-        root.mkdir(exist_ok=True)
-    with locked(root):
-        expected = {"inputs": inputs()}
-        with os_errors(root, "written"):
-            if _content_of(root / INPUTS) != expected:
-                for path in root.glob("*.npz"):
-                    path.unlink()
-                with atomic_write(root / INPUTS) as file:
-                    file.write(json_text(expected).encode() + b"\n")
+    run = check_kept_arrays(folder)
+    with run.opened():
+        kept = KeptArrays(run, inputs(), report)
         try:
-            yield KeptArrays(root, report)
+            yield kept
         finally:
-            if not any(root.glob("*.npz")):
-                remove_kept_arrays(root)
+            kept.end()
+
+
+def check_kept_arrays(folder: FilePath) -> RunFolder:
+    """The folder of `kept_arrays`. Raises FileError if it is of another program."""
+    run = RunFolder(folder, INPUTS, _is_manifest, name="work")
+    run.check(resume=True, overwrite=False)
+    return run
 
 
 def remove_kept_arrays(folder: FilePath) -> None:
-    """Remove a folder of `kept_arrays`. Other folders are left."""
-    if (Path(folder) / INPUTS).is_file():
-        shutil.rmtree(folder, ignore_errors=True)
+    """Remove the files of `kept_arrays`, and the folder if it is empty then. Other folders are left."""
+    with contextlib.suppress(FileError):
+        run = check_kept_arrays(folder)
+        if run.is_run:
+            with run.opened():
+                _remove(run, (*read_json_object(run.file(INPUTS))["files"], INPUTS))
+                _remove_empty(run)
 
 
-def _content_of(path: Path) -> dict[str, Any] | None:
-    if not os.path.lexists(path):
-        return None
-    try:
-        return read_json_object(path)
-    except FileError:
-        return None
+def _remove(run: RunFolder, names: Iterable[str]) -> None:
+    """Remove own files, also those that a killed process did not complete."""
+    with os_errors(run.path, "written"):
+        for name in names:
+            run.file(name).unlink(missing_ok=True)
+            for part in run.path.glob(f".{name}.*.part"):
+                part.unlink(missing_ok=True)
+
+
+def _remove_empty(run: RunFolder) -> None:
+    with contextlib.suppress(OSError):  # it contains other files
+        run.path.rmdir()
+
+
+def _is_manifest(path: Path) -> bool:
+    content = read_json_object(path)
+    files = content.get("files")
+    if content.keys() != {"kind", "inputs", "files"} or content["kind"] != _KIND or not isinstance(files, dict):
+        return False
+    texts = [content["inputs"], *files.values()]
+    is_plain = all(name.endswith(".npz") and not set(name) & set("/\\\0*?[") for name in files)
+    return is_plain and all(isinstance(text, str) for text in texts)

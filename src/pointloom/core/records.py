@@ -13,6 +13,7 @@ from typing import Any
 
 from .atomic import atomic_write
 from .errors import FileError, FilePath
+from .json_fields import Check, is_text
 from .json_files import read_json_object
 from .paths import input_path
 
@@ -58,8 +59,10 @@ def write_record(
         file.write(text.encode())
 
 
-def read_record(path: Path, stage: str, root: Path, made_from: str | None = None) -> dict[str, Any] | None:
-    """The result in a valid record, or None; `made_from` None accepts any inputs."""
+def read_record(
+    path: Path, stage: str, root: Path, is_result: Check, made_from: str | None = None
+) -> dict[str, Any] | None:
+    """The result in a valid record, or None; `is_result` checks its fields, `made_from` None accepts any inputs."""
     try:
         content = read_json_object(path)
     except FileError:
@@ -70,10 +73,12 @@ def read_record(path: Path, stage: str, root: Path, made_from: str | None = None
     if any(content.get(key) != value for key, value in expected.items()):
         return None
     files, result = content.get("files"), content.get("result")
-    if not isinstance(files, dict) or not isinstance(result, dict):
+    if not isinstance(files, dict) or not isinstance(result, dict) or not is_text(content.get("made_from")):
+        return None
+    if not is_result(result):
         return None
     try:
         fits = all(digest_of_file(root / name) == digest for name, digest in files.items())
     except (OSError, ValueError):  # also a name that the system rejects
         return None
-    return result | {"made_from": content.get("made_from")} if fits else None
+    return result | {"made_from": content["made_from"]} if fits else None

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from . import observers
+from .json_fields import Check, has_fields, is_count, is_number, is_object, is_text
 from .json_files import read_json_object
 from .paths import os_errors, refuse_links
 from .progress import ReportProgress
@@ -51,6 +52,7 @@ class Stage:
         settings: Other inputs, as JSON types.
         version, code: Version of the stage and of the packages used. A change invalidates the result.
         goes_on: If True, `make` gets a third argument, a folder that survives interruptions.
+        is_report: Check of the fields of a report in the record of an earlier run.
     """
 
     name: str
@@ -60,6 +62,13 @@ class Stage:
     version: int = 1
     code: Mapping[str, str] = field(default_factory=dict)
     goes_on: bool = False
+    is_report: Check = is_object
+
+    def is_result(self, value: object) -> bool:
+        """True for the result in the record of a run."""
+        costs = has_fields(dict.fromkeys(("seconds", "cpu_seconds", "peak_bytes"), is_number))
+        versions = {"version": is_count, "code": lambda code: is_object(code) and all(map(is_text, code.values()))}
+        return has_fields({"told": self.is_report, "cost": costs, **versions}, versions)(value)
 
     @property
     def made_from(self) -> str:
@@ -86,7 +95,9 @@ class Chain:
 
     def run(self, stage: Stage) -> StageResult:
         record = record_file(self.root, stage.name)
-        record_content = read_record(record, stage.name, self.root, stage.made_from) if self._resume else None
+        record_content = (
+            read_record(record, stage.name, self.root, stage.is_result, stage.made_from) if self._resume else None
+        )
         outdated = "" if record_content or not self._resume else self._outdated(stage, record)
         result = record_content or self._make(stage)
         digest = digest_of(read_json_object(record)["files"])
@@ -104,7 +115,7 @@ class Chain:
 
     def _outdated(self, stage: Stage, record: Path) -> str:
         """The versions of the existing result, if they differ."""
-        old = read_record(record, stage.name, self.root)
+        old = read_record(record, stage.name, self.root, stage.is_result)
         if old is None:
             return ""
         was = {**old.get("code", {}), "its version": old.get("version", 1)}
@@ -120,7 +131,7 @@ class Chain:
             return
         folder = self.root / f"{stage.name}{GOING}"
         mark = folder / _MADE_FROM
-        if not mark.is_file() or mark.read_text(encoding="utf-8") != stage.made_from:
+        if not mark.is_file() or mark.read_bytes() != stage.made_from.encode():
             _remove(folder)
             folder.mkdir()
             mark.write_text(stage.made_from, encoding="utf-8")

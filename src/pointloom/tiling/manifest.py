@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
+import math
 import os
 import re
 import sqlite3
@@ -17,7 +18,9 @@ from collections.abc import Container, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from ..core.checks import shown
 from ..core.errors import FileError
+from ..core.json_fields import Checks, builds, is_count, optional
 from ..core.paths import refuse_links
 from ..core.sqlite_files import check_no_code, check_tables, protect
 from .plan_check import check_plan
@@ -39,6 +42,15 @@ _REMEDIES = {  # for a missing or different manifest, by whether a job other tha
     True: "Call plan_fusion or plan_registration first, then run_job",
 }
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
+# Types of the columns, and of the sums `a`, `b` and `n` of them.
+COLUMNS: Checks = {
+    **dict.fromkeys(("id", "ix", "iy", "attempts", "points", "points_in", "points_out", "tile", "count"), is_count),
+    **dict.fromkeys(("pass", "crc", "a", "b", "n"), optional(is_count)), "full": lambda value: isinstance(value, int),
+    **dict.fromkeys(("bytes", "stage"), is_count), "state": lambda value: value in STATES,
+    **dict.fromkeys(("owner", "error", "found"), optional(builds(str.encode))),
+    **dict.fromkeys(("name", "told", "value"), builds(str.encode)),
+    **dict.fromkeys(("total", "squares"), builds(lambda value: int(value, 16))),
+}  # fmt: skip
 # Python's errors for values in another format.
 DAMAGE = (EOFError, LookupError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
 DISTRIBUTES = " distributes"
@@ -103,6 +115,16 @@ class Manifest:
                 raise FileError(path, f"the manifest cannot be used: {error}") from error
             raise FileError(path, f"is not a manifest: {error}", remedy="Plan it again") from error
         self.tables = ("tasks",) if is_job else TABLES
+        if not is_job:
+            self._check_ids()
+
+    def _check_ids(self) -> None:
+        """Raise FileError if a row names a file, tile or pass that the plan does not have."""
+        counts = len(files_of(self.plan)), math.prod(self.plan["shape"]), len(self.plan["steps"]) + 1
+        for table, count in zip(TABLES, counts, strict=True):
+            for row in self.rows(f"SELECT id FROM {table} WHERE id < 0 OR id >= {count} LIMIT 1"):
+                reason = f"the manifest is damaged: {table} has no number {row['id']}"
+                raise FileError(self.folder / NAME, reason, remedy="Plan it again in another folder")
 
     def __enter__(self) -> Manifest:
         return self
@@ -124,16 +146,26 @@ class Manifest:
 
     def rows(self, query: str, *values: Any) -> list[sqlite3.Row]:
         with as_file_errors(self.folder / NAME):
-            return self.base.execute(query, values).fetchall()
+            return self._checked(self.base.execute(query, values).fetchall())
+
+    def _checked(self, rows: list[sqlite3.Row]) -> list[sqlite3.Row]:
+        """The rows, if their values have the types of their columns. SQLite stores values of any type."""
+        for k, name in enumerate(rows[0].keys() if rows else ()):
+            is_right = COLUMNS.get(name, lambda _: True)
+            for row in rows:
+                if not is_right(row[k]):
+                    reason = f"the manifest is damaged: {name} is {shown(row[k])}"
+                    raise FileError(self.folder / NAME, reason, remedy="Plan it again in another folder")
+        return rows
 
     def claim(self, table: str, owner: str, where: str = "1", *values: Any) -> sqlite3.Row | None:
         """Claim the first waiting row of a table for a worker. None if there is none."""
         with self.change() as base:
             query = f"SELECT * FROM {table} WHERE state = 'waiting' AND {where} ORDER BY id LIMIT 1"
-            row = base.execute(query, values).fetchone()
-            if row is not None:
+            rows = self._checked(base.execute(query, values).fetchall())
+            for row in rows:
                 base.execute(f"UPDATE {table} SET state = 'running', owner = ? WHERE id = ?", (owner, row["id"]))
-        return row
+        return rows[0] if rows else None
 
     def record(self, table: str, row: int, owner: str, **values: Any) -> bool:
         """Record the result of a claimed row. False if the worker no longer owns it."""

@@ -3,22 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from typing import Any, Protocol, TypeGuard
+from collections.abc import Mapping
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.checks import shown
+from ..core.json_fields import (
+    Checks,
+    check_fields,
+    is_count,
+    is_list,
+    is_number,
+    is_positive,
+    is_text,
+    list_of,
+    numbers,
+    optional,
+)
 
 MAX_TILES = 1 << 22
 OUTPUTS = ("laz", "copc")
-MAX_NUMBER = 1e300  # sums of numbers stay finite
 
 Box = tuple[float, float, float, float]
-
-Check = Callable[[Any], bool]
-Checks = dict[str, Check]  # by field of a JSON object
 
 
 class TilePlan(Protocol):
@@ -41,64 +48,6 @@ class TilePlan(Protocol):
     def tile_of(self, positions: NDArray[np.float64]) -> NDArray[np.int64]: ...
 
     def tiles_in(self, window: Box) -> list[int]: ...
-
-
-def is_number(value: object) -> TypeGuard[float]:
-    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= MAX_NUMBER
-
-
-def is_count(value: object) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**63
-
-
-def is_text(value: object) -> TypeGuard[str]:
-    return isinstance(value, str) and "\0" not in value
-
-
-def is_list(value: object) -> bool:
-    return isinstance(value, list)
-
-
-def is_flag(value: object) -> bool:
-    return isinstance(value, bool)
-
-
-def is_positive(value: object) -> bool:
-    return is_number(value) and value > 0
-
-
-def numbers(count: int) -> Check:
-    return list_of(is_number, count)
-
-
-def list_of(check: Check, count: int | None = None) -> Check:
-    return lambda value: isinstance(value, list) and count in (None, len(value)) and all(map(check, value))
-
-
-def optional(check: Check) -> Check:
-    return lambda value: value is None or check(value)
-
-
-def below(count: int) -> Check:
-    """Check an index of `count` items."""
-    return lambda value: is_count(value) and value < count
-
-
-def has_fields(checks: Checks) -> Check:
-    return lambda value: isinstance(value, dict) and all(name in value and checks[name](value[name]) for name in checks)
-
-
-def builds(make: Callable[[Any], object]) -> Check:
-    """Check that a constructor accepts a value."""
-
-    def is_right(value: object) -> bool:
-        try:
-            make(value)
-        except (TypeError, ValueError, LookupError, AttributeError):
-            return False
-        return True
-
-    return is_right
 
 
 def _is_shape(value: object) -> bool:
@@ -150,14 +99,3 @@ def check_plan(plan: Mapping[str, Any]) -> None:
         check_fields("source", source, _SOURCE_CHECKS)
         if "original" in source:
             check_fields("original", source["original"], _STATE)
-
-
-def check_fields(what: str, table: Any, checks: Checks) -> None:
-    """Raise ValueError for the first missing or invalid field of a JSON object."""
-    if not isinstance(table, dict):
-        raise ValueError(f"{what}: expected an object, got {shown(table)}")
-    for name, is_right in checks.items():
-        if name not in table:
-            raise ValueError(f"{what}: {name} is missing")
-        if not is_right(table[name]):
-            raise ValueError(f"{what}: {name} is {shown(table[name])}")

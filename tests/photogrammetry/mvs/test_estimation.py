@@ -235,6 +235,19 @@ def test_damaged_files_are_matched_again(tmp_path):
     assert digest(estimate(three(), **options)) == digest(expected)
     files[0].write_bytes(files[0].read_bytes().replace(b"}", b"(", 1))  # an error of Python's parser
     assert digest(estimate(three(), **options)) == digest(expected)
+    for value in (np.nan, np.inf):
+        np.save(files[0], np.full_like(np.load(files[1]), value))
+        assert digest(estimate(three(), **options)) == digest(expected)
+
+
+@pytest.mark.parametrize("name", ["folder", "resume_from"])
+def test_folders_with_links_are_not_used(tmp_path, name):
+    (tmp_path / name).mkdir()
+    (tmp_path / "mine").write_text("mine")
+    (tmp_path / name / "000000.npz").symlink_to(tmp_path / "mine")
+    with pytest.raises(loom.FileError, match="is a symbolic link"):
+        estimate(three(), sources=None, **{name: tmp_path / name})
+    assert (tmp_path / "mine").read_text() == "mine"
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """`pointloom video` and `reconstruct_video`: stages that run again, rejected calls, results, control and maps."""
 
+import contextlib
 import json
 
 import numpy as np
@@ -7,6 +8,8 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
+from pointloom.core.records import digest_of
+from pointloom.core.wording import json_text
 from pointloom.core.work_folder import locked
 from pointloom.io.images.image_files import write_png
 from pointloom.photogrammetry.sfm.image_positions import ImagePosition, ImagePositions
@@ -323,6 +326,48 @@ def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, t
     assert again.figures == first.figures
     assert again.warnings == first.warnings and len(first.warnings) == 2
     assert in_json(again) == in_json(first)
+
+
+@pytest.mark.parametrize("marker", ["{}", "clips", '{"command": "edit", "source": "walk.mp4"}'])
+def test_a_folder_with_the_marker_of_another_program_is_not_used(quick, film, tmp_path, marker):
+    (tmp_path / "work" / "frames").mkdir(parents=True)
+    others = {tmp_path / "work" / name: name for name in ("frames/mine.png", "report.json")}
+    for path, content in [*others.items(), (tmp_path / "work" / "video.json", marker)]:
+        path.write_text(content)
+    for options in ({"resume": True}, {"overwrite": True}):
+        with pytest.raises(loom.FileError, match="do not belong to a run"):
+            loom.photogrammetry.reconstruct_video(film, work=tmp_path / "work", **options)
+    assert quick.ran == [] and all(path.read_text() == content for path, content in others.items())
+
+
+def places(value, path=()):
+    """The positions of all values in JSON, at most two of each list."""
+    yield path
+    inner = value.items() if isinstance(value, dict) else enumerate(value[:2]) if isinstance(value, list) else ()
+    for key, each in inner:
+        yield from places(each, (*path, key))
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_a_record_of_other_values_is_made_again_or_an_error(quick, film, tmp_path, stage):
+    """Its digest matches, as in the folder of somebody else."""
+    loom.photogrammetry.reconstruct_video(film, work=tmp_path / "work")
+    record = tmp_path / "work" / "records" / f"{stage}.json"
+    before = record.read_text()
+    for path in list(places(json.loads(before)["result"]))[1:]:
+        for value in ("x", None, [[1]], -1, "missing"):
+            content = json.loads(before)
+            content.pop("digest")
+            at = content["result"]
+            for key in path[:-1]:
+                at = at[key]
+            at[path[-1]] = value
+            if value == "missing":
+                del at[path[-1]]
+            record.write_text(json.dumps(content | {"digest": digest_of(content)}))
+            with contextlib.suppress(loom.FileError):
+                result = loom.photogrammetry.reconstruct_video(film, work=tmp_path / "work", resume=True)
+                assert str(result) and json_text(result.to_dict())
 
 
 def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):

@@ -1,9 +1,12 @@
 """The complete reconstruction system: its settings, its fragments, its model, and interrupted runs that continue."""
 
+import copy
 import dataclasses
 import errno
+import functools
 import io
 import json
+import operator
 import os
 import shutil
 import weakref
@@ -15,10 +18,12 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.core import atomic
+from pointloom.core import atomic, records
 from pointloom.core.errors import DeviceError, FileError
 from pointloom.core.wording import json_text
+from pointloom.core.work_folder import locked
 from pointloom.datasets.scenes.room import surface_errors
+from pointloom.rgbd.reconstruction import fragments, placement, scene
 from pointloom.rgbd.reconstruction.fragments import fragments_in, make_fragments
 from pointloom.rgbd.reconstruction.job_files import JobFiles
 from pointloom.rgbd.reconstruction.nonrigid import refine_with_slac
@@ -281,6 +286,72 @@ def test_a_damaged_file_is_recomputed(job, complete_digest, name):
     path.write_bytes(path.read_bytes()[:-40])
     run_reconstruction_system(short_sequence(), SETTINGS, job, resume=True)
     assert digest_of(job) == complete_digest
+
+
+READERS = {
+    "fragment_000": lambda job, path: fragments.read_fragments(job),
+    "register": lambda job, path: placement.read_placement(job, "register", 2),
+    "refine": lambda job, path: placement.read_placement(job, "refine", 2),
+    "integrate": lambda job, path: scene._read_scene(job, json.loads(path.read_text())["made_from"]),
+}
+OPTIONAL = {("result", "joint"), ("result", "figures", "bounds"), ("result", "figures", "trajectory_error")}
+
+
+def places(value, path=()):
+    """The positions of all values in JSON, the first of each list."""
+    yield path
+    inner = value.items() if isinstance(value, dict) else enumerate(value[:1]) if isinstance(value, list) else ()
+    for key, each in inner:
+        yield from places(each, (*path, key))
+
+
+@pytest.mark.parametrize("name", READERS)
+def test_a_record_of_other_values_is_not_used_though_its_digest_matches(job, name):
+    path, files = job / "records" / f"{name}.json", JobFiles.make(job, SETTINGS)
+    before = json.loads(path.read_text())
+    assert READERS[name](files, path)
+    for place in list(places(before))[1:]:
+        *outer, last = place
+        if place[0] not in ("stage", "version", "result"):
+            continue
+        for value in ("x", None, {"a": 1}, [[1]], "missing"):
+            content = {key: value for key, value in copy.deepcopy(before).items() if key != "digest"}
+            at = functools.reduce(operator.getitem, outer, content)
+            is_text = place[0] == "result" and isinstance(at[last], str)
+            if (value is None and place in OPTIONAL) or (value == "x" and is_text):
+                continue
+            at[last] = value
+            if value == "missing":
+                del at[last]
+            path.write_text(json.dumps(content | {"digest": records.digest_of(content)}))
+            assert not READERS[name](files, path), (place, value)
+
+
+@pytest.mark.parametrize(("name", "field"), [("fragment_001", "velocity"), ("register", "placed"), ("refine", "poses")])
+def test_a_stage_with_a_record_of_other_values_is_recomputed(job, complete_digest, name, field):
+    path = job / "records" / f"{name}.json"
+    content = json.loads(path.read_text())
+    content.pop("digest")
+    content["result"][field] = [[None]]
+    path.write_text(json.dumps(content | {"digest": records.digest_of(content)}))
+    run_reconstruction_system(short_sequence(), SETTINGS, job, resume=True)
+    assert digest_of(job) == complete_digest
+
+
+@pytest.mark.parametrize("content", ["{}", '{"scene": "hall"}', "photos"])
+def test_a_folder_of_another_program_is_not_used(tmp_path, content):
+    (tmp_path / "config.json").write_text(content)
+    with pytest.raises(FileError, match="do not belong to a run"):
+        run_reconstruction_system(short_sequence(), SETTINGS, tmp_path)
+    assert (tmp_path / "config.json").read_text() == content and len(list(tmp_path.iterdir())) == 1
+
+
+def test_other_files_in_the_folder_are_kept_and_a_second_run_is_an_error(job, complete_digest):
+    (job / "notes.txt").write_text("mine")
+    run_reconstruction_system(short_sequence(), SETTINGS, job)
+    assert (job / "notes.txt").read_text() == "mine" and digest_of(job).keys() == {*complete_digest, "notes.txt"}
+    with locked(job), pytest.raises(FileError, match="another run is using it"):
+        run_reconstruction_system(short_sequence(), SETTINGS, job)
 
 
 def test_a_changed_configuration_starts_a_new_run(job):

@@ -12,11 +12,10 @@ from ...core.progress import ReportProgress
 from ...core.reports import Fields, with_warnings
 from ...core.timing import Clock
 from ...core.wording import plain
-from ...core.work_folder import check_work_folder
 from ...rgbd.reconstruction.config import ReconstructionConfig
 from ...rgbd.reconstruction.fragment_model import FragmentOptions, settings_for
 from ...rgbd.reconstruction.frames_to_mesh import ReconstructionResult, reconstruct
-from ...rgbd.reconstruction.job import CONFIG_FILE
+from ...rgbd.reconstruction.job_files import run_folder
 from ...rgbd.slam.looped_model import SlamAccount
 from .frame_folder import FolderOptions, FrameFolder, FramesReport
 from .model_outputs import ModelOutputs
@@ -42,7 +41,7 @@ class StageOptions:
         config = None if self.config is None else ReconstructionConfig.read(self.config)
         settings = settings_for(config, voxel_size, depth_max)
         folder = self.work or default_work_folder(mesh)
-        folder = check_work_folder(folder, marker=CONFIG_FILE, resume=self.resume, overwrite=overwrite)
+        folder = run_folder(folder).check(resume=self.resume, overwrite=overwrite)
         return FragmentOptions(folder, settings, self.resume, self.slac)
 
 

@@ -11,7 +11,7 @@ from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...cameras.depth_range import DEPTH_MAX
 from ...core.checks import check_count
 from ...core.errors import FileError, FilePath
-from ...core.kept_arrays import remove_kept_arrays
+from ...core.kept_arrays import check_kept_arrays, remove_kept_arrays
 from ...core.outputs import check_output
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import peak_bytes
@@ -62,6 +62,7 @@ def texture_folder(
     check_output(output, WRITTEN, what="colored meshes", overwrite=overwrite)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
+    work = check_kept_arrays(work_folder_of(output)).path
     where, clock, with_atlas = job.device, job.clock, Path(output).suffix.lower() in WITH_ATLAS
     intrinsic = layout["intrinsic"]
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
@@ -71,8 +72,7 @@ def texture_folder(
     dataset = _open_colored(folder, **layout | {"intrinsic": camera})
     clock.stop("read")
     task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
-    how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
-    how["work"] = work = work_folder_of(output)
+    how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max, "work": work}
     try:
         with AnnouncedStages(clock, job.progress, first="read", part_of={"frames": "read"}) as stages:
             result = texture_mesh(shape, dataset, **how, progress=stages)

@@ -9,7 +9,7 @@ from typing import Any, Unpack
 
 from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.errors import FileError, FilePath
-from ...core.kept_arrays import remove_kept_arrays
+from ...core.kept_arrays import check_kept_arrays, remove_kept_arrays
 from ...core.outputs import check_output
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import peak_bytes
@@ -56,6 +56,7 @@ def texture_model(
     job = Job("texture", mesh, **settings)
     overwrite = job.form["overwrite"]
     check_output(output, WRITTEN, what="textures from images", overwrite=overwrite)
+    work = check_kept_arrays(work_folder_of(output)).path
     where, clock = job.device, job.clock
     shape = read_triangle_mesh(mesh, device=where, up=job.up_of(mesh))
     if not len(shape):
@@ -64,7 +65,6 @@ def texture_model(
         )
     model, images = _open(Path(folder))
     clock.stop("read")
-    work = work_folder_of(output)
     try:
         option = ImageTextureOption(depth_max=depth_max)
         result = texture_from_images(shape, images, model, option=option, size=size, work=work, progress=job.progress)

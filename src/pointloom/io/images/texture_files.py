@@ -39,9 +39,15 @@ def leads_outside(name: str) -> bool:
 
 
 def find_beside(path: FilePath, name: str, *, outside_files: bool = False) -> Path | None:
-    """A file named relative to a mesh file, or None. Names outside its folder require `outside_files`."""
+    """A file named relative to a mesh file, or None. Names and links to files outside its folder require
+    `outside_files`."""
     if not name or (leads_outside(name) and not outside_files):
         return None
+    candidate = _existing(path, name)
+    return candidate if outside_files or not _is_link_outside(path, candidate) else None
+
+
+def _existing(path: FilePath, name: str) -> Path | None:
     try:
         candidate = path_of(path).parent / name.replace("\\", "/")
         return candidate if candidate.is_file() else None
@@ -49,9 +55,15 @@ def find_beside(path: FilePath, name: str, *, outside_files: bool = False) -> Pa
         return None
 
 
-def why_missing(name: str, *, outside_files: bool) -> str:
+def _is_link_outside(path: FilePath, candidate: Path | None) -> bool:
+    """True if symbolic links lead from a file beside a mesh file to one outside of the folder."""
+    return candidate is not None and not candidate.resolve().is_relative_to(path_of(path).parent.resolve())
+
+
+def why_missing(path: FilePath, name: str, *, outside_files: bool) -> str:
     """Why `find_beside` returned None, as the end of a sentence."""
-    return OUTSIDE if leads_outside(name) and not outside_files else "is not beside it"
+    is_outside = leads_outside(name) or _is_link_outside(path, _existing(path, name))
+    return OUTSIDE if is_outside and not outside_files else "is not beside it"
 
 
 def read_textures(path: FilePath, names: list[str], *, outside_files: bool = False) -> tuple[NDArray[np.uint8], ...]:
@@ -59,7 +71,7 @@ def read_textures(path: FilePath, names: list[str], *, outside_files: bool = Fal
     texture_paths = [find_beside(path, name, outside_files=outside_files) for name in names]
     missing = [name for name, texture_path in zip(names, texture_paths, strict=True) if texture_path is None]
     if missing:
-        reason = why_missing(missing[0], outside_files=outside_files)
+        reason = why_missing(path, missing[0], outside_files=outside_files)
         warn_left_behind(path, f"its image {missing[0]!r} {reason}")
         return ()
     files = {texture_path: texture_path.resolve() for texture_path in texture_paths if texture_path is not None}

@@ -128,7 +128,7 @@ class GltfFile:
         if _SCHEME.match(uri):
             return f"{uri[:60]!r}, which is not downloaded"
         name = unquote(uri, errors="surrogateescape")
-        return f"{name[:60]!r}, which {why_missing(name, outside_files=self.outside_files)}"
+        return f"{name[:60]!r}, which {why_missing(self.path, name, outside_files=self.outside_files)}"
 
     def uri_bytes(self, uri: Any, what: str) -> memoryview:
         if isinstance(uri, str) and uri[:5].lower() == "data:":

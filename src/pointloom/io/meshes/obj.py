@@ -147,7 +147,7 @@ def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = 
     for library in dict.fromkeys(libraries):
         file = find_beside(path, library, outside_files=outside_files)
         if file is None:
-            reason = why_missing(library, outside_files=outside_files)
+            reason = why_missing(path, library, outside_files=outside_files)
             warn_left_behind(path, f"the file {library!r} of its materials {reason}")
             return None
         if (real := file.resolve()) not in read:

@@ -49,6 +49,14 @@ def read_archive(
     return arrays
 
 
+def has_format(path: Path, form: bytes) -> bool:
+    """True if a file is an archive with the member `format` equal to `form`."""
+    try:
+        return read_arrays(path, ("format",)).get("format", np.zeros(0)).tobytes() == form
+    except FileError:
+        return False
+
+
 def read_part_of_job(
     path: Path, what: str, expected_of: Callable[[Arrays], Expected], find_fault: Callable[[Arrays], str], remedy: str
 ) -> Arrays:

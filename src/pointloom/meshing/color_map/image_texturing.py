@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,16 +14,18 @@ from ...core.checks import check_color, check_count, check_progress
 from ...core.errors import FilePath
 from ...core.kept_arrays import Arrays, KeptArrays, digest_of_inputs, kept_arrays
 from ...core.progress import ReportProgress
+from ...io.points.archives import read_part_of_job
 from ...kernels.array_types import Indices, Points, Triangles
 from ...kernels.arrays.duplicates import find_equal_points
 from ...kernels.arrays.sort import positions
 from ...kernels.lang import int32, vec3d
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import check_room, download, upload
 from ...kernels.meshes.merge_vertices import rename_corners
 from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
 from ...kernels.textures.charts import Packing, compute_uvs, cut_charts, find_twins
 from ...kernels.textures.color_outliers import keep_likely
-from ...kernels.textures.exposures import Exposures, find_exposures, plain_exposures
+from ...kernels.textures.exposures import MAX_VIGNETTING, Exposures, find_exposures, plain_exposures
 from ...kernels.textures.face_views import FaceViews, FaceVisibility, keep_views
 from ...kernels.textures.hidden_vertices import plant_trees
 from ...kernels.textures.seam_joins import SeamSamples, drawn_steps, join_seams
@@ -41,6 +45,8 @@ CHART_PADDING = 4  # texels around each chart: two of its image, two of their co
 MAX_SIZE = 16384  # texels per side
 MAX_TEXTURE_SIZE = 8192  # default limit
 TEXEL_BYTES = 120
+MAX_GAIN = 1e6  # between exposures of images with 8 bits
+MAX_PAIRS = 1e15  # triangle-image pairs, and their energy: more do not fit into memory
 
 
 def texture_from_images(
@@ -156,11 +162,35 @@ def _choose(mesh: TriangleMesh, images: PosedImages, option: ImageTextureOption,
     owners = find_equal_points(vertices)
     triangles = rename_corners(mesh.arrays["triangles"], owners, positions(vertices.size, device))
     stack, twins = images.stacked(mesh.origin, 0), find_twins(triangles, vertices.size)
-    arrays = kept.get("choice", lambda: _choose_views(vertices, triangles, twins, stack, option, kept.report))
+    make = partial(_choose_views, vertices, triangles, twins, stack, option, kept.report)
+    arrays = kept.get("choice", make, partial(_read_choice, mesh, images, stack))
     gains = Exposures(*(upload(arrays[name], vec3d, device) for name in ("gains", "bends")))
     seams = Seams(triangles, twins, upload(arrays["views"], int32, device), stack.count, vertices.size)
     pairs, outliers, energy = arrays["pairs"].tolist()
     return _Choice(stack, gains, seams, int(pairs), int(outliers), energy)
+
+
+def _read_choice(mesh: TriangleMesh, images: PosedImages, stack: StackedImages, path: Path) -> Arrays:
+    """The arrays of `_choose_views`. Raises FileError if they do not fit the mesh and the images."""
+    colors, count = (np.float64, (stack.count, 3)), stack.count
+    expected = {"views": (np.int32, (len(mesh),)), "gains": colors, "bends": colors, "pairs": (np.float64, (3,))}
+
+    def find_fault(arrays: Arrays) -> str:
+        views, gains, bends, pairs = (arrays[name] for name in ("views", "gains", "bends", "pairs"))
+        is_gain = ((gains > 1 / MAX_GAIN) & (gains < MAX_GAIN)).all()
+        if not (is_gain and (np.abs(bends) <= MAX_VIGNETTING).all() and ((pairs >= 0) & (pairs < MAX_PAIRS)).all()):
+            return "gains, bends, pairs: numbers that no choice has"
+        if not ((views >= -1) & (views < count)).all():
+            return f"views: expected -1 to {count - 1}"
+        corners, poses = download(mesh.arrays["vertices"])[download(mesh.arrays["triangles"])], download(stack.poses)
+        for k, camera in enumerate(images.cameras):
+            points = matmul(corners[views == k].reshape(-1, 3).astype(np.float64), poses[k, :3, :3].T) + poses[k, :3, 3]
+            pixels = points[:, :2] * (camera.fx, camera.fy) / points[:, 2:] + (camera.cx, camera.cy)
+            if not ((points[:, 2:] > 0) & (pixels > -1) & (pixels < (camera.width, camera.height))).all():
+                return f"views: a triangle is outside of image {k}"
+        return ""
+
+    return read_part_of_job(path, "the choice of images", lambda _: expected, find_fault, "It is computed again")
 
 
 def _choose_views(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -120,11 +121,17 @@ def color_mesh(
         results.append(_conclude(mesh, images, camera_trajectory, chosen, search))
         return {} if kept is None else results[0].to_arrays()
 
-    arrays = optimize() if kept is None else kept.get(method, optimize)
+    stack: list[StackedImages] = []
+
+    def read(path: Path) -> Arrays:
+        stack.append(images.stacked(mesh.origin, chosen.image_boundary_margin))
+        rows = 0 if method == "rigid" else chosen.number_of_vertical_anchors
+        return ColorMapResult.read_arrays(path, mesh, stack[0], rows)
+
+    arrays = optimize() if kept is None else kept.get(method, optimize, read)
     if results:
         return results[0]
-    stack = images.stacked(mesh.origin, chosen.image_boundary_margin)
-    return ColorMapResult.from_arrays(arrays, mesh, stack, camera_trajectory)
+    return ColorMapResult.from_arrays(arrays, mesh, stack[0], camera_trajectory)
 
 
 def _optimize(

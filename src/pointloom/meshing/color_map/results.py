@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
+from ...core.checks import check_rigid
 from ...core.kept_arrays import Arrays
 from ...core.reports import Assessed, failed, quality
 from ...core.wording import format_fraction, plain
+from ...io.points.archives import read_part_of_job
 from ...kernels.lang import mat44d, vec2d, vec3
 from ...kernels.memory import download, upload
 from ...kernels.textures.stacked_images import StackedImages, Warps, unwarp_pixels
@@ -22,6 +25,7 @@ from ..mesh.mesh import TriangleMesh
 FEW_SEEN = 0.3  # fraction of the vertices seen
 MAX_BLIND_FRACTION = 0.5  # fraction of the frames that see nothing of the mesh
 MAX_RESIDUAL_RATIO = 0.99  # maximum ratio of residuals after and before, unless the residual is
+MAX_NUMBER = 1e12  # in kept results: larger ones are damage, and their squares overflow
 MIN_RESIDUAL = 0.01  # below this: the level of 8-bit colors and their noise
 
 
@@ -52,7 +56,7 @@ class ColorMapResult(Assessed):
     _images: StackedImages
     _warps: Warps
 
-    _internal = ("from_arrays", "to_arrays")
+    _internal = ("from_arrays", "read_arrays", "to_arrays")
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.mesh, self.trajectory))
@@ -132,6 +136,35 @@ class ColorMapResult(Assessed):
             "T_camera_world": download(self._images.poses),
             "shifts": download(self._warps.shifts),
         }
+
+    @staticmethod
+    def read_arrays(path: Path, mesh: TriangleMesh, stack: StackedImages, rows: int) -> Arrays:
+        """The arrays of `to_arrays`. Raises FileError if they do not fit the mesh, the images and the warps."""
+        points, images = mesh.arrays["vertices"].size, stack.count
+        shifts = Warps(stack.layout, rows, stack.device).shifts.size
+        expected = {
+            "colors": (np.float32, (points, 3)), "poses": (np.float64, (images, 4, 4)), "seen": (np.bool_, (points,)),
+            "view_counts": (np.int64, (images,)), "residuals": (np.float64, (2,)), "counts": (np.int64, (2,)),
+            "T_camera_world": (np.float64, (images, 4, 4)), "shifts": (np.float64, (shifts, 2)),
+        }  # fmt: skip
+
+        def find_fault(arrays: Arrays) -> str:
+            wrong = [name for name, values in arrays.items() if not (np.abs(values) < MAX_NUMBER).all()]
+            counts, least = arrays["counts"], {"view_counts": 0, "residuals": 0, "colors": 0, "counts": 0}
+            wrong += [name for name, minimum in least.items() if (arrays[name] < minimum).any()]
+            wrong += ["view_counts"] * bool((arrays["view_counts"] > points).any()) + ["counts"] * bool(
+                counts[1] != rows
+            )
+            if wrong:
+                return f"{', '.join(wrong)}: numbers that no result has"
+            try:
+                for T in (*arrays["poses"], *arrays["T_camera_world"]):
+                    check_rigid("poses", T)
+            except ValueError as error:
+                return str(error)
+            return ""
+
+        return read_part_of_job(path, "the colors", lambda _: expected, find_fault, "They are computed again")
 
     @classmethod
     def from_arrays(cls, arrays: Arrays, mesh: TriangleMesh, stack: StackedImages, given: Trajectory) -> Self:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from ...core.wording import format_duration
 from ...io.frames.datasets import Frame
 from ...io.frames.frames import depth_unit, source_warnings
 from ...io.frames.rgbd_sources import RGBDSource
+from ...io.points.archives import read_part_of_job
 from ...kernels.array_types import Device
 from ...kernels.lang import vec2
 from ...kernels.linear_algebra import inv
@@ -201,7 +203,11 @@ def _paint_atlas(
             atlas = mesh.compute_uvatlas(size, gutter=GUTTER_TEXELS)
             return {"triangle_uvs": download(atlas.arrays["triangle_uvs"])}
 
-        uvs = kept.get("atlas", lay_out)["triangle_uvs"]
+        def read(path: Path) -> Arrays:
+            expected = {"triangle_uvs": (np.float32, (3 * len(mesh), 2))}
+            return read_part_of_job(path, "the atlas", lambda _: expected, _fault_of_atlas, "It is computed again")
+
+        uvs = kept.get("atlas", lay_out, read)["triangle_uvs"]
         without = mesh.with_arrays(triangle_material_ids=None)
         mesh = without.with_arrays(triangle_uvs=upload(uvs, vec2, mesh.device))
     kept.report("texture", 0, 0)
@@ -209,3 +215,8 @@ def _paint_atlas(
     extrinsics = [inv(pose) for pose in colors.trajectory.poses]
     textured, fraction = mesh.with_albedo(images, camera, extrinsics, size)
     return textured.with_arrays(vertex_colors=None), fraction  # viewers multiply texture and vertex colors
+
+
+def _fault_of_atlas(arrays: Arrays) -> str:
+    uvs = arrays["triangle_uvs"]
+    return "" if ((uvs >= 0) & (uvs <= 1)).all() else "triangle_uvs: expected numbers in 0..1"

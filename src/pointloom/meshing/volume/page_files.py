@@ -5,8 +5,7 @@ A page is an NPZ archive of one cube's blocks; `volume.npz`, replaced atomically
 
 from __future__ import annotations
 
-import contextlib
-import weakref
+import re
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
@@ -17,15 +16,16 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of, refuse_links
-from ...core.work_folder import locked
-from ...io.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
+from ...core.paths import is_file
+from ...core.work_folder import RunFolder
+from ...io.points.archives import Arrays, Expected, has_format, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import CELL_BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box, box_keys
 from .tsdf_files import find_fault_of_sizes
 
 LIST = "volume.npz"
 FORMAT, PAGE_FORMAT = b"pointloom paged TSDF volume 1", b"pointloom TSDF page 1"
+_PAGE_NAME = re.compile(r"[0-9]{8,18}\.npz")
 MAX_SIDE = 1024  # blocks along a cube
 
 Keys = NDArray[np.int64]
@@ -56,44 +56,25 @@ class PageFolder:
     """Pages of a volume on disk, for one process. FileError if the folder contains other data or is in use."""
 
     def __init__(self, path: FilePath, *, is_new: bool, overwrite: bool = False):
-        self.path = path_of(path)
+        remedy = "Continue with PagedTSDFVolume.load, or pass overwrite=True to start over"
+        self._run = RunFolder(path, LIST, partial(has_format, form=FORMAT), name="path", remedy=remedy)
+        self.path = self._run.path
         if is_new:
-            self._check_free(overwrite)
-            try:
-                self.path.mkdir(exist_ok=True)
-            except OSError as error:
-                raise FileError(path, f"cannot be created: {error.strerror or error}") from error
-        elif not (self.path / LIST).is_file():
+            self._run.check(resume=False, overwrite=overwrite)
+        elif not is_file(self.path / LIST):
             raise FileError(path, f"contains no paged volume: {LIST} is missing")
-        refuse_links(self.path)
-        stack = contextlib.ExitStack()
-        stack.enter_context(locked(self.path))
-        self._release = weakref.finalize(self, stack.close)
-        self._last = max((int(file.stem) for file in self._files()), default=0)
-
-    def _check_free(self, overwrite: bool) -> None:
-        if self.path.exists() and not self.path.is_dir():
-            raise FileError(self.path, "is not a folder", remedy="Pass the name of a folder")
-        if not self.path.absolute().parent.is_dir():
-            raise FileError(self.path, f"the folder {self.path.parent} does not exist", remedy="Make the folder first")
-        if self.path.is_dir() and any(file not in self._unfinished() for file in self.path.iterdir()):
-            if not (self.path / LIST).is_file():
-                raise FileError(self.path, f"contains other files, but no {LIST}", remedy="Pass another folder")
-            if not overwrite:
-                remedy = "Continue with PagedTSDFVolume.load, or pass overwrite=True to start over"
-                raise FileError(self.path, "already contains a volume", remedy=remedy)
+        self._run.hold(self)
+        self._last = max(self._numbers(), default=0)
 
     def close(self) -> None:
-        self._release()
+        self._run.release()
 
-    def _files(self) -> list[Path]:
-        return [file for file in self.path.glob("[0-9]*.npz") if file.stem.isdigit()]
-
-    def _unfinished(self) -> list[Path]:
-        return [*self.path.glob(".*.npz.*.part")]
+    def _numbers(self) -> list[int]:
+        """Numbers of the files that have the name of a page."""
+        return [int(file.stem) for file in self.path.iterdir() if _PAGE_NAME.fullmatch(file.name)]
 
     def _path_of(self, number: int) -> Path:
-        return self.path / f"{number:08d}.npz"
+        return self._run.file(f"{number:08d}.npz")
 
     def write(self, arrays: Mapping[str, NDArray[Any]]) -> Page:
         number = self._last + 1
@@ -113,7 +94,7 @@ class PageFolder:
         return arrays
 
     def save(self, header: Arrays, side: int, pages: Mapping[int, Page]) -> None:
-        """Write the list of pages, then remove all others."""
+        """Write the list of pages, then remove all other pages."""
         listed = sorted(pages.items())
         none = np.zeros(0, np.int64)
         arrays = {
@@ -123,13 +104,13 @@ class PageFolder:
             "counts": np.array([len(page.keys) for _, page in listed], np.int64),
             "keys": np.concatenate([none, *(page.keys for _, page in listed)]),
         }
-        write_archive(self.path / LIST, FORMAT, header | arrays, overwrite=True)
-        used_numbers = {page.number for page in pages.values()}
-        for file in self._files():
-            if int(file.stem) not in used_numbers:
-                file.unlink(missing_ok=True)
-        for file in self._unfinished():
-            file.unlink(missing_ok=True)
+        write_archive(self._run.file(LIST), FORMAT, header | arrays, overwrite=True)
+        unused = set(self._numbers()) - {page.number for page in pages.values()}
+        for path in map(self._path_of, unused):
+            if has_format(path, PAGE_FORMAT):
+                path.unlink(missing_ok=True)
+        for part in self.path.glob(".*.npz.*.part"):
+            part.unlink(missing_ok=True)
 
     def saved(self) -> Saved:
         """Last saved state. FileError if the list is damaged."""

@@ -22,7 +22,7 @@ from ...core.checks import check_finite, check_numeric
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.json_files import check_keys, read_json_object
-from ...core.paths import input_path, path_of
+from ...core.paths import input_path, os_errors, path_of, refuse_links
 from ...io.optional_imports import foreign_errors
 from ...io.points.npz import read_member
 from .posed_images import PosedCamera, check_cameras, check_sources
@@ -203,12 +203,19 @@ def _float32(name: str, values: ArrayLike) -> NDArray[np.float32]:
 
 def made_folder(folder: FilePath) -> Path:
     """Create the folder if missing, and delete its index, which marks it incomplete."""
-    path = path_of(folder, "folder")
+    path = unlinked_folder(path_of(folder, "folder"))
+    with os_errors(path, "written"):
+        (path / INDEX).unlink(missing_ok=True)
+    return path
+
+
+def unlinked_folder(path: Path) -> Path:
+    """Create a folder if missing. Raises FileError if it contains symbolic links, which would redirect its files."""
     try:
         path.mkdir(parents=True, exist_ok=True)
-        (path / INDEX).unlink(missing_ok=True)
     except OSError as error:
         raise FileError(path, f"no folder can be created here: {error.strerror or error}") from error
+    refuse_links(path)
     return path
 
 

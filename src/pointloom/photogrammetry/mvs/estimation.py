@@ -16,7 +16,7 @@ from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ...io.images.image_files import read_color, read_image_header
-from .depth_maps import DepthMap, DepthMaps, made_folder
+from .depth_maps import DepthMap, DepthMaps, made_folder, unlinked_folder
 from .image_slots import Image, other_size
 from .plane_search import Setting, find_depth, motion_of
 from .posed_images import PosedCamera, SparsePoints, check_cameras, check_sources, check_sparse
@@ -187,7 +187,7 @@ def estimate_depth_maps(
     output = None if folder is None else made_folder(folder)
     hidden = [None] * len(posed) if masks is None else check_image_masks(masks, posed)
     setting = Setting(given, posed, informative, known, seed, target, device_bytes)
-    so_far = None if resume_from is None else _folder_for(resume_from)
+    so_far = None if resume_from is None else unlinked_folder(path_of(resume_from, "resume_from"))
     found = find_depth(setting, output, report, so_far) if search is None else find_pair_depth(setting, search, report)
     maps = emptied(found, hidden, posed)
     return DepthMaps(posed, informative, maps, folder=output)
@@ -200,15 +200,6 @@ def _check_method(method: Any, count: int) -> None:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     if method == "sgm" and count != 2:
         raise ValueError(f'images: expected 2 with method="sgm", got {count}. Pass method="patch_match".')
-
-
-def _folder_for(resume_from: Any) -> Path:
-    folder = path_of(resume_from)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(folder, f"no folder can be created here: {error.strerror or error}") from error
-    return folder
 
 
 def _checked_images(images: Any, cameras: Sequence[PosedCamera]) -> list[Image]:

@@ -65,10 +65,10 @@ class PlaneFiles:
             return None
         path = self._path(phase, index)
         try:
-            _stored(path, camera)
+            is_finite = np.isfinite(_stored(path, camera)[:]).all()
         except FileError:
             return None
-        return StoredPlanes(path, camera)
+        return StoredPlanes(path, camera) if is_finite else None
 
     def last_complete(
         self, scales: Sequence[float], cameras: Sequence[PosedCamera], sources: Sequence[Sequence[int]]

@@ -4,13 +4,29 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from importlib import metadata
 
 from ...core.errors import FilePath
+from ...core.json_fields import (
+    Check,
+    builds,
+    has_fields,
+    is_count,
+    is_flag,
+    is_number,
+    is_object,
+    is_text,
+    list_of,
+    numbers,
+    optional,
+    record_of,
+)
 from ...core.stages import Chain, Stage, StageResult
 from ...kernels.array_types import Device
+from ..sfm.model_quality import ModelQuality
+from ..sfm.pose_check import PoseCheck
 from . import known_motion, motion, surface
 from .settings import VideoSettings
 
@@ -30,6 +46,7 @@ class DeclaredStage:
         version: Increased when the stage changes its output between two releases.
         resumes: If True, `make` gets a folder for checkpoints.
         uses_colmap: If True, another version of pycolmap invalidates the result.
+        is_report: Check of the fields of its record.
     """
 
     name: str
@@ -38,6 +55,38 @@ class DeclaredStage:
     version: int = 1
     resumes: bool = False
     uses_colmap: bool = False
+    is_report: Check = is_object
+
+
+_TEXTS, _NOTES = list_of(is_text), ("notes", "warnings")  # which older records lack
+_FRAMES = {"frames": is_count, "kept": is_count, "notes": _TEXTS, "warnings": _TEXTS}
+_MODEL = {"cameras": _TEXTS, "turned": is_flag, "notes": _TEXTS}
+_CORNERS = has_fields({"min": numbers(3), "max": numbers(3)})
+_MESH = {**dict.fromkeys(("vertices", "triangles", "floaters"), is_count), "bounds": optional(_CORNERS)}
+
+
+def _is_model(value: object) -> bool:
+    is_quality = has_fields(_MODEL, _NOTES)(value) and record_of(ModelQuality)(value)
+    return is_quality and builds(lambda record: ModelQuality.from_json(record).notes)(value)
+
+
+def _is_pose_check(value: object) -> bool:
+    return record_of(PoseCheck)(value) and builds(lambda record: PoseCheck.from_json(record).reasons(1))(value)
+
+
+# The fields that `VideoFigures` and later stages read from the record of a stage, by its function.
+REPORTS: dict[Callable[..., object], Check] = {
+    motion.take_frames: has_fields(_FRAMES, ("warnings",)),
+    motion.find_features: has_fields({"notes": _TEXTS}, _NOTES),
+    motion.map_images: _is_model,
+    known_motion.take_images: has_fields({**_FRAMES, "missing": is_count}, ("warnings",)),
+    known_motion.find_features: has_fields({"notes": _TEXTS}, _NOTES),
+    known_motion.match: has_fields({"poses": _is_pose_check}),
+    known_motion.triangulate: _is_model,
+    surface.straighten: has_fields({"sizes": lambda value: value != [] and list_of(list_of(is_count, 2))(value)}),
+    surface.fuse_points: has_fields({"fraction": is_number, "points": is_count}),
+    surface.make_mesh: has_fields(_MESH),
+}
 
 
 def in_order(*stages: DeclaredStage) -> dict[str, DeclaredStage]:
@@ -47,7 +96,7 @@ def in_order(*stages: DeclaredStage) -> dict[str, DeclaredStage]:
         if unknown := [name for name in stage.inputs if name not in known]:
             raise ValueError(f"{stage.name}: expected settings or earlier stages as inputs, got {', '.join(unknown)}")
         known.add(stage.name)
-    return {stage.name: stage for stage in stages}
+    return {stage.name: replace(stage, is_report=REPORTS.get(stage.make, is_object)) for stage in stages}
 
 
 _SURFACE_STAGES = (
@@ -121,7 +170,8 @@ def stage_of(stage: DeclaredStage, made: Mapping[str, StageResult], given: Mappi
     packages = {"pointloom": _version_of("pointloom")}
     if stage.uses_colmap:
         packages["pycolmap"] = _version_of(*COLMAP_PACKAGES)
-    return Stage(stage.name, make, recorded, tuple(files.values()), stage.version, packages, stage.resumes)
+    how = stage.version, packages, stage.resumes, stage.is_report
+    return Stage(stage.name, make, recorded, tuple(files.values()), *how)
 
 
 def _version_of(*names: str) -> str:

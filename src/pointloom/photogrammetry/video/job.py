@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,11 +14,12 @@ from ...core.attribute_hints import nearest_name
 from ...core.checks import check_progress
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.json_files import read_json_object
 from ...core.progress import ReportProgress
 from ...core.stages import Chain, StageResult
 from ...core.timing import peak_bytes_of_all
 from ...core.wording import few_of, json_text
-from ...core.work_folder import check_work_folder, locked
+from ...core.work_folder import RunFolder
 from ...io.images.image_files import read_image_header
 from ...io.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
@@ -132,8 +132,10 @@ def reconstruct_video(
     outputs.check_units(settings.units)
     resume = resume or work is None
     work = default_work_folder(source, outputs) if work is None else work
-    with _work_folder(work, resume=resume, overwrite=overwrite) as root:
-        _write_json(root / MARKER, {"command": "video", "source": os.fspath(source)})
+    run = RunFolder(check_path("work", work), MARKER, _is_marker)
+    run.check(resume=resume, overwrite=overwrite)
+    with run.opened() as root:
+        _write_json(run.file(MARKER), {"command": "video", "source": os.fspath(source)})
         (root / REPORT).unlink(missing_ok=True)  # from an earlier run, outdated
         chain = Chain(root, tuple(STAGES), resume=resume, progress=report)
         given = settings_of_stages(source, content, settings, where)
@@ -142,7 +144,7 @@ def reconstruct_video(
             training = outputs.write_training(result, chain.made["frames"].folder, overwrite=overwrite)
             result = replace(result, files=outputs.write(result, overwrite=overwrite), training=training)
         result = replace(result, peak_bytes=peak_bytes_of_all())
-        _write_json(root / REPORT, result.to_dict())
+        _write_json(run.file(REPORT), result.to_dict())
     return result
 
 
@@ -224,16 +226,9 @@ def _report_of(made: StageResult | None) -> StageReport | None:
     return None if made is None else StageReport(made.is_reused, made.cost, made.report, made.outdated)
 
 
-@contextlib.contextmanager
-def _work_folder(work: FilePath, *, resume: bool, overwrite: bool) -> Iterator[Path]:
-    folder = check_work_folder(check_path("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
-    try:
-        folder.mkdir(exist_ok=True)
-    except OSError as error:
-        reason = f"cannot be created: {error.strerror or error}"
-        raise FileError(folder, reason, remedy="Give a folder that can be created as work") from error
-    with locked(folder):
-        yield folder
+def _is_marker(path: Path) -> bool:
+    content = read_json_object(path)
+    return content.keys() == {"command", "source"} and content["command"] == "video"
 
 
 def _write_json(path: Path, content: dict[str, Any]) -> None:

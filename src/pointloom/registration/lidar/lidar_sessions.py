@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.checks import check_rigid
 from ...core.errors import FileError
+from ...core.paths import is_file, refuse_link
+from ...core.records import digest_of_file
+from ...core.work_folder import RunFolder
 from ...io.points.npz import read_arrays
 from ...kernels.linear_algebra import eigvalsh, matmul
 from .lidar_graph import MotionEdge, SubmapGraph
@@ -96,7 +99,7 @@ def write_map(folder: Path, sizes: MapSizes, state: SlamState) -> None:
         **{f"prior_{name}": values for name, values in vars(graph.priors).items()},
     }  # fmt: skip
     rows = {"n": len(submaps), "m": len(graph.edges), "p": len(graph.priors), "r": len(arrays["reference"])}
-    with atomic_write(folder / MAP_FILE) as file:
+    with atomic_write(refuse_link(folder / MAP_FILE)) as file:
         stored = {}
         for name, (kind, shape) in MAP_ARRAYS.items():
             values = np.array(arrays[name], np.int64 if kind == "i" else np.float64)
@@ -104,9 +107,20 @@ def write_map(folder: Path, sizes: MapSizes, state: SlamState) -> None:
         np.savez(file, **stored)
 
 
+def digest_of_map(folder: Path) -> str:
+    """Digest of the graph of the submaps. Empty if there is none."""
+    path = refuse_link(folder / MAP_FILE)
+    return digest_of_file(path) if is_file(path) else ""
+
+
+def run_folder(folder: Path) -> RunFolder:
+    """The folder of a map, which one session writes at a time."""
+    return RunFolder(folder, MAP_FILE, lambda path: not set(MAP_ARRAYS) - read_arrays(path).keys())
+
+
 def read_map(folder: Path, store: PointStore) -> tuple[MapSizes, SlamState]:
     """The sizes and submaps of a map. Raises FileError with the name of a missing, damaged or different file."""
-    path = folder / MAP_FILE
+    path = refuse_link(folder / MAP_FILE)
     arrays = read_arrays(path, tuple(MAP_ARRAYS))
     try:
         _check_arrays(arrays)

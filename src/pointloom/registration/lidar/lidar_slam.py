@@ -20,6 +20,7 @@ from ...core.observers import report
 from ...core.paths import path_of
 from ...core.serialized import Serialized
 from ...core.time_checks import check_time
+from ...core.work_folder import RunFolder
 from ...kernels.lang import vec3
 from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download, upload
@@ -34,7 +35,18 @@ from .deskewing import point_times
 from .lidar_graph import in_axes, odometry_edge, positive_part
 from .lidar_loops import LidarLoop, LoopSearch, close_loops, find_loops
 from .lidar_odometry import LidarOdometry
-from .lidar_sessions import MAP_FILE, MapSizes, SlamState, SubmapRecord, place_of, read_map, submap_range, write_map
+from .lidar_sessions import (
+    MAP_FILE,
+    MapSizes,
+    SlamState,
+    SubmapRecord,
+    digest_of_map,
+    place_of,
+    read_map,
+    run_folder,
+    submap_range,
+    write_map,
+)  # fmt: skip
 from .lidar_steps import FIRST_SCAN, OdometryStep
 from .lidar_submaps import CompactPoints, LidarSubmap, PointStore, SubmapBuilder, make_folder
 from .localization import Localization, localize_cloud
@@ -113,7 +125,7 @@ class LidarSLAM(Serialized):
         ValueError: A number is out of range.
         TypeError: An unknown keyword.
         DeviceError: No such device.
-        FileError: The folder has a map already.
+        FileError: The folder has a map already, contains links, or another session writes it.
 
     Notes:
         The world is the sensor frame of the first scan. Its z axis should point up within 15 degrees.
@@ -149,8 +161,14 @@ class LidarSLAM(Serialized):
         length = LENGTH_FRACTION * self._odometry.max_range if submap_length is None else submap_length
         self.submap_length = check_positive("submap_length", length)
         self.folder: Path | None = None if folder is None else make_folder(folder)
-        if self.folder is not None and (self.folder / MAP_FILE).exists():
-            raise FileError(self.folder, "has a map already", remedy="LidarSLAM.open continues it, or use another one")
+        self._digest = ""  # of the map in the folder
+        self._run: RunFolder | None = None
+        if self.folder is not None:
+            if os.path.lexists(self.folder / MAP_FILE):
+                remedy = "LidarSLAM.open continues it, or use another one"
+                raise FileError(self.folder, "has a map already", remedy=remedy)
+            self._run = run_folder(self.folder)
+            self._hold_folder()
         self._store = PointStore(self.folder)
         self._state = self._saved = SlamState()
         self._first = self._session = 0  # first submap and number of this session
@@ -183,7 +201,7 @@ class LidarSLAM(Serialized):
             ValueError, TypeError, DeviceError: As of `LidarSLAM`.
         """
         path = path_of(folder)
-        store = PointStore(path)
+        store, digest = PointStore(path), digest_of_map(path)
         sizes, state = read_map(path, store)
         options: OdometrySettings = {
             "voxel_size": sizes.voxel_size, "max_range": sizes.max_range, "min_range": sizes.min_range, **odometry,
@@ -192,12 +210,22 @@ class LidarSLAM(Serialized):
         for name in ("voxel_size", "max_range"):
             if getattr(slam.odometry, name) != getattr(sizes, name):
                 raise ValueError(f"{name}: expected {getattr(sizes, name):g} as in the map, got {odometry.get(name)}")
-        cls._continue(slam, path, store, state)
+        cls._continue(slam, path, digest, store, state)
         return slam
 
-    def _continue(self, folder: Path, store: PointStore, state: SlamState) -> None:
+    def _continue(self, folder: Path, digest: str, store: PointStore, state: SlamState) -> None:
         self.folder, self._store, self._state, self._saved = folder, store, state, state
+        self._run, self._digest = run_folder(folder), digest
         self._first, self._session = len(state.submaps), state.submaps[-1].session + 1
+
+    def _hold_folder(self) -> None:
+        """Lock the folder until `finish`. Raises FileError if another session uses it or has changed the map."""
+        if self._run is None or self._run.is_held:
+            return
+        self._run.hold(self)
+        if digest_of_map(self._run.path) != self._digest:
+            self._run.release()
+            raise FileError(self._run.path, "another run has changed its map", remedy="Open it again")
 
     @property
     def odometry(self) -> LidarOdometry:
@@ -255,9 +283,11 @@ class LidarSLAM(Serialized):
 
         Raises:
             TypeError, ValueError, DeviceError: As of `LidarOdometry.register`; or positions without a time of the scan.
-            FileError: The folder cannot be written.
+            FileError: The folder cannot be written, contains links or files of another program in place of submaps, or
+                another session writes it or has changed its map.
         """
         check_cloud("scan", scan)
+        self._hold_folder()
         self._finish_interrupted()
         self._pending.append(self._new_scan(scan, timestamps, time, positions))
         try:
@@ -271,7 +301,8 @@ class LidarSLAM(Serialized):
     def finish(self) -> None:
         """Finish the open submap, and search its loops. Later scans begin a new one.
 
-        A submap of less than half of `submap_length` stays open, unless it is the first of the session.
+        A submap of less than half of `submap_length` stays open, unless it is the first of the session. Other sessions
+        may write the folder then, until the next scan.
         """
         self._finish_interrupted()
         self._add_pending(is_last=True)
@@ -280,6 +311,8 @@ class LidarSLAM(Serialized):
         if builder is not None and (is_long or len(self._state.submaps) == self._first):
             self._finish_submap(builder)
         self._finish_interrupted()
+        if self._run is not None:
+            self._run.release()
 
     def _new_scan(
         self, scan: PointCloud, timestamps: ArrayLike | None, time: float | None, positions: PositionReadings | None
@@ -317,7 +350,7 @@ class LidarSLAM(Serialized):
             state, used = self._state, self._odometry
             sizes = MapSizes(used.voxel_size, used.max_range, used.min_range, self.submap_length)
             write_map(self.folder, sizes, state)
-            self._saved = state
+            self._digest, self._saved = digest_of_map(self.folder), state
 
     def _add_pending(self, *, is_last: bool = False) -> None:
         steps = self._odometry.steps

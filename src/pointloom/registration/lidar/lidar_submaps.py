@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.paths import os_errors, path_of, refuse_link
 from ...io.points.npz import read_arrays
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download
@@ -60,7 +61,10 @@ class PointStore:
 
     def add(self, number: int, points: CompactPoints) -> None:
         if self.folder is not None:
-            with atomic_write(self._path(number)) as file:
+            path = self._path(number)
+            if path.exists():  # of an interrupted session
+                self._read(number, remedy="Move it away, or use another folder")
+            with atomic_write(path) as file:
                 np.savez(file, values=points.values, step=points.step)
         self._remember(number, points)
 
@@ -86,8 +90,8 @@ class PointStore:
             raise FileError(self._path(number), reason, remedy="Another session wrote it: map the scans again")
         return points
 
-    def _read(self, number: int) -> CompactPoints:
-        path, remedy = self._path(number), "Map the scans again"
+    def _read(self, number: int, remedy: str = "Map the scans again") -> CompactPoints:
+        path = self._path(number)
         arrays = read_arrays(path, ("values", "step"))
         if set(arrays) != {"values", "step"}:
             raise FileError(path, f"expected the arrays values and step, got {', '.join(arrays)}", remedy=remedy)
@@ -99,7 +103,7 @@ class PointStore:
 
     def _path(self, number: int) -> Path:
         assert self.folder is not None
-        return self.folder / f"submap-{number:06d}.npz"
+        return refuse_link(self.folder / f"submap-{number:06d}.npz")
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,6 +185,7 @@ class SubmapBuilder:
 
 
 def make_folder(folder: str | os.PathLike[str]) -> Path:
-    path = Path(folder)
-    path.mkdir(parents=True, exist_ok=True)
+    path = path_of(folder, "folder")
+    with os_errors(path, "created"):
+        path.mkdir(parents=True, exist_ok=True)
     return path

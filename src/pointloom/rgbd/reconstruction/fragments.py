@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,19 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_progress
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.json_fields import (
+    Checks,
+    below,
+    has_fields,
+    is_ascending,
+    is_count,
+    is_flag,
+    is_pose,
+    is_text,
+    list_of,
+    optional,
+    row_of,
+)
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
 from ...io.frames.frames import FrameSource
@@ -247,8 +261,26 @@ def _to_json(fragment: Fragment) -> dict[str, Any]:
     }
 
 
+is_lost = row_of(is_count, is_text, is_text)  # index, name and reason of a lost frame
+
+
+def _is_result(number: int, value: Any) -> bool:
+    """True for the result in the record of a fragment."""
+    is_joint = optional(row_of(below(number), is_pose, is_count))
+    checks: Checks = {
+        "frames": is_ascending, "names": list_of(is_text), "poses": list_of(is_pose), "joint": is_joint,
+        "broke": is_text, "loops": list_of(is_count, 3), "colored": is_flag, "velocity": is_pose,
+        "lost": list_of(is_lost),
+    }  # fmt: skip
+    return has_fields(checks)(value) and 0 < len(value["frames"]) == len(value["names"]) == len(value["poses"])
+
+
+def _read_result(job: JobFiles, number: int) -> dict[str, Any] | None:
+    return read_record(job.record(STAGE, number), STAGE, job.root, partial(_is_result, number))
+
+
 def _result_of(job: JobFiles, number: int) -> dict[str, Any]:
-    result = read_record(job.record(STAGE, number), STAGE, job.root)
+    result = _read_result(job, number)
     assert result is not None  # it was read just now
     return result
 
@@ -257,8 +289,8 @@ def read_fragments(job: JobFiles) -> list[Fragment]:
     fragments = []
     while True:
         number = len(fragments)
-        result = read_record(job.record(STAGE, number), STAGE, job.root)
-        if result is None:
+        result = _read_result(job, number)
+        if result is None or (fragments and result["frames"][0] <= fragments[-1].indices[-1]):
             return fragments
         fragments.append(_from_json(number, result, job))
 

@@ -10,23 +10,23 @@ from ...core import observers
 from ...core.checks import check_list, check_progress, shown
 from ...core.devices import DeviceLike
 from ...core.errors import FilePath
-from ...core.paths import refuse_link
+from ...core.paths import os_errors, refuse_link
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, peak_bytes
+from ...core.work_folder import RunFolder
 from ...io.frames.datasets import open_frames
 from ...io.frames.frames import FrameSource, image_warnings, source_warnings
 from ...io.frames.recordings import record_frames
 from ...io.frames.rgbd_sources import RGBDSource
 from .config import ReconstructionConfig
 from .fragments import make_fragments
-from .job_files import JobFiles
+from .job_files import CONFIG_FILE, JobFiles, run_folder
 from .nonrigid import refine_with_slac, slac_params
 from .placement import register_fragments
 from .refinement import refine_registration
 from .report import Cost, SystemReport, report_of
 from .scene import integrate_scene
 
-CONFIG_FILE = "config.json"
 RECORDING = "frames"
 OPTIONAL_STAGES = ("refine", "slac", "integrate")
 
@@ -50,7 +50,7 @@ def run_reconstruction_system(
         source: Frames of one camera with random access: `open_frames`, `open_dataset`, `room_sequence`. A stream (any
             other `RGBDSource`) is first recorded to `frames/` in the job's folder.
         config: The configuration; None: the defaults.
-        folder: Job folder; created if missing; earlier results are replaced.
+        folder: Job folder; created if missing; earlier results are replaced. One run uses it at a time.
         resume: Keep valid results of an earlier run. An interruption loses at most one fragment. A recording is reused.
         stages: Optional stages. "refine": the registration by ICP; "slac": estimate the distortion of the camera, and
             undistort the frames; "integrate": write the mesh and the trajectory. Without the last, the run ends with
@@ -64,7 +64,8 @@ def run_reconstruction_system(
 
     Raises:
         TypeError, ValueError: An argument or a field of the configuration has another type or is out of range.
-        FileError: A file cannot be written, or a recording exists without `resume`. Finished stages stay.
+        FileError: The folder contains files of another program or links, or is in use. A file cannot be written, or a
+            recording exists without `resume`. Finished stages stay.
         DeviceError: No such device.
 
     Notes:
@@ -83,13 +84,26 @@ def run_reconstruction_system(
         (8, (), True)
     """
     config = ReconstructionConfig() if config is None else config
-    job, clock = JobFiles.make(folder, config), Clock()
+    if not isinstance(config, ReconstructionConfig):
+        raise TypeError(f"config: expected a ReconstructionConfig, got {type(config).__name__}")
     report_progress, selected = check_progress(progress), _check_stages(stages)
-    options: dict[str, Any] = {"resume": resume, "device": device, "progress": report_progress}
     if "slac" in selected:
         slac_params(config)  # fail before the work
-    config.write(refuse_link(job.root / CONFIG_FILE))
-    frames = _readable(source, job, resume, report_progress)
+    run = run_folder(folder)
+    with os_errors(run.path, "created"):
+        run.path.parent.mkdir(parents=True, exist_ok=True)
+    run.check(resume=True, overwrite=True)
+    with run.opened():
+        return _run(source, config, run, selected, resume=resume, device=device, progress=report_progress)
+
+
+def _run(
+    source: Any, config: ReconstructionConfig, run: RunFolder, selected: Sequence[str], **options: Any
+) -> SystemReport:
+    folder, clock = run.path, Clock()
+    job = JobFiles.make(folder, config)
+    config.write(run.file(CONFIG_FILE))
+    frames = _readable(source, job, options["resume"], options["progress"])
     clock.stop("record")
     observers.report("stage", name="fragments")
     fragment_set = make_fragments(frames, config, folder, **options)

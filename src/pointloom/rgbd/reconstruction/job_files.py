@@ -7,9 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ...core.errors import FileError, FilePath
+from ...core.json_files import read_json_object
 from ...core.paths import job_file, path_of, refuse_links
 from ...core.records import record_file
+from ...core.work_folder import RunFolder
 from .config import ReconstructionConfig
+
+CONFIG_FILE = "config.json"
 
 
 @dataclass(frozen=True)
@@ -71,3 +75,12 @@ class JobFiles:
 
     def record(self, stage: str, number: int | None = None) -> Path:
         return record_file(self.root, stage, number)
+
+
+def run_folder(folder: FilePath) -> RunFolder:
+    """The folder of the reconstruction system, with its complete configuration."""
+    return RunFolder(folder, CONFIG_FILE, _is_config)
+
+
+def _is_config(path: Path) -> bool:
+    return read_json_object(path).keys() == ReconstructionConfig.read(path).to_names().keys()

@@ -11,6 +11,7 @@ import numpy as np
 from ...core.checks import check_progress
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.json_fields import Checks, has_fields, is_count, is_number, is_pose, is_text, list_of, optional
 from ...core.paths import job_file
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
@@ -145,10 +146,20 @@ def _write(job: JobFiles, bent: BentPlacement) -> None:
 
 
 def _read(job: JobFiles, before: Placement, device: DeviceLike, made_from: str | None = None) -> BentPlacement | None:
-    result = read_record(job.record(STAGE), STAGE, job.root, made_from)
+    checks: Checks = {"poses": list_of(is_pose, len(before.poses)), "before": is_text, "figures": _is_figures}
+    result = read_record(job.record(STAGE), STAGE, job.root, has_fields(checks), made_from)
     if result is None or result["before"] != before.made_from:
         return None
     graph = read_pose_graph(job.slac_graph)
+    if len(graph.nodes) != len(before.members):
+        return None
     names = {"poses": np.array(result["poses"]), "made_from": result["made_from"], "before": result["before"]}
     placement = replace(before, pose_graph=graph, **names)
     return BentPlacement(placement, read_control_grid(_grid_path(job), device=device), result["figures"])
+
+
+def _is_figures(value: Any) -> bool:
+    """True for the result of `_figures`."""
+    ends = dict.fromkeys(("rmse_before", "rmse"), optional(is_number))
+    checks: Checks = {"method": is_text, "bent_m": is_number, **dict.fromkeys(("anchors", "edges", "used"), is_count)}
+    return has_fields(checks | ends)(value) and not (value["edges"] and None in [value[name] for name in ends])

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_progress
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.json_fields import Checks, all_of, has_fields, is_count, is_flag, is_pose, is_text, list_of
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
 from ...pcd.cloud import PointCloud
@@ -93,7 +94,7 @@ def register_fragments(
     fragments_digest = digest_of_all(fragments)
     made_from = digest_of([fragments_digest, {name: getattr(config, name) for name in SETTINGS}])
     if resume:
-        result = read_placement(job, STAGE, made_from)
+        result = read_placement(job, STAGE, len(fragments), made_from)
         if result is not None:
             return result
     clouds = read_clouds(fragments, config, where)
@@ -132,7 +133,7 @@ def write_placement(job: JobFiles, stage: str, placement: Placement) -> None:
 
 def placement_of(job: JobFiles, fragments: list[Fragment]) -> Placement:
     """The current result of `register_fragments`. FileError if missing or outdated."""
-    placement = read_placement(job, STAGE)
+    placement = read_placement(job, STAGE, len(fragments))
     if placement is None or placement.fragments != digest_of_all(fragments):
         reason = (
             "contains no registered fragments"
@@ -143,11 +144,17 @@ def placement_of(job: JobFiles, fragments: list[Fragment]) -> Placement:
     return placement
 
 
-def read_placement(job: JobFiles, stage: str, made_from: str | None = None) -> Placement | None:
-    result = read_record(job.record(stage), stage, job.root, made_from)
+def read_placement(job: JobFiles, stage: str, count: int, made_from: str | None = None) -> Placement | None:
+    """The valid result of a stage for `count` fragments, or None."""
+    is_placed = all_of(list_of(is_flag, count), any)
+    checks: Checks = {"poses": list_of(is_pose, count), "placed": is_placed, "groups": list_of(is_count, count)}
+    checks |= dict.fromkeys(("before", "fragments"), is_text)
+    result = read_record(job.record(stage), stage, job.root, has_fields(checks), made_from)
     if result is None:
         return None
     graph = read_pose_graph(job.scene_graph if stage == STAGE else job.refined_graph_optimized)
+    if len(graph.nodes) != sum(result["placed"]):
+        return None
     poses, is_placed = np.array(result["poses"]), np.array(result["placed"], bool)
     return Placement(
         poses,

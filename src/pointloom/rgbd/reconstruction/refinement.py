@@ -78,7 +78,7 @@ def refine_registration(
     before = placement_of(job, fragments)
     made_from = digest_of([before.made_from, {name: getattr(config, name) for name in SETTINGS}])
     if resume:
-        done = read_placement(job, STAGE, made_from)
+        done = read_placement(job, STAGE, len(fragments), made_from)
         if done is not None:
             return done
     members = before.members
@@ -102,7 +102,7 @@ def refine_registration(
 def latest_placement(job: JobFiles, fragments: list[Fragment]) -> Placement:
     """The refined placement if up to date, else the original. FileError without any."""
     original = placement_of(job, fragments)
-    refined = read_placement(job, STAGE)
+    refined = read_placement(job, STAGE, len(fragments))
     return original if refined is None or refined.before != original.made_from else refined
 
 

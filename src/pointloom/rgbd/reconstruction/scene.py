@@ -13,6 +13,18 @@ from ...cameras.trajectory import Trajectory, write_trajectory
 from ...core.checks import check_progress
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FilePath
+from ...core.json_fields import (
+    Checks,
+    has_fields,
+    is_ascending,
+    is_count,
+    is_flag,
+    is_number,
+    is_pose,
+    list_of,
+    numbers,
+    optional,
+)
 from ...core.paths import job_file
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, read_record, write_record
@@ -26,7 +38,7 @@ from ...meshing.volume.surface_weights import min_weights
 from ...meshing.volume.tsdf import TSDFVolume
 from ...registration.trajectories.trajectory_error import evaluate_trajectory
 from .config import ReconstructionConfig
-from .fragments import Fragment, fragments_in
+from .fragments import Fragment, fragments_in, is_lost
 from .frames import Frames, LostFrame, ReadFrame
 from .job_files import JobFiles
 from .nonrigid import placement_with_slac
@@ -175,7 +187,7 @@ def _write_scene(job: JobFiles, scene: Scene, made_from: str, mesh: TriangleMesh
 
 
 def _read_scene(job: JobFiles, made_from: str) -> Scene | None:
-    result = read_record(job.record(STAGE), STAGE, job.root, made_from)
+    result = read_record(job.record(STAGE), STAGE, job.root, _is_scene, made_from)
     if result is None:
         return None
     return Scene(
@@ -185,5 +197,20 @@ def _read_scene(job: JobFiles, made_from: str) -> Scene | None:
         np.array(result["poses"]),
         [LostFrame(*entry) for entry in result["lost"]],
         result["figures"],
-        job.slac_cloud if result.get("has_cloud") else None,
+        job.slac_cloud if result["has_cloud"] else None,
     )
+
+
+def _is_scene(value: Any) -> bool:
+    """True for the result that `_write_scene` writes."""
+    corners = optional(has_fields({"min": numbers(3), "max": numbers(3)}))
+    errors = optional(has_fields(dict.fromkeys(("rmse", "median", "max"), is_number)))
+    counts = dict.fromkeys(("volume_bytes", "vertices", "triangles"), is_count)
+    sizes = dict.fromkeys(("voxel_size", "truncation", "weight_threshold"), is_number)
+    figures = has_fields({**counts, **sizes, "bounds": corners, "trajectory_error": errors})
+    flags, lists = (
+        dict.fromkeys(("has_mesh", "has_cloud"), is_flag),
+        {"indices": is_ascending, "poses": list_of(is_pose)},
+    )
+    checks: Checks = {**flags, **lists, "lost": list_of(is_lost), "figures": figures}
+    return has_fields(checks)(value) and len(value["indices"]) == len(value["poses"])

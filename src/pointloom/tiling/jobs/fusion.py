@@ -24,15 +24,7 @@ from ...core.atomic import atomic_write
 from ...core.checks import check_count, check_positive
 from ...core.coordinates import choose_origin
 from ...core.errors import FileError, FilePath
-from ...core.paths import job_file, path_of, plain_name
-from ...io.frames.datasets import Frame, RGBDDataset, open_frames
-from ...io.frames.frames import depth_unit, read_in_order, source_warnings
-from ...kernels.linear_algebra import inv
-from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box
-from ...meshing.volume.surface_weights import min_weight
-from ...meshing.volume.volume_part import BlockFinder, PartSurface, VolumePart
-from ..manifest import NAME, hash_of
-from ..plan_check import (
+from ...core.json_fields import (
     Checks,
     below,
     builds,
@@ -45,6 +37,14 @@ from ..plan_check import (
     numbers,
     optional,
 )
+from ...core.paths import job_file, path_of, plain_name
+from ...io.frames.datasets import Frame, RGBDDataset, open_frames
+from ...io.frames.frames import depth_unit, read_in_order, source_warnings
+from ...kernels.linear_algebra import inv
+from ...kernels.volumes.tsdf_blocks import BLOCK_SIDE, block_box
+from ...meshing.volume.surface_weights import min_weight
+from ...meshing.volume.volume_part import BlockFinder, PartSurface, VolumePart
+from ..manifest import NAME, hash_of
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 VOXEL_SIZE = 0.02  # [m] as of `fuse`

@@ -19,13 +19,13 @@ from typing import Any, ClassVar, NamedTuple
 from ... import __version__  # pyright: ignore[reportMissingImports]
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
+from ...core.json_fields import Checks, check_fields
 from ...core.paths import path_of
 from ...core.reports import Assessed, quality
 from ...core.wording import plain
 from ..job_folder import make_folder
 from ..manifest import FINAL_STATES, NAME, Manifest, damage_as_file_errors, new_manifest
 from ..plan import check_same_plan
-from ..plan_check import Checks, check_fields
 from ..schema import TASKS
 
 _STAGE = "stage"  # of meta: the current stage
@@ -161,10 +161,11 @@ def open_manifest(folder: FilePath) -> Manifest:
     return manifest
 
 
-def stage_of(manifest: Manifest) -> int:
+def stage_of(manifest: Manifest, job: Job) -> int:
+    """The current stage. FileError if the job has no such stage."""
     rows = manifest.rows("SELECT value FROM meta WHERE key = ?", _STAGE)
     with damage_as_file_errors(manifest.folder / NAME):
-        return int(rows[0]["value"])
+        return range(len(job.STAGES)).index(int(rows[0]["value"]))
 
 
 def read_inputs(manifest_path: Path, job: Job, stage: int, name: str, text: str) -> dict[str, Any]:
@@ -210,9 +211,7 @@ def _insert(base: sqlite3.Connection, stage: int, tasks: Sequence[Task]) -> None
 
 
 def status_of(manifest: Manifest, job: Job) -> JobStatus:
-    counts, stage = manifest.counts("tasks"), stage_of(manifest)
-    if stage not in range(len(job.STAGES)):
-        raise FileError(manifest.folder / NAME, f"the manifest is damaged: stage {stage} does not exist")
+    counts, stage = manifest.counts("tasks"), stage_of(manifest, job)
     left = sum(counts[state] for state in counts if state not in ("done", "empty"))
     bad = manifest.rows("SELECT name, error FROM tasks WHERE state IN ('failed', 'aside') ORDER BY id")
     with damage_as_file_errors(manifest.folder / NAME):

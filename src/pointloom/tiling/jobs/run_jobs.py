@@ -134,7 +134,7 @@ class _Taskbook:
         """Claim the next task, or start the stage after a finished one. As `processes.Book`."""
         which, of = self._part
         while True:
-            stage = stage_of(self._manifest)
+            stage = stage_of(self._manifest, self._job)
             row = self._manifest.claim("tasks", self._owner, "stage = ? AND id % ? = ?", stage, of, which - 1)
             if row is not None:
                 return _Task(row["id"], row["stage"], row["name"], row["told"])
@@ -183,7 +183,7 @@ def _job_of(folder: str, inode: int) -> Job:
 
 
 def _report_progress(manifest: Manifest, job: Job, report: ReportProgress) -> None:
-    stage = stage_of(manifest)
+    stage = stage_of(manifest, job)
     over = over_in(manifest, stage)
     for earlier in range(stage):
         (row,) = manifest.rows("SELECT count(*) AS n FROM tasks WHERE stage = ?", earlier)

@@ -19,6 +19,21 @@ from ...core.atomic import atomic_write
 from ...core.checks import LARGEST_NUMBER, check_count, check_positive, check_rigid, check_seed, check_shape
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.json_fields import (
+    Checks,
+    below,
+    check_fields,
+    has_fields,
+    is_count,
+    is_flag,
+    is_list,
+    is_number,
+    is_positive,
+    is_text,
+    list_of,
+    numbers,
+    optional,
+)
 from ...core.paths import job_file, path_of
 from ...io.points.archives import Arrays, Expected, read_part_of_job, rows_of
 from ...io.points.point_cloud import read_point_cloud
@@ -43,21 +58,6 @@ from ...registration.pose_graphs.fragment_graph import (
     with_pairs,
 )
 from ...registration.pose_graphs.multiway import check_known, pairs_to_try, try_pair
-from ..plan_check import (
-    Checks,
-    below,
-    check_fields,
-    has_fields,
-    is_count,
-    is_flag,
-    is_list,
-    is_number,
-    is_positive,
-    is_text,
-    list_of,
-    numbers,
-    optional,
-)
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 SURFACES = "surfaces"  # folder of thinned scans
