@@ -259,7 +259,7 @@ def test_a_system_that_proj_calls_unknown_is_kept(rng, tmp_path, given, form, su
     assert '"unknown"' in text[:60]
     if suffix == ".e57" and "longlat" in given:
         pytest.skip("lengths in E57 are meters")
-    cloud = loom.PointCloud(rng.random((9, 3)) + np.array([9, 1, 0]), crs=text)
+    cloud = loom.PointCloud(rng.random((9, 3)) * 1e-3 + np.array([9, 1, 0]), crs=text)
     cloud.unit = "degree" if "longlat" in given else "metre"
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", loom.GeographicWarning)

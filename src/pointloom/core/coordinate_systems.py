@@ -21,16 +21,12 @@ from .errors import PointloomError
 from .units import LengthUnit
 
 _CODES = re.compile(r"EPSG:(\d+)(?:\+(\d+))?", re.IGNORECASE)
-<<<<<<< HEAD
-_WKT_NAME = re.compile(r'\s*[A-Za-z_]\w*\s*[\[(]\s*"((?:[^"]|"")*)"')
+_WKT_NAME = re.compile(r'\s*(?:[A-Za-z_]\w*\s*[\[(]\s*)+"((?:[^"]|"")*)"')
 # Names of geographic systems in both versions of WKT. A projected system contains such a name nested inside its own.
 _PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re.IGNORECASE)
 _GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)
 _PROJECTED_CODES = (range(2000, 3819), range(20000, 32768))  # EPSG codes of projected systems only
 _GEOGRAPHIC_CODES = range(4001, 4904)  # EPSG: geographic systems with x and y only, but 4328 to 4390 (geocentric)
-=======
-_WKT_NAME = re.compile(r'\s*(?:[A-Za-z_]\w*\s*[\[(]\s*)+"((?:[^"]|"")*)"')
->>>>>>> h-parts
 _ROOT_CODE = re.compile(r'(?:AUTHORITY|ID)\s*\[\s*"EPSG"\s*,\s*"?(\d+)"?\s*\]\s*\]\s*$')
 NO_NAMES = ("", "unknown", "unnamed")  # of different systems
 MAX_CODE = 999_999  # largest number of an authority: EPSG to 32767, ESRI to 104992
@@ -158,7 +154,6 @@ def _can_be_same(a: int | str | None, b: int | str | None) -> bool:
     return a is None or b is None or a == b
 
 
-<<<<<<< HEAD
 def is_geographic_text(text: str) -> bool:
     """True if x and y of a system in well-known text are longitude and latitude."""
     return bool(_GEOGRAPHIC_WORDS.search(text)) and not _PROJECTED_WORDS.search(text)
@@ -184,13 +179,9 @@ def _is_text_in_degrees(text: str) -> bool:
     return bool((system.sub_crs_list[0] if system.is_compound else system).is_geographic)
 
 
-def map_crs(name: str, given: str | None, own: CoordinateSystem | None) -> str | None:
-    """Coordinate system of a map as rasterio accepts it: the given one, else that of the data without its heights.
-=======
 def map_crs(name: str, given: str | None, own: CoordinateSystem | None, *, with_heights: bool = False) -> str | None:
     """Coordinate system of a map as rasterio accepts it: the given one, else that of the data. Without the vertical
     part of a code unless `with_heights`.
->>>>>>> h-parts
 
     Raises:
         ValueError: Both are known and differ.

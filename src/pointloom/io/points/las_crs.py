@@ -18,16 +18,8 @@ WKT_RECORD, _GEOTIFF_KEYS_RECORD, _GEOTIFF_ASCII_RECORD = 2112, 34735, 34737
 NO_NAME = "unknown"  # name of a system that only defines a unit. PROJ gives it to all systems of its own strings
 _MODEL_TYPE, _GEOGRAPHIC_MODEL = 1024, 2
 
-<<<<<<< HEAD
-=======
-# Names of geographic systems in both versions of WKT. A projected system contains such a name nested inside
-# its own.
-_PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re.IGNORECASE)
-_GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)
-
 _FIRST_NAME = re.compile(r'\s*\w+\s*\[\s*(?:\w+\s*\[\s*)*"([^"]*)"')  # BOUNDCRS[SOURCECRS[PROJCRS["its name"
 
->>>>>>> h-parts
 # Keys that name the system, best first: citations are text, types are EPSG codes.
 _CITATION_KEYS = (3073, 1026, 2049)
 _SYSTEM_KEYS, _HEIGHT_KEY = (3072, 2048), 4096
