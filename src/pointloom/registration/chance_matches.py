@@ -3,9 +3,9 @@
 The number of false alarms of a match of k of n points within a distance r is the expected number of such matches of n
 unrelated points, over all maps that align a minimal sample of s of them with s of the other m points (Moisan and
 Stival, "A probabilistic criterion to detect rigid point matches between two images and estimate the fundamental
-matrix", IJCV 2004). An unrelated point is within r of one of the m points with the probability p(r): the union bound for
-uniform points in their box, and at least the fraction of the m points that are within r of another one, as on surfaces
-and in clusters. The number is
+matrix", IJCV 2004). An unrelated point is within r of one of the m points with the probability p(r). It is the union
+bound for uniform points in their box, and at least the fraction of the m points that are within r of another one, as on
+surfaces and in clusters. The number is
 
     (n - s) C(n, k) C(k, s) m^s p(r)^(k - s),
 
