@@ -1,15 +1,8 @@
 """Whether points match better than unrelated points would by chance, for clouds without surfaces to compare.
 
-The number of false alarms of a match of k of n points within a distance r is the expected number of such matches of n
-unrelated points, over all maps that align a minimal sample of s of them with s of the other m points (Moisan and
-Stival, "A probabilistic criterion to detect rigid point matches between two images and estimate the fundamental
-matrix", IJCV 2004). An unrelated point is within r of one of the m points with the probability p(r). It is the union
-bound for uniform points in their box, and at least the fraction of the m points that are within r of another one, as on
-surfaces and in clusters. The number is
-
-    (n - s) C(n, k) C(k, s) m^s p(r)^(k - s),
-
-of which the smallest over k counts. It exceeds the probability that unrelated points are accepted.
+The number of false alarms (core/false_alarms.py) of n points and m possible partners of each. An unrelated point is
+within a distance r of one of the m points with at most the probability of the union bound for uniform points in their
+box. On surfaces and in clusters it is at least the fraction of the m points that are within r of another one.
 """
 
 from __future__ import annotations
@@ -18,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.coordinates import quiet
+from ..core.false_alarms import is_chance
 from ..kernels.linear_algebra import eigh, matmul
 from ..pcd.cloud import PointCloud
 from ..pcd.search import NearestNeighborSearch
@@ -25,7 +19,6 @@ from .voxel_size import EXTENT_QUANTILE, VOXELS_TO_MIDDLE, extent_of
 
 Points = NDArray[np.float64]
 RIGID_SAMPLE, AFFINE_SAMPLE = 3, 4  # points that determine the map
-MAX_FALSE_ALARMS = 0.01  # expected number of unrelated pairs that match as well: chosen, not fitted
 
 TOO_FEW = (
     "too few points to decide whether the pose is correct: unrelated points as dense as these {} and {} would match as "
@@ -48,8 +41,8 @@ def find_too_few(source: PointCloud, T: NDArray[np.float64], target: PointCloud,
     except ValueError:  # as in `find_problem`
         return NOT_COMPARED
     counts = [len(cloud) for cloud in sets]
-    alarms = [_log_false_alarms(a, b, sample) for a, b in (sets, sets[::-1])]
-    return "" if max(alarms) <= np.log(MAX_FALSE_ALARMS) else TOO_FEW.format(*(f"{count:,}" for count in counts))
+    may_be_chance = any(_match_by_chance(a, b, sample) for a, b in (sets, sets[::-1]))
+    return TOO_FEW.format(*(f"{count:,}" for count in counts)) if may_be_chance else ""
 
 
 def _thinned(cloud: PointCloud, size: float) -> PointCloud:
@@ -57,11 +50,10 @@ def _thinned(cloud: PointCloud, size: float) -> PointCloud:
     return thinned.remove_non_finite_points().to(cloud.device, arrays="numpy")
 
 
-def _log_false_alarms(source: PointCloud, target: PointCloud, sample: int) -> float:
-    """Natural logarithm of the number of false alarms. Infinite for at most `sample` points."""
+def _match_by_chance(source: PointCloud, target: PointCloud, sample: int) -> bool:
     n, m = len(source), len(target)
     if min(n, m) <= sample:
-        return np.inf
+        return True
     search = NearestNeighborSearch(target)
     nearest = search.knn_search(source, 1)
     distances, own = (
@@ -70,16 +62,12 @@ def _log_false_alarms(source: PointCloud, target: PointCloud, sample: int) -> fl
     )
     if sample > RIGID_SAMPLE:  # the distances of points that determine a flexible map are shorter by its mean leverage
         distances /= 1 - sample / n
-    k = np.arange(sample + 1, n + 1)
-    chance = _chance(target.points, np.unique(nearest.indices[:, 0]), distances[sample:])
-    chance = np.maximum(chance, np.searchsorted(own, distances[sample:], side="right") / m)
-    factorials = np.concatenate([[0.0], np.cumsum(np.log(np.arange(1, n + 1)))])  # logarithms
-    choices = factorials[n] - factorials[n - k] - factorials[k - sample] - factorials[sample]  # C(n, k) C(k, s)
-    logs = np.log(n - sample) + choices + sample * np.log(m)
-    return float((logs + (k - sample) * np.log(np.maximum(chance, np.finfo(np.float64).tiny))).min())
+    chances = _chances(target.points, np.unique(nearest.indices[:, 0]), distances)
+    chances = np.maximum(chances, np.searchsorted(own, distances, side="right") / m)
+    return is_chance(chances, sample, float(m) ** sample)
 
 
-def _chance(points: Points, partners: NDArray[np.integer], distances: Points) -> Points:
+def _chances(points: Points, partners: NDArray[np.integer], distances: Points) -> Points:
     """Upper bound of the probability that a point in the box of the partners is within each distance of any point.
 
     The box has the principal axes of the partners, and the width of a uniform distribution with the same three quarters
