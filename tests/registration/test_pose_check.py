@@ -118,13 +118,24 @@ def test_many_points_onto_few_are_not_reliable(device, rng, count):
 
 @pytest.mark.parametrize("count", [4, 6, 12, 20, 29])
 def test_few_targets_that_match_accurately_are_reliable(device, rng, count):
-    """The noise is a thousandth of the width, as of survey targets."""
+    """The noise is a thousandth of the width, as of survey targets. Four targets must be more accurate."""
     for _ in range(4):
-        source, target, T = scattered(rng, count, device, noise=0.003)
+        source, target, T = scattered(rng, count, device, noise=0.0005 if count == 4 else 0.003)
         scaled = reg.TransformationEstimation.point_to_point(with_scaling=True)
         for method in (None, scaled):
             result = reg.registration_icp(source, target, 0.5, np.eye(4), method, RULES)
             assert np.abs(result.transformation - T).max() < 0.05 and result.warnings == ()
+
+
+@pytest.mark.parametrize("count", [50, 100])
+def test_accurate_targets_on_a_wall_are_reliable(device, rng, count):
+    """Their surfaces may slide, but the points may not. A regular grid that is off by half of its spacing may."""
+    points = np.c_[rng.uniform(0, 3, (count, 2)), np.zeros(count)]
+    source, target = (loom.PointCloud(p, device=device) for p in (points, points + [0.002, 0.001, 0]))
+    assert reg.registration_icp(source, target, 0.5, criteria=RULES).warnings == ()
+    grid = np.c_[np.stack(np.meshgrid(range(10), range(count // 10)), -1).reshape(-1, 2), np.zeros(count)]
+    off = [loom.PointCloud(p, device=device) for p in (grid, grid + [0.4, 0.3, 0])]
+    assert not reg.evaluate_registration(*off, 1.0).reliable
 
 
 def test_the_noise_decides_whether_few_targets_match_by_chance(device, rng):

@@ -2,7 +2,8 @@
 
 The number of false alarms (core/false_alarms.py) of n points and m possible partners of each. An unrelated point is
 within a distance r of one of the m points with at most the probability of the union bound for uniform points in their
-box. On surfaces and in clusters it is at least the fraction of the m points that are within r of another one.
+box. On surfaces and in clusters it is at least the fraction of the m points that are within r of another one. It is a
+half at the median of these distances d, times (r / d)^2 below it, as on a grid of a surface.
 """
 
 from __future__ import annotations
@@ -63,7 +64,9 @@ def _match_by_chance(source: PointCloud, target: PointCloud, sample: int) -> boo
     if sample > RIGID_SAMPLE:  # the distances of points that determine a flexible map are shorter by its mean leverage
         distances /= 1 - sample / n
     chances = _chances(target.points, np.unique(nearest.indices[:, 0]), distances)
-    chances = np.maximum(chances, np.searchsorted(own, distances, side="right") / m)
+    of_own = np.searchsorted(own, distances, side="right") / m
+    of_surface = 0.5 * np.minimum(distances / max(float(np.median(own)), np.finfo(np.float64).tiny), 1.0) ** 2
+    chances = np.maximum.reduce([chances, of_own, of_surface])
     return is_chance(chances, sample, float(m) ** sample)
 
 

@@ -41,6 +41,9 @@ def find_problem(
         return (few := find_too_few(*moved, target, sample)) and (shrunk if is_scaled else few)
     pose = to_local(T, source.origin, target.origin)
     evidence = compare_surfaces(witnesses[0].surface, witnesses[1].surface, pose, distance)
+    few = ""
+    if evidence.score_of_number <= constants.MIN_SCORE and not (few := find_too_few(*moved, target, sample)):
+        return ""  # the points decide, such as targets on a wall
     if evidence.score_with_planes <= constants.MIN_SCORE:
         if not may_be_open:
             return _weakness(evidence, *witnesses, pose, distance)
@@ -49,9 +52,8 @@ def find_problem(
         problem = _contradiction(evidence, *witnesses, pose, distance)
         if not problem and _is_unsupported(SurfacePair(source, target, distance), pose):
             problem = UNSUPPORTED
-    is_weak = evidence.score_of_number <= constants.MIN_SCORE
-    if not problem and is_weak and _is_planar(*witnesses, pose, distance):
-        problem = find_too_few(*moved, target, sample)
+    if few and not problem and _is_planar(*witnesses, pose, distance):
+        problem = few
     return problem or ("" if may_be_open else _open_motions(*witnesses, pose, distance))
 
 
