@@ -134,7 +134,7 @@ def global_optimization(
 
     Args:
         pose_graph: Connected nodes with initial poses, and edges. Not modified. Contradicting certain edges are
-            balanced.
+            balanced, and the report warns of them.
         method: "levenberg-marquardt" (damped steps, which also converge from inexact initial poses) or "gauss-newton"
             (full steps, which stop if one does not lower the residual: faster near the optimum).
         criteria: Stopping criteria.
