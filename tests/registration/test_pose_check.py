@@ -131,10 +131,12 @@ def test_few_targets_that_match_accurately_are_reliable(device, rng, count):
 def test_accurate_targets_on_a_wall_are_reliable(device, rng, count):
     """Their surfaces may slide, but the points may not. A regular grid that is off by half of its spacing may."""
     points = np.c_[rng.uniform(0, 3, (count, 2)), np.zeros(count)]
-    source, target = (loom.PointCloud(p, device=device) for p in (points, points + [0.002, 0.001, 0]))
+    source, target = (
+        loom.PointCloud(p, device=device) for p in (points, points + 0.004 * rng.normal(size=points.shape))
+    )
     assert reg.registration_icp(source, target, 0.5, criteria=RULES).warnings == ()
     grid = np.c_[np.stack(np.meshgrid(range(10), range(count // 10)), -1).reshape(-1, 2), np.zeros(count)]
-    off = [loom.PointCloud(p, device=device) for p in (grid, grid + [0.4, 0.3, 0])]
+    off = [loom.PointCloud(p, device=device) for p in (grid, np.add(grid, [0.4, 0.3, 0]))]
     assert not reg.evaluate_registration(*off, 1.0).reliable
 
 

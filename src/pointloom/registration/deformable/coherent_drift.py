@@ -141,8 +141,8 @@ def coherent_point_drift(
         progress: Called with ("drift", steps taken, max_iterations).
 
     Returns:
-        The result. Check `reliable`: it is False if unrelated points would match as well by chance. A field with as many
-            parameters as points cannot be decided.
+        The result. Check `reliable`: it is False if unrelated points would match as well by chance, also under a field
+            with as many parameters as points.
 
     Raises:
         TypeError, ValueError: Not clouds, too few points, numbers out of range, an unknown kind, or a width that needs
