@@ -43,6 +43,54 @@ def test_shape_among_clutter_is_detected_with_its_sizes(device, rng, kind, noise
     assert shape.coverage > 0.9
 
 
+def cube(rng, count, size=(1.0, 1.0, 1.0)):
+    points, axes = rng.uniform(-1, 1, (count, 3)), rng.integers(0, 3, count)
+    points[np.arange(count), axes] = rng.choice([-1.0, 1.0], count)
+    return points * size
+
+
+@pytest.mark.parametrize("count", [4, 6, 8, 12, 30, 100])
+def test_a_plane_of_points_in_space_is_not_reliable(device, rng, count):
+    corners = np.stack(np.meshgrid(*3 * [[-1.0, 1.0]]), -1).reshape(-1, 3)
+    for points in (corners, cube(rng, count), rng.random((count, 3)), rng.normal(size=(count, 3))):
+        for repeats in (1, 5):
+            assert not loom.fit_shape(loom.PointCloud(np.repeat(points, repeats, 0), device=device), "plane").reliable
+
+
+@pytest.mark.parametrize("count", [5, 8, 30])
+def test_a_plane_of_few_accurate_points_is_reliable(device, rng, count):
+    for thickness in (0.0, 0.002):
+        points = np.c_[rng.uniform(-1, 1, (count, 2)), thickness * rng.normal(size=count)]
+        assert loom.fit_shape(loom.PointCloud(points, device=device), "plane").warnings == ()
+
+
+@pytest.mark.parametrize("count", [200, 2000])
+def test_a_round_shape_of_another_body_is_not_reliable(device, rng, count):
+    for points in (
+        cube(rng, count),
+        cube(rng, count, (2, 1, 0.5)),
+        rng.random((count, 3)),
+        rng.normal(size=(count, 3)),
+    ):
+        for kind in ROUND:
+            try:
+                shape = loom.fit_shape(loom.PointCloud(points, device=device), kind)
+            except ValueError:
+                continue
+            assert not shape.reliable, shape
+
+
+@pytest.mark.parametrize("kind", ROUND)
+def test_noise_and_low_weights_are_no_common_deviation(device, rng, kind):
+    points, _, _ = made_shape(kind, 800, rng, 0.01)
+    weights = np.where(np.arange(800) % 8 == 0, 1e-8, 1.0)
+    points[::8] += 0.3 * rng.normal(size=(100, 3))
+    cloud = loom.PointCloud(points, device=device).estimate_normals()
+    start = loom.fit_shape(cloud.select_by_index(np.flatnonzero(weights == 1)), kind)
+    assert start.warnings == ()
+    assert loom.fit_shape(cloud, kind, start=start, weights=weights).warnings == ()
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ROUND)
 def test_estimated_standard_deviations_match_the_errors(device, kind):

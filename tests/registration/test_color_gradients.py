@@ -97,10 +97,12 @@ def test_covariances_come_from_the_cloud_its_normals_or_its_neighbors(device, rn
     by_normals = generalized_covariances(tilted, 0.01).numpy()
     np.testing.assert_array_equal(by_normals, plane_covariances_from_normals(tilted.arrays["normals"], 0.01).numpy())
     measured = tilted.estimate_covariances(max_nn=9)
-    assert generalized_covariances(measured, 0.5) is measured.arrays["covariances"]
+    assert generalized_covariances(measured, 0.5, flatten=False) is measured.arrays["covariances"]
+    planes = plane_covariances_from_normals(cloud.estimate_normals(max_nn=9).arrays["normals"], 0.5).numpy()
+    np.testing.assert_allclose(generalized_covariances(measured, 0.5).numpy(), planes, atol=1e-4)
     wide = cloud.copy()
     wide["covariances"] = measured["covariances"].astype(np.float64)
-    result = generalized_covariances(wide, 0.5)
+    result = generalized_covariances(wide, 0.5, flatten=False)
     assert result.dtype == float32
     np.testing.assert_array_equal(result.numpy(), measured["covariances"])
     wide["covariances"] = np.zeros((400, 6))

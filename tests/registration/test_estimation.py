@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom import open3d
 from pointloom.registration import robust_kernels
 from pointloom.registration.icp import estimation as estimators
+from pointloom.registration.icp.preparation import generalized_covariances
 from pointloom.registration.rigid import fit_pose
 
 from .estimator_steps import DISTANCE, legacy_cloud, result_after, tensor_after, tensor_cloud, tensor_kernel
@@ -143,15 +145,79 @@ def steps_with(o3d, pair, covariances):
     return legacy_after(o3d, clouds, "ForGeneralizedICP", (), 5)[:3]
 
 
-def test_own_covariances_are_used_before_normals(device, pair, oracle, rng, tolerances):
+def random_covariances(rng, count):
+    A = 0.2 * rng.normal(size=(count, 3, 3)) + np.diag([1.0, 0.7, 0.1])
+    return (A @ A.transpose(0, 2, 1) + 0.01 * np.eye(3)).astype(np.float32)
+
+
+def test_own_covariances_of_open3d_are_used_as_they_are(pair, oracle, rng, tolerances):
     """For each cloud separately: one has covariances, those of the other follow from its normals."""
-    A = 0.2 * rng.normal(size=(len(pair.source), 3, 3)) + np.diag([1.0, 0.7, 0.1])
-    C = (A @ A.transpose(0, 2, 1) + 0.01 * np.eye(3)).astype(np.float32)
-    source = loom.PointCloud(pair.source.points, normals=pair.source.normals, covariances=C.reshape(-1, 9))
+    C = random_covariances(rng, len(pair.source))
+    expected = oracle("registration/estimation/covariances", steps_with, pair, C)
+    for mine, theirs in zip(steps_with(open3d, pair, C), expected, strict=True):
+        np.testing.assert_allclose(mine, theirs, rtol=0, atol=tolerances.icp_pose_float32)
+
+
+def test_own_covariances_are_used_before_normals_as_planes(device, pair, rng):
+    """Across the smallest variance. Only their shape counts. Planes remain as they are."""
+    C = random_covariances(rng, len(pair.source))
+    thin = np.linalg.eigh(C.astype(np.float64))[1][:, :, 0]
+    planes = np.eye(3) - 0.999 * thin[:, :, None] * thin[:, None, :]
     method = method_of(reg, "ForGeneralizedICP", ())
-    result = result_after(device, SimpleNamespace(source=source, target=pair.target), method, 5)
-    assert_same(result, oracle("registration/estimation/covariances", steps_with, pair, C), tolerances.icp_pose_float32)
-    assert np.abs(result_after(device, pair, method, 5).transformation - result.transformation).max() > 1e-4
+    poses = []
+    for covariances in (C, 1e-4 * C, planes, None):
+        source = loom.PointCloud(pair.source.points, normals=thin if covariances is None else pair.source.normals)
+        if covariances is not None:
+            source["covariances"] = covariances.reshape(-1, 9).astype(np.float32)
+        poses.append(result_after(device, SimpleNamespace(source=source, target=pair.target), method, 5).transformation)
+    np.testing.assert_allclose(poses[:3], [poses[3]] * 3, atol=1e-5)
+    assert np.abs(result_after(device, pair, method, 5).transformation - poses[0]).max() > 1e-4
+
+
+def test_covariances_without_a_smallest_variance_are_isotropic(device):
+    """Of points that coincide, are on a line, or are the same in all directions."""
+    line = np.outer([1, 2, 2], [1, 2, 2]) / 9
+    plane = np.diag([1.0, 1, 1e-2])
+    given = np.array([np.zeros((3, 3)), line, 4 * np.eye(3), plane, np.full((3, 3), np.nan), 1e-12 * plane])
+    cloud = loom.PointCloud(np.zeros((6, 3)), covariances=given.reshape(-1, 9).astype(np.float32), device=device)
+    made = loom.PointCloud(np.zeros((6, 3)), covariances=generalized_covariances(cloud, 1e-3).numpy()).covariances
+    flat = np.diag([1.0, 1, 1e-3])
+    expected = [np.eye(3), np.eye(3), np.eye(3), flat, np.full((3, 3), np.nan), flat]
+    np.testing.assert_allclose(made, expected, atol=1e-6)
+
+
+@pytest.mark.parametrize("voxel_size", [None, 1.0])
+def test_covariances_and_normals_of_a_street_give_the_same_accuracy(device, voxel_size):
+    """Of the same 10 neighbors. Ground, walls with bays, and poles, thinned with distance, with noise of 1 cm."""
+    method = reg.TransformationEstimation.generalized(voxel_size=voxel_size)
+    errors = []
+    for seed in range(3):
+        rng = np.random.default_rng(seed)
+        truth = as_pose(rng.normal(0, 0.02, 3), rng.normal(0, 0.2, 3))
+        scans = [street(rng, pose, device) for pose in (truth, np.eye(4))]
+        for prepare in (lambda c: c.estimate_normals(max_nn=10), lambda c: c.estimate_covariances(max_nn=10)):
+            result = reg.registration_icp(*map(prepare, scans), 1.0, np.eye(4), method)
+            errors.append(np.linalg.norm((np.linalg.inv(truth) @ result.transformation)[:3, 3]))
+    by_normals, by_covariances = np.array(errors).reshape(-1, 2).T
+    assert by_normals.max() < 0.05
+    np.testing.assert_allclose(by_covariances, by_normals, atol=1e-4)
+
+
+def street(rng, pose, device):
+    parts = [np.c_[rng.uniform(-20, 20, 20000), rng.uniform(-8, 8, 20000), np.zeros(20000)]]
+    for side, period, depth in ((8.0, 6, -0.8), (-8.0, 7, 1.0)):
+        wall = np.c_[rng.uniform(-20, 20, 10000), np.full(10000, side), rng.uniform(0, 5, 10000)]
+        wall[:, 1] += depth * (wall[:, 0] % period < 2.5)
+        parts.append(wall)
+    for k in range(8):
+        a = rng.uniform(0, 2 * np.pi, 300)
+        pole = np.c_[0.3 * np.cos(a), 0.3 * np.sin(a), rng.uniform(0, 4, 300)]
+        parts.append(np.add(pole, [5 * k - 18, 5 * (-1) ** k, 0]))
+    points = np.concatenate(parts)
+    near = 18 / np.maximum(np.linalg.norm(points[:, :2], axis=1), 1) ** 2
+    points = points[rng.random(len(points)) < near]
+    points += rng.normal(0, 0.01, points.shape)
+    return loom.PointCloud((points - pose[:3, 3]) @ pose[:3, :3], device=device).voxel_down_sample(0.25)
 
 
 def steps_of_shapes(o3d, pair):

@@ -319,6 +319,26 @@ def test_tree_search_matches_all_pairs(device, monkeypatch):
     np.testing.assert_allclose(results[0].transformation, results[1].transformation, atol=1e-9)
 
 
+@pytest.mark.parametrize("kind", ["rigid", "affine", "deformable"])
+@pytest.mark.parametrize("count", [6, 12, 40, 120])
+def test_a_drift_of_unrelated_points_is_not_reliable(device, kind, count):
+    rng = np.random.default_rng(count)
+    for flat in (1, 0.05):
+        clouds = [loom.PointCloud(rng.uniform(0, 3, (count, 3)) * [1, 1, flat], device=device) for _ in range(2)]
+        assert not drift(*clouds, kind=kind).reliable
+    ring, block = lumpy(count, 1), rng.uniform(-1, 1, (count, 3))
+    block[np.arange(count), np.arange(count) % 3] = 1
+    assert not drift(loom.PointCloud(ring, device=device), loom.PointCloud(block, device=device), kind=kind).reliable
+
+
+@pytest.mark.parametrize(("kind", "count"), [("rigid", 5), ("rigid", 20), ("affine", 10), ("deformable", 100)])
+def test_a_drift_of_few_points_that_match_accurately_is_reliable(device, kind, count):
+    rng = np.random.default_rng(count)
+    body = rng.uniform(0, 3, (count, 3))
+    scan = (swayed(body / 3) * 3 if kind == "deformable" else body) + 0.003 * rng.normal(size=(count, 3))
+    assert drift(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device), kind=kind).warnings == ()
+
+
 def test_a_rotated_and_scaled_body_is_registered():
     body, scan = lumpy(400, 0) * FLAT, transformed(lumpy(400, 0) * FLAT)
     result = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.01, max_iterations=300)

@@ -15,6 +15,7 @@ from .poses import as_pose
 from .test_icp import degenerate
 
 reg = loom.registration
+AWAY = as_pose([0.6, -0.8, 0.7], [0.3, 0.1, 0])
 RULES = reg.ICPConvergenceCriteria(1e-3, 1e-4, 200)
 NDT = reg.NormalDistributionsTransformOption(voxel_size=0.3, max_iteration=200)
 
@@ -83,6 +84,90 @@ def test_clouds_that_share_nothing_have_no_reliable_pose(device, rng, name):
         result = (METHODS | CONSTRAINED)[name](cloud_of(shape(rng, 3000), device), target, np.eye(4))
         assert not result.reliable and result.to_dict()["warnings"] == [*result.warnings]
         assert result.converged or name in ("evaluation", "NDT", "normals"), result
+
+
+def scattered(rng, count, device, noise=0.0):
+    """Targets, tree stems or landmarks, without surfaces, and the same with noise at another pose."""
+    points = rng.uniform(0, 1, (count, 3)) * [3, 3, 0.4]
+    T = as_pose([0.01, -0.01, 0.02], [0.004, -0.006, 0.003])
+    noisy = points @ T[:3, :3].T + T[:3, 3] + noise * rng.normal(size=points.shape)
+    return loom.PointCloud(points, device=device), loom.PointCloud(noisy, device=device), T
+
+
+@pytest.mark.parametrize("name", [name for name in [*METHODS, *CONSTRAINED] if name != "NDT"])
+@pytest.mark.parametrize("count", [1, 3, 6, 12, 29, 60, 100])
+def test_few_unrelated_points_have_no_reliable_pose(device, rng, name, count):
+    for flat in (1, 0.4, 0.05):
+        source, target = (cloud_of(rng.uniform(0, 3, (count, 3)) * [1, 1, flat], device) for _ in range(2))
+        result = (METHODS | CONSTRAINED)[name](source, target, np.eye(4))
+        assert not result.reliable, (flat, result)
+
+
+@pytest.mark.parametrize("count", [2, 3, 5, 10])
+def test_many_points_onto_few_are_not_reliable(device, rng, count):
+    source = loom.PointCloud(box(rng, 2000), device=device)
+    few = source.select_by_index(np.arange(count))
+    rules = {"max_correspondence_distance": 0.5, "criteria": RULES}
+    for pair in ((source, few), (few, source)):
+        for result in (
+            reg.registration_icp(*pair, init=AWAY, **rules),
+            reg.registration_icp_batch(*pair, inits=AWAY, **rules)[0],
+        ):
+            assert not result.reliable or np.allclose(result.transformation, np.eye(4), atol=1e-6)
+
+
+@pytest.mark.parametrize("count", [4, 6, 12, 20, 29])
+def test_few_targets_that_match_accurately_are_reliable(device, rng, count):
+    """The noise is a thousandth of the width, as of survey targets. Four targets must be more accurate."""
+    for _ in range(4):
+        source, target, T = scattered(rng, count, device, noise=0.0005 if count == 4 else 0.003)
+        scaled = reg.TransformationEstimation.point_to_point(with_scaling=True)
+        for method in (None, scaled):
+            result = reg.registration_icp(source, target, 0.5, np.eye(4), method, RULES)
+            assert np.abs(result.transformation - T).max() < 0.05 and result.warnings == ()
+
+
+@pytest.mark.parametrize("count", [50, 100])
+def test_accurate_targets_on_a_wall_are_reliable(device, rng, count):
+    """Their surfaces may slide, but the points may not. A regular grid that is off by half of its spacing may."""
+    points = np.c_[rng.uniform(0, 3, (count, 2)), np.zeros(count)]
+    source, target = (
+        loom.PointCloud(p, device=device) for p in (points, points + 0.004 * rng.normal(size=points.shape))
+    )
+    assert reg.registration_icp(source, target, 0.5, criteria=RULES).warnings == ()
+    grid = np.c_[np.stack(np.meshgrid(range(10), range(count // 10)), -1).reshape(-1, 2), np.zeros(count)]
+    off = [loom.PointCloud(p, device=device) for p in (grid, np.add(grid, [0.4, 0.3, 0]))]
+    assert not reg.evaluate_registration(*off, 1.0).reliable
+
+
+def test_the_noise_decides_whether_few_targets_match_by_chance(device, rng):
+    for noise, is_reliable in ((0.001, True), (0.15, False)):
+        source, target, _ = scattered(rng, 6, device, noise)
+        result = reg.registration_icp(source, target, 1.0, criteria=RULES)
+        assert result.reliable == is_reliable
+        assert is_reliable or "too few points to decide" in result.warnings[0]
+
+
+def test_repeated_points_are_no_more_evidence(device, rng):
+    """200 points in each of 4 places that do not match accurately."""
+    places = rng.uniform(0, 3, (2, 4, 3))
+    clouds = [loom.PointCloud(np.repeat(p, 200, 0) + 1e-3 * rng.normal(size=(800, 3)), device=device) for p in places]
+    assert not reg.registration_icp(*clouds, 3.0, criteria=RULES).reliable
+
+
+def test_a_common_outlier_is_no_evidence(device, rng):
+    source, target = (rng.uniform(0, 3, (20, 3)) for _ in range(2))
+    for far in (30, 3000):
+        clouds = [loom.PointCloud(np.vstack([p, [[far, 0, 0]]]), device=device) for p in (source, target)]
+        assert not reg.registration_icp(*clouds, 1.0, criteria=RULES).reliable
+
+
+def test_clouds_that_cannot_be_compared_are_reported(device, rng):
+    points = np.vstack([box(rng, 2000), [[1e15, 0, 0]]])
+    result = reg.evaluate_registration(
+        loom.PointCloud(points, device=device), loom.PointCloud(points, device=device), 1
+    )
+    assert "the clouds could not be compared" in result.warnings[0]
 
 
 @pytest.mark.parametrize("name", [*METHODS, *CONSTRAINED])

@@ -666,3 +666,26 @@ def test_the_mean_of_level_poses_is_preserved():
     poses = np.array([n.pose for n in reg.global_optimization(graph, free=LEVEL).nodes])
     assert np.abs(poses[:, 2, :3] - first[:, 2, :3]).max() < 1e-12
     assert abs((poses - first)[:, 2, 3].mean()) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("lengths", "uncertain", "warning"),
+    [
+        ([-3.01], True, None), ([-3.02], False, None), ([], True, None), ([-3.01, -5, 9], True, None),
+        ([-5], True, "too few edges to decide"), ([-5, 3, 9], True, "none of 3 uncertain edges"),
+        ([-5], False, "4 of 4 certain edges contradict"), ([-5, 3], False, "certain edges contradict"),
+    ],
+)  # fmt: skip
+def test_contradicting_edges_are_reported(lengths, uncertain, warning):
+    def along(x):
+        return as_pose([0, 0, 0], [x, 0, 0])
+
+    for weight in (1.0, 5000.0):
+        information = weight * np.eye(6)
+        edges = [reg.PoseGraphEdge(i, i + 1, along(-1), information) for i in range(3)]
+        edges += [reg.PoseGraphEdge(0, 3, along(x), information, uncertain=uncertain) for x in lengths]
+        option = reg.GlobalOptimizationOption(max_correspondence_distance=0.1, reference_node=0)
+        graph = reg.PoseGraph([reg.PoseGraphNode(along(i)) for i in range(4)], edges)
+        report = reg.global_optimization(graph, option=option).report
+        assert report.reliable == (warning is None) and (warning or "") in "".join(report.warnings)
+        assert set(report.to_dict()) >= {"residual", "warnings"} and not any(n[0] == "_" for n in report.to_dict())

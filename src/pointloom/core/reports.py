@@ -81,7 +81,7 @@ def quality(result: HasWarnings) -> dict[str, Any]:
 
 def as_json(result: Any) -> dict[str, Any]:
     """The attributes of a dataclass in JSON types, with `reliable` and `warnings` if it is `Assessed`."""
-    values = {name: plain(value) for name, value in values_of(result).items()}
+    values = {name: plain(value) for name, value in values_of(result).items() if not name.startswith("_")}
     return values | quality(result) if issubclass(type(result), Assessed) else values
 
 

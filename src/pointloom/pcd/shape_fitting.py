@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_finite, check_numeric, check_seed
 from ..core.exchange import on_host
+from ..core.false_alarms import is_chance
 from ..kernels.lang import float64
 from ..kernels.memory import download, upload
 from ..kernels.segmentation.shape_alternatives import FREE_SIZE, MAX_COMPARED
@@ -19,12 +20,16 @@ from ..kernels.segmentation.shape_rows import every_of, rows_of_weight, usable_i
 from ..kernels.segmentation.shape_search import DetectedShape, ShapeLimits, ShapeSearch
 from .cloud import PointCloud
 from .point_arrays import check_cloud
+from .search import NearestNeighborSearch
 from .shape import KINDS, UNKNOWNS, Shape, check_kind
 from .shape_checks import POSITION_ROUNDING, fitted_shape
 
 INLIER_LEVELS = (0.1, 0.03, 0.01, 0.003)  # of the cloud's size: inlier distances of the initialization
 SAMPLES_PER_LEVEL, FITS_PER_LEVEL = 512, 4  # samples per level, and fits of them
 SPREAD_DEVIATIONS = 3.0  # root mean squares that contain nearly all points
+# Deviation that neighbors have in common, relative to the radius or half a side: more is another shape. Chosen.
+MAX_COMMON_DEVIATION = 0.05
+CUBE_CELLS = 16  # cells along each edge of the cube of unrelated points
 
 
 @explain_argument_errors
@@ -44,7 +49,7 @@ def fit_shape(
         seed: Random seed of the initialization.
 
     Returns:
-        The shape; `covariance` and `sigma` from the residuals, `support` the points used, `rms` weighted. `reasons`
+        The shape; `covariance` and `sigma` from the residuals, `support` the points used, `rms` weighted. `warnings`
         lists failed checks, including other kinds that fit better.
 
     Raises:
@@ -85,7 +90,43 @@ def fit_shape(
     fit = _fit(search, number, fit.shape)
     max_distance = max(SPREAD_DEVIATIONS * fit.rms, POSITION_ROUNDING * search.size)
     limits = ShapeLimits(max_distance, 0.0, 0.0, FREE_SIZE * search.size)
-    return fitted_shape(search, DetectedShape(number, fit, rows), limits, cloud.origin)
+    shape = fitted_shape(search, DetectedShape(number, fit, rows), limits, cloud.origin)
+    if shape.warnings:
+        return shape
+    used = download(every_of(rows, max(1, rows.size // MAX_COMPARED)))
+    points = cloud.select_by_index(used).to(cloud.device, arrays="numpy").points
+    relative = np.ones(len(used)) if given is None else np.sqrt(given[used] / given[used].mean())
+    return replace(shape, warnings=_deviation_warnings(points, relative, shape))
+
+
+def _deviation_warnings(points: NDArray[np.float64], relative: NDArray[np.float64], shape: Shape) -> tuple[str, ...]:
+    """Failed checks of the distances, times relative weights: they may be chance, or neighbors deviate together."""
+    points, first = np.unique(points, axis=0, return_index=True)  # equal points are no more evidence
+    distances = shape.compute_distances(points) * relative[first]
+    if is_chance(_chances(points, np.abs(distances), shape), len(shape.unknowns), least=len(points) // 2 + 1):
+        unrelated = f"{len(points):,} unrelated points would fit a {shape.kind} as well by chance"
+        return (f"too few points to decide: {unrelated} (rms {shape.rms:.3g} m)",)
+    nearest = NearestNeighborSearch(points).knn_search(points, 2).indices[:, 1]
+    common = float(np.sqrt(max((distances * distances[nearest]).mean(), 0.0)))
+    size = {
+        "plane": np.sqrt(np.diff(shape.extent[:, :2], axis=0).prod()) / 2,
+        "cone": np.tan(shape.half_angle) * shape.extent[1, 2],
+        "torus": shape.minor_radius,
+    }.get(shape.kind, shape.radius)
+    if common > MAX_COMMON_DEVIATION * size:
+        return (f"not a {shape.kind}: neighbors deviate together by {common:.3g} m, {common / size:.0%} of its size",)
+    return ()
+
+
+def _chances(points: NDArray[np.float64], distances: NDArray[np.float64], shape: Shape) -> NDArray[np.float64]:
+    """Probability of each distance from the shape for a uniform point in a cube around the points."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    width = (high - low).max() / CUBE_CELLS
+    axes = [(np.arange(CUBE_CELLS) + 0.5 - CUBE_CELLS / 2) * width + middle for middle in (low + high) / 2]
+    cells = np.stack(np.meshgrid(*axes), -1).reshape(-1, 3)
+    of_cells = np.sort(np.abs(shape.compute_distances(cells)))
+    below = np.searchsorted(of_cells, np.maximum(distances, width), side="right") / len(cells)
+    return below * np.minimum(distances / width, 1.0)  # a thin layer has a volume in proportion to its thickness
 
 
 def _search_of(cloud: PointCloud, weights: NDArray[np.float64] | None) -> ShapeSearch:

@@ -125,3 +125,4 @@ RADIUS_VOXELS: Annotated[float, Constant("search radius of planes", "beyond the 
 MIN_OPEN_FRACTION: Annotated[float, Constant("fraction if a motion may be undetermined", LEAST_FRACTION)] = 0.15
 MAX_OPEN: Annotated[float, Constant("squared component of an undetermined motion", OPEN_MOTIONS)] = 5e-3
 MIN_PAIRS: Annotated[int, Constant("pairs that decide about support", SUPPORTED)] = 1000
+PLANE_MOTIONS: Annotated[int, Constant("undetermined motions of few matches", "as many as of a plane")] = 3

@@ -9,6 +9,7 @@ from ..kernels.poses.overlap_evidence import NEAR_AT, weigh_overlaps
 from ..pcd.cloud import PointCloud
 from . import assessment_constants as constants
 from .alignment import alignment_of
+from .chance_matches import NOT_COMPARED, RIGID_SAMPLE, find_too_few
 from .evidence import Evidence, Witness, both_ways, compare_surfaces, complete, limits_of, witness_of
 from .pose_errors import step_of
 from .rigid import to_local
@@ -19,29 +20,40 @@ from .voxel_size import resolvable_voxel_size
 Matrix = NDArray[np.float64]
 
 
-def find_problem(source: PointCloud, target: PointCloud, T: Matrix, *, may_be_open: bool = False) -> str:
+def find_problem(
+    source: PointCloud, target: PointCloud, T: Matrix, *, may_be_open: bool = False, sample: int = RIGID_SAMPLE
+) -> str:
     """The strongest evidence of the surfaces against a pose T_target_source, with a remedy; "" if there is none.
 
-    Clouds without surfaces are not evidence against a rigid pose. `may_be_open`: the surfaces need not determine all
-    motions, as some are fixed, or determined by a prior, colors, velocities or coinciding points.
+    Few points, or points without surfaces, must match better than unrelated ones (`find_too_few`, with `sample`).
+    `may_be_open`: the surfaces need not determine all motions, as some are fixed, or determined by a prior, colors,
+    velocities or coinciding points.
     """
-    given, (source, T) = source, as_rigid(source, T)
+    moved, (rigid, T) = (source, T), as_rigid(source, T)
+    is_scaled, source = rigid is not source, rigid
     try:
         distance = constants.MATCH_VOXELS * resolvable_voxel_size(source, target)
         witnesses = witness_of(source, distance), witness_of(target, distance)
-    except ValueError:  # no finite points, or outliers so far away that no grid of voxels contains them
-        return ""
+    except ValueError:  # outliers so far away that no grid of voxels contains them
+        return NOT_COMPARED
     if min(map(len, witnesses)) < constants.MIN_MATCHES:
-        return "" if source is given else SHRUNK.format(len(witnesses[0]), distance / constants.MATCH_VOXELS)
+        shrunk = SHRUNK.format(len(witnesses[0]), distance / constants.MATCH_VOXELS)
+        return (few := find_too_few(*moved, target, sample)) and (shrunk if is_scaled else few)
     pose = to_local(T, source.origin, target.origin)
     evidence = compare_surfaces(witnesses[0].surface, witnesses[1].surface, pose, distance)
+    few = ""
+    if evidence.score_of_number <= constants.MIN_SCORE and not (few := find_too_few(*moved, target, sample)):
+        return ""  # the points decide, such as targets on a wall
     if evidence.score_with_planes <= constants.MIN_SCORE:
-        if may_be_open:
-            return "" if evidence.fraction > constants.MIN_OPEN_FRACTION else APART.format(evidence.fraction)
-        return _weakness(evidence, *witnesses, pose, distance)
-    problem = _contradiction(evidence, *witnesses, pose, distance)
-    if not problem and _is_unsupported(SurfacePair(source, target, distance), pose):
-        problem = UNSUPPORTED
+        if not may_be_open:
+            return _weakness(evidence, *witnesses, pose, distance)
+        problem = "" if evidence.fraction > constants.MIN_OPEN_FRACTION else APART.format(evidence.fraction)
+    else:
+        problem = _contradiction(evidence, *witnesses, pose, distance)
+        if not problem and _is_unsupported(SurfacePair(source, target, distance), pose):
+            problem = UNSUPPORTED
+    if few and not problem and _is_planar(*witnesses, pose, distance):
+        problem = few
     return problem or ("" if may_be_open else _open_motions(*witnesses, pose, distance))
 
 
@@ -93,6 +105,12 @@ def _is_unsupported(surfaces: SurfacePair, pose: Matrix) -> bool:
     """True if a motion is determined by surfaces that do not match, such as the fronts of houses along a street."""
     alignment = alignment_of(step_of(surfaces, pose), surfaces.target.origin)
     return alignment.matches >= constants.MIN_PAIRS and alignment.support < constants.MIN_SUPPORT
+
+
+def _is_planar(source: Witness, target: Witness, pose: Matrix, distance: float) -> bool:
+    """True if few matches determine no more motions than a plane does, as of a layer of unrelated points."""
+    judged = judge_motions(source.surface, target.surface, pose, distance, max_fraction=1.0)
+    return judged is None or len(judged.open_motions) >= constants.PLANE_MOTIONS
 
 
 def _open_motions(source: Witness, target: Witness, pose: Matrix, distance: float) -> str:

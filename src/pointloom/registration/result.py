@@ -164,7 +164,8 @@ class RegistrationResult(Assessed):
         The first checks need no computation: convergence, the number of correspondences, undetermined motions. If none
         of them failed, the score decides if there is one. Otherwise the surfaces of both clouds are compared under the
         pose on first access, in voxels of about 1/32 of their size (0.02 to 0.5 s on a CPU). The comparison is cached.
-        Results from correspondences alone, and clouds without surfaces, are not compared.
+        Few points, and points without surfaces, must match better than unrelated points would by chance. Results from
+        correspondences alone are not compared.
         """
         return self._known_warnings() or failed(self._low_score() if self.score is not None else self._surface_problem)
 

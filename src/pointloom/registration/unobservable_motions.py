@@ -67,12 +67,19 @@ class Localizability(AssessedRecord):
 
 
 def judge_motions(
-    source: Surface, target: Surface, pose: Matrix, distance: float, free: Sequence[int] = range(6)
+    source: Surface,
+    target: Surface,
+    pose: Matrix,
+    distance: float,
+    free: Sequence[int] = range(6),
+    *,
+    max_fraction: float = constants.SUSPECT_FRACTION,
 ) -> Localizability | None:
     """The motions that two surfaces in voxels of `distance` / VOXELS determine. None if they hardly match.
 
     `pose`: T_target_source about the origins; so is `middle` of the result. `free`: the motions that are not fixed.
-    Weakly constrained motions are verified: undetermined if the source matches as well when moved both ways.
+    Motions constrained below `max_fraction` are verified: undetermined if the source matches as well when moved both
+    ways.
     """
     if not (len(source) and len(target)):
         return None
@@ -88,7 +95,7 @@ def judge_motions(
     vectors = np.zeros((6, len(axes)))
     vectors[axes] = free_vectors
     scale = np.array([constraint.lever] * 3 + [1.0] * 3)
-    suspects = vectors.T[fractions < constants.SUSPECT_FRACTION]
+    suspects = vectors.T[fractions < max_fraction]
     kinds = ["full"] * len(axes)
     if len(suspects):
         steps = [sign * constants.STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]

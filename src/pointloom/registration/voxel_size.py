@@ -58,6 +58,11 @@ def resolvable_voxel_size(source: PointCloud, target: PointCloud) -> float:
     return size if size > 0 else 1.0
 
 
+def extent_of(name: str, cloud: PointCloud) -> float:
+    """Distance [m] from the center that contains three quarters of the points."""
+    return _lengths_of(name, cloud)[0]
+
+
 def _size_of(name: str, cloud: PointCloud) -> float:
     extent, spacing = _lengths_of(name, cloud)
     return max(extent / VOXELS_TO_MIDDLE, spacing)

@@ -194,11 +194,15 @@ class CoherentField:
         launch(square_rows_kernel, count * across, [self.rows, count, sums, size, square])
         right = compute(pull_rows_kernel, count, [self.rows, self.positions, sums, size], vec3d, device)
         lower = np.tril(np.asarray(download(square)).reshape(count, count))  # sync
-        matrix = lower + np.tril(lower, -1).T + damping * np.eye(count)
-        values = solve_symmetric(matrix, np.asarray(download(right)).reshape(count, 3))
+        self.matrix = lower + np.tril(lower, -1).T
+        values = solve_symmetric(self.matrix + damping * np.eye(count), np.asarray(download(right)).reshape(count, 3))
         given = upload(values, vec3d, device)
         launch(move_positions_kernel, size, [self.rows, count, self.positions, given, moved])
         return values
+
+    def count_parameters(self, damping: float) -> float:
+        """Effective number of Gaussians of the last step: the trace of its smoother (Hastie and Tibshirani 1990)."""
+        return float(np.trace(solve(self.matrix + damping * np.eye(self.count), self.matrix)))
 
     def weights_of(self, values: np.ndarray) -> np.ndarray:
         """Gaussian weights of the pivots for row coefficients: float64 (k, 3)."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -36,7 +37,9 @@ from ...kernels.lang import launch, mat33d, reduce, vec3d
 from ...kernels.linear_algebra import EPSILON, matmul, pinvh
 from ...kernels.memory import clone, download, empty
 from ...pcd.cloud import PointCloud
+from ..chance_matches import AFFINE_SAMPLE, RIGID_SAMPLE, find_too_few
 from ..correspondence_input import check_clouds
+from ..pose_check import find_problem
 from ..rigid import fit_moments, make_pose
 
 Array = NDArray[np.float64]
@@ -74,6 +77,7 @@ class DriftResult(Report, Assessed):
     iterations: int
     converged: bool
     _field: tuple[Array, float, Array, Array, float] | None = None
+    _problem: str = ""
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -82,6 +86,7 @@ class DriftResult(Report, Assessed):
             f"only {format_fraction(self.matched)} of the target are inliers" if self.matched < MIN_FRACTION else None,
             f"targets are {apart:.1f} of their spacings from the sources" if apart > MAX_SPREAD else None,
             None if self.converged else f"not converged after {self.iterations} steps",
+            self._problem,
         )
 
     def transform(self, points: PointCloud | ArrayLike) -> Any:
@@ -136,7 +141,8 @@ def coherent_point_drift(
         progress: Called with ("drift", steps taken, max_iterations).
 
     Returns:
-        The result. Check `reliable`.
+        The result. Check `reliable`: it is False if unrelated points would match as well by chance, also under a field
+            with as many parameters as points.
 
     Raises:
         TypeError, ValueError: Not clouds, too few points, numbers out of range, an unknown kind, or a width that needs
@@ -295,18 +301,28 @@ class _DriftRegistration:
             centers = self.field.centers()
             weights = self.field.weights_of(self.values)
             field = (self.center, self.unit, centers, weights, self.field.scale)
-        target = self.target.to(self.target.device, arrays="numpy")
+        target, warped = self.target.to(self.target.device, arrays="numpy"), _moved(self.source, T, field)
         return DriftResult(
             kind,
             T,
-            _moved(self.source, T, field),
+            warped,
             float(np.sqrt(self.variance)) / self.unit,
             float(np.nanmedian(target.remove_duplicated_points().compute_nearest_neighbor_distance())),
             self.matched,
             self.taken,
             converged,
             field,
+            self._find_problem(kind, warped),
         )
+
+    def _find_problem(self, kind: Kind, warped: PointCloud) -> str:
+        """The warning of points, and surfaces if there are any, that unrelated clouds would match as well by chance."""
+        sample = RIGID_SAMPLE if kind == "rigid" else AFFINE_SAMPLE
+        if self.field is not None:
+            sample = max(sample, math.ceil(self.field.count_parameters(self.stiffness * self.variance)))
+        if not find_too_few(warped, np.eye(4), self.target, sample):
+            return ""
+        return find_problem(warped, self.target, np.eye(4), may_be_open=kind == "deformable", sample=sample)
 
 
 def _moved(cloud: PointCloud, T: Array, field: Any) -> PointCloud:

@@ -97,7 +97,8 @@ class TransformationEstimation:
     ) -> TransformationEstimation:
         """Generalized ICP: plane-to-plane with thin Gaussians (Segal, Haehnel and Thrun 2009).
 
-        Uses the cloud's covariances if present, else planes from its normals, else from 20 neighbors.
+        Planes are those of the cloud's covariances (across their smallest variance) if present, else of its normals,
+        else of 20 neighbors.
 
         Args:
             epsilon: Variance across a plane, relative to 1 along it.
@@ -223,7 +224,8 @@ class TransformationEstimationSymmetric(TransformationEstimation):
 class TransformationEstimationForGeneralizedICP(TransformationEstimation):
     """Generalized ICP: plane-to-plane with thin Gaussians (Segal, Haehnel and Thrun 2009).
 
-    Uses the cloud's covariances if present, else planes from its normals, else from 20 neighbors.
+    Planes are those of the cloud's covariances (across their smallest variance) if present, else of its normals, else
+    of 20 neighbors.
 
     Args:
         epsilon: Variance across a plane, relative to 1 along it.
@@ -237,6 +239,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
     voxel_size: float | None = None
     rows = sum_generalized_rows
     residual_count = 3
+    flattens_covariances: ClassVar[bool] = True  # False as in Open3D: given covariances are used as they are
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -253,8 +256,8 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
         return dataclasses.replace(self, kernel=Geometry())
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        pairs = zip(clouds, names, strict=True)
-        return {"covariances": [generalized_covariances(c, self.epsilon, n) for c, n in pairs]}
+        pairs, flat = zip(clouds, names, strict=True), self.flattens_covariances
+        return {"covariances": [generalized_covariances(c, self.epsilon, n, flatten=flat) for c, n in pairs]}
 
     _target_columns = _source_columns
 

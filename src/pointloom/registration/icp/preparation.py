@@ -20,7 +20,7 @@ from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import joined_rows
 from ...kernels.extent.masks import count_unusable, drop_unusable
 from ...kernels.icp.color_gradients import average_colors, estimate_color_gradients
-from ...kernels.icp.plane_covariances import plane_covariances, plane_covariances_from_normals
+from ...kernels.icp.plane_covariances import flatten_covariances, plane_covariances, plane_covariances_from_normals
 from ...kernels.lang import float32, vec3
 from ...kernels.language.device_arrays import reinterpreted
 from ...kernels.memory import cast, download, upload
@@ -142,13 +142,17 @@ def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, nam
     return ColoredSurface(normals, *gradients)
 
 
-def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "cloud"):
-    """Covariances for generalized ICP, float32 [n, 9]: given ones, else planes from normals or from 20 neighbors."""
+def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "cloud", *, flatten: bool = True):
+    """Covariances for generalized ICP, float32 [n, 9]: planes of given ones, of normals or of 20 neighbors.
+
+    Without `flatten`, given covariances are used as they are.
+    """
     if "covariances" in cloud:
         rows = cloud.arrays["covariances"]
         if rows.shape != (len(cloud), 9):
             raise ValueError(f"{name}: expected covariances of shape [{len(cloud)}, 9], got {list(rows.shape)}")
-        return rows if rows.dtype == float32 else cast(rows, float32)
+        rows = rows if rows.dtype == float32 else cast(rows, float32)
+        return flatten_covariances(rows, epsilon) if flatten else rows
     if "normals" in cloud.arrays:
         return plane_covariances_from_normals(cloud.arrays["normals"], epsilon)
     return plane_covariances(cloud.search_tree(), COVARIANCE_NEIGHBORS, epsilon)

@@ -134,7 +134,7 @@ def global_optimization(
 
     Args:
         pose_graph: Connected nodes with initial poses, and edges. Not modified. Contradicting certain edges are
-            balanced.
+            balanced, and the report warns of them.
         method: "levenberg-marquardt" (damped steps, which also converge from inexact initial poses) or "gauss-newton"
             (full steps, which stop if one does not lower the residual: faster near the optimum).
         criteria: Stopping criteria.
@@ -211,7 +211,9 @@ def global_optimization(
         )
         for i, confidence in zip(remaining.tolist(), confidences.tolist(), strict=True)
     ]
-    return _with_report(PoseGraph([PoseGraphNode(T) for T in world_poses], edges), graph, passes, reference, remaining)
+    solved = PoseGraph([PoseGraphNode(T) for T in world_poses], edges)
+    distance = option.max_correspondence_distance
+    return _with_report(solved, graph, passes, reference, remaining, _contradiction(graph, remaining, poses, distance))
 
 
 def _check_motions(free: object, option: GlobalOptimizationOption) -> NDArray[np.bool_] | None:
@@ -293,8 +295,35 @@ def _without_mean_motion(
     return matmul(R, rotations), matmul(positions - middle - shifts.mean(axis=0), R.T) + middle
 
 
+def _contradiction(graph: GraphArrays, remaining: NDArray[np.int64], poses: NodePoses, distance: float) -> str:
+    """The warning of edges that contradict each other; "" if they agree.
+
+    A certain edge is off by the root mean square displacement of its correspondences at the final poses.
+    """
+    certain = graph.edges_at(np.flatnonzero(~graph.uncertain))
+    squares = EdgeMeasurements(certain).errors(poses).squares
+    counts = certain.information[:, 5, 5]
+    off = np.sqrt(np.divide(squares, counts, out=np.zeros(len(squares)), where=counts > 0))
+    if (off > distance).any():
+        worst = int(off.argmax())
+        pair = f"{certain.source[worst]} to {certain.target[worst]}"
+        apart = f"up to {off.max():.3g} m apart ({pair}), beyond max_correspondence_distance ({distance:g} m)"
+        count = f"{int((off > distance).sum())} of {len(off)} certain edges"
+        return f"{count} contradict the others: their correspondences are {apart}"
+    uncertain, kept = int(graph.uncertain.sum()), int(graph.uncertain[remaining].sum())
+    if uncertain and not kept:
+        none = f"none of {uncertain} uncertain edges agrees with the others"
+        return f"too few edges to decide: {none}, so no loop confirms the poses"
+    return ""
+
+
 def _with_report(
-    solved: PoseGraph, graph: GraphArrays, passes: list[Pass], reference: int, remaining: NDArray[np.int64]
+    solved: PoseGraph,
+    graph: GraphArrays,
+    passes: list[Pass],
+    reference: int,
+    remaining: NDArray[np.int64],
+    contradiction: str = "",
 ) -> PoseGraph:
     unreached = np.empty(0, np.int64)
     if len(graph.poses):
@@ -310,6 +339,7 @@ def _with_report(
         criterion=last.criterion if last else "no nodes",
         pruned_edges=np.setdiff1d(np.arange(len(graph.source)), remaining),
         unreached_nodes=unreached,
+        _contradiction=contradiction,
     )
     return solved
 

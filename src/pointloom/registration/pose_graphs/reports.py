@@ -38,6 +38,7 @@ class GlobalOptimizationReport(AssessedRecord):
     criterion: str
     pruned_edges: NDArray[np.int64]
     unreached_nodes: NDArray[np.int64]
+    _contradiction: str = ""
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -45,7 +46,7 @@ class GlobalOptimizationReport(AssessedRecord):
         open_end = f"the optimization did not converge within {self.iterations} iterations ({self.criterion})"
         count = len(self.unreached_nodes)
         apart = f"{count} nodes have no path of edges to the reference" if count else None
-        return failed(None if self.converged else open_end, apart)
+        return failed(None if self.converged else open_end, self._contradiction, apart)
 
 
 class FragmentOverlap(NamedTuple):

@@ -123,8 +123,12 @@ class TransformationEstimationForColoredICP(TransformationEstimation, of=estimat
         return f"TransformationEstimationForColoredICP(lambda_geometric={self.lambda_geometric:g})"
 
 
+class _GivenCovariances(estimation.TransformationEstimationForGeneralizedICP):
+    flattens_covariances = False
+
+
 class TransformationEstimationForGeneralizedICP(TransformationEstimation, of=estimation):
-    """Planes of both clouds as flat Gaussians; `(epsilon)`, `(kernel)` or both."""
+    """Planes of both clouds as flat Gaussians, given covariances as they are; `(epsilon)`, `(kernel)` or both."""
 
     epsilon: Any = 0.001
     kernel: RobustKernel = field(default_factory=L2Loss)
@@ -132,6 +136,10 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation, of=est
     def __post_init__(self) -> None:
         super().__post_init__()
         self._take_kernel(0.001)
+
+    @property
+    def native(self) -> estimation.TransformationEstimation:
+        return _GivenCovariances(**self.native_keywords())
 
     def __repr__(self) -> str:
         return f"TransformationEstimationForGeneralizedICP(epsilon={self.epsilon:g})"
