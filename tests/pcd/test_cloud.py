@@ -244,7 +244,7 @@ def feet(rng):
     lambda c: c.select_by_index([1, 2]), lambda c: c.crop(loom.AxisAlignedBoundingBox([0, 0, 0], [3e6] * 3)),
     lambda c: c.without("ring"), lambda c: c.estimate_normals(max_nn=5), lambda c: c.paint_uniform_color([1, 0, 0]),
     lambda c: c.translate([1, 2, 3]), lambda c: c.rotate(np.diag([1.0, -1, -1])), lambda c: c.transform(np.eye(4)),
-    lambda c: c + loom.PointCloud([[0, 0, 0]]), lambda c: sum([c, c]),
+    lambda c: c + c, lambda c: sum([c, c]),
     lambda c: c.remove_statistical_outlier(5, 2.0)[0], lambda c: c.smooth_laplacian(1, knn=4),
     lambda c: c.remove_non_finite_points(), lambda c: c.farthest_point_down_sample(5),
     lambda c: loom.PointCloud.concatenate([loom.PointCloud(), c]),
@@ -428,3 +428,9 @@ def test_float32_degrees_that_have_lost_digits_are_warned_about(device, rng):
         loom.PointCloud(degrees, device=device, crs=4326)
     with pytest.warns(UserWarning, match="float32 coordinates near 51 are multiples of"):
         loom.PointCloud(upload(degrees, vec3, device), unit="degree")
+
+
+def test_an_empty_cloud_with_an_origin_moves(device):
+    empty = loom.PointCloud([[5e5, 5e6, 100.0]], device=device).select_by_index([])
+    for moved in (empty.translate([-5e5, -5e6, -100]), empty.transform(np.eye(4)), empty.scale(2.0, [0, 0, 0])):
+        assert len(moved) == 0

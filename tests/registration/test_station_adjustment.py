@@ -9,6 +9,7 @@ from scipy.special import chdtri
 from scipy.stats import binom
 
 import pointloom as loom
+from pointloom.core.joined_parts import MissingPartsWarning
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
 from pointloom.cli.jobs.evaluate import ALIGNMENTS
 from pointloom.core.wording import json_text
@@ -562,7 +563,8 @@ def partly_registered(rng) -> tuple[list[loom.PointCloud], FragmentsResult]:
 def test_registered_clouds_are_merged(partly_registered):
     clouds, result = partly_registered
     assert result.placed.tolist() == [True, False, True]
-    merged = result.merge(clouds)
+    with pytest.warns(MissingPartsWarning, match="the more are dropped"):
+        merged = result.merge(clouds)
     assert set(merged["k"].tolist()) == {0, 2} and list(merged.attributes) == ["k"]
     last = clouds[2].transform(result.poses[2]).points
     np.testing.assert_allclose(merged.points[merged["k"] == 2], last, atol=1e-6)

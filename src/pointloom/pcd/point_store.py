@@ -20,6 +20,8 @@ from .cached_tree import CachedTree
 
 def sample_about(points: wp.array, origin: NDArray[np.float64]) -> NDArray[np.float64]:
     """World coordinates of about 128 of the points (vec3) about an origin, float64 (m, 3)."""
+    if not points.size:  # Warp cannot slice it
+        return np.zeros((0, 3))
     with quiet():
         return download(contiguous(points[:: points.size // SPREAD_SAMPLE | 1])).reshape(-1, 3) + origin
 

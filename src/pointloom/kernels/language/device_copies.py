@@ -17,8 +17,6 @@ from .device_arrays import Kind, kind_of, makes_arrays_plainly
 from .huge_pages import MIN_MAPPED_BYTES, populate
 from .pinned_results import MIN_PINNED_BYTES, fill_pinned
 
-_WAIT_FAILED = "Failed to synchronize stream on device"
-
 
 def _kind(values: Any) -> Kind:
     return getattr(values, "kind_", None) or kind_of(values.dtype, values.ndim, values.device)
@@ -95,20 +93,16 @@ def fetched(values: Any) -> NDArray[Any] | None:
         address = out.__array_interface__["data"][0]
         if size >= MIN_MAPPED_BYTES:
             populate(address, size)  # while the device works
-        core, stream = warp_parts.core(), device.stream.cuda_stream  # as _fill, whose call would take longer
-        _checked(core.wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)
-        if not core.wp_cuda_stream_synchronize(stream):  # sync
-            raise RuntimeError(f"{_WAIT_FAILED} {device}: {device.runtime.get_error_string()}")
+        _fill(values, address, size)
     return out
 
 
 def _fill(values: Any, address: int, size: int) -> None:
     """Copy a GPU array to host memory (sync)."""
     device = values.device
-    core, stream = warp_parts.core(), device.stream.cuda_stream
-    _checked(core.wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)
-    if not core.wp_cuda_stream_synchronize(stream):  # sync
-        raise RuntimeError(f"{_WAIT_FAILED} {device}: {device.runtime.get_error_string()}")
+    stream = device.stream.cuda_stream
+    _checked(warp_parts.core().wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)
+    pinned_uploads.wait_for_stream(device)  # sync
 
 
 def is_scanned(counts: Any, sums: Any) -> bool:

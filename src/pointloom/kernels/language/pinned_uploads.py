@@ -82,7 +82,13 @@ def send(device: Any, target: int, values: NDArray[Any]) -> None:
         source, target, end = source + size, target + size, end - size
     if end:  # the system locks no memory
         _copy(device, target, source, end)
-        wp.synchronize_stream(device.stream)  # sync
+        wait_for_stream(device)  # sync
+
+
+def wait_for_stream(device: Any) -> None:
+    """Wait for the work of the current stream (sync)."""
+    if not warp_parts.core().wp_cuda_stream_synchronize(device.stream.cuda_stream):
+        raise RuntimeError(f"Failed to synchronize stream on device {device}: {device.runtime.get_error_string()}")
 
 
 def _address(values: NDArray[Any]) -> int:
