@@ -42,7 +42,7 @@ def test_colors_are_preserved_and_normals_recomputed_if_both_have_them(device):
     np.testing.assert_array_equal(union.vertex_colors[(union.vertices < 0.4).any(axis=1)][0], [1, 0, 0])
     np.testing.assert_array_equal(union.vertex_colors[(union.vertices > 1.4).any(axis=1)][0], [0, 0, 1])
     assert union.vertex_normals is not None
-    with pytest.warns(UserWarning, match="vertex_colors and vertex_normals are dropped, because not all meshes"):
+    with pytest.warns(UserWarning, match="vertex_colors are dropped, because not all meshes"):
         plain = red.boolean_union(box(0.5, device))
     assert plain.vertex_colors is None and plain.vertex_normals is None
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 
 from .units import warn_of_units
 
@@ -17,6 +17,10 @@ class MissingPartsWarning(UserWarning):
         >>> with warnings.catch_warnings():
         ...     warnings.simplefilter("error", MissingPartsWarning)  # refuse that
     """
+
+
+# Joined objects of a program may lack them without a warning: they are estimated from the points, and can be again.
+ESTIMATED = ("normals", "covariances", "vertex_normals", "triangle_normals")
 
 
 def missing_names(parts: Sequence[Iterable[str]]) -> list[str]:
@@ -35,9 +39,11 @@ def warn_of_missing(what: str | os.PathLike[str], names: Sequence[str], kind: st
         )
 
 
-def common_names(what: str | os.PathLike[str], parts: Sequence[Iterable[str]], kind: str) -> list[str]:
-    """The names that all parts have, in order of the first part. Warns of the others."""
+def common_names(
+    what: str | os.PathLike[str], parts: Sequence[Iterable[str]], kind: str, expected: Container[str] = ()
+) -> list[str]:
+    """The names that all parts have, in order of the first part. Warns of the others but `expected` ones."""
     listed = [list(part) for part in parts]
     missing = missing_names(listed)
-    warn_of_missing(what, missing, kind)
+    warn_of_missing(what, [name for name in missing if name not in expected], kind)
     return [name for name in listed[0] if name not in missing] if listed else []

@@ -27,7 +27,7 @@ from ..core.checks import (
 from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
-from ..core.joined_parts import common_names
+from ..core.joined_parts import ESTIMATED, common_names
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.concatenation import concatenate_points
@@ -127,7 +127,7 @@ class Selection(PointArrays):
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
         arrays = {"points": concatenate_points([part.arrays["points"] for part in parts], shifts)}
-        for name in common_names("clouds", [part.arrays for part in parts], "clouds"):
+        for name in common_names("clouds", [part.arrays for part in parts], "clouds", ESTIMATED):
             if name != "points":
                 arrays[name] = concatenate_columns(name, [part.arrays[name] for part in parts], "clouds")
         merged = cls.from_device_arrays(arrays, largest.origin, parts[0].array_library)

@@ -33,7 +33,7 @@ from ...core.escaped_text import escaped
 from ...core.exchange import on_host
 from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.html_tables import array_type, html_table
-from ...core.joined_parts import missing_names, warn_of_missing
+from ...core.joined_parts import ESTIMATED, missing_names, warn_of_missing
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
 from ...core.up_axis import Direction, check_up, transform_up_vector
 from ...io.table import MeshTable
@@ -450,7 +450,7 @@ class MeshArrays(StoredArrays, Movable):
                 for name in _shared(columns, missing)
             }
         uvs, textures = _joined_textures(parts, missing)
-        warn_of_missing("meshes", missing, "meshes")
+        warn_of_missing("meshes", [name for name in missing if name not in ESTIMATED], "meshes")
         joined = cls.from_device_arrays(arrays | uvs, origin, parts[0].array_library, textures=textures)
         joined.unit, joined.crs = common_reference("meshes", parts)
         known = {mesh.arrays.up for mesh in parts} - {None}
