@@ -9,9 +9,9 @@ from scipy.special import chdtri
 from scipy.stats import binom
 
 import pointloom as loom
-from pointloom.core.joined_parts import MissingPartsWarning
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
 from pointloom.cli.jobs.evaluate import ALIGNMENTS
+from pointloom.core.joined_parts import MissingPartsWarning
 from pointloom.core.wording import json_text
 from pointloom.registration.lidar.lidar_runs import iterate_odometry
 from pointloom.registration.lidar.lidar_steps import summarize_steps
