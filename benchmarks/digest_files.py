@@ -43,9 +43,14 @@ def plain(data: bytes) -> bytes:
     return CHANGING.sub(b"", data.replace(tempfile.gettempdir().encode(), b""))
 
 
+def finite(some: Any) -> Any:
+    """The cloud without invalid points: LAS and E57 do not store them."""
+    return some.remove_non_finite_points()
+
+
 def cloud(ending: str, options: dict[str, Any]) -> Callable[[Scenes], Any]:
     def write(d: Scenes) -> Any:
-        some = d.surface.facing.without(*LEFT_OUT.get(ending, ()))
+        some = finite(d.surface.facing).without(*LEFT_OUT.get(ending, ()))
         return contents(lambda folder: loom().write_point_cloud(folder / f"cloud.{ending}", some, **options))
 
     return write
@@ -85,13 +90,13 @@ def graph(d: Scenes) -> Any:
 
 
 def view(d: Scenes) -> Any:
-    points = d.surface.cloud.points
+    points = finite(d.surface.cloud).points
     fitted, bounds = loom().View.fit(points, width=64, height=48), (points.min(axis=0), points.max(axis=0))
     return contents(lambda folder: loom().write_view(folder / "view.json", fitted, bounds))
 
 
 def stations(d: Scenes) -> Any:
-    some, poses = d.surface.facing.without("label"), [np.eye(4), d.surface.pose]
+    some, poses = finite(d.surface.facing).without("label"), [np.eye(4), d.surface.pose]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "stations.e57"
         loom().write_stations(path, [some, some], poses)

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ...core.quaternions import rotations_to_quaternions
+from ...kernels.linear_algebra import matmul
 from .timeline import Frame, Placement, Shape, Timeline
 
 PACKAGES = {".rrd": ("rerun", "rerun-sdk"), ".mcap": ("foxglove", "foxglove-sdk")}  # suffix: module, name on PyPI
@@ -219,7 +220,7 @@ class _Messages:
 
 def _is_rigid(T: NDArray[np.float64]) -> bool:
     R = T[:3, :3]
-    return bool(abs(R @ R.T - np.eye(3)).max() < RIGID_TOLERANCE and np.linalg.det(R) > 0)
+    return bool(abs(matmul(R, R.T) - np.eye(3)).max() < RIGID_TOLERANCE and np.linalg.det(R) > 0)
 
 
 def _translation(offset: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -231,7 +232,7 @@ def _translation(offset: NDArray[np.float64]) -> NDArray[np.float64]:
 def _placed(shape: Shape, pose: NDArray[np.float64] | None) -> NDArray[np.float64]:
     """Positions of a shape, at its pose unless this is the pose of its frame."""
     positions = shape.positions.astype(np.float64)
-    return positions if pose is None else positions @ pose[:3, :3].T + pose[:3, 3]
+    return positions if pose is None else matmul(positions, pose[:3, :3].T) + pose[:3, 3]
 
 
 def _colors(shape: Shape) -> NDArray[np.uint8]:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...core.devices import DeviceLike, resolve_device
 from ...core.progress import ReportProgress, ignore_progress
 from ...kernels.lang import int32, vec3
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import empty, upload
 from ..render.canvas import Canvas
 from ..render.legends import cut_text, letter_size
@@ -87,7 +88,7 @@ def _seen_points(timeline: Timeline, points_of: Callable[[Shape], NDArray[np.flo
                 if number not in samples:
                     samples[number] = points_of(timeline.shapes[number])
                 points, T = samples[number], placement.pose
-                seen[key] = points if T is None else points @ T[:3, :3].T + T[:3, 3]
+                seen[key] = points if T is None else matmul(points, T[:3, :3].T) + T[:3, 3]
     return np.concatenate([np.empty((0, 3)), *seen.values()])
 
 

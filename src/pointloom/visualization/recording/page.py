@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_positive, check_rows, check_shape
 from ...core.escaped_text import escaped
+from ...kernels.linear_algebra import matmul
 from ..page.sources import hash_of, player_script, player_style, read_source
 from ..render.view import Triple, View, fit_view
 from .timeline import Placement, Shape, Timeline
@@ -229,7 +230,7 @@ def _bounds(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Bounds of all frames, and positions that include the outermost ones."""
     outermost = {shape: _outermost(shapes[shape]) for shape in {shape for shape, _ in used}}
-    positions = [outermost[shape] @ poses[pose, :3, :3].T + poses[pose, :3, 3] for shape, pose in used]
+    positions = [matmul(outermost[shape], poses[pose, :3, :3].T) + poses[pose, :3, 3] for shape, pose in used]
     everything = np.concatenate([np.empty((0, 3)), *positions])
     if len(everything) == 0:
         return np.zeros(3), np.zeros(3), everything
@@ -249,7 +250,7 @@ def _outermost(shape: Shape) -> NDArray[np.float64]:
     step = np.arange(NUM_DIRECTIONS) + 0.5  # Vogel spiral on the sphere: even and reproducible
     z, angle = 1 - 2 * step / NUM_DIRECTIONS, step * math.pi * (3 - math.sqrt(5))
     ring = np.sqrt(1 - z * z)
-    extents = sample.astype(np.float64) @ np.stack([ring * np.cos(angle), ring * np.sin(angle), z])
+    extents = matmul(sample.astype(np.float64), np.stack([ring * np.cos(angle), ring * np.sin(angle), z]))
     axes = positions[np.concatenate([positions.argmin(axis=0), positions.argmax(axis=0)])]
     return np.unique(np.concatenate([sample[extents.argmax(axis=0)], axes]), axis=0).astype(np.float64)
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.units import symbol_of
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download
 from ...meshing.volume.surface_weights import min_weight
 from ...pcd.cloud import PointCloud
@@ -295,7 +296,7 @@ class Fusion(Travel):
                 self.path = []
                 self._move(intrinsic, self._pose)
         if result.reliable:
-            self._pose = self._pose @ result.transformation
+            self._pose = matmul(self._pose, result.transformation)
         self._image = source
         cloud = PointCloud.create_from_rgbd_image(source, intrinsic)
         self.stage.show("frame", cloud, fraction=SCAN_FRACTION, pose=self._pose)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ...kernels.arrays.select import gather_rows
 from ...kernels.lang import int32
+from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download, upload
 from ...meshing.mesh.mesh import TriangleMesh
 from ..render.geometries import parts_of
@@ -57,7 +58,7 @@ def sketch(geometry: object, style: Style, max_points: int) -> Sketch:
 def pose_about(pose: Matrix | None, shape_origin: NDArray[np.float64], origin: NDArray[np.float64]) -> Matrix | None:
     """Pose for positions relative to `shape_origin` in a frame relative to `origin`. None if it is the identity."""
     T = np.eye(4) if pose is None else np.array(pose, np.float64)
-    T[:3, 3] += T[:3, :3] @ shape_origin - origin
+    T[:3, 3] += matmul(T[:3, :3], shape_origin) - origin
     return None if np.array_equal(T, np.eye(4)) else T
 
 

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...core.checks import LARGEST_NUMBER, check_count, check_direction, check_rigid, check_rows
 from ...core.exchange import on_host
+from ...kernels.linear_algebra import matmul, norm
 from .open3d_parameters import cross_product, view_from_open3d, view_to_open3d
 
 Triple = tuple[float, float, float]
@@ -145,7 +146,7 @@ def fit_view(
     frame = Frame(direction, up, width, height)
     if not len(values):
         return frame.view(None, 0.0)
-    return frame.view((values @ frame.directions().T).max(axis=0), float(np.ptp(values, axis=0).max()))
+    return frame.view(matmul(values, frame.directions().T).max(axis=0), float(np.ptp(values, axis=0).max()))
 
 
 class Frame:
@@ -155,9 +156,9 @@ class Frame:
         width, height = check_count("width", width), check_count("height", height)
         forward, up_direction = check_direction("direction", direction), check_direction("up", up)
         right = cross_product(forward, up_direction)
-        if not np.linalg.norm(right) > 1e-9:
+        if not norm(right) > 1e-9:
             raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")
-        right = right / np.linalg.norm(right)
+        right = right / norm(right)
         self.R = np.column_stack([right, cross_product(forward, right), forward])
         focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
         self.intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
@@ -189,7 +190,7 @@ class Frame:
             position[2] = min(*depths, -extents[4] - 0.01 * (extent or 1.0))
             for axis, (before, behind) in enumerate(self.tans):
                 position[axis] += (behind - before) * position[2] / 2
-        T[:3, :3], T[:3, 3] = self.R, self.R @ position
+        T[:3, :3], T[:3, 3] = self.R, matmul(self.R, position)
         return View(self.intrinsic, T)
 
 
