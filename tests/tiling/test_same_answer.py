@@ -24,7 +24,7 @@ CHAINS = {
     "smoothing of the nearest": [{"step": "smooth_mls", "radius": 1.5, "max_nn": 12}],
     "a box": [
         {"step": "crop", "min_bound": MIDDLE, "max_bound": (np.array(MIDDLE) + 15).tolist()},
-        {"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9},
+        {"step": "remove_radius_outlier", "nb_points": 4, "radius": 1.0},
     ],
     "a chain": [
         {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
