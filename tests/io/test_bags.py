@@ -481,8 +481,6 @@ def test_numbers_without_a_unit_are_preserved_and_reported():
         ("timestamp", np.float64(SWEEPS * 1e-3), "timestamp"),  # 0.1 ms, or 100 s of thousandths
         ("time", np.float32([0.0, 1900.0]), "timestamps"),
         ("time_stamp", np.uint32([0, 10]), "time_stamp"),
-        ("timestamp", np.float32(1.7e9 + SWEEPS), "timestamp"),  # steps of 128 s
-        ("timestamp", np.float32(1.7e9 + 1000 * SWEEPS), "timestamp"),
     ):
         attributes, messages = read(name, times, stamp=5.0)
         assert "time" not in attributes and len(messages) == 1 and "in any unit" in messages[0]
@@ -507,3 +505,83 @@ def test_unmeasured_points_are_ignored():
 def test_a_cloud_without_points_or_times_is_read():
     assert read("time", np.zeros(0, np.float32))[0]["time"].size == 0 and set(read("gps", SWEEPS)[0]) == {"gps", "ring"}
     assert set(read("time", np.full(4, np.nan))[0]) == {"time", "ring"}
+
+
+@pytest.mark.parametrize("start", [1.7e9, 3e5, 2e4 + 7], ids=["1970", "week", "boot"])
+@pytest.mark.parametrize("name", ["time", "timestamp", "t", "time_offset"])
+def test_float32_times_that_do_not_resolve_the_sweep_are_named_with_their_resolution(name, start):
+    times = np.float32(start + (SWEEPS if start > 1e5 else SWEEPS / 10))
+    attributes, messages = read(name, times)
+    (message,) = messages
+    assert f"'{name}'" in message and f"{np.spacing(times.max()):g} apart" in message and "not deskewed" in message
+    np.testing.assert_array_equal(attributes.pop(f"{name}_field"), times)
+    assert set(attributes) == {"ring"}  # nothing that odometry takes for point times
+
+
+def write_drive(path, store, *, stamped=True, clock="header", named="time", count=5):
+    """Scans in a street at 10 Hz, whose headers are times since 1970 of the beginning of a sweep. None: no times."""
+    scans = loom.datasets.street_scans(count).scans
+    with rosbag2.Writer(path, version=9, storage_plugin=rosbag2.StoragePlugin.MCAP) as writer:
+        connection = writer.add_connection("/points", CLOUD, typestore=store)
+        for k, scan in enumerate(scans):
+            offset = {"header": -0.1 * k, "end": -0.1 * (k + 1), "start": 0.0, "1970": 1.7e9, "none": 0.0}[clock]
+            code = "f8" if clock == "1970" else "f4"
+            fields = XYZ if clock == "none" else [*XYZ, (named, code, 12)]
+            rows = np.zeros(len(scan), np.dtype({"names": [f[0] for f in fields], "formats": [f[1] for f in fields],
+                                                 "offsets": [f[2] for f in fields], "itemsize": 20}))  # fmt: skip
+            rows["x"], rows["y"], rows["z"] = scan.points.T
+            if clock != "none":
+                rows[named] = scan["time"] + offset
+            types, nanoseconds = store.types, (k + (clock == "end")) * 10**8
+            time = types["builtin_interfaces/msg/Time"](1_700_000_000 * stamped, nanoseconds * stamped)
+            header = types["std_msgs/msg/Header"](time, "lidar")
+            parts = [types["sensor_msgs/msg/PointField"](f[0], f[2], CODES[f[1]], 1) for f in fields]
+            data = np.frombuffer(rows.tobytes(), np.uint8)
+            message = types[CLOUD](header, 1, len(rows), parts, False, 20, len(data), data, True)
+            writer.write(connection, 10**9 * (k + 1), store.serialize_cdr(message, CLOUD))
+
+
+@pytest.mark.parametrize("clock", ["header", "end", "start", "1970", "none"])
+def test_paths_of_recordings_have_the_times_of_the_ends_of_sweeps(tmp_path, clock):
+    write_drive(tmp_path / "run", get_typestore(Stores.ROS2_HUMBLE), clock=clock)
+    ends = 1.7e9 + 0.1 * np.arange(5) + (0.1 if clock != "none" else 0.0)
+    for words in (
+        ["odometry", "-o", tmp_path / "a.tum"],
+        ["map", "-o", tmp_path / "m.ply", "--trajectory", tmp_path / "b.tum"],
+    ):
+        result = CliRunner().invoke(cli, [words[0], str(tmp_path / "run"), *map(str, words[1:]), "--device", "cpu"])
+        assert result.exit_code == 0, result.output
+        np.testing.assert_allclose(loom.read_trajectory(words[-1]).timestamps, ends, atol=2e-3)
+
+
+def test_paths_of_recordings_without_times_in_the_headers_are_numbered_with_a_warning(tmp_path):
+    write_drive(tmp_path / "run", get_typestore(Stores.ROS2_HUMBLE), stamped=False)
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")  # the command prints it
+        result = CliRunner().invoke(
+            cli, ["odometry", str(tmp_path / "run"), "-o", str(tmp_path / "a.tum"), "--device", "cpu"]
+        )
+    assert "5 of 5 headers have no time" in result.output
+    assert loom.read_trajectory(tmp_path / "a.tum").timestamps.tolist() == [0, 1, 2, 3, 4]
+
+
+def test_the_truth_of_a_recording_is_matched_by_its_times_if_the_counts_differ(tmp_path):
+    write_drive(tmp_path / "run", get_typestore(Stores.ROS2_HUMBLE), count=12)
+    truth = loom.datasets.street_scans(12).poses
+    truth_path = str(tmp_path / "truth.tum")
+    times = 1.7e9 + 0.1 * (1 + np.arange(12))
+    for count in (12, 10):
+        loom.write_trajectory(truth_path, loom.Trajectory(truth[:count], times[:count]))
+        words = [
+            "odometry",
+            str(tmp_path / "run"),
+            "-o",
+            str(tmp_path / "a.tum"),
+            "--truth",
+            truth_path,
+            "--force",
+            "--json",
+        ]
+        result = CliRunner().invoke(cli, [*words, "--device", "cpu"])
+        assert result.exit_code == 0, result.output
+        assert json.loads(result.stdout)["errors"]["compared"] == count

@@ -137,14 +137,15 @@ def map_of_scans(
     else:
         slam = LidarSLAM.open(inputs.earlier, device=job.device)
     with contextlib.nullcontext() if viewer is None else viewer.follow(slam):
-        points = register_scans(job, slam, scans, readings)
+        points, times = register_scans(job, slam, scans, readings)
         slam.finish()
     summary, cloud = slam.summary, slam.map
     if summary.odometry.has_seen:
         job.write_cloud(cloud, output)
         if trajectory is not None:
             with job.stage("write", reported=False):
-                write_trajectory(trajectory, Trajectory(slam.poses), format=form, overwrite=job.form["overwrite"])
+                path = Trajectory(slam.poses, times)
+                write_trajectory(trajectory, path, format=form, overwrite=job.form["overwrite"])
             job.wrote(trajectory)
         if picture is not None:
             _draw(job, slam, picture)

@@ -7,11 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Unpack
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from ...cameras.trajectory_formats import NUMBERED, extensions_of
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality, values_of
+from ...core.units import warn_of_units
 from ...core.wording import format_seconds, plain
+from ...io.bags.message_chunks import RecordingWarning
 from ...registration.lidar.lidar_odometry import LidarOdometry
 from ...registration.lidar.lidar_slam import LidarSLAM
 from ...registration.lidar.lidar_steps import OdometrySummary, summarize_steps
@@ -84,8 +89,9 @@ def odometry_of_folder(
         folder: Scans in natural order: .bin as in KITTI, or clouds; or a recording or a folder of
             those.
         output: Poses in a format of `write_trajectory`.
-        format: "kitti", "tum" or "log". None for that of the extension. TUM times are scan numbers.
-        truth: File of true poses, one per scan. Errors are aligned by se3.
+        format: "kitti", "tum" or "log". None for that of the extension. TUM times are those of a recording [s], at the
+            end of each scan, or the numbers of the scans in a folder.
+        truth: File of true poses, one per scan; for a recording also with its times. Errors are aligned by se3.
         topics: Topics of a recording: of clouds (None for the only one), and of IMU readings on the same clock (None to
             use no IMU).
     """
@@ -96,16 +102,19 @@ def odometry_of_folder(
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
     true_path = None if truth is None else read_trajectory(truth)
-    if true_path is not None and len(true_path) != scans.count:
+    is_timed = scans.is_recording and true_path is not None and true_path.timestamps is not None
+    if true_path is not None and len(true_path) != scans.count and not is_timed:
         reason = f"expected {scans.count} poses, one per scan of {os.fspath(folder)}, got {len(true_path)}"
         raise FileError(truth or "", reason, remedy="Pass the true pose of each scan")
-    points = register_scans(job, odometry, scans)
-    summary, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses), None
+    points, times = register_scans(job, odometry, scans)
+    summary, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses, times), None
     if summary.has_seen:
         with job.stage("write", reported=False):
             write_trajectory(output, path, format=form, overwrite=job.form["overwrite"])
         job.wrote(output)
         if true_path is not None and truth is not None:
+            if len(true_path) == len(path):
+                path = Trajectory(path.poses)  # compared in order
             errors = compare(path, true_path, folder, truth, "se3")
     done = job.done(*summary.warnings, *(() if errors is None else errors.warnings))
     sizes = odometry.voxel_size, max_range, min_range
@@ -115,21 +124,28 @@ def odometry_of_folder(
 
 def register_scans(
     job: Job, odometry: LidarOdometry | LidarSLAM, scans: ScanSource, positions: PositionReadings | None = None
-) -> int:
-    """Register all scans in sequence, with positions for LidarSLAM. Returns the number of their points."""
-    points = 0
+) -> tuple[int, NDArray[np.float64] | None]:
+    """Register all scans in sequence, with positions for LidarSLAM.
+
+    Returns:
+        The number of their points, and the times of the poses if the scans are of a recording with times [s].
+    """
+    points, times = 0, []
     given: dict[str, Any] = {} if positions is None else {"positions": positions}
     job.progress("scans", 0, scans.count)
     for number in range(1, scans.count + 1):
         with job.stage("read", reported=False):
-            scan, time = next(scans.clouds), next(scans.times)
+            scan, time = next(scans.scans)
         with job.stage("register", reported=False):
-            # without an IMU, the time in the header shows missing scans; with one, it is that of scans without times
-            time = None if scans.imu is not None and "time" in scan else time
             odometry.register(scan, imu=scans.imu, time=time, **given)
         points += len(scan)
+        times.append(time)
         job.progress("scans", number, scans.count)
-    return points
+    missing = times.count(None)
+    if scans.is_recording and missing:
+        message = f"{missing} of {len(times)} headers have no time, so the poses are numbered"
+        warn_of_units(f"{job.source}: {message}", RecordingWarning)
+    return points, np.array(times, np.float64) if scans.is_recording and not missing else None
 
 
 def check_poses_output(job: Job, output: FilePath, format: str | None) -> str:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from functools import partial
+from dataclasses import dataclass
 from itertools import count, repeat
 from pathlib import Path
 
@@ -14,20 +13,23 @@ from ...core.errors import FileError, FilePath
 from ...core.paths import is_recording
 from ...io.bags.recording import open_recording
 from ...io.points.scan_files import list_scans, read_scans
+from ...kernels.memory import download
+from ...kernels.odometry.deskewing import bound_times
 from ...pcd.cloud import PointCloud
 
 
 @dataclass(frozen=True)
 class ScanSource:
-    """Scans in order: number, name of the first, and iterators that read them and the times in their headers [s].
+    """Scans in order: number, name of the first, and an iterator that reads them with their times, None if unknown.
 
-    `imu` are the readings of a recording, if wanted.
+    Times of a recording [s] are those of the last points, to which poses refer, on the clock of the headers; else those
+    of the headers. `imu` are the readings of a recording, if wanted.
     """
 
     count: int
     first: str
-    clouds: Iterator[PointCloud]
-    times: Iterator[float | None] = field(default_factory=partial(repeat, None))
+    scans: Iterator[tuple[PointCloud, float | None]]
+    is_recording: bool = False
     imu: ImuReadings | None = None
 
     @classmethod
@@ -49,13 +51,23 @@ class ScanSource:
             chosen = recording.choose_topic(topic)
             (entry,) = (entry for entry in recording.topics if entry.name == chosen)
             readings = None if imu is None else recording.imu(imu, frame=entry.frame_id or "")
-            clouds = recording.scans(chosen, absolute_times=imu is not None, device=device)
-            times = (recording.header_at(row)[0] or None for row in recording.rows_of(chosen))  # zero: not set
-            return cls(entry.count, chosen, clouds, times, readings)
+            clouds = recording.scans(chosen, absolute_times=True, device=device)
+            stamps = (recording.header_at(row)[0] or None for row in recording.rows_of(chosen))  # zero: not set
+            scans = ((cloud, _end_of(cloud, stamp)) for cloud, stamp in zip(clouds, stamps, strict=True))
+            return cls(entry.count, chosen, scans, True, readings)
         for name, value in (("topic", topic), ("imu", imu)):
             if value is not None:
                 reason = f"is not a recording, so it has no topic {value!r}"
                 raise FileError(path, reason, remedy=f"Leave --{name} out")
         files = list_scans(path)
         times = map(float, count()) if is_numbered else repeat(None)
-        return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns), times)
+        clouds = read_scans(files, device=device, columns=columns)
+        return cls(len(files), files[0].name, zip(clouds, times, strict=False))
+
+
+def _end_of(scan: PointCloud, stamp: float | None) -> float | None:
+    """Time of the last point of a scan on the clock of its header, or the header's without point times."""
+    if stamp is None or "time" not in scan:
+        return stamp
+    first, last = download(bound_times(scan.arrays["points"], scan.arrays["time"]))  # sync
+    return float(last) if first <= last else stamp

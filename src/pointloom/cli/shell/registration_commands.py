@@ -206,11 +206,11 @@ TOPIC_OPTIONS = in_order(
 @option(
     "--format",
     ["kitti", "tum", "log"],
-    "Format. Default: by extension, with kitti for .txt. Times of tum are scan numbers.",
+    "Format. Default: by extension, with kitti for .txt. Times of tum are those of a recording, or scan numbers.",
 )
 @option("--voxel voxel_size=M", LENGTH, "Voxel size of the map [m]. Default: 1% of --max-range.")
 @RANGE_OPTIONS
-@option("--truth=FILE", FILE, "True poses of the scanner, for printing the errors.")
+@option("--truth=FILE", FILE, "True poses of the scanner, one per scan or timed, for printing the errors.")
 @TOPIC_OPTIONS
 @record_option("each scan with the map and the trajectory")
 @in_order(DEVICE, JSON, FORCE)

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
+from ...core.time_checks import float32_step, is_single
 from ...core.units import warn_of_units
 from ..table import PointTable
 from .message_chunks import RecordingWarning, byte_order
@@ -60,6 +61,7 @@ SWEEP_DURATIONS = (2e-3, 1.5)  # [s] plausible duration of a message
 MIN_DURATION = 5e-4  # [s] plausible duration of a message with a documented unit
 MAX_CLOCK_DIFFERENCE = 2.0  # [s] maximum difference of header time and first point, same clock
 MIN_CLOCK_TIME = 60.0  # [s] minimum clock time. An earlier one may be relative to the sweep
+MIN_STEPS = 8  # minimum number of steps of float32 in a sweep, below which its times are useless
 MAX_TIME_STEP = 1e-3  # [s] float resolution beyond which point times are useless
 
 
@@ -78,6 +80,12 @@ def with_seconds(
     measured = _set(times[seen & np.isfinite(times)])
     written = WRITTEN.get((name, raw.dtype.kind))
     unit = _unit(measured, written, stamp, _steps(raw.dtype, measured))
+    if unit is None and is_single(raw.dtype) and measured.size and _is_coarse(measured):
+        largest = float(np.abs(measured).max())
+        message = f"are float32 numbers up to {largest:.6g}, which are {float32_step(largest):g} apart"
+        message = f"the point times in {name!r} {message}, so scans are not deskewed; they are kept as '{name}_field'"
+        warn_of_units(f"{path}: {message}", RecordingWarning)
+        return {**remaining, name + "_field": raw}
     if unit is None:
         other = name if name != "time" else "timestamps"
         low, high = SWEEP_DURATIONS
@@ -88,16 +96,31 @@ def with_seconds(
         message = f"the point times in {name!r} are read as {unit}: in {written} no sweep has such a duration"
         warn_of_units(f"{path}: {message}", RecordingWarning)
     first = measured.min() if measured.size else times.dtype.type(0)
-    start = _start(float(first * SECONDS_PER_UNIT[unit]), stamp) if absolute_times else 0.0
+    start = 0.0
+    if absolute_times:
+        finite = times[np.isfinite(times)]
+        low, high = (
+            float(end) * SECONDS_PER_UNIT[unit] for end in (finite.min(initial=first), finite.max(initial=first))
+        )
+        start = _start(float(first * SECONDS_PER_UNIT[unit]), stamp, is_clock=low > high - low > 0)
     return {**remaining, "time": np.asarray((times - first) * SECONDS_PER_UNIT[unit] + start, np.float64)}
 
 
-def _start(first: float, stamp: float) -> float:
-    """The time of the first point on the clock of the header, whose time is `stamp` [s]."""
+def _is_coarse(times: NDArray[Any]) -> bool:
+    """True if float32 numbers do not resolve the sweep."""
+    low, high = float(times.min()), float(times.max())
+    return high - low < MIN_STEPS * float32_step(max(abs(low), abs(high)))
+
+
+def _start(first: float, stamp: float, *, is_clock: bool) -> float:
+    """The time of the first point on the clock of the header, whose time is `stamp` [s].
+
+    `is_clock`: the times begin more than a sweep after zero, so they are not relative to the header."""
     is_same_clock = abs(first - stamp) < MAX_CLOCK_DIFFERENCE
     if is_same_clock and first > MIN_CLOCK_TIME:
         return first
-    if abs(first) <= SWEEP_DURATIONS[1]:  # relative to the header; negative if this is the time of the last packet
+    # times relative to the header are negative if it is the time of the last packet
+    if abs(first) <= SWEEP_DURATIONS[1] and not is_clock:
         return stamp + first
     return first if is_same_clock else stamp  # another clock, such as the time since the scanner started
 
