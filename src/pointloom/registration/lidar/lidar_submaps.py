@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
+from ...core.paths import os_errors, path_of
 from ...io.points.npz import read_arrays
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download
@@ -181,6 +182,7 @@ class SubmapBuilder:
 
 
 def make_folder(folder: str | os.PathLike[str]) -> Path:
-    path = Path(folder)
-    path.mkdir(parents=True, exist_ok=True)
+    path = path_of(folder, "folder")
+    with os_errors(path, "created"):
+        path.mkdir(parents=True, exist_ok=True)
     return path
