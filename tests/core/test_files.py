@@ -8,6 +8,7 @@ import signal
 import sqlite3
 from types import ModuleType
 
+import numpy as np
 import pytest
 
 import pointloom as loom
@@ -73,6 +74,37 @@ def test_invalid_paths_raise_the_same_error(name, tmp_path, monkeypatch):
         with pytest.raises(TypeError, match=rf"\w+: expected the path of a file or folder, got a {kind}"):
             CALLS[name](wrong, **given)
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_names_that_the_system_rejects_are_file_errors(name, tmp_path):
+    (tmp_path / "loop").symlink_to("loop")
+    (tmp_path / "file").write_text("a")
+    _, *others = parameters_of(CALLS[name])
+    required = [each.name for each in others if each.default is each.empty and each.kind is not each.VAR_KEYWORD]
+    for path in ("a" * 300, "loop", f"file/{'a' * 300}", "file/a"):
+        for ending in ("", ".ply", ".json", ".txt"):
+            with contextlib.suppress(loom.PointloomError, ValueError, TypeError):
+                CALLS[name](tmp_path / f"{path}{ending}", **dict.fromkeys(required, loom.PointCloud()))
+
+
+FOLDERS = {
+    "LidarSLAM": lambda path: loom.registration.LidarSLAM(folder=path),
+    "read_cameras": loom.read_cameras,
+    "read_image_positions": lambda path: loom.photogrammetry.read_image_positions([path]),
+    "plan_tiles": lambda path: loom.tiling.plan_tiles([path], [{"step": "count"}], path, size=5.0),
+    "plan_registration": lambda path: loom.tiling.plan_registration([path, path], path, voxel_size=0.5),
+    "write_colmap_model": lambda path: loom.write_colmap_model(path, loom.SfmModel([], [], np.empty((0, 4, 4)))),
+}
+
+
+@pytest.mark.parametrize("name", FOLDERS)
+@pytest.mark.parametrize("path", ["a" * 300, "loop", "file", "file/a", f"file/{'a' * 300}"])
+def test_other_arguments_with_such_names_are_file_errors(name, path, tmp_path):
+    (tmp_path / "loop").symlink_to("loop")
+    (tmp_path / "file").write_text("a")
+    with contextlib.suppress(FileError, ValueError):
+        FOLDERS[name](tmp_path / path)
 
 
 def test_the_table_has_the_readers_and_writers():

@@ -38,7 +38,7 @@ def write_raw(path, columns, limits=None):
     """One scan of fields (values, node of the prototype), which pye57 itself does not write."""
     image = libe57.ImageFile(str(path), "w")
     image.extensionsAdd("", libe57.E57_V1_0_URI)
-    for name, node in {"formatName": "ASTM E57 3D Imaging Data File", "guid": "{0}"}.items():
+    for name, node in {"formatName": "ASTM E57 3D Imaging Data File", "guid": f"{{{0:040}}}"}.items():
         image.root().set(name, libe57.StringNode(image, node))
     image.root().set("versionMajor", libe57.IntegerNode(image, libe57.E57_FORMAT_MAJOR))
     image.root().set("versionMinor", libe57.IntegerNode(image, libe57.E57_FORMAT_MINOR))
@@ -237,19 +237,23 @@ def test_a_flipped_bit_and_a_wrong_count_with_valid_checksums_are_errors(small):
             read_e57(small)
 
 
-@pytest.mark.parametrize("count", [2**20, 2**31, 2**53, 2**63 - 1])
-def test_excessive_count_is_an_error_before_allocation(small, count):
-    content = small.read_bytes()
+def edited(content, old, new):
+    """A file whose XML text is edited. Its GUID is shortened by the surplus."""
     begin, length = struct.unpack_from("<QQ", content, 24)  # of the XML text, including checksums
     logical = b"".join(content[at : at + 1020] for at in range(0, len(content), 1024))
     begin -= 4 * (begin // 1024)
     text = logical[begin : begin + length]
-    longer = text.replace(b'recordCount="300"', b'recordCount="%d"' % count)
+    longer = text.replace(old, new)
     surplus, name = len(longer) - len(text), longer.index(b'<guid type="String"><![CDATA[{') + 31
     longer = longer[:name] + longer[name + surplus :]
     logical = logical[:begin] + longer + logical[begin + length :]
     pages = b"".join(logical[at : at + 1020] + bytes(4) for at in range(0, len(logical), 1020))
-    small.write_bytes(with_checksums(bytearray(pages)))
+    return with_checksums(bytearray(pages))
+
+
+@pytest.mark.parametrize("count", [2**20, 2**31, 2**53, 2**63 - 1])
+def test_excessive_count_is_an_error_before_allocation(small, count):
+    small.write_bytes(edited(small.read_bytes(), b'recordCount="300"', b'recordCount="%d"' % count))
     tracemalloc.start()
     with pytest.raises(loom.FileError, match=f"truncated: a scan has 300 of {count} points"):
         read_e57(small)
@@ -516,3 +520,20 @@ def test_fields_that_a_cloud_cannot_store_are_named(tmp_path, rng):
     for read in (loom.read_point_cloud, loom.read_stations, lambda path: list(loom.read_e57_chunks(path))):
         with pytest.warns(UserWarning, match=lost):
             read(tmp_path / "a.e57")
+
+
+def test_points_that_take_no_bits_are_limited_by_the_size_of_the_file(tmp_path):
+    path = tmp_path / "a.e57"
+    write_raw(path, {f"cartesian{axis}": (np.full(300, 3, "q"), lambda image: libe57.IntegerNode(image, 3, 3, 4))
+                     for axis in "XYZ"})  # fmt: skip
+    small = edited(path.read_bytes(), b'maximum="4"', b'maximum="3"')
+    for count in (1 << 16, 1 << 24):
+        path.write_bytes(edited(small, b'recordCount="300"', b'recordCount="%d"' % count))
+        for read in (read_e57, lambda path: next(iter(loom.read_e57_chunks(path)))):
+            if count == 1 << 16:
+                assert len(read(path).points) == count
+            else:
+                with pytest.raises(
+                    loom.FileError, match=r"a scan of 16,777,216 points does not fit into [0-9,]+ bytes"
+                ):
+                    read(path)

@@ -275,6 +275,34 @@ def test_convert_writes_64_bit_integers_to_ply_if_none_changes(values, kind, tmp
     attributes = read_ply(tmp_path / "a.ply").attributes
     expected = {"label": (np.dtype(kind), values)} if kind else {}
     assert {name: (column.dtype, column.tolist()) for name, column in attributes.items()} == expected
+    with nullcontext() if kind else pytest.raises(FileError, match="'label': the format has no type for int64"):
+        write_ply(tmp_path / "b.ply", table)
+        assert read_ply(tmp_path / "b.ply").attributes["label"].dtype == np.dtype(kind)
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".csv", ".txt", ".pcd", ".npz", ".npy", ".vtk", ".vtp", ".las", ".laz"])
+@pytest.mark.parametrize("name", ["heat", "level"])
+def test_an_attribute_of_one_column_keeps_its_name(tmp_path, suffix, name):
+    path, values = tmp_path / f"a{suffix}", np.arange(4, dtype=np.uint16)
+    loom.write_point_cloud(path, loom.PointCloud(np.eye(4, 3), **{name: values[:, None], "pair": np.eye(4, 2)}))
+    cloud = loom.read_point_cloud(path)
+    assert np.ravel(cloud[name]).tolist() == values.tolist()
+    if suffix in (".ply", ".csv", ".txt"):
+        assert {*cloud.attributes} == {name, "pair_0", "pair_1"}
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".glb", ".vtk", ".vtp"])
+def test_mesh_attributes_of_one_column_and_of_64_bits_keep_name_and_values(tmp_path, suffix):
+    values = np.arange(3)[:, None]
+    mesh = loom.TriangleMesh(np.eye(3), [[0, 1, 2]], vertex_attributes={"heat": values})
+    mesh.triangle_attributes["part"] = values[2:]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore" if suffix == ".glb" else "error")  # glTF has no attributes of triangles
+        loom.write_triangle_mesh(tmp_path / f"a{suffix}", mesh)
+    back = loom.read_triangle_mesh(tmp_path / f"a{suffix}")
+    assert np.ravel(back.vertex_attributes["heat"]).tolist() == [0, 1, 2]
+    if suffix != ".glb":
+        assert np.ravel(back.triangle_attributes["part"]).tolist() == [2]
 
 
 TRIANGLE = [[0, 0, 0], [10, 0, 0], [0, 10, 0]], [[0, 1, 2]]
@@ -582,7 +610,7 @@ def test_attribute_name_unsupported_as_member_is_rejected(path, name):
     [
         (write_ply, {"flag": np.zeros(2, bool)}, "no type for bool"),
         (write_ply, {"größe": np.zeros(2)}, "cannot be named"),
-        (write_ply, {"a_0": np.zeros(2), "a": np.zeros((2, 1))}, "'a_0' exists already"),
+        (write_ply, {"a_0": np.zeros(2), "a": np.zeros((2, 2))}, "'a_0' exists already"),
         (write_ply, {"none": np.zeros((2, 0))}, "no components"),
         (write_ply, {name: np.zeros(2) for name in "rgb"}, "would be read as normals or colors"),
         (write_pcd, {"half": np.zeros(2, np.float16)}, "no type for float16"),

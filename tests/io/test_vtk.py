@@ -1,6 +1,8 @@
 """VTK files: every encoding of VTK's own writers, round trips, rejected files, and files of other libraries."""
 
 import itertools
+import tracemalloc
+import zlib
 
 import numpy as np
 import pytest
@@ -267,3 +269,77 @@ def test_lines_and_texts_that_are_left_out_are_named_once(tmp_path):
     text = HEAD + "FIELD FieldData 1\nauthor 1 1 string\nme\n" + SQUARE + "LINES 1 3\n2 0 1\nPOLYGONS 1 4\n3 0 1 2\n"
     with pytest.warns(UserWarning, match="left out: metadata 'author', 1 lines"):
         read_vtk_mesh(write(tmp_path / "a.vtk", text))
+
+
+LONG = "0." + "0" * 60_000  # one such word among 9,000 took 540 MB
+WORDS = " ".join(["1"] * 8_999 + [LONG])
+LONG_WORDS = {
+    "numbers.vtk": f"{HEAD}POINTS 3000 float\n{WORDS}\n",
+    "texts.vtk": f"{HEAD}FIELD f 1\nnote 1 9000 string\n" + "\n" * 8_999 + f"{LONG}\nPOINTS 1 float\n1 2 3\n",
+    "numbers.vtp": XML.replace('"3" NumberOfPolys="1"', '"3000"').replace("0 0 0 1 0 0 0 1 0", WORDS),
+    "integers.vtk": f"{HEAD}POINTS 1 float\n1 2 3\nFIELD f 1\nnote 1 9000 int\n" + "1 " * 8_999 + "0" * 60_000 + "\n",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LONG_WORDS)
+@pytest.mark.filterwarnings("ignore:.*left out")
+def test_a_long_word_does_not_multiply_the_memory(tmp_path, name):
+    path = write(tmp_path / name, LONG_WORDS[name])
+    tracemalloc.start()
+    try:
+        try:
+            loom.read_point_cloud(path)
+        except FileError as error:
+            assert "memory" not in str(error)
+        assert tracemalloc.get_traced_memory()[1] < 1 << 25
+    finally:
+        tracemalloc.stop()
+
+
+def blocks_of(raw, count=None):
+    """An array as one block of a compressed file that declares `count` bytes."""
+    body = zlib.compress(raw)
+    header = (1, len(raw) if count is None else count, 0, len(body))
+    return b"".join(number.to_bytes(4, "little") for number in header) + body
+
+
+def compressed_file(rows, field=b""):
+    """A file of one point with an attribute of `rows` bytes and a text."""
+    parts = [blocks_of(bytes(12)), blocks_of(bytes(rows)), blocks_of(field)]
+    at = np.cumsum([0, *map(len, parts)])
+    array = '<{}Array type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>'
+    text = '<VTKFile type="PolyData" compressor="vtkZLibDataCompressor"><PolyData><FieldData>'
+    text += array.format("", "String", "unit", 1, at[2]) + '</FieldData><Piece NumberOfPoints="1"><PointData>'
+    text += array.format("Data", "UInt8", "a", 1, at[1]) + "</PointData><Points>"
+    text += (
+        array.format("Data", "Float32", "p", 3, at[0]) + '</Points></Piece></PolyData><AppendedData encoding="raw">_'
+    )
+    return text.encode() + b"".join(parts) + b"</AppendedData></VTKFile>"
+
+
+def test_arrays_of_another_size_are_not_decompressed(tmp_path):
+    assert loom.read_point_cloud(write(tmp_path / "a.vtp", compressed_file(1, b"meter\0")))["a"].tolist() == [0]
+    for body in (compressed_file(1 << 27), compressed_file(1, bytes(1 << 27))):
+        path = write(tmp_path / "b.vtp", body)
+        tracemalloc.start()
+        try:
+            with pytest.raises(FileError, match="its blocks have 134217728 bytes"):
+                loom.read_point_cloud(path)
+            assert tracemalloc.get_traced_memory()[1] < 1 << 25
+        finally:
+            tracemalloc.stop()
+
+
+def test_arrays_that_share_bytes_are_rejected(tmp_path):
+    body = compressed_file(1, b"meter\0")
+    path = write(tmp_path / "a.vtp", body.replace(b"<PointData>", b"<PointData>" + 30 * (
+        b'<DataArray type="UInt8" Name="%d" NumberOfComponents="12" format="appended" offset="0"/>')
+        % (*range(30),)))  # fmt: skip
+    with pytest.raises(FileError, match="overlaps other arrays"):
+        loom.read_point_cloud(path)
+
+
+def test_more_cells_than_numbers_are_rejected(tmp_path):
+    path = write(tmp_path / "a.vtk", f"{HEAD}{SQUARE}VERTICES 9999999999 2\n1 0\n")
+    with pytest.raises(FileError, match="do not fit into 2 numbers"):
+        loom.read_point_cloud(path)

@@ -11,6 +11,7 @@ import rasterio
 
 import pointloom as loom
 from pointloom.core.units import UnitWarning
+from pointloom.pcd import geotiff
 from pointloom.pcd.contours import trace_contours
 
 EAST, NORTH = 412_300.0, 5_651_200.0
@@ -139,6 +140,20 @@ def test_damaged_files_and_other_names_are_errors(rng, tmp_path, monkeypatch):
         loom.read_raster(tmp_path / "a.png")
     monkeypatch.setitem(sys.modules, "rasterio", None)
     with pytest.raises(loom.FileError, match="needs the package rasterio"):
+        loom.read_raster(path)
+
+
+@pytest.mark.parametrize("side", [1024, 8192])
+def test_a_raster_without_blocks_takes_memory_of_its_file(tmp_path, monkeypatch, side):
+    path = tmp_path / "a.tif"
+    profile = {"driver": "GTiff", "height": side, "width": side, "count": 1, "dtype": "float32", "sparse_ok": True,
+               "tiled": True, "blockxsize": 1024, "blockysize": 1024}  # fmt: skip
+    with rasterio.open(path, "w", transform=rasterio.Affine(1, 0, 5, 0, -1, 5), **profile):
+        pass
+    if side == 1024:
+        assert loom.read_raster(path).values.shape == (side, side)
+        monkeypatch.setattr(geotiff, "_fields_of", lambda file: np.empty(1 << 58))
+    with pytest.raises(loom.FileError, match=r"a\.tif: (needs more memory|8,192 x 8,192 cells do not fit into)"):
         loom.read_raster(path)
 
 

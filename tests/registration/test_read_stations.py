@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.registration import read_control_points, read_targets
+from pointloom.registration import PositionReadings, read_control_points, read_positions, read_targets
 
 
 def test_stations_of_a_file_are_registered_with_their_names_and_poses(tmp_path, rng):
@@ -65,3 +65,19 @@ def _table(folder, text):
     path = folder / "table.csv"
     path.write_text(text)
     return path
+
+
+@pytest.mark.parametrize("row", ["4471,5{0}5261,25{0}410,1", "4471,5{0}5261{0}410", "1,004,471.5{0}2{0}3{0}0.1",
+                                 '"4471,5"{0}5261{0}410', "4,471.5{0}5,261.25{0}410.0"])  # fmt: skip
+@pytest.mark.parametrize("separator", [";", "\t", " ", "; "])
+def test_decimal_commas_are_rejected_by_every_table(tmp_path, row, separator):
+    path, row = tmp_path / "table.csv", row.format(separator)
+    for read, head in (
+        (read_control_points, "T1"),
+        (lambda path: read_targets(path, ["hall"]), f"hall{separator}T1"),
+        (PositionReadings.read, "0.5"),
+        (lambda path: read_positions(path, ["a"]), "a"),
+    ):
+        path.write_text(f"{head}{separator}{row}\n")
+        with pytest.raises(loom.FileError, match=r"table\.csv \(line 1\)"):
+            read(path)

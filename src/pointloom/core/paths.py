@@ -16,16 +16,22 @@ IN_FOLDERS = tuple(extension for extension in RECORDINGS if extension != ".bag")
 
 
 def path_of(path: object, name: str = "path") -> Path:
-    """A path with `~` and `~name` expanded. Raises `TypeError`, naming the argument, for other types."""
+    """A path with `~` and `~name` expanded. Raises `TypeError`, naming the argument, for other types, and `FileError`
+    for names that the system rejects, for which methods of `Path` raise `OSError` or `RuntimeError`."""
     text = path.__fspath__() if isinstance(path, os.PathLike) else path
     if not isinstance(text, str):
         hint = "; it comes first" if name == "path" else ""
         raise TypeError(f"{name}: expected the path of a file or folder, got a {type(path).__name__}{hint}")
     given = Path(text)
+    with contextlib.suppress(RuntimeError):  # no such user: a valid file name
+        given = given.expanduser()
     try:
-        return given.expanduser()
-    except RuntimeError:  # no such user: a valid file name
-        return given
+        given.stat()
+    except (FileNotFoundError, NotADirectoryError, ValueError):  # reported where the path is used
+        pass
+    except OSError as error:  # a long name, a loop of links, or a folder that may not be searched
+        raise FileError(given, f"cannot be accessed: {error.strerror}") from error
+    return given
 
 
 def input_path(path: Any) -> Path:

@@ -38,6 +38,20 @@ def is_float(word: str) -> bool:
     return True
 
 
+_COMMA_LIST = re.compile(r"[+-]?[\d.]*(?:,[\d.]+)+(?:e[+-]?\d+)?", re.I)
+
+
+def check_decimal_points(path: FilePath, line: int, row: str) -> None:
+    """Raise `FileError` for a number with a comma, such as 4471,5, in a row that has another separator."""
+    words = [word.strip("\"'") for word in re.split(r"[;\s]+", row.strip())]
+    has_columns = ";" in row or "\t" in row.strip()
+    for column, word in enumerate(words if len(words) > 1 else (), 1):
+        is_list = column == len(words) and word.count(",") > 1 and not has_columns  # as in `name 1,2,3`
+        if _COMMA_LIST.fullmatch(word) and not is_list:
+            remedy = "Write numbers such as 4471.5, without decimal commas and thousands separators"
+            raise FileError(path, f"expected decimal points, got {word[:40]!r}", where=f"line {line}", remedy=remedy)
+
+
 class AsciiRows:
     """The non-blank lines of a text and their numbers; `first_line` is the line number of the first line, from 1.
     Errors name the column of a table if `is_table`."""

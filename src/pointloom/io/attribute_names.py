@@ -22,8 +22,8 @@ from ..core.escaped_text import escaped
 class NameRules:
     """The names that a format allows: characters (`is_allowed`), reserved names (`used`) and bytes in UTF-8
     (`max_bytes`).
-    `roles` are tuples of names with another meaning if all are present. `in_parts` writes an attribute (n, c) as
-    `name_0`, ... `instead` gives alternative names for attributes whose values do not fit under their own."""
+    `roles` are tuples of names with another meaning if all are present. `in_parts` writes an attribute (n, c) with
+    `split_columns`. `instead` gives alternative names for attributes whose values do not fit under their own."""
 
     is_allowed: Callable[[str], bool]
     used: Collection[str] = ()
@@ -86,7 +86,13 @@ def rename(
 def _parts(name: str, values: NDArray[Any], rules: NameRules) -> set[str]:
     if not rules.in_parts or values.ndim < 2:
         return {name}
-    return {f"{name}_{k}" for k in range(values.shape[1])}
+    return {*split_columns(name, values)}
+
+
+def split_columns(name: str, values: NDArray[Any]) -> dict[str, NDArray[Any]]:
+    """The columns of an attribute (n,) or (n, c) by name: `name_0`, `name_1`, ..., or `name` if there is only one."""
+    columns = {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
+    return {name: next(iter(columns.values()))} if len(columns) == 1 else columns
 
 
 def _is_taken(parts: Iterable[str], used: set[str], rules: NameRules) -> bool:

@@ -166,6 +166,12 @@ def check_types(path: FilePath, attributes: dict[str, NDArray[Any]], allowed: st
         raise FileError(path, "; ".join(reasons), remedy=f"{remedy}, or pass drop_unsupported=True")
 
 
+def narrow_attributes(attributes: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    """The attributes with 64-bit integers in smaller types where this is lossless."""
+    narrow = {name: (values, narrow_integers(values)) for name, values in attributes.items()}
+    return {name: values if narrowed is None else narrowed for name, (values, narrowed) in narrow.items()}
+
+
 def narrow_integers(values: NDArray[Any]) -> NDArray[Any] | None:
     """64-bit integers as 32 bits or float64 if lossless, else None. Other values unchanged."""
     if values.dtype.kind not in "iu" or values.dtype.itemsize < 8:

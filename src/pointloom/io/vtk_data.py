@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -115,6 +115,12 @@ def _take(given: OtherGeometry, data: VtkData) -> None:
 
 def _floats(values: NDArray[Any] | None) -> NDArray[np.float32] | None:
     return None if values is None else numbers_as(values, np.dtype(np.float32))
+
+
+def parse_numbers(words: Sequence[bytes], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Words as numbers of a type. Raises ValueError or OverflowError. The longest word does not affect the memory."""
+    wide, parse = (np.float64, float) if dtype.kind == "f" else (np.uint64 if dtype == "u8" else np.int64, int)
+    return numbers_as(np.fromiter(map(parse, words), wide, len(words)), dtype)
 
 
 def numbers_as(values: NDArray[Any], dtype: np.dtype[Any]) -> NDArray[Any]:

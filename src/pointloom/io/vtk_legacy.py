@@ -18,12 +18,13 @@ from ..core.errors import FileError
 from ..core.to_other_libraries import COLORS, NORMALS, UVS
 from .ascii_rows import write_rows
 from .source import open_source
-from .vtk_data import KINDS, LEGACY_TYPES, Cells, VtkData, check_data, numbers_as
+from .vtk_data import KINDS, LEGACY_TYPES, Cells, VtkData, check_data, parse_numbers
 
 _HEAD = re.compile(rb"# vtk DataFile Version (\d)\.(\d)\s*\n([^\n]{0,512})\n\s*(ASCII|BINARY)\s*\n", re.IGNORECASE)
 _KEYWORDS = {"VERTICES": "vertices", "LINES": "lines", "POLYGONS": "polygons", "TRIANGLE_STRIPS": "strips"}
 _CELL_KINDS = {1: "vertices", 2: "vertices", 3: "lines", 4: "lines", 5: "polygons", 7: "polygons", 9: "polygons"}
 _MAX_DIGITS = 19  # of a count
+_WORD_BYTES = 16  # of a typical number and its separator
 _TITLE = "pointloom"
 
 
@@ -113,17 +114,25 @@ class _Reader:
             return np.frombuffer(self.body, dtype.newbyteorder(">"), count, end).astype(dtype)
         if 2 * count > len(self.body) - self.at + 1:
             raise self._error(f"is truncated: {count} numbers do not fit into {len(self.body) - self.at} bytes")
-        words = self.body[self.at :].split(None, count)
-        if len(words) < count:
-            raise self._error(f"is truncated: {count} numbers are expected, but {len(words)} are left")
-        self.at = len(self.body) - (len(words[count]) if len(words) > count else 0)
-        if not count:
-            return np.empty(0, dtype)
-        wide = np.float64 if dtype.kind == "f" else np.uint64 if dtype == np.uint64 else np.int64
         try:
-            return numbers_as(np.array(words[:count]).astype(wide), dtype)
+            return parse_numbers(self._words(count), dtype)
         except (ValueError, OverflowError) as error:
             raise self._error(f"a value is not a number of the type {kind}") from error
+
+    def _words(self, count: int) -> list[bytes]:
+        """The next `count` words. Only the bytes near them are copied, so that many arrays take linear time."""
+        size, words = _WORD_BYTES * (count + 1), []
+        while count and len(words) <= count:
+            part = self.body[self.at : self.at + size]
+            words = part.split(None, count)
+            if self.at + size >= len(self.body):
+                break
+            size *= 2
+        if len(words) < count:
+            raise self._error(f"is truncated: {count} numbers are expected, but {len(words)} are left")
+        if count:
+            self.at += len(part) - (len(words[count]) if len(words) > count else 0)
+        return words[:count]
 
     def _points(self) -> None:
         count, kind = self._count(), self._type()
@@ -143,6 +152,8 @@ class _Reader:
                 raise self._error("the offsets of the cells are damaged")
             return Cells(lengths, points)
         rows = self._numbers(size, "int").astype(np.int64)
+        if count > size:
+            raise self._error(f"the {count} cells do not fit into {size} numbers")
         lengths, is_point, at = np.empty(count, np.int64), np.ones(size, bool), 0
         if count and size % count == 0 and (rows[:: size // count] == size // count - 1).all():
             lengths[:], is_point[:: size // count] = size // count - 1, False
@@ -238,7 +249,7 @@ class _Reader:
                 raise self._error("is truncated in a text")
             texts.append(unquote(self.body[self.at : end].decode("utf-8", "replace")))
             self.at = end + 1
-        return np.array(texts, str)
+        return np.array(texts, str if len(texts) == 1 else object)  # a str array has the width of the longest text
 
     def _string(self) -> str:
         """A text after its length, whose first two bits are the number of bytes of the length."""

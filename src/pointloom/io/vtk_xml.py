@@ -19,9 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
+from ..core.other_geometry import CRS, UNIT
 from ..core.to_other_libraries import NORMALS, UVS
 from .source import open_source
-from .vtk_data import KINDS, Cells, VtkData, check_data, numbers_as
+from .vtk_data import KINDS, Cells, VtkData, check_data, parse_numbers
 from .xml_elements import LimitedBuilder
 
 _XML_TYPES = {
@@ -34,6 +35,8 @@ _COMPRESSORS: dict[str, Callable[..., Any]] = {
     "vtkLZMADataCompressor": lzma.LZMADecompressor,
 }
 _CELLS = dict(zip(("Verts", "Lines", "Polys", "Strips"), KINDS, strict=True))
+_VISIBLE = re.compile(rb"\S")
+_MAX_TEXT = 1 << 20  # [B] of a unit or a coordinate system: the longest WKT texts have some 10,000
 _APPENDED = re.compile(rb"<AppendedData\s+encoding\s*=\s*[\"'](raw|base64)[\"']\s*>\s*_")
 
 
@@ -68,6 +71,7 @@ class _Reader:
             what = compressor or self.root.get("header_type")
             raise FileError(path, f"{what} is not supported", remedy="Write it with zlib, or without compression")
         self.decompressor = _COMPRESSORS[compressor] if compressor else None
+        self.unread = len(self.appended)  # bytes of the appended data that no array has used
 
     def read(self) -> VtkData:
         pieces = self.root.findall("./PolyData/Piece")
@@ -118,37 +122,40 @@ class _Reader:
         return Cells(lengths, self._array(arrays["connectivity"], int(ends[-1]), 1)[:, 0].astype(np.int64))
 
     def _field(self, element: ET.Element) -> Any:
-        """A text, or None for other values, which pointloom does not store."""
-        if element.get("type") != "String":
+        """A unit or a coordinate system, or None for other values, which pointloom does not store."""
+        if element.get("type") != "String" or element.get("Name") not in (UNIT, CRS):
             return None
-        codes = self._values(element, np.dtype("u1")).tobytes()
+        codes = self._values(element, np.dtype("u1"), _MAX_TEXT).tobytes()
         return codes.rstrip(b"\0").decode("utf-8", "replace")
 
     def _array(self, element: ET.Element, rows: int, width: int) -> NDArray[Any]:
         kind = element.get("type", "")
         if kind not in _XML_TYPES:
             raise FileError(self.path, f"the type {kind[:40]!r} is not supported")
-        values = self._values(element, np.dtype(_XML_TYPES[kind]))
+        dtype = np.dtype(_XML_TYPES[kind])
+        values = self._values(element, dtype, rows * width * dtype.itemsize)
         if len(values) != rows * width:
             name = element.get("Name", "")[:60]
             raise FileError(self.path, f"{name!r}: expected {rows} x {width} numbers, got {len(values)}")
         return values.reshape(rows, width)
 
-    def _values(self, element: ET.Element, dtype: np.dtype[Any]) -> NDArray[Any]:
+    def _values(self, element: ET.Element, dtype: np.dtype[Any], max_bytes: int) -> NDArray[Any]:
+        """The numbers of an array, which is not decompressed if it declares more than `max_bytes`."""
         format, name = element.get("format"), element.get("Name", "")[:60]
         try:
             if format == "ascii":
-                words = np.array((element.text or "").split(), "S")
-                wide = words.astype(np.float64 if dtype.kind == "f" else np.uint64 if dtype == "u8" else np.int64)
-                return numbers_as(wide, dtype)
+                return parse_numbers((element.text or "").encode().split(), dtype)
             if format == "appended":
                 begin = self._count(element, "offset")
-                data = _Stream(self.appended[begin:] if self.is_raw else _base64(self.appended[begin:]), self.is_raw)
+                data = _Stream(self.appended if self.is_raw else _Base64(self.appended, begin), begin * self.is_raw)
             elif format == "binary":
-                data = _Stream(_base64((element.text or "").encode()), False)
+                data = _Stream(_Base64((element.text or "").encode(), 0), 0)
             else:
                 raise ValueError(f"the format {format!r} is not supported")
-            body = self._decompressed(data) if self.decompressor else data.take(self._header(data, 1)[0])
+            body = self._decompressed(data, max_bytes) if self.decompressor else data.take(self._header(data, 1)[0])
+            self.unread -= data.count if format == "appended" else 0
+            if self.unread < 0:
+                raise ValueError("it overlaps other arrays")
         except (ValueError, OverflowError, zlib.error, lzma.LZMAError, EOFError) as error:
             raise FileError(self.path, f"the array {name!r} is damaged: {error}") from error
         if len(body) % dtype.itemsize:
@@ -159,13 +166,15 @@ class _Reader:
         raw = data.take(count * self.header.itemsize)
         return [int(value) for value in np.frombuffer(raw, self.header.newbyteorder(self.order))]
 
-    def _decompressed(self, data: _Stream) -> bytes:
-        """The joined blocks. Their number, size, last size and compressed sizes come first."""
+    def _decompressed(self, data: _Stream, max_bytes: int) -> bytes:
+        """The joined blocks. Their number, size, last size and compressed sizes come first and are checked first."""
         (blocks,) = self._header(data, 1)
         if blocks == 0:
             return b""
         size, last = self._header(data, 2)
         stored = self._header(data, blocks)
+        if (declared := (blocks - bool(last)) * size + last) > max_bytes:
+            raise ValueError(f"its blocks have {declared} bytes, expected {max_bytes}")
         data.end_header()
         parts = []
         for number, length in enumerate(stored):
@@ -179,16 +188,17 @@ class _Reader:
 
 
 class _Stream:
-    """Bytes that are taken from the front. In base64, the header of compressed blocks is encoded apart from them."""
+    """Bytes that are taken in order, from `at`. In base64, the header of compressed blocks is encoded separately."""
 
-    def __init__(self, body: bytes | _Base64, is_raw: bool):
-        self.body, self.is_raw, self.at = body, is_raw, 0
+    def __init__(self, body: bytes | _Base64, at: int):
+        self.body, self.at, self.count = body, at, 0
 
     def take(self, count: int) -> bytes:
         part = self.body[self.at : self.at + count]
         if len(part) < count:
             raise ValueError(f"{count - len(part)} bytes are missing")
         self.at += count
+        self.count += count
         return part
 
     def end_header(self) -> None:
@@ -197,25 +207,22 @@ class _Stream:
 
 
 class _Base64:
-    """Base64 text whose bytes are decoded when they are taken."""
+    """Base64 text from a position, whose bytes are decoded when they are taken."""
 
-    def __init__(self, text: bytes):
-        self.text = text
+    def __init__(self, text: bytes, begin: int):
+        found = _VISIBLE.search(text, begin)
+        self.text, self.begin = text, len(text) if found is None else found.start()
 
     def __getitem__(self, part: slice) -> bytes:
         first = part.start // 3
-        encoded = self.text[4 * first : 4 * (-(-part.stop // 3))]
+        encoded = self.text[self.begin + 4 * first : self.begin + 4 * (-(-part.stop // 3))].rstrip()
         end = encoded.find(b"=")
         encoded = encoded if end < 0 else encoded[: 4 * (end // 4 + 1)]
         return base64.b64decode(encoded, validate=True)[part.start - 3 * first : part.stop - 3 * first]
 
     def after(self, count: int) -> _Base64:
-        """The text after `count` bytes, which were encoded apart."""
-        return _Base64(self.text[4 * (-(-count // 3)) :])
-
-
-def _base64(text: bytes) -> _Base64:
-    return _Base64(text.strip())
+        """The text after `count` bytes, which were encoded separately."""
+        return _Base64(self.text, self.begin + 4 * (-(-count // 3)))
 
 
 def write_xml(file: IO[bytes], data: VtkData) -> None:

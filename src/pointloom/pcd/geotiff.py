@@ -22,6 +22,7 @@ ENDINGS = (".tif", ".tiff")
 FILLED = "filled"  # description of the second band
 NO_GEOREFERENCE = "has no georeference"
 MAX_STRETCH = 1e-6  # relative difference of width and height of a cell: 1e-3 cells over 1,000 rows, as MAX_SHIFT
+MAX_SMALL, MAX_CELLS_PER_BYTE = 1 << 22, 4096  # missing blocks take no bytes, zlib stores at most 1,032 cells of a byte
 _VALUE_BANDS = {"dtype": "float32", "count": 2, "predictor": 3, "interleave": "band"}
 _IMAGE_BANDS = {
     "dtype": "uint8", "count": 4, "predictor": 2, "interleave": "pixel", "photometric": "RGB",
@@ -99,6 +100,8 @@ def read_geotiff(path: FilePath) -> dict[str, Any]:
             return _fields_of(file)
     except rasterio.errors.NotGeoreferencedWarning as error:  # if warnings are errors
         raise FileError(path, NO_GEOREFERENCE) from error
+    except MemoryError as error:
+        raise FileError(path, "needs more memory than is available", remedy="Read parts of it") from error
     except (rasterio.errors.RasterioError, OSError, ValueError) as error:
         if isinstance(error, FileError):
             raise
@@ -111,8 +114,16 @@ def _check_layout(path: Path, file: Any) -> None:
         raise FileError(path, f"expected one band, got {file.count}", remedy=remedy)
     if np.issubdtype(file.dtypes[0], np.complexfloating):
         raise FileError(path, f"expected real values, got {file.dtypes[0]}")
-    if file.width * file.height > MAX_CELLS:
+    cells, size = file.width * file.height, path.stat().st_size
+    if cells > MAX_CELLS:
         raise FileError(path, f"{file.width:,} x {file.height:,} cells are more than 2^28", remedy="Read parts of it")
+    if cells > max(MAX_SMALL, MAX_CELLS_PER_BYTE * size):
+        reason = (
+            f"{file.width:,} x {file.height:,} cells do not fit into {size:,} bytes: most of its blocks are missing"
+        )
+        raise FileError(
+            path, reason, remedy="Write all blocks, as in gdal_translate -co SPARSE_OK=FALSE in.tif out.tif"
+        )
     a, b, c, d, e, f = tuple(file.transform)[:6]
     if file.transform.is_identity:
         raise FileError(path, NO_GEOREFERENCE)

@@ -493,3 +493,13 @@ def test_files_that_are_no_images_are_rejected(tmp_path, content):
 def test_other_arrays_are_refused_by_name(array, error):
     with pytest.raises(error, match="image:"):
         take_photo(array)
+
+
+def test_a_network_of_an_input_beyond_all_published_ones_is_rejected(tmp_path, monkeypatch):
+    path = linear(tmp_path / "a.onnx", size=(100_002, 100_002))
+    with pytest.raises(loom.FileError, match=r"a\.onnx.*100002 x 100002 pixels, which is more than 16,777,216"):
+        DepthModel(path)
+    model = DepthModel(linear(tmp_path / "b.onnx", size=(28, 28)))
+    monkeypatch.setattr(network, "prepare", lambda *_: np.empty(1 << 58))
+    with pytest.raises(loom.FileError, match=r"b\.onnx: needs more memory than is available for an input of 28 x 28"):
+        model.run(image_of((28, 28)))

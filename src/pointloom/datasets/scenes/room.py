@@ -10,7 +10,6 @@ import functools
 import math
 import shutil
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from ...core.atomic import part_name
 from ...core.checks import check_count, check_fraction, check_list, check_number, check_rigid, check_rows
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
 from ...io.frames.datasets import Frame
 from ...io.images.image_files import write_png
 from ...kernels.lang import current_cpu_compiler, uint8, vec3d
@@ -299,7 +299,7 @@ def write_room_sequence(
     device: DeviceLike = "cpu",
 ) -> None:
     """Write the noisy frames of the room atomically as a folder in the 7-Scenes layout with camera-intrinsics.json."""
-    folder = Path(folder)
+    folder = path_of(folder, "folder")
     if folder.exists():
         raise FileError(folder, "exists already", remedy="Give the name of a new folder")
     if not folder.absolute().parent.is_dir():

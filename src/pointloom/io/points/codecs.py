@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from ...core.devices import DeviceLike
 from ...core.errors import FilePath
 from ..attribute_names import NameRules, rename
-from ..columns import has_type, narrow_integers
+from ..columns import has_type, narrow_attributes
 from ..file_formats import CloudCodec
 from ..source import netted
 from ..table import PointTable
@@ -61,9 +61,7 @@ def _ply_names(_path: FilePath, table: PointTable) -> NameRules:
 
 def _storable_in_ply(path: FilePath, table: PointTable) -> Storable:
     """The table with 64-bit integers in types that PLY supports."""
-    narrowed = {name: (narrow_integers(values), values) for name, values in table.attributes.items()}
-    attributes = {name: values if narrow is None else narrow for name, (narrow, values) in narrowed.items()}
-    return _of_types(ply.TYPES, path, replace(table, attributes=attributes))
+    return _of_types(ply.TYPES, path, replace(table, attributes=narrow_attributes(table.attributes)))
 
 
 def _of_types(types: str, _path: FilePath, table: PointTable) -> Storable:

@@ -23,6 +23,7 @@ from ...core.coordinates import quiet
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.joined_parts import common_names
+from ...core.paths import path_of
 from ...core.quaternions import quaternions_to_rotations
 from ...core.units import METRE
 from ..columns import stack_colors, stack_normals, warn_of_loss
@@ -33,6 +34,7 @@ from ..table import PointTable
 from .header_units import crs_of_text
 
 POINTS_PER_BLOCK = 1 << 18  # points unpacked at a time
+_MAX_SMALL, _MAX_PER_BYTE = 1 << 16, 8  # points: a coordinate takes at least a bit, unless all are equal and take none
 
 CARTESIAN: tuple[str, ...] = ("cartesianX", "cartesianY", "cartesianZ")
 _SPHERICAL: tuple[str, ...] = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
@@ -272,6 +274,7 @@ def _blocks_of(
 ) -> Iterator[dict[str, NDArray[Any]]]:
     """Views of blocks of at most `size` rows. Raises `FileError` at the end if rows are missing."""
     libe57, count = _libe57(), vector.childCount()
+    byte_count = path_of(path).stat().st_size
     blocks = {name: np.empty(min(count, size), dtype) for name, dtype in wanted.items()}
     if not count:
         return
@@ -287,6 +290,8 @@ def _blocks_of(
             if not added:
                 break
             row_count += added
+            if row_count > max(_MAX_SMALL, _MAX_PER_BYTE * byte_count):
+                raise FileError(path, f"a scan of {count:,} points does not fit into {byte_count:,} bytes")
             yield {name: block[:added] for name, block in blocks.items()}
     finally:
         reader.close()

@@ -20,7 +20,7 @@ from ...core.coordinates import finite_box, quiet, warn_if_rounded
 from ...core.errors import FileError, FilePath
 from ...core.units import DEGREE
 from ...pcd.las_attributes import with_scan_angles
-from ..attribute_names import NameRules
+from ..attribute_names import NameRules, split_columns
 from ..columns import stack_colors
 from ..optional_imports import foreign_errors, import_for
 from ..table import PointTable
@@ -158,7 +158,7 @@ def unstorable_in_las(path: FilePath, table: PointTable) -> dict[str, str]:
             reason = _why_unfit(values, standard[name])
         else:
             reason = _why_no_extra(name, values, used_names)
-            used_names |= {*_split(name, values)}
+            used_names |= {*split_columns(name, values)}
         if reason:
             lost[name] = reason
     return lost
@@ -192,16 +192,12 @@ def _why_no_extra(name: str, values: NDArray[Any], used_names: set[str]) -> str:
         return f"is of type {values.dtype}, which LAS does not have"
     if values.ndim == 2 and not values.shape[1]:
         return "has no components"
-    for part in _split(name, values):
+    for part in split_columns(name, values):
         if part in used_names:
             return f"cannot be stored: LAS uses the name {part!r} for something else"
         if not part.isprintable() or not 0 < len(part.encode()) <= _MAX_NAME_BYTES:
             return f"cannot be named in LAS, which takes {_MAX_NAME_BYTES} bytes of printable characters"
     return ""
-
-
-def _split(name: str, values: NDArray[Any]) -> dict[str, NDArray[Any]]:
-    return {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
 
 
 def _is_new(table: PointTable) -> bool:
@@ -224,7 +220,7 @@ def _extra_columns(table: PointTable, standard: set[str]) -> dict[str, NDArray[A
         columns |= dict(zip(NORMALS, table.normals.T, strict=True))
     for name, values in table.attributes.items():
         if name not in standard:
-            columns |= _split(name, values)
+            columns |= split_columns(name, values)
     return columns
 
 

@@ -18,13 +18,14 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
 from ...core.errors import FileError, FilePath
 from ..ascii_rows import CHUNK_ROWS, write_rows
-from ..attribute_names import NameRules, is_word
+from ..attribute_names import NameRules, is_word, split_columns
 from ..columns import (
     check_extent,
     check_name,
     check_types,
     colors_or_loss,
     colors_to_bytes,
+    narrow_attributes,
     own,
     stack_colors,
     stack_normals,
@@ -377,10 +378,11 @@ def _vertex_columns(
         columns |= dict(zip(_NORMALS, normals.T, strict=True))
     if colors is not None:
         columns |= dict(zip(_COLORS[0], colors_to_bytes(path, colors).T, strict=True))
+    attributes = narrow_attributes(attributes)
     check_types(path, attributes, TYPES, _TYPE_REMEDY)
     for name, values in attributes.items():
         check_name(path, name)
-        parts = {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
+        parts = split_columns(name, values)
         clash = sorted(parts.keys() & columns.keys())
         if clash:
             raise FileError(path, f"attribute {name!r}: the property {clash[0]!r} exists already", remedy="Rename it")

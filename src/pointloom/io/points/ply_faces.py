@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError, FilePath
-from ..attribute_names import NameRules, is_word
-from ..columns import check_name, check_types, colors_or_loss, colors_to_bytes, own, warn_of_loss
+from ..attribute_names import NameRules, is_word, split_columns
+from ..columns import check_name, check_types, colors_or_loss, colors_to_bytes, narrow_attributes, own, warn_of_loss
 from .ply_header import TYPE_NAMES, PlyHeader
 from .ply_rows import Column, ListColumn
 
@@ -112,11 +112,11 @@ def attribute_columns(
         columns |= dict(zip(_COLORS, rgb.T, strict=True))
         if colors.shape[1] == 4:
             columns[_ALPHA] = colors_to_bytes(path, colors[:, [3, 3, 3]])[:, 0]
-    others = {name: values for name, values in attributes.items() if name != "colors"}
+    others = narrow_attributes({name: values for name, values in attributes.items() if name != "colors"})
     check_types(path, others, types, remedy)
     for name, values in others.items():
         check_name(path, name)
-        parts = {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
+        parts = split_columns(name, values)
         used = (*_CORNERS, *_TEXTURE, "colors")
         clash = sorted(part for part in parts if part in columns or part in used)
         if clash:

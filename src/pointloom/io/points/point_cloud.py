@@ -320,7 +320,7 @@ def write_point_cloud(
 
     Args:
         path: The file (formats: docs/files.md). A .csv (commas) or .txt (blanks) has a header and all attributes; an
-            attribute (n, c) has columns name_0, name_1, ...
+            attribute (n, c) with c > 1 has columns name_0, name_1, ...
         cloud: The cloud. Or one of another library, see `from_any`.
         ascii: Write text instead of binary, for formats of either encoding, such as .ply.
         overwrite: Replace an existing file.

@@ -19,7 +19,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_list, shown
 from ...core.errors import FileError, FilePath
 from ..ascii_rows import AsciiRows, is_number, row_format, unix_lines, write_rows
-from ..attribute_names import NameRules
+from ..attribute_names import NameRules, split_columns
 from ..columns import stack_colors, stack_normals
 from ..source import open_source
 from ..table import PointTable
@@ -88,7 +88,7 @@ def write_text_table(path: FilePath, table: PointTable, *, overwrite: bool = Tru
     for names, values in ((NORMAL, table.normals), (tuple(name.title() for name in _FRACTIONS), table.colors)):
         columns |= {} if values is None else dict(zip(names, values.T, strict=True))
     for name, values in table.attributes.items():
-        columns |= {name: values} if values.ndim == 1 else {f"{name}_{k}": part for k, part in enumerate(values.T)}
+        columns |= split_columns(name, values)
     separator, values = "," if path.suffix.lower() == ".csv" else " ", [*columns.values()]
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(f"{separator.join(columns)}\n".encode())

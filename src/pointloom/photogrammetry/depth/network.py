@@ -196,6 +196,9 @@ def _check_fixed(path: str, where: str, preset: Preset, rows: int | None, column
         other = next((each.name for each in NETWORK_PRESETS.values() if (rows, columns) in each.fixed), None)
         remedy = NOT_THE_MODEL if other is None else f"{NOT_THE_MODEL}; {other} has this size"
         raise FileError(path, reason, where=where, remedy=remedy)
+    if (rows or 1) * (columns or 1) > MAX_FIXED:
+        reason = f"has an input of {rows or 'any'} x {columns or 'any'} pixels, which is more than {MAX_FIXED:,}"
+        raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
     for side in (rows, columns):
         if side is not None and side % preset.multiple:
             reason = f"expected sides that are multiples of {preset.multiple} for {preset.name}, got {side}"
@@ -229,6 +232,7 @@ def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
     return selected
 
 
+MAX_FIXED = 1 << 24  # [px] 100 times the inputs of the largest published networks take gigabytes for a small file
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
 MAX_THREADS = 1024
 FATAL_LOG_LEVEL = 4  # minimum severity of onnxruntime's stderr log. Errors are raised as exceptions too
@@ -316,7 +320,13 @@ class DepthModel:
 
     def _read(self, image: NDArray[np.uint8], camera: PinholeCameraIntrinsic, *, is_known: bool) -> Reading:
         placement = self._placement(*image.shape[:2])
-        values = prepare(self._preset, image, placement)
+        try:
+            values = prepare(self._preset, image, placement)
+        except MemoryError as error:
+            reason = (
+                f"needs more memory than is available for an input of {placement.rows} x {placement.columns} pixels"
+            )
+            raise FileError(self.path, reason, remedy="Give a smaller image, or another network") from error
         signature = self._signature
         batch = values[(None,) * (2 if signature.has_views else 1)].astype(TYPES[signature.type])
         numbers = {name: np.array(number, np.int64).reshape(shape) for name, number, shape in signature.numbers}

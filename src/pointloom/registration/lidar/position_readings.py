@@ -12,7 +12,7 @@ from ...cameras.trajectory import read_trajectory
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape, shown
 from ...core.errors import FileError, FilePath
 from ...core.time_checks import check_seconds
-from ...io.ascii_rows import is_float
+from ...io.ascii_rows import check_decimal_points, is_float
 
 Array = NDArray[np.float64]
 
@@ -104,7 +104,10 @@ class PositionReadings:
         Raises:
             FileError: Unreadable, a malformed line, or values as of the class.
         """
-        lines = [(number, " ".join(words).replace(",", " ").split()) for number, words in read_lines(path)]
+        lines = read_lines(path)
+        for number, words in lines:
+            check_decimal_points(path, number, " ".join(words))
+        lines = [(number, " ".join(words).replace(",", " ").split()) for number, words in lines]
         lines = lines[1:] if lines and not is_float(lines[0][1][0]) else lines
         width = len(lines[0][1]) if lines else 0
         if width == TUM_WIDTH:

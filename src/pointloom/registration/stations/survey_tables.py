@@ -10,7 +10,7 @@ from ...core.checks import check_list, check_name
 from ...core.errors import FileError, FilePath
 from ...core.paths import input_path, path_of
 from ...core.wording import few_of
-from ...io.ascii_rows import is_float
+from ...io.ascii_rows import check_decimal_points, is_float
 from .observations import ControlPoint, TargetObservation
 
 _SEPARATOR = re.compile(r"[;,\t]")
@@ -22,8 +22,8 @@ def read_targets(path: FilePath, names: Sequence[str]) -> list[TargetObservation
 
     Args:
         path: Rows of station, target name, x, y, z and optionally a standard deviation [m]. A station is a name or a
-            number from 0. Columns are separated by commas, semicolons, tabs or spaces. Lines with # and a header are
-            skipped.
+            number from 0. Columns are separated by commas, semicolons, tabs or spaces; numbers have decimal points.
+            Lines with # and a header are skipped.
         names: Names of the stations, as of `loom.read_stations`.
 
     Returns:
@@ -100,6 +100,7 @@ def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tupl
     for line, row in enumerate(text.splitlines(), start=1):
         if not row.strip() or row.lstrip().startswith("#"):
             continue
+        check_decimal_points(path, line, row)
         fields = [field.strip() for field in (_SEPARATOR.split(row) if _SEPARATOR.search(row) else row.split())]
         while fields and not fields[-1]:
             fields.pop()

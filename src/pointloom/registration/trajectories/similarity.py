@@ -25,6 +25,7 @@ from ...core.errors import FileError
 from ...core.matched_counts import why_few_matched
 from ...core.paths import path_of
 from ...core.reports import AssessedRecord, failed
+from ...io.ascii_rows import check_decimal_points
 from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import det, matmul, norm
 from ..rigid import fit_pose, scale_of
@@ -325,6 +326,7 @@ def _named_positions(
     positions: dict[str, NDArray[np.float64]] = {}
     images = ImageNames(names)
     for number, columns in lines:
+        check_decimal_points(path, number, " ".join(columns))
         words = " ".join(columns).replace(",", " ").split()
         if len(words) < 4:
             reason = f"expected a name and three numbers, got {len(words)} columns"
