@@ -271,3 +271,9 @@ def test_attributes_that_arrays_depend_on_cannot_be_assigned(make, names):
     for name in names:
         with pytest.raises(AttributeError, match=name):
             setattr(made, name, getattr(made, name))
+
+
+@pytest.mark.parametrize("value", [1 + 2j, np.complex128(1), np.complex64(1 + 2j), np.array(1 + 2j)])
+def test_complex_numbers_are_not_real_numbers(value):
+    with pytest.raises(TypeError, match="params: expected a"):
+        loom.CameraModel("PINHOLE", 64, 48, [value, 5, 32, 24])

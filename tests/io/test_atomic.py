@@ -533,3 +533,10 @@ def test_a_name_without_extension_is_written_or_the_error_lists_the_extensions(n
         assert (path.read_bytes() == b"old") if exists else not path.exists()
     else:
         assert path.stat().st_size
+
+
+def test_an_error_of_numpy_without_a_reason_of_the_system_names_the_file(tmp_path):
+    match = r"a\.npy: cannot be written: 20000 requested and 130 written"
+    with pytest.raises(loom.FileError, match=match), atomic_write(tmp_path / "a.npy"):
+        raise OSError("20000 requested and 130 written")
+    assert list(tmp_path.iterdir()) == []

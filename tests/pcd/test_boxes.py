@@ -372,3 +372,14 @@ def test_the_center_of_many_lines_far_from_the_origin_is_exact(rng):
     both = red + red
     assert both.lines.tolist() == [[0, 1], [2, 3]] and both.colors.tolist() == [[1, 0, 0]] * 2
     assert (red + plain).colors is None and len((plain + plain).points) == 4
+
+
+@pytest.mark.parametrize("pairs", [[[0.5, 1.7]], [[np.nan, 1]], np.array([[2**64 - 1, 0]], np.uint64), [[0, 3]]])
+def test_pairs_of_lines_are_indices(pairs):
+    cloud = loom.PointCloud(np.eye(3))
+    with pytest.raises(ValueError, match="correspondences: expected"):
+        loom.LineSet.create_from_point_cloud_correspondences(cloud, cloud, pairs)
+    with pytest.raises(ValueError, match="lines: expected indices"):
+        loom.LineSet(np.eye(3), pairs)
+    with pytest.raises(ValueError, match="colors: expected"):
+        loom.LineSet(np.eye(3), [[0, 1]], [[np.nan, 0, 0]])

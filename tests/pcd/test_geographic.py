@@ -140,3 +140,14 @@ def test_coordinates_outside_the_zone_are_rejected():
         from_utm(np.array([[8.25, 47.5, 400.0]]) * 1e6, 32632)
     with pytest.raises(ValueError, match="epsg:"):
         utm(np.zeros((1, 3)), 25832)
+
+
+@pytest.mark.parametrize(("latitude", "longitude", "zone"), [
+    (60.4, 5.3, 32), (56, 3, 32), (63.9, 11.9, 32), (55.9, 5.3, 31), (64, 5.3, 31), (60.4, 2.9, 31), (60.4, 12, 33),
+    (78, 8.9, 31), (78.2, 9, 33), (78.2, 20.9, 33), (78.2, 21, 35), (78, 33, 37), (78, 41.9, 37), (78, 42, 38),
+    (71.9, 9, 32), (78, -0.1, 30), (-60.4, 5.3, 31), (0, 179.9, 60), (0, -180, 1),
+])  # fmt: skip
+def test_zones_have_the_exceptions_of_norway(latitude, longitude, zone):
+    assert loom.WorldFrame(latitude, longitude).epsg == (32600 if latitude >= 0 else 32700) + zone
+    cloud = loom.PointCloud([[longitude, latitude, 1.0]], unit="degree")
+    assert loom.project_to_utm(cloud).crs.epsg == loom.WorldFrame(latitude, longitude).epsg

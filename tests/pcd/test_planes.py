@@ -374,3 +374,10 @@ def test_a_plane_of_few_points_is_reported(device, rng):
             call()
     with pytest.warns(loom.UnitWarning, match="none has 100 points"):
         cloud.segment_planes(0.001)
+
+
+def test_a_distance_beyond_the_cloud_warns_for_one_plane_and_for_several(rng, device):
+    cloud = loom.PointCloud(rng.random((500, 3)), device=device)
+    for search in (cloud.segment_plane, cloud.segment_planes):
+        with pytest.warns(UserWarning, match="distance_threshold: 100 m exceeds the extent.*assigned to one plane"):
+            search(100.0)

@@ -199,8 +199,8 @@ def _raise_write_error(path: Path, error: BaseException, failed: BaseException |
     if failed is not None and not isinstance(failed, Exception) and isinstance(error, Exception):
         raise failed
     cause = error if isinstance(error, OSError) else failed
-    if isinstance(cause, OSError) and cause.strerror:
-        raise FileError(path, f"cannot be written: {cause.strerror}") from error
+    if isinstance(cause, OSError):  # NumPy's have no strerror
+        raise FileError(path, f"cannot be written: {cause.strerror or cause}") from error
 
 
 def part_name(path: Path, ending: str = "part") -> Path:

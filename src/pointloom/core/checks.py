@@ -188,6 +188,8 @@ def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infini
     """A real number, finite by default. Booleans, strings and arrays raise `TypeError`."""
     if isinstance(value, bool | np.bool_ | str | bytes | bytearray) or getattr(value, "ndim", 0):
         raise TypeError(f"{name}: expected a number, got {shown(value)}")
+    if getattr(getattr(value, "dtype", None), "kind", "") == "c":  # NumPy drops the imaginary part
+        raise TypeError(f"{name}: expected a real number, got {shown(value)}")
     if getattr(value, "requires_grad", False) is True:  # torch warns, and drops the gradient
         raise TypeError(f"{name}: expected a number, got {unreadable(value) or shown(value)}")
     try:

@@ -121,7 +121,7 @@ class _Reader:
 
     def _words(self, count: int) -> list[bytes]:
         """The next `count` words. Only the bytes near them are copied, so that many arrays take linear time."""
-        size, words = _WORD_BYTES * (count + 1), []
+        size, part, words = _WORD_BYTES * (count + 1), b"", []
         while count and len(words) <= count:
             part = self.body[self.at : self.at + size]
             words = part.split(None, count)

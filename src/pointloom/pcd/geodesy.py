@@ -15,12 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_finite, check_number, check_rows
 from ..kernels.linear_algebra import matmul
-from .geographic import krueger_series
+from .geographic import NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE, krueger_series, utm_zone
 
 Array = NDArray[np.float64]
 
 EQUATORIAL_RADIUS, EARTH_FLATTENING = 6378137.0, 1 / 298.257223563  # [m] WGS 84
-NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE = 32600, 32700  # EPSG codes of UTM zones are these plus 1 to 60
 MAX_ELLIPSOID_HEIGHT = 1e5  # [m] from the ellipsoid: above aerial images, far below the formulas' limit
 
 _ECCENTRICITY_SQUARED = EARTH_FLATTENING * (2 - EARTH_FLATTENING)  # eccentricity squared
@@ -147,12 +146,6 @@ def geodetic(points: Array) -> Array:
     sine = np.sin(latitude)
     height = level * np.cos(latitude) + z * sine - EQUATORIAL_RADIUS * np.sqrt(1 - _ECCENTRICITY_SQUARED * sine**2)
     return np.stack([np.degrees(latitude), np.degrees(np.arctan2(y, x)), height], axis=1)
-
-
-def utm_zone(latitude: float, longitude: float) -> int:
-    """EPSG code of the 6 degree zone, without the exceptions of Norway."""
-    zone = min(int((longitude + 180) // 6) + 1, 60)
-    return (NORTHERN_EPSG_BASE if latitude >= 0 else SOUTHERN_EPSG_BASE) + zone
 
 
 def utm(coordinates: Array, epsg: int) -> Array:

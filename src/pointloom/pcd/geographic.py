@@ -34,7 +34,7 @@ _UTM_SCALE, _FALSE_EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM sca
 _UTM_LATITUDES = (-80.0, 84.0)  # [degrees] range of UTM
 _MAX_LONGITUDE = 360.0  # [degrees] limit of longitudes
 _MAX_MERIDIAN_DISTANCE = 30.0  # [degrees] from the central meridian: beyond zones, within the series
-_NORTHERN_EPSG_BASE, _SOUTHERN_EPSG_BASE = 32600, 32700  # EPSG codes of zones are these plus 1 to 60
+NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE = 32600, 32700  # EPSG codes of zones are these plus 1 to 60
 
 
 def utm_epsg(cloud: PointCloud) -> int:
@@ -54,8 +54,17 @@ def utm_epsg(cloud: PointCloud) -> int:
     longitudes, latitudes, runs = split_degrees(degrees)
     starts = upload(np.unique([0, count, degrees.size]), int32, cloud.device)
     longitude, latitude = (float(order_statistics(v, runs, starts)[1][0]) for v in (longitudes, latitudes))
+    return utm_zone(latitude, longitude)
+
+
+def utm_zone(latitude: float, longitude: float) -> int:
+    """EPSG code of the zone of 6 degrees, with the exceptions of Norway and Svalbard (32V, 31X to 37X)."""
     zone = min(int((longitude + 180) // 6) + 1, 60)
-    return (_NORTHERN_EPSG_BASE if latitude >= 0 else _SOUTHERN_EPSG_BASE) + zone
+    if 56 <= latitude < 64 and 3 <= longitude < 12:
+        zone = 32
+    elif 72 <= latitude <= 84 and 0 <= longitude < 42:
+        zone = 31 + 2 * int((longitude + 3) // 12)
+    return (NORTHERN_EPSG_BASE if latitude >= 0 else SOUTHERN_EPSG_BASE) + zone
 
 
 def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -> PointCloud:
@@ -88,7 +97,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -
     reference: Any = cloud if epsg is None else epsg
     code = utm_epsg(reference) if hasattr(reference, "points") else check_count("epsg", reference)
     zone = code % 100
-    if code - zone not in (_NORTHERN_EPSG_BASE, _SOUTHERN_EPSG_BASE) or not 1 <= zone <= 60:
+    if code - zone not in (NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE) or not 1 <= zone <= 60:
         raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")
     degrees = add_origin(cloud.arrays["points"], cloud.origin)
     low, high, count = _box_of(relative_degrees(degrees, 6.0 * zone - 183.0))
@@ -98,7 +107,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | PointCloud | None = None) -
             f"cloud: expected points within {_MAX_MERIDIAN_DISTANCE:g} degrees of the middle of zone {zone}, got one "
             f"at {widest:.4g}"
         )
-    start = (_FALSE_EASTING, _SOUTHERN_NORTHING if code > _SOUTHERN_EPSG_BASE else 0.0)
+    start = (_FALSE_EASTING, _SOUTHERN_NORTHING if code > SOUTHERN_EPSG_BASE else 0.0)
     projection = mercator(6.0 * zone - 183.0, _EQUATORIAL_RADIUS, _EARTH_FLATTENING, scale=_UTM_SCALE, start=start)
     points, origin = take_points("cloud", project_degrees(degrees, projection), None)
     projected = cloud.with_points(points, grid=cloud.grid)

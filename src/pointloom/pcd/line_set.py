@@ -10,7 +10,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic, check_camera
 from ..core.callable_bool import CallableBool
-from ..core.checks import check_count, check_positive, check_rigid, check_rows, check_shape, check_transformation
+from ..core.checks import (
+    check_count,
+    check_finite,
+    check_positive,
+    check_rigid,
+    check_rows,
+    check_shape,
+    check_transformation,
+)
 from ..core.dropped_results import returns_new
 from ..core.exchange import on_host
 from ..core.html_tables import array_type, html_table
@@ -67,7 +75,7 @@ class LineSet(Movable):
         object.__setattr__(self, "lines", lines.astype(np.int32))
         if self.colors is not None:
             colors = check_rows("colors", on_host("colors", self.colors), 3, rows=len(lines), dtype=np.float64)
-            object.__setattr__(self, "colors", colors)
+            object.__setattr__(self, "colors", check_finite("colors", colors))
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, box: AxisAlignedBoundingBox) -> LineSet:
@@ -120,13 +128,15 @@ class LineSet(Movable):
             >>> loom.LineSet.create_from_point_cloud_correspondences(first, second, [[1, 0]]).get_line_coordinate(0)
             (array([1., 0., 0.]), array([0., 0., 1.]))
         """
-        pairs = check_rows("correspondences", on_host("correspondences", correspondences), 2).astype(np.int64)
+        pairs = check_rows("correspondences", on_host("correspondences", correspondences), 2)
+        if pairs.size and pairs.dtype.kind not in "iu":
+            raise ValueError(f"correspondences: expected integers, got {pairs.dtype}. Round them first")
         ends = []
         for name, cloud, indices in (("cloud0", cloud0, pairs[:, 0]), ("cloud1", cloud1, pairs[:, 1])):
             points = check_rows(f"{name}.points", getattr(cloud, "points", None), 3, dtype=np.float64)
             if indices.size and (indices.min() < 0 or indices.max() >= len(points)):
                 raise ValueError(f"correspondences: expected indices of {len(points)} points of {name}, got {indices}")
-            ends.append(points[indices])
+            ends.append(points[indices.astype(np.int64)])
         count = len(pairs)
         return cls(np.vstack(ends), np.arange(2 * count, dtype=np.int32).reshape(2, count).T)
 

@@ -336,6 +336,9 @@ class Segmentation(Selection):
             label_rows(plane_rows, len(models) - 1, labels)
             report("plane", cloud=self, inliers=plane_rows, model=models[-1], number=len(models) - 1)
             rows = gather_rows(rows, positions_of(invert_mask(mask), rows.size - inliers.size))
+        if finite and largest == finite:
+            so = "all points are assigned to one plane"
+            warn_of_long("distance_threshold", settings[0], low, high, finite, self.unit, so)
         warn_of_small_plane(largest, min_count, finite, settings[0], self.unit)
         return self.arrays.hand_out(labels), np.array(models).reshape(-1, 4)
 

@@ -459,3 +459,11 @@ def test_records_know_another_control(written):
     assert before == read_ground_control(written(ODM, "other.txt")).digest()
     changed = [ODM.replace("240.5", "241"), ODM.replace("411.5", "411.6"), ODM.replace("41.2", "41.3"), CSV]
     assert len({before, *(read_ground_control(written(text)).digest() for text in changed)}) == 5
+
+
+@pytest.mark.parametrize("row", ["B" * 140_000 + ",1,2,3,a.jpg,1,2", '"' + "x" * 140_000])
+def test_a_field_beyond_the_limit_of_the_csv_module_is_a_file_error(tmp_path, row):
+    path = tmp_path / "gcp.csv"
+    path.write_text(f"name,x,y,z,image,column,row\n{row}\nA,447000,5260000,410,a.jpg,320,240\n")
+    with pytest.raises(loom.FileError, match=r"gcp\.csv \(line 2\): is not a row of a table"):
+        read_ground_control(path)

@@ -223,7 +223,10 @@ def _parse_csv(parser: _Parser, lines: list[tuple[int, str]]) -> None:
             parser.crs = match[1].strip()
         if not line or line.startswith("#"):
             continue
-        words = [word.strip() for word in next(csv.reader([line]))]
+        try:
+            words = [word.strip() for word in next(csv.reader([line]))]
+        except csv.Error as error:
+            raise parser.fail(number, f"is not a row of a table: {error}") from None
         if head is None:
             head = [word.lower() for word in words]
             if missing := [name for name in _COLUMNS if name not in head]:

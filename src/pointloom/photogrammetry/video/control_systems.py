@@ -15,7 +15,8 @@ from ...core.checks import shown
 from ...core.escaped_text import escaped
 from ...io.optional_imports import foreign_errors, import_for
 from ...io.points.geodetic import system_named
-from ...pcd.geodesy import MAX_ELLIPSOID_HEIGHT, NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE, from_utm
+from ...pcd.geodesy import MAX_ELLIPSOID_HEIGHT, from_utm
+from ...pcd.geographic import NORTHERN_EPSG_BASE, SOUTHERN_EPSG_BASE
 
 Array = NDArray[np.float64]
 
