@@ -59,7 +59,10 @@ def differing_faces(mesh: MeshTable, faces: list[list[int]]) -> str | None:
     edges.
     """
     at = 0
+    require(any(len(face) > 2 for face in faces), "no face of three corners")
     for number, face in enumerate(faces):
+        if len(face) < 3:  # skipped with a warning
+            continue
         rows = mesh.triangles[at : at + len(face) - 2].tolist()
         at += len(rows)
         border: Counter[tuple[int, int]] = Counter()
@@ -93,7 +96,6 @@ def obj(path: Path, mesh: MeshTable) -> str | None:
             require(width in allowed or not is_needed, f"{width} values")
             require(words[0] != b"v" or width != 4 or rows[b"v"][-1][3] == 1, "a weight")
         elif words and words[0] == b"f":
-            require(len(words) > 3, "a small face")
             faces.append([_corner(word, [len(values) for values in rows.values()]) for word in words[1:]])
     counts = [len(values) for values in rows.values()]
     for corner in (corner for face in faces for corner in face):
@@ -136,12 +138,13 @@ def _differing_corners(mesh: MeshTable, faces: Any, rows: dict[bytes, list[list[
                 require(vn is not None and 0 <= vn < len(rows[b"vn"]), f"no normal {vn}")
                 if not same(mesh.vertex_normals[v], np.array(rows[b"vn"][vn], np.float32)):
                     return f"the normal of vertex {v} differs"
+        triangle_count = max(len(face) - 2, 0)
         if mesh.triangle_uvs is not None:
-            for k, v in enumerate(mesh.triangles[at : at + len(face) - 2].reshape(-1).tolist()):
+            for k, v in enumerate(mesh.triangles[at : at + triangle_count].reshape(-1).tolist()):
                 pair = tuple(mesh.triangle_uvs[3 * at + k].tolist())
                 if pair not in uvs[v] and not any(map(math.isnan, pair)):
                     return f"the texture coordinates {pair} of vertex {v} differ"
-        at += len(face) - 2
+        at += triangle_count
     return None
 
 
@@ -170,13 +173,13 @@ def off(path: Path, mesh: MeshTable) -> str | None:
         return "the colors differ"
     corners, colors = [], []
     for line in faces:
-        size = integer(line[0], 3, len(line) - 1)
+        size = integer(line[0], 0, len(line) - 1)
         corners.append([integer(word, 0, counts[0] - 1) for word in line[1 : 1 + size]])
         colors.append([real(word) for word in line[1 + size :]])
         require(len(colors[-1]) in (0, 1, 3, 4), "more values than colors have")
     actual = mesh.triangle_attributes.get("colors")
     if actual is not None:
-        expected = np.repeat(np.array(colors), [len(face) - 2 for face in corners], axis=0)
+        expected = np.repeat(np.array(colors), [max(len(face) - 2, 0) for face in corners], axis=0)
         if not _are_colors(actual, expected):
             return "the colors of faces differ"
     return differing_faces(mesh, corners)
@@ -203,9 +206,15 @@ def stl(path: Path, mesh: MeshTable) -> str | None:
         facets = [struct.unpack_from("<9f", data, 96 + 50 * k) for k in range(count)]
     else:
         words = [line.split() for line in unix(data).split(b"\n")]
-        rows = [[real(word) for word in line[1:]] for line in words if line and line[0].lower() == b"vertex"]
-        require(all(len(row) == 3 for row in rows) and len(rows) % 3 == 0, "corners that are not integers")
-        facets = [tuple(rows[k] + rows[k + 1] + rows[k + 2]) for k in range(0, len(rows), 3)]
+        loops: list[list[list[float]]] = []
+        for line in filter(None, words):
+            if line[0].lower() == b"outer":
+                loops.append([])
+            elif line[0].lower() == b"vertex":
+                loops[-1].append([real(word) for word in line[1:]])
+        require(all(len(row) == 3 for loop in loops for row in loop), "corners that are not three numbers")
+        require(all(len(loop) <= 3 for loop in loops), "a facet of more corners")
+        facets = [tuple(loop[0] + loop[1] + loop[2]) for loop in loops if len(loop) == 3]  # others are skipped
     require(bool(facets), "no facet")
     corners = np.array(facets).reshape(-1, 3)
     require(bool(np.isfinite(corners).all()), "a corner that is not finite")

@@ -122,7 +122,7 @@ def _differences(
             return f"the values {name!r} of vertices differ"
     corners = next((face[name] for name in face if name in ("vertex_indices", "vertex_index")), [])
     faces = [[int(corner) for corner in row] for row in corners]
-    lengths = [len(row) - 2 for row in faces]
+    lengths = [max(len(row) - 2, 0) for row in faces]
     for name, values in mesh.triangle_attributes.items():
         full = {"u1": 255, "u2": 65535, "i1": 255, "i2": 255, "i4": 255, "u4": 255}
         if name == "colors":
@@ -134,7 +134,7 @@ def _differences(
         elif not same(values, np.repeat(np.array(face[name]).astype(_DTYPES[codes["face"][name]]), lengths)):
             return f"the values {name!r} of faces differ"
     for row in faces:
-        require(len(row) > 2 and all(0 <= corner < len(points) for corner in row), f"a face {row}")
+        require(all(0 <= corner < len(points) for corner in row), f"a face {row}")
     strips = next((values for name, values in read.get("tristrips", {}).items() if "vertex_ind" in name), [])
     return differing_faces(mesh, faces + [t for strip in strips for t in _strip(strip, len(points))])
 

@@ -191,6 +191,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "core/json_files.py": ("camera .json",),
     "core/kept_arrays.py": OF_STEPS,
     "core/open3d_names.py": OF_PACKAGE,
+    "core/paths.py": LeftOut("compares the first bytes of a file with those of a pointer of Git LFS"),
     "core/records.py": (*RECONSTRUCTION, *WORK),
     "core/stages.py": WORK,
     "datasets/array_cache.py": LeftOut("a cache of made scenes in the user's own folder"),

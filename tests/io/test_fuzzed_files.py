@@ -121,3 +121,26 @@ def test_valid_files_are_read_and_the_oracle_detects_missing_data(fuzz, name, tm
             if name != "PCD":
                 read.triangles = read.triangles[:, [0, 2, 1]] if name != "STL" else read.triangles
         assert case.oracle(path, read) is not None
+
+
+POINTER = b"version https://git-lfs.github.com/spec/v1\noid sha256:" + 64 * b"0" + b"\nsize 123456\n"
+ONE_FILE = ("cloud ", "mesh ", "splats ", "trajectory ", "recording ", "color ", "depth .", "photo .tif", "photo .webp",
+            "raster ", "chunks ", "COPC", "stations ", "volume", "occupancy grid", "distance field", "control grid",
+            "camera .json", "cameras of frames", "Metashape", "pose graph", "given positions", "targets ",
+            "control of", "view", "polygon volume", "detail tree", "depth bundle", "open3d ", "PCD", "OBJ", "STL", "OFF",
+            "PLY", "GLB", "glTF", "configuration", "steps", "area", "VPC")  # fmt: skip
+
+
+def test_every_reader_names_a_pointer_of_git_lfs(fuzz, tmp_path):
+    cases = [case for case in fuzz.CASES if case.name.startswith(ONE_FILE)]
+    wrong = []
+    for case in cases:
+        path = tmp_path / f"a{case.suffix}"
+        path.write_bytes(POINTER)
+        try:
+            case.read(path)
+            wrong.append((case.name, "no error"))
+        except loom.FileError as error:
+            wrong += [] if "is a pointer of Git LFS" in str(error) else [(case.name, str(error))]
+        path.unlink()
+    assert len(cases) > 60 and wrong == []

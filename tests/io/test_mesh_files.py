@@ -83,7 +83,8 @@ FACES = "element face 2\nproperty list uchar int vertex_indices\n"
 
 def test_bad_faces_are_refused_with_their_row(tmp_path):
     for header, faces, where, reason in (
-        (FACES, "3 0 1 2\n0\n", "face 1", "a face has 0 corners"),
+        (FACES, "2 0 1\n0\n", "", "contains no faces: all 2 have fewer than 3 corners"),
+        (FACES, "3 0 1 2\n2 0 5\n", "face 1", "refers to vertex 5"),
         (FACES, "3 0 1 -1\n3 0 1 2\n", "face 0", "refers to vertex -1"),
         (FACES, "3 0 1 2\n3 0 1 2 3\n", "line 16", "more values than declared"),
         (FACES, "3 0 1 2\n3 0 1 2.5\n", "line 16", "does not fit"),
@@ -96,6 +97,53 @@ def test_bad_faces_are_refused_with_their_row(tmp_path):
         with pytest.raises(FileError, match=reason) as caught:
             read_ply_mesh(tmp_path / "m.ply")
         assert caught.value.where == where
+
+
+VERTICES = "".join(f"v {row}\n" for row in SQUARE.splitlines())
+FACET = "facet normal 0 0 1\nouter loop\n{}endloop\nendfacet\n"
+LEGACY = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 5 float\n"
+WITH_SMALL_FACES = {  # three faces of 0, 1 and 2 corners among a quad and a triangle, each with a value
+    "m.ply": HEAD.format(5, "vertex_indices").replace("end_header", "property uchar id\nend_header") + SQUARE
+             + "0 7\n4 0 1 2 3 1\n1 4 7\n3 0 1 4 2\n2 0 1 7\n",
+    "m.off": "OFF\n5 5 0\n" + SQUARE + "0 0.7 0 0\n4 0 1 2 3 0.1 0 0\n1 4 0.7 0 0\n3 0 1 4 0.2 0 0\n2 0 1 0.7 0 0\n",
+    "m.obj": VERTICES + "vt 0 0\nf\nf 1/1 2/1 3/1 4/1\nf 5\nf 1/1 2/1 5/1\nf 1/1 2/1\n",
+    "m.vtk": LEGACY + SQUARE + "POLYGONS 5 15\n0\n4 0 1 2 3\n1 4\n3 0 1 4\n2 0 1\nCELL_DATA 5\nSCALARS id int\n7 1 7 2 7\n",
+    "m.stl": "solid a\n" + FACET.format("") + FACET.format("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n")
+             + FACET.format("vertex 9 9 9\n") + FACET.format("vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n")
+             + FACET.format("vertex 0 0 0\nvertex 1 0 0\n") + FACET.format("vertex 0 0 0\nvertex 1 0 0\nvertex 2 2 0\n")
+             + "end solid a\n",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", WITH_SMALL_FACES)
+def test_faces_of_fewer_than_three_corners_are_skipped_and_counted(tmp_path, name):
+    (tmp_path / name).write_text(WITH_SMALL_FACES[name])
+    with pytest.warns(UserWarning, match=rf"3 of {6 if name == 'm.stl' else 5} (faces|facets) are skipped"):
+        mesh = loom.read_triangle_mesh(tmp_path / name)
+    corners = mesh.vertices[mesh.triangles][:, :, :2]
+    assert corners.tolist() == [[[0, 0], [1, 0], [1, 1]], [[0, 0], [1, 1], [0, 1]], [[0, 0], [1, 0], [2, 2]]]
+    if name in ("m.ply", "m.vtk"):
+        assert mesh.triangle_attributes["id"].tolist() == [1, 1, 2]
+    if name == "m.off":
+        np.testing.assert_allclose(mesh.triangle_attributes["colors"][:, 0], [0.1, 0.1, 0.2])
+    if name == "m.obj":
+        assert mesh.triangle_uvs.shape == (9, 2)
+
+
+@pytest.mark.parametrize("is_big", [False, True])
+def test_small_faces_of_binary_ply_have_no_part_in_the_texture(tmp_path, is_big):
+    uvs = "property list uchar float texcoord\n"
+    head = HEAD.format(3, "vertex_indices").replace("end_header", uvs + "end_header").replace("\nproperty uchar id", "")
+    head = head.replace("ascii", "binary_big_endian" if is_big else "binary_little_endian")
+    order = ">" if is_big else "<"
+    rows = np.array([row.split() for row in SQUARE.splitlines()], order + "f4").tobytes()
+    for corners, values in (([0, 1], []), ([0, 1, 2], [0, 0, 1, 0, 1, 1]), ([], [5, 5])):
+        rows += bytes([len(corners)]) + np.array(corners, order + "i4").tobytes()
+        rows += bytes([len(values)]) + np.array(values, order + "f4").tobytes()
+    (tmp_path / "m.ply").write_bytes(head.encode() + rows)
+    with pytest.warns(UserWarning, match="2 of 3 faces are skipped"):
+        mesh = loom.read_triangle_mesh(tmp_path / "m.ply")
+    assert mesh.triangles.tolist() == [[0, 1, 2]] and mesh.triangle_uvs.tolist() == [[0, 0], [1, 0], [1, 1]]
 
 
 def test_obj_text_follows_the_specification(tmp_path):
@@ -260,7 +308,7 @@ def test_a_number_of_many_digits_takes_no_memory(tmp_path):
     [
         ("m.obj", QUAD, "", "contains no faces"),
         ("m.obj", "f 1 2 3\n", "", "contains no vertices"),
-        ("m.obj", QUAD + "f 1 2\n", "line 5", "a face has 2 corners"),
+        ("m.obj", QUAD + "f 1 2\n", "", "contains no faces: all 1 have fewer than 3 corners"),
         ("m.obj", QUAD + "f -5 1 2\n", "line 5", "a face refers to -5 of 4 vertices"),
         ("m.obj", QUAD + "vn 0 0 1\nf 1//1/2 //1/ 3//1/2 //1/\n", "line 6", "not a corner of a face: '1//1/2'"),
         ("m.obj", QUAD + f"f 1 2 {10**30}\n", "line 5", f"a face refers to {10**18} of 4 vertices"),
@@ -290,7 +338,7 @@ def test_a_number_of_many_digits_takes_no_memory(tmp_path):
         ("m.off", "NOFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n", "line 3", "a vertex has 6 values, got 3"),
         ("m.off", "OFF\n4 0 0\n" + ROWS, "", "contains no faces"),
         ("m.off", "OFF\n4 1 0\n" + ROWS + "3 0 1 4\n", "line 7", "a face refers to vertex 4"),
-        ("m.off", "OFF\n4 1 0\n" + ROWS + "2 0 1\n", "face 0", "a face has 2 corners"),
+        ("m.off", "OFF\n4 1 0\n" + ROWS + "2 0 1\n", "", "contains no faces: all 1 have fewer than 3 corners"),
         ("m.off", "OFF\n4 1 0\n" + ROWS + "3 0 1 2 1 1\n", "line 7", "a face of 3 corners has 5 values"),
         ("m.off", "OFF\n4 1 0\n" + ROWS + "3 0 x 2\n", "line 7", "not a number: 'x'"),
     ],

@@ -223,7 +223,7 @@ def test_all_kinds_of_legacy_attributes_are_read(tmp_path):
         (HEAD + "POINTS 1 bit\n0 0 0\n", "not supported"),
         (HEAD + SQUARE + "POLYGONS 1 4\n3 0 1 9\n", "refers to point 9"),
         (HEAD + SQUARE + "POLYGONS 1 4\n2 0 1 9\n", "cells"),
-        (HEAD + SQUARE + "POLYGONS 1 3\n2 0 1\n", "a face has 2 corners"),
+        (HEAD + SQUARE + "POLYGONS 1 3\n2 0 1\n", "fewer than 3 corners"),
         (HEAD + SQUARE + "POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\nSCALARS a int\n1 2 3\n", "4 points, got 3"),
         (HEAD + SQUARE + "POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 4\nSCALARS a char\n1 2 3 400\n", "type char"),
         (HEAD + SQUARE + "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n", "strips"),

@@ -12,6 +12,9 @@ from typing import Any
 from .errors import FileError
 
 RECORDINGS = (".bag", ".mcap", ".db3")  # of robots
+# The specification of Git LFS: a pointer is smaller than 1,024 bytes, and its first line is the version.
+_MAX_POINTER_BYTES = 1024
+_POINTER_STARTS = (b"version https://git-lfs.github.com/spec/", b"version https://hawser.github.com/spec/")
 IN_FOLDERS = tuple(extension for extension in RECORDINGS if extension != ".bag")  # files of a bag of ROS 2
 
 
@@ -35,14 +38,26 @@ def path_of(path: object, name: str = "path") -> Path:
 
 
 def input_path(path: Any) -> Path:
-    """The path of an input file. Raises `FileError` for pipes and devices, whose content may have no end."""
+    """The path of an input file. Raises `FileError` for pipes and devices, whose content may have no end, and for
+    pointers of Git LFS."""
     given = path_of(path)
-    mode = 0
+    mode = size = 0
     with contextlib.suppress(OSError, ValueError):  # reported when the file is opened
-        mode = given.stat().st_mode
+        mode, size = given.stat().st_mode, given.stat().st_size
     if mode and not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):
         raise FileError(path, "is not a regular file", remedy="Copy its content into a file first")
+    if stat.S_ISREG(mode) and 0 < size < _MAX_POINTER_BYTES:
+        _check_no_pointer(given)
     return given
+
+
+def _check_no_pointer(path: Path) -> None:
+    """Raise `FileError` for a pointer of Git LFS in place of the data."""
+    with contextlib.suppress(OSError), path.open("rb") as file:
+        text = file.read(_MAX_POINTER_BYTES)
+        if text.removeprefix(b"\xef\xbb\xbf").startswith(_POINTER_STARTS):
+            remedy = "Run `git lfs pull` in its repository, or download the file itself"
+            raise FileError(path, "is a pointer of Git LFS, not the data", remedy=remedy)
 
 
 def is_recording(path: Path) -> bool:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ..core.atomic import restore_folder
 from ..core.errors import FileError, FilePath, PointloomError
 from ..core.interrupts import signal_exception
-from ..core.paths import path_of
+from ..core.paths import input_path, path_of
 from ..core.serialized import keep_through_forks
 
 # A header without an end would otherwise be searched in gigabytes of payload. Real ones are below 100 KiB.
@@ -289,11 +289,9 @@ def _opened(path: Path) -> SourceFile:
     status = path.stat()
     if stat.S_ISDIR(status.st_mode):
         raise FileError(path, "is a folder", remedy="Give the name of a file")
-    if not stat.S_ISREG(status.st_mode):
-        raise FileError(path, "is not a regular file", remedy="Copy its content into a file first")
-    if status.st_size == 0:
+    if stat.S_ISREG(status.st_mode) and status.st_size == 0:
         raise FileError(path, "is empty", where="byte 0")
-    return SourceFile(path)
+    return SourceFile(input_path(path))
 
 
 def _pass_signals(error: BaseException, handled: BaseException | None) -> None:

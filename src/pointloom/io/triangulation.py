@@ -230,17 +230,16 @@ Mask = NDArray[np.bool_]
 
 
 def split_faces(path: FilePath, lengths: Indices, corners: NDArray[Any], vertices: NDArray[Any]) -> Indices:
-    """Triangles as indices into all corners, shape (t, 3). Warns of self-intersecting faces."""
-    small = np.flatnonzero(lengths < 3)
-    if len(small):
-        row = int(small[0])
-        raise FileError(path, f"a face has {lengths[row]} corners; at least 3 are needed", where=f"face {row}")
+    """Triangles as indices into all corners, shape (t, 3). Warns of self-intersecting faces, and of those with fewer
+    than 3 corners, which are skipped. Raises `FileError` if no face has 3."""
+    warn_of_small(path, lengths, stacklevel=4)
     largest = int(lengths.max(initial=3))
-    if largest == 3:
+    if largest == 3 and (lengths == 3).all():
         return np.arange(3 * len(lengths)).reshape(-1, 3)
     fans = _fans(lengths)
-    firsts, begins = np.cumsum(lengths) - lengths, np.cumsum(lengths - 2) - (lengths - 2)
-    points, crossed = _scaled(vertices), []
+    counts = triangle_counts(lengths)
+    firsts, begins = np.cumsum(lengths) - lengths, np.cumsum(counts) - counts
+    points, crossed = _scaled(vertices), [np.empty(0, np.int64)]
     for length, rows in _by_length(lengths, largest):
         at_a_time = max(1, _CORNERS_AT_A_TIME // length)
         for begin in range(0, len(rows), at_a_time):
@@ -261,6 +260,23 @@ def split_faces(path: FilePath, lengths: Indices, corners: NDArray[Any], vertice
     return fans
 
 
+def triangle_counts(lengths: Indices) -> Indices:
+    """Number of triangles of each face: none below 3 corners."""
+    return np.maximum(lengths - 2, 0)
+
+
+def warn_of_small(path: FilePath, lengths: Indices, *, stacklevel: int = 3) -> None:
+    """Warn of faces with fewer than 3 corners, which are skipped. Raises `FileError` if all have fewer."""
+    small = np.flatnonzero(lengths < 3)
+    if not len(small):
+        return
+    if len(small) == len(lengths):
+        reason = f"contains no faces: all {len(small)} have fewer than 3 corners"
+        raise FileError(path, reason, remedy="Read it as a point cloud")
+    message = f"{path}: {len(small)} of {len(lengths)} faces are skipped, as they have fewer than 3 corners, the first"
+    warnings.warn(escaped(f"{message} face {small[0]}"), UserWarning, stacklevel=stacklevel + 1)
+
+
 def _fans(lengths: Indices) -> Indices:
     if (lengths == lengths[0]).all():
         length = int(lengths[0])
@@ -268,7 +284,7 @@ def _fans(lengths: Indices) -> Indices:
         for k in range(length - 2):
             fans[:, k, 0], fans[:, k, 1], fans[:, k, 2] = begins, begins + (k + 1), begins + (k + 2)
         return fans.reshape(-1, 3)
-    fans = lengths - 2
+    fans = triangle_counts(lengths)
     firsts = np.repeat(np.cumsum(lengths) - lengths, fans)
     within = np.arange(len(firsts)) - np.repeat(np.cumsum(fans) - fans, fans)
     return np.stack([firsts, firsts + within + 1, firsts + within + 2], axis=1)

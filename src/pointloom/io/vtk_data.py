@@ -15,7 +15,7 @@ from ..core.other_geometry import CRS, UNIT, OtherGeometry
 from ..core.to_other_libraries import COLORS, NORMALS, UVS, colors_as_bytes
 from ..core.units import text_of
 from .table import MeshTable, PointTable
-from .triangulation import split_faces
+from .triangulation import split_faces, triangle_counts
 
 KINDS = ("vertices", "lines", "polygons", "strips")  # in the order of the cells
 
@@ -89,7 +89,7 @@ def mesh_of(path: FilePath, data: VtkData) -> MeshTable:
     given.left_out += ["vertex cells"] if len(data.cells["vertices"].lengths) else []
     given.warn()
     at = split_faces(path, polygons.lengths, polygons.points, data.points)
-    repeats = polygons.lengths - 2
+    repeats = triangle_counts(polygons.lengths)
     of_faces = {name: np.repeat(values, repeats, axis=0) for name, values in given.face_attributes.items()}
     if "colors" in of_faces:
         of_faces["colors"] = of_faces["colors"].astype(np.float32)

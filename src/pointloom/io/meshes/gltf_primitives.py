@@ -244,9 +244,9 @@ class Primitive:
         if self._draco is not None:  # also triangulates strips
             mode = TRIANGLES_MODE
         if mode == TRIANGLES_MODE:
-            if len(corners) % 3:
-                raise self._file.error(f"{self._what}: {len(corners)} corners are not complete triangles")
-            return corners.reshape(-1, 3)
+            if rest := len(corners) % 3:  # skipped, as the specification demands
+                self._left.add(f"{rest} of {len(corners)} corners of {self._what}, which are no complete triangle")
+            return corners[: len(corners) - rest].reshape(-1, 3)
         k = np.arange(max(len(corners) - 2, 0))
         if mode == STRIP_MODE:  # every other triangle of a strip has the opposite orientation
             return np.stack([corners[k], corners[k + 1 + k % 2], corners[k + 2 - k % 2]], axis=1)

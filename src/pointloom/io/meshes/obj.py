@@ -38,7 +38,7 @@ from ..images.texture_files import (
 from ..obj_statements import Statements, read_statements, vertices_of
 from ..source import open_source
 from ..table import MeshTable
-from ..triangulation import split_faces
+from ..triangulation import split_faces, triangle_counts
 from .obj_corners import read_corners
 
 # Maximum number of words after each option of a map; those of _MAP_TRANSFORM_DEFAULTS are fewer if a word is no number.
@@ -249,7 +249,7 @@ def read_obj(path: FilePath, *, outside_files: bool = False) -> MeshTable:
     elif (corners.uvs >= 0).any():
         mesh.triangle_uvs = _uvs_of(path, statements.rows(1), corners.uvs[triangles.reshape(-1)])
     if any(used >= 0 for used in statements.materials) or not statements.material_names:
-        used = np.repeat(statements.materials, corners.lengths - 2)
+        used = np.repeat(statements.materials, triangle_counts(corners.lengths))
         _add_textures(path, mesh, statements, used, outside_files=outside_files)
     _warn_of_rest(path, mesh, statements)
     return mesh.checked()

@@ -41,10 +41,6 @@ def read_corners(
     """Parse the text of `faces`; `before` are the v, vt and vn before each face, `counts` their totals."""
     parsed = _parse_all(faces)
     numbers, given, lengths = _parse_one_by_one(path, faces, lines) if parsed is None else parsed
-    small = np.flatnonzero(lengths < 3)
-    if len(small):
-        reason = f"a face has {lengths[small[0]]} corners; at least 3 are needed"
-        raise FileError(path, reason, where=f"line {lines[small[0]]}")
     is_negative = numbers < 0
     indices = numbers - 1
     if is_negative.any():
@@ -116,8 +112,6 @@ def _parse_one_by_one(path: FilePath, faces: Sequence[bytes], lines: Sequence[in
     for face, line in zip(faces, lines, strict=True):
         words = face.split()
         lengths.append(len(words))
-        if len(words) < 3:
-            raise FileError(path, f"a face has {len(words)} corners; at least 3 are needed", where=f"line {line}")
         for word in words:
             numbers.append(_parse(word))
             if not numbers[-1]:

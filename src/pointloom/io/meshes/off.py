@@ -24,7 +24,7 @@ from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_extent, color_scale, colors_to_bytes, fit_colors, stack_normals, warn_left_out, warn_of_loss
 from ..source import open_source
 from ..table import MeshTable
-from ..triangulation import split_faces
+from ..triangulation import split_faces, triangle_counts
 
 _COMMENT = re.compile(rb"#[^\n]*")
 _HEAD = re.compile(rb"\s*(ST)?(C)?(N)?(4)?(n)?OFF(?=[\s\d]|$)([ \t]+BINARY)?")
@@ -66,7 +66,7 @@ def read_off(path: FilePath) -> MeshTable:
     triangles = corners[split_faces(path, lengths, corners, vertices)]
     mesh = MeshTable(vertices, triangles, normals, colors, attributes)
     if face_colors is not None:
-        mesh.triangle_attributes = {"colors": np.repeat(face_colors, lengths - 2, axis=0)}
+        mesh.triangle_attributes = {"colors": np.repeat(face_colors, triangle_counts(lengths), axis=0)}
     if textured:
         with quiet():
             mesh.triangle_uvs = table[:, -2:].astype(np.float32)[triangles.reshape(-1)]

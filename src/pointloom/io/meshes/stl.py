@@ -36,6 +36,7 @@ _FACET_LINES = (
     (b"vertex", 3), (b"vertex", 3), (b"vertex", 3),
     (b"endloop", 0), (b"endfacet", 0),
 )  # fmt: skip
+_END_OF_LOOP = 5
 
 
 def read_stl(path: FilePath, *, with_normals: bool = False) -> MeshTable:
@@ -108,11 +109,14 @@ def _read_text(
     lines = unix_lines(body).split(b"\n")
     numbers, step, is_open = [b""] * len(lines), 0, False
     current, colors = b"", {}  # by facet
-    count = 0
+    count = first = skipped = 0
+    is_small = False
     for k, line in enumerate(lines):
         words = line.split()
         if not words:
             continue
+        if [w.lower() for w in words[:2]] == [b"end", b"solid"]:  # two words, as some programs write
+            words = [b"endsolid", *words[2:]]
         word = words[0].lower()
         if is_open and word == b"color":
             if step:
@@ -123,6 +127,9 @@ def _read_text(
         if step == 0 and word in (b"solid", b"endsolid") and is_open == (word == b"endsolid"):
             is_open, current = not is_open, b""
             continue
+        if word == b"endloop" and 2 <= step < _END_OF_LOOP:  # a facet of fewer than three corners
+            numbers[first:k], step = [b""] * (k - first), _END_OF_LOOP
+            is_small = True
         begin, width = _FACET_LINES[step]
         named = begin.split()
         right = is_open and [w.lower() for w in words[: len(named)]] == named and len(words) == len(named) + width
@@ -131,12 +138,21 @@ def _read_text(
             shown = line.strip()[:40].decode("ascii", "backslashreplace")
             raise FileError(path, f"expected {expected}, got {shown!r}", where=f"line {k + 1}")
         numbers[k] = b" ".join(words[len(named) :])
-        if not step and current:
-            colors[count] = current
+        if not step:
+            first = k
+            if current:
+                colors[count] = current
         step = (step + 1) % len(_FACET_LINES)
-        count += not step
+        if not step and is_small:
+            colors.pop(count, None)
+            is_small, skipped = False, skipped + 1
+        elif not step:
+            count += 1
     if is_open:
         raise FileError(path, "truncated: ends without endsolid", where=f"line {len(lines)}")
+    if skipped:
+        message = f"{path}: {skipped} of {skipped + count} facets are skipped, as they have fewer than 3 corners"
+        warnings.warn(escaped(message), UserWarning, stacklevel=4)
     rows = AsciiRows(path, b"\n".join(numbers), 1)
     facets = rows.numbers().reshape(-1, 4, 3)
     corners = np.ascontiguousarray(facets[:, 1:].reshape(-1, 3))

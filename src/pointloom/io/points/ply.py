@@ -36,7 +36,7 @@ from ..fixed_rows import NO_TABLE
 from ..images.texture_files import image_names, read_textures, write_with
 from ..source import SourceFile, open_source
 from ..table import MeshTable, PointTable
-from ..triangulation import split_faces
+from ..triangulation import split_faces, warn_of_small
 from .ply_faces import STRIPS, attribute_columns, strip_triangles, triangle_attributes, warn_of_rest
 from .ply_header import TYPE_NAMES, Element, PlyHeader, Property, read_header
 from .ply_rows import Column, ListColumn, find_rows, read_rows
@@ -219,6 +219,12 @@ def read_ply_mesh(path: FilePath, *, outside_files: bool = False, source: Source
         faces = columns["face"][taken["face"][0].name]
         assert isinstance(faces, ListColumn)
         vertex_of = _check_corners(path, faces, len(vertices))
+        if (faces.lengths < 3).any():
+            warn_of_small(path, faces.lengths)
+            vertex_of = vertex_of[np.repeat(faces.lengths >= 3, faces.lengths)]
+            columns["face"] = _chosen(columns["face"], faces.lengths >= 3)
+            faces = columns["face"][taken["face"][0].name]
+            assert isinstance(faces, ListColumn)
         fans = split_faces(path, faces.lengths, vertex_of, vertices)
         mesh.triangles = vertex_of[fans]
         add_textures(path, mesh, header, columns["face"], faces.lengths, fans, outside_files=outside_files)
@@ -227,6 +233,16 @@ def read_ply_mesh(path: FilePath, *, outside_files: bool = False, source: Source
         _add_strips(path, mesh, columns[STRIPS][taken[STRIPS][0].name])
     warn_of_rest(path, header, columns)
     return mesh
+
+
+def _chosen(columns: Mapping[str, Column], mask: NDArray[np.bool_]) -> dict[str, Column]:
+    """The chosen rows of an element."""
+    return {
+        name: ListColumn(column.lengths[mask], column.values[np.repeat(mask, column.lengths)])
+        if isinstance(column, ListColumn)
+        else column[mask]
+        for name, column in columns.items()
+    }
 
 
 def _add_strips(path: Path, mesh: MeshTable, strips: Column) -> None:

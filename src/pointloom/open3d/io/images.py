@@ -8,6 +8,7 @@ import PIL.Image
 
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
+from ...core.paths import input_path
 from ...io.file_formats import listed
 from ...io.images import image_files
 from ..argument_types import ImageLike
@@ -23,7 +24,7 @@ def read_image(filename: FilePath) -> Image:
     if header.channels == 1 and header.bits == 16:
         return Image(image_files.read_depth(filename))
     if header.kind == "png" and header.channels in RGBA_CHANNELS and header.bits == 8:  # JPEG has four channels of ink
-        pixels = image_files.decode_texture(filename, Path(filename).read_bytes())
+        pixels = image_files.decode_texture(filename, input_path(filename).read_bytes())
         has_alpha = pixels.shape[2] == 4  # false for CMYK
         return Image(pixels[..., RGBA_CHANNELS[header.channels]] if has_alpha else pixels)
     pixels = image_files.read_color(filename)

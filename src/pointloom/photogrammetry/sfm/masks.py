@@ -14,6 +14,7 @@ from PIL import Image
 
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.masked_arrays import unmasked
+from ...core.paths import input_path
 from ...io.images.image_files import decode_texture, read_color, read_image_header, write_png
 from ...io.images.image_formats import IMAGES
 from ...io.images.photo_files import is_photo, read_alpha
@@ -185,7 +186,7 @@ def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
     header = read_image_header(path)
     if header.kind != "png" or header.channels not in (2, 4) or header.bits != 8:
         return None
-    return decode_texture(path, path.read_bytes())[..., 3]
+    return decode_texture(path, input_path(path).read_bytes())[..., 3]
 
 
 def _fitted(path: Path, mask: NDArray[np.bool_], origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_]:

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError, FilePath
-from ...core.paths import path_of
+from ...core.paths import input_path
 from .limited_process import LimitedProcess, python_command
 
 _HEADER_BYTES = 4096  # [B] inspected header
@@ -110,7 +110,7 @@ class VideoFile:
 
 
 def open_video(path: FilePath, *, reader: str = "auto") -> VideoFile:
-    file = path_of(path)
+    file = input_path(path)
     if not file.is_file():
         reason = "is not a file" if file.exists() else "does not exist"
         raise FileError(path, reason, remedy="Give a video, or a folder of images")
