@@ -107,7 +107,8 @@ WITH_SMALL_FACES = {  # three faces of 0, 1 and 2 corners among a quad and a tri
              + "0 7\n4 0 1 2 3 1\n1 4 7\n3 0 1 4 2\n2 0 1 7\n",
     "m.off": "OFF\n5 5 0\n" + SQUARE + "0 0.7 0 0\n4 0 1 2 3 0.1 0 0\n1 4 0.7 0 0\n3 0 1 4 0.2 0 0\n2 0 1 0.7 0 0\n",
     "m.obj": VERTICES + "vt 0 0\nf\nf 1/1 2/1 3/1 4/1\nf 5\nf 1/1 2/1 5/1\nf 1/1 2/1\n",
-    "m.vtk": LEGACY + SQUARE + "POLYGONS 5 15\n0\n4 0 1 2 3\n1 4\n3 0 1 4\n2 0 1\nCELL_DATA 5\nSCALARS id int\n7 1 7 2 7\n",
+    "m.vtk": LEGACY + SQUARE + "POLYGONS 5 15\n0\n4 0 1 2 3\n1 4\n3 0 1 4\n2 0 1\n"
+             + "CELL_DATA 5\nSCALARS id int\n7 1 7 2 7\n",
     "m.stl": "solid a\n" + FACET.format("") + FACET.format("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n")
              + FACET.format("vertex 9 9 9\n") + FACET.format("vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n")
              + FACET.format("vertex 0 0 0\nvertex 1 0 0\n") + FACET.format("vertex 0 0 0\nvertex 1 0 0\nvertex 2 2 0\n")

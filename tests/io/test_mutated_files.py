@@ -155,6 +155,7 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(are|is) (dropped|ignored)"),
     pytest.mark.filterwarnings("ignore:.*(clamped|divided by 255|defined twice|before any newmtl)"),
     pytest.mark.filterwarnings("ignore:.*white is used"),
+    pytest.mark.filterwarnings("ignore:.*skipped, as they have fewer than 3 corners"),
     pytest.mark.filterwarnings("ignore:.*triangulated as fans"),
     pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
     pytest.mark.filterwarnings("ignore:.*The matrix is used"),
