@@ -127,8 +127,8 @@ POINTER = b"version https://git-lfs.github.com/spec/v1\noid sha256:" + 64 * b"0"
 ONE_FILE = ("cloud ", "mesh ", "splats ", "trajectory ", "recording ", "color ", "depth .", "photo .tif", "photo .webp",
             "raster ", "chunks ", "COPC", "stations ", "volume", "occupancy grid", "distance field", "control grid",
             "camera .json", "cameras of frames", "Metashape", "pose graph", "given positions", "targets ",
-            "control of", "view", "polygon volume", "detail tree", "depth bundle", "open3d ", "PCD", "OBJ", "STL", "OFF",
-            "PLY", "GLB", "glTF", "configuration", "steps", "area", "VPC")  # fmt: skip
+            "control of", "view", "polygon volume", "detail tree", "depth bundle", "open3d ", "PCD", "OBJ",
+            "STL", "OFF", "PLY", "GLB", "glTF", "configuration", "steps", "area", "VPC")  # fmt: skip
 
 
 def test_every_reader_names_a_pointer_of_git_lfs(fuzz, tmp_path):

@@ -107,7 +107,8 @@ WITH_SMALL_FACES = {  # three faces of 0, 1 and 2 corners among a quad and a tri
              + "0 7\n4 0 1 2 3 1\n1 4 7\n3 0 1 4 2\n2 0 1 7\n",
     "m.off": "OFF\n5 5 0\n" + SQUARE + "0 0.7 0 0\n4 0 1 2 3 0.1 0 0\n1 4 0.7 0 0\n3 0 1 4 0.2 0 0\n2 0 1 0.7 0 0\n",
     "m.obj": VERTICES + "vt 0 0\nf\nf 1/1 2/1 3/1 4/1\nf 5\nf 1/1 2/1 5/1\nf 1/1 2/1\n",
-    "m.vtk": LEGACY + SQUARE + "POLYGONS 5 15\n0\n4 0 1 2 3\n1 4\n3 0 1 4\n2 0 1\nCELL_DATA 5\nSCALARS id int\n7 1 7 2 7\n",
+    "m.vtk": LEGACY + SQUARE + "POLYGONS 5 15\n0\n4 0 1 2 3\n1 4\n3 0 1 4\n2 0 1\n"
+             + "CELL_DATA 5\nSCALARS id int\n7 1 7 2 7\n",
     "m.stl": "solid a\n" + FACET.format("") + FACET.format("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n")
              + FACET.format("vertex 9 9 9\n") + FACET.format("vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n")
              + FACET.format("vertex 0 0 0\nvertex 1 0 0\n") + FACET.format("vertex 0 0 0\nvertex 1 0 0\nvertex 2 2 0\n")
@@ -373,9 +374,12 @@ def test_a_binary_file_may_begin_with_solid_and_not_be_truncated(tmp_path):
     data = (tmp_path / "m.stl").read_bytes()
     (tmp_path / "m.stl").write_bytes(b"solid" + data[5:])
     np.testing.assert_array_equal(read_stl(tmp_path / "m.stl").vertices, np.eye(3))
-    for changed, offset in ((data[:-1], 233), (data + b"\0", 234)):
+    for changed, reason in (
+        (data[:-1], r"\(byte 233\): 233 bytes, but the 3 facets .* take 234"),
+        (data + b"\1", r"\(byte 234\): 1 bytes follow the declared payload"),
+    ):
         (tmp_path / "m.stl").write_bytes(changed)
-        with pytest.raises(FileError, match=rf"\(byte {offset}\): {len(changed)} bytes, but the 3 facets .* take 234"):
+        with pytest.raises(FileError, match=reason):
             read_stl(tmp_path / "m.stl")
 
 
