@@ -64,3 +64,31 @@ def test_two_systems_are_not_compared():
 def test_other_values_are_no_system(wrong):
     with pytest.raises((TypeError, ValueError), match="crs"):
         trajectory(wrong)
+
+
+EUROC = "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z []"
+HALF = 0.7071067811865476
+
+
+@pytest.mark.parametrize("more", ["", ", v_x, v_y"])
+@pytest.mark.parametrize("separator", [",", ", "])
+@pytest.mark.parametrize("head", [EUROC, EUROC[1:], EUROC.replace("timestamp", "timestamp [ns]"), None])
+def test_the_ground_truth_of_euroc_is_read(tmp_path, head, separator, more):
+    rows = [[1403715529912140032 + k * 5_000_000, 0.5 * k, 1.0, -2.0, HALF, 0.0, 0.0, HALF] for k in range(3)]
+    lines = [separator.join(map(str, row + [9.0, 9.0] * bool(more))) for row in rows]
+    (tmp_path / "data.csv").write_text("\r\n".join([*([] if head is None else [head + more]), *lines, ""]))
+    found = loom.read_trajectory(tmp_path / "data.csv")
+    np.testing.assert_allclose(found.timestamps - 1403715529.912140032, [0, 0.005, 0.01], atol=3e-7)
+    assert found.poses[:, :3, 3].tolist() == [[0, 1, -2], [0.5, 1, -2], [1, 1, -2]]
+    np.testing.assert_allclose(found.poses[2, :3, :3], [[0, -1, 0], [1, 0, 0], [0, 0, 1]], atol=1e-15)
+
+
+@pytest.mark.parametrize("text", [
+    EUROC.replace("w []", "u []").replace("q_RS_z", "q_RS_w") + "\n1403715529912140032,0,0,0,1,0,0,0\n",
+    EUROC + "\n1403715529.91,0,0,0,1,0,0,0\n", "17,0,0,0,1,0,0,0\n", EUROC + "\n1403715529912140032,0,0,0,1,0,0\n",
+    EUROC + "\n1403715529912140032,0,0,0,2,0,0,0\n", EUROC + "\n", "x,y,z\n1,2,3\n",
+])  # fmt: skip
+def test_other_tables_are_no_ground_truth_of_euroc(tmp_path, text):
+    (tmp_path / "data.csv").write_text(text)
+    with pytest.raises(loom.FileError, match=r"data\.csv"):
+        loom.read_trajectory(tmp_path / "data.csv")

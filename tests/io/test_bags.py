@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import pointloom as loom
 from pointloom.cli.shell.cli import cli
 from pointloom.core.errors import FileError
-from pointloom.io.bags.clouds import SECONDS_PER_UNIT, with_seconds
+from pointloom.io.bags.clouds import SECONDS_PER_UNIT, table_of_message, with_seconds
 from pointloom.io.bags.message_chunks import RecordingWarning, unpack
 
 pytest.importorskip("rosbags")
@@ -585,3 +585,52 @@ def test_the_truth_of_a_recording_is_matched_by_its_times_if_the_counts_differ(t
         result = CliRunner().invoke(cli, [*words, "--device", "cpu"])
         assert result.exit_code == 0, result.output
         assert json.loads(result.stdout)["errors"]["compared"] == count
+
+
+def cloud_of_rows(rows, codes, *, height=1, row_step=None):
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    types, kind = store.types, rows.dtype
+    header = types["std_msgs/msg/Header"](types["builtin_interfaces/msg/Time"](5, 0), "lidar")
+    fields = [types["sensor_msgs/msg/PointField"](name, kind.fields[name][1], code, 1)
+              for name, code in zip(kind.names, codes, strict=True)]  # fmt: skip
+    step, data = kind.itemsize, np.frombuffer(rows.tobytes(), np.uint8)
+    width = len(rows) // height
+    return types[CLOUD](header, height, width, fields, False, step, width * step if row_step is None else row_step,
+                        data, True)  # fmt: skip
+
+
+def test_fields_of_the_types_of_pcl_are_left_out_by_name():
+    rows = np.zeros(
+        4, [("x", "f4"), ("id", "i8"), ("y", "f4"), ("stamp", "u8"), ("z", "f4"), ("hit", "?"), ("w", "u2")]
+    )
+    rows["x"], rows["z"], rows["w"] = np.arange(4), 7, np.arange(4)
+    with pytest.warns(RecordingWarning, match=r"left out: id \(int64\), stamp \(uint64\), hit \(bool\)"):
+        table = table_of_message(PATH, cloud_of_rows(rows, [7, 9, 7, 10, 7, 11, 4]))
+    assert table.points.tolist() == [[k, 0, 7] for k in range(4)] and set(table.attributes) == {"w"}
+    assert table.attributes["w"].tolist() == [0, 1, 2, 3]
+    for codes in ([9, 9, 7, 10, 7, 11, 4], [7, 9, 7, 10, 7, 12, 4]):  # no x, and an unknown type
+        with pytest.raises(FileError), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            table_of_message(PATH, cloud_of_rows(rows, codes))
+
+
+@pytest.mark.parametrize("names", ["red green blue", "r g b", "Red Green Blue"])
+@pytest.mark.parametrize(("kind", "code", "full"), [("u1", 2, 255), ("u2", 4, 65535), ("f4", 7, 1)])
+def test_colors_in_three_fields_are_colors(names, kind, code, full):
+    rows = np.zeros(3, [(axis, "f4") for axis in "xyz"] + [(name, kind) for name in names.split()])
+    for number, name in enumerate(names.split()):
+        rows[name] = full * (np.arange(3) == number)
+    table = table_of_message(PATH, cloud_of_rows(rows, [7, 7, 7, code, code, code]))
+    assert table.colors.tolist() == np.eye(3).tolist() and not table.attributes
+
+
+@pytest.mark.parametrize("row_step", [0, 12, 12 * 6, 13 * 2])
+def test_a_row_step_that_contradicts_the_exact_size_of_the_data_is_not_used(row_step):
+    rows = np.zeros(6, [(axis, "f4") for axis in "xyz"])
+    rows["x"] = np.arange(6)
+    table = table_of_message(PATH, cloud_of_rows(rows, [7, 7, 7], height=3, row_step=row_step))
+    assert table.points[:, 0].tolist() == [0, 1, 2, 3, 4, 5] and table.grid == (3, 2)
+    message = cloud_of_rows(rows, [7, 7, 7], height=3, row_step=12 * 6)
+    message.data = message.data[:-1]
+    with pytest.raises(FileError, match="needs"):
+        table_of_message(PATH, message)

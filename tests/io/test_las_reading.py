@@ -215,6 +215,39 @@ def test_inconsistent_header_of_version_1_4_is_an_error(edits, reason, tmp_path,
         loom.read_point_cloud(edited(path, *edits))
 
 
+def as_1_5(path, offset, bits):
+    """A file of LAS 1.4 as LAS 1.5: 18 bytes more in the header."""
+    data, path = bytearray(path.read_bytes()), path.with_name("new.las")
+    (begin,) = struct.unpack_from("<I", data, 96)
+    data[25] = 5
+    struct.pack_into("<HI", data, 94, 393, begin + 18)
+    struct.pack_into("<H", data, 6, struct.unpack_from("<H", data, 6)[0] & ~1 | bits)
+    path.write_bytes(bytes(data[:375]) + struct.pack("<ddH", 2.0, 0.0, offset) + bytes(data[375:]))
+    return path
+
+
+@pytest.mark.parametrize("point_format", range(6, 11))
+@pytest.mark.parametrize(("offset", "bits", "shift"), [
+    (1400, 65, 400e6), (0, 65, -1e9), (40_000, 65, 39e9), (1000, 65, 0), (1400, 1, 0), (1400, 0, 0), (1400, 64, 0),
+])  # fmt: skip
+def test_las_1_5_is_read_with_adjusted_standard_gps_times(tmp_path, rng, point_format, offset, bits, shift):
+    make(tmp_path / "old.las", point_format, 8, rng, [laspy.ExtraBytesParams("height", "f4")])
+    expected = read_las(tmp_path / "old.las")
+    path = as_1_5(tmp_path / "old.las", offset, bits)
+    warns = pytest.warns(UserWarning, match=f"{offset * 10**6:,} s") if shift else nullcontext()
+    with warns:
+        cloud = read_las(path)
+    np.testing.assert_array_equal(cloud.points, expected.points)
+    for name in expected.attributes:
+        np.testing.assert_array_equal(
+            cloud.attributes[name], expected.attributes[name] + (shift if name == "gps_time" else 0)
+        )
+    with pytest.raises(loom.FileError, match="header of 393 bytes"):
+        loom.read_point_cloud(edited(path, (94, "<H", 375)))
+    with pytest.raises(loom.FileError, match=r"LAS 1\.6 is not supported.*1\.0 to 1\.5"):
+        loom.read_point_cloud(edited(path, (25, "B", 6)))
+
+
 def test_extended_records_may_follow_the_points(tmp_path, rng):
     path = tmp_path / "a.las"
     make(path, 6, 8, rng)

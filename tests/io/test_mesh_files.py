@@ -374,9 +374,12 @@ def test_a_binary_file_may_begin_with_solid_and_not_be_truncated(tmp_path):
     data = (tmp_path / "m.stl").read_bytes()
     (tmp_path / "m.stl").write_bytes(b"solid" + data[5:])
     np.testing.assert_array_equal(read_stl(tmp_path / "m.stl").vertices, np.eye(3))
-    for changed, offset in ((data[:-1], 233), (data + b"\0", 234)):
+    for changed, reason in (
+        (data[:-1], r"\(byte 233\): 233 bytes, but the 3 facets .* take 234"),
+        (data + b"\1", r"\(byte 234\): 1 bytes follow the declared payload"),
+    ):
         (tmp_path / "m.stl").write_bytes(changed)
-        with pytest.raises(FileError, match=rf"\(byte {offset}\): {len(changed)} bytes, but the 3 facets .* take 234"):
+        with pytest.raises(FileError, match=reason):
             read_stl(tmp_path / "m.stl")
 
 

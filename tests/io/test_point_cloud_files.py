@@ -627,7 +627,7 @@ def test_attribute_that_cannot_be_read_back_is_rejected(tmp_path, write, attribu
     assert caught.value.remedy and not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("write, cut, size, more", [(write_ply, 7, 236, b"\n"), (write_pcd, 5, 286, b"\0")])
+@pytest.mark.parametrize("write, cut, size, more", [(write_ply, 7, 236, b"\1"), (write_pcd, 5, 286, b"x")])
 def test_missing_and_additional_bytes_of_a_binary_file_are_named_by_their_offset(tmp_path, write, cut, size, more):
     path = tmp_path / ("cloud.ply" if write is write_ply else "cloud.pcd")
     write(path, PointTable(np.zeros((10, 3), np.float32)))
@@ -813,3 +813,69 @@ def test_colors_of_16_bits_are_not_rounded_silently(tmp_path):
             loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(np.eye(3)[:2], colors=fine))
         for colors in (np.rint(fine * 255) / 255, [[0.5, 0.123, 0.7], [0.1, 0.9, 0.3]]):
             loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(np.eye(3)[:2], colors=colors))
+
+
+@pytest.mark.parametrize("padding", [b"\n", b" \r\n", bytes(100), bytes(3912) + b"\n"])
+@pytest.mark.parametrize("suffix", [".ply", ".pcd", ".npy", ".stl"])
+def test_zeros_and_white_space_after_a_binary_payload_are_left_out(tmp_path, suffix, padding):
+    path, corners = tmp_path / f"a{suffix}", np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
+    if suffix == ".stl":
+        loom.write_triangle_mesh(path, loom.TriangleMesh(corners, [[0, 1, 2]]))
+    else:
+        loom.write_point_cloud(path, loom.PointCloud(corners, weight=[1.0, 2.0, 3.0]))
+    read = loom.read_triangle_mesh if suffix == ".stl" else loom.read_point_cloud
+    valid, expected = path.read_bytes(), read(path)
+    path.write_bytes(valid + padding)
+    found = read(path)
+    for name in ("vertices", "triangles") if suffix == ".stl" else ("points", "weight"):
+        given = [one[name] if name == "weight" else getattr(one, name) for one in (expected, found)]
+        np.testing.assert_array_equal(*given)
+    path.write_bytes(valid + padding + b"\2")
+    with pytest.raises(FileError, match="bytes follow"):
+        read(path)
+
+
+CAPITALS = "X Y Z Intensity Normal_X Normal_Y Normal_Z"
+PLY_CAPITALS = "X Y Z Intensity NX NY NZ Red Green BLUE"
+
+
+@pytest.mark.parametrize("name", ["a.pcd", "a.ply", "b.ply", "a.npy"])
+def test_names_of_coordinates_normals_and_colors_are_read_in_any_case(tmp_path, name):
+    path, rows = tmp_path / name, np.arange(20, dtype=np.float32).reshape(2, 10) / 20
+    names = (CAPITALS if name == "a.pcd" else PLY_CAPITALS).split()
+    rows = rows[:, : len(names)].copy()
+    if name == "a.pcd":
+        count = len(names)
+        head = f"VERSION 0.7\nFIELDS {CAPITALS}\nSIZE{' 4' * count}\nTYPE{' F' * count}\nCOUNT{' 1' * count}\n"
+        path.write_bytes(f"{head}WIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA binary\n".encode() + rows.tobytes())
+    elif name == "a.npy":
+        np.save(path, rows.view([(key, "f4") for key in names])[:, 0])
+    else:
+        form = "ascii" if name == "a.ply" else "binary_little_endian"
+        head = f"ply\nformat {form} 1.0\nelement vertex 2\n" + "".join(f"property float {key}\n" for key in names)
+        body = "\n".join(" ".join(map(str, row)) for row in rows.tolist()).encode()
+        path.write_bytes(head.encode() + b"end_header\n" + (body if form == "ascii" else rows.tobytes()))
+    cloud = loom.read_point_cloud(path)
+    np.testing.assert_array_equal(cloud.points, rows[:, :3])
+    np.testing.assert_array_equal(cloud.normals, rows[:, 4:7])
+    np.testing.assert_array_equal(cloud["Intensity"], rows[:, 3])
+    if name != "a.pcd":
+        np.testing.assert_array_equal(cloud.colors, rows[:, 7:])
+
+
+def test_exact_names_take_precedence_over_capitals(tmp_path):
+    np.save(tmp_path / "a.npy", np.array([(1, 2, 3, 9)], [(key, "f4") for key in ("x", "y", "z", "X")]))
+    cloud = loom.read_point_cloud(tmp_path / "a.npy")
+    assert cloud.points.tolist() == [[1, 2, 3]] and cloud["X"].tolist() == [9]
+
+
+def test_a_pts_file_without_a_number_of_points_is_read_with_a_warning(tmp_path):
+    (tmp_path / "a.pts").write_text("1 2 3 0.5 10 20 30\n4 5 6 0.25 40 50 60\n")
+    with pytest.warns(UserWarning, match="no number of points"):
+        cloud = loom.read_point_cloud(tmp_path / "a.pts")
+    assert cloud.points.tolist() == [[1, 2, 3], [4, 5, 6]] and cloud["intensity"].tolist() == [0.5, 0.25]
+    with pytest.warns(UserWarning, match="no number of points"):
+        assert TextInParts(tmp_path / "a.pts").count == 2
+    (tmp_path / "b.pts").write_text("1 2\n4 5 6\n")
+    with pytest.raises(FileError, match="number of points"):
+        loom.read_point_cloud(tmp_path / "b.pts")

@@ -22,6 +22,8 @@ _OPEN3D_TUM_HEADER = "# TUM trajectory, format: <t> <x> <y> <z> <qx> <qy> <qz> <
 # Maximum deviation of a quaternion's length from 1: 4 decimals leave 1e-4. More is not a rotation.
 _QUATERNION_TOLERANCE = 1e-2
 
+_NS_DIGITS = 16  # of nanoseconds since 1970: shorter numbers may be in other units, unless the header has [ns]
+
 _OF_C = re.compile(r"[-+]?(nan\(\w*\)|1\.#\w+)", re.I)  # NaN and infinity as printed by C runtimes
 
 LOST = "inf and NaN mark a pose that was lost in tracking: pass skip_missing=True to skip it"
@@ -161,6 +163,29 @@ def timed_poses(
     poses[:, :3, 3] = table[:, 1:4]
     poses[np.isnan(lengths)] = np.nan
     return poses, table[:, 0].copy()
+
+
+def euroc_lines(path: str | os.PathLike[str], lines: list[Line], comments: list[str]) -> list[Line]:
+    """Lines of EuRoC, `timestamp [ns], x, y, z, qw, qx, qy, qz`, as those of TUM. Other columns are left out."""
+    cells = [(number, [cell.strip() for cell in " ".join(columns).split(",")]) for number, columns in lines]
+    heads = [row for row in (comment.lstrip("# ").split(",") for comment in comments) if len(row) > 1]
+    if cells and not cells[0][1][0][:1].isdigit():
+        heads.append(cells.pop(0)[1])
+    expected = "the columns timestamp [ns], x, y, z, qw, qx, qy, qz"
+    for head in heads[-1:]:
+        names = [name.partition("[")[0].strip().lower() for name in head]
+        if len(names) < 8 or [name[-1:] for name in names[1:8]] != list("xyzwxyz"):
+            remedy = "Reorder the columns, or name a file of TUM's columns .tum"
+            raise FileError(path, f"expected {expected}, got {', '.join(names[:8])[:200]}", remedy=remedy)
+    is_marked, found = any("[ns]" in head[0] for head in heads[-1:]), []
+    for number, row in cells:
+        is_in_ns = row[0].isdecimal() and (len(row[0]) >= _NS_DIGITS or is_marked)
+        if len(row) < 8 or not is_in_ns:
+            given = f"{len(row)} columns and the timestamp {row[0][:40]!r}"
+            raise FileError(path, f"expected {expected}, got {given}", where=f"line {number}")
+        seconds, fraction = divmod(int(row[0][:40]), 10**9)
+        found.append((number, [f"{seconds}.{fraction:09d}", *row[1:4], *row[5:8], row[4]]))
+    return found
 
 
 def kitti_poses(path: str | os.PathLike[str], lines: list[Line], *, gaps: bool) -> NDArray[np.float64]:

@@ -28,8 +28,8 @@ from ..core.time_checks import check_seconds
 from ..core.units import warn_of_units
 from ..kernels.linear_algebra import inv
 from .camera import PinholeCameraIntrinsic, check_camera, intrinsic_to_json, read_json_matrix
-from .pose_text import check_pose, kitti_poses, log_poses, read_lines, timed_poses
-from .trajectory_formats import FORMATS, TRAJECTORY_FORMATS, extensions_of
+from .pose_text import check_pose, euroc_lines, kitti_poses, log_poses, read_lines, timed_poses
+from .trajectory_formats import EUROC, FORMATS, TRAJECTORY_FORMATS, extensions_of
 
 _CRS_COMMENT = "# crs "  # before the coordinate system in text files
 
@@ -98,6 +98,7 @@ def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False)
     - `.txt` with 8 columns, `.tum`: `timestamp tx ty tz qx qy qz qw`. Quaternions within 1e-2 of unit length are
       normalized.
     - `.txt` with 12 columns, `.kitti`: the upper three matrix rows, camera to world.
+    - `.csv` of EuRoC (ASL): `timestamp [ns], tx, ty, tz, qw, qx, qy, qz`. Further columns are ignored.
 
     Blank lines and lines that start with `#` are skipped in text formats. The line `# crs EPSG:25832` and the JSON key
     `crs` are the coordinate system.
@@ -143,8 +144,9 @@ def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
     suffix = path_of(path).suffix.lower()
     if suffix == ".json":
         return _read_json(path)
-    if suffix not in TRAJECTORY_FORMATS:
-        remedy = recording_remedy(path, "trajectory()") or f"Known extensions are {', '.join(TRAJECTORY_FORMATS)}"
+    if suffix not in (*TRAJECTORY_FORMATS, EUROC):
+        known = ", ".join([*TRAJECTORY_FORMATS, EUROC])
+        remedy = recording_remedy(path, "trajectory()") or f"Known extensions are {known}"
         raise FileError(path, f"unknown trajectory format {suffix!r}", remedy=remedy)
     comments: list[str] = []
     lines, crs = read_lines(path, comments), None
@@ -154,6 +156,8 @@ def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
                 crs = crs or check_crs("crs", comment.removeprefix(_CRS_COMMENT))
     if not lines:
         raise FileError(path, "contains no pose")
+    if suffix == EUROC:
+        return Trajectory(*timed_poses(path, euroc_lines(path, lines, comments), gaps=gaps), crs=crs)
     if suffix == ".log":
         poses, ids = log_poses(path, lines, gaps=gaps)
         return Trajectory(poses, ids=ids, crs=crs)

@@ -12,6 +12,8 @@ TRAJECTORY_FORMATS = {
     ".json": ("json",),
 }
 
+EUROC = ".csv"  # ground truth of EuRoC (ASL), which is only read
+
 FORMATS = tuple(dict.fromkeys(name for names in TRAJECTORY_FORMATS.values() for name in names))
 
 #: Formats of text with a frame number or time per pose, which commands write, by extension.

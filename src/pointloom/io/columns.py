@@ -109,6 +109,19 @@ def fit_colors(columns: Sequence[NDArray[Any]], full: int) -> tuple[NDArray[np.f
     return np.clip(values, 0, 1).astype(np.float32), note
 
 
+def roles_in_lower_case(names: Sequence[str], roles: Sequence[tuple[str, ...]]) -> dict[str, str]:
+    """New names of columns such as X, Y, Z that have the role of x, y, z except for their case.
+
+    None for a role whose names are all present, and if two columns differ in their case only.
+    """
+    renamed: dict[str, str] = {}
+    for role in roles:
+        matches = [[name for name in names if name.lower() == part] for part in role]
+        if not all(part in names for part in role) and all(len(match) == 1 for match in matches):
+            renamed |= {match[0]: part for match, part in zip(matches, role, strict=True) if match[0] != part}
+    return renamed
+
+
 def warn_of_loss(path: FilePath, what: str, reason: str, *, stacklevel: int = 3) -> None:
     """Warn that content of a file is dropped, by default at the reader's caller."""
     message = f"{path}: the {what} are dropped, because {reason}"

@@ -12,7 +12,7 @@ from typing import IO
 import numpy as np
 
 from ..core.errors import FileError, FilePath
-from .source import SourceFile
+from .source import SourceFile, check_end
 
 _LENGTH_FORMATS = {(1, 0): "<H", (2, 0): "<I"}
 _MAX_LENGTH = 10_000  # [B] NumPy's own limit for untrusted files
@@ -48,9 +48,10 @@ def read_structured_header(path: FilePath, source: SourceFile) -> tuple[int, int
         raise FileError(path, f"the structured array has a field twice: {', '.join(names[:10])}")
     dtype = np.dtype([(name, kind, shape) for name, (_, kind, shape) in zip(names, fields, strict=True)])
     count, left = int(found[2]), len(source) - begin
-    if count * dtype.itemsize != left:
+    if count * dtype.itemsize > left:
         reason = f"{count} rows of {dtype.itemsize} bytes need {count * dtype.itemsize} bytes, but it has {left}"
         raise FileError(path, reason, where=f"byte {begin}")
+    check_end(path, source, begin + count * dtype.itemsize)
     return begin, count, dtype
 
 

@@ -21,6 +21,7 @@ from ..core.errors import FileError, FilePath, PointloomError
 from ..core.interrupts import signal_exception
 from ..core.paths import input_path, path_of
 from ..core.serialized import keep_through_forks
+from ..core.units import warn_of_units
 
 # A header without an end would otherwise be searched in gigabytes of payload. Real ones are below 100 KiB.
 MAX_HEADER_BYTES = 1 << 20
@@ -31,6 +32,8 @@ _MAX_DIGITS = 19
 # Reads of at most _SMALL_READ_BYTES are served from a window, since headers are read in pieces of a few bytes.
 _SMALL_READ_BYTES, _WINDOW_BYTES = 1 << 12, 1 << 13
 _BYTES_PER_SEARCH = 1 << 20  # [B] searched at a time
+_PADDING = b"\0 \t\r\n"  # bytes that writers append
+_MAX_PADDING = 1 << 12  # [B] a memory page. More is reported, as counts in the header may be too small
 _MAX_READ = 1 << 30  # [B] by one call of the system, which allows 2 GB
 
 
@@ -298,6 +301,18 @@ def _pass_signals(error: BaseException, handled: BaseException | None) -> None:
     """Re-raise an exception of a signal handler if it caused this error."""
     if (stopped := signal_exception(error, handled)) is not None:
         raise stopped from None
+
+
+def check_end(path: FilePath, source: SourceFile, end: int) -> None:
+    """Raise `FileError` if bytes other than zeros and white space follow the payload, which ends at byte `end`."""
+    left = len(source) - end
+    for begin in range(end, len(source), _BYTES_PER_SEARCH):
+        if source[begin : begin + _BYTES_PER_SEARCH].strip(_PADDING):
+            remedy = "The counts in the header are too small, or the file was damaged"
+            raise FileError(path, f"{left} bytes follow the declared payload", where=f"byte {end}", remedy=remedy)
+    if left > _MAX_PADDING:
+        message = f"{path}: {left:,} bytes of zeros or white space after the declared payload are left out"
+        warn_of_units(message, UserWarning)
 
 
 def parse_count(path: FilePath, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from ...core.errors import FileError
 from ...core.time_checks import float32_step, is_single
 from ...core.units import warn_of_units
+from ..columns import colors_or_loss, roles_in_lower_case
 from ..table import PointTable
 from .message_chunks import RecordingWarning, byte_order
 
@@ -154,7 +155,9 @@ def _unit(times: NDArray[Any], written: str | None, stamp: float, step: float) -
     return fitting[0] if fitting else None
 
 
+PCL_TYPES = {9: "int64", 10: "uint64", 11: "bool"}  # as PCL writes them, which sensor_msgs does not define
 TYPES = ("i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8")  # datatype 1 to 8 of sensor_msgs/PointField
+_CHANNELS = (("red", "green", "blue"), ("r", "g", "b"))
 _OWN = ("points", "normals", "colors")
 
 
@@ -168,7 +171,7 @@ def table_of_message(path: Path, message: Any, *, absolute_times: bool = False) 
         raise FileError(path, "a cloud has coordinates that are not one float each")
     points = np.stack([_native(columns.pop(name)) for name in "xyz"], axis=1)
     attributes = {}
-    colors = _colors(columns)
+    colors = _colors(path, columns)
     for name, values in columns.items():
         attributes[name + "_field" if name in _OWN else name] = _native(values)
     seen = np.isfinite(points).all(axis=1) & (points != 0).any(axis=1)
@@ -182,8 +185,12 @@ def table_of_message(path: Path, message: Any, *, absolute_times: bool = False) 
 def _columns(path: Path, message: Any) -> dict[str, NDArray[Any]]:
     width, height, step, row = (int(message.width), int(message.height), int(message.point_step), int(message.row_step))
     order = ">" if message.is_bigendian else "<"
-    names, formats, offsets = [], [], []
+    names: list[str] = []
+    formats, offsets, dropped = [], [], []
     for field in message.fields:
+        if field.datatype in PCL_TYPES:
+            dropped.append(f"{field.name} ({PCL_TYPES[field.datatype]})")
+            continue
         if not 1 <= field.datatype <= len(TYPES):
             raise FileError(path, f"field {field.name!r} of a cloud has the unknown type {field.datatype}")
         form, count = order + TYPES[field.datatype - 1], max(int(field.count), 1)
@@ -193,7 +200,12 @@ def _columns(path: Path, message: Any) -> dict[str, NDArray[Any]]:
             names.append(field.name)
             formats.append((form, (count,)) if count > 1 else form)
             offsets.append(int(field.offset))
+    if dropped:
+        message_text = f"{path}: fields of types that PointField does not define are left out: {', '.join(dropped)}"
+        warn_of_units(message_text, RecordingWarning)
     data = np.asarray(message.data, np.uint8).reshape(-1)
+    if height > 1 and len(data) == width * height * step:
+        row = width * step  # some drivers write the size of the image, or zero, for that of a row
     if height > 1 and row < width * step:
         raise FileError(path, f"a cloud has rows of {row} bytes for {width} points of {step}")
     needed = (height - 1) * row + width * step if height > 1 else width * height * step
@@ -206,18 +218,22 @@ def _columns(path: Path, message: Any) -> dict[str, NDArray[Any]]:
         rows = np.ndarray((height, width), kind, np.ascontiguousarray(data), 0, (row, step)).reshape(-1)
     else:
         rows = np.frombuffer(np.ascontiguousarray(data), kind, width * height)
-    return {name: rows[name] for name in names}
+    spelled = roles_in_lower_case(names, (("x", "y", "z"), *_CHANNELS))
+    return {spelled.get(name, name): rows[name] for name in names}
 
 
 def _native(values: NDArray[Any]) -> NDArray[Any]:
     return np.ascontiguousarray(values, values.dtype.newbyteorder("="))
 
 
-def _colors(columns: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
-    """Colors packed in four bytes, as in PCL."""
+def _colors(path: Path, columns: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
+    """Colors packed in four bytes, as in PCL, or in three fields."""
     for name in ("rgb", "rgba"):
         if name in columns and columns[name].ndim == 1 and columns[name].dtype.itemsize == 4:
             packed = _native(columns.pop(name)).view(np.uint32)
             channels = [(packed >> np.uint32(shift)) & np.uint32(255) for shift in (16, 8, 0)]
             return np.stack(channels, axis=1).astype(np.float32) / np.float32(255)
+    for names in _CHANNELS:
+        if all(name in columns and columns[name].ndim == 1 for name in names):
+            return colors_or_loss(path, [_native(columns.pop(name)) for name in names])
     return None

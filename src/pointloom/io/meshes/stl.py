@@ -19,7 +19,7 @@ from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, unix_lines
 from ..columns import check_extent, colors_or_loss, warn_left_out, warn_of_loss
-from ..source import SourceFile, open_source
+from ..source import SourceFile, check_end, open_source
 from ..table import MeshTable
 
 _FACET_TYPE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute_bytes", "<u2")])
@@ -46,11 +46,14 @@ def read_stl(path: FilePath, *, with_normals: bool = False) -> MeshTable:
     path = Path(path)
     source = open_source(path)
     count = int.from_bytes(source[80:_HEADER_BYTES], "little")
-    if len(source) >= _HEADER_BYTES and len(source) == _HEADER_BYTES + count * _FACET_TYPE.itemsize:
+    end = _HEADER_BYTES + count * _FACET_TYPE.itemsize
+    is_text = source[:80].lstrip()[:5].lower() == b"solid"
+    if len(source) == end or (_HEADER_BYTES < end < len(source) and not is_text):
+        check_end(path, source, end)
         facets = source.array(_FACET_TYPE, count, _HEADER_BYTES)
         corners, normals = facets["corners"].reshape(-1, 3).astype(np.float32), facets["normal"]
         colors = _colors_of_bytes(path, bytes(source[:80]), facets["attribute_bytes"])
-    elif source[:80].lstrip()[:5].lower() == b"solid":  # some binary files start the same way, but have the right size
+    elif is_text:  # some binary files start the same way, but have the right size
         corners, normals, colors = _read_text(path, source)
     else:
         raise _wrong_size(path, source, count)

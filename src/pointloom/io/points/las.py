@@ -1,4 +1,4 @@
-"""LAS and LAZ files, versions 1.0 to 1.4, point formats 0 to 10, with laspy and lazrs.
+"""LAS and LAZ files, versions 1.0 to 1.5, point formats 0 to 10, with laspy and lazrs.
 
 Positions are float64 in the file's unit and coordinate system. Other dimensions are attributes with laspy's names.
 Colors are divided by 255 if no value exceeds it (many writers store 8 bits), else by 65535. NormalX.. or "normal x"..
@@ -98,7 +98,9 @@ class LasFile:
             if name in _COORDINATES or name in COLORS:
                 continue
             is_standard = dimension.is_standard
-            columns["." + name] = np.asarray(record[name]) if is_standard else decode_extra(dimension, rows[name])
+            values = np.asarray(record[name]) if is_standard else decode_extra(dimension, rows[name])
+            is_shifted = name == "gps_time" and self.header.time_shift
+            columns["." + name] = values + self.header.time_shift if is_shifted else values
         return columns
 
 

@@ -1,6 +1,6 @@
 """The header and records of a LAS or LAZ file, validated against the file size before use.
 
-ASPRS, LAS Specification 1.4-R15 (tables 1 to 8).
+ASPRS, LAS Specification 1.4-R15 (tables 1 to 8), and LAS 1.5 (2025): times of GPS and their offset in the header.
 """
 
 from __future__ import annotations
@@ -13,10 +13,11 @@ from typing import Any
 
 from ...core.coordinates import FLOAT32_MAX
 from ...core.errors import FileError, FilePath
+from ...core.units import warn_of_units
 from ..source import SourceFile, SourcePart
 
 # Header bytes by minor version.
-_HEADER_BYTES = {0: 227, 1: 227, 2: 227, 3: 235, 4: 375}
+_HEADER_BYTES = {0: 227, 1: 227, 2: 227, 3: 235, 4: 375, 5: 393}
 
 # Bytes per point by point format, without extra bytes. 6 and above are of version 1.4.
 _RECORD_BYTES = {0: 20, 1: 28, 2: 26, 3: 34, 4: 57, 5: 63, 6: 30, 7: 36, 8: 38, 9: 59, 10: 67}
@@ -28,6 +29,9 @@ _EXTENDED_HEADER = struct.Struct("<H16sHQ32s")
 
 # Bit 7 of the point format marks LASzip. Bit 6 marked an obsolete predecessor.
 _COMPRESSED_BIT = 0x80
+
+# Both bits: times are GPS time minus 1e6 times the field at this byte. The first alone: minus _ADJUSTED [s].
+_OFFSET_TIME_BITS, _TIME_OFFSET, _ADJUSTED = 1 | 1 << 6, 391, 1e9
 
 PROJECTION = "LASF_Projection"  # user id of the coordinate system records
 SPEC = "LASF_Spec"
@@ -57,6 +61,7 @@ class LasHeader:
         scales, offsets: Coordinate steps [unit of the file], and what is added to scaled coordinates.
         bounds: Bounding box, unverified.
         records: Variable-length records, then extended ones.
+        time_shift: Seconds that convert GPS times to adjusted standard GPS time, as `encoding` promises (LAS 1.5).
     """
 
     version: str
@@ -75,6 +80,7 @@ class LasHeader:
     guid: bytes
     system: str
     created: date | None
+    time_shift: float = 0.0
 
     def find(self, user_id: str, record_id: int) -> bytes | None:
         matches = (record.data for record in self.records if (record.user_id, record.record_id) == (user_id, record_id))
@@ -88,7 +94,7 @@ def parse_las_header(path: FilePath, source: SourceFile) -> LasHeader:
     minor, header_bytes, begin, point_format, length = fields[5], *fields[10:12], *fields[13:15]
     extended_begin, extended_count, point_count = 0, 0, fields[15]
     waveforms = struct.unpack("<Q", source[227:235])[0] if minor >= 3 else 0
-    if minor == 4:
+    if minor >= 4:
         extended_begin, extended_count, point_count = struct.unpack("<QIQ", source[235:255])
         _check_counts(path, fields[15], point_count)
     if not header_bytes <= begin <= len(source):
@@ -112,7 +118,19 @@ def parse_las_header(path: FilePath, source: SourceFile) -> LasHeader:
     return LasHeader(
         f"1.{minor}", fields[2], point_format, is_compressed, length, point_count, begin, scales, offsets,
         (low, high), tuple(records), _text(fields[7]), fields[1], fields[3], _text(fields[6]), _day_of(*fields[8:10]),
+        _time_shift(path, source, minor, fields[2]),
     )  # fmt: skip
+
+
+def _time_shift(path: FilePath, source: SourceFile, minor: int, encoding: int) -> float:
+    """Difference of the file's offset of GPS times and that of adjusted standard GPS time [s], with a warning."""
+    if minor < 5 or encoding & _OFFSET_TIME_BITS != _OFFSET_TIME_BITS:
+        return 0.0
+    offset = 1e6 * int.from_bytes(source[_TIME_OFFSET : _TIME_OFFSET + 2], "little")
+    if offset != _ADJUSTED:
+        message = f"{path}: GPS times have an offset of {offset:,.0f} s; they are converted to that of LAS 1.4, 1e9 s"
+        warn_of_units(message, UserWarning)
+    return offset - _ADJUSTED
 
 
 def _day_of(day: int, year: int) -> date | None:
@@ -131,7 +149,7 @@ def _unpack_header(path: FilePath, source: SourceFile) -> tuple[Any, ...]:
     major, minor, header_bytes = fields[4], fields[5], fields[10]
     if major != 1 or minor not in _HEADER_BYTES:
         raise FileError(
-            path, f"LAS {major}.{minor} is not supported", where="byte 24", remedy="Supported are 1.0 to 1.4"
+            path, f"LAS {major}.{minor} is not supported", where="byte 24", remedy="Supported are 1.0 to 1.5"
         )
     if header_bytes < _HEADER_BYTES[minor] or len(source) < _HEADER_BYTES[minor]:
         reason = f"LAS 1.{minor} has a header of {_HEADER_BYTES[minor]} bytes, but the file declares {header_bytes}"

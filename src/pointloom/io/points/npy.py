@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError, FilePath
 from ..attribute_names import NameRules
-from ..columns import stack_colors, stack_normals, stack_points
+from ..columns import roles_in_lower_case, stack_colors, stack_normals, stack_points
 from ..npy_header import MAX_HEADER_BYTES, read_npy_header, read_structured_header
 from ..optional_imports import foreign_errors
-from ..source import SourceFile, open_source
+from ..source import SourceFile, check_end, open_source
 from ..table import PointTable
 from .text_table import check_columns
 
@@ -60,9 +60,10 @@ def _plain_rows(path: Path, source: SourceFile) -> NDArray[Any]:
     if dtype.kind not in "biuf" or dtype.itemsize > 8:
         raise FileError(path, f"expected real numbers, got {dtype}")
     begin, needed = stream.tell(), math.prod(shape) * dtype.itemsize
-    if needed != len(source) - begin or min(shape, default=0) < 0:
+    if needed > len(source) - begin or min(shape, default=0) < 0:
         reason = f"an array of {dtype} {list(shape)} needs {needed} bytes, but has {len(source) - begin}"
         raise FileError(path, reason, where=f"byte {begin}")
+    check_end(path, source, begin + needed)
     rows = source.array(dtype, math.prod(shape), begin).reshape(shape, order="F" if is_by_columns else "C")
     return rows.astype(dtype.newbyteorder("="), copy=False)
 
@@ -72,6 +73,8 @@ def _table_of(path: Path, columns: dict[str, NDArray[Any]]) -> PointTable:
         if name in columns and columns[name].ndim == 2 and columns[name].shape[1] == 3 and parts[0] not in columns:
             columns = dict(zip(parts, columns[name].T, strict=True)) | columns
             del columns[name]
+    spelled = roles_in_lower_case(list(columns), (_POINTS, _NORMALS, _COLORS, tuple(_OTHER_NAMES)))
+    columns = {spelled.get(name, name): values for name, values in columns.items()}
     if all(name in columns for name in _OTHER_NAMES):
         columns = {_OTHER_NAMES.get(name, name): values for name, values in columns.items()}
 

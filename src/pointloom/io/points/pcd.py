@@ -21,7 +21,7 @@ from ..ascii_rows import CHUNK_ROWS, AsciiRows, write_rows
 from ..attribute_names import NameRules, is_word
 from ..columns import check_name, check_types, colors_to_bytes, own, stack_colors, stack_normals, stack_points
 from ..fixed_rows import NO_TABLE, Column, FixedRows
-from ..source import SourceFile, open_source
+from ..source import SourceFile, check_end, open_source
 from ..table import PointTable
 from . import lzf
 from .header_units import reference_comments
@@ -29,10 +29,6 @@ from .pcd_header import ENCODINGS, IDENTITY_VIEWPOINT, Field, PcdHeader, read_he
 
 PACKED = ("rgb", "rgba")  # fields of colors 0xAARRGGBB
 UNREADABLE = "the text of field {!r} is nan, as PCL wrote colors with red from 128 on; write the file as binary"
-
-# PCL up to 1.8 pads binary files as if the payload began on the second memory page: this many zero bytes minus the
-# header length. Of compressed files the header was counted in another way.
-_PAGE_BYTES = 4096
 
 
 def read_payload(path: FilePath, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
@@ -48,9 +44,7 @@ def point_rows(path: FilePath, source: SourceFile, header: PcdHeader) -> FixedRo
     """The points of the binary encoding, after checking the file against its header."""
     _check_positions(path, {field.name: (field.dtype, field.count) for field in header.fields})
     needed = header.point_count * header.point_bytes
-    slack = bytes(source[header.size + needed : header.size + needed + _PAGE_BYTES])
-    is_padded = header.size + len(slack) == _PAGE_BYTES and not any(slack)
-    _check_size(path, source, header.size, needed + len(slack) * is_padded)
+    _check_size(path, source, header.size, needed)
     columns, offset = {}, 0
     for field in header.fields:
         if field.name != "_":
@@ -79,13 +73,7 @@ def _check_size(path: FilePath, source: SourceFile, offset: int, needed: int) ->
             f"truncated: the payload needs {needed} bytes, {available} are left ({needed - available} missing)",
             where=f"byte {len(source)}",
         )
-    if needed < available:
-        raise FileError(
-            path,
-            f"{available - needed} bytes follow the declared payload",
-            where=f"byte {offset + needed}",
-            remedy="The counts in the header are too small, or the file was damaged",
-        )
+    check_end(path, source, offset + needed)
 
 
 def _read_compressed(path: FilePath, source: SourceFile, header: PcdHeader) -> dict[str, NDArray[Any]]:
@@ -97,10 +85,7 @@ def _read_compressed(path: FilePath, source: SourceFile, header: PcdHeader) -> d
     if size != needed:
         reason = f"the payload unpacks to {size} bytes, but {header.point_count} points need {needed}"
         raise FileError(path, reason, where=f"byte {header.size + 4}")
-    slack = bytes(source[begin + packed : begin + packed + _PAGE_BYTES])
-    if len(slack) == _PAGE_BYTES or any(slack):
-        slack = b""
-    _check_size(path, source, begin, packed + len(slack))
+    _check_size(path, source, begin, packed)
     try:
         body = lzf.decompress(bytes(source[begin : begin + packed]), size)
     except lzf.LzfError as error:
@@ -275,7 +260,8 @@ def write_pcd(
 def _check_positions(path: FilePath, fields: dict[str, tuple[np.dtype[Any], int]]) -> None:
     missing = [name for name in _POINTS if name not in fields]
     if missing:
-        raise FileError(path, f"there is no field {', '.join(missing)}")
+        names = ", ".join(list(fields)[:20])
+        raise FileError(path, f"there is no field {', '.join(missing)} (the fields are {names})")
     for name in _POINTS:
         dtype, count = fields[name]
         if dtype.kind != "f" or count != 1:

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
+from ..columns import roles_in_lower_case
 from ..source import MAX_HEADER_BYTES, Source, parse_count
 
 IDENTITY_VIEWPOINT = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)  # a VIEWPOINT at the origin
@@ -24,6 +25,8 @@ ENCODINGS = ("ascii", "binary", "binary_compressed")
 _VERSIONS = (".5", ".6", ".7", "0.5", "0.6", "0.7")
 _KEYS = ("VERSION", "FIELDS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA")
 _TYPES = {"I": "i1 i2 i4 i8", "U": "u1 u2 u4 u8", "F": "f4 f8"}
+
+_ROLES = (("x", "y", "z"), ("normal_x", "normal_y", "normal_z"), ("rgb",), ("rgba",), ("r", "g", "b"))  # in any case
 
 # PCL's largest descriptors have about 2,000 components. A larger COUNT is damage.
 _MAX_COMPONENTS = 1 << 20
@@ -141,7 +144,8 @@ def _parse_fields(path: FilePath, lines: _Lines) -> list[Field]:
         if count < 1:
             raise FileError(path, f"field {name!r} has a COUNT of 0", where=f"line {numbers['COUNT']}")
         fields.append(Field(name, np.dtype(code).newbyteorder("<"), count))
-    return fields
+    spelled = roles_in_lower_case(names, _ROLES)
+    return [replace(field, name=spelled.get(field.name, field.name)) for field in fields]
 
 
 def _parse_extent(path: FilePath, lines: _Lines) -> tuple[int, int]:

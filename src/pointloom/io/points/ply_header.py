@@ -5,13 +5,14 @@ Greg Turk, "The PLY Polygon File Format" (1994), and the later type names (int8.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any, Literal
 
 import numpy as np
 
 from ...core.errors import FileError, FilePath
+from ..columns import roles_in_lower_case
 from ..source import MAX_HEADER_BYTES, Source, parse_count
 
 #: PLY's two families of type names, as NumPy codes without byte order.
@@ -24,6 +25,9 @@ SCALAR_TYPES = {
 
 #: The type names to write: the older family, which every reader supports.
 TYPE_NAMES = dict(zip(list(SCALAR_TYPES.values())[:8], SCALAR_TYPES, strict=False))
+
+#: Properties of vertices that are recognized in any case.
+_ROLES = (("x", "y", "z"), ("nx", "ny", "nz"), ("red", "green", "blue"), ("r", "g", "b"))
 
 ByteOrder = Literal["=", "<", ">"]
 
@@ -110,6 +114,10 @@ def read_header(path: FilePath, source: Source) -> PlyHeader:
             raise FileError(path, f"unknown header line {line[:60]!r}", where=f"line {number}")
     if byte_order is None:
         raise FileError(path, "the header has no format line")
+    for element in elements:
+        if element.name == "vertex":
+            spelled = roles_in_lower_case([prop.name for prop in element.properties], _ROLES)
+            element.properties = [replace(prop, name=spelled.get(prop.name, prop.name)) for prop in element.properties]
     return PlyHeader(byte_order == "=", elements, size, len(lines) + 1, comments)
 
 

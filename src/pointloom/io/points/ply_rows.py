@@ -19,7 +19,7 @@ from ...core.errors import FileError, FilePath
 from ..ascii_rows import AsciiRows
 from ..fixed_rows import Column as FixedColumn
 from ..fixed_rows import FixedRows
-from ..source import SourceFile
+from ..source import SourceFile, check_end
 from .ply_header import Element, PlyHeader, Property
 
 
@@ -101,14 +101,7 @@ class _BinaryRows:
         return self._view(element, lengths, wanted)
 
     def finish(self) -> None:
-        left = len(self._source) - self._offset
-        if left:
-            raise FileError(
-                self._path,
-                f"{left} bytes follow the declared payload",
-                where=f"byte {self._offset}",
-                remedy="The counts in the header are too small, or the file was damaged",
-            )
+        check_end(self._path, self._source, self._offset)
 
     def _strided(
         self, offset: int, dtype: np.dtype[Any], shape: tuple[int, ...], strides: tuple[int, ...]

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError, FilePath
-from ..ascii_rows import AsciiRows, unix_lines, write_rows
+from ...core.units import warn_of_units
+from ..ascii_rows import AsciiRows, is_number, unix_lines, write_rows
 from ..columns import colors_to_bytes, stack_colors, stack_normals
 from ..source import open_source, parse_count
 from ..table import PointTable
@@ -70,8 +71,9 @@ def _kind(path: Path) -> str:
 
 def _read_pts(path: Path, body: bytes) -> PointTable:
     first, _, rest = body.partition(b"\n")
-    count = parse_count(path, first.strip().decode("ascii", "backslashreplace"), "the number of points", 1)
-    rows = AsciiRows(path, rest, 2, is_table=True)
+    declared = pts_count(path, first)
+    rows = AsciiRows(path, body if declared is None else rest, 1 if declared is None else 2, is_table=True)
+    count = rows.row_count if declared is None else declared
     if rows.row_count < count:
         raise FileError(path, f"truncated: {rows.row_count} of {count} points", where=rows.where(rows.row_count))
     if rows.row_count > count:
@@ -91,6 +93,15 @@ def _read_pts(path: Path, body: bytes) -> PointTable:
         colors = stack_colors(path, channels)
     attributes = {"intensity": table[:, 3].copy()} if width in (4, 7) else {}
     return PointTable(np.ascontiguousarray(table[:, :3]), None, colors, attributes)
+
+
+def pts_count(path: FilePath, first: bytes) -> int | None:
+    """The number of points in the first line of a PTS file. None, with a warning, if it is a point."""
+    words = first.split()
+    if len(words) in _VALUES_PER_LINE[".pts"] and all(map(is_number, words)):
+        warn_of_units(f"{path}: has no number of points in its first line; all its lines are read", UserWarning)
+        return None
+    return parse_count(path, first.strip().decode("ascii", "backslashreplace"), "the number of points", 1)
 
 
 def _columns(path: Path, kind: str, table: PointTable) -> list[NDArray[Any]]:

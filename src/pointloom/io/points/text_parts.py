@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError, FilePath
 from ..ascii_rows import AsciiRows, unix_lines
-from ..source import SourceFile, open_source, parse_count
+from ..source import SourceFile, open_source
 from ..table import PointTable
+from .text import pts_count
 from .text_table import (
     COLOR,
     NORMAL,
@@ -45,10 +46,8 @@ class TextInParts:
         first = unix_lines(bytes(source[begin : begin + _MAX_HEADER_BYTES]))
         self._declared, self._delimiter, self._lines, full = -1, None, 0, None
         if self._kind == ".pts":
-            self._declared = parse_count(
-                path, first.partition(b"\n")[0].strip().decode("ascii", "backslashreplace"), "the number of points", 1
-            )
-            self._lines, self._names = 1, None
+            declared = pts_count(path, first.partition(b"\n")[0])
+            self._declared, self._lines, self._names = (-1, 0, None) if declared is None else (declared, 1, None)
         elif self._kind in _FIXED:
             self._names = _FIXED[self._kind]
         else:
