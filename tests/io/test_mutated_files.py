@@ -156,6 +156,8 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(clamped|divided by 255|defined twice|before any newmtl)"),
     pytest.mark.filterwarnings("ignore:.*white is used"),
     pytest.mark.filterwarnings("ignore:.*triangulated as fans"),
+    pytest.mark.filterwarnings("ignore:.*(fewer than 3 corners|zeros or white space|no complete triangle)"),
+    pytest.mark.filterwarnings("ignore:.*(no number of points in its first line|GPS times have an offset)"),
     pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
     pytest.mark.filterwarnings("ignore:.*The matrix is used"),
 ]
