@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.cameras.trajectory_formats import FORMATS, NUMBERED, TRAJECTORY_FORMATS
+from pointloom.cameras.trajectory_formats import EUROC, FORMATS, NUMBERED, TRAJECTORY_FORMATS
 from pointloom.cli.jobs.info import describe
 from pointloom.cli.shell.cli import cli
 from pointloom.cli.shell.completion import complete_path
@@ -111,7 +111,7 @@ CALLS = {
     "write_point_cloud": (lambda path: loom.write_point_cloud(path, CLOUD), WRITTEN),
     "read_triangle_mesh": (loom.read_triangle_mesh, MESH_FORMATS),
     "write_triangle_mesh": (lambda path: loom.write_triangle_mesh(path, MESH), MESH_FORMATS),
-    "read_trajectory": (loom.read_trajectory, TRAJECTORY_FORMATS),
+    "read_trajectory": (loom.read_trajectory, {*TRAJECTORY_FORMATS, EUROC}),
     "write_trajectory": (lambda path: loom.write_trajectory(path, TRACK), [f".{name}" for name in FORMATS]),
     "read_splats": (loom.read_splats, SPLATS),
     "write_splats": (lambda path: loom.write_splats(path, SPLAT), SPLATS),

@@ -202,7 +202,7 @@ def _are_colors(colors: Any, values: Any) -> bool:
 def stl(path: Path, mesh: MeshTable) -> str | None:
     data = path.read_bytes()
     count = int.from_bytes(data[80:84], "little")
-    if len(data) == 84 + 50 * count:
+    if len(data) > 84 and len(data) >= 84 + 50 * count and not data[84 + 50 * count :].strip(b"\0 \t\r\n"):
         facets = [struct.unpack_from("<9f", data, 96 + 50 * k) for k in range(count)]
     else:
         words = [line.split() for line in unix(data).split(b"\n")]

@@ -157,6 +157,8 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:.*white is used"),
     pytest.mark.filterwarnings("ignore:.*skipped, as they have fewer than 3 corners"),
     pytest.mark.filterwarnings("ignore:.*triangulated as fans"),
+    pytest.mark.filterwarnings("ignore:.*(fewer than 3 corners|zeros or white space|no complete triangle)"),
+    pytest.mark.filterwarnings("ignore:.*(no number of points in its first line|GPS times have an offset)"),
     pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
     pytest.mark.filterwarnings("ignore:.*The matrix is used"),
 ]
