@@ -620,7 +620,7 @@ def test_rounded_rotations_are_unchanged_and_in_tum_the_nearest_rotation(tmp_pat
         ("t.tum", "1 0 0 0 0 0 0 1\n\u2028\n2 0 0 0 0 0 0 1\n", "line 2"),
         ("t.tum", "1 0 0 0 0 0 0 1\x1c2 0 0 0 0 0 0 1\n", "line 1"),
         ("t.log", log_text(ids="\uff10 0 1"), "expected three integers before a pose"),
-        ("t.csv", "1", "unknown trajectory format '.csv'"),
+        ("t.dat", "1", "unknown trajectory format '.dat'"),
         ("t.log", b"\xff", "not a text file"),
     ],
 )

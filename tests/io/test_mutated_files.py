@@ -155,7 +155,6 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(are|is) (dropped|ignored)"),
     pytest.mark.filterwarnings("ignore:.*(clamped|divided by 255|defined twice|before any newmtl)"),
     pytest.mark.filterwarnings("ignore:.*white is used"),
-    pytest.mark.filterwarnings("ignore:.*skipped, as they have fewer than 3 corners"),
     pytest.mark.filterwarnings("ignore:.*triangulated as fans"),
     pytest.mark.filterwarnings("ignore:.*(fewer than 3 corners|zeros or white space|no complete triangle)"),
     pytest.mark.filterwarnings("ignore:.*(no number of points in its first line|GPS times have an offset)"),
