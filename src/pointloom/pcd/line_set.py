@@ -246,7 +246,8 @@ class LineSet(Movable):
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> LineSet:
         """Set one color for all lines: red, green and blue, 0 to 1."""
-        return dataclasses.replace(self, colors=np.tile(check_shape("color", color, (3,)), (len(self.lines), 1)))
+        checked = check_finite("color", check_shape("color", color, (3,)))
+        return dataclasses.replace(self, colors=np.tile(checked, (len(self.lines), 1)))
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> LineSet:
