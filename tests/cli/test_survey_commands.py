@@ -207,13 +207,13 @@ def test_change_and_aligned_sources_keep_the_integers_of_wide_las_files(corridor
 
 
 def test_rounded_points_of_a_file_are_one_warning_for_each_file(corridor, tmp_path):
-    with pytest.warns(loom.UnitWarning, match="a.laz: .* of 3,000 points far from .* up to 0.0156.*are 0.001") as told:
+    with pytest.warns(loom.UnitWarning, match="a.laz: .* of 3,000 points far from .* up to 0.0156.*are 0.001") as read:
         cloud = loom.read_point_cloud(tmp_path / "a.laz")
-    with pytest.warns(loom.UnitWarning, match="a.laz: points far") as told_of_chunks:
+    with pytest.warns(loom.UnitWarning, match="a.laz: points far") as read_in_chunks:
         assert len(list(loom.read_las_chunks(tmp_path / "a.laz", 1000))) == 3
-    with pytest.warns(loom.UnitWarning, match="b.laz: .* of 3,000 points") as told_of_output:
+    with pytest.warns(loom.UnitWarning, match="b.laz: .* of 3,000 points") as written:
         loom.write_point_cloud(tmp_path / "b.laz", cloud, like=tmp_path / "a.laz")
-    assert len(told) == len(told_of_chunks) == len(told_of_output) == 1
+    assert len(read) == len(read_in_chunks) == len(written) == 1
     loom.write_point_cloud(tmp_path / "c.laz", cloud, scale=0.05)  # coarser than float32
     write_las(tmp_path / "near.laz", PointTable(corridor % 30_000_000 * 0.001), scale=0.001)  # 30 km
     for name in ("c.laz", "near.laz"):

@@ -116,7 +116,7 @@ RECORDS = {**ONCE, **ON_CLOUDS}
 
 @few_quick(40, "name", list(RECORDS))
 def test_page_locked_inputs_have_the_results_of_others(settings, name):
-    """Whatever changes afterwards. Some objects keep the given arrays (poses), so both change."""
+    """The arrays change after the call. Some objects keep the given arrays (poses), so pageable ones change, too."""
     settings(lazy=True)
     (expected, called), (result, _) = (outcome(name, copied) for copied in (np.array, pinned))
     assert result == expected, called

@@ -144,7 +144,7 @@ def test_memory_of_an_interrupted_download_returns_after_the_wait(emulated, pool
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(device_copies, "_checked", interrupted)  # the copy is queued
+        patch.setattr(device_copies, "checked", interrupted)  # the copy is queued
         with pytest.raises(KeyboardInterrupt):
             download(values)
     assert len(pool.returned) == 1 and pool.size == 1 << 20

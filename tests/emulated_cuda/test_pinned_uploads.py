@@ -1,4 +1,4 @@
-"""Uploads through page-locked pieces: complete, without a wait for earlier work, whatever interrupts or changes."""
+"""Uploads through page-locked pieces: complete, without a wait for earlier work, also if interrupted."""
 
 import gc
 import threading

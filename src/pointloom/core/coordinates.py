@@ -170,10 +170,6 @@ def axes_far_from_zero(
     return is_far if (distance[is_far] >= 1).any() else np.full(3, False)  # below it float32 resolves 1e-7
 
 
-def is_far_from_zero(sample: NDArray[np.float64]) -> bool:
-    return bool(axes_far_from_zero(sample).any())
-
-
 def is_plainly_around_zero(points: NDArray[Any]) -> bool:
     """True only if no axis is in `axes_far_from_zero` for the sample of finite points.
     Half of the points are beyond the quartiles, so the spread is at least the distance from the median to the nearer

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..array_types import Device
 from . import pinned_uploads, warp_parts
 from .device_arrays import Kind, kind_of, makes_arrays_plainly
 from .huge_pages import MIN_MAPPED_BYTES, populate
 from .pinned_results import MIN_PINNED_BYTES, fill_pinned
+from .pinned_uploads import checked
 
 
 def _kind(values: Any) -> Kind:
@@ -55,7 +55,7 @@ def is_copied(target: Any, source: Any, count: int, offset: int = 0) -> bool:
         return False
     device, to = target.device, target.ptr + offset * width
     done = warp_parts.core().wp_memcpy_d2d(device.context, to, source.ptr, count * width, device.stream.cuda_stream)
-    return _checked(done, device)
+    return checked(done, device)
 
 
 def is_written(target: Any, values: NDArray[Any]) -> bool:
@@ -77,7 +77,7 @@ def is_sent(target: Any, source: Any) -> bool:
     if not _is_plain(source) or not source.size or target.dtype is not source.dtype or target.size != source.size:
         return False
     size, stream = source.size * _kind(source).element_bytes, device.stream.cuda_stream
-    return _checked(warp_parts.core().wp_memcpy_d2h(device.context, target.ptr, source.ptr, size, stream), device)
+    return checked(warp_parts.core().wp_memcpy_d2h(device.context, target.ptr, source.ptr, size, stream), device)
 
 
 def fetched(values: Any) -> NDArray[Any] | None:
@@ -101,7 +101,7 @@ def _fill(values: Any, address: int, size: int) -> None:
     """Copy a GPU array to host memory (sync)."""
     device = values.device
     stream = device.stream.cuda_stream
-    _checked(warp_parts.core().wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)
+    checked(warp_parts.core().wp_memcpy_d2h(device.context, address, values.ptr, size, stream), device)
     pinned_uploads.wait_for_stream(device)  # sync
 
 
@@ -112,7 +112,7 @@ def is_scanned(counts: Any, sums: Any) -> bool:
     if counts.device is not sums.device or not 0 < counts.size == sums.size:
         return False
     done = warp_parts.core().wp_array_scan_int_device(counts.ptr, sums.ptr, counts.size, 4, 4, 1, True)
-    return _checked(done, counts.device)
+    return checked(done, counts.device)
 
 
 def is_sorted(keys: Any, values: Any, count: int, bit_count: int) -> bool:
@@ -122,10 +122,4 @@ def is_sorted(keys: Any, values: Any, count: int, bit_count: int) -> bool:
     if keys.device is not values.device or not 0 < 2 * count <= min(keys.size, values.size) or not bit_count:
         return False
     warp_parts.core().wp_radix_sort_pairs_int64_device(keys.ptr, values.ptr, count, 0, bit_count, 4)
-    return True
-
-
-def _checked(done: object, device: Device) -> bool:
-    if not done:
-        raise RuntimeError(f"Warp copy error: {device.runtime.get_error_string()}")
     return True

@@ -96,8 +96,14 @@ def _address(values: NDArray[Any]) -> int:
 
 
 def _copy(device: Any, target: int, source: int, size: int) -> None:
-    if not warp_parts.core().wp_memcpy_h2d(device.context, target, source, size, device.stream.cuda_stream):
+    checked(warp_parts.core().wp_memcpy_h2d(device.context, target, source, size, device.stream.cuda_stream), device)
+
+
+def checked(done: object, device: Any) -> bool:
+    """True if a copy of Warp's library has begun. Raises RuntimeError if not."""
+    if not done:
         raise RuntimeError(f"Warp copy error: {device.runtime.get_error_string()}")
+    return True
 
 
 def _next_piece(device: Any, size: int) -> _Piece | None:
