@@ -1,9 +1,13 @@
 """Operators in torch: opcheck, torch.compile, autocast, vmap, determinism, processes, and imports without torch."""
 
+import decimal
+import fractions
+import inspect
 import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 import torch
 
@@ -169,3 +173,67 @@ def test_without_torch_the_error_names_the_remedy(monkeypatch):
     code = "import sys; sys.modules['torch'] = None\nimport pointloom as loom\nloom.torch.knn"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert "ImportError: pointloom.torch needs torch 2.4 or later: pip install pointloom[torch]" in run.stderr
+
+
+# One good call of each function: its scalar arguments are replaced one at a time.
+SCALARS = {
+    "knn": {"k": 2, "batch_size": 1},
+    "ball_query": {"radius": 0.5, "k": 2, "batch_size": 1},
+    "nearest": {"batch_size": 1},
+    "farthest_points": {"num_samples": 2, "batch_size": 1},
+    "voxel_indices": {"voxel_size": 0.5, "batch_size": 1},
+    "voxel_pool": {"voxel_size": 0.5, "max_voxels": 2, "batch_size": 1},
+    "interpolate": {"k": 2, "batch_size": 1},
+    "chamfer_distance": {"norm": 2, "batch_size": 1},
+    "hausdorff_distance": {"batch_size": 1},
+    "f_score": {"threshold": 0.5, "batch_size": 1},
+    "normals": {"k": 5, "batch_size": 1},
+    "icp": {"max_distance": 0.5, "max_iterations": 2},
+}
+HOSTILE = [
+    -1, 0, 2**31, 2**32, 2**63, 2**64, 10**400, -(2**63), 0.5, 5e-324, 1e308, float("inf"), float("nan"),
+    decimal.Decimal("nan"), fractions.Fraction(1, 3), np.float32(2), np.int64(2), np.array([1, 2]), "2", b"2", True,
+    1j, [2], {}, object(), torch.tensor(2.5), torch.tensor([1, 2]), torch.empty((), device="meta"),
+]  # fmt: skip
+TENSORS = [None, [[0.0, 0, 0]], np.zeros((4, 3)), "points", 3, torch.zeros(4, 3, device="meta")]
+
+
+def good_arguments(name):
+    cloud, labels = clouds(12, 3), torch.zeros(12, dtype=torch.long)
+    pairs = ("knn", "ball_query", "nearest", "interpolate", "chamfer_distance", "hausdorff_distance", "f_score", "icp")
+    tensors = [cloud, cloud + 0.01] if name in pairs else [cloud]
+    if name == "interpolate":
+        tensors.append(clouds(12, 1))
+    return tensors, SCALARS[name] | ({"batch": labels} if "batch_size" in SCALARS[name] else {})
+
+
+@pytest.mark.parametrize(("name", "argument"), [(name, each) for name in SCALARS for each in SCALARS[name]])
+def test_a_number_of_any_kind_gives_a_result_or_an_error_that_names_it(name, argument):
+    tensors, named = good_arguments(name)
+    call = getattr(loom.torch, name)
+    call(*tensors, **named)
+    for value in HOSTILE:
+        try:
+            call(*tensors, **named | {argument: value})
+        except (TypeError, ValueError) as error:
+            assert argument in str(error).split(":")[0] or "batch" in str(error).split(":")[0], (value, error)
+
+
+@pytest.mark.parametrize("name", [*SCALARS, "transform"])
+def test_what_is_no_tensor_is_named(name):
+    tensors, named = ([clouds(4, 3), torch.eye(4)], {}) if name == "transform" else good_arguments(name)
+    for row in range(len(tensors)):
+        for value in TENSORS:
+            with pytest.raises((TypeError, ValueError), match=r"^\w+( and \w+)?: expected"):
+                getattr(loom.torch, name)(*[value if k == row else each for k, each in enumerate(tensors)], **named)
+
+
+def test_the_table_of_numbers_has_all_functions():
+    taken = {name for name in dir(loom.torch) if inspect.isfunction(getattr(loom.torch, name)) and name[0] != "_"}
+    assert taken - {"transform", "point_to_mesh_distance", "signed_distance"} == set(SCALARS)
+
+
+@pytest.mark.parametrize("points", [[[-1.0, 0, 0], [1, 0, 0]], [[1.0, 0, 0], [2, 0, 0]], [[-1.0, -1, -1]]])
+def test_a_grid_beyond_float64_is_refused(points):
+    with pytest.raises(ValueError, match=r"^voxel_size: 5e-324 makes a grid of .*inf.* cells"):
+        loom.torch.voxel_indices(torch.tensor(points), 5e-324)

@@ -142,7 +142,7 @@ def test_errors_state_the_shapes():
             r"points: expected shape \[B, N, 3\].*got \[2, 30, 2\]",
         ),
         (lambda: loom.torch.farthest_points(points, 0), "num_samples: expected an integer >= 1, got 0"),
-        (lambda: loom.torch.voxel_indices(points, 0.0), "voxel_size: expected a number above 0, got 0.0"),
+        (lambda: loom.torch.voxel_indices(points, 0.0), "voxel_size: expected a finite number > 0, got 0.0"),
         (lambda: loom.torch.voxel_indices(points, 1e-9), r"voxel_size: 1e-09 makes a grid of .* cells"),
         (
             lambda: loom.torch.voxel_pool(points, 0.1, clouds(2, 29, 4)),

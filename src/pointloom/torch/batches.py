@@ -10,6 +10,7 @@ from typing import NamedTuple, TypeAlias
 
 import torch
 
+from ..core.checks import MAX_COUNT, check_count
 from .operators import check_device, check_floats, check_integers, check_tensor, checks_values, computed
 
 Pair: TypeAlias = torch.Tensor | tuple[torch.Tensor | None, torch.Tensor | None] | None  # one tensor for both, or two
@@ -153,7 +154,10 @@ def take_pair(
 def count_clouds(batch: torch.Tensor) -> int:
     """Number of clouds of a batch vector: the largest label and 1. The host waits for a GPU."""
     check_integers("batch", batch)  # type: ignore[arg-type]
-    return int(batch.max()) + 1 if batch.numel() else 0  # type: ignore[attr-defined]
+    largest = int(batch.max()) if batch.numel() else -1  # type: ignore[attr-defined]
+    if largest >= MAX_COUNT:
+        raise ValueError(f"batch: expected clouds below {MAX_COUNT:,}, got {largest:,}: counts have 32 bits")
+    return largest + 1
 
 
 def _pair(name: str, value: Pair) -> tuple[torch.Tensor | None, torch.Tensor | None]:
@@ -203,7 +207,7 @@ def _labels_of_batch(
     if tuple(batch.shape) != (points.shape[0],):
         given = f"{list(batch.shape)} for {name} of shape {list(points.shape)}"
         raise ValueError(f"batch: expected shape [{points.shape[0]}], got {given}")
-    count = count_clouds(batch) if batch_size is None else batch_size
+    count = count_clouds(batch) if batch_size is None else check_count("batch_size", batch_size, minimum=0)
     if checks_values(batch) and batch.numel():
         if int(batch.min()) < 0 or int(batch.max()) >= count:
             given = f"{int(batch.min())}..{int(batch.max())}"

@@ -8,6 +8,7 @@ from typing import Any
 
 import torch
 
+from ..core.checks import check_count
 from ..core.devices import resolve_device
 from ..kernels.lang import vec3d
 from ..kernels.surface.listed_normals import fit_listed_normals
@@ -16,10 +17,10 @@ from ..meshing.scene.raycasting_scene import RaycastingScene
 from .batches import take_batch
 from .losses import nearest_rows, root
 from .operators import (
-    check_count,
     check_device,
     check_floats,
     check_integers,
+    check_tensor,
     checks_values,
     device_array,
     gather_rows,
@@ -143,6 +144,7 @@ def transform(
         >>> loom.torch.transform(torch.zeros(1, 3), shift).tolist()
         [[1.0, 2.0, 3.0]]
     """
+    check_tensor("points", points)
     check_floats("poses", poses)
     check_device("poses", poses, points)
     count = poses.shape[0] if poses.ndim == 3 else 1

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import torch
 
+from ..core.checks import check_positive, shown
 from .batches import Batch, take_batch, take_pair
 from .neighbors import batch_neighbors, layout_of
 from .operators import gather_rows, scatter_sum
@@ -68,8 +69,8 @@ def chamfer_distance(
         >>> loom.torch.chamfer_distance(a, b).item(), loom.torch.chamfer_distance(a, b, norm=1).item()
         (14.0, 5.0)
     """
-    if norm not in (1, 2) or isinstance(norm, bool):
-        raise ValueError(f"norm: expected 1 or 2, got {norm!r}")
+    if isinstance(norm, bool) or not isinstance(norm, (int, float)) or norm not in (1, 2):
+        raise ValueError(f"norm: expected 1 or 2, got {shown(norm)}")
     layout = {"lengths": lengths, "batch": batch, "offsets": offsets, "batch_size": batch_size}
     a, b = take_pair(source, target, ARGUMENT_NAMES, width=None, **layout)
     there, back = _nearest(a, b), _nearest(b, a)
@@ -153,10 +154,7 @@ def f_score(
         >>> [value.item() for value in loom.torch.f_score(a, b, 3.0)]
         [0.6666666865348816, 1.0, 0.5]
     """
-    if isinstance(threshold, bool) or not isinstance(threshold, (int, float)):
-        raise TypeError(f"threshold: expected a number above 0, got {type(threshold).__name__}")
-    if not threshold > 0:
-        raise ValueError(f"threshold: expected a number above 0, got {threshold}")
+    threshold = check_positive("threshold", threshold, allow_infinite=True)
     layout = {"lengths": lengths, "batch": batch, "offsets": offsets, "batch_size": batch_size}
     with torch.no_grad():
         a, b = take_pair(source, target, ARGUMENT_NAMES, width=None, **layout)

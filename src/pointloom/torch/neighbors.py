@@ -5,11 +5,12 @@ from typing import NamedTuple
 
 import torch
 
+from ..core.checks import check_count, check_positive
 from ..kernels.lang import vec3, vec3d
 from ..kernels.search.batch_neighbors import search_batch
 from ..kernels.search.cloud_batch import CloudRows
 from .batches import Batch, Pair, take_pair
-from .operators import check_count, device_array, gather_rows, operator, scatter_sum, tensor_of, unbatched
+from .operators import device_array, gather_rows, operator, scatter_sum, tensor_of, unbatched
 
 
 class Neighbors(NamedTuple):
@@ -85,9 +86,7 @@ def ball_query(
         TypeError, ValueError: As of `knn`, or a radius that is not positive.
     """
     pair = take_pair(query, points, lengths=lengths, batch=batch, offsets=offsets, batch_size=batch_size, width=None)
-    if not radius > 0:
-        raise ValueError(f"radius: expected a number above 0, got {radius}")
-    return _search(query, *pair, check_count("k", k), float(radius))
+    return _search(query, *pair, check_count("k", k), check_positive("radius", radius, allow_infinite=True))
 
 
 def nearest(

@@ -78,14 +78,6 @@ def check_integers(name: str, tensor: torch.Tensor) -> None:
         raise TypeError(f"{name}: expected integers, got {tensor.dtype}")
 
 
-def check_count(name: str, value: object) -> int:
-    if not isinstance(value, int) or isinstance(value, bool):
-        raise TypeError(f"{name}: expected an integer >= 1, got {type(value).__name__}")
-    if value < 1:
-        raise ValueError(f"{name}: expected an integer >= 1, got {value}")
-    return value
-
-
 def refuse_gradients(made, what: str) -> None:
     """Let the gradient of an operator raise, for functions that have none."""
 

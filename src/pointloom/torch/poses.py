@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import torch
 
+from ..core.checks import check_count, check_positive
 from ..core.devices import resolve_device
 from ..pcd.cloud import PointCloud
 from ..registration.icp.estimation import TransformationEstimation
@@ -16,7 +17,7 @@ from ..registration.icp.icp import ICPConvergenceCriteria, registration_icp_batc
 from .batches import Batch, take_pair
 from .losses import ARGUMENT_NAMES, Layout
 from .neighbors import batch_neighbors
-from .operators import check_count, check_device, check_floats, gather_rows, operator, refuse_gradients, scatter_sum
+from .operators import check_device, check_floats, gather_rows, operator, refuse_gradients, scatter_sum
 
 # Newton steps from the pose of ICP to the minimum. Each squares the error: from 1e-2 to below 1e-16 in four steps.
 NEWTON_STEPS = 5
@@ -77,17 +78,14 @@ def icp(
         -2.0
     """
     a, b = take_pair(source, target, ARGUMENT_NAMES, lengths=lengths, offsets=offsets)
-    if isinstance(max_distance, bool) or not isinstance(max_distance, (int, float)):
-        raise TypeError(f"max_distance: expected a number above 0, got {type(max_distance).__name__}")
-    if not max_distance > 0:
-        raise ValueError(f"max_distance: expected a number above 0, got {max_distance}")
+    max_distance = check_positive("max_distance", max_distance)
     if not a.count:
         raise ValueError(f"source: expected at least one cloud, got shape {list(source.shape)}")
     moving, fixed = a.points.double(), b.points.double()
     planes = fixed.new_empty((0, 3)) if normals is None else _take_normals(normals, target)
     layout = torch.stack([a.starts(), a.sizes(), b.starts(), b.sizes()])
     largest = [a.width or len(moving), b.width or len(fixed)]
-    rules = float(max_distance), check_count("max_iterations", max_iterations)
+    rules = max_distance, check_count("max_iterations", max_iterations)
     poses = icp_poses(moving, fixed, planes, _take_poses(init, a), layout, largest, *rules)[0]
     is_single = len(a.shape) == 1 and a.labels is None
     return (poses[0] if is_single else poses).to(source.dtype)

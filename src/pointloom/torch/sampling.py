@@ -4,13 +4,13 @@ from typing import NamedTuple
 
 import torch
 
+from ..core.checks import check_count, check_positive
 from ..kernels.lang import vec3
 from ..kernels.sampling.farthest_in_batch import choose_in_batch
 from ..kernels.search.cloud_batch import CloudRows
 from .batches import Batch, Pair, take_batch
 from .neighbors import knn
 from .operators import (
-    check_count,
     check_floats,
     checks_values,
     computed,
@@ -151,8 +151,7 @@ def voxel_indices(
 
 def _voxels(clouds: Batch, voxel_size: float) -> torch.Tensor:
     """The voxel of each row, int64 (M), or -1."""
-    if not 0 < voxel_size < float("inf"):
-        raise ValueError(f"voxel_size: expected a number above 0, got {voxel_size}")
+    voxel_size = check_positive("voxel_size", voxel_size)
     rows = clouds.points.detach()
     labels = clouds.row_labels()
     is_voxel = rows.isfinite().all(1) & (labels < clouds.count)
@@ -162,9 +161,10 @@ def _voxels(clouds: Batch, voxel_size: float) -> torch.Tensor:
     first = cells.amin(0)
     cells = cells - torch.where(first.isfinite(), first, 0)
     bits = (KEY_BITS - max(clouds.count - 1, 0).bit_length()) // 3
-    is_inside = (cells < 2**bits).all(1)
+    is_inside = ((cells >= 0) & (cells < 2**bits)).all(1)  # the first one of an axis may be -inf
     if checks_values(rows) and bool((is_voxel & ~is_inside).any()):
-        need = " x ".join(f"{int(n) + 1:,}" for n in torch.where(is_voxel[:, None], cells, 0).amax(0).tolist())
+        sizes = torch.where(is_voxel[:, None], cells.abs() + 1, 0).amax(0)
+        need = " x ".join(f"{n:,.0f}" for n in sizes.tolist())
         raise ValueError(f"voxel_size: {voxel_size} makes a grid of {need} cells, more than 2^{bits} on an axis")
     is_voxel = is_voxel & is_inside
     x, y, z = torch.where(is_voxel[:, None], cells, 0).long().unbind(1)
@@ -207,8 +207,9 @@ def voxel_pool(
     """
     clouds = take_batch("points", points, lengths=lengths, batch=batch, offsets=offsets, batch_size=batch_size)
     indices = _voxels(clouds, voxel_size)
-    count = max_voxels
-    if count is None:
+    if max_voxels is not None:
+        count = check_count("max_voxels", max_voxels, minimum=0)
+    else:
         count = int(indices.max()) + 1 if indices.numel() else 0  # sync
     sizes = torch.zeros(count + 1, dtype=torch.int64, device=points.device)
     is_kept = (indices >= 0) & (indices < count)
