@@ -234,3 +234,66 @@ def test_callbacks_of_the_viewer_read_beside_a_writer(device):
     assert len(counts) == STEPS and [count for count, _ in counts] == sorted(count for count, _ in counts)
     for actual, expected in zip(surface(volume), surface(alone), strict=True):
         np.testing.assert_array_equal(actual, expected)
+
+
+def ring_of_threads(objects, enter):
+    """Each thread is inside a callback of an object, then uses the next object: the errors, and who ended."""
+    met, errors = threading.Barrier(len(objects)), []
+
+    def run(k):
+        is_first = iter([True])
+
+        def callback(*_):
+            if next(is_first, False):
+                met.wait()
+                _ = objects[(k + 1) % len(objects)].status_counts
+
+        try:
+            enter(objects[k], callback)
+        except RuntimeError as error:
+            errors.append(str(error))
+
+    threads = [threading.Thread(target=run, args=(k,)) for k in range(len(objects))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return errors
+
+
+class Job(Serialized):
+    status_counts = property(lambda self: 0)
+
+    def run(self, callback):
+        callback()
+
+
+@pytest.mark.parametrize("count", [2, 3])
+@pytest.mark.parametrize("case", ["jobs", "DenseSLAM"])
+def test_callbacks_that_use_each_others_objects_raise_in_one_thread(case, count, device):
+    if case == "jobs":
+        objects, enter = [Job() for _ in range(count)], Job.run
+    else:
+        make = loom.rgbd.DenseSLAM
+        objects = [make(ROOM.intrinsic, voxel_size=0.1, device=device) for _ in range(count)]
+        enter = lambda slam, callback: slam.run(WALK[:2], progress=callback)  # noqa: E731
+    (error,) = ring_of_threads(objects, enter)
+    assert error.startswith(f"this {type(objects[0]).__name__} is in use by another thread, which waits for the call")
+    with ThreadPoolExecutor(1) as pool:  # no lock is left behind
+        [*pool.map(lambda each: each.status_counts, objects)]
+
+
+def test_a_second_thread_that_only_waits_gets_its_result():
+    jobs, inside, go = [Job(), Job()], threading.Event(), threading.Event()
+
+    def callback():
+        inside.set()
+        go.wait()
+        return jobs[1].status_counts
+
+    with ThreadPoolExecutor(2) as pool:
+        first = pool.submit(jobs[0].run, callback)
+        inside.wait()
+        second = pool.submit(lambda: jobs[0].status_counts)
+        go.set()
+        assert first.result() is None and second.result() == 0

@@ -249,7 +249,7 @@ P, F, V = torch.rand(2, 5, 3), torch.tensor([[0, 1, 2]]), torch.rand(3, 3)
         (lambda: loom.torch.normals(P, 0), ValueError, "^k: expected an integer >= 1, got 0"),
         (lambda: loom.torch.transform(P, torch.eye(3)), ValueError, r"^poses: expected shape \[4, 4\] or \[2, 4, 4\], got \[3, 3\]"),  # noqa: E501
         (lambda: loom.torch.icp(P, P, max_distance=0.0), ValueError, "^max_distance: expected a finite number > 0, got 0.0"),  # noqa: E501
-        (lambda: loom.torch.icp(P, P, max_distance=None), TypeError, "^max_distance: expected a number, got None"),  # noqa: E501
+        (lambda: loom.torch.icp(P, P, max_distance=None), TypeError, "^max_distance: expected a number, got None"),
         (lambda: loom.torch.icp(P, P, torch.eye(3), max_distance=1.0), ValueError, r"^init: expected shape .* got \[3, 3\]"),  # noqa: E501
         (lambda: loom.torch.icp(P, P, max_distance=1.0, normals=P[0]), ValueError, r"^normals: expected shape \[2, 5, 3\]"),  # noqa: E501
         (lambda: loom.torch.icp(P, P, max_distance=1.0, max_iterations=0), ValueError, "^max_iterations: expected an integer >= 1"),  # noqa: E501

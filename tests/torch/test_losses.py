@@ -187,7 +187,7 @@ def test_graphs_are_compiled_without_breaks_and_runs_are_identical():
         (lambda a: loom.torch.chamfer_distance(a, a, normals=(a, a[:, :2])), ValueError, r"target: .*\[2, 2, 3\], points \[2, 5"),  # noqa: E501
         (lambda a: loom.torch.chamfer_distance(torch.rand(2, 5, 4), torch.rand(2, 5, 4)), ValueError, "at most 3 coordinates"),  # noqa: E501
         (lambda a: loom.torch.f_score(a, a, 0.0), ValueError, "^threshold: expected a number > 0, got 0.0"),
-        (lambda a: loom.torch.f_score(a, a, float("nan")), ValueError, "^threshold: expected a number > 0, got nan"),  # noqa: E501
+        (lambda a: loom.torch.f_score(a, a, float("nan")), ValueError, "^threshold: expected a number > 0, got nan"),
         (lambda a: loom.torch.f_score(a, a, "1"), TypeError, "^threshold: expected a number, got "),
         (lambda a: loom.torch.hausdorff_distance(a, a, length=1), TypeError, "has no argument 'length'; did you mean 'lengths'"),  # noqa: E501
     ],

@@ -11,7 +11,7 @@ import time
 import weakref
 from collections.abc import Callable, Iterable, Iterator
 from types import FunctionType
-from typing import Any, NoReturn, Self, TypeVar, cast
+from typing import Any, ClassVar, NoReturn, Self, TypeVar, cast
 
 import numpy as np
 
@@ -30,11 +30,44 @@ _forking = threading.RLock()  # one fork at a time
 _acquired: list[Any] = []  # during a fork: objects that no other thread uses
 
 
+_RLock: Any = type(threading.RLock())
+
+
+class CallLock(_RLock):
+    """Re-entrant lock of an object that knows which thread runs a call.
+
+    It is acquired by a `with` of the interpreter, which Ctrl-C does not part from the release. What is noted about
+    threads may be old after Ctrl-C, so `announce` tries the lock before it raises.
+    """
+
+    waiting: ClassVar[dict[int, CallLock]] = {}  # by thread: the lock that it waits for, or is about to acquire
+    thread = 0  # inside of a call
+
+    def announce(self, owner: object) -> int:
+        """Note that this thread, which is returned, is to wait. Raises RuntimeError if it would wait forever: the
+        thread of the running call waits, directly or through others, for a call of this thread."""
+        me = threading.get_ident()
+        CallLock.waiting[me] = wanted = self
+        while wanted is not None and wanted.thread not in (0, me):
+            wanted = CallLock.waiting.get(wanted.thread)
+        if wanted is None or wanted is self or not wanted.thread:
+            return me
+        if self.acquire(blocking=False):
+            self.release()
+            return me
+        del CallLock.waiting[me]
+        raise RuntimeError(
+            f"this {type(owner).__name__} is in use by another thread, which waits for the call that this thread is "
+            "in: neither would end. Two objects must not use each other in their callbacks from two threads"
+        )
+
+
 class Serialized:
     """Base class of stateful objects: public methods and properties of one object run one at a time.
 
     A second thread waits until the running call has returned, so it never sees a change that is under way. The lock is
-    re-entrant: methods call each other, and callbacks of a method may use its object. Ctrl-C ends a waiting call.
+    re-entrant: methods call each other, and callbacks of a method may use its object. Ctrl-C ends a waiting call. Calls
+    of two threads that would wait for each other raise RuntimeError in one of them.
 
     A fork waits for running calls, at most FORK_SECONDS. A child raises RuntimeError for objects still in use.
     """
@@ -43,7 +76,7 @@ class Serialized:
 
     def __new__(cls, *args: Any, **options: Any) -> Self:
         made = super().__new__(cls)
-        object.__setattr__(made, "_lock", threading.RLock())
+        object.__setattr__(made, "_lock", CallLock())
         keep_through_forks(made)
         return made
 
@@ -91,6 +124,9 @@ class _LostLock:
     def __init__(self, kind: str) -> None:
         self._kind = kind
 
+    def announce(self, owner: object) -> NoReturn:
+        self.__enter__()
+
     def __enter__(self) -> NoReturn:
         raise RuntimeError(
             f"this {self._kind} was in use by another thread when the process was forked, so its state is not known; "
@@ -124,6 +160,7 @@ def _after_fork_in_parent() -> None:
 
 def _after_fork_in_child() -> None:
     known = {id(owner) for owner in _acquired}
+    CallLock.waiting.clear()  # threads of the parent
     _after_fork_in_parent()
     for owner in list(_locked.values()):
         if id(owner) not in known:
@@ -136,10 +173,18 @@ if hasattr(os, "register_at_fork"):  # not on Windows
 
 def one_at_a_time(function: Method) -> Method:
     """Acquire the lock of the object for a method. Needed for internal methods that other objects call."""
+    waiting = CallLock.waiting
 
     def call(self: Any, *args: Any, **options: Any) -> Any:
-        with self._lock:
-            return function(self, *args, **options)
+        lock = self._lock
+        me = lock.announce(self)
+        with lock:
+            outer, lock.thread = lock.thread, me
+            waiting.pop(me, None)
+            try:
+                return function(self, *args, **options)
+            finally:
+                lock.thread = outer if outer == me else 0
 
     # with the globals of the method, by which warnings recognize the caller's line
     home = cast(FunctionType, function).__globals__

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import warp as wp
 
 from .array_types import Array1, Device, Element
-from .language import cpu_code, kernel_cache, pool_code, prepared_launches, taichi_compiler, warp_compiler
+from .language import cpu_code, cpu_pool, kernel_cache, pool_code, prepared_launches, taichi_compiler, warp_compiler
 from .language.arguments import MAX_THREADS, checked_arguments
 from .language.compile_notices import announced, compiling
 from .language.cuda_launches import PreparedKernel, PreparedSum
@@ -120,6 +120,7 @@ def _run_on_cpu(what: Launched, values: Sequence[Any], thread_count: int, last_c
 def _prepared_on_cpu(what: Launched, values: Sequence[Any]) -> WarpLaunch | PlainLaunch:
     prepared = _by_warp.get(what)
     if prepared is None:
+        cpu_pool.check_stack()
         with announced(what.name):
             prepared = _by_warp[what] = _prepare(what, values)
     return prepared

@@ -409,3 +409,24 @@ def test_a_pool_uses_the_semaphores_of_its_system(kernels, system, monkeypatch):
         while not all(worker.sleeps for worker in pool.workers):  # they sleep
             os.sched_yield()
     assert (visits.numpy() == 21).all() and total.numpy()[0] == 21_000
+
+
+@pytest.mark.parametrize(("size", "is_enough"), [(128 << 10, False), (256 << 10, False), (1 << 20, True)])
+def test_a_thread_with_a_small_stack_gets_an_error_instead_of_a_crash(size, is_enough):
+    cloud, results = loom.PointCloud(np.random.default_rng(0).random((500, 3)), device="cpu"), []
+
+    def work():
+        try:
+            results.append(len(cloud.voxel_down_sample(0.2)))
+        except RuntimeError as error:
+            results.append(str(error))
+
+    before = threading.stack_size(size)
+    try:
+        thread = threading.Thread(target=work)
+        thread.start()
+    finally:
+        threading.stack_size(before)
+    thread.join()
+    message = f"this thread has a stack of {size >> 10} KiB, and kernels need 512 KiB: call threading.stack_size("
+    assert results[0] == len(cloud.voxel_down_sample(0.2)) if is_enough else results[0].startswith(message)

@@ -27,6 +27,9 @@ MAX_THREADS = 1024  # each is started, and more threads than cores only wait
 CHUNKS_A_THREAD = 16  # so that one slow chunk, or a busy core, does not prolong a launch much
 MAX_POLLS = 1000  # for a chunk before a worker sleeps: 10 to 50 us, longer than the host needs between launches
 STACK_BYTES = 8 << 20  # of a worker; macOS gives 512 kB, and kernels with large vectors need a part of it
+# Of a thread that launches: machine code of Warp has frames of up to 261 KiB (256 KiB of shared memory). The rest is
+# for Python and the compiler: 384 KiB for all were enough in a trial.
+MIN_STACK_BYTES = 512 << 10
 
 
 def _functions_of_system() -> tuple[list[Any], Any]:
@@ -55,6 +58,34 @@ def _functions_of_system() -> tuple[list[Any], Any]:
 
 
 _semaphores: list[Any] = []  # semaphores, kept while a worker may wait for one
+
+_checked = threading.local()  # has `stack_bytes` on threads whose stack is large enough
+
+
+def check_stack() -> None:
+    """Raise RuntimeError if the stack of this thread is too small for kernels: a launch would end the process."""
+    if hasattr(_checked, "stack_bytes"):
+        return
+    size = _stack_bytes()
+    if size < MIN_STACK_BYTES:
+        is_main = threading.current_thread() is threading.main_thread()
+        remedy = "raise `ulimit -s`" if is_main else f"call threading.stack_size({STACK_BYTES}) before it is started"
+        raise RuntimeError(
+            f"this thread has a stack of {size >> 10} KiB, and kernels need {MIN_STACK_BYTES >> 10} KiB: {remedy}"
+        )
+    _checked.stack_bytes = size
+
+
+def _stack_bytes() -> int:
+    """Size of this thread's stack, STACK_BYTES if unknown."""
+    size, attributes = ctypes.c_size_t(STACK_BYTES), ctypes.create_string_buffer(128)  # pthread_attr_t has 56 bytes
+    if sys.platform == "linux":
+        system = ctypes.CDLL(None)
+        system.pthread_self.restype = ctypes.c_void_p
+        if not system.pthread_getattr_np(ctypes.c_void_p(system.pthread_self()), attributes):
+            system.pthread_attr_getstacksize(attributes, ctypes.byref(size))
+            system.pthread_attr_destroy(attributes)
+    return size.value
 
 
 class Pool:

@@ -170,6 +170,7 @@ class WarpLaunch:
 
     def bound_packed(self, buffer: Any, thread_count: int, last_count: int, keep_alive: Any) -> Launch:
         """A repeatable launch with packed arguments."""
+        cpu_pool.check_stack()
         if thread_count + last_count > 1:
             return partial(self.run, buffer, thread_count, last_count, keep_alive)
         forward, arguments = self._forward, ctypes.byref(buffer)
@@ -180,6 +181,7 @@ class WarpLaunch:
         """A repeatable launch of one thread that keeps its arrays alive."""
         if self._layout is None:
             return self.bound(values, 1)
+        cpu_pool.check_stack()
         packed = values, ctypes.create_string_buffer(self.packed(values))
         forward, bounds, arguments = self._forward, ctypes.byref(cpu_code.full_bounds(1)), ctypes.byref(packed[1])
         return lambda _keep_alive=packed: forward(bounds, arguments)
@@ -188,6 +190,7 @@ class WarpLaunch:
         """Launch with packed arguments. Take the lock. By the time per thread of the last launch, one that should take
         less than MIN_POOL_SECONDS runs on the calling thread."""
         count = thread_count + last_count
+        cpu_pool.check_stack()
         pool = cpu_pool.current if cpu_pool.is_chosen or count <= 1 else cpu_pool.pool()
         start = perf_counter()
         if pool is None or count <= 1 or self._seconds * count < MIN_POOL_SECONDS:
