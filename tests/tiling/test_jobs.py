@@ -3,6 +3,7 @@
 import contextlib
 import errno
 import json
+import re
 import shutil
 import sqlite3
 from collections import Counter
@@ -306,6 +307,30 @@ def test_each_field_of_an_untrusted_job_is_validated(kind, surveyed, frames, tmp
                     assert is_rejected(), (column, name)
                 base.execute(f"UPDATE tasks SET {column} = ? WHERE id = ?", (text, row))
         finish(job)
+
+
+@pytest.mark.parametrize("change", [{"first": 3}, {"first": 10**6, "count": 1}, {"count": 5}])
+def test_a_task_of_frames_that_do_not_exist_is_named(frames, tmp_path, change):
+    job = tmp_path / "job"
+    loom.tiling.plan_fusion(frames, job, voxel_size=0.1)
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
+        (text,) = base.execute("SELECT told FROM tasks").fetchone()
+        base.execute("UPDATE tasks SET told = ?", (json.dumps(json.loads(text) | change),))
+    (error,) = loom.tiling.run_job(job).troubles.values()
+    assert re.match(r"FileError: .*plan\.sqlite: a task has frames beyond the 4 of ", error)
+
+
+@pytest.mark.parametrize("text", ["\ud800", "a\udfff", "\0"])
+def test_a_name_of_a_plan_is_text_of_the_file_system(surveyed, tmp_path, text):
+    job = tmp_path / "job"
+    loom.tiling.plan_registration(surveyed[0], job, voxel_size=SIZE)
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
+        (plan,) = base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()
+        changed = json.loads(plan) | {"scans": [text, *json.loads(plan)["scans"][1:]]}
+        for key, value in (("plan", canonical(changed)), ("hash", hash_of(changed))):
+            base.execute("UPDATE meta SET value = ? WHERE key = ?", (value, key))
+    with pytest.raises(FileError, match=r"plan\.sqlite.*plan: scans is "):
+        loom.tiling.run_job(job)
 
 
 @pytest.mark.parametrize("kind", run_jobs.KINDS)

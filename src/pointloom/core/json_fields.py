@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Container
 from dataclasses import MISSING, fields
 from functools import partial
@@ -11,6 +12,9 @@ from typing import Any, TypeGuard, get_args, get_origin, get_type_hints
 from .checks import check_rigid, shown
 
 MAX_NUMBER = 1e300  # sums of numbers stay finite
+
+# A null character, and halves of surrogate pairs but those of file names that are not UTF-8 (PEP 383).
+_NO_TEXT = re.compile("[\0\ud800-\udc7f\udd00-\udfff]")
 
 Check = Callable[[Any], bool]
 Checks = dict[str, Check]  # by field of a JSON object
@@ -25,7 +29,7 @@ def is_count(value: object) -> bool:
 
 
 def is_text(value: object) -> TypeGuard[str]:
-    return isinstance(value, str) and "\0" not in value
+    return isinstance(value, str) and not _NO_TEXT.search(value)
 
 
 def is_list(value: object) -> bool:

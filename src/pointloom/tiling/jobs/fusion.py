@@ -142,7 +142,7 @@ class FusionJob(Job):
         finder, n = BlockFinder(origin=self.origin, device=self.device, **self._sizes), self.plan["blocks"]
         stamp = self._stamp(inputs)
         meeting, filled, left_out = defaultdict[str, list[int]](list), set[str](), []
-        for number, frame in self._read(range(inputs["first"], inputs["first"] + inputs["count"])):
+        for number, frame in self._read([[inputs["first"], inputs["count"]]]):
             if isinstance(frame, FileError):
                 if not self.plan["leave_out"]:
                     raise frame
@@ -164,11 +164,7 @@ class FusionJob(Job):
         low = np.array(inputs["cube"]) * self.plan["blocks"]
         sizes = {"origin": self.origin, "device": self.device, **self._sizes}
         volume = VolumePart(low, low + self.plan["blocks"], **sizes)
-        if any(first + count > len(self.frames) for first, count in inputs["frames"]):
-            reason = f"a task has frames beyond the {len(self.frames)} of {self.plan['frames']}"
-            raise FileError(self.folder / NAME, reason, remedy="Plan it again in another folder")
-        frames = (first + k for first, count in inputs["frames"] for k in range(count))
-        for _, frame in self._read(frames):
+        for _, frame in self._read(inputs["frames"]):
             if isinstance(frame, FileError):
                 raise frame
             self._integrate(volume, frame)
@@ -181,8 +177,12 @@ class FusionJob(Job):
     def _sizes(self) -> dict[str, Any]:
         return {name: self.plan[name] for name in ("voxel_size", "truncation", "color")}
 
-    def _read(self, numbers: Any) -> Iterator[tuple[int, Frame | FileError]]:
-        numbers = list(numbers)
+    def _read(self, runs: list[list[int]]) -> Iterator[tuple[int, Frame | FileError]]:
+        """Frames by runs: the first number and the count of each."""
+        if any(first + count > len(self.frames) for first, count in runs):
+            reason = f"a task has frames beyond the {len(self.frames)} of {self.plan['frames']}"
+            raise FileError(self.folder / NAME, reason, remedy="Plan it again in another folder")
+        numbers = [first + k for first, count in runs for k in range(count)]
         for number, take in zip(numbers, read_in_order(self.frames.read, numbers), strict=True):
             try:
                 yield number, take()
