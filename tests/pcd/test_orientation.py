@@ -1,5 +1,7 @@
 """Consistent orientation: Kruskal's algorithm, Open3D's rule, known surfaces, and the disagreement of normals."""
 
+import warnings
+from contextlib import nullcontext
 from functools import cache
 from itertools import combinations
 
@@ -95,8 +97,27 @@ def small_clouds(draw):
 def test_signs_follow_the_minimum_spanning_tree(device, cloud, k):
     """With duplicates, all kinds of ties, zero normals, and non-finite points and normals."""
     points, normals = cloud
-    result = orient(points, normals, k, device)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "k: .* join each of the", UserWarning)
+        result = orient(points, normals, k, device)
     np.testing.assert_array_equal(result, orient_by_kruskal(points, normals, k))
+
+
+@pytest.mark.parametrize(("k", "warns"), [(58, False), (59, True), (60, True), (500, True)])
+def test_neighbors_that_join_all_points_warn(device, rng, k, warns):
+    outward = ball(60)
+    cloud = loom.PointCloud(outward, normals=random_signs(rng, outward), device=device)
+    expected = (
+        pytest.warns(UserWarning, match=f"^k: {k} neighbors join each of the 60 points") if warns else nullcontext()
+    )
+    with expected:
+        _ = cloud.orient_normals_consistent_tangent_plane(k)
+
+
+def test_a_direction_of_length_zero_is_none(device):
+    cloud = loom.PointCloud(np.zeros((2, 3)), normals=np.eye(3)[:2], device=device)
+    with pytest.raises(ValueError, match=r"^orientation_reference: expected a direction, got \[0\.0, 0\.0, 0\.0\]"):
+        cloud.orient_normals_to_align_with_direction([0, 0, 0])
 
 
 @pytest.mark.parametrize("options", [(0.5, 1.0), (0.0, 0.6), (0.5, 0.8)], ids=str)
@@ -236,7 +257,7 @@ def oracle(scans, to_open3d):
     @cache
     def orient_scan(scan, k):
         cloud = to_open3d(*scans[scan])
-        cloud.orient_normals_consistent_tangent_plane(k)
+        _ = cloud.orient_normals_consistent_tangent_plane(k)
         return np.asarray(cloud.normals)
 
     return orient_scan

@@ -87,6 +87,16 @@ def warn_of_sparse(
         )
 
 
+def warn_of_complete_graph(neighbors: int, count: int) -> None:
+    """Warn if signs of normals propagate between all pairs of points, themselves included in the neighbors."""
+    if count > MAX_UNCHECKED_POINTS and neighbors >= count - 1:
+        warn_of_units(
+            f"k: {neighbors} neighbors join each of the {count} points to all others, so opposite sides of the surface "
+            "exchange signs and about half of the normals may point inward. Give 10 to 30, fewer than the points",
+            UserWarning,
+        )
+
+
 def warn_of_small_plane(count: int, limit: int, finite: int, distance: float, unit: LengthUnit | None) -> None:
     """Warn if the largest plane has few of the finite points, or if none has `limit` points (`count` 0)."""
     if finite < max(limit, MAX_SINGLE_GROUP_POINTS) or count >= MIN_PLANE_FRACTION * finite or not called_by_user():

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import (
     check_count,
+    check_direction,
     check_finite,
     check_number,
     check_numeric,
@@ -28,7 +29,7 @@ from ..kernels.surface.normal_agreement import fraction_of_opposed_normals
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
 from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
-from .length_checks import warn_of_sparse
+from .length_checks import warn_of_complete_graph, warn_of_sparse
 from .selection import Selection
 
 NORMAL_NEIGHBORS = 30  # default of estimate_normals()
@@ -147,11 +148,10 @@ class Normals(Selection):
         """Flip normals to the side of a direction. Zero normals become the direction.
 
         Raises:
-            ValueError: If the cloud has no normals, or the direction is not finite or has another shape.
+            ValueError: If the cloud has no normals, or the direction is zero, not finite or has another shape.
         """
-        shaped = check_shape("orientation_reference", orientation_reference, (3,))
-        reference = check_finite("orientation_reference", shaped)
-        return self._orient(reference, to_point=False)
+        check_direction("orientation_reference", orientation_reference)
+        return self._orient(np.asarray(orientation_reference, np.float64), to_point=False)
 
     @returns_new
     def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
@@ -175,7 +175,8 @@ class Normals(Selection):
         Varetti, "Mesh reconstruction from point cloud", 2023. Open3D's graph lacks edges of its Delaunay step.
 
         Args:
-            k: Neighbors of a point, including itself. 10 to 30 suit most scans.
+            k: Neighbors of a point, including itself. 10 to 30 suit most scans. Warns if it joins all points: then
+                opposite sides of a surface exchange signs.
             lambda_penalty: If positive, ignore neighbors whose distance from the tangent plane is an outlier: above the
                 upper quartile by 1.5 interquartile ranges. Only its sign matters.
             cos_alpha_tol: If below 1, ignore neighbors whose direction has a larger cosine (thin walls).
@@ -205,6 +206,7 @@ class Normals(Selection):
         rows = usable_rows(points, normals)
         if not rows.size:
             return self.copy()
+        warn_of_complete_graph(neighbors, rows.size)
         tree = self.search_tree() if rows.size == points.size else PointTree(gather_rows(points, rows))
         oriented = orient_consistently(points, normals, rows, tree, neighbors, steepest, penalty > 0)
         return self.with_arrays(self.arrays | {"normals": oriented}, grid=self.grid)
