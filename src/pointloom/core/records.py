@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -45,11 +45,14 @@ def record_file(root: Path, stage: str, number: int | None = None) -> Path:
     return root / RECORDS / (f"{stage}.json" if number is None else f"{stage}_{number:03d}.json")
 
 
-def write_record(
-    path: Path, stage: str, made_from: str, root: Path, files: Sequence[Path], result: dict[str, Any]
-) -> None:
+def files_below(root: Path, files: Iterable[Path]) -> dict[str, Path]:
+    """Files by their names in a record."""
+    return {file.relative_to(root).as_posix(): file for file in files}
+
+
+def write_record(path: Path, stage: str, made_from: str, files: Mapping[str, Path], result: dict[str, Any]) -> None:
     try:
-        digests = {file.relative_to(root).as_posix(): digest_of_file(file) for file in files}
+        digests = {name: digest_of_file(file) for name, file in files.items()}
     except OSError as error:
         raise FileError(error.filename or path, f"cannot be read: {error.strerror or error}") from error
     content = {"version": RECORD_VERSION, "stage": stage, "made_from": made_from, "files": digests, "result": result}

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from . import observers
+from .errors import FileError
 from .json_fields import Check, has_fields, is_count, is_number, is_object, is_text
 from .json_files import read_json_object
 from .paths import os_errors, refuse_links
@@ -23,6 +24,7 @@ from .timing import Clock, peak_bytes_of_all
 from .wording import json_text
 
 PART = ".part"  # suffix of an incomplete folder
+OLD = ".old.part"  # suffix of a folder that is replaced
 GOING = ".going"  # suffix of the folder of a resumable stage
 _MADE_FROM = "made_from"
 
@@ -87,10 +89,15 @@ class Chain:
             (root / RECORDS).mkdir(exist_ok=True)
             for name in names:
                 _remove(root / f"{name}{PART}")
+                _remove(root / f"{name}{OLD}")
             if not resume:
                 for name in names:
+                    _check_own(root, name, _listed(root, name))
+                for name in names:
+                    if _listed(root, name) is not None:
+                        _set_aside(root, name)
                     record_file(root, name).unlink(missing_ok=True)
-                    _remove(root / name)
+                    _remove(root / f"{name}{OLD}")
                     _remove(root / f"{name}{GOING}")
 
     def run(self, stage: Stage) -> StageResult:
@@ -144,29 +151,62 @@ class Chain:
         record = record_file(self.root, stage.name)
         clock = Clock()
         with os_errors(part, "written"):
+            listed = _listed(self.root, stage.name)
+            _check_own(self.root, stage.name, listed)
             try:
                 part.mkdir()
                 with self._going(stage) as going:
                     stage_report = stage.make(
                         part, lambda step, *of: self._report_progress(stage.name, step, *of), *going
                     )
-                record.unlink(missing_ok=True)
-                _remove(folder)
-                part.rename(folder)
             except BaseException:
                 shutil.rmtree(part, ignore_errors=True)
                 raise
-            files = sorted(path for path in folder.rglob("*") if path.is_file())
         clock.stop(stage.name)
         seconds, cpu = clock.seconds[stage.name], clock.cpu_seconds[stage.name]
         cost = {"seconds": round(seconds, 3), "cpu_seconds": round(cpu, 3), "peak_bytes": peak_bytes_of_all()}
         result = {"told": json.loads(json_text(dict(stage_report))), "cost": cost}
         result |= {"version": stage.version, "code": dict(stage.code)}
-        write_record(record, stage.name, stage.made_from, self.root, files, result)
+        with os_errors(folder, "written"):
+            # the record lists the files of the folder at each moment, or there is no folder
+            files = {f"{stage.name}/{file.relative_to(part).as_posix()}": file for file in _files_in(part)}
+            _check_own(self.root, stage.name, {*files, *(listed or ())})
+            _set_aside(self.root, stage.name)
+            write_record(record, stage.name, stage.made_from, files, result)
+            part.rename(folder)
+            _remove(self.root / f"{stage.name}{OLD}")
         return result
 
     def _report_progress(self, name: str, step: str, done: int, total: int) -> None:
         self._progress(name if step in ("", name) else f"{name}: {step}", done, total)
+
+
+def _files_in(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.rglob("*") if not path.is_dir())
+
+
+def _listed(root: Path, name: str) -> set[str] | None:
+    """The files in the record of a stage, also of a damaged stage. None if the record cannot be read."""
+    try:
+        files = read_json_object(record_file(root, name)).get("files")
+    except FileError:
+        return None
+    return set(files) if isinstance(files, dict) else None
+
+
+def _check_own(root: Path, name: str, own: set[str] | None) -> None:
+    """Raise FileError if the folder of a stage, which is to be removed, has another file. None: they are unknown."""
+    folder = root / name
+    for path in _files_in(folder) if folder.is_dir() else [folder] if folder.exists() else []:
+        if own is not None and path.relative_to(root).as_posix() not in own:
+            reason = f"is not a file of the run, which replaces the folder {name}"
+            raise FileError(path, reason, remedy="Move it to another folder")
+
+
+def _set_aside(root: Path, name: str) -> None:
+    """Rename the folder of a stage, so that an interrupted removal leaves no folder without a record."""
+    if (root / name).is_dir():
+        (root / name).rename(root / f"{name}{OLD}")
 
 
 def _remove(folder: Path) -> None:

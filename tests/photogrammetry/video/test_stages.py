@@ -118,6 +118,27 @@ def test_a_damaged_stage_is_made_again(tmp_path, damage):
     assert files_in(tmp_path) == complete
 
 
+@pytest.mark.parametrize("record", ["sound", "cut off", "removed"])
+@pytest.mark.parametrize("resume", [True, False])
+@pytest.mark.parametrize("name", ["second/notes.txt", "second/deep/mine", "second"])
+def test_a_file_that_is_not_of_the_run_stays(tmp_path, resume, record, name):
+    """Also where the record of the stage cannot be read, so that its files are known only when they are made again."""
+    Job(tmp_path).run()
+    complete, file = files_in(tmp_path), tmp_path / "records/second.json"
+    if name == "second":
+        (tmp_path / "second" / "deep" / "text").unlink()
+        (tmp_path / "second" / "deep").rmdir()
+        (tmp_path / "second").rmdir()
+    (tmp_path / name).write_text("mine")
+    {"cut off": lambda: file.write_text(file.read_text()[:40]), "removed": file.unlink}.get(record, lambda: 0)()
+    with pytest.raises(FileError, match=rf"{name}: is not a file of the run, which replaces the folder second\. Move"):
+        Job(tmp_path, resume=resume, second="x").run()
+    assert (tmp_path / name).read_text() == "mine"
+    (tmp_path / name).unlink()
+    Job(tmp_path).run()
+    assert files_in(tmp_path) == complete
+
+
 def test_another_version_of_a_stage_makes_it_again(tmp_path):
     chain = Job(tmp_path).chain
     ran = []

@@ -34,7 +34,7 @@ from ...core.json_fields import (
     row_of,
 )
 from ...core.progress import ReportProgress
-from ...core.records import digest_of, read_record, write_record
+from ...core.records import digest_of, files_below, read_record, write_record
 from ...io.frames.frames import FrameSource
 from ...io.points.point_cloud import read_point_cloud, write_point_cloud
 from ...kernels.linear_algebra import matmul
@@ -211,7 +211,7 @@ def _finish(draft: Draft, frames: Frames, job: JobFiles, device: DeviceLike, los
     )
     result = _to_json(fragment) | {"velocity": draft.velocity.tolist()}
     result |= {"lost": [[frame.index, frame.name, frame.reason] for frame in lost]}
-    write_record(job.record(STAGE, number), STAGE, draft.made_from, job.root, paths, result)
+    write_record(job.record(STAGE, number), STAGE, draft.made_from, files_below(job.root, paths), result)
     return fragment
 
 

@@ -14,7 +14,7 @@ from ...core.errors import FileError, FilePath
 from ...core.json_fields import Checks, has_fields, is_count, is_number, is_pose, is_text, list_of, optional
 from ...core.paths import job_file
 from ...core.progress import ReportProgress
-from ...core.records import digest_of, read_record, write_record
+from ...core.records import digest_of, files_below, read_record, write_record
 from ...registration.deformable.control_grid import ControlGrid
 from ...registration.deformable.control_grid_files import read_control_grid, write_control_grid
 from ...registration.deformable.slac import (
@@ -142,7 +142,7 @@ def _write(job: JobFiles, bent: BentPlacement) -> None:
     write_pose_graph(paths[0], placement.pose_graph)
     write_control_grid(paths[1], bent.grid)
     result = {"poses": placement.poses.tolist(), "before": placement.before, "figures": bent.figures}
-    write_record(job.record(STAGE), STAGE, placement.made_from, job.root, paths, result)
+    write_record(job.record(STAGE), STAGE, placement.made_from, files_below(job.root, paths), result)
 
 
 def _read(job: JobFiles, before: Placement, device: DeviceLike, made_from: str | None = None) -> BentPlacement | None:

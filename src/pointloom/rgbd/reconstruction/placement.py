@@ -12,7 +12,7 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.json_fields import Checks, all_of, has_fields, is_count, is_flag, is_pose, is_text, list_of
 from ...core.progress import ReportProgress
-from ...core.records import digest_of, read_record, write_record
+from ...core.records import digest_of, files_below, read_record, write_record
 from ...pcd.cloud import PointCloud
 from ...registration.pose_graphs import multiway
 from ...registration.pose_graphs.multiway import FragmentPair
@@ -128,7 +128,7 @@ def write_placement(job: JobFiles, stage: str, placement: Placement) -> None:
         "before": placement.before,
         "fragments": placement.fragments,
     }
-    write_record(job.record(stage), stage, placement.made_from, job.root, [path], result)
+    write_record(job.record(stage), stage, placement.made_from, files_below(job.root, [path]), result)
 
 
 def placement_of(job: JobFiles, fragments: list[Fragment]) -> Placement:

@@ -27,7 +27,7 @@ from ...core.json_fields import (
 )
 from ...core.paths import job_file
 from ...core.progress import ReportProgress
-from ...core.records import digest_of, read_record, write_record
+from ...core.records import digest_of, files_below, read_record, write_record
 from ...io.frames.frames import FrameSource
 from ...io.points.point_cloud import write_point_cloud
 from ...kernels.linear_algebra import matmul
@@ -183,7 +183,7 @@ def _write_scene(job: JobFiles, scene: Scene, made_from: str, mesh: TriangleMesh
         "lost": [[frame.index, frame.name, frame.reason] for frame in scene.lost],
         "figures": scene.figures,
     }
-    write_record(job.record(STAGE), STAGE, made_from, job.root, files, result)
+    write_record(job.record(STAGE), STAGE, made_from, files_below(job.root, files), result)
 
 
 def _read_scene(job: JobFiles, made_from: str) -> Scene | None:
