@@ -63,8 +63,8 @@ def start() -> Device:
     """
     if is_dry():
         os.environ.setdefault("EMULATED_CUDA_UNINITIALISED", "0")
-        sys.path.append(str(ROOT / "tests"))
-        from emulated_cuda.install import install, installed
+        sys.path.append(str(ROOT))
+        from tests.emulated_cuda.install import install, installed
 
         if installed() is None:
             install()

@@ -57,7 +57,7 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
 
 def _is_lost() -> bool:
     warp = sys.modules.get("warp")
-    if warp is None or not warp._src.context.runtime or "emulated_cuda.install" in sys.modules:
+    if warp is None or not warp._src.context.runtime or "tests.emulated_cuda.install" in sys.modules:
         return False
     try:
         if warp.get_cuda_device_count():

@@ -22,6 +22,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from real_data import DataMissingError
+
 from gpu_kit import device as devices
 from gpu_kit.documents import keep_part, last_measured, saved_part
 from gpu_kit.runner import MORE
@@ -185,10 +187,13 @@ MEASURES = {"call": (call_times, "caller_ms"), "device": (device_times, "device_
 
 
 def measured(kind: str, name: str, size: int) -> dict[str, Any]:
-    """One of the two measurements of an operation, with its seconds including the preparation; or its error."""
+    """One of the two measurements of an operation, with its seconds including the preparation; or its error, or
+    the real data that are missing."""
     start = time.monotonic()
     try:
         result = MEASURES[kind][0](name, size)
+    except DataMissingError as error:
+        return {"missing": str(error)}
     except Exception as error:
         traceback.print_exc(limit=4)
         return {"error": f"{type(error).__name__}: {str(error)[:400]}"}
@@ -224,6 +229,10 @@ def main() -> int:
             print("no time left before", name, size)
             return MORE
         result |= measured(kind, name, size)
+        if "missing" in result:
+            print(f"{name}, {size:,}: not measured. {result['missing']}", flush=True)
+            del results[key_of(name, size)]
+            continue
         print(described(name, size, result), flush=True)
         keep_part(state, device, "operations", results)
     return 1 if any("error" in each for each in results.values()) else 0
