@@ -108,11 +108,11 @@ def all_steps(day: datetime.date, root: Path = ROOT) -> list[Step]:
     """The steps of `make nightly`."""
     versions, fuzz = (
         (PYTHON, "scripts/test_versions.py"),
-        (PYTHON, "benchmarks/fuzz/run.py", "--count", "300", "--seed"),
+        (PYTHON, "benchmarks/fuzz/run.py", "--count", "200", "--seed"),
     )
     return [
         Step("mutants", ("make", "mutants", f"ARGS={MUTANTS} --seed {day}"), 13, is_daily=True),
-        Step("fuzz", (*fuzz, str(day.toordinal())), 5, is_daily=True),
+        Step("fuzz", (*fuzz, str(day.toordinal())), 10, is_daily=True),
         Step(
             "trust", ("make", "trust", f"ARGS=--budget 5 --seed {day} --output build/nightly/trust"), 5, is_daily=True
         ),
