@@ -1,5 +1,6 @@
 """Stateful objects may be used by several threads: calls of one object run one at a time."""
 
+import asyncio
 import copy
 import re
 import threading
@@ -234,6 +235,17 @@ def test_callbacks_of_the_viewer_read_beside_a_writer(device):
     assert len(counts) == STEPS and [count for count, _ in counts] == sorted(count for count, _ in counts)
     for actual, expected in zip(surface(volume), surface(alone), strict=True):
         np.testing.assert_array_equal(actual, expected)
+
+
+def test_functions_run_in_threads_of_an_event_loop(device):
+    cloud = loom.PointCloud(BALL, device=device)
+
+    async def both():
+        return await asyncio.gather(*[asyncio.to_thread(cloud.voxel_down_sample, 0.3) for _ in range(4)])
+
+    expected = cloud.voxel_down_sample(0.3).points
+    for each in asyncio.run(both()):
+        np.testing.assert_array_equal(each.points, expected)
 
 
 def ring_of_threads(objects, enter):
