@@ -198,10 +198,25 @@ def test_failures_are_written_before_a_run_of_tests_ends(tmp_path):
 def test_the_newest_measurement_of_a_row_counts_if_it_has_the_field(tmp_path, monkeypatch):
     monkeypatch.setattr(documents, "RESULTS", tmp_path)
     for day, rows in ((1, {"a": {"best_ms": 1.0}, "b": {}}), (2, {"a": {"device_ms": 1.0}, "b": {"error": "no"}})):
-        run = {"date": f"2026-01-0{day}", "commit": f"{day}" * 12, "operations": rows}
-        (tmp_path / f"gpu-run-x-{day}.json").write_text(json.dumps(run))
-    assert documents.last_measured("operations", field="best_ms") == {"a": ("2026-01-01", "1111111")}
-    assert documents.last_measured("operations") == {"a": ("2026-01-02", "2222222"), "b": ("2026-01-01", "1111111")}
+        about = {"date": f"2026-01-0{day}", "commit": f"{day}" * 12, "device": {"name": "NVIDIA H100 80GB"}}
+        (tmp_path / f"gpu-run-x-{day}.json").write_text(json.dumps({**about, "operations": rows}))
+    assert documents.last_measured("operations", chip="h100", field="best_ms") == {"a": ("2026-01-01", "1111111")}
+    every = {"a": ("2026-01-02", "2222222"), "b": ("2026-01-01", "1111111")}
+    assert documents.last_measured("operations", chip="h100") == every
+    assert documents.last_measured("operations", chip="h200") == {}, "of another chip"
+
+
+def test_each_chip_has_tables_of_its_own():
+    def run(chip, day, best):
+        about = {"device": {"name": f"NVIDIA {chip}"}, "date": f"2026-01-0{day}", "commit": "a" * 12}
+        return {**about, "operations": {f"tree {1000 * day}": {"best_ms": best}}}
+
+    lines = page.by_chip(page.operations, [run("H100", 1, 1.5), run("H200", 2, 2.5), run("H100", 3, 3.5)])
+    at = {name: lines.index(f"**NVIDIA {name}**") for name in ("H100", "H200")}
+    assert at["H100"] == 0 < at["H200"], "the chip with the newest run is the first"
+    times = [[cell for line in part for cell in ("1.50", "2.50", "3.50") if cell in line]
+             for part in (lines[: at["H200"]], lines[at["H200"] :])]  # fmt: skip
+    assert times == [["1.50", "3.50"], ["2.50"]]
 
 
 def test_the_first_page_counts_the_rows_that_are_ahead_of_open3d():

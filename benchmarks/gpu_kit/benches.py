@@ -35,15 +35,15 @@ DRY_ORDER = ["voxel_down_sample"]
 AT_LEAST, AT_MOST = 15.0, 80.0  # seconds per operation
 
 
-def chosen() -> dict[str, str]:
-    """Operations and their modules, in order."""
+def chosen(chip: str) -> dict[str, str]:
+    """Operations and their modules, in the order for a chip."""
     known = operations()
     modules: dict[str, str] = {}
     for prefix in DRY_ORDER if devices.is_dry() else [*ORDER, ""]:
         for name, (module, _) in known.items():
             if name.startswith(prefix) or module == f"bench_{prefix}":
                 modules.setdefault(name, module)
-    known_dates = last_measured("benchmarks", "operations")
+    known_dates = last_measured("benchmarks", "operations", chip=chip)
     with_peer = on_gpu()
     return dict(
         sorted(modules.items(), key=lambda each: (each[0] not in with_peer, known_dates.get(each[0], ("", ""))[0]))
@@ -83,7 +83,7 @@ def main() -> int:
     results = saved_part(state, "benchmarks") or {"operations": {}}
     results["versions"] = versions()
     complete = True
-    for name, module in chosen().items():
+    for name, module in chosen(device.chip).items():
         if name in results["operations"]:
             continue
         left = end - time.monotonic()
@@ -102,7 +102,9 @@ def main() -> int:
         results.setdefault("seconds", {})[name] = round(time.monotonic() - start, 1)
         keep_part(state, device, "benchmarks", results)
         print(table(rows, with_targets=False) if rows else f"{name}: no table: {why}", flush=True)
-    return 0 if complete else MORE
+    if not complete:
+        return MORE
+    return 1 if any("error" in rows for rows in results["operations"].values()) else 0
 
 
 if __name__ == "__main__":

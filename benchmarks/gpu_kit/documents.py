@@ -48,15 +48,23 @@ def saved_runs() -> list[dict[str, Any]]:
     )
 
 
-def last_measured(*part: str, field: str = "") -> dict[str, tuple[str, str]]:
-    """Date and commit of the newest run with a result, by entry of a part.
+def chip_of_run(run: dict[str, Any]) -> str:
+    """Short name of the chip of a run's document."""
+    return chip_of(run["device"]["name"])
+
+
+def last_measured(*part: str, chip: str, field: str = "") -> dict[str, tuple[str, str]]:
+    """Date and commit of the newest run of a chip with a result, by entry of a part.
 
     Args:
         part: Names of the part in a run's document.
+        chip: Short name of the chip: times of another one are not compared.
         field: The entry must have this field. Entries with an error do not count.
     """
     found: dict[str, tuple[str, str]] = {}
     for run in saved_runs():
+        if chip_of_run(run) != chip:
+            continue
         entries: Any = run
         for name in part:
             entries = entries.get(name, {})

@@ -37,13 +37,13 @@ class Profiler:
     attached = False
 
 
-def runs(field: str) -> list[tuple[str, int]]:
-    """Names and sizes, those with the oldest value of a field first."""
+def runs(field: str, chip: str) -> list[tuple[str, int]]:
+    """Names and sizes, those with the oldest value of a field on this chip first."""
     from gpu_operations import OPERATIONS
 
     if devices.is_dry():
         return [(operation.name, operation.small) for operation in OPERATIONS.values()]
-    known = last_measured("operations", field=field)
+    known = last_measured("operations", chip=chip, field=field)
     sizes = [(operation.name, size) for operation in OPERATIONS.values() for size in operation.sizes]
     return sorted(sizes, key=lambda each: known.get(key_of(*each), ("", ""))[0])
 
@@ -221,7 +221,7 @@ def main() -> int:
         return 0
     state, end, kind = Path(first), time.monotonic() + float(words[0]), words[1]
     field, results = MEASURES[kind][1], saved_part(state, "operations")
-    for name, size in runs(field):
+    for name, size in runs(field, device.chip):
         result = results.setdefault(key_of(name, size), {})
         if "error" in result or f"seconds of {kind}" in result:
             continue

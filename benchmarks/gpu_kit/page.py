@@ -2,13 +2,15 @@
 
     python benchmarks/gpu_kit/page.py [--check]
 
-Of several runs of a chip the newest one that has a row counts, by date.
+Each chip has tables of its own. Of several runs of a chip the newest one that has a row counts, by date.
 """
 
 from __future__ import annotations
 
 import sys
 import textwrap
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +20,7 @@ sys.path[:] = [str(ROOT / "benchmarks"), *(path for path in sys.path if Path(pat
 from pages import replaced_between  # noqa: E402
 
 from gpu_kit.compare import CHANGES, compared  # noqa: E402
-from gpu_kit.documents import last_measured, saved_runs  # noqa: E402
+from gpu_kit.documents import chip_of_run, last_measured, saved_runs  # noqa: E402
 from gpu_kit.steps import RUNS, STEPS, dry_table, plan_table  # noqa: E402
 
 PAGE, FIRST_PAGE, README = ROOT / "docs" / "gpu.md", ROOT / "README.md", Path(__file__).parent / "README.md"
@@ -85,7 +87,8 @@ def beside(documents: list[dict[str, Any]]) -> list[str]:
 
 
 def summary(documents: list[dict[str, Any]]) -> str:
-    """The sentence of the first page about GPUs."""
+    """The sentence of the first page about GPUs: of the chip that was measured last beside Open3D."""
+    documents = next(runs_of_chip for runs_of_chip in of_chips(documents).values() if times_beside(runs_of_chip))
     rows, run = times_beside(documents), documents[-1]
     ahead = sum(other >= own for _, _, own, other in rows)
     return textwrap.fill(
@@ -184,17 +187,35 @@ def changes(documents: list[dict[str, Any]]) -> list[str]:
     return table(f"change, operation, size, call {times}, device {times}", rows)
 
 
-def dated(rows: list[str], *part: str, field: str = "") -> dict[tuple[str, str], list[str]]:
-    """Rows by the date and commit of their newest measurement."""
-    known = last_measured(*part, field=field)
+def of_chips(documents: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
+    """The runs of each chip, the chip with the newest run first."""
+    groups: dict[str, list[dict[str, Any]]] = {}
+    for run in reversed(documents):
+        groups.setdefault(chip_of_run(run), []).insert(0, run)
+    return groups
+
+
+def by_chip(make: Callable[[list[dict[str, Any]]], list[str]], documents: list[dict[str, Any]]) -> list[str]:
+    """The lines of each chip, below its name if there are several."""
+    groups = of_chips(documents)
+    lines = []
+    for runs_of_chip in groups.values():
+        heading = [f"**{runs_of_chip[-1]['device']['name']}**", ""] if len(groups) > 1 else []
+        lines += [*([""] if lines else []), *heading, *make(runs_of_chip)]
+    return lines
+
+
+def dated(rows: list[str], *part: str, chip: str, field: str = "") -> dict[tuple[str, str], list[str]]:
+    """Rows by the date and commit of their newest measurement on a chip."""
+    known = last_measured(*part, chip=chip, field=field)
     groups: dict[tuple[str, str], list[str]] = {}
     for row in rows:
         groups.setdefault(known.get(row, NEVER), []).append(row)
     return groups
 
 
-def ages() -> list[str]:
-    """When each row was measured last, the oldest first: the order of the next run."""
+def ages(documents: list[dict[str, Any]]) -> list[str]:
+    """When each row was measured last on the chip of these runs, the oldest first: the order of its next run."""
     from gpu_operations import OPERATIONS
 
     from gpu_kit.benches import on_gpu
@@ -203,17 +224,18 @@ def ages() -> list[str]:
 
     sizes = [(o.name, f"{o.name} {size}") for o in OPERATIONS.values() for size in o.sizes]
     large = [f"{o.name} {size}" for o in OPERATIONS.values() for size in o.large]
+    of = partial(dated, chip=chip_of_run(documents[-1]))
     written = {"times", "profile", "benchmarks", "large", "peers", "compare", "tests"}
     groups = {
-        "times of the caller": dated([key for _, key in sizes], "operations", field="best_ms"),
-        "device times": dated([key for _, key in sizes], "operations", field="device_ms"),
-        "beside Open3D on the GPU": dated(on_gpu(), "benchmarks", "operations"),
-        "large clouds": dated(large, "large"),
-        "beside other libraries": dated([key_of(peer) for peer in PEERS], "peers"),
-        "before and after a change": dated([change.name for change in CHANGES], "comparisons"),
-        "tests": dated(list(STAGES), "tests", "stages"),
+        "times of the caller": of([key for _, key in sizes], "operations", field="best_ms"),
+        "device times": of([key for _, key in sizes], "operations", field="device_ms"),
+        "beside Open3D on the GPU": of(on_gpu(), "benchmarks", "operations"),
+        "large clouds": of(large, "large"),
+        "beside other libraries": of([key_of(peer) for peer in PEERS], "peers"),
+        "before and after a change": of([change.name for change in CHANGES], "comparisons"),
+        "tests": of(list(STAGES), "tests", "stages"),
     }
-    parts = last_parts()
+    parts = last_parts(documents)
     for step in STEPS:
         if step.part and step.name not in written:
             groups.setdefault("steps", {}).setdefault(parts.get(step.part, NEVER), []).append(step.name)
@@ -224,9 +246,9 @@ def ages() -> list[str]:
     return lines
 
 
-def last_parts() -> dict[str, tuple[str, str]]:
+def last_parts(documents: list[dict[str, Any]]) -> dict[str, tuple[str, str]]:
     """Date and commit of the newest run with each part."""
-    return {name: (run["date"], run["commit"][:7]) for run in saved_runs() for name in run}
+    return {name: (run["date"], run["commit"][:7]) for run in documents for name in run}
 
 
 def shortened(rows: list[str]) -> str:
@@ -251,6 +273,7 @@ TABLES = {
     "large": large_clouds,
     "changes": changes,
     "boxes": boxes,
+    "ages": ages,
 }
 
 
@@ -258,8 +281,7 @@ def pages() -> dict[Path, str]:
     """The generated pages."""
     documents, page, readme = saved_runs(), PAGE.read_text(), README.read_text()
     for name, make in TABLES.items():
-        page = replaced_between(page, name, "\n".join(make(documents)))
-    page = replaced_between(page, "ages", "\n".join(ages()))
+        page = replaced_between(page, name, "\n".join(by_chip(make, documents)))
     for run in RUNS:
         readme = replaced_between(readme, f"run {run}", plan_table(run))
     return {

@@ -283,18 +283,19 @@ def key_of(peer: Peer, size: int = 0) -> str:
     return f"{peer.operation} {size or peer.size} beside {peer.name}"
 
 
-def seconds_of(call: Call, device: str) -> list[float]:
-    """Seconds of some synchronized calls."""
+def seconds_of(pair: Pair, device: str) -> tuple[list[float], list[float]]:
+    """Seconds of some synchronized calls of both sides, in turn: clocks and temperature change during a run."""
     import warp as wp
 
-    seconds = []
+    seconds: tuple[list[float], list[float]] = [], []
     for _ in range(1 if devices.is_dry() else ROUNDS):
-        wp.synchronize_device(device)
-        start = time.perf_counter()
-        result = call()
-        wp.synchronize_device(device)  # the context of all libraries: cudaDeviceSynchronize
-        seconds.append(time.perf_counter() - start)
-        del result
+        for call, times in zip((pair.own, pair.other), seconds, strict=True):
+            wp.synchronize_device(device)
+            start = time.perf_counter()
+            result = call()
+            wp.synchronize_device(device)  # the context of all libraries: cudaDeviceSynchronize
+            times.append(time.perf_counter() - start)
+            del result
     return seconds
 
 
@@ -303,7 +304,7 @@ def measured(peer: Peer, size: int, device: str) -> dict[str, Any]:
     try:
         pair = peer.prepare(size, device)
         pair.compare(pair.own(), pair.other())
-        own, other = seconds_of(pair.own, device), seconds_of(pair.other, device)
+        own, other = seconds_of(pair, device)
     except ImportError as error:
         return {"skipped": str(error)}
     except Exception as error:

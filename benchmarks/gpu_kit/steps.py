@@ -66,16 +66,16 @@ STEPS = (
     Step("questions", "questions", 25, "loops in graphs, threads, bitwise results", part="questions"),
     Step("constants", "constants", 15, "launch, wait, graph node, copies", EVERY, part="constants"),
     Step(
-        "exchange", "exchange", 35, "torch, CuPy, JAX arrays; capture in the caller's CUDA graph", part="exchange"
+        "exchange", "exchange", 25, "torch, CuPy, JAX arrays; capture in the caller's CUDA graph", part="exchange"
     ),
     Step("times", "measure", 90, "the caller's times without a profiler", arguments=("call",), part="operations"),
     Step("profile", "measure", 60, "device times by kernel", arguments=("device",)),
-    Step("compare", "compare", 55, "the same before a change of kernels", needs=(*BASE, "before"), part="comparisons"),
-    Step("ncu", "under_tools", 100, "stalls, cache hits, spills", program="ncu", not_dry=NO_TOOL, arguments=("ncu",)),
+    Step("compare", "compare", 150, "the same before a change of kernels", needs=(*BASE, "before"), part="comparisons"),
+    Step("ncu", "under_tools", 45, "stalls, cache hits, spills", program="ncu", not_dry=NO_TOOL, arguments=("ncu",)),
     Step("peers", "peers", 40, "the same operations in Warp, CuPy and torch", part="peers"),
     Step("frames", "frames", 30, "100 frames and LiDAR scans: median, p99", part="frames"),
-    Step("large", "large", 50, "10M and 50M points: time, peak memory", part="large"),
-    Step("tests", "suite", 55, "tests of cuda:0, the oldest results first", part="tests"),
+    Step("large", "large", 30, "10M and 50M points: time, peak memory", part="large"),
+    Step("tests", "suite", 45, "tests of cuda:0, the oldest results first", part="tests"),
     Step(
         "digests", "digests", 100, "bitwise results of all operations, twice and on the CPU", 2, not_dry=MINUTES,
         part="digests",

@@ -155,7 +155,7 @@ def _age(stage: str, known: dict[str, tuple[str, str]]) -> tuple[bool, str]:
 def main() -> int:
     """Run the remaining stages; returns MORE if some remain."""
     suite = Suite(Path(sys.argv[1]), float(sys.argv[2]))
-    known = last_measured("tests", "stages")
+    known = last_measured("tests", "stages", chip=suite.device.chip)
     stages = (
         {"smoke": DRY_TESTS}
         if devices.is_dry()
