@@ -1,6 +1,7 @@
 """Pictures of operations in the reference: each is drawn, its code runs alone, and results without one are found."""
 
 import inspect
+import itertools
 import re
 
 import numpy as np
@@ -18,11 +19,17 @@ pytestmark = pytest.mark.usefixtures("names_of_torch")
 @pytest.mark.nightly  # with the gallery: some seconds together
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_each_picture_shows_its_panels(name):
-    drawn = np.asarray(pictures.draw(OPERATIONS[name], (320, 200)))[pictures.TITLE :]
-    assert drawn.shape[1] == 320
-    for panel in np.array_split(drawn, 2, axis=1):  # one or two panels, or three
+    """Each panel shows something, in another place or color than the panel before it: the operation is visible."""
+    operation = OPERATIONS[name]
+    drawn = np.asarray(pictures.draw(operation, (320, 200)))[pictures.TITLE :]
+    count = len(operation.panels())
+    width = (320 - pictures.GAP * (count - 1)) // count
+    panels = [drawn[:, left : left + width] for left in range(0, 320, width + pictures.GAP)][:count]
+    for panel in panels:
         covered = (panel != 255).any(axis=2).mean()
         assert covered > 0.05 and len(np.unique(panel.reshape(-1, 3), axis=0)) > 3  # lines have 5 shades
+    for before, after in itertools.pairwise(panels):
+        assert (before != after).any(axis=2).mean() > 0.005
 
 
 @pytest.mark.nightly
