@@ -5,13 +5,19 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
+from pointloom.kernels.algebra.transform import transform_points
 from pointloom.kernels.lang import int64, uint8, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.poses import line_of_sight
+from pointloom.kernels.poses import line_of_sight, pair_probes
+from pointloom.kernels.poses.alignment_rows import PairedSurfaces
 from pointloom.kernels.poses.line_of_sight import MAX_VIEWPOINTS, Sight, find_sight
 from pointloom.kernels.poses.main_planes import MAX_VOTERS, MainPlanes, find_main_planes, leave_out_planes
+from pointloom.kernels.poses.overlap_evidence import Overlap
+from pointloom.kernels.poses.pair_probes import compare_pair
 from pointloom.kernels.poses.point_sums import count_agreeing, position_moments
-from pointloom.kernels.search.nearest_point import NO_POINT
+from pointloom.kernels.search import nearest_point
+from pointloom.kernels.search.nearest_point import NO_POINT, find_nearest
+from pointloom.kernels.surface.hollow_side import Surface
 
 from ...registration.poses import as_pose
 
@@ -39,6 +45,27 @@ def on_device(points, normals, device, rows=None):
 
 def planes_of(arrays, max_planes):
     return find_main_planes(*arrays, max_planes, *LIMITS).read()
+
+
+def test_moved_surfaces_are_searched_in_the_order_of_their_trees(device, rng, monkeypatch):
+    surfaces = [Surface(*on_device(*sheets(rng, (300, 300)), device)[:2]) for _ in range(2)]
+    pose, distance = as_pose([0, 0, 0.1], [0.02, 0, 0]), 0.3
+    poses = np.array([pose, np.eye(4)])
+
+    with monkeypatch.context() as patch:
+        patch.setattr(nearest_point, "order_along_curve", None)  # not called
+        overlap = Overlap(*surfaces, pose, distance, distance, 0.9, distance)
+        pairs = PairedSurfaces(*surfaces, pose, np.linalg.inv(pose), distance, 0.9)
+        rises = compare_pair(*surfaces, len(surfaces[0]), poses, distance, 0.9, 0.1)
+    keys = download(find_nearest(surfaces[1].tree, overlap.moved, radius=distance))
+    assert (keys != NO_POINT).any()
+    for nearest in (overlap.nearest, pairs.nearest_target):
+        np.testing.assert_array_equal(download(nearest), keys)
+    back = transform_points(surfaces[1].points, *(np.linalg.inv(pose)[:3, k] for k in (slice(3), 3)))
+    expected = find_nearest(surfaces[0].tree, back, radius=distance)
+    np.testing.assert_array_equal(download(pairs.nearest_source), download(expected))
+    monkeypatch.setattr(pair_probes, "find_nearest", lambda *given, radius, order: find_nearest(*given, radius=radius))
+    np.testing.assert_array_equal(compare_pair(*surfaces, len(surfaces[0]), poses, distance, 0.9, 0.1), rises)
 
 
 @pytest.mark.parametrize(

@@ -122,7 +122,7 @@ class Overlap:
         self.moved, self.moved_normals = empty(count, vec3, device), empty(count, vec3, device)
         arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), self.moved, self.moved_normals]
         launch(move_surface_kernel, count, arguments)
-        self.nearest = find_nearest(target.tree, self.moved, radius=near)
+        self.nearest = find_nearest(target.tree, self.moved, radius=near, order=source.tree.order)
         self.find_middle()
 
     def leave_out_border(self) -> None:

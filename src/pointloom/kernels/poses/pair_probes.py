@@ -11,9 +11,10 @@ import numpy as np
 from ..algebra.rigid_solve import move, rotate
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index
-from ..lang import array, dot, float32, int64, kernel, launch, mat44d, tid, vec3
-from ..memory import download, empty, upload
+from ..lang import array, compute, dot, float32, int32, int64, kernel, launch, mat44d, tid, vec3
+from ..memory import download, empty, rows_of, upload
 from ..search.nearest_point import NO_POINT, find_nearest
+from ..search.tree_search import order_along_curve
 from ..surface.hollow_side import Surface
 from .cost_differences import compare_costs
 from .overlap_evidence import MATCHED_AT, Overlap
@@ -47,6 +48,13 @@ def transform_samples_kernel(
 ):
     i = tid()
     moved[i] = narrow(move(poses[i // count], widen(points[(i % count) * step])))
+
+
+@kernel
+def repeat_order_kernel(order: array(dtype=int32), count: int, orders: array(dtype=int32)):
+    """An order of `count` samples, for the samples at each pose."""
+    i = tid()
+    orders[i] = i - i % count + order[i % count]
 
 
 @kernel
@@ -92,7 +100,9 @@ def compare_pair(
     device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
     moved, squares = empty(len(poses) * count, vec3, device), empty((len(poses), count), float32, device)
     launch(transform_samples_kernel, moved.size, [source.points, step, count, device_poses, moved])
-    nearest = find_nearest(target.tree, moved, radius=radius)
+    order = source.tree.order if step == 1 else order_along_curve(target.tree, rows_of(moved, 0, count))
+    orders = compute(repeat_order_kernel, moved.size, [order, count], int32, device)
+    nearest = find_nearest(target.tree, moved, radius=radius, order=orders)
     compared = [source.normals, step, device_poses, target.points, target.normals, cosine, squares]
     launch(measure_offsets_kernel, moved.size, [moved, nearest, *compared])
     return compare_costs(squares, voxel_size)
