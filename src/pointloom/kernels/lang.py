@@ -169,6 +169,13 @@ class _DeviceCode:
         twin.__qualname__ = function.__qualname__
         return self.made_of(twin)
 
+    @once
+    def waits_for_block(self) -> bool:
+        """True if threads wait for those of their block, here or in a called function."""
+        scope = self.written.__globals__
+        used = [scope.get(name) for name in self.written.__code__.co_names]
+        return any(f is sync_block or (isinstance(f, _DeviceCode) and f.waits_for_block) for f in used)
+
     def made_of(self, function: Callable) -> Self:
         """The same decorator applied to another function, for CUDA only."""
         return type(self)(function, for_cuda=True)

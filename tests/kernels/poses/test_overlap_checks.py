@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 from pointloom.kernels.algebra.transform import transform_points
-from pointloom.kernels.lang import int64, uint8, vec3
+from pointloom.kernels.lang import int32, int64, uint8, vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.poses import line_of_sight, pair_probes
 from pointloom.kernels.poses.alignment_rows import PairedSurfaces
@@ -44,7 +44,7 @@ def on_device(points, normals, device, rows=None):
 
 
 def planes_of(arrays, max_planes):
-    return find_main_planes(*arrays, max_planes, *LIMITS).read()
+    return find_main_planes(*arrays, max_planes, *LIMITS).read()[0]
 
 
 def test_moved_surfaces_are_searched_in_the_order_of_their_trees(device, rng, monkeypatch):
@@ -81,6 +81,21 @@ def test_planes_are_ordered_by_their_number_of_points(device, rng, counts, axes,
     middles, directions = planes_of(on_device(*sheets(rng, counts), device), len(axes))
     assert np.abs(directions).argmax(axis=1).tolist() == axes and np.abs(directions).max(axis=1).min() > 0.9999
     np.testing.assert_allclose(middles[range(len(axes)), axes], heights, atol=0.003)
+
+
+def test_planes_of_several_surfaces_are_those_of_each(device, rng):
+    counts = [(500, 2000, 1000), (), (4,), (3 * MAX_VOTERS, MAX_VOTERS), (100, 300), ()]
+    surfaces = [sheets(rng, sizes) if sizes else (np.empty((0, 3)),) * 2 for sizes in counts]
+    rows = [rng.permutation(len(points))[: 9 * len(points) // 10] for points, _ in surfaces]
+    alone = [planes_of(on_device(*surface, device, some), 3) for surface, some in zip(surfaces, rows, strict=True)]
+    starts = np.cumsum([0, *(len(points) for points, _ in surfaces)])
+    chosen = np.concatenate([some + start for some, start in zip(rows, starts, strict=False)])
+    arrays = on_device(*(np.concatenate(parts) for parts in zip(*surfaces, strict=True)), device, chosen)
+    together = find_main_planes(*arrays, 3, *LIMITS, upload(starts, int32, arrays[0].device)).read()
+    assert [len(middles) for middles, _ in together] == [3, 0, 0, 2, 2, 0]
+    for one, other in zip(together, alone, strict=True):
+        for values, expected in zip(one, other, strict=True):
+            np.testing.assert_array_equal(values, expected)
 
 
 def test_points_that_are_not_chosen_do_not_count(device, rng):

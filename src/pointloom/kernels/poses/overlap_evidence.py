@@ -185,10 +185,10 @@ def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), co
     i = tid()
     total = planes.count[i]
     for k in range(planes.count[i]):
-        directions[k] = planes.directions[k]
+        directions[k] = planes.directions[0, k]
         for j in range(k):
-            a = planes.directions[k]
-            b = planes.directions[j]
+            a = planes.directions[0, k]
+            b = planes.directions[0, j]
             if abs(dot(a, b)) < MAX_ORTHOGONAL_COSINE:
                 third = cross(a, b)
                 directions[total] = third * (1.0 / length(third))
@@ -278,15 +278,15 @@ def plane_of(overlap: Overlap, planes: MainPlanes, slab: float, edge: float, i: 
     lowest = float(slab)
     at_edge = int(0)
     for k in range(planes.count[0]):
-        n = planes.directions[k]
-        height = abs(dot(n, p - planes.middles[k]))
+        n = planes.directions[0, k]
+        height = abs(dot(n, p - planes.middles[0, k]))
         if height < lowest and abs(dot(n, overlap.moved_normals[i])) > overlap.cosine:
             plane = k
             lowest = height
         if height < edge:
             for j in range(k):
-                m = planes.directions[j]
-                if abs(dot(n, m)) < overlap.cosine and abs(dot(m, p - planes.middles[j])) < edge:
+                m = planes.directions[0, j]
+                if abs(dot(n, m)) < overlap.cosine and abs(dot(m, p - planes.middles[0, j])) < edge:
                     at_edge = 1
     if at_edge == 1:
         plane = -1
@@ -313,7 +313,7 @@ def sum_relief(overlap: Overlap, planes: MainPlanes, slab: float, edge: float) -
             plane = plane_of(overlap, planes, slab, edge, i)
             weight = match_weight(overlap, i)
             if plane >= 0 and weight > 0.0:
-                axis = planes.directions[plane]
+                axis = planes.directions[0, plane]
                 other = overlap.normals[key_index(overlap.nearest[i])]
                 if abs(dot(other, axis)) > overlap.cosine:
                     a = widen(slope_of(overlap.moved_normals[i], axis))
