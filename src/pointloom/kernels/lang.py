@@ -55,6 +55,7 @@ from .language.structs import JOINT, FieldPath, struct, type_at
 from .launches import (  # noqa: F401  handed on
     ELEMENTS_PER_BLOCK,
     DeviceLoop,
+    block_elements,
     compute,
     cpu_compiler,
     current_cpu_compiler,

@@ -12,7 +12,7 @@ from pointloom.kernels.poses import line_of_sight, pair_probes
 from pointloom.kernels.poses.alignment_rows import PairedSurfaces
 from pointloom.kernels.poses.line_of_sight import MAX_VIEWPOINTS, Sight, find_sight
 from pointloom.kernels.poses.main_planes import MAX_VOTERS, MainPlanes, find_main_planes, leave_out_planes
-from pointloom.kernels.poses.overlap_evidence import Overlap
+from pointloom.kernels.poses.overlap_evidence import Overlaps
 from pointloom.kernels.poses.pair_probes import compare_pair
 from pointloom.kernels.poses.point_sums import count_agreeing, position_moments
 from pointloom.kernels.search import nearest_point
@@ -54,7 +54,7 @@ def test_moved_surfaces_are_searched_in_the_order_of_their_trees(device, rng, mo
 
     with monkeypatch.context() as patch:
         patch.setattr(nearest_point, "order_along_curve", None)  # not called
-        overlap = Overlap(*surfaces, pose, distance, distance, 0.9, distance)
+        overlap = Overlaps([(*surfaces, pose)], distance, distance, 0.9, distance)
         pairs = PairedSurfaces(*surfaces, pose, np.linalg.inv(pose), distance, 0.9)
         rises = compare_pair(*surfaces, len(surfaces[0]), poses, distance, 0.9, 0.1)
     keys = download(find_nearest(surfaces[1].tree, overlap.moved, radius=distance))
@@ -122,7 +122,8 @@ def test_planes_that_do_not_cross_have_no_edge(device):
     p, n, _ = on_device(points, normals, device)
     nearest = upload(np.array([4, 5]), int64, p.device)
     middles, directions = np.array([[0, 0, 0.2], [0, 0, 0]]), np.array([[0, 0, 1.0], [0, 0.1, -0.995]])
-    leave_out_planes(p, n, MainPlanes.of(middles, directions, p.device), 0.05, 0.8, 0.25, nearest)
+    planes, starts = MainPlanes.of(middles, directions, p.device), upload(np.array([0, len(points)]), int32, p.device)
+    leave_out_planes(p, n, planes, 0.05, 0.8, 0.25, nearest, starts)
     assert download(nearest).tolist() == [4, NO_POINT]
 
 
@@ -133,7 +134,8 @@ def test_remaining_points_are_on_a_plane_or_an_intersection(device, rng):
     middles, directions = np.array([[0.3, 0, 0], [0, -0.2, 0]]), np.array([[1.0, 0, 0], [0, -1, 0]])
     p, n, _ = on_device(points, normals, device)
     nearest = upload(np.arange(2000), int64, p.device)
-    leave_out_planes(p, n, MainPlanes.of(middles, directions, p.device), 0.1, 0.8, 0.25, nearest)
+    planes, starts = MainPlanes.of(middles, directions, p.device), upload(np.array([0, len(points)]), int32, p.device)
+    leave_out_planes(p, n, planes, 0.1, 0.8, 0.25, nearest, starts)
     heights = np.abs(np.einsum("kj,ikj->ik", directions, points[:, None] - middles))
     on = ((heights < 0.1) & (np.abs(normals @ directions.T) > 0.8)).any(axis=1)
     left = ~on & ((heights < 0.25).sum(axis=1) < 2)

@@ -367,20 +367,22 @@ def leave_out_planes_kernel(
     cosine: float,
     edge: float,
     nearest: array(dtype=int64),
+    starts: array(dtype=int32),
 ):
     """Clear the nearest point of points on planes and near plane intersections (edges belong to the planes)."""
     i = tid()
+    surface = find_owner(starts, i)
     p = points[i]
     left_out = 0
-    for k in range(planes.count[0]):
-        n = planes.directions[0, k]
-        height = abs(dot(n, p - planes.middles[0, k]))
+    for k in range(planes.count[surface]):
+        n = planes.directions[surface, k]
+        height = abs(dot(n, p - planes.middles[surface, k]))
         if height < slab and abs(dot(n, normals[i])) > cosine:
             left_out = 1
         if height < edge:
             for j in range(k):
-                m = planes.directions[0, j]
-                if abs(dot(n, m)) < cosine and abs(dot(m, p - planes.middles[0, j])) < edge:
+                m = planes.directions[surface, j]
+                if abs(dot(n, m)) < cosine and abs(dot(m, p - planes.middles[surface, j])) < edge:
                     left_out = 1
     if left_out == 1:
         nearest[i] = int64(NO_POINT)
@@ -435,7 +437,16 @@ def _ranks_of(mask: Mask) -> Array1[int32]:
 
 
 def leave_out_planes(
-    points: Points, normals: Vectors, planes: MainPlanes, slab: float, cosine: float, edge: float, nearest: LongIntegers
+    points: Points,
+    normals: Vectors,
+    planes: MainPlanes,
+    slab: float,
+    cosine: float,
+    edge: float,
+    nearest: LongIntegers,
+    starts: Indices,
 ) -> None:
-    """Set `nearest` to NO_POINT for points within `slab` [m] of planes, or `edge` [m] of two intersecting ones."""
-    launch(leave_out_planes_kernel, points.size, [points, normals, planes, slab, cosine, edge, nearest])
+    """Set `nearest` to NO_POINT for points within `slab` [m] of planes of their surface, or `edge` [m] of two
+    intersecting ones. `starts`: as of `find_main_planes`.
+    """
+    launch(leave_out_planes_kernel, points.size, [points, normals, planes, slab, cosine, edge, nearest, starts])

@@ -11,13 +11,14 @@ import numpy as np
 from ..algebra.rigid_solve import move, rotate
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index
-from ..lang import array, compute, dot, float32, int32, int64, kernel, launch, mat44d, tid, vec3
-from ..memory import download, empty, rows_of, upload
+from ..arrays.side_by_side import read_together
+from ..lang import array, dot, float32, int64, kernel, launch, mat44d, tid, vec3
+from ..memory import empty, rows_of, upload
 from ..search.nearest_point import NO_POINT, find_nearest
 from ..search.tree_search import order_along_curve
 from ..surface.hollow_side import Surface
 from .cost_differences import compare_costs
-from .overlap_evidence import MATCHED_AT, Overlap
+from .overlap_evidence import MATCHED_AT, Overlaps, repeat_order
 
 
 @dataclass(frozen=True)
@@ -35,11 +36,10 @@ class PoseConstraint:
 def find_pose_constraint(
     source: Surface, target: Surface, pose: np.ndarray, distance: float, near: float, cosine: float
 ) -> PoseConstraint:
-    """Constraint of T_target_source about the clouds' origins; `near`: overlap distance [m]. Three syncs."""
-    overlap = Overlap(source, target, pose, distance, near, cosine, distance)
-    sums = download(overlap.weigh())[0]  # sync
-    middle, scale = download(overlap.middle)[0], float(download(overlap.scale)[0])  # sync
-    return PoseConstraint(sums[21:42].copy(), float(sums[MATCHED_AT]), middle.copy(), 1 / scale)
+    """Constraint of T_target_source about the clouds' origins; `near`: overlap distance [m]. One sync."""
+    overlaps = Overlaps([(source, target, pose)], distance, near, cosine, distance)
+    (sums,), (middle,), (scale,) = read_together([overlaps.weigh(), overlaps.middle, overlaps.scale])  # sync
+    return PoseConstraint(sums[21:42].copy(), float(sums[MATCHED_AT]), middle.copy(), 1 / float(scale))
 
 
 @kernel
@@ -48,13 +48,6 @@ def transform_samples_kernel(
 ):
     i = tid()
     moved[i] = narrow(move(poses[i // count], widen(points[(i % count) * step])))
-
-
-@kernel
-def repeat_order_kernel(order: array(dtype=int32), count: int, orders: array(dtype=int32)):
-    """An order of `count` samples, for the samples at each pose."""
-    i = tid()
-    orders[i] = i - i % count + order[i % count]
 
 
 @kernel
@@ -101,8 +94,7 @@ def compare_pair(
     moved, squares = empty(len(poses) * count, vec3, device), empty((len(poses), count), float32, device)
     launch(transform_samples_kernel, moved.size, [source.points, step, count, device_poses, moved])
     order = source.tree.order if step == 1 else order_along_curve(target.tree, rows_of(moved, 0, count))
-    orders = compute(repeat_order_kernel, moved.size, [order, count], int32, device)
-    nearest = find_nearest(target.tree, moved, radius=radius, order=orders)
+    nearest = find_nearest(target.tree, moved, radius=radius, order=repeat_order(order, count, len(poses)))
     compared = [source.normals, step, device_poses, target.points, target.normals, cosine, squares]
     launch(measure_offsets_kernel, moved.size, [moved, nearest, *compared])
     return compare_costs(squares, voxel_size)
