@@ -194,6 +194,28 @@ def test_batched_poses_have_the_evidence_of_each(device, rng):
         assert evidence.compare_under(source, target, poses[:0], 0.15, beside_planes=beside) == []
 
 
+@pytest.mark.parametrize("rows", [1, 3000, overlaps.MAX_ROWS])
+def test_pairs_of_any_surfaces_have_the_sums_of_each(device, rng, rows, monkeypatch):
+    monkeypatch.setattr(overlaps, "MAX_ROWS", rows)
+    surfaces = [surface_of(loom.PointCloud(hills(rng, n), device=device), 0.1) for n in (1500, 900, 2100)]
+    surfaces.append(Surface(surfaces[0].points[:0], surfaces[0].normals[:0]))
+    poses = [np.eye(4), as_pose([0, 0, 0.02], [0.05, 0, 0]), as_pose([0, 0, 0], [50, 0, 0])]
+    pairs = [(surfaces[i], surfaces[j], poses[k]) for i, j, k in rng.integers(0, (4, 4, 3), (12, 3))]
+    pairs.append((surfaces[3], surfaces[0], poses[0]))
+    limits = evidence.limits_of(0.15)
+    for beside in (False, True):
+        alone = [weigh_overlap(*pair, *limits, beside_planes=beside) for pair in pairs]
+        np.testing.assert_array_equal(overlaps.weigh_overlaps(pairs, *limits, beside_planes=beside), alone)
+        assert np.any(alone) and not np.any(alone[-1])
+    noise = {"radius": 0.3, "sigmas": 3.0, "floor": 0.005}
+    for together, *each in zip(
+        overlaps.weigh_details(pairs, *limits, **noise),
+        *(overlaps.weigh_details([pair], *limits, **noise) for pair in pairs),
+        strict=True,
+    ):
+        np.testing.assert_array_equal(together, np.concatenate(each))
+
+
 def test_rating_is_limited_by_points_beside_the_planes():
     assert Evidence(0.9, 0.03, 1000, rest=0.0).score < 1e-6
     scores = [Evidence(0.8, 0.03, 1000, rest=rest).score for rest in (0.05, 0.15, 0.25, 0.4, 0.8)]
@@ -291,7 +313,7 @@ def test_pairs_farther_apart_than_the_noise_contradict_a_pose(device, rng):
         clouds = [loom.PointCloud(points, device=device) for points in (wall(0, noise), wall(step, noise))]
         pairs = evidence.both_ways(*(surface_of(cloud, 0.05) for cloud in clouds), np.eye(4))
         limits = {"radius": 0.1, "sigmas": 3.0, "floor": 0.005}
-        counts = overlaps.count_deviating(pairs, *evidence.limits_of(0.075), **limits)
+        counts = overlaps.weigh_details(pairs, *evidence.limits_of(0.075), **limits).deviating
         return (counts[:, 1] / counts[:, 0]).tolist()
 
     assert max(contrary(0.0, 0.002)) < 0.01 and max(contrary(0.0, 0.02)) < 0.01
@@ -310,9 +332,9 @@ def test_contradicting_pairs_must_be_fewer_than_matches_beside_the_planes():
 def directions_of(normals, where):
     """The directions of planes with these normals."""
     planes = MainPlanes.of(np.zeros((len(normals), 3)), normals, where)
-    directions, count = empty(overlaps.MAX_DIRECTIONS, vec3, where), empty(1, int32, where)
+    directions, count = empty((1, overlaps.MAX_DIRECTIONS), vec3, where), empty(1, int32, where)
     overlaps.find_directions(planes, directions, count)
-    return directions.numpy()[: int(count.numpy()[0])]
+    return directions.numpy()[0, : int(count.numpy()[0])]
 
 
 def test_matches_square_to_two_planes_count_as_aligned(device, rng):

@@ -1,11 +1,14 @@
 """SLAC aligns fragments: camera distortion is removed, undistorted fragments stay, problems are reported."""
 
 import dataclasses
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.kernels.poses import fragment_rows
+from pointloom.kernels.search import nearest_point
 from pointloom.registration import PoseGraph, PoseGraphEdge, PoseGraphNode
 from pointloom.registration.deformable.slac import run_rigid_optimizer_for_fragments
 from pointloom.registration.rigid import fit_pose, invert_pose, pose_of
@@ -122,12 +125,15 @@ def two(offset=0.01, at=(0.3, 0.3, 0.3)):
     return [loom.PointCloud(corner(seed=s, at=at)) for s in (0, 1)], graph
 
 
-def test_fragments_run_on_every_device(device):
+def test_fragments_run_on_every_device(device, monkeypatch):
+    monkeypatch.setattr(nearest_point, "order_along_curve", None)  # not called: one order of each fragment is enough
+    monkeypatch.setattr(fragment_rows, "order_along_curve", Mock(wraps=fragment_rows.order_along_curve))
     clouds, graph = two()
     solved, grid = slac.run_slac_optimizer_for_fragments([c.to(device) for c in clouds], graph)
     assert np.abs(solved.nodes[1].pose - np.eye(4)).max() < 1e-3 and str(grid.device) == device
     bent = grid.deform(clouds[0].to(device).estimate_normals(max_nn=10))
     assert np.abs(bent.points - clouds[0].points).max() < 2e-3 and len(bent.normals) == len(bent)
+    assert fragment_rows.order_along_curve.call_count == len(graph.edges)
 
 
 def test_the_grid_has_cells_of_the_requested_size():

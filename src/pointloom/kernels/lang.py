@@ -55,6 +55,7 @@ from .language.structs import JOINT, FieldPath, struct, type_at
 from .launches import (  # noqa: F401  handed on
     ELEMENTS_PER_BLOCK,
     DeviceLoop,
+    block_elements,
     compute,
     cpu_compiler,
     current_cpu_compiler,
@@ -168,6 +169,13 @@ class _DeviceCode:
         twin.__annotations__, twin.__module__, twin.__doc__ = function.__annotations__, self.module, function.__doc__
         twin.__qualname__ = function.__qualname__
         return self.made_of(twin)
+
+    @once
+    def waits_for_block(self) -> bool:
+        """True if threads wait for those of their block, here or in a called function."""
+        scope = self.written.__globals__
+        used = [scope.get(name) for name in self.written.__code__.co_names]
+        return any(f is sync_block or (isinstance(f, _DeviceCode) and f.waits_for_block) for f in used)
 
     def made_of(self, function: Callable) -> Self:
         """The same decorator applied to another function, for CUDA only."""

@@ -274,17 +274,23 @@ def reduce(reduction: LaunchedReduction, count: int, arguments: Sequence[Any]) -
     return out
 
 
+def block_elements(count: int, device: Device) -> int:
+    """Elements of a block of `reduce` over `count` elements."""
+    if not device.is_cuda:
+        return ELEMENTS_PER_BLOCK
+    size = warp_compiler.REDUCTION_BLOCK
+    return size * max(1, -(-count // (size * warp_compiler.MAX_REDUCTION_BLOCKS)))
+
+
 def _arrays_of_sum(
     reduction: LaunchedReduction, count: int, device: Device
 ) -> tuple[tuple[int, int, int], wp.array, Any]:
     """Numbers of elements, of those of a block, and of blocks; the partial sums and the total, in one allocation."""
+    size = block_elements(count, device)
+    blocks = -(-count // size)
     if device.is_cuda:
-        size = warp_compiler.REDUCTION_BLOCK
-        size *= -(-count // (size * warp_compiler.MAX_REDUCTION_BLOCKS))
-        blocks = -(-count // size)
         sums = zeros(1 + warp_compiler.partial_rows(reduction.vector, blocks, 1), reduction.vector, device)
     else:
-        size, blocks = ELEMENTS_PER_BLOCK, -(-count // ELEMENTS_PER_BLOCK)
         sums = empty(1 + blocks, reduction.vector, device)
     return (count, size, blocks), rows_of(sums, 1, sums.size), rows_of(sums, 0, 1)
 

@@ -13,7 +13,7 @@ from ..kernels.arrays.concatenation import concatenate_rows
 from ..kernels.linear_algebra import eigh, solve
 from ..kernels.memory import download
 from ..kernels.poses.line_of_sight import Sight, find_sight
-from ..kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, count_deviating, weigh_overlaps, weigh_reliefs
+from ..kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, weigh_details, weigh_overlaps
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.cloud import PointCloud
 from . import assessment_constants as constants
@@ -267,21 +267,16 @@ def compare_under(
 
 
 def compare_details(source: Surface, target: Surface, pose: NDArray[np.float64], distance: float) -> Details:
-    """Evidence of details for a rigid pose about the clouds' origins, the weaker of both ways. Four syncs."""
-    pairs, limits = both_ways(source, target, pose), limits_of(distance)
-    visible, rest = (
-        _evidence_of(tuple(weigh_overlaps(pairs, *limits, beside_planes=beside, within_borders=True)))
-        for beside in (False, True)
-    )
-    counts, covariances, *variances = weigh_reliefs(pairs, *limits).T
+    """Evidence of details for a rigid pose about the clouds' origins, the weaker of both ways. One sync."""
+    tight = constants.MAX_NORMAL_DISTANCE * distance / constants.CONFLICT_SIGMAS
+    noise = {"radius": constants.NOISE_RADIUS * distance, "sigmas": constants.CONFLICT_SIGMAS, "floor": tight}
+    details = weigh_details(both_ways(source, target, pose), *limits_of(distance), **noise)  # sync
+    visible, rest = _evidence_of(tuple(details.visible)), _evidence_of(tuple(details.rest))
+    counts, covariances, *variances = details.reliefs.T
     scale = np.sqrt(variances[0] * variances[1])
     relief = float((covariances / np.maximum(scale, 1e-300)).min())
-    tight = constants.MAX_NORMAL_DISTANCE * distance / constants.CONFLICT_SIGMAS
-    radius = constants.NOISE_RADIUS * distance
-    deviating = count_deviating(pairs, *limits, radius=radius, sigmas=constants.CONFLICT_SIGMAS, floor=tight)
-    return Details(
-        visible.fraction, rest.fraction, rest.matches, relief, float(counts.min()), float(deviating[:, 1].max())
-    )
+    contrary = float(details.deviating[:, 1].max())
+    return Details(visible.fraction, rest.fraction, rest.matches, relief, float(counts.min()), contrary)
 
 
 def both_ways(

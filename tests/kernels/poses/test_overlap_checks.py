@@ -5,13 +5,19 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.kernels.lang import int64, uint8, vec3
+from pointloom.kernels.algebra.transform import transform_points
+from pointloom.kernels.lang import int32, int64, uint8, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.poses import line_of_sight
+from pointloom.kernels.poses import line_of_sight, pair_probes
+from pointloom.kernels.poses.alignment_rows import PairedSurfaces
 from pointloom.kernels.poses.line_of_sight import MAX_VIEWPOINTS, Sight, find_sight
 from pointloom.kernels.poses.main_planes import MAX_VOTERS, MainPlanes, find_main_planes, leave_out_planes
+from pointloom.kernels.poses.overlap_evidence import Overlaps
+from pointloom.kernels.poses.pair_probes import compare_pair
 from pointloom.kernels.poses.point_sums import count_agreeing, position_moments
-from pointloom.kernels.search.nearest_point import NO_POINT
+from pointloom.kernels.search import nearest_point
+from pointloom.kernels.search.nearest_point import NO_POINT, find_nearest
+from pointloom.kernels.surface.hollow_side import Surface
 
 from ...registration.poses import as_pose
 
@@ -38,7 +44,28 @@ def on_device(points, normals, device, rows=None):
 
 
 def planes_of(arrays, max_planes):
-    return find_main_planes(*arrays, max_planes, *LIMITS).read()
+    return find_main_planes(*arrays, max_planes, *LIMITS).read()[0]
+
+
+def test_moved_surfaces_are_searched_in_the_order_of_their_trees(device, rng, monkeypatch):
+    surfaces = [Surface(*on_device(*sheets(rng, (300, 300)), device)[:2]) for _ in range(2)]
+    pose, distance = as_pose([0, 0, 0.1], [0.02, 0, 0]), 0.3
+    poses = np.array([pose, np.eye(4)])
+
+    with monkeypatch.context() as patch:
+        patch.setattr(nearest_point, "order_along_curve", None)  # not called
+        overlap = Overlaps([(*surfaces, pose)], distance, distance, 0.9, distance)
+        pairs = PairedSurfaces(*surfaces, pose, np.linalg.inv(pose), distance, 0.9)
+        rises = compare_pair(*surfaces, len(surfaces[0]), poses, distance, 0.9, 0.1)
+    keys = download(find_nearest(surfaces[1].tree, overlap.moved, radius=distance))
+    assert (keys != NO_POINT).any()
+    for nearest in (overlap.nearest, pairs.nearest_target):
+        np.testing.assert_array_equal(download(nearest), keys)
+    back = transform_points(surfaces[1].points, *(np.linalg.inv(pose)[:3, k] for k in (slice(3), 3)))
+    expected = find_nearest(surfaces[0].tree, back, radius=distance)
+    np.testing.assert_array_equal(download(pairs.nearest_source), download(expected))
+    monkeypatch.setattr(pair_probes, "find_nearest", lambda *given, radius, order: find_nearest(*given, radius=radius))
+    np.testing.assert_array_equal(compare_pair(*surfaces, len(surfaces[0]), poses, distance, 0.9, 0.1), rises)
 
 
 @pytest.mark.parametrize(
@@ -54,6 +81,21 @@ def test_planes_are_ordered_by_their_number_of_points(device, rng, counts, axes,
     middles, directions = planes_of(on_device(*sheets(rng, counts), device), len(axes))
     assert np.abs(directions).argmax(axis=1).tolist() == axes and np.abs(directions).max(axis=1).min() > 0.9999
     np.testing.assert_allclose(middles[range(len(axes)), axes], heights, atol=0.003)
+
+
+def test_planes_of_several_surfaces_are_those_of_each(device, rng):
+    counts = [(500, 2000, 1000), (), (4,), (3 * MAX_VOTERS, MAX_VOTERS), (100, 300), ()]
+    surfaces = [sheets(rng, sizes) if sizes else (np.empty((0, 3)),) * 2 for sizes in counts]
+    rows = [rng.permutation(len(points))[: 9 * len(points) // 10] for points, _ in surfaces]
+    alone = [planes_of(on_device(*surface, device, some), 3) for surface, some in zip(surfaces, rows, strict=True)]
+    starts = np.cumsum([0, *(len(points) for points, _ in surfaces)])
+    chosen = np.concatenate([some + start for some, start in zip(rows, starts, strict=False)])
+    arrays = on_device(*(np.concatenate(parts) for parts in zip(*surfaces, strict=True)), device, chosen)
+    together = find_main_planes(*arrays, 3, *LIMITS, upload(starts, int32, arrays[0].device)).read()
+    assert [len(middles) for middles, _ in together] == [3, 0, 0, 2, 2, 0]
+    for one, other in zip(together, alone, strict=True):
+        for values, expected in zip(one, other, strict=True):
+            np.testing.assert_array_equal(values, expected)
 
 
 def test_points_that_are_not_chosen_do_not_count(device, rng):
@@ -80,7 +122,8 @@ def test_planes_that_do_not_cross_have_no_edge(device):
     p, n, _ = on_device(points, normals, device)
     nearest = upload(np.array([4, 5]), int64, p.device)
     middles, directions = np.array([[0, 0, 0.2], [0, 0, 0]]), np.array([[0, 0, 1.0], [0, 0.1, -0.995]])
-    leave_out_planes(p, n, MainPlanes.of(middles, directions, p.device), 0.05, 0.8, 0.25, nearest)
+    planes, starts = MainPlanes.of(middles, directions, p.device), upload(np.array([0, len(points)]), int32, p.device)
+    leave_out_planes(p, n, planes, 0.05, 0.8, 0.25, nearest, starts)
     assert download(nearest).tolist() == [4, NO_POINT]
 
 
@@ -91,7 +134,8 @@ def test_remaining_points_are_on_a_plane_or_an_intersection(device, rng):
     middles, directions = np.array([[0.3, 0, 0], [0, -0.2, 0]]), np.array([[1.0, 0, 0], [0, -1, 0]])
     p, n, _ = on_device(points, normals, device)
     nearest = upload(np.arange(2000), int64, p.device)
-    leave_out_planes(p, n, MainPlanes.of(middles, directions, p.device), 0.1, 0.8, 0.25, nearest)
+    planes, starts = MainPlanes.of(middles, directions, p.device), upload(np.array([0, len(points)]), int32, p.device)
+    leave_out_planes(p, n, planes, 0.1, 0.8, 0.25, nearest, starts)
     heights = np.abs(np.einsum("kj,ikj->ik", directions, points[:, None] - middles))
     on = ((heights < 0.1) & (np.abs(normals @ directions.T) > 0.8)).any(axis=1)
     left = ~on & ((heights < 0.25).sum(axis=1) < 2)

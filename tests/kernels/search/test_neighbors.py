@@ -126,6 +126,20 @@ def test_the_nearest_point_is_the_first_that_the_search_finds(device, name, radi
 
 
 @pytest.mark.parametrize("name", list(clouds(np.random.default_rng(0))))
+def test_the_nearest_point_does_not_depend_on_the_order_of_queries(device, name, rng, monkeypatch):
+    target, points = (p.astype(np.float32) for p in clouds(rng)[name])
+    tree, queries = PointTree(upload(target, vec3, device)), upload(points, vec3, device)
+    expected = find_nearest(tree, queries, radius=0.5).numpy()
+    is_finite = np.isfinite(points).all(axis=1)
+    shuffled = rng.permutation(len(points))
+    orders = PointTree(queries).order.numpy(), shuffled[np.argsort(~is_finite[shuffled], kind="stable")]
+    monkeypatch.setattr(nearest_point, "order_along_curve", None)  # not called if an order is given
+    for order in orders:
+        given = upload(order, int32, device)
+        np.testing.assert_array_equal(find_nearest(tree, queries, radius=0.5, order=given).numpy(), expected)
+
+
+@pytest.mark.parametrize("name", list(clouds(np.random.default_rng(0))))
 def test_a_point_is_not_the_nearest_other_one(device, name, rng, monkeypatch):
     points = clouds(rng)[name][0]
     finite = np.isfinite(points).all(axis=1)

@@ -5,12 +5,14 @@ import itertools
 import numpy as np
 
 from ..array_types import Device, Integers, Mask
-from ..lang import WARP, array, int32, kernel, launch, shuffle, tid, uint8
+from ..lang import WARP, array, int32, kernel, launch, shuffle, tid, uint8, vector
 from ..memory import empty, host_view
 from .lanes import LANE_BITS, sum_int_of_lanes
 from .select import count_mask_kernel
 
 TILE_COUNTS = 1024  # counts per warp: 32 per lane
+LOADED = 8  # counts of a lane that are loaded before the first is used or stored: a load after a store waits for it
+loaded_counts = vector(8, int32)
 
 
 @kernel
@@ -31,11 +33,13 @@ def sum_tiles_of_lanes_kernel(counts: array(dtype=int32), count: int, sums: arra
     tile = i // WARP
     lane = i % WARP
     total = 0
-    n = int(WARP)
-    for step in range(n):
-        j = tile * TILE_COUNTS + step * WARP + lane
-        if j < count:
-            total += counts[j]
+    n = int(WARP) // LOADED
+    for part in range(n):
+        first = tile * TILE_COUNTS + part * LOADED * WARP + lane
+        for step in range(LOADED):
+            j = first + step * WARP
+            value = counts[min(j, count - 1)]
+            total += value if j < count else 0
     total = sum_int_of_lanes(total)
     if lane == 0:
         sums[tile] = total
@@ -59,26 +63,30 @@ def scan_tiles_kernel(counts: array(dtype=int32), count: int, before: array(dtyp
 def scan_tiles_of_lanes_kernel(
     counts: array(dtype=int32), count: int, before: array(dtype=int32), sums: array(dtype=int32)
 ):
-    """CUDA variant: warp scan of 32 counts in five steps."""
+    """CUDA variant: warp scans of 32 counts in five steps."""
     i = tid()
     tile = i // WARP
     lane = i % WARP
     start = 0
     if tile > 0:
         start = before[tile - 1]
-    n = int(WARP)
-    for step in range(n):
-        j = tile * TILE_COUNTS + step * WARP + lane
-        total = 0
-        if j < count:
-            total = counts[j]
-        for bit in range(LANE_BITS):
-            lower = shuffle(total, max(lane - (1 << bit), 0))
-            if lane >= (1 << bit):
-                total += lower
-        if j < count:
-            sums[j] = start + total
-        start += shuffle(total, WARP - 1)
+    n = int(WARP) // LOADED
+    for part in range(n):
+        first = tile * TILE_COUNTS + part * LOADED * WARP + lane
+        loaded = loaded_counts(0)
+        for step in range(LOADED):
+            j = first + step * WARP
+            value = counts[min(j, count - 1)]
+            loaded[step] = value if j < count else 0
+        for step in range(LOADED):
+            total = loaded[step]
+            for bit in range(LANE_BITS):
+                lower = shuffle(total, max(lane - (1 << bit), 0))
+                total += lower if lane >= (1 << bit) else 0
+            j = first + step * WARP
+            if j < count:
+                sums[j] = start + total
+            start += shuffle(total, WARP - 1)
 
 
 class LoopScan:

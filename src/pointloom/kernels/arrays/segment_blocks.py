@@ -13,17 +13,20 @@ from ..memory import empty, upload_together, zeros
 
 class SegmentBlocks:
     """Blocks of segments, at least one each. None crosses a boundary. `owners`: their segments; `starts`: first block
-    per segment.
+    per segment. `sizes`: elements of the blocks of each segment, such as those of `block_elements`.
     """
 
-    def __init__(self, firsts: ArrayLike, counts: ArrayLike, device: Device) -> None:
+    def __init__(
+        self, firsts: ArrayLike, counts: ArrayLike, device: Device, sizes: ArrayLike = ELEMENTS_PER_BLOCK
+    ) -> None:
         firsts, counts = np.asarray(firsts, np.int64), np.asarray(counts, np.int64)
-        blocks = np.maximum(-(-counts // ELEMENTS_PER_BLOCK), 1)
+        sizes = np.broadcast_to(np.asarray(sizes, np.int64), counts.shape)
+        blocks = np.maximum(-(-counts // sizes), 1)
         starts = np.concatenate([[0], np.cumsum(blocks)])
         owners = np.repeat(np.arange(len(counts)), blocks)
         rank = np.arange(starts[-1]) - starts[owners]
-        begin = firsts[owners] + rank * ELEMENTS_PER_BLOCK
-        end = np.minimum(begin + ELEMENTS_PER_BLOCK, (firsts + counts)[owners])
+        begin = firsts[owners] + rank * sizes[owners]
+        end = np.minimum(begin + sizes[owners], (firsts + counts)[owners])
         self.firsts, self.lasts, self.owners, self.starts = upload_together([begin, end, owners, starts], int32, device)
         self.count = int(starts[-1])
         self.element_count = int((firsts + counts).max(initial=0))

@@ -75,8 +75,8 @@ class CudaLaunch:
         return given == [bytes(param) for param in command.params]
 
     def fill_multiprocessors(self) -> None:
-        """Use smaller blocks for launches with fewer blocks than the device has multiprocessors, but not for one block,
-        whose threads may wait for each other. Not with tiles.
+        """Use smaller blocks for launches with fewer blocks than the device has multiprocessors, but not for one block.
+        Not with tiles.
         """
         self._full = self._grid[1] * self._device.sm_count
 
@@ -130,7 +130,8 @@ class PreparedKernel:
         launch = prepared_launch(kernel.cuda, thread_count, values, device)
         if not launch.is_known:
             return None
-        launch.fill_multiprocessors()
+        if not kernel.twin.waits_for_block:
+            launch.fill_multiprocessors()
         return cls(flattener(kernel.types, device, kernel.field_paths, len(kernel.takes)), launch)
 
 

@@ -69,8 +69,8 @@ class PairedSurfaces:
         T = mat44d(*pose.ravel().tolist())
         launch(move_surface_kernel, len(source), [source.points, source.normals, T, self.moved, self.moved_normals])
         back = transform_points(target.points, inverse[:3, :3], inverse[:3, 3])
-        self.nearest_target = find_nearest(target.tree, self.moved, radius=radius)
-        self.nearest_source = find_nearest(source.tree, back, radius=radius)
+        self.nearest_target = find_nearest(target.tree, self.moved, radius=radius, order=source.tree.order)
+        self.nearest_source = find_nearest(source.tree, back, radius=radius, order=target.tree.order)
 
 
 @func

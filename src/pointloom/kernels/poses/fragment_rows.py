@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..algebra.rigid_solve import move, rotate
 from ..algebra.transform import narrow, transform_points, widen
-from ..array_types import Integers, Points, Vectors
+from ..array_types import Indices, Integers, Points, Vectors
 from ..arrays.key_starts import find_key_starts
 from ..arrays.packed_keys import key_index
 from ..arrays.prefix_sum import find_owner
@@ -43,6 +43,7 @@ from ..linear_algebra import solve
 from ..memory import download, empty, upload, zeros
 from ..search.nearest_point import find_nearest
 from ..search.point_tree import PointTree
+from ..search.tree_search import order_along_curve
 from .control_lattice import (
     CELL_CORNERS,
     ControlLattice,
@@ -255,6 +256,7 @@ class Pairs:
         self.device_ends = upload(self.ends.ravel().astype(np.int32), int32, device)
         self.partners = empty(int(self.firsts[-1]), int32, device)
         self.mask = empty(int(self.firsts[-1]), uint8, device)
+        self.orders: dict[int, Indices] = {}  # of the points of a fragment along a curve, at any pose
 
     def match(self, poses: np.ndarray) -> FragmentRows:
         """Rows at poses (fragments, 4, 4) and the current lattice; syncs."""
@@ -263,7 +265,9 @@ class Pairs:
         for k, (s, t) in enumerate(self.ends.tolist()):
             T = solve(poses[t], poses[s])
             queries = transform_points(fragments.part(s), T[:3, :3], T[:3, 3])
-            nearest = find_nearest(trees[t], queries, radius=self.distance)
+            if s not in self.orders:
+                self.orders[s] = order_along_curve(trees[t], queries)
+            nearest = find_nearest(trees[t], queries, radius=self.distance, order=self.orders[s])
             where = [int(fragments.firsts[s]), int(fragments.firsts[t]), int(self.firsts[k])]
             rule = [mat44d(*T.ravel()), self.min_cosine, self.sided]
             launch(pair_points_kernel, queries.size, [nearest, *where, *rule, fragments, self.partners, self.mask])

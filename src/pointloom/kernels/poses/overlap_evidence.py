@@ -5,17 +5,22 @@ matching points. Any two room corners match, so evidence beside the three domina
 how much of that is aligned with those planes. One nearest-neighbor search per point, two beside planes.
 """
 
-from collections.abc import Sequence
-from typing import Any
+import itertools
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..algebra.rigid_solve import move, rotate
 from ..algebra.transform import narrow, widen
-from ..array_types import Array1, Integers, Vectors
+from ..array_types import Array1, Array2, Indices, Integers
 from ..arrays.packed_keys import key_index, key_number
+from ..arrays.prefix_sum import find_owner
+from ..arrays.segment_blocks import SegmentBlocks
+from ..arrays.side_by_side import read_together
 from ..lang import (
     array,
+    block_elements,
     compute,
     cross,
     dot,
@@ -28,8 +33,8 @@ from ..lang import (
     launch,
     length,
     mat44d,
-    reduce,
-    reduction,
+    reduce_segments,
+    segment_reduction,
     sqrt,
     struct,
     tid,
@@ -38,7 +43,7 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import copy, download, empty, zeros
+from ..memory import download, empty, full, rows_of, upload, zeros
 from ..search.bucket_walk import points_within
 from ..search.nearest_point import NO_POINT, find_nearest
 from ..search.point_tree import BUCKET, PointTree
@@ -75,7 +80,55 @@ def move_surface_kernel(
     moved_normals[i] = narrow(rotate(pose, widen(normals[i])))
 
 
-@reduction
+@kernel
+def move_surfaces_kernel(
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    poses: array(dtype=mat44d),
+    first_pose: int,
+    first: int,
+    moved: array(dtype=vec3),
+    moved_normals: array(dtype=vec3),
+):
+    """A surface moved by several poses, to consecutive rows."""
+    i = tid()
+    count = points.shape[0]
+    pose = poses[first_pose + i // count]
+    moved[first + i] = narrow(move(pose, widen(points[i % count])))
+    moved_normals[first + i] = narrow(rotate(pose, widen(normals[i % count])))
+
+
+@kernel
+def repeat_order_kernel(order: array(dtype=int32), count: int, orders: array(dtype=int32)):
+    """An order of `count` points, for the points at each of several poses."""
+    i = tid()
+    orders[i] = i - i % count + order[i % count]
+
+
+def repeat_order(order: Indices, count: int, poses: int) -> Indices:
+    """The order of `count` points, repeated for each of several poses."""
+    if poses == 1:
+        return order
+    return compute(repeat_order_kernel, poses * count, [order, count], int32, order.device)
+
+
+@kernel
+def gather_partners_kernel(
+    points: array(dtype=vec3),
+    normals: array(dtype=vec3),
+    first: int,
+    nearest: array(dtype=int64),
+    partners: array(dtype=vec3),
+    partner_normals: array(dtype=vec3),
+):
+    i = tid()
+    key = nearest[first + i]
+    if key != int64(NO_POINT):
+        partners[first + i] = points[key_index(key)]
+        partner_normals[first + i] = normals[key_index(key)]
+
+
+@segment_reduction
 def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_sums:
     i = tid()
     out = middle_sums(0.0)
@@ -85,92 +138,121 @@ def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_su
     return out
 
 
+Pair = tuple[Surface, Surface, np.ndarray]  # source, target, and pose about the clouds' origins
+
+
 @struct
-class Overlap:
-    """Two surfaces, the first moved by a pose (`moved`, `moved_normals`). `middle` [m] and `scale` [1 / m] (inverse RMS
-    distance) of points with a nearest one; `tight` [m]: weights end; `frame`: directions of removed planes.
+class Overlaps:
+    """Pairs of surfaces. The source of each is moved by its pose (`moved`, `moved_normals`), with the nearest point of
+    each point in the target (`partners`, `partner_normals`). `starts`: first rows of the pairs. `middle` [m] and
+    `scale` [1 / m] (inverse RMS distance) of points with a nearest one; `tight` [m]: weights end; `frame`: directions
+    of removed planes.
     """
 
     moved: array(dtype=vec3)
     moved_normals: array(dtype=vec3)
     nearest: array(dtype=int64)
-    points: array(dtype=vec3)
-    normals: array(dtype=vec3)
+    partners: array(dtype=vec3)
+    partner_normals: array(dtype=vec3)
+    starts: array(dtype=int32)
     middle: array(dtype=vec3d)
     scale: array(dtype=float64)
     distance: float
     cosine: float
     tight: float
-    frame: array(dtype=vec3)
+    frame: array(dtype=vec3, ndim=2)
     frame_size: array(dtype=int32)
 
-    def __init__(
-        self,
-        source: Surface,
-        target: Surface,
-        pose: np.ndarray,
-        distance: float,
-        near: float,
-        cosine: float,
-        tight: float,
-    ) -> None:
-        count, device = source.points.size, source.device
-        self.points, self.normals = target.points, target.normals
+    def __init__(self, pairs: Sequence[Pair], distance: float, near: float, cosine: float, tight: float) -> None:
+        """Arguments as of `weigh_overlaps`. Equal surfaces of consecutive pairs are searched together."""
+        counts, device = [len(source) for source, _, _ in pairs], pairs[0][0].device
+        self.pairs, self.device, self.firsts = pairs, device, [0, *itertools.accumulate(counts)]
+        self.count, rows = len(pairs), self.firsts[-1]
         self.distance, self.cosine, self.tight = distance, cosine, tight
-        self.frame, self.frame_size = empty(MAX_DIRECTIONS, vec3, device), zeros(1, int32, device)
-        self.middle, self.scale = empty(1, vec3d, device), empty(1, float64, device)
-        self.moved, self.moved_normals = empty(count, vec3, device), empty(count, vec3, device)
-        arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), self.moved, self.moved_normals]
-        launch(move_surface_kernel, count, arguments)
-        self.nearest = find_nearest(target.tree, self.moved, radius=near)
-        self.find_middle()
+        self.frame = empty((self.count, MAX_DIRECTIONS), vec3, device)
+        self.frame_size = zeros(self.count, int32, device)
+        self.middle, self.scale = empty(self.count, vec3d, device), empty(self.count, float64, device)
+        self.moved, self.moved_normals, self.partners, self.partner_normals = (
+            empty(rows, vec3, device) for _ in range(4)
+        )
+        self.nearest, self.starts = empty(rows, int64, device), upload(np.array(self.firsts), int32, device)
+        self._blocks = SegmentBlocks(self.firsts[:-1], counts, device, [block_elements(n, device) for n in counts])
+        self._live = full(self.count, 1, int32, device)
+        poses = upload(np.stack([pose for _, _, pose in pairs]), mat44d, device)
+        for _, group in itertools.groupby(range(self.count), lambda k: [id(surface) for surface in pairs[k][:2]]):
+            self._search(list(group), poses, near)
+
+    def _search(self, group: list[int], poses: Array1[mat44d], near: float) -> None:
+        """Find the nearest points of consecutive pairs of the same surfaces."""
+        source, target, _ = self.pairs[group[0]]
+        first, last = self.firsts[group[0]], self.firsts[group[-1] + 1]
+        if first == last:
+            return
+        moved = [source.points, source.normals, poses, group[0], first, self.moved, self.moved_normals]
+        launch(move_surfaces_kernel, last - first, moved)
+        order = repeat_order(source.tree.order, len(source), len(group))
+        queries, nearest = (rows_of(values, first, last) for values in (self.moved, self.nearest))
+        find_nearest(target.tree, queries, radius=near, order=order, nearest=nearest)
+        partners = [target.points, target.normals, first, self.nearest, self.partners, self.partner_normals]
+        launch(gather_partners_kernel, last - first, partners)
+
+    def _sum(self, reduction: Any, arguments: Sequence[Any]) -> Array1[Any]:
+        """Sums of the rows of each pair, with the bits of `reduce`."""
+        sums = empty(self.count, reduction.vector, self.device)
+        reduce_segments(reduction, self._blocks, self._live, arguments, self._blocks.partials(reduction.vector), sums)
+        return sums
 
     def leave_out_border(self) -> None:
         """Remove the points beyond the border of the other surface, where it has no measurement."""
         launch(leave_out_border_kernel, self.moved.size, [self, self.nearest])
-        self.find_middle()
-
-    def find_middle(self) -> None:
-        total = reduce(sum_near, self.moved.size, [self.moved, self.nearest])
-        launch(find_middle_kernel, 1, [total, self])
 
     def find_planes(self) -> MainPlanes:
-        """The dominant planes of the matches."""
-        count = self.moved.size
-        mask = compute(mask_matched_kernel, count, [self], uint8, self.moved.device)
-        fitted, slab = FITTED_DISTANCE * self.distance, ON_PLANE * self.distance
-        return find_main_planes(self.moved, self.moved_normals, mask, PLANE_COUNT, fitted, slab, self.cosine)
+        """The dominant planes of the matches of each pair."""
+        mask = compute(mask_matched_kernel, self.moved.size, [self], uint8, self.device)
+        limits = PLANE_COUNT, FITTED_DISTANCE * self.distance, ON_PLANE * self.distance, self.cosine
+        return find_main_planes(self.moved, self.moved_normals, mask, *limits, self.starts)
 
     def leave_out_planes(self, planes: MainPlanes) -> None:
         """Remove the points on planes."""
         slab, edge = ON_PLANE * self.distance, BENT_DISTANCE * self.distance
-        leave_out_planes(self.moved, self.moved_normals, planes, slab, self.cosine, edge, self.nearest)
-        self.find_middle()
+        leave_out_planes(self.moved, self.moved_normals, planes, slab, self.cosine, edge, self.nearest, self.starts)
         find_directions(planes, self.frame, self.frame_size)
 
     def weigh(self) -> Array1[Any]:
-        return reduce(sum_evidence, self.moved.size, [self])
+        """Evidence of each pair, evidence_sums."""
+        total = self._sum(sum_near, [self.moved, self.nearest])
+        launch(find_middle_kernel, self.count, [total, self])
+        return self._sum(sum_evidence, [self])
 
     def weigh_relief(self, planes: MainPlanes) -> Array1[Any]:
-        slab, edge = ON_PLANE * self.distance, BENT_DISTANCE * self.distance
-        return reduce(sum_relief, self.moved.size, [self, planes, slab, edge])
+        """Slopes of the matches on planes of each pair, relief_sums."""
+        return self._sum(sum_relief, [self, planes, ON_PLANE * self.distance, BENT_DISTANCE * self.distance])
+
+    def count_deviating(self, radius: float, sigmas: float, floor: float) -> Array1[Any]:
+        """Pairs of points with agreeing normals, and deviating ones, deviation_sums: arguments of `weigh_details`."""
+        surfaces = {id(surface): surface for pair in self.pairs for surface in pair[:2]}
+        spreads = {key: find_spreads(surface, radius) for key, surface in surfaces.items()}
+        noise = empty(self.moved.size, float32, self.device)
+        for first, (source, target, _) in zip(self.firsts, self.pairs, strict=False):
+            given = [spreads[id(source)], spreads[id(target)], first, self.nearest, noise]
+            launch(add_noise_kernel, len(source), given)
+        return self._sum(sum_deviating, [self, noise, sigmas, floor])
 
 
 @kernel
-def leave_out_border_kernel(overlap: Overlap, nearest: array(dtype=int64)):
+def leave_out_border_kernel(overlap: Overlaps, nearest: array(dtype=int64)):
     """Clear the nearest point of points that are farther away along its surface than matches are."""
     i = tid()
     if nearest[i] != int64(NO_POINT):
-        row = key_index(nearest[i])
-        offset = overlap.moved[i] - overlap.points[row]
-        height = dot(offset, overlap.normals[row])
+        offset = overlap.moved[i] - overlap.partners[i]
+        height = dot(offset, overlap.partner_normals[i])
         if dot(offset, offset) - height * height > overlap.distance * overlap.distance:
             nearest[i] = int64(NO_POINT)
 
 
 @kernel
-def find_middle_kernel(total: array(dtype=middle_sums), overlap: Overlap):
-    """Center and scale of points from their sums. One thread."""
+def find_middle_kernel(total: array(dtype=middle_sums), overlap: Overlaps):
+    """Center and scale of points from their sums. A thread per pair."""
     i = tid()
     points = max(total[i][0], float64(1.0))
     middle = vec3d(total[i][1] / points, total[i][2] / points, total[i][3] / points)
@@ -180,58 +262,57 @@ def find_middle_kernel(total: array(dtype=middle_sums), overlap: Overlap):
 
 
 @kernel
-def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), count: array(dtype=int32)):
-    """Unit normals of planes, and those orthogonal to any two mutually orthogonal ones. One thread."""
+def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3, ndim=2), count: array(dtype=int32)):
+    """Unit normals of planes, and those orthogonal to any two mutually orthogonal ones. A thread per surface."""
     i = tid()
     total = planes.count[i]
     for k in range(planes.count[i]):
-        directions[k] = planes.directions[k]
+        directions[i, k] = planes.directions[i, k]
         for j in range(k):
-            a = planes.directions[k]
-            b = planes.directions[j]
+            a = planes.directions[i, k]
+            b = planes.directions[i, j]
             if abs(dot(a, b)) < MAX_ORTHOGONAL_COSINE:
                 third = cross(a, b)
-                directions[total] = third * (1.0 / length(third))
+                directions[i, total] = third * (1.0 / length(third))
                 total += 1
     count[i] = total
 
 
-def find_directions(planes: MainPlanes, directions: Vectors, count: Integers) -> None:
-    """Write the directions of planes and their count, at most MAX_DIRECTIONS of PLANE_COUNT."""
-    launch(find_directions_kernel, 1, [planes, directions, count])
+def find_directions(planes: MainPlanes, directions: Array2[vec3], count: Integers) -> None:
+    """Write the directions of the planes of each surface and their count, at most MAX_DIRECTIONS of PLANE_COUNT."""
+    launch(find_directions_kernel, count.size, [planes, directions, count])
 
 
 @func
-def agrees(overlap: Overlap, i: int) -> int:
+def agrees(overlap: Overlaps, i: int) -> int:
     """True if a point is within distance of its nearest point with parallel or opposite normal."""
     key = overlap.nearest[i]
     agreeing = 0
     if key_number(key) < overlap.distance * overlap.distance:
-        if abs(dot(overlap.moved_normals[i], overlap.normals[key_index(key)])) > overlap.cosine:
+        if abs(dot(overlap.moved_normals[i], overlap.partner_normals[i])) > overlap.cosine:
             agreeing = 1
     return agreeing
 
 
 @func
-def match_weight(overlap: Overlap, i: int) -> float:
+def match_weight(overlap: Overlaps, i: int) -> float:
     """Weight of a match, decreasing with the distance along the normal."""
-    row = key_index(overlap.nearest[i])
-    height = dot(overlap.moved[i] - overlap.points[row], overlap.normals[row]) / overlap.tight
+    height = dot(overlap.moved[i] - overlap.partners[i], overlap.partner_normals[i]) / overlap.tight
     return max(1.0 - height * height, 0.0)
 
 
 @func
-def is_aligned(overlap: Overlap, i: int) -> int:
+def is_aligned(overlap: Overlaps, pair: int, i: int) -> int:
     """True if a normal is along a removed plane's normal, or orthogonal to two."""
     aligned = 0
-    for k in range(overlap.frame_size[0]):
-        if abs(dot(overlap.frame[k], overlap.moved_normals[i])) > MIN_ALIGNED_COSINE:
+    for k in range(overlap.frame_size[pair]):
+        if abs(dot(overlap.frame[pair, k], overlap.moved_normals[i])) > MIN_ALIGNED_COSINE:
             aligned = 1
     return aligned
 
 
 @kernel
-def mask_matched_kernel(overlap: Overlap, mask: array(dtype=uint8)):
+def mask_matched_kernel(overlap: Overlaps, mask: array(dtype=uint8)):
     i = tid()
     matched = 0
     if overlap.nearest[i] != int64(NO_POINT):
@@ -241,14 +322,15 @@ def mask_matched_kernel(overlap: Overlap, mask: array(dtype=uint8)):
     mask[i] = uint8(matched)
 
 
-@reduction
-def sum_evidence(overlap: Overlap) -> evidence_sums:
+@segment_reduction
+def sum_evidence(overlap: Overlaps) -> evidence_sums:
     """Normal matrices of near points and of matches, rotations in units of the overlap's radius."""
     i = tid()
     out = evidence_sums(0.0)
     if overlap.nearest[i] != int64(NO_POINT):
+        pair = find_owner(overlap.starts, i)
         n = widen(overlap.moved_normals[i])
-        r = (widen(overlap.moved[i]) - overlap.middle[0]) * overlap.scale[0]
+        r = (widen(overlap.moved[i]) - overlap.middle[pair]) * overlap.scale[pair]
         c = cross(r, n)
         agreeing = float64(0.0)
         matched = float64(0.0)
@@ -266,27 +348,28 @@ def sum_evidence(overlap: Overlap) -> evidence_sums:
         out[NEAR_AT] = 1.0
         out[AGREEING_AT] = agreeing
         out[MATCHED_AT] = matched
-        out[ALIGNED_AT] = matched * float64(is_aligned(overlap, i))
+        out[ALIGNED_AT] = matched * float64(is_aligned(overlap, pair, i))
     return out
 
 
 @func
-def plane_of(overlap: Overlap, planes: MainPlanes, slab: float, edge: float, i: int) -> int:
+def plane_of(overlap: Overlaps, planes: MainPlanes, slab: float, edge: float, i: int) -> int:
     """The nearest plane of a point, or -1 if it is off all planes or at the edge of two."""
+    pair = find_owner(overlap.starts, i)
     p = overlap.moved[i]
     plane = int(-1)
     lowest = float(slab)
     at_edge = int(0)
-    for k in range(planes.count[0]):
-        n = planes.directions[k]
-        height = abs(dot(n, p - planes.middles[k]))
+    for k in range(planes.count[pair]):
+        n = planes.directions[pair, k]
+        height = abs(dot(n, p - planes.middles[pair, k]))
         if height < lowest and abs(dot(n, overlap.moved_normals[i])) > overlap.cosine:
             plane = k
             lowest = height
         if height < edge:
             for j in range(k):
-                m = planes.directions[j]
-                if abs(dot(n, m)) < overlap.cosine and abs(dot(m, p - planes.middles[j])) < edge:
+                m = planes.directions[pair, j]
+                if abs(dot(n, m)) < overlap.cosine and abs(dot(m, p - planes.middles[pair, j])) < edge:
                     at_edge = 1
     if at_edge == 1:
         plane = -1
@@ -303,8 +386,8 @@ def slope_of(n: vec3, axis: vec3) -> vec3:
     return slope
 
 
-@reduction
-def sum_relief(overlap: Overlap, planes: MainPlanes, slab: float, edge: float) -> relief_sums:
+@segment_reduction
+def sum_relief(overlap: Overlaps, planes: MainPlanes, slab: float, edge: float) -> relief_sums:
     """Count, covariance and variances of the slopes of matches on planes."""
     i = tid()
     out = relief_sums(0.0)
@@ -313,8 +396,8 @@ def sum_relief(overlap: Overlap, planes: MainPlanes, slab: float, edge: float) -
             plane = plane_of(overlap, planes, slab, edge, i)
             weight = match_weight(overlap, i)
             if plane >= 0 and weight > 0.0:
-                axis = planes.directions[plane]
-                other = overlap.normals[key_index(overlap.nearest[i])]
+                axis = planes.directions[find_owner(overlap.starts, i), plane]
+                other = overlap.partner_normals[i]
                 if abs(dot(other, axis)) > overlap.cosine:
                     a = widen(slope_of(overlap.moved_normals[i], axis))
                     b = widen(slope_of(other, axis))
@@ -349,70 +432,87 @@ def find_spreads(surface: Surface, radius: float) -> Array1[Any]:
     return spreads
 
 
-@reduction
-def sum_deviating(
-    overlap: Overlap, spreads: array(dtype=float32), other_spreads: array(dtype=float32), sigmas: float, floor: float
-) -> deviation_sums:
+@kernel
+def add_noise_kernel(
+    spreads: array(dtype=float32),
+    other_spreads: array(dtype=float32),
+    first: int,
+    nearest: array(dtype=int64),
+    noise: array(dtype=float32),
+):
+    """Variance [m^2] of the distance of each point of a pair from its nearest one, by the noise of both."""
+    i = tid()
+    if nearest[first + i] != int64(NO_POINT):
+        row = key_index(nearest[first + i])
+        noise[first + i] = spreads[i] * spreads[i] + other_spreads[row] * other_spreads[row]
+
+
+@segment_reduction
+def sum_deviating(overlap: Overlaps, noise: array(dtype=float32), sigmas: float, floor: float) -> deviation_sums:
     """Count of pairs with agreeing normals, and of those apart along the normal by several sigmas of their noise."""
     i = tid()
     out = deviation_sums(0.0)
     if overlap.nearest[i] != int64(NO_POINT):
         if agrees(overlap, i) == 1:
-            row = key_index(overlap.nearest[i])
-            height = dot(overlap.moved[i] - overlap.points[row], overlap.normals[row])
-            noise = spreads[i] * spreads[i] + other_spreads[row] * other_spreads[row]
+            height = dot(overlap.moved[i] - overlap.partners[i], overlap.partner_normals[i])
             deviating = float64(0.0)
-            if height * height > sigmas * sigmas * max(noise, floor * floor):
+            if height * height > sigmas * sigmas * max(noise[i], floor * floor):
                 deviating = 1.0
             out = deviation_sums(1.0, deviating)
     return out
 
 
+MAX_ROWS = 1 << 20  # points of all pairs that are compared at once: about 80 MB
+
+
+def _batches(pairs: Sequence[Pair]) -> Iterator[list[int]]:
+    """Pairs that are compared at once, those of the same surfaces together: at most MAX_ROWS points, or one pair."""
+    batch, rows = [], 0
+    for k in sorted(range(len(pairs)), key=lambda k: [id(surface) for surface in pairs[k][:2]]):
+        if batch and rows + len(pairs[k][0]) > MAX_ROWS:
+            yield batch
+            batch, rows = [], 0
+        batch.append(k)
+        rows += len(pairs[k][0])
+    if batch:
+        yield batch
+
+
 def weigh_overlaps(
-    pairs: Sequence[tuple[Surface, Surface, np.ndarray]],
-    distance: float,
-    near: float,
-    cosine: float,
-    tight: float,
-    *,
-    beside_planes: bool = False,
-    within_borders: bool = False,
+    pairs: Sequence[Pair], distance: float, near: float, cosine: float, tight: float, *, beside_planes: bool = False
 ) -> np.ndarray:
-    """Evidence for (source, target, pose) triples about the clouds' origins; float64 (pairs, 46), one sync. `distance`
-    [m] and `cosine` limit matches, `near` [m] the overlap. Columns: upper triangles of two normal matrices, then counts
-    at NEAR_AT, AGREEING_AT, MATCHED_AT and ALIGNED_AT (matches in the directions of removed planes). `within_borders`:
-    the overlap ends at the border of the other surface.
+    """Evidence for (source, target, pose) triples about the clouds' origins; float64 (pairs, 46). `distance` [m] and
+    `cosine` limit matches, `near` [m] the overlap. Columns: upper triangles of two normal matrices, then counts at
+    NEAR_AT, AGREEING_AT, MATCHED_AT and ALIGNED_AT (matches in the directions of removed planes). One sync for
+    MAX_ROWS points.
     """
-    if not pairs:
-        return np.empty((0, len(evidence_sums(0.0))))
-    gathered = empty(len(pairs), evidence_sums, pairs[0][0].device)
-    for k, (source, target, pose) in enumerate(pairs):
-        overlap = Overlap(source, target, pose, distance, near, cosine, tight)
-        if within_borders:
-            overlap.leave_out_border()
+    sums = np.empty((len(pairs), len(evidence_sums(0.0))))
+    for batch in _batches(pairs):
+        overlaps = Overlaps([pairs[k] for k in batch], distance, near, cosine, tight)
         if beside_planes:
-            overlap.leave_out_planes(overlap.find_planes())
-        copy(gathered, overlap.weigh(), count=1, offset=k)
-    return download(gathered).copy()  # sync
+            overlaps.leave_out_planes(overlaps.find_planes())
+        sums[batch] = download(overlaps.weigh())  # sync
+    return sums
 
 
-def weigh_reliefs(
-    pairs: Sequence[tuple[Surface, Surface, np.ndarray]], distance: float, near: float, cosine: float, tight: float
-) -> np.ndarray:
-    """Slopes of matches relative to the dominant planes that they are on, with arguments as of `weigh_overlaps`.
+class OverlapDetails(NamedTuple):
+    """Sums of pairs, float64 (pairs, k).
 
-    float64 (pairs, 4): the count of matches, the covariance of the slopes of both surfaces, and their variances, as
-    sums. Slopes of the same uneven ground are correlated, those of two flat walls are noise. One sync.
+    `visible`: as of `weigh_overlaps`, without points beyond the border of the other surface; `rest`: without points on
+    the dominant planes, too. `reliefs`: number of matches on these planes, covariance of the slopes of both surfaces
+    relative to the planes, and their variances, as sums. Slopes of the same uneven ground are correlated, those of two
+    flat walls are noise. `deviating`: number of pairs of points with agreeing normals, and of those apart along the
+    normal.
     """
-    gathered = empty(len(pairs), relief_sums, pairs[0][0].device)
-    for k, (source, target, pose) in enumerate(pairs):
-        overlap = Overlap(source, target, pose, distance, near, cosine, tight)
-        copy(gathered, overlap.weigh_relief(overlap.find_planes()), count=1, offset=k)
-    return download(gathered).copy()  # sync
+
+    visible: np.ndarray
+    rest: np.ndarray
+    reliefs: np.ndarray
+    deviating: np.ndarray
 
 
-def count_deviating(
-    pairs: Sequence[tuple[Surface, Surface, np.ndarray]],
+def weigh_details(
+    pairs: Sequence[Pair],
     distance: float,
     near: float,
     cosine: float,
@@ -421,17 +521,13 @@ def count_deviating(
     radius: float,
     sigmas: float,
     floor: float,
-) -> np.ndarray:
-    """Pairs of points within `distance` [m] with agreeing normals, and those apart along the normal by `sigmas`.
-
-    The standard deviation is of the neighbors within `radius` [m] of both points, at least `floor` [m]. Arguments as of
-    `weigh_overlaps`; float64 (pairs, 2). One sync.
+) -> OverlapDetails:
+    """Details of one or two pairs, with arguments as of `weigh_overlaps`. Points are apart by `sigmas` standard
+    deviations of the neighbors within `radius` [m] of both points, at least `floor` [m]. One sync.
     """
-    spreads = {id(s): find_spreads(s, radius) for s in {id(s): s for pair in pairs for s in pair[:2]}.values()}
-    gathered = empty(len(pairs), deviation_sums, pairs[0][0].device)
-    for k, (source, target, pose) in enumerate(pairs):
-        overlap = Overlap(source, target, pose, distance, near, cosine, tight)
-        overlap.leave_out_border()
-        arguments = [overlap, spreads[id(source)], spreads[id(target)], sigmas, floor]
-        copy(gathered, reduce(sum_deviating, overlap.moved.size, arguments), count=1, offset=k)
-    return download(gathered).copy()  # sync
+    overlaps = Overlaps(pairs, distance, near, cosine, tight)
+    reliefs = overlaps.weigh_relief(overlaps.find_planes())
+    overlaps.leave_out_border()
+    visible, deviating = overlaps.weigh(), overlaps.count_deviating(radius, sigmas, floor)
+    overlaps.leave_out_planes(overlaps.find_planes())
+    return OverlapDetails(*read_together([visible, overlaps.weigh(), reliefs, deviating]))  # sync

@@ -11,12 +11,14 @@ import numpy as np
 from ..algebra.rigid_solve import move, rotate
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index
+from ..arrays.side_by_side import read_together
 from ..lang import array, dot, float32, int64, kernel, launch, mat44d, tid, vec3
-from ..memory import download, empty, upload
+from ..memory import empty, rows_of, upload
 from ..search.nearest_point import NO_POINT, find_nearest
+from ..search.tree_search import order_along_curve
 from ..surface.hollow_side import Surface
 from .cost_differences import compare_costs
-from .overlap_evidence import MATCHED_AT, Overlap
+from .overlap_evidence import MATCHED_AT, Overlaps, repeat_order
 
 
 @dataclass(frozen=True)
@@ -34,11 +36,10 @@ class PoseConstraint:
 def find_pose_constraint(
     source: Surface, target: Surface, pose: np.ndarray, distance: float, near: float, cosine: float
 ) -> PoseConstraint:
-    """Constraint of T_target_source about the clouds' origins; `near`: overlap distance [m]. Three syncs."""
-    overlap = Overlap(source, target, pose, distance, near, cosine, distance)
-    sums = download(overlap.weigh())[0]  # sync
-    middle, scale = download(overlap.middle)[0], float(download(overlap.scale)[0])  # sync
-    return PoseConstraint(sums[21:42].copy(), float(sums[MATCHED_AT]), middle.copy(), 1 / scale)
+    """Constraint of T_target_source about the clouds' origins; `near`: overlap distance [m]. One sync."""
+    overlaps = Overlaps([(source, target, pose)], distance, near, cosine, distance)
+    (sums,), (middle,), (scale,) = read_together([overlaps.weigh(), overlaps.middle, overlaps.scale])  # sync
+    return PoseConstraint(sums[21:42].copy(), float(sums[MATCHED_AT]), middle.copy(), 1 / float(scale))
 
 
 @kernel
@@ -92,7 +93,8 @@ def compare_pair(
     device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
     moved, squares = empty(len(poses) * count, vec3, device), empty((len(poses), count), float32, device)
     launch(transform_samples_kernel, moved.size, [source.points, step, count, device_poses, moved])
-    nearest = find_nearest(target.tree, moved, radius=radius)
+    order = source.tree.order if step == 1 else order_along_curve(target.tree, rows_of(moved, 0, count))
+    nearest = find_nearest(target.tree, moved, radius=radius, order=repeat_order(order, count, len(poses)))
     compared = [source.normals, step, device_poses, target.points, target.normals, cosine, squares]
     launch(measure_offsets_kernel, moved.size, [moved, nearest, *compared])
     return compare_costs(squares, voxel_size)

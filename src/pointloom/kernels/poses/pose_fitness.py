@@ -110,7 +110,7 @@ class PoseFitness:
         if self.device.is_cuda:
             loop_while(course.running, step)
         else:
-            while download(course.running)[0]:  # the nearest-point search sorts on the host
+            while download(course.running)[0]:  # the nearest-point search of few points sorts on the host
                 step()
         states = course.states.download()  # sync
         return states["best"][0].copy(), int(states["counts"][0]), float(states["squares"][0])
@@ -123,7 +123,7 @@ class Matching:
         """For `count` source points."""
         self.sums = zeros(1, match_sums, device)
         self._moved, self._nearest = empty(count, vec3, device), empty(count, int64, device)
-        self._order = positions(count, device) if device.is_cuda else None  # source points are in curve order
+        self._order = positions(count, device)  # source points are in curve order
         self._blocks, self._live = SegmentBlocks([0], [count], device), full(1, 1, int32, device)
         self._partials = self._blocks.partials(match_sums)
 

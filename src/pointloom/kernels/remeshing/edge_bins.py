@@ -56,12 +56,16 @@ def limit_prices_kernel(blocks: array(dtype=int32), target: int, bins: array(dty
     has_limit = 0
     if total > 0 and before < wanted and before + blocks[i] >= wanted:
         has_limit = 1
+    highest = -1
     for j in range(i * BLOCK, (i + 1) * BLOCK):
-        if has_limit == 1 and before < wanted:
-            before += bins[j]
-            if before >= wanted:
-                numbers[HIGHEST_BIN] = j
+        is_below = 1 if has_limit == 1 and before < wanted else 0
+        before += bins[j]
+        if is_below == 1 and before >= wanted:
+            highest = j
+    for j in range(i * BLOCK, (i + 1) * BLOCK):  # after the loads, which would wait for the stores
         bins[j] = 0
+    if highest >= 0:
+        numbers[HIGHEST_BIN] = highest
 
 
 @func
@@ -127,17 +131,19 @@ def find_digit(
     before = sum_of_blocks(blocks, i)
     after = before + blocks[i]
     bin_index = -1
+    rest = wanted
     if i == BIN_BLOCKS - 1 and after < wanted:
         bin_index = COST_BINS - 1
-        rests[digit + 1] = wanted
     for j in range(i * BLOCK, (i + 1) * BLOCK):
-        if before < wanted:
-            if before + bins[j] >= wanted:
-                bin_index = j
-                rests[digit + 1] = wanted - before
-        before += bins[j]
+        removed = bins[j]
+        if before < wanted and before + removed >= wanted:
+            bin_index = j
+            rest = wanted - before
+        before += removed
+    for j in range(i * BLOCK, (i + 1) * BLOCK):  # after the loads, which would wait for the stores
         bins[j] = 0
     if bin_index >= 0:
+        rests[digit + 1] = rest
         heads[digit + 1] = (heads[digit] << int64(DIGIT_BITS)) | int64(bin_index)
 
 

@@ -85,9 +85,11 @@ def keep_near(
     at = base
     last = base + (scratch.room - LEAF) * scratch.stride
     lacking = 0
+    following = scratch.ids[listing]
     for entry in range(size):
-        first = scratch.ids[listing + entry]
+        first = following + 0
         leaf = load_eight(tree.points, first)
+        following = scratch.ids[listing + min(entry + 1, size - 1)]  # after the stores it would wait for them
         has_room = 1 if at <= last else 0
         for j in range(LEAF):
             sqdist = sqdist_of(leaf, j, p)

@@ -301,7 +301,8 @@ def find_nearest(
     nearest: LongIntegers | None = None,
 ) -> LongIntegers:
     """Nearest point of each query closer than a radius [m] (exclusive), int64 (m): squared distance bits above the
-    index, or NO_POINT. `others`: the queries are the tree's own points. `order`: coherent query order for CUDA.
+    index, or NO_POINT. `others`: the queries are the tree's own points. `order`: rows of the queries, neighbors near
+    each other and non-finite ones last, such as the order of a tree over the queries before a rigid motion.
     """
     nearest = empty(queries.size, int64, queries.device) if nearest is None else nearest
     is_separate = queries.device.is_cuda
@@ -309,7 +310,7 @@ def find_nearest(
         result = search_nearest(tree, queries, 2 if others else 1, radius)
         launch(pack_neighbor_kernel, queries.size, [*result, int(others), nearest])
         return nearest
-    if order is None or not is_separate:
+    if order is None:
         order = tree.order if tree.source.ptr == queries.ptr else order_along_curve(tree, queries)
     search = [tree, squared_radius(radius), nearest]
     if is_separate:

@@ -9,6 +9,8 @@ from ..lang import array, bits_float, float_bits, func, int64, vector
 
 VECTOR_LANES = 8  # keys ranked together, in vector registers
 key_lanes = vector(8, int64)
+LOADED = 4  # keys that CUDA loads before it stores the first
+loaded_keys = vector(4, int64)
 
 FIRST_SQDIST_FACTOR = (
     1.05  # times the expected squared distance of the k-th neighbor: sufficient in more than half of the cases
@@ -180,6 +182,31 @@ def keep_up_to(keys: array(dtype=int64), base: int, stride: int, key_count: int,
             keys[base + size * stride] = key
             size += 1
     return size
+
+
+@keep_up_to.on_cuda
+def keep_up_to_by_four(keys: array(dtype=int64), base: int, stride: int, key_count: int, limit: int64) -> int:
+    """CUDA variant: loads four keys before it stores the first. A load after a store waits for it."""
+    at = base + 0
+    to = base + 0
+    for _ in range(key_count // LOADED):
+        loaded = loaded_keys(0)
+        for j in range(LOADED):
+            loaded[j] = keys[at + j * stride]
+        at += LOADED * stride
+        for j in range(LOADED):
+            kept = 1 if loaded[j] <= limit else 0
+            if kept == 1:
+                keys[to] = loaded[j]
+            to += stride * kept
+    for _ in range(key_count % LOADED):
+        key = keys[at]
+        at += stride
+        kept = 1 if key <= limit else 0
+        if kept == 1:
+            keys[to] = key
+        to += stride * kept
+    return (to - base) // stride
 
 
 @func

@@ -296,7 +296,7 @@ class _NonRigidRegistration:
     def _pair(self, max_distance: float) -> Any:
         moved = bend_points(self.graph, self.influence)
         normals = bend_normals(self.graph, self.influence, self.source.arrays["normals"])
-        nearest = find_nearest(self.tree, moved, radius=max_distance)
+        nearest = find_nearest(self.tree, moved, radius=max_distance, order=self.source.search_tree().order)
         outputs = [self.rule, self.steps.rows, self.partners, self.distances]
         launch(pair_points_kernel, self.count, [moved, normals, nearest, self.surface, *outputs])
         return moved
@@ -343,7 +343,8 @@ class _NonRigidRegistration:
         residuals, matched, rmse = self._measure(self._pair(self._limit(1, 1)))
         deformation = Deformation(self.graph, self.source.origin, self.target.origin)
         warped = deformation.transform(self.source)
-        nearest = find_nearest(PointTree(warped.arrays.about(self.target.origin)), self.tree.source)
+        warped_tree = PointTree(warped.arrays.about(self.target.origin))
+        nearest = find_nearest(warped_tree, self.tree.source, order=self.tree.order)
         covered = _fraction_within(nearest, 0.5 * self.grain, self.tree.count)
         strains = quantiles_of(measure_strain(self.graph, self.around), [0.9])
         volumes = deformation.volumes(self.source)

@@ -301,7 +301,7 @@ def _agreement(clouds: Sequence[PointCloud], graph: GraphArrays, distance: float
         source, target = clouds[s], clouds[t]
         points, local = source.arrays["points"], to_local(T, source.origin, target.origin)
         queries = transform_points(points, local[:3, :3], local[:3, 3])
-        nearest = find_nearest(target.search_tree(), queries, radius=distance)
+        nearest = find_nearest(target.search_tree(), queries, radius=distance, order=source.search_tree().order)
         ends = (source.origin, target.origin), (graph.poses[s], graph.poses[t])
         counted.append(count_agreeing(points, target.arrays["points"], nearest, *ends, distance))
     if not counted:
