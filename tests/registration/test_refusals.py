@@ -16,6 +16,8 @@ from .test_hostile_arguments import things as good_arguments
 
 # One line per case: the beginning of the message as a regular expression, and the call over `things()`.
 VALUE_ERRORS = r"""
+names: expected 2 different ones, one per station, got 1 | reg.register_stations([source, target], names=["a", "a"])
+names: expected 2 different ones, one per station, got 3 | reg.register_stations([source, target], names=["a", "b", "c"])
 k: | reg.RobustKernel.huber(0)
 k: | reg.RobustKernel.cauchy(-1)
 k: | reg.RobustKernel.geman_mcclure(inf)
