@@ -10,7 +10,6 @@ from pointloom.datasets.scenes.room import surface_errors
 
 from ..hostile import public_arguments
 
-
 ARGUMENTS = [
     (call, name) for call, names in public_arguments(loom.datasets, {"fetch"}).items() for name in sorted(names)
 ]
