@@ -17,7 +17,39 @@ from pointloom.tiling.manifest import DISTRIBUTES, Manifest, worker_lock
 from pointloom.tiling.runners import retry_tiles
 from pointloom.tiling.status import tile_status
 
+from ..hostile import call_of, faults_of, missing_from, public_arguments, read_table
 from .scenes import CORNER, RADIUS, SIDE, STEP, finished, plan_of, rows_of, survey, tiled
+
+# One line per call: the function and a valid value of each argument. No job exists, so that nothing is run.
+CALLS = """
+loom.tiling.plan_tiles(sources=["scan.las"], steps=[{"step": "estimate_normals"}], folder="job", size=10.0, points=None, only=None, only_crs=None, output="laz", progress=None)
+loom.tiling.run_tiles(folder="tiles", workers=1, part=None, tile=None, scheduler=None, security=None, device="cpu", functions=(), progress=None)
+loom.tiling.retry_tiles(folder="tiles")
+loom.tiling.finish_tiles(folder="tiles", path=None, output=None, workers=1, progress=None)
+loom.tiling.plan_registration(scans=["scan.las", "scan.las"], folder="job", voxel_size=0.5, places=None, place_error=0.0, neighbors=None, pairs=None, known=(), max_similar=8, free=None, seed=0)
+loom.tiling.plan_fusion(frames="frames", folder="job", voxel_size=0.1, size=2.0, truncation=0.4, depth_max=3.0, weight_threshold=0.0, layout="auto", intrinsic=None, depth_scale=1000.0, every=1)
+loom.tiling.run_job(folder="scans", workers=1, part=None, device="cpu", progress=None)
+loom.tiling.retry_job(folder="scans")
+loom.tiling.job_status(folder="scans")
+loom.tiling.finish_registration(folder="scans")
+loom.tiling.finish_fusion(folder="scans", path=None)
+"""  # noqa: E501
+TABLE = read_table(CALLS, {})
+
+
+def test_the_table_names_every_argument_of_every_public_call():
+    assert missing_from(TABLE, public_arguments(loom.tiling, set())) == {}
+
+
+@pytest.mark.parametrize("call", TABLE)
+def test_a_hostile_value_of_a_job_is_rejected_by_name(tmp_path, monkeypatch, call):
+    monkeypatch.chdir(tmp_path)
+    loom.write_point_cloud("scan.las", loom.PointCloud(np.eye(3)))
+    function, expressions = TABLE[call]
+    good, faults = {name: eval(text) for name, text in expressions.items()}, []
+    for argument in good:
+        faults += faults_of(call_of(function, {"loom": loom}), good, argument)
+    assert not faults, "\n".join(faults)
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.attribute_hints import nearest_name
-from ...core.checks import check_count, check_direction, check_finite, check_positive, check_search, check_shape, shown
+from ...core.checks import (
+    check_count,
+    check_direction,
+    check_finite,
+    check_list,
+    check_positive,
+    check_search,
+    check_shape,
+    shown,
+)
 from ...core.errors import FileError, values_of_file
 from ...core.paths import input_path
 from ...core.units import UnitWarning, without_warnings
@@ -495,10 +504,8 @@ def naming_file(steps: Any) -> Iterator[None]:
 
 
 def _parse(steps: Any) -> list[Step]:
-    if isinstance(steps, dict) or not hasattr(steps, "__iter__"):
-        raise TypeError(f"steps: expected a list of dictionaries or a .toml file, got {shown(steps)}")
     parsed = []
-    for given in steps:
+    for given in check_list("steps", steps, "dictionaries or a .toml file"):
         if not isinstance(given, dict) or not isinstance(given.get("step"), str):
             raise ValueError(f"steps: expected a dictionary with the name of a 'step', got {shown(given)}")
         params = {name: value for name, value in given.items() if name != "step"}
