@@ -41,15 +41,39 @@ def test_the_table_names_every_argument_of_every_public_call():
     assert missing_from(TABLE, public_arguments(loom.tiling, set())) == {}
 
 
+@pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("call", TABLE)
-def test_a_hostile_value_of_a_job_is_rejected_by_name(tmp_path, monkeypatch, call):
+def test_a_hostile_value_of_a_job_is_rejected_by_name(tmp_path, monkeypatch, call, every):
     monkeypatch.chdir(tmp_path)
     loom.write_point_cloud("scan.las", loom.PointCloud(np.eye(3)))
     function, expressions = TABLE[call]
     good, faults = {name: eval(text) for name, text in expressions.items()}, []
     for argument in good:
-        faults += faults_of(call_of(function, {"loom": loom}), good, argument)
+        faults += faults_of(call_of(function, {"loom": loom}), good, argument, every=every)
     assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"size": 10.0, "points": 1000}, "size, points: expected one of them, got both"),
+        ({"size": 1e-7}, "size: expected at most"),
+        ({"output": "las"}, "output: expected 'laz' or 'copc', got 'las'"),
+        ({"only_crs": "EPSG:25832"}, "only_crs: expected polygons in only="),
+        ({"only": [[0, 0], [1, 0]]}, "only: expected at least three corners, got 2"),
+        ({"only": [0, 0, np.nan, 1]}, "only: expected finite"),
+    ],
+)
+def test_options_that_contradict_or_exceed_are_rejected_when_planned(files, tmp_path, options, message):
+    with pytest.raises(ValueError, match=f"^{message}"):
+        loom.tiling.plan_tiles(files, RADIUS, tmp_path / "job", **options)
+    assert not (tmp_path / "job").exists()
+
+
+@pytest.mark.parametrize("part", [3, "1/4", (1, 2, 3), (5, 4), (0, 4), (1, 0), (1.5, 4), (1, 2.5), (1, "4")])
+def test_a_part_that_does_not_exist_is_rejected(job, part):
+    with pytest.raises((TypeError, ValueError), match="^part: expected"):
+        loom.tiling.run_tiles(job, part=part)
 
 
 @pytest.mark.parametrize(
