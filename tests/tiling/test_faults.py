@@ -72,7 +72,7 @@ def test_options_that_contradict_or_exceed_are_rejected_when_planned(files, tmp_
 
 @pytest.mark.parametrize("part", [3, "1/4", (1, 2, 3), (5, 4), (0, 4), (1, 0), (1.5, 4), (1, 2.5), (1, "4")])
 def test_a_part_that_does_not_exist_is_rejected(job, part):
-    with pytest.raises((TypeError, ValueError), match="^part: expected"):
+    with pytest.raises((TypeError, ValueError), match=r"^part: expected"):
         loom.tiling.run_tiles(job, part=part)
 
 
