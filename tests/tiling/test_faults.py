@@ -16,6 +16,7 @@ from pointloom.tiling import tasks
 from pointloom.tiling.manifest import DISTRIBUTES, Manifest, worker_lock
 from pointloom.tiling.runners import retry_tiles
 from pointloom.tiling.status import tile_status
+from pointloom.tiling.steps.parse import KNOWN, parse_steps
 
 from ..hostile import call_of, faults_of, missing_from, public_arguments, read_table
 from .scenes import CORNER, RADIUS, SIDE, STEP, finished, plan_of, rows_of, survey, tiled
@@ -74,6 +75,28 @@ def test_options_that_contradict_or_exceed_are_rejected_when_planned(files, tmp_
 def test_a_part_that_does_not_exist_is_rejected(job, part):
     with pytest.raises((TypeError, ValueError), match=r"^part: expected"):
         loom.tiling.run_tiles(job, part=part)
+
+
+REQUIRED = {"other": ["a.las"], "to_crs": "EPSG:25833", "call": "os:getenv"}  # of other kinds than numbers
+GOOD = {"m3c2": {"normal_radii": 1.0, "core_spacing": 1.0}, "crop": {"min_bound": [0, 0, 0], "max_bound": [1, 1, 1]}}
+FOUND_LATER = {"wkt", "scales", "offsets", "crs"}  # computed by planning, and the system that writing looks up
+PARAMETERS = [
+    (name, parameter)
+    for name, step in KNOWN.items()
+    for parameter in (*step.required, *step.defaults)
+    if parameter not in {*REQUIRED, *FOUND_LATER, "arguments"}
+]
+
+
+@pytest.mark.parametrize(("name", "parameter"), PARAMETERS)
+def test_every_parameter_of_a_step_rejects_wrong_values_by_name(name, parameter):
+    step = KNOWN[name]
+    good = {"step": name} | {required: REQUIRED.get(required, 4) for required in step.required} | GOOD.get(name, {})
+    default = step.defaults.get(parameter, 4)
+    is_number = isinstance(default, int | float) and not isinstance(default, bool)
+    for wrong in ({"a": 1}, [[1]], *(("much", np.nan, -1) if is_number else ())):
+        with pytest.raises((TypeError, ValueError), match=rf"\b{parameter}\b"):
+            parse_steps([good | {parameter: wrong}])
 
 
 @pytest.mark.parametrize(

@@ -374,6 +374,8 @@ class Crop(Step):
             )
         if "polygon" not in given and self.params["polygon_crs"] is not None:
             raise ValueError("steps: crop: polygon_crs needs polygon")
+        if not isinstance(self.params["invert"], bool):
+            raise TypeError(f"steps: crop: invert: expected True or False, got {shown(self.params['invert'])}")
         if given == ["polygon"]:
             self.area = parse_area("steps: crop: polygon", self.params["polygon"])
             self.params["polygon"] = to_json(self.area)
