@@ -201,6 +201,7 @@ class Change(Compared):
         radii = check_radii(params["normal_radii"], params["direction"])
         params["normal_radii"] = radii.tolist() or None
         self.radius = max([math.hypot(radius, length), *radii.tolist()])
+        params["corner"] = check_finite("corner", check_shape("corner", params["corner"], (3,))).tolist()
         if params["core_spacing"] is not None:
             self.radius = max(self.radius, check_positive("core_spacing", params["core_spacing"]))
 
