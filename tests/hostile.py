@@ -54,6 +54,7 @@ ARRAYS: dict[str, Any] = {
     "no rows": np.zeros((0, 3)),
     "four dimensions": np.zeros((1, 1, 1, 1)),
 }
+MODULES = (loom, loom.meshing, loom.photogrammetry, loom.registration, loom.rgbd)
 NO_POINTS = loom.PointCloud()
 OTHERS: dict[str, Any] = {"nothing": None, "a function": len, "a class": int, "a set": {1}, "a cloud": NO_POINTS}
 HOSTILE = NO_NUMBERS | NUMBERS | ARRAYS | OTHERS
@@ -67,6 +68,15 @@ def stand_in(name: str, **attributes: Any) -> Any:
 
 TORCH_CPU = stand_in("torch.device", type="cpu", index=None)
 NOT_FINITE = {"NaN", "-infinity", "-10^400"}
+STRINGS = {"a string", "a string of digits"}
+IN_ARRAYS = HOSTILE.keys() - {"nothing", "an object", "a function", "a class"}
+ARRAY_TYPES = ("ArrayLike", "NDArray", "Array", "Rows", "Sequence", "Iterable", "Collection", "list", "tuple")
+# The values that each type of a signature may accept. The classes of pointloom that are not listed accept none.
+ACCEPTED = dict.fromkeys(ARRAY_TYPES, IN_ARRAYS) | {
+    "None": {"nothing"}, "bool": {"true"}, "str": STRINGS, "FilePath": STRINGS, "os.PathLike": STRINGS,
+    "int": {*NUMBERS}, "float": NUMBERS.keys() | NOT_FINITE, "PointCloud": {"a cloud"}, "DeviceLike": {"nothing"},
+    "Mapping": {"a dictionary"},
+}  # fmt: skip
 PATHS, CALLBACKS = {"path", "folder", "scans"}, {"progress", "callback_after_iteration"}
 
 
@@ -123,6 +133,21 @@ def warnings_of(call: Callable[[], Any]) -> list[str]:
     return [f"{w.category.__name__}: {str(w.message)[:100]} ({w.filename}:{w.lineno})" for w in caught]
 
 
+def accepted_titles(annotation: str) -> set[str]:
+    """The hostile values that an argument of this type may accept; all of them if a part of the type is unknown."""
+    node, titles = ast.parse(annotation, mode="eval").body, set()
+    parts = []
+    while isinstance(node, ast.BinOp):
+        parts.append(node.right)
+        node = node.left
+    for part in [*parts, node]:
+        name = ast.unparse(part.value if isinstance(part, ast.Subscript) else part)
+        if name not in ACCEPTED and not any(inspect.isclass(getattr(module, name, None)) for module in MODULES):
+            return {*HOSTILE}
+        titles |= ACCEPTED.get(name, set())
+    return titles
+
+
 ERRORS = (ValueError, TypeError, LookupError, loom.PointloomError)
 
 
@@ -157,6 +182,10 @@ def faults_of(
         names.append("PathLike")  # Python's own words
     pattern = re.compile(rf"\b({'|'.join(names)})\b")
     numbers = NO_NUMBERS if finite else {title: NO_NUMBERS[title] for title in NO_NUMBERS if title not in NOT_FINITE}
+    accepted, annotation = {*HOSTILE}, ""
+    if parameter := inspect.signature(call).parameters.get(name):
+        annotation = f"{parameter.annotation}{' | None' if parameter.default is None else ''}"
+        accepted = accepted_titles(annotation)
     is_number = isinstance(good, int | float) and not isinstance(good, bool) if number is None else number
     faults = []
     first = zlib.crc32(" ".join([name, *arguments]).encode())
@@ -189,11 +218,23 @@ def faults_of(
                     faults.append(f"{where}: taken for a cloud")
                 if is_number and (title in numbers or value is True):
                     faults.append(f"{where}: taken for a number")
+                elif title not in accepted:
+                    faults.append(f"{where}: accepted for {annotation}")
         faults += [f"{where}: {w.category.__name__}: {str(w.message)[:100]} ({w.filename}:{w.lineno})" for w in caught]
     return faults
 
 
 Table = dict[str, tuple[str, dict[str, str]]]
+
+
+def call_of(function: str, things: dict[str, Any]) -> Callable[..., Any]:
+    """The function of an expression over `things`, which is evaluated again in each call, with its signature."""
+
+    def call(**given: Any) -> Any:
+        return eval(function, dict(things))(**given)
+
+    call.__signature__ = inspect.signature(eval(function, dict(things)))  # type: ignore[attr-defined]
+    return call
 
 
 def read_table(lines: str, homes: dict[str, str]) -> Table:

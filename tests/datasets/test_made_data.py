@@ -8,6 +8,19 @@ from pointloom.datasets import array_cache as module
 from pointloom.datasets.array_cache import cached
 from pointloom.datasets.scenes.room import surface_errors
 
+from ..hostile import public_arguments
+
+ARGUMENTS = [
+    (call, name) for call, names in public_arguments(loom.datasets, {"fetch"}).items() for name in sorted(names)
+]
+
+
+@pytest.mark.parametrize(("call", "argument"), ARGUMENTS)
+def test_every_argument_rejects_values_that_are_no_numbers_of_its_kind(call, argument):
+    for wrong in ("much", None, object(), [1], -1, np.nan, 10**400):
+        with pytest.raises((TypeError, ValueError), match=f"^{argument}: expected "):
+            getattr(loom.datasets, call)(**{argument: wrong})
+
 
 @pytest.fixture
 def without_cache(monkeypatch, tmp_path):

@@ -27,6 +27,18 @@ def back_project(frame, depth):
     return points @ frame.T_world_camera[:3, :3].T + frame.T_world_camera[:3, 3]
 
 
+@pytest.mark.parametrize(
+    ("argument", "wrong"),
+    [
+        ("frame_count", 0), ("width", 0), ("height", 1.5), ("seed", -1), ("texture", 1.5), ("texture", "much"),
+        ("color_noise", 256), ("color_noise", -1.0), ("color_noise", "much"),
+    ],
+)  # fmt: skip
+def test_a_wrong_argument_of_a_sequence_is_rejected_by_name(argument, wrong):
+    with pytest.raises((TypeError, ValueError), match=f"^{argument}: expected"):
+        room_sequence(**{argument: wrong})
+
+
 @pytest.mark.slow
 def test_noise_follows_its_model(device):
     noisy, exact = room_sequence(6, device=device), room_sequence(6, noise=False, device=device)

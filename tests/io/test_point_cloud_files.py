@@ -1,13 +1,16 @@
 """Point cloud files: round trips, names, units, non-finite values, NPZ archives, and warnings about losses."""
 
 import builtins
+import contextlib
 import importlib
 import io
 import os
 import re
 import sys
+import threading
 import warnings
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext
 
 import laspy
@@ -731,6 +734,24 @@ def write_points(path, count):
     points = np.random.default_rng(0).normal(size=(count, 3))
     vectors = {".xyzn": {"normals": points}, ".xyzrgb": {"colors": points % 1}}
     loom.write_point_cloud(path, loom.PointCloud(points, **vectors.get(path.suffix, {})))
+
+
+def test_threads_read_their_own_bytes_where_reading_moves_the_position_of_the_file(tmp_path, monkeypatch):
+    (tmp_path / "a").write_bytes(bytes(range(200)))
+    file, seek, both = source.open_source(tmp_path / "a"), os.lseek, threading.Barrier(2)
+
+    def slow_seek(*arguments):
+        seek(*arguments)
+        with contextlib.suppress(threading.BrokenBarrierError):
+            both.wait(0.2)  # until the other thread has moved the position, too, if it can
+        return arguments[1]
+
+    for name in ("pread", "preadv"):  # as on Windows
+        monkeypatch.delattr(os, name, raising=False)
+    monkeypatch.setattr(os, "lseek", slow_seek)
+    with ThreadPoolExecutor(2) as pool:
+        parts = list(pool.map(lambda begin: file[begin : begin + 10], (0, 100)))
+    assert parts == [bytes(range(10)), bytes(range(100, 110))]
 
 
 CHANGES = [cut, grow, write_over]

@@ -242,6 +242,16 @@ def test_inconsistent_images_are_rejected_with_their_frame(tmp_path, encoding, a
         one_frame(tmp_path, color=(encoding, array)).frames().read(0)
 
 
+def test_messages_of_an_unknown_type_are_an_error_with_its_name(tmp_path):
+    kind = "my_robot/msg/Battery"
+    with Writer(tmp_path) as out:
+        out.store.register(get_types_from_msg("float32 charge\n", kind))
+        out.write("/battery", kind, 1.0, out.store.types[kind](0.5))
+    messages = loom.open_recording(out.path).messages("/battery")
+    with pytest.raises(FileError, match=rf"/run:.*messages of {kind} are not supported"):
+        next(messages)
+
+
 def test_recording_without_depth_is_an_error(tmp_path):
     with Writer(tmp_path) as out:
         out.image(COLOR_TOPIC, 1.0, "rgb8", color_of(0))

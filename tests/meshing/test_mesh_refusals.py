@@ -73,6 +73,26 @@ NAMES = {
     "gray": loom.RGBDImage.create_from_color_and_depth(SCENE.frames[0].color, SCENE.frames[0].depth),
 }  # fmt: skip
 VALUES = """
+box.extrude_rotation(0, [0, 0, 1]) | angle: expected a nonzero
+box.remove_vertices_by_mask([True, False]) | mask: expected shape [8]
+box.remove_triangles_by_mask([True, False]) | mask: expected shape [12]
+make.from_polygon([[0, 0], [1, 0], [1, 1]], holes=[[[0, 0, 0], [1, 0, 0], [1, 1, 0]]]) | holes: expected the same number
+make.from_polygon([[0, 0], [1, 1], [2, 2]]) | outline, holes: expected polygons
+make.revolve(X) | [[1, 0]]; [[-1, 0], [1, 0]] | profile: expected at least two points
+make.create_isosurfaces(np.zeros((3, 3, 3)), X) | 1e60; [0, -1e60] | contour_values: expected numbers within float32
+make.create_coordinate_frame(origin=[1e300, 0, 0]) | origin:
+box.slice_plane([0, 0, 0], [0, 0, 1], [[0.0]]) | contour_values: expected shape [k]
+box.slice_plane([0, 0, 0], [0, 0, 1], [[0.0]], cap=True) | contour_values: expected shape [k]
+field.collides([[0, 0, 0]] * 3, X) | [0.1, 0.2]; [[0.1]] * 3 | radii: expected one, or 3, one per center
+field.collides_bodies([], [eye]) | spheres: expected at least one row
+field.to_array(X) | [[0, 0, 0], [0, 1, 1]]; [[1, 1, 1], [0, 0, 0]] | bounds: expected a low corner below a high one
+loom.write_triangle_mesh("a.glb", box, ascii=True) | ascii:
+box.voxelize(0.5, [1e300, 0, 0], [2e300, 1, 1]) | min_bound:
+loom.PagedTSDFVolume("pages", voxel_size=0.1, page_blocks=10**6) | page_blocks: expected at most
+texture(cameras=loom.SfmModel([], [], np.zeros((0, 4, 4)))) | extrinsics: expected None, because the model
+texture(cameras=loom.SfmModel([], [], np.zeros((0, 4, 4))), extrinsics=None) | cameras: expected a model with images
+loom.volume_change(ball, ball, 0.5, classes=[2]) | classes: expected None, because
+loom.meshing.fuse_splats(splats, camera, [shifted], voxel_size=1e-6) | voxel_size:
 make(X, [[0, 1, 2]]) | np.zeros((2, 4)) | vertices:
 make(np.eye(3), [[0, 1, X]]) | 3; -1 | triangles:
 make(np.eye(3), [[0, 1, 2]], X=np.zeros((2, 3))) | vertex_normals | vertex_normals:
@@ -249,6 +269,12 @@ texture(extrinsics=X) | wall.extrinsics[:2]; None | extrinsics:
 texture(images=[], extrinsics=[]) | images:
 """
 TYPES = """
+color_map(option=obj) | option: expected a ColorMapOption, got object
+color_map(mesh=obj) | mesh: expected a TriangleMesh, got object
+volume.integrate_points(sphere, [0, 0, 0], carve=X) | 1; "yes"; None | carve: expected True or False
+make.from_open3d(obj) | mesh: expected an open3d
+box.slice_plane([0, 0, 0], [0, 0, 1], cap=X) | 1; "yes" | cap: expected True, False or None
+make(np.eye(3), [[0, 1, 2]], textures=X) | "a.png"; {}; 5 | textures: expected a list of images
 make(np.eye(3), [[0.0, 1.0, 2.0]]) | triangles:
 make(np.eye(3), [[0, 1, 2]], vertex_colors=[["red"] * 3] * 3) | vertex_colors:
 bend(constraint_vertex_indices=[0.0, 1.0]) | constraint_vertex_indices:

@@ -255,6 +255,20 @@ def test_a_scene_of_trimesh_is_one_mesh_with_its_poses():
     np.testing.assert_allclose(mesh.get_max_bound(), [5.5, 0.5, 0.5])
 
 
+def test_a_scene_must_contain_meshes_only():
+    class Scene:
+        geometry = None
+
+        def __init__(self, *parts):
+            self.dump = lambda: parts
+
+    box = loom.TriangleMesh.create_box()
+    assert len(loom.from_any(Scene(box, box))) == 2 * len(box)
+    for parts, count in (((), 0), ((loom.PointCloud(CUBE),), 1), ((box, loom.PointCloud(CUBE)), 1)):
+        with pytest.raises(TypeError, match=f"^geometry: expected a scene of meshes, got {count} other parts"):
+            loom.from_any(Scene(*parts))
+
+
 # ------------------------------------------------------------------------------------------------ replacements
 
 

@@ -21,6 +21,7 @@ DECAY = 0.7  # of the weight, per level
 MAX_HOMONYMS = 12  # a name of an attribute with more definitions identifies none
 SAME_PACKAGE, SAME_WORD = 3.0, 2.0  # factors of test files whose path resembles that of the module
 SLOW = re.compile(r"\b(slow|nightly|taichi)\b")
+CALL = re.compile(r"\b[a-z]\w*(?:\(\))?\.(\w+)\(")  # as in "cloud.crop(box)"
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
@@ -33,7 +34,7 @@ class Definition(NamedTuple):
 
 @dataclass
 class Uses:
-    """What a definition uses: plain names, (object, attribute), and texts that are identifiers."""
+    """What a definition uses: plain names, (object, attribute), and texts: identifiers and calls in tables of calls."""
 
     names: set[str] = field(default_factory=set)
     attributes: set[tuple[str, str]] = field(default_factory=set)
@@ -95,8 +96,8 @@ def add_uses(module: Module, name: str, node: ast.AST) -> None:
             uses.attributes.add((getattr(part.value, "id", ""), part.attr))
         elif isinstance(part, ast.arg):
             uses.names.add(part.arg)  # a fixture, in tests
-        elif isinstance(part, ast.Constant) and isinstance(part.value, str) and part.value.isidentifier():
-            uses.texts.add(part.value)
+        elif isinstance(part, ast.Constant) and isinstance(part.value, str):
+            uses.texts |= {part.value} if part.value.isidentifier() else {*CALL.findall(part.value)}
 
 
 def imported_file(file: str, node: ast.ImportFrom, name: str, files: set[str]) -> tuple[str, str] | None:

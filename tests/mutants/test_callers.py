@@ -58,6 +58,16 @@ def test_a_fixture(tilted):
 def test_a_name():
     assert getattr(loom.Cloud(), "normals")()
 """,
+    "tests/pcd/test_table.py": """
+CALLS = '''
+cloud.normals()
+cloud.fit(1)
+'''
+
+def test_all_calls_of_a_table():
+    for call in CALLS:
+        eval(call)
+""",
     "tests/pcd/helpers.py": """
 def up():
     return loom.Cloud().normals()
@@ -89,6 +99,11 @@ def test_a_method_has_the_tests_that_name_it_first(graph):
     assert {*found[:2]} == {"test_normals", "test_a_name"}
     assert {"test_a_helper", "test_a_fixture"} < {*found} and "test_slow_normals" not in found
     assert found.index("test_planes") == len(found) - 1  # uses the class
+
+
+def test_a_table_of_calls_is_a_use_of_its_functions(graph):
+    assert "test_all_calls_of_a_table" in names(graph, "pcd/normals.py", "Cloud.normals")
+    assert "test_all_calls_of_a_table" not in names(graph, "pcd/normals.py", "Cloud.planes")
 
 
 def test_slow_tests_are_included_on_request(graph):

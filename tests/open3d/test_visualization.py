@@ -1,5 +1,6 @@
 """Windows under Open3D's names: browser pages, or images without a viewer, with Open3D's cameras."""
 
+import json
 import sys
 import threading
 from types import SimpleNamespace
@@ -102,6 +103,15 @@ def drawn(tmp_path):
 @pytest.fixture
 def box():
     return o3d.geometry.TriangleMesh.create_box(1, 2, 3).paint_uniform_color([1, 0, 0])
+
+
+def test_a_window_without_geometries_displays_a_cube_of_2_m_about_the_origin():
+    vis = o3d.visualization.Visualizer()
+    vis.create_window(visible=False)
+    for _ in range(2):
+        status = json.loads(vis.get_view_status())["trajectory"][0]
+        assert status["boundingbox_min"] == [-1] * 3 and status["boundingbox_max"] == [1] * 3
+        vis.reset_view_point(True)
 
 
 def test_an_image_is_captured_without_a_page(box, tmp_path):

@@ -18,6 +18,7 @@ from pointloom.cameras.undistortion import Undistortion
 from pointloom.io.frames.recordings import FrameRecorder
 
 from ..hostile import (
+    call_of,
     calls_of_clouds,
     faults_of,
     faults_of_clouds,
@@ -505,7 +506,7 @@ def check_arguments(call, arguments, every=True):
         good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
         of_clouds = argument in CLOUDS_ONLY and call not in TAKES_ARRAYS
         more = {"clouds": of_clouds, "finite": argument not in MAY_BE_INFINITE, "also": ALSO.get(call, "")}
-        faults += faults_of(lambda **given: eval(function, dict(values))(**given), good, argument, **more, every=every)
+        faults += faults_of(call_of(function, values), good, argument, **more, every=every)
     assert not faults, "\n".join(faults)
 
 

@@ -39,6 +39,16 @@ NAMES = {
     "raster": lambda cell=1.0, **given: loom.rasterize(
         loom.PointCloud(np.random.default_rng(0).random((5, 3)) * 100, classification=[2] * 5), cell, **given
     ),
+    "grid": loom.rasterize(loom.PointCloud(np.random.default_rng(0).random((20, 3))), 0.25, "dsm"),
+    "lines": loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]]),
+    "tilted": loom.OrientedBoundingBox([1, 0, 0], np.eye(3), [1, 1, 1]),
+    "stored": lambda **given: loom.GaussianSplats.from_cloud(
+        loom.PointCloud(
+            np.zeros((2, 3)),
+            **{"f_dc": np.zeros((2, 3)), "opacity": np.zeros(2), "scale": np.zeros((2, 3)), "rot": np.ones((2, 4))}
+            | given,
+        )
+    ),
     "splats": lambda **given: loom.GaussianSplats(
         **{"centers": [[0, 0, 0]] * 2, "scales": [[1, 1, 1]] * 2, "rotations": [[1, 0, 0, 0]] * 2}
         | {"opacities": [0.5, 0.5], "harmonics": [[0, 0, 0]] * 2}
@@ -46,6 +56,25 @@ NAMES = {
     ),
 }
 VALUES = """
+loom.profile(grid, [[0, 0], [1, 1]], width=1.0) | width: expected None for a raster
+loom.profile(grid, [[0, 0], [1, 1]], spacing=1e-9) | spacing: 1e-09 gives more than 2^24 positions
+loom.profile(grid, [[1, 1], [1, 1]]) | line: expected two different vertices
+loom.profile(cloud, [[0, 0], [1, 1]]) | width: expected the width of the strip for a cloud, got None
+loom.profile(cloud, [[0, 0], [1, 1]], width=1.0, spacing=1.0) | spacing: expected None for a cloud
+loom.profile(cloud, [[0, 0, 0], [1, 1, 1]], width=1.0) | line: expected two or more vertices, shape (m, 2)
+grid.contour_lines(interval=1e-9) | interval: 1e-09 gives more than
+grid.contour_lines(levels=np.linspace(0, 1, 200_000)) | levels: expected at most
+lines.get_line_coordinate(1) | line_index: expected one of 1 lines, got 1
+tilted.scale(1e300) | scale: expected a factor that keeps the box within
+tilted.scale(2, [1e300, 0, 0]) | center
+cloud.region_growing(min_cluster_size=5, max_cluster_size=4) | max_cluster_size: expected at least min_cluster_size = 5
+cloud.region_growing(max_nn=1) | max_nn
+stored(scale=np.zeros((2, 2))) | cloud: expected scale of shape ['n', 3]
+stored(opacity=np.zeros((2, 1))) | cloud: expected opacity of shape ['n']
+stored(f_rest=np.zeros((2, 10))) | cloud: expected f_rest of 9, 24, 45 or 72 columns, got [2, 10]
+stored(f_rest=np.zeros((2, 6))) | cloud: expected f_rest of 9, 24, 45 or 72 columns, got [2, 6]
+loom.GaussianSplats.concatenate([]) | splats: expected at least one set, got none
+loom.rasterize(loom.PointCloud(np.eye(3), intensity=np.ones((3, 2))), 1.0, "intensity") | intensity: expected one number
 loom.PointCloud(np.zeros((3, 100))) | points: expected shape [n, 3], got [3, 100]
 loom.PointCloud([[1e300, 0, 0], [-1e300, 0, 0]]) | beyond the float32 range
 loom.PointCloud(origin=[0, 0]) | origin
@@ -275,6 +304,8 @@ loom.WorldFrame(0.0, 181.0) | longitude
 loom.WorldFrame(0.0, 0.0, 2e5) | altitude
 """
 TYPES = """
+cloud.to_unit(None) | unit: expected the name of a unit, got None
+loom.profile(np.eye(3), [[0, 0], [1, 1]], width=1.0) | surface: expected a PointCloud or Raster, got ndarray
 loom.PointCloud([[0, 0, 0], [1, 1]]) | points: expected numbers
 loom.PointCloud(np.zeros((2, 3), complex)) | points: expected real numbers, got complex128
 loom.PointCloud([[0, 0, 0]], ring=['a']) | ring: expected real numbers

@@ -219,7 +219,7 @@ def check_argument(call, argument, every):
     values = things()
     good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
     kinds = {"clouds": argument in CLOUDS_ONLY, "finite": (call, argument) not in MAY_BE_INFINITE, "every": every}
-    faults = hostile.faults_of(lambda **given: eval(function, dict(values))(**given), good, argument, **kinds)
+    faults = hostile.faults_of(hostile.call_of(function, values), good, argument, **kinds)
     assert not faults, "\n".join(faults)
 
 

@@ -16,6 +16,16 @@ from .test_hostile_arguments import things as good_arguments
 
 # One line per case: the beginning of the message as a regular expression, and the call over `things()`.
 VALUE_ERRORS = r"""
+stations: expected at least one, got none | reg.register_stations([])
+level_sigma: requires level=True | reg.register_stations([source, target], level=False, level_sigma=0.1)
+position_sigma: requires positions= | reg.register_stations([source, target], position_sigma=0.1)
+positions: expected numbers, or NaN | reg.register_stations([source, target], positions=[[inf, 0, 0], [0, 0, 0]])
+targets\[0\]: expected a station from 0 to 1, got 2 | reg.register_stations([source, target], targets=[reg.TargetObservation(2, "A", [0, 0, 0])])
+targets\[1\]: station 0 has 'A' twice | reg.register_stations([source, target], targets=[seen, seen])
+control\[1\]: 'A' is duplicated | reg.register_stations([source, target], targets=[seen], control=[held, held])
+voxel_size: 1e-12 gives more than | reg.register_stations([source, target], voxel_size=1e-12)
+names: expected 2 different ones, one per station, got 1 | reg.register_stations([source, target], names=["a", "a"])
+names: expected 2 different ones, one per station, got 3 | reg.register_stations([source, target], names=["a", "b", "c"])
 k: | reg.RobustKernel.huber(0)
 k: | reg.RobustKernel.cauchy(-1)
 k: | reg.RobustKernel.geman_mcclure(inf)
@@ -209,6 +219,9 @@ fragments: .*0 nodes | loom.rgbd.run_slac_optimizer_for_fragments([], reg.PoseGr
 cloud: .*larger grid_size | loom.rgbd.ControlGrid(1e-6).touch(target.translate([5e5, 0, 0]))
 """  # noqa: E501
 TYPE_ERRORS = r"""
+level: expected True or False, got 'yes' | reg.register_stations([source, target], level="yes")
+targets\[0\]: expected TargetObservation | reg.register_stations([source, target], targets=["A"])
+control\[0\]: expected ControlPoint | reg.register_stations([source, target], targets=[seen], control=["A"])
 sources\[1\]: | reg.registration_icp_batch([source, 3], target, 0.1)
 free: | reg.Constraint(free="x")
 prior: | reg.Constraint(prior=pose)

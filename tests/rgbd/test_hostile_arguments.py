@@ -15,7 +15,7 @@ from pointloom import registration
 from pointloom.rgbd.reconstruction.volumes import integrate_deformed
 from pointloom.rgbd.slam.submaps import Submap
 
-from ..hostile import faults_of, missing_from, public_arguments, read_table
+from ..hostile import call_of, faults_of, missing_from, public_arguments, read_table
 from .fusion.walls import Wall
 from .reconstruction.walks import ShortSequence, config
 from .sequences import CAMERA, turning_path, waves
@@ -180,7 +180,7 @@ def test_the_tables_name_every_argument_of_every_public_call():
 def good_call(package, call):
     function, expressions = TABLES[package][call]
     good = {name: eval(expression, dict(things(package))) for name, expression in expressions.items()}
-    return lambda **given: eval(function, dict(things(package)))(**given), good
+    return call_of(function, things(package)), good
 
 
 @pytest.mark.parametrize(("package", "call"), GOOD)

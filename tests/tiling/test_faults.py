@@ -16,8 +16,87 @@ from pointloom.tiling import tasks
 from pointloom.tiling.manifest import DISTRIBUTES, Manifest, worker_lock
 from pointloom.tiling.runners import retry_tiles
 from pointloom.tiling.status import tile_status
+from pointloom.tiling.steps.parse import KNOWN, parse_steps
 
+from ..hostile import call_of, faults_of, missing_from, public_arguments, read_table
 from .scenes import CORNER, RADIUS, SIDE, STEP, finished, plan_of, rows_of, survey, tiled
+
+# One line per call: the function and a valid value of each argument. No job exists, so that nothing is run.
+CALLS = """
+loom.tiling.plan_tiles(sources=["scan.las"], steps=[{"step": "estimate_normals"}], folder="job", size=10.0, points=None, only=None, only_crs=None, output="laz", progress=None)
+loom.tiling.run_tiles(folder="tiles", workers=1, part=None, tile=None, scheduler=None, security=None, device="cpu", functions=(), progress=None)
+loom.tiling.retry_tiles(folder="tiles")
+loom.tiling.finish_tiles(folder="tiles", path=None, output=None, workers=1, progress=None)
+loom.tiling.plan_registration(scans=["scan.las", "scan.las"], folder="job", voxel_size=0.5, places=None, place_error=0.0, neighbors=None, pairs=None, known=(), max_similar=8, free=None, seed=0)
+loom.tiling.plan_fusion(frames="frames", folder="job", voxel_size=0.1, size=2.0, truncation=0.4, depth_max=3.0, weight_threshold=0.0, layout="auto", intrinsic=None, depth_scale=1000.0, every=1)
+loom.tiling.run_job(folder="scans", workers=1, part=None, device="cpu", progress=None)
+loom.tiling.retry_job(folder="scans")
+loom.tiling.job_status(folder="scans")
+loom.tiling.finish_registration(folder="scans")
+loom.tiling.finish_fusion(folder="scans", path=None)
+"""  # noqa: E501
+TABLE = read_table(CALLS, {})
+
+
+def test_the_table_names_every_argument_of_every_public_call():
+    assert missing_from(TABLE, public_arguments(loom.tiling, set())) == {}
+
+
+@pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("call", TABLE)
+def test_a_hostile_value_of_a_job_is_rejected_by_name(tmp_path, monkeypatch, call, every):
+    monkeypatch.chdir(tmp_path)
+    loom.write_point_cloud("scan.las", loom.PointCloud(np.eye(3)))
+    function, expressions = TABLE[call]
+    good, faults = {name: eval(text) for name, text in expressions.items()}, []
+    for argument in good:
+        faults += faults_of(call_of(function, {"loom": loom}), good, argument, every=every)
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"size": 10.0, "points": 1000}, "size, points: expected one of them, got both"),
+        ({"size": 1e-7}, "size: expected at most"),
+        ({"output": "las"}, "output: expected 'laz' or 'copc', got 'las'"),
+        ({"only_crs": "EPSG:25832"}, "only_crs: expected polygons in only="),
+        ({"only": [[0, 0], [1, 0]]}, "only: expected at least three corners, got 2"),
+        ({"only": [0, 0, np.nan, 1]}, "only: expected finite"),
+    ],
+)
+def test_options_that_contradict_or_exceed_are_rejected_when_planned(files, tmp_path, options, message):
+    with pytest.raises(ValueError, match=f"^{message}"):
+        loom.tiling.plan_tiles(files, RADIUS, tmp_path / "job", **options)
+    assert not (tmp_path / "job").exists()
+
+
+@pytest.mark.parametrize("part", [3, "1/4", (1, 2, 3), (5, 4), (0, 4), (1, 0), (1.5, 4), (1, 2.5), (1, "4")])
+def test_a_part_that_does_not_exist_is_rejected(job, part):
+    with pytest.raises((TypeError, ValueError), match=r"^part: expected"):
+        loom.tiling.run_tiles(job, part=part)
+
+
+REQUIRED = {"other": ["a.las"], "to_crs": "EPSG:25833", "call": "os:getenv"}  # of other kinds than numbers
+GOOD = {"m3c2": {"normal_radii": 1.0, "core_spacing": 1.0}, "crop": {"min_bound": [0, 0, 0], "max_bound": [1, 1, 1]}}
+FOUND_LATER = {"wkt", "scales", "offsets", "crs"}  # computed by planning, and the system that writing looks up
+PARAMETERS = [
+    (name, parameter)
+    for name, step in KNOWN.items()
+    for parameter in (*step.required, *step.defaults)
+    if parameter not in {*REQUIRED, *FOUND_LATER, "arguments"}
+]
+
+
+@pytest.mark.parametrize(("name", "parameter"), PARAMETERS)
+def test_every_parameter_of_a_step_rejects_wrong_values_by_name(name, parameter):
+    step = KNOWN[name]
+    good = {"step": name} | {required: REQUIRED.get(required, 4) for required in step.required} | GOOD.get(name, {})
+    default = step.defaults.get(parameter, 4)
+    is_number = isinstance(default, int | float) and not isinstance(default, bool)
+    for wrong in ({"a": 1}, [[1]], *(("much", np.nan, -1) if is_number else ())):
+        with pytest.raises((TypeError, ValueError), match=rf"\b{parameter}\b"):
+            parse_steps([good | {parameter: wrong}])
 
 
 @pytest.mark.parametrize(

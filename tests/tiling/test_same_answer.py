@@ -178,6 +178,15 @@ def test_files_far_from_the_area_are_not_sorted_into_tiles(tmp_path):
     np.testing.assert_array_equal(rows_of(result), rows_of(expected.select_by_mask(mask)))
 
 
+def test_files_beside_an_area_at_either_end_are_sorted_into_tiles_at_once(tmp_path):
+    files = strips(tmp_path)
+    for name, low, expected in (("low", 2.0, [0, 1]), ("high", SIDE - 6, [2, 3])):
+        low = CORNER[:2] + low
+        area = [*low, *(low + 4)]
+        loom.tiling.plan_tiles(files, CHAINS["radius outliers"], tmp_path / name, size=10.0, only=area)
+        assert sorted_sources(tmp_path / name) == expected
+
+
 @pytest.mark.slow
 def test_a_source_file_is_sorted_into_tiles_on_demand(tmp_path, monkeypatch, two_workers):
     files = strips(tmp_path)

@@ -9,7 +9,7 @@ import pytest
 
 import pointloom as loom
 
-from ..hostile import faults_of, faults_of_clouds, missing_from, public_arguments, read_table
+from ..hostile import call_of, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
 
 CALLS = """
 loom.render(geometries=cloud, camera=view, size=(16, 12), point_size=2.0, background=(1, 1, 1), shading="flat", labels=[("a", [0, 0, 0])], legend=[("a", (1, 0, 0))], color_bar=None, scale_bar=True, up="y", device="cpu")
@@ -75,7 +75,7 @@ def test_a_hostile_value_is_refused_by_name(call, argument):
     good = {name: eval(expression, dict(things())) for name, expression in expressions.items()}
     also = {"geometries": "points", "bounds": "zoom"}.get(argument, "")
     clouds = argument == "cloud"
-    faults = faults_of(lambda **more: eval(function, dict(things()))(**more), good, argument, also=also, clouds=clouds)
+    faults = faults_of(call_of(function, things()), good, argument, also=also, clouds=clouds)
     assert not faults, "\n".join(faults)
 
 

@@ -213,6 +213,8 @@ def write_trajectory(
     format = _output_format(path, format)
     if not isinstance(trajectory, Trajectory):
         raise TypeError(f"trajectory: expected a Trajectory, got {type(trajectory).__name__}")
+    if intrinsic is not None:
+        check_camera("intrinsic", intrinsic)
     check_writable(path, overwrite=overwrite)
     if not len(trajectory):
         raise ValueError("trajectory: expected at least one pose, got none")
@@ -221,7 +223,7 @@ def write_trajectory(
     if format == "json":
         if intrinsic is None:
             raise ValueError("intrinsic: the JSON format stores the camera with each pose, got None")
-        text = _format_json(trajectory, check_camera("intrinsic", intrinsic))
+        text = _format_json(trajectory, intrinsic)
     elif format == "tum":
         text = _format_tum(trajectory)
     elif format == "kitti":

@@ -101,7 +101,7 @@ def finish_tiles(
 
 
 def _check_output(path: FilePath | None, output: Any) -> None:
-    if output is not None and output not in FILES:
+    if output is not None and (not isinstance(output, str) or output not in FILES):
         raise ValueError(f"output: expected None or one of {', '.join(map(repr, FILES))}, got {shown(output)}")
     if path is None:
         return

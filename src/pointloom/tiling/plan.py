@@ -164,7 +164,7 @@ def plan_tiles(
     parsed = parse_steps(steps)
     with naming_file(steps):
         passed = resolve_functions(parsed)
-    if output not in OUTPUTS:
+    if not isinstance(output, str) or output not in OUTPUTS:
         raise ValueError(f"output: expected {' or '.join(map(repr, OUTPUTS))}, got {shown(output)}")
     if size is not None and points is not None:
         raise ValueError("size, points: expected one of them, got both")
@@ -280,9 +280,10 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         size = math.sqrt(area * min(1.0, fraction / total)) * (1 + 1e-9)
         size = float(f"{size:.3g}") or float(np.max(sources[0]["scales"]))
     size = check_positive("size", size)
-    shape = [int(n) for n in np.floor((high - low)[:2] / size) + 1]
-    if math.prod(shape) > MAX_TILES:
-        raise ValueError(f"size: expected at most {MAX_TILES:,} tiles, got {shape[0]:,} x {shape[1]:,} of size {size}")
+    with np.errstate(over="ignore"):
+        columns, rows = (np.floor((high - low)[:2] / size) + 1).tolist()
+    if columns * rows > MAX_TILES:
+        raise ValueError(f"size: expected at most {MAX_TILES:,} tiles, got {columns:,g} x {rows:,g} of size {size}")
     max_coordinate = float(max(np.abs(low - origin).max(), np.abs(high - origin).max()))
     spacing = math.sqrt(area / total)
     guesses = [step.radius if step.neighbors is None else 2 * spacing * math.sqrt(step.neighbors) for step in steps]
@@ -297,7 +298,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         "levels": max(levels_for(total), MIN_LEVELS),
         "corner": low[:2].tolist(),
         "size": size,
-        "shape": shape,
+        "shape": [int(columns), int(rows)],
         "slack": max(max_coordinate, 1.0) * _FLOAT32_ROUNDING,
         "most": max(MIN_POINTS, int(MAX_POINTS * total * min(1.0, size * size / area))),
         "only": only,
@@ -306,7 +307,8 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
 
 
 def _area_of(only: Any, crs: str | None, sources: list[dict[str, Any]]) -> list[Any] | None:
-    is_box = isinstance(only, list | tuple | np.ndarray) and np.shape(only[0] if len(only) else 0) == ()
+    is_row = isinstance(only, list | tuple) and np.shape(only[0] if only else 0) == ()
+    is_box = is_row or (isinstance(only, np.ndarray) and only.ndim < 2)
     if crs is not None and (only is None or is_box):
         raise ValueError("only_crs: expected polygons in only=")
     if only is None:

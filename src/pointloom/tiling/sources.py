@@ -7,7 +7,6 @@ Points are ordered by file and row for every tile. COPC files are read by window
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -17,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.atomic import restore_folder
-from ..core.checks import shown
+from ..core.checks import check_list, shown
 from ..core.errors import FileError
 from ..core.json_files import read_json_object
 from ..core.paths import path_of
@@ -44,7 +43,7 @@ ROW_BITS = 40  # bits of a point's key for its row. The rest is the file number
 
 def list_files(sources: Any) -> list[Path]:
     """Absolute unique paths of the files given by files, folders (LAS and LAZ, else other point files) and indexes."""
-    given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
+    given = [sources] if isinstance(sources, str | os.PathLike) else check_list("sources", sources, "paths")
     files: dict[Path, None] = {}
     for path in map(path_of, given):
         if "\0" in str(path):

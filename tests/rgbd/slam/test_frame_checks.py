@@ -49,6 +49,20 @@ def test_each_figure_counts_in_tracking(change, expected):
 
 
 @pytest.mark.parametrize(
+    ("rmse", "usual_gap", "expected"),
+    [
+        (0.06, 0.01, "lost"),
+        (0.06, 0.05, "tracked"),  # nearly the usual distance
+        (0.008, 0.001, "tracked"),  # a multiple of the usual distance, but millimeters
+        (0.06, np.nan, "tracked"),  # no usual distance yet
+    ],
+)
+def test_a_frame_much_farther_from_the_model_than_usual_is_lost(rmse, usual_gap, expected):
+    status, reason = judge_tracking(dataclasses.replace(GOOD, inlier_rmse=rmse), np.eye(4), usual_gap)
+    assert status == expected and reason.startswith("its distance from the model" if expected == "lost" else "")
+
+
+@pytest.mark.parametrize(
     ("change", "expected"),
     [
         ({}, "tracked"),

@@ -13,7 +13,14 @@ import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.core.up_axis import check_up
 from pointloom.kernels.memory import download
-from pointloom.visualization.render.geometries import CLOUD_COLORS, bounds_of, named_geometries, outer_faces, parts_of
+from pointloom.visualization.render.geometries import (
+    CLOUD_COLORS,
+    bounds_of,
+    kind_of,
+    named_geometries,
+    outer_faces,
+    parts_of,
+)
 from pointloom.visualization.render.parts import Lines, Points, Triangles
 from pointloom.visualization.render.picture_files import write_image
 from pointloom.visualization.render.styles import Style
@@ -80,6 +87,16 @@ def test_plain_objects_and_open3d_objects_are_accepted(o3d):
         low, high = bounds_of(parts_of(geometry, style))
         assert low == pytest.approx(0, abs=1e-6) and high == pytest.approx(1, abs=1e-6)
     assert download(parts_of(plain)[0].colors)[0] == pytest.approx(128 / 255)
+
+
+def test_an_object_with_a_legacy_form_is_drawn_as_that():
+    class Tensors:
+        def to_legacy(self):
+            return loom.PointCloud(CUBE)
+
+    [(name, geometry, style)] = named_geometries(Tensors())
+    assert name == "cloud" and bounds_of(parts_of(geometry, style))[1].tolist() == [1, 1, 1]
+    assert kind_of(Tensors()) == "cloud" and bounds_of(parts_of(Tensors()))[1].tolist() == [1, 1, 1]
 
 
 def test_open3d_tensor_geometries_are_drawn_like_legacy_ones(o3d):

@@ -232,6 +232,9 @@ def test_returning_to_a_view_shows_hidden_nodes_again(client, stream):
     stream.look(near)
     assert client.count("add") == sent, "nothing is sent twice"
     assert np.array_equal(np.sort(client.world(), axis=0), before)
+    for view in (FAR, near, FAR):
+        stream.look(view)
+        assert stream.drawn == len(client.world()), "nodes that are displayed again count once"
 
 
 def test_hidden_points_are_bounded(client, tree, monkeypatch):

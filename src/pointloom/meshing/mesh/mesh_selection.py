@@ -582,13 +582,13 @@ class MeshSelection(MeshArrays):
             >>> ball.slice_plane([0, 0, 0], [0, 0, 1], contour_values=[-0.5, 0, 0.5])
             LineSet(200 points, 200 lines)
         """
+        heights = check_finite("contour_values", np.atleast_1d(check_numeric("contour_values", contour_values)))
+        if heights.ndim != 1:
+            raise ValueError(f"contour_values: expected shape [k], got {list(heights.shape)}")
         if cap is not None:
             if not isinstance(cap, bool | np.bool_):
                 raise TypeError(f"cap: expected True, False or None, got {shown(cap)}")
             return self.clip_plane(point, normal, cap=bool(cap))
-        heights = check_finite("contour_values", np.atleast_1d(check_numeric("contour_values", contour_values)))
-        if heights.ndim != 1:
-            raise ValueError(f"contour_values: expected shape [k], got {list(heights.shape)}")
         (plane, mesh), points, lines = self._plane(point, normal), [np.zeros((0, 3))], []
         for height in heights.tolist():
             positions, ends = _section_at(mesh, plane._replace(offset=plane.offset - height))

@@ -18,7 +18,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera import PinholeCameraIntrinsic, check_camera
 from ...cameras.depth_range import DEPTH_MAX
 from ...core.atomic import atomic_write
 from ...core.checks import check_count, check_positive
@@ -253,16 +253,16 @@ def plan_fusion(
     cut = 4 * edge if truncation is None else check_positive("truncation", truncation)
     if cut < edge:
         raise ValueError(f"truncation: expected at least one voxel ({edge} m), got {cut} m. 4 voxels are usual")
-    blocks = BLOCKS_PER_SIDE if size is None else int(check_positive("size", size) / (BLOCK_SIDE * edge) * (1 + 1e-9))
-    if blocks < 1:
+    blocks = BLOCKS_PER_SIDE if size is None else check_positive("size", size) / (BLOCK_SIDE * edge) * (1 + 1e-9)
+    if not 1 <= blocks < 2**31:
         smallest = f"{BLOCK_SIDE} voxels ({BLOCK_SIDE * edge:g} m)"
-        raise ValueError(f"size: expected at least one block of {smallest}, got {size} m")
+        raise ValueError(f"size: expected 1 to 2^31 blocks of {smallest}, got {size} m")
     if weight_threshold is not None:
         weight_threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
-    camera = None if intrinsic is None else asdict(intrinsic)
+    camera = None if intrinsic is None else asdict(check_camera("intrinsic", intrinsic))
     plan: dict[str, Any] = {"layout": layout, "every": check_count("every", every), "depth_scale": depth_scale}
     plan |= {"frames": str(path_of(frames).absolute()), "leave_out": bool(leave_out)}
-    plan |= {"intrinsic": camera, "voxel_size": edge, "truncation": cut, "depth_max": farthest, "blocks": blocks}
+    plan |= {"intrinsic": camera, "voxel_size": edge, "truncation": cut, "depth_max": farthest, "blocks": int(blocks)}
     dataset = _open(plan)
     if not len(dataset):
         raise FileError(frames, "contains no frames that can be fused")

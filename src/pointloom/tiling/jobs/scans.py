@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write
-from ...core.checks import LARGEST_NUMBER, check_count, check_positive, check_rigid, check_seed, check_shape
+from ...core.checks import LARGEST_NUMBER, check_count, check_list, check_positive, check_rigid, check_seed, check_shape
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.json_fields import (
@@ -287,7 +287,7 @@ def plan_registration(
         >>> loom.tiling.finish_registration("job").poses[1, :3, 3].round(2).tolist()
         [-1.0, -2.0, -3.0]
     """
-    paths = [str(path_of(path).absolute()) for path in scans]
+    paths = [str(path_of(path).absolute()) for path in check_list("scans", scans, "paths")]
     size = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER)
     if not paths:
         raise ValueError("scans: expected at least one, got none")
@@ -380,7 +380,8 @@ def _accepted_pairs(done: Callable[[int], Iterator[Done]]) -> list[dict[str, Any
     return [task.result["pair"] for task in (*known, *rest)]
 
 
-def _check_prior_poses(poses: Sequence[Any], count: int) -> list[Any]:
+def _check_prior_poses(places: Sequence[Any], count: int) -> list[Any]:
+    poses = check_list("places", places, "poses, positions or None")
     if len(poses) != count:
         raise ValueError(f"places: expected {count}, a pose, a position or None for each scan, got {len(poses)}")
     checked = []

@@ -18,7 +18,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.attribute_hints import nearest_name
-from ...core.checks import check_count, check_direction, check_finite, check_positive, check_search, check_shape, shown
+from ...core.checks import (
+    check_count,
+    check_direction,
+    check_finite,
+    check_list,
+    check_positive,
+    check_search,
+    check_shape,
+    shown,
+)
 from ...core.errors import FileError, values_of_file
 from ...core.paths import input_path
 from ...core.units import UnitWarning, without_warnings
@@ -192,6 +201,7 @@ class Change(Compared):
         radii = check_radii(params["normal_radii"], params["direction"])
         params["normal_radii"] = radii.tolist() or None
         self.radius = max([math.hypot(radius, length), *radii.tolist()])
+        params["corner"] = check_finite("corner", check_shape("corner", params["corner"], (3,))).tolist()
         if params["core_spacing"] is not None:
             self.radius = max(self.radius, check_positive("core_spacing", params["core_spacing"]))
 
@@ -365,6 +375,8 @@ class Crop(Step):
             )
         if "polygon" not in given and self.params["polygon_crs"] is not None:
             raise ValueError("steps: crop: polygon_crs needs polygon")
+        if not isinstance(self.params["invert"], bool):
+            raise TypeError(f"steps: crop: invert: expected True or False, got {shown(self.params['invert'])}")
         if given == ["polygon"]:
             self.area = parse_area("steps: crop: polygon", self.params["polygon"])
             self.params["polygon"] = to_json(self.area)
@@ -495,10 +507,8 @@ def naming_file(steps: Any) -> Iterator[None]:
 
 
 def _parse(steps: Any) -> list[Step]:
-    if isinstance(steps, dict) or not hasattr(steps, "__iter__"):
-        raise TypeError(f"steps: expected a list of dictionaries or a .toml file, got {shown(steps)}")
     parsed = []
-    for given in steps:
+    for given in check_list("steps", steps, "dictionaries or a .toml file"):
         if not isinstance(given, dict) or not isinstance(given.get("step"), str):
             raise ValueError(f"steps: expected a dictionary with the name of a 'step', got {shown(given)}")
         params = {name: value for name, value in given.items() if name != "step"}
