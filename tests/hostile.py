@@ -115,6 +115,7 @@ def ignore_true_warnings() -> None:
         warnings.simplefilter("ignore", category)
     warnings.filterwarnings("ignore", "cloud: .* so no alpha gives a surface")
     warnings.filterwarnings("ignore", "mesh: triangle .* NaN or infinite")
+    warnings.filterwarnings("ignore", "k: .* neighbors join each of the")
 
 
 def warnings_of(call: Callable[[], Any]) -> list[str]:

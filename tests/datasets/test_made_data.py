@@ -11,7 +11,7 @@ from pointloom.datasets.scenes.room import surface_errors
 from ..hostile import public_arguments
 
 ARGUMENTS = [
-    (call, name) for call, names in public_arguments(loom.datasets, {"fetch"}).items() for name in sorted(names)
+    (call, name) for call, names in sorted(public_arguments(loom.datasets, {"fetch"}).items()) for name in sorted(names)
 ]
 
 
