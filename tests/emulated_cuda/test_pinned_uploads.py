@@ -130,6 +130,7 @@ def test_small_uploads_to_a_gpu_that_reads_pageable_memory_are_staged(emulated, 
     np.testing.assert_array_equal(download(target), [8, 9, 10, 11])
 
 
+@pytest.mark.filterwarnings("ignore:copies from and to a GPU use ordinary memory:RuntimeWarning")
 @pytest.mark.parametrize("how", ["write", "upload", "move", "not contiguous", "without Warp's parts"])
 @pytest.mark.parametrize("count", [4, COUNT])
 @pytest.mark.parametrize("locked_bytes", [0, None])
@@ -156,6 +157,7 @@ def test_a_page_locked_source_may_change(emulated, monkeypatch, how, count, lock
     np.testing.assert_array_equal(download(target), values)
 
 
+@pytest.mark.filterwarnings("ignore:copies from and to a GPU use ordinary memory:RuntimeWarning")
 def test_uploads_work_without_page_locked_memory(emulated, monkeypatch):
     monkeypatch.setattr(emulated.driver, "max_locked_bytes", 0)
     (target,) = arrays(1)

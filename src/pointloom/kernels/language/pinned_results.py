@@ -15,6 +15,7 @@ import ctypes
 import math
 import mmap
 import os
+import warnings
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -31,6 +32,7 @@ from .huge_pages import populate, request_huge_pages
 MIN_PINNED_BYTES = 1 << 20  # [B] smaller results take less than 0.1 ms in other memory
 SIZES_PER_POWER_OF_TWO = 8  # sizes per power of two, so that at most an eighth of a buffer is unused
 FRACTION_OF_MEMORY = 1 / 16  # of the host's memory, as locked pages cannot be swapped out or moved for other programs
+RESULTS_BEFORE_RETRY = 100  # results after a failure: a failed attempt maps and releases memory, milliseconds per 10 MB
 _REGISTER_PORTABLE = 1  # CU_MEMHOSTREGISTER_PORTABLE: page-locked for all GPUs
 _PRIVATE: Any = {"flags": mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS} if hasattr(mmap, "MAP_PRIVATE") else {}
 
@@ -63,6 +65,8 @@ class Pool:
         self.idle: list[Buffer] = []
         self.returned: deque[Buffer] = deque()  # by garbage collection in any thread, which must not wait for the lock
         self.fork_count = 0
+        self.refusals = 0  # results until memory is locked again after a failure
+        self.has_warned = False
 
     @property
     def size(self) -> int:
@@ -84,20 +88,35 @@ class Pool:
             self._drop(self.idle.pop(0))  # the one that has been idle longest
         if self.size + size > self.limit:
             return None
+        if self.refusals:
+            self.refusals -= 1
+            return None
         try:
             buffer = Buffer(size, context, self.fork_count)
-        except (MemoryError, OSError, AttributeError):  # AttributeError: the driver has no such function
-            self.limit = self.size  # until the memory is released
+        except (MemoryError, OSError, AttributeError) as error:  # AttributeError: the driver has no such function
+            self._refuse(error)
             return None
         self.buffers.add(buffer)
         return buffer
+
+    def _refuse(self, error: Exception) -> None:
+        """After a failure, which may pass: use other memory for the next results, and warn of the first one."""
+        if not self.has_warned:
+            self.has_warned = True
+            warnings.warn(
+                f"copies from and to a GPU use ordinary memory for now, which is slower: {error}. More pages can be "
+                "locked when other programs release theirs, or with a higher `ulimit -l`",
+                RuntimeWarning,
+                stacklevel=2,
+            )
+        self.refusals = RESULTS_BEFORE_RETRY
 
     def release(self) -> None:
         """Release idle memory."""
         self._collect()
         while self.idle:
             self._drop(self.idle.pop())
-        self.limit = None
+        self.limit, self.refusals = None, 0
 
     def _collect(self) -> None:
         """Make returned memory idle, or release it if it is from before a fork."""
