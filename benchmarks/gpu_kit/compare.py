@@ -48,6 +48,15 @@ def sized(sizes: tuple[int, ...], *names: str) -> tuple[str, ...]:
 ROWS = ("register_globally", "segment_plane", "planar_patches", "ransac")
 CHANGES = (
     Change(
+        "poses in batches, loads before stores",  # evidence of all poses at once, planes in a block, scans, selection
+        "59061b707^",
+        (
+            *sized((200_000,), "register_globally"),
+            *sized((1_000_000,), "normals_k30", "knn20_device"),
+            "decimation=128",
+        ),
+    ),
+    Change(
         "one kernel per sum, eight lanes per pixel",  # also balls, small blocks, solves and levels of one launch
         "08a77bf4",
         (
