@@ -47,6 +47,8 @@ KNOWN = {
     "search_nearest_of_lanes_kernel": "a sample of 200 points is searched for a radius with too few neighbors",
     "renew_level_kernel": "one block solves the coarse levels, whatever the number of samples",
     "fit_on_facets_kernel": "a thread has a facet of a hull, which has few",
+    "extract_planes_kernel": "a block finds three planes of a surface one after another; a call has many surfaces",
+    "find_sides_kernel": "a thread has a voxel of a surface",
 }
 
 
