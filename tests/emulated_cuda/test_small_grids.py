@@ -83,6 +83,8 @@ def consensus() -> Work:
 
 
 def launches_of(device: Device, work: Work) -> list[Launch]:
+    """The launches of a second call: the first one of a process also makes what later ones share."""
+    work()
     device.synchronize()
     with device.findings.recording() as launches:
         work()
