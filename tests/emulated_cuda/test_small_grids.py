@@ -39,7 +39,7 @@ SCENES = {
 }
 FEATURES = "a thread has a row of the features, of which there are as many as voxels"
 KNOWN = {
-    **dict.fromkeys(("find_nearest_rows_kernel", "count_angles_kernel", "sum_histograms_of_lanes_kernel"), FEATURES),
+    **dict.fromkeys(("count_angles_kernel", "sum_histograms_of_lanes_kernel"), FEATURES),
     "step_rows_in_lanes_kernel": "a warp has a row of an image, of which each pixel depends on the previous one",
     "score_in_lanes_kernel": "a warp has 512 pairs and eight poses: 256 poses and MAX_PAIRS give 32,768 threads",
     "fit_on_edges_kernel": "a thread has an edge of a hull: the smallest box so far ends the search of the next ones",

@@ -1,5 +1,7 @@
 """Feature matching against Open3D on real scans and against brute force, with filters and limits."""
 
+import itertools
+
 import numpy as np
 import pytest
 import warp as wp
@@ -8,6 +10,8 @@ from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 import pointloom as loom
+from pointloom.kernels.features import all_pairs
+from pointloom.kernels.features.all_pairs import MAX_COLUMNS, PairwiseMatch, StoredRows
 from pointloom.kernels.features.feature_matching import FeatureMatch, pair_features
 from pointloom.registration import correspondences_from_features
 
@@ -44,27 +48,40 @@ def expected_pairs(sqdists, mutual=False, fraction=0.1, ratio=None):
     return np.column_stack([rows, nearest[rows]])
 
 
-def matched_rows(a, b):
-    """The nearest row of b for each row of a, and the two smallest distances."""
-    match = FeatureMatch(a, b)
-    return match.nearest, match.sqdists, match.second_sqdists
+def searches_of(device, a, b):
+    """Both searches that the device supports for these rows: the tree, and all pairs of rows of up to 40 numbers."""
+    sides = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
+    yield FeatureMatch(*sides)
+    if a.shape[1] <= MAX_COLUMNS:
+        yield PairwiseMatch(*map(StoredRows, sides))
+
+
+def assert_searches_as_expected(device, a, b, sqdists):
+    """Nearest rows, both distances and the mutual filter of each search, bitwise."""
+    ordered = np.sort(np.column_stack([sqdists, np.full((len(a), 2), np.inf, np.float32)]), axis=1)
+    matched = np.isfinite(ordered[:, 0])
+    nearest = np.where(matched, sqdists.argmin(axis=1) if len(b) else 0, -1)
+    mutual = np.zeros(len(a), np.uint8)
+    mutual[expected_pairs(sqdists, True, 0)[:, 0]] = 1
+    for match in searches_of(device, a, b):
+        expected = (match.nearest, nearest), (match.sqdists, ordered[:, 0]), (match.second_sqdists, ordered[:, 1])
+        for actual, other in (*expected, (match.mutual(), mutual)):
+            assert np.array_equal(actual.numpy(), other), type(match).__name__
 
 
 def assert_all_as_expected(device, a, b):
-    """Indices, distances and every filter, bitwise."""
+    """Indices, distances and every filter, bitwise, by the tree and by all pairs."""
     a, b = np.float32(a), np.float32(b)
     sqdists = square_distances(a, b)
-    on_device = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
-    nearest, best, second = (x.numpy() for x in matched_rows(*on_device))
-    ordered = np.sort(np.column_stack([sqdists, np.full((len(a), 2), np.inf, np.float32)]), axis=1)
-    matched = np.isfinite(ordered[:, 0])
-    assert np.array_equal(nearest, np.where(matched, sqdists.argmin(axis=1) if len(b) else 0, -1))
-    assert np.array_equal(best, ordered[:, 0]) and np.array_equal(second, ordered[:, 1])
+    assert_searches_as_expected(device, a, b, sqdists)
     filters = (False, 0.1, None), (True, 0.1, None), (True, 0, None), (False, 0, 0.8), (True, 0, 0.8)
-    for mutual, fraction, ratio in filters:
-        result = correspondences_from_features(a, b, mutual, fraction, ratio=ratio, device=device)
+    for (mutual, fraction, ratio), max_rows in itertools.product(filters, (all_pairs.MAX_ROWS, -1)):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(all_pairs, "MAX_ROWS", max_rows)
+            result = correspondences_from_features(a, b, mutual, fraction, ratio=ratio, device=device)
         assert result.dtype == np.int32 and result.flags.writeable
-        assert np.array_equal(result, expected_pairs(sqdists, mutual, fraction, ratio)), (mutual, fraction, ratio)
+        expected = expected_pairs(sqdists, mutual, fraction, ratio)
+        assert np.array_equal(result, expected), (mutual, fraction, ratio, max_rows)
 
 
 def as_open3d(o3d, features):
@@ -147,7 +164,7 @@ def test_integers_with_ties_and_nans_match_brute_force(device, seed, d, rows, le
     assert_all_as_expected(device, a, b)
 
 
-@pytest.mark.parametrize("d", [1, 7, 16, 17, 33])
+@pytest.mark.parametrize("d", [1, 7, 16, 17, 33, 40, 41, 352])
 def test_matches_in_any_dimension_equal_brute_force(device, rng, d):
     """Clusters, where pruning excludes nearly all rows, and noise, where it excludes none."""
     middles = rng.normal(0, 5, (20, d))
@@ -193,14 +210,41 @@ def test_a_target_of_many_blocks_is_searched_completely(device, rng):
     assert len(mutual) > 150 and {(i, j) for i, j in mutual} == {(j, i) for i, j in back}
 
 
-def test_of_equal_rows_the_first_is_matched(device):
-    """As rows of zeros for points without neighbors; without this, a thousand would take a million comparisons."""
+@pytest.mark.parametrize("max_rows", [all_pairs.MAX_ROWS, -1], ids=["all pairs on CUDA", "tree"])
+def test_of_equal_rows_the_first_is_matched(device, monkeypatch, max_rows):
+    """As rows of zeros for points without neighbors; without this, a tree of a thousand would compare a million."""
+    monkeypatch.setattr(all_pairs, "MAX_ROWS", max_rows)
     a, b = np.zeros((3000, 33), np.float32), np.zeros((4000, 33), np.float32)
     b[:7] = 1
     result = correspondences_from_features(a, b, device=device)
     assert np.array_equal(result, np.column_stack([np.arange(3000), np.full(3000, 7)]))
     assert correspondences_from_features(a, b, True, 0.0, device=device).tolist() == [[0, 7]]
     assert len(correspondences_from_features(a, b, ratio=1.0, device=device)) == 0, "all are ambiguous"
+
+
+@pytest.mark.parametrize(("shape", "is_small"), [((50, 50), 1), ((51, 50), 0), ((50, 51), 0), ((0, 50), 1)], ids=str)
+@pytest.mark.parametrize("d", [1, 33, 40, 41])
+def test_on_cuda_all_pairs_replace_the_tree_up_to_a_number_of_rows_and_columns(
+    device, rng, monkeypatch, shape, is_small, d
+):
+    """Of integers, half of all rows have ties."""
+    a, b = (rng.integers(0, 3, (n, d)).astype(np.float32) for n in shape)
+    monkeypatch.setattr(all_pairs, "MAX_ROWS", 50)
+    sides = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
+    assert all_pairs.is_for_all_pairs(*sides) == (is_small and d <= 40 and device != "cpu")
+    expected = expected_pairs(square_distances(a, b), True, 0)
+    assert np.array_equal(pair_features(*sides, mutual=True, mutual_consistency_ratio=0).numpy(), expected)
+
+
+def test_unusable_rows_and_rows_of_zeros_match_the_same_rows_in_both_searches(device, rng):
+    """NaN, infinity and large numbers in each column, of some or all rows."""
+    for bad in (np.nan, np.inf, -np.inf, 1.1e15, -3e38):
+        a, b = rng.integers(0, 2, (2, 70, 33)).astype(np.float32)
+        a[::3], b[::4] = 0, 0
+        for x in (a, b):
+            x[rng.integers(0, 70, 33), np.arange(33)] = bad
+        assert_searches_as_expected(device, a, b, square_distances(a, b))
+    assert_searches_as_expected(device, a, np.full_like(b, np.nan), np.full((70, 70), np.float32(np.inf)))
 
 
 def pairs_of_fractions(o3d, a, b, fractions):

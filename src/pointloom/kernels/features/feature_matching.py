@@ -1,9 +1,10 @@
 """Nearest rows between two feature sets, one-way or mutual.
 
-Both sides get a FeatureTree with the same axes. For mutual matches, each claimed target row searches only within the
-distance of its nearest claimant, and stops at the first nearer row. One thread per query, without a stack: 16 child
-boxes are tested together, then rows by 6, 16 and all coordinates (60 groups and 30 full rows of 8,500 FPFH rows).
-Results are keys: squared distance bits above the row number, so ties go to the lower number.
+Small sets on CUDA are compared by all pairs (all_pairs.py). Otherwise both sides get a FeatureTree with the same axes.
+For mutual matches, each claimed target row searches only within the distance of its nearest claimant, and stops at the
+first nearer row. One thread per query, without a stack: 16 child boxes are tested together, then rows by 6, 16 and all
+coordinates (60 groups and 30 full rows of 8,500 FPFH rows). Results are keys: squared distance bits above the row
+number, so ties go to the lower number.
 """
 
 import math
@@ -11,7 +12,7 @@ import math
 import numpy as np
 
 from ..algebra.plain_min_max import larger, smaller
-from ..array_types import Array2, Mask
+from ..array_types import Array2, Indices, Mask
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.select import positions_of
 from ..lang import (
@@ -34,6 +35,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full, zeros
+from .all_pairs import NO_ROW, NO_ROW_KEY, PairwiseMatch, StoredRows, eight, is_for_all_pairs
 from .feature_tree import (
     BOX_AXES,
     FAN_OUT,
@@ -47,7 +49,6 @@ from .feature_tree import (
     find_axes,
 )
 
-NO_ROW_KEY = 0x7F80_0000_FFFF_FFFF  # above all other keys: infinite distance, no row
 LEVEL_BITS = 0xFFFF  # pending bits of one level
 UPPER_BITS = 0xFFFF_FFFF_0000  # pending bits of the upper levels
 EQUAL_ROWS = 1  # a group of equal rows ...
@@ -57,7 +58,6 @@ WIDEST_LIMIT = 3.0e38  # initial limit: below infinity, which marks missing chil
 MIN_PRODUCT = 1.0e-30  # covers subnormal products, whose rounding is not relative
 
 lanes = vector(16, float32)
-eight = vector(8, float32)
 closest = vector(2, int64)  # keys of the nearest row and the second nearest
 
 
@@ -234,7 +234,6 @@ def search_rows(
 
 
 CPU_RUN = 32  # queries per CPU thread: some 70 microseconds
-NO_ROW = -1  # index without a row
 
 
 @struct
@@ -266,9 +265,6 @@ class FeatureMatch:
     def _run(self) -> int:
         return 1 if self.device.is_cuda else CPU_RUN
 
-    def matched(self) -> Mask:
-        return compute(keep_matched_kernel, self.row_counts[0], [self.nearest], uint8, self.device)
-
     def mutual(self) -> Mask:
         claims = full(self.row_counts[1], NO_ROW_KEY, int64, self.device)
         launch(claim_rows_kernel, self.row_counts[0], [self.nearest, self.sqdists, claims])
@@ -276,13 +272,6 @@ class FeatureMatch:
         search = [run, self.target, self.source, self, claims, mask]
         launch(keep_mutual_kernel, -(-self.target.count // run), search)
         return mask
-
-    def pairs(self, mask: Mask) -> Array2[int32]:
-        """Selected (source, target) rows, int32 (m, 2), by source row (one sync)."""
-        rows = positions_of(mask)
-        pairs = empty((rows.size, 2), int32, self.device)
-        launch(write_pairs_kernel, rows.size, [rows, self.nearest, pairs])
-        return pairs
 
 
 @func
@@ -363,6 +352,14 @@ def write_pairs_kernel(rows: array(dtype=int32), nearest: array(dtype=int32), pa
     pairs[i, 1] = nearest[rows[i]]
 
 
+def pair_rows(nearest: Indices, mask: Mask) -> Array2[int32]:
+    """Selected (source, target) rows, int32 (m, 2), by source row (one sync)."""
+    rows = positions_of(mask)
+    pairs = empty((rows.size, 2), int32, nearest.device)
+    launch(write_pairs_kernel, rows.size, [rows, nearest, pairs])
+    return pairs
+
+
 def pair_features(
     source: Array2[float32],
     target: Array2[float32],
@@ -372,17 +369,20 @@ def pair_features(
     ratio: float | None = None,
 ) -> Array2[int32]:
     """Matched rows, int32 (k, 2), by source row; `mutual` ones unless below `mutual_consistency_ratio` of n."""
-    match = FeatureMatch(source, target, second=ratio is not None)
+    if is_for_all_pairs(source, target):
+        match = PairwiseMatch(StoredRows(source), StoredRows(target))
+    else:
+        match = FeatureMatch(source, target, second=ratio is not None)
     mask, pairs = None, None
     if mutual:
         mask = match.mutual()
-        pairs = match.pairs(mask)
+        pairs = pair_rows(match.nearest, mask)
         min_count = np.float32(mutual_consistency_ratio) * np.float32(source.shape[0])  # rounded as in Open3D
         if pairs.shape[0] < int(min_count):
             mask = None
     if mask is None:
-        mask, pairs = match.matched(), None
+        mask, pairs = compute(keep_matched_kernel, source.shape[0], [match.nearest], uint8, source.device), None
     if ratio is not None:
         launch(drop_ambiguous_kernel, mask.size, [match.sqdists, match.second_sqdists, float(ratio) ** 2, mask])
         pairs = None
-    return match.pairs(mask) if pairs is None else pairs
+    return pair_rows(match.nearest, mask) if pairs is None else pairs
