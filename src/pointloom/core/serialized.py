@@ -34,7 +34,7 @@ _RLock: Any = type(threading.RLock())
 
 
 class CallLock(_RLock):
-    """Re-entrant lock of an object that knows which thread runs a call.
+    """Re-entrant lock of an object, with the thread that runs a call.
 
     It is acquired by a `with` of the interpreter, which Ctrl-C does not part from the release. What is noted about
     threads may be old after Ctrl-C, so `announce` tries the lock before it raises.

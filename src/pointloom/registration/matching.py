@@ -47,9 +47,9 @@ def correspondences_from_features(
         TypeError, DeviceError: Features that are not real numbers, or on two devices.
 
     Notes:
-        Exact nearest rows in float32. 4 d + 200 B per row. Bitwise reproducible. Same rules as Open3D, which uses
-        float64 and does not define ties. Lowe, "Distinctive image features from scale-invariant keypoints", IJCV 60(2),
-        2004, section 7.1.
+        Exact nearest rows in float32. At most 4 d + 200 B per row and 1 MB. Bitwise reproducible. Same rules as Open3D,
+        which uses float64 and does not define ties. Lowe, "Distinctive image features from scale-invariant keypoints",
+        IJCV 60(2), 2004, section 7.1.
 
     Example:
         >>> import pointloom as loom
