@@ -2,7 +2,6 @@
 
 import inspect
 import pickle
-import threading
 import warnings
 from importlib.util import find_spec
 from types import ModuleType, SimpleNamespace
@@ -12,6 +11,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.attribute_hints import internal_names
+from pointloom.core.serialized import CallLock
 
 UNKNOWN = "no_such_argument"
 # Those of the standard library, and a base class that users derive from and do not call.
@@ -35,7 +35,7 @@ def public_calls():
                 if method.startswith("_") or method in internal_names(value):
                     continue
                 if inspect.isfunction(member):
-                    yield f"{name}.{method}", member.__get__(SimpleNamespace(_lock=threading.RLock()))
+                    yield f"{name}.{method}", member.__get__(SimpleNamespace(_lock=CallLock()))
                 elif isinstance(member, classmethod | staticmethod):
                     yield f"{name}.{method}", getattr(value, method)
 
