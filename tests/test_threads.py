@@ -13,7 +13,7 @@ import pytest
 
 import pointloom as loom
 import pointloom.open3d as o3d
-from pointloom.core.serialized import Serialized
+from pointloom.core.serialized import CallLock, Serialized
 from pointloom.datasets.scenes.room import room_sequence
 from pointloom.io.frames.datasets import Frame
 
@@ -293,6 +293,14 @@ def test_callbacks_that_use_each_others_objects_raise_in_one_thread(case, count,
     assert error.startswith(f"this {type(objects[0]).__name__} is in use by another thread, which waits for the call")
     with ThreadPoolExecutor(1) as pool:  # no lock is left behind
         [*pool.map(lambda each: each.status_counts, objects)]
+
+
+def test_a_ring_of_other_threads_does_not_hold_a_third_one(monkeypatch):
+    """What is noted about threads may be old after Ctrl-C."""
+    first, second = CallLock(), CallLock()
+    first.thread, second.thread = -1, -2
+    monkeypatch.setattr(CallLock, "waiting", {-1: second, -2: first})
+    assert first.announce(None) == threading.get_ident()
 
 
 def test_a_second_thread_that_only_waits_gets_its_result():

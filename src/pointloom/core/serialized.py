@@ -41,21 +41,27 @@ class CallLock(_RLock):
     """
 
     waiting: ClassVar[dict[int, CallLock]] = {}  # by thread: the lock that it waits for, or is about to acquire
+    looking = threading.Lock()  # for a ring of waiting threads
     thread = 0  # inside of a call
 
     def announce(self, owner: object) -> int:
         """Note that this thread, which is returned, is to wait. Raises RuntimeError if it would wait forever: the
         thread of the running call waits, directly or through others, for a call of this thread."""
         me = threading.get_ident()
-        CallLock.waiting[me] = wanted = self
-        while wanted is not None and wanted.thread not in (0, me):
-            wanted = CallLock.waiting.get(wanted.thread)
-        if wanted is None or wanted is self or not wanted.thread:
+        CallLock.waiting[me] = self
+        if self.thread in (0, me):
             return me
-        if self.acquire(blocking=False):
-            self.release()
-            return me
-        del CallLock.waiting[me]
+        with CallLock.looking:  # of several threads in a ring, the first one raises, and the others go on
+            wanted, seen = self, set[int]()
+            while wanted is not None and wanted.thread not in {0, me, *seen}:
+                seen.add(wanted.thread)
+                wanted = CallLock.waiting.get(wanted.thread)
+            if wanted is None or wanted.thread != me:
+                return me
+            if self.acquire(blocking=False):
+                self.release()
+                return me
+            del CallLock.waiting[me]
         raise RuntimeError(
             f"this {type(owner).__name__} is in use by another thread, which waits for the call that this thread is "
             "in: neither would end. Two objects must not use each other in their callbacks from two threads"
@@ -161,6 +167,7 @@ def _after_fork_in_parent() -> None:
 def _after_fork_in_child() -> None:
     known = {id(owner) for owner in _acquired}
     CallLock.waiting.clear()  # threads of the parent
+    CallLock.looking = threading.Lock()
     _after_fork_in_parent()
     for owner in list(_locked.values()):
         if id(owner) not in known:
