@@ -91,10 +91,11 @@ class Chain:
                 _remove(root / f"{name}{PART}")
                 _remove(root / f"{name}{OLD}")
             if not resume:
-                for name in names:
-                    _check_own(root, name, _listed(root, name))
-                for name in names:
-                    if _listed(root, name) is not None:
+                listed = {name: _listed(root, name) for name in names}
+                for name, own in listed.items():
+                    _check_own(root, name, own)
+                for name, own in listed.items():
+                    if own is not None:
                         _set_aside(root, name)
                     record_file(root, name).unlink(missing_ok=True)
                     _remove(root / f"{name}{OLD}")
