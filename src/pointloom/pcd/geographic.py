@@ -21,9 +21,9 @@ from ..core.units import METRE
 from ..kernels.algebra.transverse_mercator import Mercator, project_degrees, relative_degrees, split_degrees
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.origins import add_origin
-from ..kernels.arrays.run_medians import order_statistics
+from ..kernels.arrays.ranked_numbers import numbers_of_ranks
 from ..kernels.lang import int32
-from ..kernels.memory import upload
+from ..kernels.memory import download, upload
 from .point_arrays import check_cloud
 
 if TYPE_CHECKING:
@@ -51,9 +51,9 @@ def utm_epsg(cloud: PointCloud) -> int:
     _, _, count = _box_of(degrees)
     if not count:
         raise ValueError("cloud: expected a finite point to determine the UTM zone, got none. Pass epsg")
-    longitudes, latitudes, runs = split_degrees(degrees)
-    starts = upload(np.unique([0, count, degrees.size]), int32, cloud.device)
-    longitude, latitude = (float(order_statistics(v, runs, starts)[1][0]) for v in (longitudes, latitudes))
+    starts, ranks = (upload(numbers, int32, cloud.device) for numbers in ([0, degrees.size], [count // 2]))
+    medians = (numbers_of_ranks(coordinates, starts, ranks) for coordinates in split_degrees(degrees))
+    longitude, latitude = (float(download(median)[0]) for median in medians)  # sync
     return utm_zone(latitude, longitude)
 
 

@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from pointloom.kernels.arrays.run_medians import find_statistics, order_statistics
+from pointloom.kernels.arrays.ranked_numbers import numbers_of_ranks
 from pointloom.kernels.lang import float32, int32, uint8, vec3, vec4d
 from pointloom.kernels.memory import download, upload, write, zeros
 from pointloom.kernels.segmentation.ground import DIAGONAL_FRACTION, DILATION_SIGN, EROSION_SIGN, HeightGrid
@@ -125,25 +125,17 @@ def test_samples_needed_are_those_of_fischler_and_bolles():
     assert samples_needed(1e-7, 3, 0.99, 1000) == 1000
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 1000])
-def test_order_statistics_of_runs_match_numpy(device, rng, count):
-    runs = np.sort(np.concatenate([np.arange(7), rng.integers(0, 7, count)]))
-    values = rng.normal(size=len(runs)).astype(np.float32) * 10.0 ** rng.integers(-30, 30, len(runs))
-    values[::5] = rng.choice([0.0, -0.0, 1.0, -1.0], len(values[::5]))
+@pytest.mark.parametrize("scale", [1, 40, 300, 5000])
+def test_numbers_of_ranks_are_those_of_the_sorted_runs(device, rng, scale):
+    sizes = rng.integers(1, scale + 1, 9)
+    values = rng.normal(size=sizes.sum()) * 10.0 ** rng.integers(-30, 30, sizes.sum())
+    values[::5] = rng.choice([0.0, -0.0, 1.0, -1.0, np.inf, -np.inf], len(values[::5]))
     values = values.astype(np.float32)
-    starts = np.searchsorted(runs, np.arange(8))
-    arrays = upload(values, float32, device), upload(runs, int32, device), upload(starts, int32, device)
-    parts = [np.sort(values[a:b]) for a, b in pairwise(starts)]
-    expected = [[p[0] for p in parts], [p[len(p) // 2] for p in parts], [p[-1] for p in parts]]
-    np.testing.assert_array_equal(order_statistics(*arrays), expected)
-    several = upload(np.concatenate([values, -values[::-1], values]), float32, device)
-    statistics = download(find_statistics(several, *arrays[1:], 3)).reshape(3, 3, 7)
-    np.testing.assert_array_equal(statistics[0], expected)
-    np.testing.assert_array_equal(statistics[2], expected)
-    other = [np.sort(-values[::-1][a:b]) for a, b in pairwise(starts)]
-    np.testing.assert_array_equal(
-        statistics[1], [[p[0] for p in other], [p[len(p) // 2] for p in other], [p[-1] for p in other]]
-    )
+    starts = np.concatenate([[0], np.cumsum(sizes)])
+    for ranks in (np.zeros(9, int), sizes // 2, sizes - 1, rng.integers(0, sizes)):
+        expected = [np.sort(values[a:b])[rank] for (a, b), rank in zip(pairwise(starts), ranks, strict=True)]
+        arrays = upload(values, float32, device), upload(starts, int32, device), upload(ranks, int32, device)
+        np.testing.assert_array_equal(download(numbers_of_ranks(*arrays)), expected)
 
 
 def grid_of(heights, device):

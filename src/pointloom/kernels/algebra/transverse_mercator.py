@@ -5,17 +5,18 @@ Karney 2011, "Transverse Mercator with an accuracy of a few nanometers", equatio
 the sixth order). Series and recurrences only, no library sines.
 """
 
-from ..array_types import Integers, Points, Positions, Scalars
+from ..array_types import Points, Positions, Scalars
 from ..lang import (
+    INFINITY,
     NAN,
     array,
     compute,
     float32,
     float64,
     func,
-    int32,
     isfinite,
     kernel,
+    launch,
     sqrt,
     struct,
     tid,
@@ -167,25 +168,13 @@ def relative_degrees_kernel(degrees: array(dtype=vec3d), meridian: float64, out:
 
 
 @kernel
-def split_degrees_kernel(
-    degrees: array(dtype=vec3),
-    longitudes: array(dtype=float32),
-    latitudes: array(dtype=float32),
-    runs: array(dtype=int32),
-):
-    """Separate coordinates. Non-finite points are in the second run, as zeros."""
+def split_degrees_kernel(degrees: array(dtype=vec3), longitudes: array(dtype=float32), latitudes: array(dtype=float32)):
     i = tid()
     p = degrees[i]
-    run = int(1)
-    longitude = float(0.0)
-    latitude = float(0.0)
-    if isfinite(p):
-        run = 0
-        longitude = p[0]
-        latitude = p[1]
-    longitudes[i] = longitude
-    latitudes[i] = latitude
-    runs[i] = run
+    if not isfinite(p):
+        p = vec3(INFINITY, INFINITY, INFINITY)
+    longitudes[i] = p[0]
+    latitudes[i] = p[1]
 
 
 def project_degrees(degrees: Positions, to: Mercator) -> Positions:
@@ -198,9 +187,8 @@ def relative_degrees(degrees: Positions, meridian: float) -> Points:
     return compute(relative_degrees_kernel, degrees.size, [degrees, float(meridian)], vec3, degrees.device)
 
 
-def split_degrees(degrees: Points) -> tuple[Scalars, Scalars, Integers]:
-    """(longitudes, latitudes, runs) of `relative_degrees`. Finite points are run 0, others zeros in run 1."""
-    shape = degrees.size
-    longitudes, latitudes = empty(shape, float32, degrees.device), empty(shape, float32, degrees.device)
-    runs = compute(split_degrees_kernel, shape, [degrees, longitudes, latitudes], int32, degrees.device)
-    return longitudes, latitudes, runs
+def split_degrees(degrees: Points) -> tuple[Scalars, Scalars]:
+    """(longitudes, latitudes) of `relative_degrees`, infinite for points that are not finite."""
+    longitudes, latitudes = (empty(degrees.size, float32, degrees.device) for _ in range(2))
+    launch(split_degrees_kernel, degrees.size, [degrees, longitudes, latitudes])
+    return longitudes, latitudes

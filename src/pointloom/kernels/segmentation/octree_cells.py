@@ -140,7 +140,7 @@ def cover_cells_kernel(
     offsets: array(dtype=int32),
     numbers: array(dtype=int32),
     flat: array(dtype=int32),
-    passed: array(dtype=int32),
+    names: array(dtype=int32),
     covered: array(dtype=uint8),
 ):
     """1 for all points of cells that are flat or contain a flat one."""
@@ -149,7 +149,7 @@ def cover_cells_kernel(
     if flat[cell] == 1:
         covered[i] = 1
     if numbers[cell] >= 0:
-        if passed[numbers[cell]] == 1:
+        if names[numbers[cell]] >= 0:
             covered[i] = 1
 
 
@@ -197,6 +197,9 @@ class Octree:
         launch(list_points_kernel, count, arguments)
         return rows, runs, counts[:run_count]
 
-    def cover(self, passed: Integers) -> None:
-        arguments = [self.marks, self.offsets, self.numbers, self.flat, passed, self.covered]
+    def cover(self, names: Integers | None) -> None:
+        """Cover the tested cells of the last level with a name, int32 [r], and those that contain a flat cell."""
+        if names is None:
+            names = self.numbers  # without a tested cell
+        arguments = [self.marks, self.offsets, self.numbers, self.flat, names, self.covered]
         launch(cover_cells_kernel, self.rows.size, arguments)

@@ -7,7 +7,7 @@ rotation of minimum area.
 """
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -37,11 +37,7 @@ from ..lang import (
 )
 from ..memory import download, empty, fill, full, upload, upload_together
 from .cluster_labels import rename_labels_kernel
-from .planar_patches import RunPlanes, Runs
-
-if TYPE_CHECKING:
-    from .planar_patches import Runs
-
+from .planar_patches import NO_LIMITS, RunPlanes, Runs
 
 BOX_DIRECTIONS = 45  # of a box's first side over a quarter turn. A second pass subdivides a step
 SLICES_PER_BOX = 32  # threads per patch and direction
@@ -79,7 +75,7 @@ def measure_boxes_kernel(
 
 
 def tightest_boxes(
-    points: Points, runs: "Runs", centers: np.ndarray, directions: np.ndarray
+    points: Points, runs: Runs, centers: np.ndarray, directions: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Boxes along the normals [b, 3] with minimum face area, to a tenth of a degree. Returns float64 (centers [b, 3],
     rotations [b, 3, 3] with axes as columns and the normal last, extents [b, 3])."""
@@ -102,7 +98,7 @@ def tightest_boxes(
     return middle, np.transpose(sides, (0, 2, 1)), high - low
 
 
-def _measure(points: Points, runs: "Runs", centers: np.ndarray, axes: np.ndarray) -> Iterator[Any]:
+def _measure(points: Points, runs: Runs, centers: np.ndarray, axes: np.ndarray) -> Iterator[Any]:
     boxes = axes.shape[0] * axes.shape[1]
     extents = full(6 * boxes, INFINITY, float32, points.device)
     lows, highs = extents[: 3 * boxes], extents[3 * boxes :]
@@ -319,9 +315,9 @@ class Patches:
         chosen = np.zeros(len(self.grew), bool)
         chosen[selected] = True
         runs, planes = self._fit(chosen)
-        middles = download(concatenate_rows([planes.centers, planes.directions]))  # sync
-        centers, directions, edges = middles[: len(selected)], middles[len(selected) :], download(planes.edges)  # sync
-        boxes = tightest_boxes(self.points, runs, centers, directions)
+        numbers = download(planes.packed).view(np.float32)  # sync
+        edges = numbers[:, 6]
+        boxes = tightest_boxes(self.points, runs, numbers[:, 0:3], numbers[:, 3:6])
         order = np.argsort(-self.counts[selected], kind="stable")
         order = order[edges[order] >= shortest]
         centers, rotations, extents = boxes
@@ -333,19 +329,13 @@ class Patches:
     def _count(self) -> Integers:
         return count_numbers(self.labels, len(self.near))
 
-    def _ranked(self, values: np.ndarray) -> tuple[Integers, np.ndarray]:
-        """Ranks by decreasing value, and patches by rank, on the device and in NumPy."""
-        by_rank = np.argsort(-values, kind="stable")
-        ranks = np.empty(len(values), np.int32)
-        ranks[by_rank] = np.arange(len(values))
-        return upload(ranks, int32, self.device), by_rank
-
     def _grow(self, growing: np.ndarray) -> None:
         size, planes = self.labels.size, self._planes()
-        ranks, by_rank = self._ranked(self.similar)
-        by_rank = upload(by_rank, int32, self.device)
+        by_rank = np.argsort(-self.similar, kind="stable")
+        tables = [growing, np.argsort(by_rank, kind="stable"), by_rank]
+        chosen, ranks, by_rank = upload_together(tables, int32, self.device)
         offers, mask = full(size, NO_OFFER, int32, self.device), empty(size, uint8, self.device)
-        launch(mask_growing_kernel, size, [self.labels, upload(growing, int32, self.device), mask])
+        launch(mask_growing_kernel, size, [self.labels, chosen, mask])
         going = full(1, 1, int32, self.device)
         frontier = positions(size, self.device) if self.device.is_cuda else positions_of(mask)
 
@@ -379,33 +369,30 @@ class Patches:
             return False
         np.minimum.at(self.similar, targets, self.similar.copy())
         np.maximum.at(self.near, targets, self.near.copy())
-        names = upload(np.cumsum(is_remaining) - 1, int32, self.device)
-        arguments = [self.cloud, self._planes(), upload(targets, int32, self.device), names]
-        launch(hand_over_kernel, self.labels.size, arguments)
+        tables = [targets, np.cumsum(is_remaining) - 1, np.flatnonzero(is_remaining)]
+        onto, names, rows = upload_together(tables, int32, self.device)
+        launch(hand_over_kernel, self.labels.size, [self.cloud, self._planes(), onto, names])
         for name in ("similar", "near", "fitted", "grew"):
             setattr(self, name, getattr(self, name)[is_remaining])
-        rows = upload(np.flatnonzero(is_remaining), int32, self.device)
         self.centers, self.directions = gather_rows(self.centers, rows), gather_rows(self.directions, rows)
         self.counts = download(self._count()).astype(np.int64)  # sync
         return True
 
-    def _runs(self, chosen: np.ndarray) -> tuple[Runs, np.ndarray]:
-        mask = empty(self.labels.size, uint8, self.device)
-        launch(mask_growing_kernel, self.labels.size, [self.labels, upload(chosen, int32, self.device), mask])
-        rows, patches = positions_of(mask, int(self.counts[chosen].sum())), np.flatnonzero(chosen)
+    def _fit(self, chosen: np.ndarray) -> tuple[Runs, RunPlanes]:
+        """Fit the planes of some patches to their points: one run each."""
+        patches, device = np.flatnonzero(chosen), self.device
+        tables = [chosen, np.cumsum(chosen) - 1, self.counts[patches], patches]
+        inside, names, counts, numbers = upload_together(tables, int32, device)
+        mask = empty(self.labels.size, uint8, device)
+        launch(mask_growing_kernel, self.labels.size, [self.labels, inside, mask])
+        rows = positions_of(mask, int(self.counts[chosen].sum()))
         _, order = argsort_keys(gather_keys(self.labels, rows), max(1, len(chosen).bit_length()))
         rows = gather_rows(rows, order)
-        names = np.full(len(chosen), -1)
-        names[patches] = np.arange(len(patches))
-        runs = gather_rows(self.labels, rows)
-        launch(rename_labels_kernel, runs.size, [upload(names, int32, self.device), runs])
-        return Runs(rows, runs, upload(self.counts[patches], int32, self.device)), patches
-
-    def _fit(self, chosen: np.ndarray) -> tuple[Runs, RunPlanes]:
-        runs, patches = self._runs(chosen)
-        rows = upload(patches, int32, self.device)
-        planes = runs.fit(self.points, self.normals, gather_rows(self.directions, rows))
-        arguments = [rows, planes.centers, planes.directions, self.centers, self.directions]
-        launch(write_planes_kernel, rows.size, arguments)
+        of_rows = gather_rows(self.labels, rows)
+        launch(rename_labels_kernel, of_rows.size, [names, of_rows])
+        runs = Runs(rows, of_rows, counts)
+        planes = RunPlanes(self.points, self.normals, runs, gather_rows(self.directions, numbers), NO_LIMITS)
+        arguments = [numbers, planes.centers, planes.directions, self.centers, self.directions]
+        launch(write_planes_kernel, numbers.size, arguments)
         self.fitted = np.where(chosen, self.counts, self.fitted)
         return runs, planes
