@@ -1,6 +1,7 @@
 """Arrays of other libraries on a GPU: no copy through the host, and streams that wait for each other by events."""
 
 import contextlib
+import pickle
 import sys
 from types import ModuleType, SimpleNamespace
 
@@ -154,6 +155,20 @@ def test_no_array_goes_through_the_host(everything, traffic, name):
     largest = max([0, *sizes["wp_memcpy_d2h"], *sizes["wp_memcpy_h2d"]])
     assert largest < max(2 * COUNT, RETAINED.get(name, 0) + 1), sizes  # bytes: less than any array of a number a point
     assert not sizes["wp_cuda_context_synchronize"]
+
+
+def test_a_rendered_surface_is_copied_by_the_arrays_that_are_read(everything, traffic):
+    depth, color = np.full((60, 80), 1000, np.uint16), np.full((60, 80, 3), 200, np.uint8)
+    volume = loom.TSDFVolume(voxel_size=0.1, device=DEVICE)
+    volume.integrate(depth, everything.camera, np.eye(4), color=color)
+    with traffic() as sizes:
+        view = volume.ray_cast(everything.camera, np.eye(4), weight_threshold=0)
+        before = sum(sizes["wp_memcpy_d2h"])
+        assert view.depth is view.depth and view.depth.any()
+        assert before < 1000 and sum(sizes["wp_memcpy_d2h"]) == before + view.depth.nbytes
+    again = pickle.loads(pickle.dumps(view))
+    for name in ("depth", "points", "normals", "colors"):
+        np.testing.assert_array_equal(getattr(again, name), getattr(view, name))
 
 
 def test_pending_writes_on_the_callers_stream_are_awaited(library, surface):

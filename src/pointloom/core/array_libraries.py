@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -119,9 +120,13 @@ class Form(NamedTuple):
         return hand_out(array, self.library, dtype=dtype, shape=shape, on_host=self.on_host)
 
     def hand_out_all(
-        self, arrays: Mapping[str, wp.array], types: Mapping[str, DTypeLike], *, shape: tuple[int, ...] | None = None
-    ) -> dict[str, Any]:
-        """Return results of one shape by name with one synchronization; `types` are changed types."""
+        self,
+        arrays: Mapping[Any, wp.array],
+        types: Mapping[Any, DTypeLike] = MappingProxyType({}),
+        *,
+        shape: tuple[int, ...] | None = None,
+    ) -> dict[Any, Any]:
+        """Return results by name with one synchronization; `types` are changed types, `shape` is that of all."""
         if self.library != NUMPY:
             return {name: self.hand_out(values, dtype=types.get(name), shape=shape) for name, values in arrays.items()}
         read = read_together([*arrays.values()])  # sync

@@ -140,7 +140,7 @@ class NearestNeighborSearch(HintedNames):
 
         def part(begin: int, end: int) -> tuple[Any, ...]:
             points = batch.points if end - begin == batch.points.size else batch.points[begin:end]
-            return tuple(map(batch.form.hand_out, search(points)))
+            return tuple(batch.form.hand_out_all(dict(enumerate(search(points)))).values())
 
         if batch.form.library != NUMPY or batch.points.device.is_cpu:
             return part(0, batch.points.size)

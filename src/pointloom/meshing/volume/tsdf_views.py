@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -17,10 +19,11 @@ from ...kernels.volumes.block_rows import SeenBlocks
 from ...kernels.volumes.ray_images import RayImages
 from ...kernels.volumes.tsdf_raycast import cast_rays
 
+Matrix = NDArray[np.float64]
 
-@dataclass(frozen=True)
+
 class RayCast:
-    """Rendered surface, in arrays of the frames' library.
+    """Rendered surface, in arrays of the frames' library. An array is copied from a GPU when it is first read.
 
     Attributes:
         depth: float32 (h, w) along z [m]. 0 without surface.
@@ -29,10 +32,35 @@ class RayCast:
         colors: float32 (h, w, 3) in 0..1, or None.
     """
 
-    depth: NDArray[np.float32]
-    points: NDArray[np.float64]
-    normals: NDArray[np.float32]
-    colors: NDArray[np.float32] | None
+    def __init__(
+        self, images: RayImages, camera: PinholeCameraIntrinsic, origin: NDArray[np.float64], library: str
+    ) -> None:
+        self._images, self._origin, self._library = images, origin, library
+        self._shape = camera.height, camera.width
+
+    @cached_property
+    def depth(self) -> NDArray[np.float32]:
+        return hand_out(self._images.depth, self._library, shape=self._shape)
+
+    @cached_property
+    def points(self) -> NDArray[np.float64]:
+        return hand_out(add_origin(self._images.points, self._origin), self._library, shape=self._shape)
+
+    @cached_property
+    def normals(self) -> NDArray[np.float32]:
+        return hand_out(self._images.normals, self._library, shape=self._shape)
+
+    @cached_property
+    def colors(self) -> NDArray[np.float32] | None:
+        has_colors = self._images.has_colors
+        return hand_out(self._images.colors, self._library, shape=self._shape) if has_colors else None
+
+    def __repr__(self) -> str:
+        height, width = self._shape
+        return f"RayCast of {width} x {height} pixels"
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in ("_shape", "depth", "points", "normals", "colors")}
 
 
 @dataclass(frozen=True)
@@ -59,21 +87,15 @@ def check_view(intrinsic: object, depth_min: float, depth_max: float, weight_thr
 def cast_view(
     seen: SeenBlocks,
     camera: PinholeCameraIntrinsic,
-    T: NDArray[np.float64],
+    T: Matrix,
     limits: tuple[float, float],
-    origin: NDArray[np.float64],
+    origin: Matrix,
     colored: bool,
     library: str,
 ) -> RayCast:
     images = RayImages(camera.width * camera.height, seen.neighbors.device, points=True, colors=colored)
     cast_rays(seen, camera, T, limits[0], limits[1], images)
-    shape = (camera.height, camera.width)
-    return RayCast(
-        hand_out(images.depth, library, shape=shape),
-        hand_out(add_origin(images.points, origin), library, shape=shape),
-        hand_out(images.normals, library, shape=shape),
-        hand_out(images.colors, library, shape=shape) if colored else None,
-    )
+    return RayCast(images, camera, origin, library)
 
 
 def render_colors(
@@ -88,7 +110,7 @@ def render_colors(
 def render_maps(
     seen: SeenBlocks,
     camera: PinholeCameraIntrinsic,
-    T: NDArray[np.float64],
+    T: Matrix,
     limits: tuple[float, float],
     colored: bool,
     normals: bool,
