@@ -4,18 +4,24 @@ The mean of a wider neighborhood is on the concave side (the sign rule of Tombar
 plane the sign is random, which does not affect features.
 """
 
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
 from ..array_types import Points, Vectors
 from ..arrays.select import gather_rows, positions_of
 from ..extent.masks import mask_finite
 from ..lang import NAN, array, float64, kernel, launch, tid, vec3, vec3d
-from ..memory import full
+from ..memory import contiguous, download, full
 from ..search.bucket_walk import points_within
 from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import squared_radius
 
 MIN_NEIGHBORS = 5.0  # neighbors, including the point, that determine a surface
+SAMPLE_POINTS = 64
 MIN_VARIANCE_RATIO = 1.0e-3  # ratio of variances below which they are collinear, and the plane is arbitrary
 
 
@@ -68,3 +74,9 @@ class Surface:
 
     def __len__(self) -> int:
         return self.points.size
+
+    @cached_property
+    def sample(self) -> NDArray[np.float64]:
+        """About SAMPLE_POINTS of the points, to compare poses in meters, float64 (p, 3). One sync, the first time."""
+        some = self.points[:: max(1, len(self) // SAMPLE_POINTS)]
+        return download(contiguous(some)).astype(np.float64)  # sync

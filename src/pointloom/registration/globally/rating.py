@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_transformation
 from ...core.quaternions import nearest_rotations
-from ...kernels.memory import contiguous, download
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ..alignment import alignment_of
@@ -34,7 +33,6 @@ Matrix = NDArray[np.float64]
 POINT_TO_PLANE = TransformationEstimationPointToPlane()
 MIN_FITNESS_CHANGE = 1e-4  # change of the fraction of matched points that ends ICP
 MIN_ERROR_CHANGE = 1e-5  # of the match distance: error change that ends ICP
-COMPARED_POINTS = 64  # sample points for pose comparison
 
 
 def assess_registration(
@@ -167,7 +165,5 @@ def refine_poses(
 
 
 def moved_samples(surface: Surface, poses: NDArray[np.float64]) -> NDArray[np.float64]:
-    """About 64 surface points under each pose, float64 [k, p, 3], to compare poses in meters."""
-    some = surface.points[:: max(1, len(surface) // COMPARED_POINTS)]
-    points = download(contiguous(some)).astype(np.float64)  # sync
-    return np.einsum("kij,pj->kpi", poses[:, :3, :3], points) + poses[:, None, :3, 3]
+    """The surface's sample under each pose, float64 [k, p, 3]."""
+    return np.einsum("kij,pj->kpi", poses[:, :3, :3], surface.sample) + poses[:, None, :3, 3]
