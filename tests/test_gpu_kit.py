@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -301,3 +302,11 @@ def test_pieces_are_cut_into_calls_and_put_together_again(tmp_path):
         assert b"".join(path.read_bytes() for path in parts) == expected
     for folder in (tmp_path / "out").iterdir():
         assert sum(path.stat().st_size for path in folder.glob("*.part*")) <= 2 << 20
+
+
+def test_each_file_with_cuda_variants_is_on_the_page_of_gpus():
+    """Until a GPU has measured a variant, the page states which operation will."""
+    kernels, page = BENCHMARKS.parent / "src/pointloom/kernels", (BENCHMARKS.parent / "docs/gpu.md").read_text("utf-8")
+    files = [path for path in kernels.rglob("*.py") if re.search(r"^@\w+\.on_cuda$", path.read_text("utf-8"), re.M)]
+    missing = [name for name in (path.relative_to(kernels).as_posix() for path in files) if name not in page]
+    assert len(files) > 20 and not missing, f"add {missing} to docs/gpu.md, CUDA variants without a measured figure"
