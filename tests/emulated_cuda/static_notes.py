@@ -1,12 +1,16 @@
 """Notes about the PTX of kernels: float atomics, products that ptxas may fuse, approximations, local memory.
 
-    python tests/emulated_cuda/static_notes.py [file.ptx ...]
+    python tests/emulated_cuda/static_notes.py [--loops] [file.ptx ...]
 
-Without files: of all modules of pointloom in Warp's cache, which `make test-cuda-emulated` fills.
+Without files: of all modules of pointloom in Warp's cache, which `make test-cuda-emulated` fills. `--loops` lists the
+loops in which a load of an element waits for the store of the element before, as L and S in their order: the compiler
+keeps that order, since both could be the same address. Where they are not, load all elements first. The lists of two
+commits, compared with diff, show new loops.
 """
 
 import re
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -26,10 +30,36 @@ def cached_modules() -> list[Path]:
     return sorted(newest.values())
 
 
-def main(paths: list[Path]) -> int:
+def short_name(kernel: str) -> str:
+    return re.sub(r"_[0-9a-f]{8}_cuda_kernel_forward$", "", kernel)
+
+
+def waiting_loops(ptx: str) -> Iterator[tuple[str, str]]:
+    """(kernel, its loads and stores of global memory in order) of loops with a load after a store, twice or more."""
+    kernel, statements, labels = "", [], {}
+    for line in map(str.strip, ptx.splitlines()):
+        if entry := re.match(r"(?:\.visible )?\.entry (\w+)", line):
+            kernel, statements, labels = entry[1], [], {}
+        elif label := re.match(r"(\$L\w+):", line):
+            labels[label[1]] = len(statements)
+        elif line.endswith(";") and not line.startswith("."):
+            statements.append(line)
+            branch = re.search(r"bra(?:\.uni)?\s+(\$L\w+)", line)
+            if branch and branch[1] in labels:
+                body = statements[labels[branch[1]] :]
+                order = "".join("S" if "st.global" in s else "L" if "ld.global" in s else "" for s in body)
+                if re.search("SL+SL", re.sub("S+", "S", order)):
+                    yield kernel, order
+
+
+def main(paths: list[Path], loops: bool) -> int:
     failures = 0
     for path in paths:
         name = re.sub(r"_[0-9a-f]{7}\..*", "", path.name).removeprefix("wp_pointloom.kernels.")
+        if loops:
+            for kernel, order in waiting_loops(path.read_text("utf-8", "replace")):
+                print(f"{name}.{short_name(kernel)}: {order[:60]}")
+            continue
         try:
             kernels = translate(path.read_bytes().decode(errors="replace")).kernels
         except UnknownPtx as error:
@@ -37,11 +67,13 @@ def main(paths: list[Path]) -> int:
             print(f"{name}: {error}", file=sys.stderr)
             continue
         for kernel in kernels:
-            short = re.sub(r"_[0-9a-f]{8}_cuda_kernel_forward$", "", kernel.name)
             size = f"{kernel.statements} statements, {kernel.local_bytes} B of local memory"
-            print(f"{name}.{short}: {size}{'; ' if kernel.findings else ''}{'; '.join(kernel.findings)}")
+            print(
+                f"{name}.{short_name(kernel.name)}: {size}{'; ' if kernel.findings else ''}{'; '.join(kernel.findings)}"
+            )
     return 1 if failures else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main([Path(name) for name in sys.argv[1:]] or cached_modules()))
+    names = [name for name in sys.argv[1:] if name != "--loops"]
+    sys.exit(main([Path(name) for name in names] or cached_modules(), "--loops" in sys.argv))
