@@ -13,7 +13,7 @@ from pointloom.kernels.arrays.unique import UniqueKeys, cut_together
 from pointloom.kernels.lang import int32, int64
 from pointloom.kernels.memory import download, upload
 
-SIZES = [0, 1, 2, 255, 256, 257, 70_001]
+SIZES = [0, 1, 2, 255, 256, 257, sort.MAX_RANKED_KEYS, sort.MAX_RANKED_KEYS + 1, 70_001]
 
 
 def assert_sorted_stably(device, keys, bits, starts=None):

@@ -1,9 +1,9 @@
 """Stable sort of 64-bit keys.
 
-CUDA: Warp's radix sort. CPU: keys packed with positions if both fit into 63 bits, else Warp's radix sort. Packed keys
-are sorted by NumPy on one core, many by a radix sort on all cores, from the least significant digit on: every block of
-keys counts its digits, a scan gives the first place of each digit and block, and the blocks move their keys there. Both
-give the same order.
+CUDA: Warp's radix sort, and for a few keys their ranks among all, by a warp per key. CPU: keys packed with positions if
+both fit into 63 bits, else Warp's radix sort. Packed keys are sorted by NumPy on one core, many by a radix sort on all
+cores, from the least significant digit on: every block of keys counts its digits, a scan gives the first place of each
+digit and block, and the blocks move their keys there. All give the same order.
 """
 
 import itertools
@@ -12,10 +12,11 @@ import numpy as np
 import warp as wp
 
 from ..array_types import Device, Indices, Integers, Keys, LongIntegers
-from ..lang import array, compute, func, int32, int64, kernel, launch, struct, tid
+from ..lang import WARP, array, compute, func, int32, int64, kernel, launch, struct, tid
 from ..language import device_copies
 from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of
+from .lanes import sum_int_of_lanes
 
 # NumPy sorts fewer keys faster. Of more, the radix sort takes 12 ns per key and core (AMD Zen 4). NumPy takes 50 ns
 # there, and 4 ns on processors with fast compressing stores: only on one to three cores of those NumPy would be faster.
@@ -23,6 +24,9 @@ MIN_RADIX_KEYS = 1 << 14
 DIGIT_BITS = 8  # more places than pages of a small TLB would be slower
 DIGIT_VALUES = 1 << DIGIT_BITS
 MIN_BLOCK_KEYS, MAX_BLOCKS = 1 << 14, 64  # of a pass
+# Keys that CUDA ranks. Predicted for an H100, not measured: 6 us for so many, where a pass of 8 bits of the radix sort
+# takes 8 us at any number below 200,000, and a key has 30 to 63 bits.
+MAX_RANKED_KEYS = 4096
 MIN_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
 
 
@@ -49,6 +53,47 @@ def descending_keys(scores: Integers, max_score: int) -> LongIntegers:
     return compute(list_descending_keys_kernel, scores.size, [scores, max_score], int64, scores.device)
 
 
+@func
+def rank_of(i: int, own: int, count: int, keys: array(dtype=int64)) -> int:
+    """The number of smaller keys, and of equal keys before."""
+    rank = int(0)
+    for j in range(count):
+        if keys[j] < keys[own] or (keys[j] == keys[own] and j < own):
+            rank += 1
+    return rank
+
+
+@rank_of.on_cuda
+def rank_by_warp(i: int, own: int, count: int, keys: array(dtype=int64)) -> int:
+    key = keys[own]
+    before = int(0)
+    turns = (count + WARP - 1) // WARP
+    for turn in range(turns):
+        j = turn * WARP + i % WARP
+        if j < count:
+            other = keys[j]
+            if other < key or (other == key and j < own):
+                before += 1
+    return sum_int_of_lanes(before)
+
+
+@kernel
+def rank_keys_kernel(
+    keys: array(dtype=int64),
+    values: array(dtype=int32),
+    threads: int,
+    ranked: array(dtype=int64),
+    order: array(dtype=int32),
+):
+    """Sort keys with their values. `threads`: those per key, a warp on CUDA."""
+    i = tid()
+    own = i // threads
+    rank = rank_of(i, own, ranked.shape[0], keys)
+    if i % threads == 0:
+        ranked[rank] = keys[own]
+        order[rank] = values[own]
+
+
 @struct
 class SortKeys:
     """Keys written with `put_key`, then sorted with `sort`, without a copy on CUDA, where they include scratch."""
@@ -65,8 +110,7 @@ class SortKeys:
         """(sorted keys, order) as of `argsort_keys`. Consumes the keys."""
         if not self.device.is_cuda or not self.count:
             return argsort_keys(self.keys, bit_count, starts)
-        _sort_pairs(self.keys, self.positions, self.count, bit_count)
-        return rows_of(self.keys, 0, self.count), rows_of(self.positions, 0, self.count)
+        return _sort_pairs(self.keys, self.positions, self.count, bit_count)
 
 
 @func
@@ -178,11 +222,16 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
         return sorted_keys, order
     pair_keys, pair_values = empty(2 * count, int64, device), empty(2 * count, int32, device)
     launch(copy_pairs_kernel, count, [keys, pair_keys, pair_values])
-    _sort_pairs(pair_keys, pair_values, count, bit_count)
-    return rows_of(pair_keys, 0, count), rows_of(pair_values, 0, count)
+    return _sort_pairs(pair_keys, pair_values, count, bit_count)
 
 
-def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> None:
+def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> tuple[LongIntegers, Integers]:
+    """The first pairs in order. The arrays have room for as many again."""
+    if keys.device.is_cuda and count <= MAX_RANKED_KEYS:
+        pairs = rows_of(keys, count, 2 * count), rows_of(values, count, 2 * count)
+        launch(rank_keys_kernel, count * WARP, [keys, values, WARP, *pairs])
+        return pairs
     with lock_for(keys.device), keys.device.context_guard:  # Warp sorts on the current GPU
         if not device_copies.is_sorted(keys, values, count, bit_count):
             wp.utils.radix_sort_pairs(keys, values, count, 0, bit_count)
+    return rows_of(keys, 0, count), rows_of(values, 0, count)

@@ -225,9 +225,10 @@ def fit_planes_kernel(r: RunPlanes):
             r.packed[run, axis] = float_bits(center[axis])
             r.packed[run, 3 + axis] = float_bits(direction[axis])
         r.packed[run, 6] = float_bits(max(max(max(0.0, extent[0]), extent[1]), extent[2]))
-        r.packed[run, 7] = float_bits(r.similar[run])
-        r.packed[run, 8] = float_bits(r.near[run])
         r.packed[run, 10] = last - first
+        if r.slack >= 0.0:
+            r.packed[run, 7] = float_bits(r.similar[run])
+            r.packed[run, 8] = float_bits(r.near[run])
 
 
 @kernel
