@@ -126,6 +126,74 @@ def test_invalid_spz_headers_are_rejected(tmp_path, offset, value, message):
         loom.read_splats(tmp_path / "a.spz")
 
 
+@pytest.mark.parametrize(("edit", "words"), [
+    (lambda content: gzip.compress(content[:10]), ": ends after 10 bytes of a header of 16"),
+    (lambda content: gzip.compress(content[:-1]), ": ends after 59 of 60 bytes of splats. The file is cut off"),
+    (lambda content: gzip.compress(content + b"x"), " (byte 76): continues after its 3 splats"),
+    (lambda content: gzip.compress(content)[:-4], ": ends before gzip's checksum. The file is cut off"),
+    (lambda content: gzip.compress(content)[:-9], ": ends "),
+    (lambda content: gzip.compress(content)[:-8] + bytes(8), ": gzip: "),
+    (lambda content: gzip.compress(content)[:4], ": ends after 0 bytes of a header of 16"),
+])  # fmt: skip
+def test_truncated_and_extended_spz_files_are_rejected(tmp_path, edit, words):
+    path = tmp_path / "a.spz"
+    loom.write_splats(path, made(3, 0))
+    content = gzip.decompress(path.read_bytes())
+    path.write_bytes(gzip.compress(content[:14] + b"\2" + content[15:] + b"extension"))
+    assert len(loom.read_splats(path)) == 3
+    path.write_bytes(edit(content))
+    with pytest.raises(FileError) as caught:
+        loom.read_splats(path)
+    assert str(caught.value).startswith(f"{path}{words}")
+
+
+def streams_of(head=b"", table=32, first=None, entry=(None, None), behind=b""):
+    """SPZ of version 4 with one splat: a header, a table of the sizes of its streams, and the streams."""
+    zstandard = pytest.importorskip("zstandard")
+    streams = [zstandard.compress(bytes(size)) for size in (9, 1, 3, 3, 4)]
+    streams[0] = first or streams[0]
+    sizes = [[len(stream), size] for stream, size in zip(streams, (9, 1, 3, 3, 4), strict=True)]
+    sizes[0] = [given if given is not None else size for given, size in zip(entry, sizes[0], strict=True)]
+    start = head or struct.pack("<IIIBBBB", 0x5053474E, 4, 1, 0, 12, 0, 5)
+    rows = b"".join(struct.pack("<QQ", *row) for row in sizes)
+    return start + struct.pack("<I", table) + bytes(12) + rows + b"".join(streams) + behind
+
+
+def packed_by_zstandard(count, **options):
+    return pytest.importorskip("zstandard").ZstdCompressor(**options).compress(bytes(count))
+
+
+@pytest.mark.parametrize(("make", "words"), [
+    (lambda: streams_of()[:31], " (byte 0): has 31 bytes, fewer than the header of SPZ"),
+    (lambda: streams_of(struct.pack("<IIIBBBB", 0x5053474E, 4, 1, 0, 12, 0, 6)), " (byte 15): 6 streams, expected 5"),
+    (lambda: streams_of(table=31), " (byte 16): a table at byte 31 of "),
+    (lambda: streams_of(table=999), " (byte 16): a table at byte 999 of "),
+    (lambda: streams_of(entry=(None, 8)), " (byte 112): the stream of points has 8 bytes, expected 9"),
+    (lambda: streams_of(entry=(999, None)), " (byte 112): the stream of points reaches beyond the file"),
+    (lambda: streams_of(first=packed_by_zstandard(8)), " (byte 112): a stream of 8 bytes, expected 9"),
+    (lambda: streams_of(first=packed_by_zstandard(8, write_content_size=False)), " (byte 112): a stream of 8 bytes"),
+    (lambda: streams_of(first=b"damaged"), ": the stream at byte 112: "),
+    (lambda: streams_of(behind=b"xyz"), "continues after its last stream, by 3 bytes"),
+])  # fmt: skip
+def test_invalid_streams_of_spz_are_rejected(tmp_path, make, words):
+    path = tmp_path / "a.spz"
+    path.write_bytes(streams_of())
+    assert len(loom.read_splats(path)) == 1
+    path.write_bytes(make())
+    with pytest.raises(FileError) as caught:
+        loom.read_splats(path)
+    assert words in str(caught.value).removeprefix(str(path))
+
+
+def test_other_objects_and_a_missing_column_are_named(tmp_path):
+    with pytest.raises(TypeError, match="splats: expected GaussianSplats, got PointCloud"):
+        loom.write_splats(tmp_path / "a.ply", loom.PointCloud(np.eye(3)))
+    loom.write_splats(tmp_path / "a.ply", made(3, 0))
+    (tmp_path / "a.ply").write_bytes((tmp_path / "a.ply").read_bytes().replace(b"f_dc_2", b"f_dc_7"))
+    with pytest.raises(FileError, match=r"/a\.ply: vertices have no f_dc_2, but 3 columns f_dc_i"):
+        loom.read_splats(tmp_path / "a.ply")
+
+
 ENDS = [f"{end}_{what}{axis}" for what in ("", "scale_") for end in ("min", "max") for axis in "xyz"]
 COLOR_ENDS = [f"{end}_{channel}" for end in ("min", "max") for channel in "rgb"]
 PACKED = ("position", "rotation", "scale", "color")

@@ -381,10 +381,10 @@ OTHER_POINT = {
 }
 
 
-@pytest.mark.parametrize("point", OTHER_POINT)
-def test_damaged_blocks_of_an_array_are_rejected(tmp_path, point):
+@pytest.mark.parametrize(("point", "words"), OTHER_POINT.items(), ids=OTHER_POINT.values())
+def test_damaged_blocks_of_an_array_are_rejected(tmp_path, point, words):
     body = compressed_file(1, b"meter\0", point)
-    with pytest.raises(FileError, match=OTHER_POINT[point]):
+    with pytest.raises(FileError, match=words):
         loom.read_point_cloud(write(tmp_path / "a.vtp", body))
     with pytest.raises(FileError, match=r"/b\.vtp: is truncated: the appended data have no end"):
         loom.read_point_cloud(write(tmp_path / "b.vtp", body.replace(b"</AppendedData>", b"")))
