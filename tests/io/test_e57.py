@@ -474,6 +474,14 @@ def test_stations_are_written_as_they_were_read(tmp_path, rng):
     assert loom.read_stations(tmp_path / "d.e57").posed.all()
     with pytest.raises(ValueError, match="poses: expected one pose per cloud, got None"):
         loom.write_stations(tmp_path / "e.e57", stations.clouds)
+    count, poses = len(stations.clouds), list(stations.poses)
+    for wrong, got in (((poses[1:], None), (count - 1, count)), ((poses, ["a"] * (count + 1)), (count, count + 1))):
+        with pytest.raises(
+            ValueError, match=rf"poses, names: expected {count}, one per cloud, got {got[0]} and {got[1]}"
+        ):
+            loom.write_stations(tmp_path / "e.e57", stations.clouds, wrong[0], names=wrong[1])
+    with pytest.raises(loom.FileError, match=r"/e\.e57: would contain no scan"):
+        loom.write_stations(tmp_path / "e.e57", [], [])
     clouds = [loom.PointCloud(rng.random((5, 3)), a=rng.random(5), b=rng.random(5))]
     with pytest.raises(loom.FileError, match="attributes 'a', 'b' cannot be stored"):
         loom.write_stations(tmp_path / "e.e57", clouds, [np.eye(4)])
