@@ -143,7 +143,12 @@ def test_models_unsupported_by_colmap_are_rejected(tmp_path):
     ):
         with pytest.raises(ValueError, match=message):
             loom.write_colmap_model(tmp_path / "m", model, format=form)
+    with pytest.raises(TypeError, match="model: expected an SfmModel, got CameraModel"):
+        loom.write_colmap_model(tmp_path / "m", LENS)
     assert not (tmp_path / "m").exists()
+    (tmp_path / "file").touch()
+    with pytest.raises(loom.FileError, match=r"/file/m: cannot be created: Not a directory"):
+        loom.write_colmap_model(tmp_path / "file" / "m", MODEL)
 
 
 POSE = 8 + 4  # the quaternion of the first image
@@ -164,6 +169,7 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
         ("cameras.bin", 8, struct.pack("<I", 7), "camera 1, which is missing in cameras.bin"),
         ("images.bin", POSE, struct.pack("<d", np.nan), r"byte 8.*no pose"),
         ("images.bin", NAME, b"\xff\xfe", r"byte \d+.*not UTF-8"),
+        ("cameras.bin", 96, struct.pack("<I", 1), r"byte 96.*the camera number 1 is duplicated"),
         ("images.bin", NAME, b"\0", "without an end|expected|no name|name"),
         ("images.bin", KEYPOINTS + 8, struct.pack("<d", np.nan), "keypoint of 'left/00.png' is not finite"),
         ("images.bin", KEYPOINTS + 24, struct.pack("<q", 999), "point 999, which is missing in points3D.bin"),
