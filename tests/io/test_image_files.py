@@ -12,14 +12,7 @@ from PIL import Image, ImageFile
 
 from pointloom.core.errors import FileError
 from pointloom.io.images import image_files
-from pointloom.io.images.image_files import (
-    ImageHeader,
-    read_color,
-    read_depth,
-    read_image_header,
-    testable_jpegs,
-    write_png,
-)
+from pointloom.io.images.image_files import ImageHeader, read_color, read_depth, read_image_header, write_png
 
 from ..pcd.any_cloud import examples
 
