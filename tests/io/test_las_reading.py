@@ -312,6 +312,20 @@ def test_compressed_points_are_checked_against_their_tables(tmp_path, rng):
         read_las(path)
 
 
+def test_chunks_shorter_than_their_first_point_are_rejected(tmp_path, rng):
+    """A table of chunks of short points in a file of long ones."""
+    short, path = tmp_path / "short.laz", tmp_path / "a.laz"
+    make(short, 0, 3, rng)
+    make(path, 0, 3, rng, [laspy.ExtraBytesParams("long", "600u1")])
+    (table,) = struct.unpack_from("<q", short.read_bytes(), open_las(short).header.begin)
+    (end,) = struct.unpack_from("<q", path.read_bytes(), open_las(path).header.begin)
+    path.write_bytes(path.read_bytes()[:end] + short.read_bytes()[table:])
+    with pytest.raises(
+        loom.FileError, match=rf"/a\.laz \(byte {end}\): the chunks do not fit into the \d+ bytes before"
+    ):
+        read_las(path)
+
+
 def test_octrees_that_contradict_the_file_are_rejected(tmp_path, rng):
     path, plain = tmp_path / "a.copc.laz", tmp_path / "a.laz"
     loom.write_point_cloud(path, loom.PointCloud(rng.random((400, 3)) * 9))

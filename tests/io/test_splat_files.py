@@ -2,6 +2,7 @@
 
 import gzip
 import struct
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -183,6 +184,17 @@ def test_invalid_streams_of_spz_are_rejected(tmp_path, make, words):
     with pytest.raises(FileError) as caught:
         loom.read_splats(path)
     assert words in str(caught.value).removeprefix(str(path))
+
+
+def test_a_stream_that_declares_more_bytes_than_expected_is_not_decompressed(tmp_path):
+    (tmp_path / "a.spz").write_bytes(streams_of(first=packed_by_zstandard(1 << 25)))
+    tracemalloc.start()
+    try:
+        with pytest.raises(FileError, match="a stream of 33,554,432 bytes, expected 9"):
+            loom.read_splats(tmp_path / "a.spz")
+        assert tracemalloc.get_traced_memory()[1] < 1 << 22
+    finally:
+        tracemalloc.stop()
 
 
 def test_other_objects_and_a_missing_column_are_named(tmp_path):
