@@ -187,6 +187,14 @@ def test_damage_is_reported_with_its_location(tmp_path, name, at, new, message):
         read_colmap_model(tmp_path)
 
 
+def test_an_image_without_a_name_is_rejected(tmp_path):
+    loom.write_colmap_model(tmp_path, MODEL)
+    data = (tmp_path / "images.bin").read_bytes()
+    (tmp_path / "images.bin").write_bytes(data[:NAME] + data[NAME + len(MODEL.names[0]) :])
+    with pytest.raises(loom.FileError, match=r"/images\.bin \(byte 8\): an image has no name"):
+        read_colmap_model(tmp_path)
+
+
 @pytest.mark.parametrize("name", ["cameras.bin", "images.bin", "points3D.bin"])
 def test_truncated_or_overlong_file_is_rejected(tmp_path, name):
     loom.write_colmap_model(tmp_path, MODEL)

@@ -122,6 +122,13 @@ def test_colors_of_every_name_and_type_are_scaled_to_0_1(path, names, code, full
     assert not table.attributes
 
 
+def test_colors_of_different_types_are_left_out_with_a_warning(path):
+    colors = "property uchar red\nproperty float green\nproperty uchar blue\nend_header\n"
+    write(path, HEAD.replace("end_header\n", colors) + "0 0 0 1 1 1\n1 2 3 0 0 0\n")
+    with pytest.warns(UserWarning, match=r"/cloud\.ply: .* because the three color channels have different types"):
+        assert read_ply(path).colors is None
+
+
 @pytest.mark.parametrize(
     ("content", "where", "reason"),
     [

@@ -384,6 +384,14 @@ def test_transforms_are_interpolated(tmp_path, form):
     np.testing.assert_array_equal(tree.lookup("odom", "odom", times), np.tile(np.eye(4), (5, 1, 1)))
 
 
+def test_recordings_without_a_transform_are_named(tmp_path):
+    with Writer(tmp_path) as out:
+        out.store.register(get_types_from_msg("geometry_msgs/TransformStamped[] transforms", TF))
+        out.write("/tf", TF, 1.0, out.store.types[TF]([]))
+    with pytest.raises(FileError, match=r"/run: contains no transform"):
+        loom.open_recording(out.path).transforms()
+
+
 def test_undefined_lookups_are_named(tmp_path):
     tree = loom.open_recording(robot(tmp_path)).transforms()
     fixed = pose(MOUNT[0], Rotation.from_quat(MOUNT[1]))

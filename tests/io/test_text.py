@@ -81,6 +81,7 @@ def test_pts_stores_intensity_and_colors_in_any_combination(tmp_path, with_inten
         ("c.txt", "1 2 3\n", "", "'.txt' is not one of .xyz, .xyzn, .xyzrgb, .pts"),
         ("c.csv", "1 2 3 4 5 6\n", "", "has 6 columns without names"),
         ("c.csv", "# only a note\n\n", "", "contains no points"),
+        ("c.csv", "x y z\n# only a note\n", "", "contains no points"),
         ("c.csv", "3\n1 2 3\n4 5 6\n", "", "expected 3 points, which a line above them declares, got 2"),
         ("c.csv", "x y z\n2\n2\n1 2 3\n", "line 2", "expected 3 values, got 1"),
         ("c.csv", "ncols 2\nnrows 2\nxllcorner 0\n", "", "is an Esri grid of heights"),
