@@ -287,9 +287,7 @@ def test_scans_without_coordinates_and_poses_that_are_no_motion_are_rejected(tmp
         read_e57(path)
     for old, new, quaternion in ((b">1</w>", b">0</w>", "0.0"), (b">1</w>", b">1e999</w>", r"1\.79\S+")):
         path.write_bytes(edited(content, old, new))
-        with pytest.raises(
-            loom.FileError, match=rf"/a\.e57: a scan's pose is not a rigid motion: \[{quaternion}, 0"
-        ):
+        with pytest.raises(loom.FileError, match=rf"/a\.e57: a scan's pose is not a rigid motion: \[{quaternion}, 0"):
             read_e57(path)
 
 
