@@ -438,7 +438,7 @@ INDEX_1 = record1(struct.pack("<III", 1, 0, 0), op=b"\4", ver=u(1), conn=u(0), c
     (bag_with(b"", b"", info=struct.pack("<6I", 0, 2, 1, 2, 0, 2)), 8, "of 1644: the list of chunks is contradictory"),
     (bag_with(b"op=\2", b"op=\3", closed=False), 4, "run.bag (byte 189): a chunk contains a record of kind 3"),
     (bag_with(b"compression=none", b"compression=blue"), 4, "compressed with 'blue'. Supported are none, lz4"),
-    (bag_with(b"type=", b"tipe=", closed=False), 4, "has a damaged chunk: a record has no field 'type'"),
+    (bag_with(b"type=", b"KIND=", closed=False), 4, "has a damaged chunk: a record has no field 'type'"),
 ])  # fmt: skip
 def test_a_damaged_record_of_a_bag_is_named_and_the_messages_before_it_remain(
     tmp_path, monkeypatch, edit, count, reason

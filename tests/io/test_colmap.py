@@ -187,6 +187,16 @@ def test_damage_is_reported_with_its_location(tmp_path, name, at, new, message):
         read_colmap_model(tmp_path)
 
 
+@pytest.mark.parametrize("rows", [1, 7, 40])
+def test_blocks_of_any_size_give_one_file(tmp_path, monkeypatch, rows):
+    loom.write_colmap_model(tmp_path / "a", MODEL)
+    monkeypatch.setattr(colmap_binary, "_ROWS_PER_BLOCK", rows)
+    loom.write_colmap_model(tmp_path / "b", MODEL)
+    for path in (tmp_path / "a").iterdir():
+        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes()
+    assert_same(read_colmap_model(tmp_path / "b"), read_colmap_model(tmp_path / "a"))
+
+
 def test_an_image_without_a_name_is_rejected(tmp_path):
     loom.write_colmap_model(tmp_path, MODEL)
     data = (tmp_path / "images.bin").read_bytes()

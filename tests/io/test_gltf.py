@@ -651,6 +651,13 @@ def test_meshopt_views_are_decoded(tmp_path, monkeypatch):
         read_glb(path)
 
 
+def test_a_compressed_view_of_one_element_is_valid(tmp_path, monkeypatch):
+    path = compressed_view(count=1).write(tmp_path / "m.glb")
+    monkeypatch.setitem(sys.modules, "meshoptimizer", None)
+    with pytest.raises(FileError, match="needs the package meshoptimizer"):
+        read_glb(path)
+
+
 def test_errors_caused_by_content_are_file_errors():
     odd = [ValueError("odd"), UnicodeDecodeError("utf-8", b"\xff", 0, 1, "odd"), MemoryError(), OverflowError("odd")]
     for error in odd:

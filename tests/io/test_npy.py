@@ -260,6 +260,17 @@ def test_an_obj_of_vertices_is_a_cloud(tmp_path):
     with pytest.warns(UserWarning, match="normals|lines") as caught:
         loom.read_point_cloud(file)
     assert len(caught) == 2
+    reasons = [
+        "the normals are dropped, because there are 1 for 3 vertices",
+        "points and lines are dropped, because a cl",
+    ]
+    for warning, reason in zip(caught, reasons, strict=True):
+        assert reason in str(warning.message)
+    file.write_text("v 1 2 3\nvt 0 0\n")
+    with pytest.warns(
+        UserWarning, match=r"/a\.obj: the texture coordinates are dropped, because a cloud cannot store them"
+    ):
+        loom.read_point_cloud(file)
     file.write_text("v 1 2 3\nv 4 5 6\nv 0 0 0\nf 1 2 3\n")
     with pytest.raises(FileError, match="read_triangle_mesh"):
         loom.read_point_cloud(file)

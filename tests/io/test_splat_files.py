@@ -39,6 +39,16 @@ def test_spz_rounds_by_its_steps(tmp_path):
     assert (tmp_path / "a.spz").read_bytes() == (tmp_path / "b.spz").read_bytes()
 
 
+def test_splat_rounds_colors_opacities_and_rotations_to_bytes(tmp_path):
+    splats = made(500, 0)
+    loom.write_splats(tmp_path / "a.splat", splats)
+    again = loom.read_splats(tmp_path / "a.splat")
+    np.testing.assert_array_equal(again.centers, splats.centers.astype(np.float32))
+    np.testing.assert_allclose(again.scales, splats.scales, rtol=1e-6)
+    assert np.abs(again.opacities - splats.opacities).max() <= 0.5 / 255 + 1e-6
+    assert np.abs((again.rotations * splats.rotations).sum(axis=1)).min() > 1 - 1e-3
+
+
 def test_spz_of_version_2_has_three_bytes_a_rotation(tmp_path):
     body = bytes(3) * 3 + bytes([255]) + bytes([128] * 3) + bytes([160] * 3) + bytes([255, 127, 127])
     head = struct.pack("<IIIBBBB", 0x5053474E, 2, 1, 0, 12, 0, 0)
