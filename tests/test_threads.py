@@ -2,18 +2,21 @@
 
 import asyncio
 import copy
+import itertools
 import re
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from enum import Enum
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
 
 import pointloom as loom
 import pointloom.open3d as o3d
-from pointloom.core.serialized import CallLock, Serialized
+from pointloom.core.serialized import CallLock, Serialized, locked_objects
 from pointloom.datasets.scenes.room import room_sequence
 from pointloom.io.frames.datasets import Frame
 
@@ -301,6 +304,74 @@ def test_a_ring_of_other_threads_does_not_hold_a_third_one(monkeypatch):
     first.thread, second.thread = -1, -2
     monkeypatch.setattr(CallLock, "waiting", {-1: second, -2: first})
     assert first.announce(None) == threading.get_ident()
+
+
+def is_free(item):
+    """True if another thread could begin a call of an object now."""
+
+    def try_lock():
+        found = item._lock.acquire(blocking=False)
+        if found:
+            item._lock.release()
+        return found
+
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(try_lock).result()
+
+
+class Watched(np.ndarray):
+    """A view that notes whether its owner is free while it is copied."""
+
+    notes: ClassVar[list[bool]] = []
+    owner: ClassVar[Any] = None
+
+    def copy(self, order="C"):
+        Watched.notes.append(is_free(Watched.owner))
+        return np.array(self)
+
+
+class Plain(Serialized):
+    def __init__(self):
+        self.values = np.arange(5)[1:].view(Watched)
+
+
+class WithState(Plain):
+    def __getstate__(self):
+        return {"values": self.values}
+
+
+class Reduced(Plain):
+    def __reduce__(self):
+        return Reduced, (), {"values": self.values}
+
+
+@pytest.mark.parametrize("kind", [Plain, WithState, Reduced])
+def test_no_other_call_begins_while_the_state_of_a_pickle_is_copied(kind, monkeypatch):
+    item = kind()
+    monkeypatch.setattr(Watched, "owner", item)
+    monkeypatch.setattr(Watched, "notes", [])
+    state = item.__reduce__()[2] if kind is Reduced else item.__getstate__()
+    assert state["values"].tolist() == [1, 2, 3, 4] and state["values"].flags.owndata
+    assert Watched.notes == [False] and is_free(item)
+
+
+def test_several_objects_are_locked_together_and_in_one_order():
+    items, order = [Plain() for _ in range(3)], []
+    with locked_objects(items):
+        assert [is_free(item) for item in items] == [False] * 3
+    assert all(map(is_free, items))
+
+    class Lock:
+        def __enter__(self):
+            order.append(self)
+
+        def __exit__(self, *_): ...
+
+    owners = [SimpleNamespace(_lock=Lock()) for _ in range(3)]
+    for given in itertools.permutations(owners):
+        with locked_objects(given):
+            pass
+    assert order == 6 * order[:3] and {*order} == {owner._lock for owner in owners}
 
 
 def test_a_second_thread_that_only_waits_gets_its_result():

@@ -335,29 +335,118 @@ def record_mcap(op, content):
     return bytes([op]) + struct.pack("<Q", len(content)) + content
 
 
+def mcap_records(rows=(0, 1), statistics=2, inside=b"", checksum=0, size=None):
+    """The records of an MCAP file with two messages of /a in a chunk, by their names in the order of the file. `inside`
+    follows the messages in the chunk, `size` is the declared size of its bytes."""
+    text = lambda words: u(len(words)) + words  # noqa: E731
+    messages = [record_mcap(5, struct.pack("<HIQQ", 1, 0, 7 + k, 7 + k) + b"abcd") for k in range(2)]
+    body = b"".join(messages) + inside
+    stored = struct.pack("<Q", len(body) if size is None else size) + body
+    index = b"".join(struct.pack("<QQ", 7 + k, k * len(messages[0])) for k in rows)
+    counts = struct.pack("<HQ", 1, statistics or 0)
+    head = struct.pack("<QHIIIIQQ", statistics or 0, 1, 1, 0, 0, 1, 7, 8)
+    return {
+        "magic": b"\x89MCAP0\r\n",
+        "header": record_mcap(1, text(b"") + text(b"")),
+        "schema": record_mcap(3, struct.pack("<H", 1) + text(b"std_msgs/msg/String") + text(b"ros2msg") + u(0)),
+        "channel": record_mcap(4, struct.pack("<HH", 1, 1) + text(b"/a") + text(b"cdr") + u(0)),
+        "chunk": record_mcap(6, struct.pack("<QQQI", 7, 8, len(body), checksum) + text(b"") + stored),
+        "index": record_mcap(7, struct.pack("<HI", 1, len(index)) + index) if rows else b"",
+        "end": record_mcap(15, bytes(4)),
+        "statistics": record_mcap(11, head + u(len(counts)) + counts) if statistics else b"",
+        "footer": record_mcap(2, bytes(20)) + b"\x89MCAP0\r\n",
+    }
+
+
 @pytest.mark.parametrize(("rows", "statistics", "warns"), [
     ([0, 1], 2, False), ([0, 1], None, False), ([0], 2, True), ([0], None, True), ([0, 0, 1], 2, True),
     ([0, 1], 3, True), ([], 2, False),
 ])  # fmt: skip
 def test_the_index_of_an_mcap_file_is_compared_with_its_statistics(tmp_path, rows, statistics, warns):
-    text = lambda words: u(len(words)) + words  # noqa: E731
-    schema = record_mcap(3, struct.pack("<H", 1) + text(b"std_msgs/msg/String") + text(b"ros2msg") + u(0))
-    channel = record_mcap(4, struct.pack("<HH", 1, 1) + text(b"/a") + text(b"cdr") + u(0))
-    messages = [record_mcap(5, struct.pack("<HIQQ", 1, 0, 7 + k, 7 + k) + b"abcd") for k in range(2)]
-    body = b"".join(messages)
-    data = b"\x89MCAP0\r\n" + record_mcap(1, text(b"") + text(b"")) + schema + channel
-    data += record_mcap(6, struct.pack("<QQQI", 7, 8, len(body), 0) + text(b"") + struct.pack("<Q", len(body)) + body)
-    index = b"".join(struct.pack("<QQ", 7 + k, k * len(messages[0])) for k in rows)
-    data += record_mcap(7, struct.pack("<HI", 1, len(index)) + index) if rows else b""
-    data += record_mcap(15, bytes(4))
-    if statistics:
-        counts = struct.pack("<HQ", 1, statistics)
-        head = struct.pack("<QHIIIIQQ", statistics, 1, 1, 0, 0, 1, 7, 8)
-        data += record_mcap(11, head + u(len(counts)) + counts)
-    (tmp_path / "run.mcap").write_bytes(data + record_mcap(2, bytes(20)) + b"\x89MCAP0\r\n")
+    (tmp_path / "run.mcap").write_bytes(b"".join(mcap_records(rows, statistics).values()))
     with pytest.warns(RecordingWarning) if warns else nullcontext() as caught:
         recording = loom.open_recording(tmp_path / "run.mcap")
     assert len(recording) == 2 and (not warns or len(caught) == 1)
+
+
+def damage_of(path):
+    """The number of readable messages, and the warning about damage or the error of each message that is rejected."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", RecordingWarning)
+        try:
+            recording = loom.open_recording(path)
+        except FileError as error:
+            return 0, str(error)
+    count, words = 0, [str(warning.message) for warning in caught]
+    for topic in recording.topics:
+        for row in recording.rows_of(topic.name):
+            try:
+                recording.bytes_at(row)
+                count += 1
+            except FileError as error:
+                words.append(str(error))
+    return count, " ".join(words)
+
+
+STATISTICS = mcap_records()["statistics"]
+
+
+@pytest.mark.parametrize(("options", "records", "count", "reason"), [
+    ({}, {"magic": b"\x89MCAP1\r\n"}, 0, "run.mcap (byte 0): is not an MCAP file"),
+    ({}, {"index": record_mcap(0, b"")}, 2, "a record has no kind"),
+    ({}, {"index": record_mcap(5, bytes(21))}, 2, "a message of 21 bytes has no head"),
+    ({}, {"header": record_mcap(7, bytes(6))}, 0, "is cut off or damaged: an index record has no chunk"),
+    ({}, {"channel": record_mcap(4, bytes(4) + u(99) + b"/a")}, 0, "(byte 8): a message reaches beyond its chunk"),
+    ({"size": 500}, {}, 0, "is cut off or damaged: run.mcap (byte 113): a chunk is longer than its record"),
+    ({"rows": []}, {"footer": b"\x05" + struct.pack("<Q", 99)}, 2,
+     "has a damaged summary: run.mcap (byte 301): a record of 99 bytes is cut off"),
+    ({}, {"statistics": record_mcap(11, STATISTICS[9:-1])}, 2, "has a damaged summary: the statistics are cut off"),
+    ({}, {"statistics": record_mcap(11, STATISTICS[9:51] + u(9) + bytes(9))}, 2, "the statistics are cut off"),
+    ({"checksum": 5}, {}, 0, "a chunk is damaged: its checksum differs"),
+    ({"checksum": 5, "rows": []}, {}, 0, "has a damaged chunk: run.mcap (byte 113): a chunk is damaged: its checksum"),
+    ({"inside": record_mcap(8, b""), "rows": []}, {}, 2, "a chunk contains a record of kind 8"),
+    ({"inside": record_mcap(200, b""), "rows": []}, {}, 2, ""),  # of an application
+    ({"inside": record_mcap(5, bytes(9)), "rows": []}, {}, 2, "a message of 9 bytes has no head"),
+])  # fmt: skip
+def test_a_damaged_record_of_an_mcap_file_is_named_and_the_messages_before_it_remain(
+    tmp_path, monkeypatch, options, records, count, reason
+):
+    monkeypatch.chdir(tmp_path)
+    Path("run.mcap").write_bytes(b"".join((mcap_records(**options) | records).values()))
+    found = damage_of("run.mcap")
+    assert found[0] == count and reason in found[1] and bool(reason) == bool(found[1])
+
+
+def bag_with(old, new, **layout):
+    """An edit of `small_bag`: its first bytes `old` are replaced."""
+
+    def edit(path):
+        small_bag(path, **layout)
+        data = path.read_bytes()
+        assert old in data
+        path.write_bytes(data.replace(old, new, 1))
+
+    return edit
+
+
+INDEX_1 = record1(struct.pack("<III", 1, 0, 0), op=b"\4", ver=u(1), conn=u(0), count=u(1))
+
+
+@pytest.mark.parametrize(("edit", "count", "reason"), [
+    (bag_with(b"#ROSBAG V2.0\n", b"#ROSBAG V2.0\n" + INDEX_1), 0, "byte 13 of 1703: an index record has no chunk"),
+    (bag_with(b"", b"", info=struct.pack("<II", 0, 2)), 8, "byte 1512 of 1628: the list of chunks is contra"),
+    (bag_with(b"", b"", info=struct.pack("<6I", 0, 2, 1, 2, 0, 2)), 8, "of 1644: the list of chunks is contradictory"),
+    (bag_with(b"op=\2", b"op=\3", closed=False), 4, "run.bag (byte 189): a chunk contains a record of kind 3"),
+    (bag_with(b"compression=none", b"compression=blue"), 4, "compressed with 'blue'. Supported are none, lz4"),
+    (bag_with(b"type=", b"KIND=", closed=False), 4, "has a damaged chunk: a record has no field 'type'"),
+])  # fmt: skip
+def test_a_damaged_record_of_a_bag_is_named_and_the_messages_before_it_remain(
+    tmp_path, monkeypatch, edit, count, reason
+):
+    monkeypatch.chdir(tmp_path)
+    edit(Path("run.bag"))
+    found = damage_of("run.bag")
+    assert found[0] == count and reason in found[1]
 
 
 DB3 = {"topics": "id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT",
@@ -412,6 +501,67 @@ def test_rows_that_a_damaged_page_hides_or_repeats_are_reported(tmp_path):
                 with pytest.warns(RecordingWarning):
                     loom.open_recording(path)
     assert changed_count > 10
+
+
+def db3_of(path, *rows):
+    with closing(sqlite3.connect(path)) as base:
+        base.execute("PRAGMA synchronous = OFF")
+        for table, columns in DB3.items():
+            base.execute(f"CREATE TABLE {table} ({columns})")
+        base.executemany("INSERT INTO topics VALUES (?, ?, ?, ?)", [(1, "/a", "std_msgs/msg/String", "cdr")])
+        base.executemany("INSERT INTO messages VALUES (?, 1, ?, ?)", rows)
+        base.commit()
+
+
+@pytest.mark.parametrize(("rows", "edit", "count", "reason"), [
+    ([(1, 5, b"ab")], lambda data: data.replace(b"SQLite", b"SQLATE"), 0, "run.db3 (byte 0): is not a SQLite file"),
+    ([(1, 5, b"ab")], lambda data: data[:100] + bytes(4000), 0, "is not a ROS 2 bag, or is damaged at its beginning"),
+    ([(1, 5, b"ab"), (2, "soon", b"ab")], bytes, 1, "has 1 rows without a time or topic, which were left out"),
+    ([(1, 5, b"ab"), (2, 6, "text")], bytes, 1, "run.db3 (row 2): a message is missing"),
+    ([(1, 5, b"ab"), (2, 6, bytes(9000))], lambda data: data[:12288] + b"\xff" * 4 + data[12292:], 1,
+     "run.db3 (row 2): damaged: database disk image is malformed"),
+])  # fmt: skip
+def test_damaged_rows_of_a_database_are_named_and_the_others_remain(tmp_path, monkeypatch, rows, edit, count, reason):
+    monkeypatch.chdir(tmp_path)
+    db3_of("run.db3", *rows)
+    Path("run.db3").write_bytes(edit(Path("run.db3").read_bytes()))
+    found = damage_of("run.db3")
+    assert found[0] == count and reason in found[1]
+
+
+def test_paths_without_a_recording_are_named(tmp_path):
+    (tmp_path / "packed").mkdir()
+    (tmp_path / "packed" / "run.db3.zstd").touch()
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "run.txt").touch()
+    for name, reason in (
+        ("packed", "contains no recording. Unpack run.db3.zstd with zstd -d"),
+        ("empty", "contains no recording. Bags of ROS 2 are .mcap or .db3 files"),
+        ("none.bag", "does not exist"),
+        ("run.txt", "is not a recording: '.txt'. Supported are .bag .mcap .db3"),
+    ):
+        with pytest.raises(FileError) as caught:
+            loom.open_recording(tmp_path / name)
+        assert str(caught.value) == f"{tmp_path / name}: {reason}"
+
+
+@pytest.mark.parametrize(("encoding", "data", "reason"), [
+    ("json", b"{}", "its messages are encoded as 'json'. Supported are ros1 and cdr"),
+    ("cdr", b"\0\1\0\0\x09\0\0\0a", "a message is not a valid std_msgs/msg/String: "),
+])  # fmt: skip
+def test_messages_that_cannot_be_decoded_are_named(tmp_path, encoding, data, reason):
+    db3_of(tmp_path / "run.db3", (1, 5, data))
+    with closing(sqlite3.connect(tmp_path / "run.db3")) as base:
+        base.execute("UPDATE topics SET serialization_format = ?", (encoding,))
+        base.commit()
+    recording = loom.open_recording(tmp_path / "run.db3")
+    with pytest.raises(FileError, match=f"/run.db3: {reason}"):
+        recording.content_at(recording.rows_of("/a")[0])
+    for size in (15, 16):  # without a frame, and with one that ends after the message
+        db3_of(tmp_path / f"{size}.db3", (1, 5, bytes(12) + b"\5\0\0\0"[: size - 12]))
+        other = loom.open_recording(tmp_path / f"{size}.db3")
+        with pytest.raises(FileError, match=rf"/{size}.db3: a message is cut off in its header: {size} bytes"):
+            other.header_at(other.rows_of("/a")[0])
 
 
 @pytest.mark.parametrize("driver", DRIVERS)
@@ -608,10 +758,28 @@ def test_fields_of_the_types_of_pcl_are_left_out_by_name():
         table = table_of_message(PATH, cloud_of_rows(rows, [7, 9, 7, 10, 7, 11, 4]))
     assert table.points.tolist() == [[k, 0, 7] for k in range(4)] and set(table.attributes) == {"w"}
     assert table.attributes["w"].tolist() == [0, 1, 2, 3]
-    for codes in ([9, 9, 7, 10, 7, 11, 4], [7, 9, 7, 10, 7, 12, 4]):  # no x, and an unknown type
-        with pytest.raises(FileError), warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            table_of_message(PATH, cloud_of_rows(rows, codes))
+
+
+@pytest.mark.parametrize(("codes", "change", "reason"), [
+    ([9, 7, 7, 7], {}, "a cloud has no field 'x'; it has y, z, w"),
+    ([7, 7, 7, 12], {}, "field 'w' of a cloud has the unknown type 12"),
+    ([7, 7, 7, 0], {}, "field 'w' of a cloud has the unknown type 0"),
+    ([7, 7, 6, 7], {}, "a cloud has coordinates that are not one float each"),
+    ([7, 7, 7, 8], {}, "field 'w' of a cloud reaches beyond its rows of 16 bytes"),
+    ([7, 7, 7, 7], {"height": 2, "width": 2, "row_step": 31, "data": np.zeros(90, np.uint8)},
+     "a cloud has rows of 31 bytes for 2 points of 16"),
+    ([7, 7, 7, 7], {"width": 5}, "a cloud of 5 x 1 points needs 80 bytes, but has 64"),
+    ([7, 7, 7, 7], {"width": 5, "point_step": 0, "fields": []}, "a cloud has no field 'x'; it has none"),
+])  # fmt: skip
+def test_clouds_with_contradictory_fields_are_rejected(codes, change, reason):
+    rows = np.zeros(4, [(name, "f4") for name in "xyzw"])
+    message = cloud_of_rows(rows, codes)
+    for name, value in change.items():
+        setattr(message, name, value)
+    with pytest.raises(FileError) as caught, warnings.catch_warnings():
+        warnings.simplefilter("ignore", RecordingWarning)
+        table_of_message(PATH, message)
+    assert str(caught.value) == f"run.mcap: {reason}"
 
 
 @pytest.mark.parametrize("names", ["red green blue", "r g b", "Red Green Blue"])

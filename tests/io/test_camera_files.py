@@ -3,6 +3,7 @@
 import copy
 import json
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -13,6 +14,8 @@ from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.pose_text import read_pose
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.core.errors import FileError
+from pointloom.io.models import metashape
+from pointloom.io.models.frame_cameras import read_transforms
 from pointloom.io.models.metashape import read_metashape_cameras
 
 from .sfm_models import LENS, assert_same, ring_model
@@ -177,6 +180,22 @@ def test_unknown_paths_and_a_missing_or_additional_lens_are_rejected(tmp_path):
         loom.read_cameras(trajectory(tmp_path, "p.kitti"), images=["a.png"])
     with pytest.raises(ValueError, match="intrinsic: "):
         loom.read_cameras(transforms(tmp_path), intrinsic=PINHOLE)
+    with pytest.raises(
+        ValueError, match="images: expected the names of the images, which a trajectory does not contain"
+    ):
+        loom.read_cameras(trajectory(tmp_path, "p.kitti"), intrinsic=PINHOLE)
+    path = trajectory(tmp_path, "p.tum", timestamps=[5.0, 5.1, 5.2])
+    with pytest.raises(
+        FileError, match=r"/p\.tum: contains the pose of none of the images\. The first image is 9\.0\.png"
+    ):
+        loom.read_cameras(path, images=["9.0.png", "9.1.png"], intrinsic=PINHOLE)
+    for frames in (None, {}, []):
+        path = write(tmp_path / "t.json", {**SIZE, "frames": frames, "camera_model": "OPENCV"})
+        with pytest.raises(FileError, match=r"/t\.json \(key frames\): expected a list of at least one frame"):
+            read_transforms(path)
+    frame = {"file_path": "a.png", "transform_matrix": ARKIT.tolist()}
+    with pytest.raises(FileError, match=r"/t\.json: names: 'a\.png' is duplicated"):
+        loom.read_cameras(write(tmp_path / "t.json", {**SIZE, "frames": [frame, frame]}))
 
 
 def test_colmap_and_metashape_files_are_detected_by_content(tmp_path):
@@ -230,6 +249,10 @@ def test_lenses_unsupported_by_transforms_are_rejected(tmp_path):
     mixed = loom.SfmModel(["a.png", "b.png"], [pinhole, fisheye], np.stack([np.eye(4)] * 2))
     with pytest.raises(ValueError, match=r"^model: .* got OPENCV and OPENCV_FISHEYE; write two models"):
         loom.write_transforms(tmp_path / "t.json", mixed)
+    with pytest.raises(ValueError, match="model: expected at least one image, got none"):
+        loom.write_transforms(tmp_path / "t.json", loom.SfmModel([], [], []))
+    with pytest.raises(TypeError, match="model: expected an SfmModel, got CameraModel"):
+        loom.write_transforms(tmp_path / "t.json", pinhole)
     assert not list(tmp_path.iterdir())
 
 
@@ -369,11 +392,20 @@ LEAK = "<!DOCTYPE d [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><document>&a;</d
         (document(camera(), sensor("<f>x</f>")), "f of sensor 0: expected 1 finite"),
         (document(camera(), sensor("<cx>1</cx>")), "focal lengths above"),
         (document(camera(), sensor("<f>5</f>", resolution="width='6e2' height='4'")), "resolution .*, got '6e2'"),
+        (document(camera(), re.sub("<resolution[^>]*>", "", sensor("<f>5</f>"))), r"\(sensor 0\): has no resolution"),
         (document("<camera id='0' label='a'><transform>1</transform></camera>"), "has no sensor_id"),
     ],
 )
 def test_files_that_are_not_camera_exports_are_rejected(tmp_path, text, message):
     with pytest.raises(loom.FileError, match=message):
+        read(tmp_path, text)
+
+
+def test_exports_of_too_many_bytes_are_not_parsed(tmp_path, monkeypatch):
+    text = document(camera())
+    assert len(read(tmp_path, text)) == 1
+    monkeypatch.setattr(metashape, "MAX_XML_BYTES", len(text) - 1)
+    with pytest.raises(FileError, match=f"has {len(text):,} bytes; expected at most {len(text) - 1:,}"):
         read(tmp_path, text)
 
 
@@ -482,6 +514,17 @@ def good(**changed):
     [
         ({"names": ["a", "a"]}, ValueError, "names: 'a' is duplicated"),
         ({"names": ["a", 1]}, TypeError, "names"),
+        ({"names": ["b", ""]}, ValueError, "names: expected a name for every image, got an empty one"),
+        (
+            {"colors": np.zeros((2, 3), np.uint8)},
+            ValueError,
+            r"colors: expected shape \[3, 3\] as there are 3 points, got",
+        ),
+        (
+            {"pixels": [[1, 2], [3, 4]]},
+            ValueError,
+            r"pixels: expected shape \[1, 2\], one per row of observations, got 2",
+        ),
         ({"cameras": [LENS]}, ValueError, "cameras: expected 2, one per image, got 1"),
         ({"cameras": [LENS, LENS.params]}, TypeError, "cameras: expected CameraModels"),
         ({"T_camera_world": np.tile(2 * np.eye(4), (2, 1, 1))}, ValueError, r"T_camera_world\[0\]"),

@@ -143,7 +143,12 @@ def test_models_unsupported_by_colmap_are_rejected(tmp_path):
     ):
         with pytest.raises(ValueError, match=message):
             loom.write_colmap_model(tmp_path / "m", model, format=form)
+    with pytest.raises(TypeError, match="model: expected an SfmModel, got CameraModel"):
+        loom.write_colmap_model(tmp_path / "m", LENS)
     assert not (tmp_path / "m").exists()
+    (tmp_path / "file").touch()
+    with pytest.raises(loom.FileError, match=r"/file/m: cannot be created: Not a directory"):
+        loom.write_colmap_model(tmp_path / "file" / "m", MODEL)
 
 
 POSE = 8 + 4  # the quaternion of the first image
@@ -164,6 +169,7 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
         ("cameras.bin", 8, struct.pack("<I", 7), "camera 1, which is missing in cameras.bin"),
         ("images.bin", POSE, struct.pack("<d", np.nan), r"byte 8.*no pose"),
         ("images.bin", NAME, b"\xff\xfe", r"byte \d+.*not UTF-8"),
+        ("cameras.bin", 96, struct.pack("<I", 1), r"byte 96.*the camera number 1 is duplicated"),
         ("images.bin", NAME, b"\0", "without an end|expected|no name|name"),
         ("images.bin", KEYPOINTS + 8, struct.pack("<d", np.nan), "keypoint of 'left/00.png' is not finite"),
         ("images.bin", KEYPOINTS + 24, struct.pack("<q", 999), "point 999, which is missing in points3D.bin"),
@@ -178,6 +184,24 @@ def test_damage_is_reported_with_its_location(tmp_path, name, at, new, message):
     data[at : at + len(new)] = new
     (tmp_path / name).write_bytes(data)
     with pytest.raises(loom.FileError, match=message):
+        read_colmap_model(tmp_path)
+
+
+@pytest.mark.parametrize("rows", [1, 7, 40])
+def test_blocks_of_any_size_give_one_file(tmp_path, monkeypatch, rows):
+    loom.write_colmap_model(tmp_path / "a", MODEL)
+    monkeypatch.setattr(colmap_binary, "_ROWS_PER_BLOCK", rows)
+    loom.write_colmap_model(tmp_path / "b", MODEL)
+    for path in (tmp_path / "a").iterdir():
+        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes()
+    assert_same(read_colmap_model(tmp_path / "b"), read_colmap_model(tmp_path / "a"))
+
+
+def test_an_image_without_a_name_is_rejected(tmp_path):
+    loom.write_colmap_model(tmp_path, MODEL)
+    data = (tmp_path / "images.bin").read_bytes()
+    (tmp_path / "images.bin").write_bytes(data[:NAME] + data[NAME + len(MODEL.names[0]) :])
+    with pytest.raises(loom.FileError, match=r"/images\.bin \(byte 8\): an image has no name"):
         read_colmap_model(tmp_path)
 
 

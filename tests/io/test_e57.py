@@ -275,6 +275,22 @@ def test_other_files_are_rejected(tmp_path, small):
         loom.read_point_cloud(tmp_path / "none.e57")
 
 
+@pytest.mark.filterwarnings("ignore:.*the fields cartesianQ are dropped")
+def test_scans_without_coordinates_and_poses_that_are_no_motion_are_rejected(tmp_path, rng):
+    path = tmp_path / "a.e57"
+    loom.write_stations(path, [loom.PointCloud(rng.random((5, 3)), intensity=rng.random(5))], [np.eye(4)])
+    content = path.read_bytes()
+    path.write_bytes(edited(content, b"cartesianX", b"cartesianQ"))
+    with pytest.raises(
+        loom.FileError, match=r"/a\.e57: a scan has no coordinates; its fields are cartesianQ, cartesianY, ca"
+    ):
+        read_e57(path)
+    for old, new, quaternion in ((b">1</w>", b">0</w>", "0.0"), (b">1</w>", b">1e999</w>", r"1\.79\S+")):
+        path.write_bytes(edited(content, old, new))
+        with pytest.raises(loom.FileError, match=rf"/a\.e57: a scan's pose is not a rigid motion: \[{quaternion}, 0"):
+            read_e57(path)
+
+
 def test_a_copy_keeps_the_names_and_poses_of_scans(tmp_path, rng):
     pose = np.array([[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7e6], [0, 0, 0, 1.0]])
     normals = rng.normal(size=(20, 3)).astype(np.float32)
@@ -474,6 +490,14 @@ def test_stations_are_written_as_they_were_read(tmp_path, rng):
     assert loom.read_stations(tmp_path / "d.e57").posed.all()
     with pytest.raises(ValueError, match="poses: expected one pose per cloud, got None"):
         loom.write_stations(tmp_path / "e.e57", stations.clouds)
+    count, poses = len(stations.clouds), list(stations.poses)
+    for wrong, got in (((poses[1:], None), (count - 1, count)), ((poses, ["a"] * (count + 1)), (count, count + 1))):
+        with pytest.raises(
+            ValueError, match=rf"poses, names: expected {count}, one per cloud, got {got[0]} and {got[1]}"
+        ):
+            loom.write_stations(tmp_path / "e.e57", stations.clouds, wrong[0], names=wrong[1])
+    with pytest.raises(loom.FileError, match=r"/e\.e57: would contain no scan"):
+        loom.write_stations(tmp_path / "e.e57", [], [])
     clouds = [loom.PointCloud(rng.random((5, 3)), a=rng.random(5), b=rng.random(5))]
     with pytest.raises(loom.FileError, match="attributes 'a', 'b' cannot be stored"):
         loom.write_stations(tmp_path / "e.e57", clouds, [np.eye(4)])

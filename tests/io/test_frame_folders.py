@@ -272,7 +272,28 @@ def test_images_that_change_after_opening_are_noticed(tmp_path):
     (folder / "depth" / "00000.png").write_bytes(data[:-20])
     with pytest.raises(FileError, match=r"00000\.png"):
         dataset.read(0)
+    np.save(tmp_path / "depth.npy", np.ones((6, 8), np.float32))
+    (tmp_path / "depth.npy").rename(folder / "depth" / "00002.png")
+    with pytest.raises(FileError, match=r"00002\.png: is no longer a 16-bit PNG\. Open the folder again"):
+        dataset.read(2)
     assert len(open_dataset(make("redwood", tmp_path / "other"), intrinsic=SMALL)) == 3
+
+
+def test_missing_duplicate_and_unusable_images_and_cameras_are_named(tmp_path):
+    folder = make("redwood", tmp_path / "set")
+    (folder / "color" / "00001.png").write_bytes((folder / "color" / "00001.jpg").read_bytes())
+    with pytest.raises(DatasetError, match=r"/00001\.png: duplicates 00001\.jpg\. Keep one of the two"):
+        open_dataset(folder, intrinsic=SMALL)
+    shutil.rmtree(folder / "depth")
+    with pytest.raises(DatasetError, match=r"/set/depth: missing\. Give the folder above it, or another layout"):
+        list_redwood(folder)
+    (folder / "color" / "00001.png").unlink()
+    with pytest.raises(DatasetError, match=r"/set/color: contains no PNG with depth in its name"):
+        open_frames(folder / "color", intrinsic=SMALL, depth_scale=1000, layout="images")
+    scene = make("7scenes", tmp_path / "seq-01")
+    np.savetxt(scene / "camera-intrinsics.txt", np.diag([-1.0, 1.0, 1.0]))
+    with pytest.raises(FileError, match=r"/seq-01/camera-intrinsics\.txt: .*-1"):
+        open_dataset(scene)
 
 
 def test_the_red_kitchen_opens_with_its_own_camera(real_file):

@@ -189,6 +189,13 @@ INVALID = [
     (("nodes", 0, "children", ["a"]), "expected a list of node indices"),
     (("nodes", 0, "rotation", [0, 0, 0, 0]), "rotation is not a unit quaternion"),
     (("nodes", 0, "matrix", [1, 2, 3]), "matrix is not 16 numbers"),
+    (("nodes", 3), "nodes: expected a list of objects"),
+    (("nodes", [3]), "nodes: expected a list of objects"),
+    (("nodes", 0, "matrix", [1e300] * 16), "matrix is not 16 numbers"),
+    (
+        ("nodes", [{"children": [1], "scale": [1e200] * 3}, {"mesh": 0, "scale": [1e200] * 3}]),
+        "nodes 1 has a transform beyond the range of numbers",
+    ),
 ]
 
 
@@ -233,6 +240,10 @@ def test_a_damaged_container_is_refused(tmp_path):
         (lambda data: b"glTX" + data[4:], "does not begin with glTF"),
         (lambda data: data[:4] + b"\1\0\0\0" + data[8:], "GLB version 1"),
         (lambda data: data[:15], "cut off in its header"),
+        (
+            lambda data: data[:8] + struct.pack("<I", len(data) + 4) + data[12:] + bytes(4),
+            "cut off in the head of a ch",
+        ),
         (lambda data: data + b"\0" * 4, "its header declares"),
         (lambda data: data[:12] + b"\xff\xff\xff\x7f" + data[16:], "a chunk declares 2147483647 bytes"),
         (lambda data: data[:16] + b"ABCD" + data[20:], "its first chunk is not JSON"),

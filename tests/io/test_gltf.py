@@ -212,7 +212,29 @@ def morphed(**more) -> Scene:
     return scene
 
 
+def of_second_buffer() -> Scene:
+    """A triangle whose positions are in a second buffer, which has no bytes."""
+    scene = one_triangle()
+    scene.views[0]["buffer"] = 1
+    scene.more["buffers"] = [{"byteLength": len(scene.data)}, {"byteLength": 36}]
+    return scene
+
+
+def compressed_view(**more) -> Scene:
+    """A triangle whose positions are declared as compressed by meshoptimizer."""
+    scene = one_triangle()
+    packed = {"buffer": 0, "byteOffset": 0, "byteLength": 36, "count": 3, "byteStride": 12, "mode": "ATTRIBUTES"}
+    scene.views[0]["extensions"] = {"EXT_meshopt_compression": packed | more}
+    return scene
+
+
 SKINNED, MOVED = skinned([[1, 0, 0, 0]] * 3), [[7, 8, 9], [4, 5, 6]]
+GAP = SKINNED.primitives[0]["attributes"]
+GAP = GAP | {"JOINTS_2": GAP["JOINTS_0"], "WEIGHTS_2": GAP["WEIGHTS_0"]}
+FAR = [*SKINNED.more["nodes"]]
+FAR[1:] = [{"children": [2], "scale": [1e200] * 3}, {"scale": [1e108] * 3}]
+SHORT_TARGET = morphed(weights=[0, 1])
+SHORT_TARGET.primitives[0]["targets"][1]["POSITION"] = SHORT_TARGET.array(np.zeros((2, 3), "f4"))
 NAN = Scene()
 NAN.primitive(POSITION=np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], "f4"))
 NON_FINITE_TARGET = morphed(weights=[1, 0])
@@ -225,6 +247,23 @@ NON_FINITE_TARGET.primitives[0]["targets"][0]["POSITION"] = NON_FINITE_TARGET.ar
         (sparse_scene([1, 1], MOVED, base=True), (), "indices that do not increase"),
         (sparse_scene([0, 1], MOVED, base=True, count=3), (), "beyond the 4 bytes"),
         (sparse_scene([0, 1], MOVED, base=True, code="i2"), (), "indices that are not unsigned integers"),
+        (sparse_scene([1, 3], MOVED, base=True), (), "indices that do not increase, or exceed 3 elements"),
+        (sparse_scene([0, 1], MOVED, base=True, count=0), (), "sparse replaces 0 of 3 elements"),
+        (sparse_scene([0, 1], MOVED, base=True, count=4), (), "sparse replaces 4 of 3 elements"),
+        (of_second_buffer(), (), "buffers 1 has no bytes"),
+        (compressed_view(mode="POINTS"), (), "bufferViews 0 is compressed as POINTS NONE, which is not supported"),
+        (compressed_view(filter="BLUR"), (), "bufferViews 0 is compressed as ATTRIBUTES BLUR, which is not supported"),
+        (compressed_view(byteStride=10), (), "as ATTRIBUTES NONE of 3 times 10 bytes, which is invalid"),
+        (compressed_view(byteStride=260), (), "as ATTRIBUTES NONE of 3 times 260 bytes, which is invalid"),
+        (compressed_view(count=0), (), "as ATTRIBUTES NONE of 0 times 12 bytes, which is invalid"),
+        (compressed_view(filter="OCTAHEDRAL"), (), "as ATTRIBUTES OCTAHEDRAL of 3 times 12 bytes, which is invalid"),
+        (compressed_view(mode="TRIANGLES"), (), "as TRIANGLES NONE of 3 times 12 bytes, which is invalid"),
+        (compressed_view(mode="TRIANGLES", byteStride=4, count=4), (), "NONE of 4 times 4 bytes, which is invalid"),
+        (compressed_view(mode="INDICES", byteStride=4, filter="QUATERNION"), (), "3 times 4 bytes, which is invalid"),
+        (compressed_view(count=2**40), (), "the elements of bufferViews 0 are 1,099,511,627,776, more than 8,388,608"),
+        (SKINNED, ("meshes", 0, "primitives", 0, "attributes", GAP), "has no JOINTS_1 and WEIGHTS_1, but later ones"),
+        (SKINNED, ("nodes", FAR), "skins 0 has a joint transform beyond the range of numbers"),
+        (SHORT_TARGET, (), "POSITION of target 1 of meshes 0 has 2 elements, POSITION 3"),
         (skinned([[np.nan, 0, 0, 0]] * 3), (), "invalid joint weights"),
         (skinned([[0, 1, 0, 0]] * 3, joints=[[0, 2, 0, 0]] * 3), (), "refers to joint 2, of 2"),
         (SKINNED, ("skins", 0, "joints", []), "has no joints"),
@@ -548,11 +587,13 @@ def test_draco_meshes_are_those_that_were_packed_and_agree_with_the_file(tmp_pat
     np.testing.assert_allclose(again.vertices, mesh.vertices, atol=1e-6)
     np.testing.assert_array_equal(again.attributes["LABEL"], np.arange(20))
     keys = ("meshes", 0, "primitives", 0, "extensions", "KHR_draco_mesh_compression", "attributes")
+    points = scene.bytes(pytest.importorskip("DracoPy").encode(mesh.vertices, faces=None))
     for change, reason in (
         (("accessors", 2, "count", 87), "declares 87 x 1, but its compressed mesh contains"),
         (("accessors", 1, "componentType", 5126), "declares float32, but its compressed mesh contains uint8"),
         ((*keys, {"POSITION": 99}), "the Draco data contains no attribute 99, which POSITION refers to"),
         (("bufferViews", 3, "byteLength", 20), "is compressed with Draco and damaged"),
+        (("bufferViews", 3, scene.views[points]), "meshes 0: the Draco data contains points, no triangles"),
     ):
         with pytest.raises(FileError, match=reason):
             read_glb(scene.write(tmp_path / "changed.glb", changed(scene, *change)))
@@ -607,6 +648,13 @@ def test_meshopt_views_are_decoded(tmp_path, monkeypatch):
     scene.write(path)
     monkeypatch.setitem(sys.modules, "meshoptimizer", None)
     with pytest.raises(FileError, match=re.escape('needs the package meshoptimizer. pip install "pointloom[meshopt]"')):
+        read_glb(path)
+
+
+def test_a_compressed_view_of_one_element_is_valid(tmp_path, monkeypatch):
+    path = compressed_view(count=1).write(tmp_path / "m.glb")
+    monkeypatch.setitem(sys.modules, "meshoptimizer", None)
+    with pytest.raises(FileError, match="needs the package meshoptimizer"):
         read_glb(path)
 
 

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from PIL import Image, ImageFile
 
 from pointloom.core.errors import FileError
+from pointloom.io.images import image_files
 from pointloom.io.images.image_files import ImageHeader, read_color, read_depth, read_image_header, write_png
 
 from ..pcd.any_cloud import examples
@@ -336,6 +337,28 @@ def test_a_jpeg_without_one_of_its_scans_or_with_too_few_bytes_is_refused_before
         path.write_bytes(data[:offset] + b"\xff\xd9")
         with pytest.raises(FileError, match=r"/c\.jpg:"):
             read_color(path)
+
+
+@pytest.mark.parametrize(("marker", "at", "new", "reason"), [
+    (b"\xff\xc0", 9, b"\0", "damaged: its frame"),
+    (b"\xff\xc0", 9, b"\4", "damaged: its frame"),
+    (b"\xff\xda", 4, b"\0", "damaged: the head of a scan"),
+    (b"\xff\xda", 4, b"\4", "damaged: the head of a scan"),
+    (b"\xff\xda", 5, b"\x4d", "damaged: the head of a scan"),  # a component that the frame does not have
+])  # fmt: skip
+def test_jpegs_with_damaged_segments_are_rejected_with_their_byte(tmp_path, color, marker, at, new, reason):
+    path, file = tmp_path / "c.jpg", io.BytesIO()
+    Image.fromarray(color).save(file, "JPEG")
+    data = file.getvalue()
+    begin = data.index(marker)
+    assert image_files.testable_jpegs(path, data)
+    with pytest.raises(FileError, match=rf"/c\.jpg \(byte {begin + 2}\): {reason}"):
+        image_files.testable_jpegs(path, data[: begin + at] + new + data[begin + at + len(new) :])
+    length = int.from_bytes(data[begin + 2 : begin + 4], "big")
+    if marker == b"\xff\xc0":  # a second frame
+        twice = data[: begin + 2 + length] + data[begin:]
+        with pytest.raises(FileError, match=rf"/c\.jpg \(byte {begin + 4 + length}\): {reason}"):
+            image_files.testable_jpegs(path, twice)
 
 
 def test_unverifiable_jpegs_are_rejected_with_a_reason(tmp_path, color, monkeypatch):

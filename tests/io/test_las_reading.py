@@ -17,10 +17,12 @@ import pointloom as loom
 from pointloom.core.units import LengthUnit
 from pointloom.io.points.by_extension import write_table
 from pointloom.io.points.codecs import WriteOptions
+from pointloom.io.points.copc import open_copc
 from pointloom.io.points.las import open_las, read_las
 from pointloom.io.points.las_crs import GeographicWarning, crs_name, is_geographic
 from pointloom.io.points.las_units import units_of
 from pointloom.io.points.las_writer import write_las
+from pointloom.io.points.laz_chunks import LazChunks
 from pointloom.io.table import PointTable
 
 from .las_files import FILES, SHIPPED_FILES, edited, make, write_raw
@@ -185,6 +187,8 @@ def test_parts_are_refused_by_name(tmp_path, small_las):
         ([(107, "<I", 0xFFFFFFFF)], "counts 4294967295 points, the file contains 20"),
         ([(107, "<I", 19)], "counts 19 points, but the file contains 20"),
         ([(131, "<d", 0.0)], "scales"),
+        ([(155, "<d", np.nan)], r"the offsets \[nan, .*\] are not finite"),
+        ([(171, "<d", np.inf)], r"the offsets \[.*, inf\] are not finite"),
         ([(139, "<d", np.nan)], "scales"),
         ([(147, "<d", 1e35)], "exceed"),
     ],
@@ -203,6 +207,7 @@ def test_inconsistent_header_is_an_error(edits, reason, small_las):
         ([(235, "<QI", 1 << 50, 1)], "extended records should start at byte 1125899906842624"),
         ([(235, "<QI", 893, 1 << 31)], "2147483648 records cannot fit"),
         ([(375 + 20, "<H", 60_000)], "record 0 of 1 has 60000 bytes"),
+        ([(100, "<I", 2)], "record 1 of 2 is cut off"),
         ([(375 + 54 + 2, "B", 200)], "the record of extra dimensions is damaged"),
         ([(375 + 54 + 2, "B", 10)], "its extra dimensions need 4 bytes more"),
         ([(375 + 54 + 4, "32s", b"")], "two dimensions of its points have one name, or one has none"),
@@ -282,13 +287,72 @@ def test_compressed_points_are_checked_against_their_tables(tmp_path, rng):
         "LASzip's points have 24 bytes": [(record + 34, "<HH", 14, 24)],
         r"items \(type, bytes\) \[\(99, 30\)\]": [(record + 34, "<H", 99)],
     }
+    contradictions |= {
+        "the LASzip record has 20 bytes, at least 34 are needed": [(record - 34, "<H", 20)],
+        "the table of chunks is empty, but there are points": [(record + 12, "<I", 0xFFFFFFFF), (table + 4, "<I", 0)],
+    }
     for reason, edits in contradictions.items():
         path.write_bytes(content)
         with pytest.raises(loom.FileError, match=reason):
             read_las(edited(path, *edits))
+    shorter = content[: table - 100] + content[table:]
+    path.write_bytes(shorter)
+    with pytest.raises(
+        loom.FileError, match=rf"\(byte {table - 100}\): the chunks do not fit into the \d+ bytes before"
+    ):
+        read_las(edited(path, (header.begin, "<q", table - 100)))
+    path.write_bytes(content[: header.begin + 15])
+    with pytest.raises(loom.FileError, match="truncated: no compressed points follow the header"):
+        read_las(path)
+    path.write_bytes(content[:226])
+    with pytest.raises(loom.FileError, match=r"\(byte 226\): truncated: 226 bytes, but the shortest header has 227"):
+        read_las(path)
     path.write_bytes(content.replace(b"laszip encoded", b"laszip encodeX"))
     with pytest.raises(loom.FileError, match=r"/a\.laz \(byte 100\):"):
         read_las(path)
+
+
+def test_chunks_shorter_than_their_first_point_are_rejected(tmp_path, rng):
+    """A table of chunks of short points in a file of long ones."""
+    short, path = tmp_path / "short.laz", tmp_path / "a.laz"
+    make(short, 0, 3, rng)
+    make(path, 0, 3, rng, [laspy.ExtraBytesParams("long", "600u1")])
+    (table,) = struct.unpack_from("<q", short.read_bytes(), open_las(short).header.begin)
+    (end,) = struct.unpack_from("<q", path.read_bytes(), open_las(path).header.begin)
+    path.write_bytes(path.read_bytes()[:end] + short.read_bytes()[table:])
+    with pytest.raises(
+        loom.FileError, match=rf"/a\.laz \(byte {end}\): the chunks do not fit into the \d+ bytes before"
+    ):
+        read_las(path)
+
+
+def test_octrees_that_contradict_the_file_are_rejected(tmp_path, rng):
+    path, plain = tmp_path / "a.copc.laz", tmp_path / "a.laz"
+    loom.write_point_cloud(path, loom.PointCloud(rng.random((400, 3)) * 9))
+    make(plain, 6, 8, rng)
+    with pytest.raises(loom.FileError, match=r"/a\.laz: is not a COPC file: it has no octree record"):
+        open_copc(plain)
+    with pytest.raises(loom.FileError, match=r"/a\.las: is not a LAZ file with points"):
+        make(tmp_path / "a.las", 6, 8, rng)
+        LazChunks(tmp_path / "a.las")
+    content, count, end = path.read_bytes(), 400, 375 + 54 + 160
+    (begin,), (extended,) = struct.unpack_from("<I", content, 96), struct.unpack_from("<Q", content, 235)
+    (table,) = struct.unpack_from("<q", content, begin)
+    path.write_bytes(content[:end] + b"\0" + content[end:])  # all positions after it follow
+    edited(path, (375 + 20, "<H", 161), (96, "<I", begin + 1), (235, "<Q", extended + 1), (begin + 1, "<q", table + 1))
+    with pytest.raises(loom.FileError, match=r"/a\.copc\.laz: the record of its octree has 161 bytes, not 160"):
+        open_copc(path)
+    page, size = struct.unpack_from("<2Q", content, 375 + 54 + 40)
+    twice = len(content)
+    content += 2 * content[page : page + size]
+    for reason, edits in (
+        (f"the header counts {count + 1} points, its chunks {count}", [(247, "<Q", count + 1), (107, "<I", 0)]),
+        (rf"\(byte {twice}\): a node of the octree is dupl", [(375 + 54 + 40, "<2Q", twice, 2 * size)]),
+        (r"its octree has the middle .*, half width 0.0", [(375 + 54 + 24, "<d", 0.0)]),
+    ):
+        path.write_bytes(content)
+        with pytest.raises(loom.FileError, match=reason):
+            open_copc(edited(path, *edits))
 
 
 @pytest.mark.parametrize("count", [4_000_000_000, 2_000_000_000])

@@ -530,6 +530,9 @@ def test_values_that_cannot_be_read_back_are_rejected(tmp_path):
 def test_formats_without_face_values_report_omitted_values(tmp_path):
     table = replace(mesh(colors=np.zeros((7, 3)), label=np.zeros(7)), attributes={"weight": np.zeros(9)})
     assert write_mesh_table(tmp_path / "m.ply", table) == []
+    assert b"format binary" in (tmp_path / "m.ply").read_bytes()[:40]
+    write_mesh_table(tmp_path / "t.ply", table, as_text=True)
+    assert b"format ascii" in (tmp_path / "t.ply").read_bytes()[:40]
     assert write_mesh_table(tmp_path / "m.off", table) == ["weight", "triangle label"]
     assert list(read_table(tmp_path / "m.off").triangle_attributes) == ["colors"]
     assert write_mesh_table(tmp_path / "m.obj", table) == ["weight", "triangle colors", "triangle label"]

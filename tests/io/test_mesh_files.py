@@ -16,8 +16,8 @@ from pointloom.io.meshes.by_extension import write_mesh
 from pointloom.io.meshes.obj import read_obj, write_obj
 from pointloom.io.meshes.off import read_off, write_off
 from pointloom.io.meshes.stl import read_stl, write_stl
-from pointloom.io.points.ply import read_ply, read_ply_mesh, write_ply_mesh
-from pointloom.io.table import MeshTable
+from pointloom.io.points.ply import read_ply, read_ply_mesh, write_ply_mesh, write_ply_mesh_parts
+from pointloom.io.table import MeshTable, PointTable
 from pointloom.io.triangulation import clip_ears, split_faces
 
 from .point_tables import mesh_of
@@ -27,6 +27,37 @@ HEAD = (
     "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
     "element face {}\nproperty list uchar int {}\nend_header\n"
 )
+
+
+@pytest.mark.parametrize(("change", "error", "reason"), [
+    ({"triangles": np.eye(3)}, TypeError, "triangles: expected whole numbers, got float64"),
+    ({"triangles": [[0, 1, -1]]}, ValueError, "triangles: row 0 is [0, 1, -1], but there are vertices 0..2 only"),
+    ({"triangle_material_ids": [0.0]}, TypeError, "triangle_material_ids: expected whole numbers, got float64"),
+    ({"triangle_material_ids": [0, 0]}, ValueError, "triangle_material_ids: expected shape [1], got [2]"),
+    ({"triangle_material_ids": [-1]}, ValueError, "triangle_material_ids: expected 0..2147483647, got -1..-1"),
+    ({"attributes": {3: np.zeros(3)}}, TypeError, "attributes: expected names that are strings, got 3"),
+    ({"attributes": {"a": np.zeros(2)}}, ValueError, "a: expected shape [3] or [3, c], got [2]"),
+    ({"triangle_attributes": {"a": np.zeros((1, 2, 2))}}, ValueError, "a: expected shape [1] or [1, c], got [1, 2, 2]"),
+])  # fmt: skip
+def test_tables_of_wrong_arrays_are_rejected_by_name(change, error, reason):
+    mesh = MeshTable(np.eye(3), np.array([[0, 1, 2]]))
+    assert len(mesh.checked().triangles) == 1
+    with pytest.raises(error) as caught:
+        replace(mesh, **change).checked()
+    assert str(caught.value) == reason
+
+
+@pytest.mark.parametrize("grid", [(3, 1), (0, 2), (-1, -2)])
+def test_grids_of_another_number_of_points_are_rejected(grid):
+    assert PointTable(np.zeros((2, 3)), grid=(2, 1)).checked().grid == (2, 1)
+    with pytest.raises(ValueError, match=rf"grid: expected height x width = 2 points, got \({grid[0]}, {grid[1]}\)"):
+        PointTable(np.zeros((2, 3)), grid=grid).checked()
+
+
+def test_a_mesh_with_more_vertices_than_ply_can_index_is_rejected_before_its_parts_are_made(tmp_path):
+    with pytest.raises(FileError, match=r"/m\.ply: PLY's 32-bit indices cannot index 2,147,483,648 vertices"):
+        write_ply_mesh_parts(tmp_path / "m.ply", list, (2**31, 1))
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("ascii", [False, True])

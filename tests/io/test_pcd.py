@@ -114,6 +114,12 @@ def test_older_headers_without_viewpoint_or_counts_are_read(path, version):
         ("WIDTH 2", "WIDTH 2\nWIDTH 2", "line 8", "a second WIDTH line"),
         ("POINTS 2", "POINTS 3", "line 10", "POINTS is 3, but WIDTH x HEIGHT is 2"),
         ("VIEWPOINT 0 0 0 1", "VIEWPOINT 0 0", "line 9", "VIEWPOINT: expected 7 numbers"),
+        ("WIDTH 2", "WIDTH 2 2", "line 7", "WIDTH: expected one number, got '2 2'"),
+        ("VERSION 0.7", "VERSION 0.8", "line 2", "unknown version '0.8'; supported are 0.5 to 0.7"),
+        ("VERSION 0.7", "VERSION", "line 2", "unknown version ''; supported are 0.5 to 0.7"),
+        ("FIELDS x y z\n", "", "", "the header has no FIELDS line"),
+        ("SIZE 4 4 4\n", "", "", "the header has no SIZE line"),
+        ("WIDTH 2\nHEIGHT 1", "HEIGHT 2", "", "the header has no WIDTH line"),
         ("4 5 6\n", "", "line 12", "truncated: 1 of 2 points"),
         ("4 5 6\n", "4 5 6 7\n", "line 13", "expected 3 values, got 4"),
         ("4 5 6\n", "4 5 6e\n", "line 13", "not a number: '6e'"),
@@ -177,6 +183,11 @@ def test_only_zeros_and_white_space_may_follow_a_payload(path, encoding):
         path.write_bytes(valid + surplus)
         with pytest.raises(FileError, match=f"{len(surplus)} bytes follow"):
             read_pcd(path)
+    header = valid.index(b"DATA") + len(f"DATA {encoding}\n")
+    path.write_bytes(valid[: header + 7])
+    words = "the payload needs" if encoding == "binary" else "the two sizes before the payload are missing"
+    with pytest.raises(FileError, match=rf"/cloud\.pcd \(byte {header + 7}\): truncated: {words}"):
+        read_pcd(path)
     path.write_bytes(valid + bytes(5000))  # perhaps points at the origin
     with pytest.warns(UserWarning, match="5,000 bytes of zeros"):
         assert_same_table(read_pcd(path), table)
@@ -215,6 +226,30 @@ def text_with(fields, types, rows, viewpoint="0 0 0 1 0 0 0"):
     names = fields.split()
     lines = ["VERSION 0.7", f"FIELDS {fields}", "SIZE" + " 4" * len(names), f"TYPE {types}", f"WIDTH {len(rows)}"]
     return "\n".join([*lines, "HEIGHT 1", f"VIEWPOINT {viewpoint}", f"POINTS {len(rows)}", "DATA ascii", *rows, ""])
+
+
+@pytest.mark.parametrize(("fields", "types", "sizes", "reason"), [
+    ("x y z rgb", "F F F F", "4 4 4 8", "field 'rgb': expected one value of 4 bytes, got float64"),
+    ("x y z rgba", "F F F U", "4 4 4 2", "field 'rgba': expected one value of 4 bytes, got uint16"),
+    ("x y z alpha rgba", "F F F F U", "4 4 4 4 4", "the fields 'alpha' and 'rgba' conflict"),
+])  # fmt: skip
+def test_fields_that_contradict_packed_colors_are_rejected(tmp_path, fields, types, sizes, reason):
+    row = " ".join(["1"] * len(fields.split()))
+    text = text_with(fields, types, [row, row]).replace("SIZE" + " 4" * len(fields.split()), f"SIZE {sizes}")
+    (tmp_path / "a.pcd").write_text(text)
+    with pytest.raises(FileError, match=rf"/a\.pcd: {reason}"):
+        read_pcd(tmp_path / "a.pcd")
+
+
+@pytest.mark.parametrize(("kind", "size", "value", "type_name"), [
+    ("U", 8, "6.5", "uint64"), ("U", 8, "-1", "uint64"), ("U", 8, str(2**64), "uint64"), ("I", 8, str(2**63), "int64"),
+    ("I", 1, "6.5", "int8"), ("U", 1, "256", "uint8"),
+])  # fmt: skip
+def test_integers_that_do_not_fit_their_type_are_rejected_with_their_line(tmp_path, kind, size, value, type_name):
+    text = text_with("x y z k", f"F F F {kind}", ["0 0 0 1", f"0 0 0 {value}"])
+    (tmp_path / "a.pcd").write_text(text.replace("SIZE 4 4 4 4", f"SIZE 4 4 4 {size}"))
+    with pytest.raises(FileError, match=rf"\(line 11\): k: {value} does not fit the declared type {type_name}"):
+        read_pcd(tmp_path / "a.pcd")
 
 
 @pytest.mark.parametrize("name", ["rgb", "rgba"])

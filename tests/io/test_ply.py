@@ -122,6 +122,13 @@ def test_colors_of_every_name_and_type_are_scaled_to_0_1(path, names, code, full
     assert not table.attributes
 
 
+def test_colors_of_different_types_are_left_out_with_a_warning(path):
+    colors = "property uchar red\nproperty float green\nproperty uchar blue\nend_header\n"
+    write(path, HEAD.replace("end_header\n", colors) + "0 0 0 1 1 1\n1 2 3 0 0 0\n")
+    with pytest.warns(UserWarning, match=r"/cloud\.ply: .* because the three color channels have different types"):
+        assert read_ply(path).colors is None
+
+
 @pytest.mark.parametrize(
     ("content", "where", "reason"),
     [
@@ -137,6 +144,15 @@ def test_colors_of_every_name_and_type_are_scaled_to_0_1(path, names, code, full
         (b"ply\nformat ascii 1.0\nelement vertex 1e3\nend_header\n", "line 3", "not a whole number"),
         (b"ply\nformat ascii 1.0\nelement vertex " + b"9" * 5000 + b"\nend_header\n", "line 3", "impossibly large"),
         (b"ply\nformat ascii 1.0\nelement vertex 1\nelement vertex 1\nend_header\n", "line 4", "declared twice"),
+        (b"ply\nformat ascii 2.0\nend_header\n", "line 2", "unknown format 'ascii 2.0'; supported are"),
+        (b"ply\nformat utf8 1.0\nend_header\n", "line 2", "unknown format 'utf8 1.0'; supported are"),
+        (b"ply\nformat ascii\nend_header\n", "line 2", "unknown format 'ascii'; supported are"),
+        (HEAD.replace("vertex 2", "vertex").encode(), "line 3", "expected 'element <name> <count>', got 'element"),
+        (HEAD.replace("float z", "z").encode(), "line 6", "expected 'property <type> <name>' or 'property list <type>"),
+        (HEAD.replace("float z", "list int z").encode(), "line 6", "<type> <name>', got 'property list int z'"),
+        (HEAD.replace("float z", "float z 1").encode(), "line 6", "<type> <name>', got 'property float z 1'"),
+        (HEAD.replace("element", "elements").encode(), "line 3", "unknown header line 'elements vertex 2'"),
+        (HEAD.replace("float z", "float w").encode() + b"1 2 3\n4 5 6\n", "", "element 'vertex' has no property z"),
         (HEAD.replace("float z", "float y").encode(), "line 6", "declared twice"),
         (HEAD.replace("float z", "quad z").encode(), "line 6", "unknown type 'quad'"),
         (HEAD.replace("float z", "list float int z").encode(), "line 6", "counted in float"),
@@ -173,9 +189,15 @@ def test_impossible_and_negative_list_lengths_are_refused_with_their_row(path):
     head = HEAD.replace("end_header", "property list char int tags\nend_header")
     with pytest.raises(FileError, match=r"/cloud\.ply \(line 10\):"):
         read_ply(write(path, head, b"1 2 3 0\n1 2 3 -1\n"))
+    row, head = np.zeros(3, "<f4").tobytes(), head.replace("ascii", "binary_little_endian")
     with pytest.raises(FileError, match=r"/cloud\.ply \(row 1, byte 168\):"):
-        row = np.zeros(3, "<f4").tobytes()
-        read_ply(write(path, head.replace("ascii", "binary_little_endian"), row + b"\0" + row + b"\xff"))
+        read_ply(write(path, head, row + b"\0" + row + b"\xff"))
+    for rest in (row, row + b"\1", row[:-1]):  # without a length, its entry, and a property before it
+        with pytest.raises(
+            FileError, match=r"truncated: row 1 of 2 of element 'vertex' reaches beyond the end"
+        ) as caught:
+            read_ply(write(path, head, row + b"\3" + row + rest))
+        assert caught.value.where == f"byte {path.stat().st_size}"
 
 
 def test_missing_files_are_rejected(tmp_path):

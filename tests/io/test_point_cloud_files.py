@@ -33,7 +33,7 @@ from pointloom.io.points.las import read_las
 from pointloom.io.points.npz import read_npz, write_npz
 from pointloom.io.points.pcd import write_pcd
 from pointloom.io.points.ply import read_ply, write_ply
-from pointloom.io.points.scan_files import list_scans
+from pointloom.io.points.scan_files import list_scans, read_scans
 from pointloom.io.points.text_parts import TextInParts
 from pointloom.io.table import PointTable
 from pointloom.registration import run_odometry
@@ -124,6 +124,31 @@ def test_unknown_and_missing_files_and_other_objects_are_named(tmp_path):
     with pytest.raises(TypeError, match="cloud:"):
         loom.write_point_cloud(tmp_path / "cloud.ply", np.eye(3))  # type: ignore[arg-type]
     assert list(tmp_path.iterdir()) == []
+
+
+def test_other_arguments_folders_and_images_are_named(tmp_path, rng):
+    cloud, path = loom.PointCloud(np.add(rng.random((5, 3)), [4e5, 5e6, 0]), crs=25832), tmp_path / "a.las"
+    loom.write_point_cloud(path, cloud)
+    (tmp_path / "folder").mkdir()
+    systems = "the coordinate system of the points is EPSG:25833, that of the file in like is .*32N"
+    for error, reason, call in (
+        (TypeError, "like: expected the path of a LAS or LAZ file, got int", {"like": 3}),
+        (loom.FileError, rf"/b\.las: {systems}\. Call reproject, or set crs if one", {"like": path, "other": True}),
+        (ValueError, r"scale: expected finite numbers > 0, got \[0.1, -0.1, 0.1\]", {"scale": [0.1, -0.1, 0.1]}),
+        (ValueError, r"scale: expected finite numbers > 0, got \[0.1, nan, 0.1\]", {"scale": [0.1, np.nan, 0.1]}),
+    ):
+        written = loom.PointCloud(cloud.points, crs=25833) if call.pop("other", False) else cloud
+        with pytest.raises(error, match=reason):
+            loom.write_point_cloud(tmp_path / "b.las", written, **call)
+    assert not (tmp_path / "b.las").exists()
+    with pytest.raises(TypeError, match="within: expected an AxisAlignedBoundingBox, got int"):
+        loom.read_copc(tmp_path / "a.copc.laz", within=3)
+    with pytest.raises(loom.FileError, match=r"/folder: is a folder\. Give the name of a file: \.ply"):
+        loom.read_point_cloud(tmp_path / "folder")
+    with pytest.raises(loom.FileError, match=r"/a\.png: is an image\. Use read_color, or read_depth for depth maps"):
+        loom.read_point_cloud(tmp_path / "a.png")
+    with pytest.raises(TypeError, match="scans: expected a folder, files or clouds, got int"):
+        list(read_scans(3))
 
 
 @pytest.mark.parametrize("name", ["device", "origin", "self", "grid"])

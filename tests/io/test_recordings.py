@@ -242,6 +242,60 @@ def test_inconsistent_images_are_rejected_with_their_frame(tmp_path, encoding, a
         one_frame(tmp_path, color=(encoding, array)).frames().read(0)
 
 
+PACKED = "/cam/depth/image_raw/compressedDepth"
+
+
+@pytest.mark.parametrize(("packed", "change", "reason"), [
+    (None, {"width": 0}, "frame-000000: an image of 0 x 12 pixels"),
+    (None, {"data": np.zeros(9, np.uint8)}, "frame-000000: an image of 12 rows of 32 bytes has 9, not 384"),
+    (None, {"step": 31}, "frame-000000: an image has rows of 31 bytes, but 16 pixels need 32"),
+    (None, {"encoding": "rgb8"}, "frame-000000: an image of encoding 'rgb8' is not a depth map. Depth encodings are"),
+    (None, {"height": 6, "data": np.zeros(192, np.uint8)}, r"depth: .* got \[6, 16\]. Give the intrinsic of these"),
+    (b"RVL", {}, "frame-000000: depth packed as '32FC1; compressedDepth' is not a PNG. RVL is not supported"),
+    (struct.pack("<iff", 0, 0, 1) + png(depth_of(0)), {}, "depth of floats packed with the numbers 0 and 1"),
+    (struct.pack("<iff", 0, 1, np.inf) + png(depth_of(0)), {}, "depth of floats packed with the numbers 1 and inf"),
+    (png(depth_of(0)), {}, "depth of floats packed with the numbers 0 and 0"),
+])  # fmt: skip
+def test_invalid_depth_messages_are_rejected_with_their_frame(tmp_path, monkeypatch, packed, change, reason):
+    with Writer(tmp_path) as out:
+        out.info()
+        if packed is None:
+            out.image(DEPTH_TOPIC, 1.0, "16UC1", depth_of(0))
+        else:
+            out.packed(PACKED, 1.0, "32FC1; compressedDepth", packed)
+    recording = loom.open_recording(out.path)
+    frames, content_at = recording.frames(), recording.content_at
+
+    def changed(row):
+        message = content_at(row)
+        for name, value in change.items():
+            setattr(message, name, value)
+        return message
+
+    monkeypatch.setattr(recording, "content_at", changed)
+    with pytest.raises(FileError, match=reason):
+        frames.read(0)
+
+
+def test_a_depth_topic_without_headers_or_with_a_camera_of_no_size_is_rejected(tmp_path, monkeypatch):
+    recording = one_frame(tmp_path)
+    monkeypatch.setattr(recording, "bytes_at", lambda row: ("cdr", bytes(11)))
+    with pytest.raises(FileError, match=f"/run: {DEPTH_TOPIC}: message 0 has no header"):
+        recording.frames()
+    monkeypatch.undo()
+    content_at = recording.content_at
+
+    def changed(row):
+        message = content_at(row)
+        if hasattr(message, "k"):
+            message.width = 0
+        return message
+
+    monkeypatch.setattr(recording, "content_at", changed)
+    with pytest.raises(FileError, match=r"/run: a camera_info is not a valid camera: width: .*\. Give intrinsic"):
+        recording.frames()
+
+
 def test_messages_of_an_unknown_type_are_an_error_with_its_name(tmp_path):
     kind = "my_robot/msg/Battery"
     with Writer(tmp_path) as out:
@@ -328,6 +382,14 @@ def test_transforms_are_interpolated(tmp_path, form):
     back = tree.lookup("lidar", "odom", 12.9)
     np.testing.assert_allclose(back @ result[2], np.eye(4), rtol=0, atol=1e-9)
     np.testing.assert_array_equal(tree.lookup("odom", "odom", times), np.tile(np.eye(4), (5, 1, 1)))
+
+
+def test_recordings_without_a_transform_are_named(tmp_path):
+    with Writer(tmp_path) as out:
+        out.store.register(get_types_from_msg("geometry_msgs/TransformStamped[] transforms", TF))
+        out.write("/tf", TF, 1.0, out.store.types[TF]([]))
+    with pytest.raises(FileError, match=r"/run: contains no transform"):
+        loom.open_recording(out.path).transforms()
 
 
 def test_undefined_lookups_are_named(tmp_path):

@@ -1,5 +1,6 @@
 """Streams of frames and drivers of depth cameras, replaced by stubs: checks, dropped frames, calibration, failures."""
 
+import shutil
 import sys
 import threading
 import time
@@ -15,8 +16,9 @@ from pointloom.core.errors import CameraError, DatasetError
 from pointloom.io.frames import recordings
 from pointloom.io.frames.dataset_layouts import FRAME_TIMES
 from pointloom.io.frames.datasets import Frame
-from pointloom.io.frames.depth_cameras import LensMap, distort
+from pointloom.io.frames.depth_cameras import LensMap, distort, recording_path
 from pointloom.io.frames.frame_times import MAX_REMARKS, TimeWatch
+from pointloom.io.frames.frames import check_frames
 from pointloom.io.frames.recordings import FrameRecorder
 from pointloom.io.frames.rgbd_sources import RGBDSource
 
@@ -304,7 +306,34 @@ def test_nonempty_folder_is_not_overwritten(tmp_path):
         FrameRecorder(tmp_path, CAMERA)
     with pytest.raises(loom.FileError, match="/b:"):
         FrameRecorder(tmp_path / "a" / "b", CAMERA)
+    with pytest.raises(loom.FileError, match=r"/notes\.txt: cannot be created: File exists"):
+        FrameRecorder(tmp_path / "notes.txt", CAMERA)
     assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]
+
+
+def test_objects_that_are_no_frames_or_sources_are_named(tmp_path):
+    recorder = FrameRecorder(tmp_path / "set", CAMERA)
+    for call, reason in (
+        (lambda: recorder.write(DEPTH), "frame: expected a frame of an RGBDSource, got ndarray"),
+        (lambda: loom.record_frames([DEPTH], tmp_path / "a"), "source: expected an RGBDSource .*, got list"),
+        (lambda: loom.LatestFrames([DEPTH]), "source: expected an RGBDSource .*, got list"),
+        (lambda: loom.frames_from("folder", CAMERA), "frames: expected pairs of color and depth to iterate over, got"),
+        (lambda: loom.frames_from({"a": DEPTH}, CAMERA), "frames: expected pairs of color and depth to iterate over"),
+        (lambda: loom.frames_from(3, CAMERA), "frames: expected pairs of color and depth to iterate over, got 3"),
+        (
+            lambda: check_frames("frames", [DEPTH]),
+            "frames: expected RGB-D frames of one camera, got list; loom.frames_from",
+        ),
+        (lambda: recording_path(3), "file: expected the path of a recording, got 3"),
+    ):
+        with pytest.raises(TypeError, match=reason):
+            call()
+    assert recording_path(None) is None and recording_path(tmp_path) == str(tmp_path)
+    shutil.rmtree(tmp_path / "set")
+    (tmp_path / "set").mkdir()
+    (tmp_path / "set" / FRAME_TIMES).mkdir()
+    with pytest.raises(loom.FileError, match=rf"/set/{FRAME_TIMES}: cannot be written: Is a directory"):
+        recorder.write(next(iter(stream((COLOR, DEPTH)))))
 
 
 DRIVEN = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 30.0, 30.0, 15.5, 11.5)

@@ -2,6 +2,7 @@
 
 import gzip
 import struct
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -36,6 +37,16 @@ def test_spz_rounds_by_its_steps(tmp_path):
     assert np.abs(again.harmonics - splats.harmonics)[small].max() <= 8 / 128 + 1e-6
     loom.write_splats(tmp_path / "b.spz", splats)
     assert (tmp_path / "a.spz").read_bytes() == (tmp_path / "b.spz").read_bytes()
+
+
+def test_splat_rounds_colors_opacities_and_rotations_to_bytes(tmp_path):
+    splats = made(500, 0)
+    loom.write_splats(tmp_path / "a.splat", splats)
+    again = loom.read_splats(tmp_path / "a.splat")
+    np.testing.assert_array_equal(again.centers, splats.centers.astype(np.float32))
+    np.testing.assert_allclose(again.scales, splats.scales, rtol=1e-6)
+    assert np.abs(again.opacities - splats.opacities).max() <= 0.5 / 255 + 1e-6
+    assert np.abs((again.rotations * splats.rotations).sum(axis=1)).min() > 1 - 1e-3
 
 
 def test_spz_of_version_2_has_three_bytes_a_rotation(tmp_path):
@@ -124,6 +135,85 @@ def test_invalid_spz_headers_are_rejected(tmp_path, offset, value, message):
     (tmp_path / "a.spz").write_bytes(gzip.compress(bytes(content)))
     with pytest.raises(FileError, match=message):
         loom.read_splats(tmp_path / "a.spz")
+
+
+@pytest.mark.parametrize(("edit", "words"), [
+    (lambda content: gzip.compress(content[:10]), ": ends after 10 bytes of a header of 16"),
+    (lambda content: gzip.compress(content[:-1]), ": ends after 59 of 60 bytes of splats. The file is cut off"),
+    (lambda content: gzip.compress(content + b"x"), " (byte 76): continues after its 3 splats"),
+    (lambda content: gzip.compress(content)[:-4], ": ends before gzip's checksum. The file is cut off"),
+    (lambda content: gzip.compress(content)[:-9], ": ends "),
+    (lambda content: gzip.compress(content)[:-8] + bytes(8), ": gzip: "),
+    (lambda content: gzip.compress(content)[:4], ": ends after 0 bytes of a header of 16"),
+])  # fmt: skip
+def test_truncated_and_extended_spz_files_are_rejected(tmp_path, edit, words):
+    path = tmp_path / "a.spz"
+    loom.write_splats(path, made(3, 0))
+    content = gzip.decompress(path.read_bytes())
+    path.write_bytes(gzip.compress(content[:14] + b"\2" + content[15:] + b"extension"))
+    assert len(loom.read_splats(path)) == 3
+    path.write_bytes(edit(content))
+    with pytest.raises(FileError) as caught:
+        loom.read_splats(path)
+    assert str(caught.value).startswith(f"{path}{words}")
+
+
+def streams_of(head=b"", table=32, first=None, entry=(None, None), behind=b""):
+    """SPZ of version 4 with one splat: a header, a table of the sizes of its streams, and the streams."""
+    zstandard = pytest.importorskip("zstandard")
+    streams = [zstandard.compress(bytes(size)) for size in (9, 1, 3, 3, 4)]
+    streams[0] = first or streams[0]
+    sizes = [[len(stream), size] for stream, size in zip(streams, (9, 1, 3, 3, 4), strict=True)]
+    sizes[0] = [given if given is not None else size for given, size in zip(entry, sizes[0], strict=True)]
+    start = head or struct.pack("<IIIBBBB", 0x5053474E, 4, 1, 0, 12, 0, 5)
+    rows = b"".join(struct.pack("<QQ", *row) for row in sizes)
+    return start + struct.pack("<I", table) + bytes(12) + rows + b"".join(streams) + behind
+
+
+def packed_by_zstandard(count, **options):
+    return pytest.importorskip("zstandard").ZstdCompressor(**options).compress(bytes(count))
+
+
+@pytest.mark.parametrize(("make", "words"), [
+    (lambda: streams_of()[:31], " (byte 0): has 31 bytes, fewer than the header of SPZ"),
+    (lambda: streams_of(struct.pack("<IIIBBBB", 0x5053474E, 4, 1, 0, 12, 0, 6)), " (byte 15): 6 streams, expected 5"),
+    (lambda: streams_of(table=31), " (byte 16): a table at byte 31 of "),
+    (lambda: streams_of(table=999), " (byte 16): a table at byte 999 of "),
+    (lambda: streams_of(entry=(None, 8)), " (byte 112): the stream of points has 8 bytes, expected 9"),
+    (lambda: streams_of(entry=(999, None)), " (byte 112): the stream of points reaches beyond the file"),
+    (lambda: streams_of(first=packed_by_zstandard(8)), " (byte 112): a stream of 8 bytes, expected 9"),
+    (lambda: streams_of(first=packed_by_zstandard(8, write_content_size=False)), " (byte 112): a stream of 8 bytes"),
+    (lambda: streams_of(first=b"damaged"), ": the stream at byte 112: "),
+    (lambda: streams_of(behind=b"xyz"), "continues after its last stream, by 3 bytes"),
+])  # fmt: skip
+def test_invalid_streams_of_spz_are_rejected(tmp_path, make, words):
+    path = tmp_path / "a.spz"
+    path.write_bytes(streams_of())
+    assert len(loom.read_splats(path)) == 1
+    path.write_bytes(make())
+    with pytest.raises(FileError) as caught:
+        loom.read_splats(path)
+    assert words in str(caught.value).removeprefix(str(path))
+
+
+def test_a_stream_that_declares_more_bytes_than_expected_is_not_decompressed(tmp_path):
+    (tmp_path / "a.spz").write_bytes(streams_of(first=packed_by_zstandard(1 << 25)))
+    tracemalloc.start()
+    try:
+        with pytest.raises(FileError, match="a stream of 33,554,432 bytes, expected 9"):
+            loom.read_splats(tmp_path / "a.spz")
+        assert tracemalloc.get_traced_memory()[1] < 1 << 22
+    finally:
+        tracemalloc.stop()
+
+
+def test_other_objects_and_a_missing_column_are_named(tmp_path):
+    with pytest.raises(TypeError, match="splats: expected GaussianSplats, got PointCloud"):
+        loom.write_splats(tmp_path / "a.ply", loom.PointCloud(np.eye(3)))
+    loom.write_splats(tmp_path / "a.ply", made(3, 0))
+    (tmp_path / "a.ply").write_bytes((tmp_path / "a.ply").read_bytes().replace(b"f_dc_2", b"f_dc_7"))
+    with pytest.raises(FileError, match=r"/a\.ply: vertices have no f_dc_2, but 3 columns f_dc_i"):
+        loom.read_splats(tmp_path / "a.ply")
 
 
 ENDS = [f"{end}_{what}{axis}" for what in ("", "scale_") for end in ("min", "max") for axis in "xyz"]

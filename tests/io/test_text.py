@@ -68,6 +68,10 @@ def test_pts_stores_intensity_and_colors_in_any_combination(tmp_path, with_inten
         ("c.xyz", "1 2 3\n4 5 1e400\n", "line 2", "beyond the range of float64"),
         ("c.xyzn", "1 2 3 0 0 1e39\n", "row 0", "a normal is beyond the range of float32"),
         ("c.xyzrgb", "1 2 3 0 0 1\n1 2 3 0 0 255\n", "row 1", "a color is outside 0..1"),
+        ("c.xyz", "1 2 3\n4 5 1-2\n", "line 2, column 3", "not a number: '1-2'"),
+        ("c.xyzn", "1 2 3 0 0 1\n4 5 6 0 0 1-2\n", "line 2, column 6", "not a number: '1-2'"),
+        ("c.xyzn", "# nothing\n", "", "contains no points"),
+        ("c.xyzn", "1 2 3 0 0\n", "line 1", "expected 6 values, got 5"),
         ("c.pts", "-1\n", "line 1", "negative"),
         ("c.pts", "1e3\n", "line 1", "not a whole number"),
         ("c.pts", "10000000000\n1 2 3\n", "line 2", "truncated: 1 of 10000000000 points"),
@@ -77,6 +81,7 @@ def test_pts_stores_intensity_and_colors_in_any_combination(tmp_path, with_inten
         ("c.txt", "1 2 3\n", "", "'.txt' is not one of .xyz, .xyzn, .xyzrgb, .pts"),
         ("c.csv", "1 2 3 4 5 6\n", "", "has 6 columns without names"),
         ("c.csv", "# only a note\n\n", "", "contains no points"),
+        ("c.csv", "x y z\n# only a note\n", "", "contains no points"),
         ("c.csv", "3\n1 2 3\n4 5 6\n", "", "expected 3 points, which a line above them declares, got 2"),
         ("c.csv", "x y z\n2\n2\n1 2 3\n", "line 2", "expected 3 values, got 1"),
         ("c.csv", "ncols 2\nnrows 2\nxllcorner 0\n", "", "is an Esri grid of heights"),
@@ -99,6 +104,31 @@ def test_damaged_file_is_rejected_with_location_and_reason(tmp_path, name, conte
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
         (read_text_table if name == "c.csv" else read_text)(tmp_path / name)
     assert caught.value.where == where
+
+
+@pytest.mark.parametrize(("name", "content", "where", "reason"), [
+    ("c.csv", "x y z\n", "", "contains no points"),
+    ("c.xyzn", "# nothing\n", "", "contains no points"),
+    ("c.pts", "2\n1 2 3 4 5\n1 2 3 4 5\n", "line 2", "expected 3, 4, 6 or 7 values, got 5"),
+    ("c.pts", "1\n1 2 3 0 0 256\n", "line 2", "color: 256 does not fit the declared type uint8"),
+    ("c.pts", "3\n1 2 3\n1 2 3\n", "", "expected 3 points, which a line above them declares, got 2"),
+    ("c.xyzn", "1 2 3 0 0 1\n1 2 3 0 0\n", "line 2", "expected 6 values, got 5"),
+])  # fmt: skip
+def test_damaged_text_that_is_read_in_parts_is_rejected(tmp_path, name, content, where, reason):
+    (tmp_path / name).write_text(content)
+    with pytest.raises(FileError) as caught:
+        list(TextInParts(tmp_path / name).parts(10))
+    assert (caught.value.where, caught.value.reason) == (where, reason)
+
+
+@pytest.mark.parametrize("suffix", [".xyz", ".xyzn", ".xyzrgb"])
+def test_texts_without_a_header_cannot_store_a_cloud_without_points(tmp_path, suffix):
+    path = tmp_path / f"c{suffix}"
+    with pytest.raises(
+        FileError, match=rf"/c{suffix}: {suffix} cannot distinguish a cloud without points from an empty"
+    ):
+        write_text(path, table_for(suffix, 0))
+    assert not path.exists()
 
 
 def test_unsupported_data_is_rejected_with_a_suggestion_of_ply(tmp_path):
@@ -287,6 +317,7 @@ def test_conversion_to_e57_and_tiles_keeps_the_poses(tmp_path):
         (scan(FOUR.replace("0 2 0 0.25", "0 2 0 x")), "line 13"),
         (scan(FOUR.replace("0 2 0 0.25", "")), "lines 11 to 14"),
         (scan("1 0 0 0.5 0 0 256", "1\n1"), "line 11"),
+        (scan("1 0 0 0.5 0", "1\n1"), "line 11"),
         ("\n\n", ""),
         ("x y z\n1 2 3\n", "line 1"),
     ],

@@ -1,5 +1,6 @@
 """VTK files: every encoding of VTK's own writers, round trips, rejected files, and files of other libraries."""
 
+import base64
 import itertools
 import tracemalloc
 import zlib
@@ -20,6 +21,7 @@ from .point_tables import assert_same_table, table_of
 HEAD = "# vtk DataFile Version 4.2\ntest\nASCII\nDATASET POLYDATA\n"
 SQUARE = "POINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 0\n"
 GRID = HEAD.replace("POLYDATA", "UNSTRUCTURED_GRID") + SQUARE + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n{}\n"
+NEW, BINARY = HEAD.replace("4.2", "5.1") + SQUARE, HEAD.replace("ASCII", "BINARY")
 XML = """<VTKFile type="PolyData" byte_order="LittleEndian"><PolyData><Piece NumberOfPoints="3" NumberOfPolys="1">
 <Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points>
 <Polys><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>
@@ -238,11 +240,33 @@ def test_all_kinds_of_legacy_attributes_are_read(tmp_path):
         (HEAD.split("DATASET")[0], "contains no data set"),
         (HEAD + SQUARE + "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n", "strips"),
         (HEAD + SQUARE + "POLYGONS 1 4\n3 0 1 2\nNONSENSE\n", "unexpected word"),
+        (HEAD + SQUARE + "POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 4\nNONSENSE a int\n", "unexpected word 'NONSENSE'"),
+        (HEAD + "POINTS 4", r"byte 63\): is truncated"),
+        (HEAD + "POINTS 2 float\n10 20 30 40", "truncated: 6 numbers are expected, but 4 are left"),
+        (HEAD + "FIELD f 1\nnote 1 2 string\na\nb", "is truncated in a text"),
+        (NEW + "POLYGONS 2 4\nOFFSET int\n0 4\n", "expected OFFSETS, got 'OFFSET'"),
+        (NEW + "POLYGONS 2 4\nOFFSETS int\n0 4\nCONNECTIVITY int\n0 1 2 3\n", None),
+        (NEW + "POLYGONS 2 4\nOFFSETS int\n1 4\nCONNECTIVITY int\n0 1 2 3\n", "the offsets of the cells are damaged"),
+        (NEW + "POLYGONS 2 4\nOFFSETS int\n0 3\nCONNECTIVITY int\n0 1 2 3\n", "the offsets of the cells are damaged"),
+        (NEW + "POLYGONS 0 4\nOFFSETS int\n\nCONNECTIVITY int\n0 1 2 3\n", "the offsets of the cells are damaged"),
+        (NEW + "POLYGONS 4 6\nOFFSETS int\n0 4 2 6\nCONNECTIVITY int\n0 1 2 3 0 1\n", "the offsets of the cells are"),
+        (BINARY + "POINTS 1 float 7\n" + 12 * "0", "expected the end of the line before binary numbers"),
+        (BINARY + "POINTS 1 float" + 12 * "0", "type 'float000000000000' is not supported"),
+        (BINARY + "POINTS 1 float\n" + 11 * "0", "truncated: 3 numbers need 12 bytes, but 11 are left"),
+        (BINARY + "FIELD f 1\nnote 1 1 string\n\x01\x01ab", "is truncated in a text"),
     ],
 )
 def test_damaged_legacy_files_are_rejected_with_the_reason(tmp_path, text, words):
     with pytest.raises((FileError, ValueError), match=words) if words else nullcontext():
         read_vtk_mesh(write(tmp_path / "a.vtk", text))
+
+
+BYTES = '<DataArray type="UInt8" Name="a" format="ascii">1 2 3</DataArray>'
+COORDINATES = 'format="ascii">0 0 0 1 0 0 0 1 0<'
+
+
+def binary(declared, count):
+    return f'format="binary">{base64.b64encode(declared.to_bytes(4, "little") + bytes(count)).decode()}<'
 
 
 @pytest.mark.parametrize(
@@ -256,7 +280,10 @@ def test_damaged_legacy_files_are_rejected_with_the_reason(tmp_path, text, words
         ('"3" NumberOfPolys', '"x" NumberOfPolys', "count"),
         ('Name="offsets"', 'Name="ends"', "Polys: connectivity or offsets are missing"),
         ("<PolyData>", "<PolyData><Piece/>", "expected one piece, got 2"),
-        (">3<", ">-3<", "the offsets are damaged"),
+        (">3<", ">-3<", "the offsets are damaged"), ("Points>", "Pts>", "contains no points"),
+        ("<Polys>", f"<PointData>{2 * BYTES}</PointData><Polys>", "the array 'a' is duplicated"),
+        (COORDINATES, binary(72, 71), "the array '' is damaged: 1 bytes are missing"),
+        (COORDINATES, binary(71, 71), "the array '' has 71 bytes, which are no numbers of float64"),
     ],
 )  # fmt: skip
 def test_damaged_xml_files_are_rejected_with_the_reason(tmp_path, old, new, words):
@@ -264,6 +291,20 @@ def test_damaged_xml_files_are_rejected_with_the_reason(tmp_path, old, new, word
     assert len(read_vtk_mesh(write(tmp_path / "a.vtp", XML)).triangles) == 1
     with pytest.raises(FileError, match=words):
         read_vtk_mesh(write(tmp_path / "a.vtp", XML.replace(old, new)))
+
+
+@pytest.mark.parametrize("types", [[5, 3, 5], [5, 1, 3], [3, 5, 5], [5, 5, 1]], ids=str)
+def test_arrays_of_a_grid_follow_its_faces_between_cells_of_other_kinds(tmp_path, types):
+    cells = {1: "1 0\n", 3: "2 0 1\n", 5: "3 0 1 2\n"}
+    rows = "".join(cells[number] for number in types)
+    text = HEAD.replace("POLYDATA", "UNSTRUCTURED_GRID") + SQUARE + f"CELLS 3 {len(rows.split())}\n{rows}CELL_TYPES 3\n"
+    arrays = "SCALARS k int 1\nLOOKUP_TABLE default\n10 20 30\nFIELD f 1\nwide 2 3 int\n1 2 3 4 5 6\n"
+    path = write(tmp_path / "a.vtk", f"{text}{' '.join(map(str, types))}\nCELL_DATA 3\n{arrays}")
+    with pytest.warns(UserWarning, match="left out"):
+        table = read_vtk_mesh(path)
+    faces = np.flatnonzero(np.array(types) == 5)
+    np.testing.assert_array_equal(table.triangle_attributes["k"], 10 + 10 * faces)
+    np.testing.assert_array_equal(table.triangle_attributes["wide"], np.arange(1, 7).reshape(3, 2)[faces])
 
 
 def test_faces_decide_between_cloud_and_mesh(tmp_path):
@@ -316,9 +357,9 @@ def blocks_of(raw, count=None):
     return b"".join(number.to_bytes(4, "little") for number in header) + body
 
 
-def compressed_file(rows, field=b""):
+def compressed_file(rows, field=b"", point=None):
     """A file of one point with an attribute of `rows` bytes and a text."""
-    parts = [blocks_of(bytes(12)), blocks_of(bytes(rows)), blocks_of(field)]
+    parts = [blocks_of(bytes(12)) if point is None else point, blocks_of(bytes(rows)), blocks_of(field)]
     at = np.cumsum([0, *map(len, parts)])
     array = '<{}Array type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>'
     text = '<VTKFile type="PolyData" compressor="vtkZLibDataCompressor"><PolyData><FieldData>'
@@ -328,6 +369,25 @@ def compressed_file(rows, field=b""):
         array.format("Data", "Float32", "p", 3, at[0]) + '</Points></Piece></PolyData><AppendedData encoding="raw">_'
     )
     return text.encode() + b"".join(parts) + b"</AppendedData></VTKFile>"
+
+
+POINT = blocks_of(bytes(12))
+OTHER_POINT = {
+    POINT[:-1] + b"\2": "Error -3 while decompressing data: incorrect data check",
+    POINT[:12] + (len(POINT) - 20).to_bytes(4, "little") + POINT[16:-4]: "block 0 is truncated",
+    blocks_of(bytes(8), 12): "block 0 has 8 bytes, not 12",
+    blocks_of(bytes(13), 12): "block 0 has more than 12 bytes, not 12",
+    bytes(4): "expected 1 x 3 numbers, got 0",
+}
+
+
+@pytest.mark.parametrize(("point", "words"), OTHER_POINT.items(), ids=OTHER_POINT.values())
+def test_damaged_blocks_of_an_array_are_rejected(tmp_path, point, words):
+    body = compressed_file(1, b"meter\0", point)
+    with pytest.raises(FileError, match=words):
+        loom.read_point_cloud(write(tmp_path / "a.vtp", body))
+    with pytest.raises(FileError, match=r"/b\.vtp: is truncated: the appended data have no end"):
+        loom.read_point_cloud(write(tmp_path / "b.vtp", body.replace(b"</AppendedData>", b"")))
 
 
 def test_arrays_of_another_size_are_not_decompressed(tmp_path):

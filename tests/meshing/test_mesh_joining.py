@@ -213,6 +213,34 @@ def test_texture_coordinates_match_open3d(oracle):
         np.testing.assert_allclose(result.triangle_uvs, uvs, atol=2e-7, err_msg=f"{name} {options}")  # float32, twice
 
 
+@pytest.mark.parametrize("create", [
+    TriangleMesh.create_box, TriangleMesh.create_plane, TriangleMesh.create_tetrahedron, TriangleMesh.create_octahedron,
+    TriangleMesh.create_icosahedron, TriangleMesh.create_sphere, TriangleMesh.create_ellipsoid,
+    TriangleMesh.create_cylinder, TriangleMesh.create_cone,
+])  # fmt: skip
+def test_texture_coordinates_are_inside_of_the_image_and_created_on_request(create, device):
+    sizes = {"radius_x": 1, "radius_y": 2, "radius_z": 3} if create == TriangleMesh.create_ellipsoid else {}
+    mesh = create(**sizes, create_uv_map=True, device=device)
+    uvs = mesh.triangle_uvs
+    assert uvs.shape == (3 * len(mesh), 2) and uvs.min() >= -1e-6 and uvs.max() <= 1 + 1e-6
+    x, y = np.moveaxis(uvs.reshape(-1, 3, 2).astype(float), 2, 0)
+    areas = np.abs((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
+    assert areas.sum() > 0.1 and areas.min() > 1e-6  # no triangle is a line in the image
+    assert create(**sizes, device=device).triangle_uvs is None
+
+
+def test_a_cone_is_seen_from_below_and_above_in_its_image():
+    """Two discs of the radius 1/4: the bottom around (0.5, 0.25), the mantle from above around (0.5, 0.75)."""
+    cone = TriangleMesh.create_cone(2.0, 3.0, 12, 3, create_uv_map=True)
+    corners, uvs = cone.vertices[cone.triangles], cone.triangle_uvs.reshape(-1, 3, 2)
+    is_bottom = (corners[:, :, 2] == 0).all(axis=1)
+    assert is_bottom.sum() == 12
+    middle = np.where(is_bottom, 0.25, 0.75)[:, None]
+    np.testing.assert_allclose(
+        uvs, np.stack([0.5 + corners[..., 0] / 8, middle + corners[..., 1] / 8], axis=2), atol=1e-6
+    )
+
+
 def open3d_frame(o3d):
     peer = o3d.geometry.TriangleMesh.create_coordinate_frame(2)
     return np.array(peer.vertex_normals, np.float32)[::7], np.array(peer.vertex_colors, np.float32)[::7]

@@ -202,6 +202,23 @@ def test_undetermined_motions_are_unchanged(method):
         (lambda g: g.edges.__delitem__(slice(3, None)), r"no path of edges joins node 0 to nodes 4, 5, 6, 7\."),
         (lambda g: setattr(g.nodes[1], "pose", np.full((4, 4), np.nan)), r"nodes\[1\]\.pose: .* NaN"),
         (lambda g: setattr(g.nodes[1], "pose", np.eye(3)), r"nodes\[1\]\.pose: expected shape \[4, 4\], got \[3, 3\]"),
+        (
+            lambda g: setattr(g.nodes[1], "pose", np.eye(4).ravel()),
+            r"nodes\[1\]\.pose: expected shape \[4, 4\], got \[16\]",
+        ),
+        (
+            lambda g: [setattr(node, "pose", np.eye(4).ravel()) for node in g.nodes],
+            r"nodes\[0\]\.pose: expected shape \[4, 4\], got \[16\]",
+        ),
+        (
+            lambda g: [setattr(edge, "information", np.eye(3)) for edge in g.edges],
+            r"edges\[0\]\.information: expected shape \[6, 6\], got \[3, 3\]",
+        ),
+        (lambda g: setattr(g.edges[2], "confidence", [1.0]), r"edges\[2\]\.confidence: expected shape \[\], got \[1\]"),
+        (
+            lambda g: setattr(g.edges[2], "confidence", 10**400),
+            r"edges\[2\]\.confidence: expected real numbers, got int",
+        ),
         (lambda g: setattr(g.edges[4], "information", np.full((6, 6), np.inf)), r"edges\[4\]\.information: .* finite"),
         (lambda g: setattr(g.edges[0], "confidence", 0.5), r"edges\[0\]\.confidence: expected 1 for a certain edge"),
         (lambda g: setattr(g.edges[8], "confidence", np.nan), r"edges\[8\]\.confidence: expected 0\.\.1, got nan"),
@@ -214,7 +231,7 @@ def test_undetermined_motions_are_unchanged(method):
 def test_invalid_graphs_are_rejected_by_name(change, message):
     graph = to_graph(ring(8, seed=13, loops=6))
     change(graph)
-    with pytest.raises(ValueError, match=message):
+    with pytest.raises((TypeError, ValueError), match=message):
         reg.global_optimization(graph)
 
 

@@ -47,6 +47,7 @@ class _Reader:
         self.is_new = (int(head[1]), int(head[2])) >= (5, 1)  # offsets and connectivity of cells
         self.at = head.end()
         self.data = VtkData(np.empty((0, 3), np.float32))
+        self._order: Any = slice(None)  # of the cells of a grid by kind
 
     def read(self) -> VtkData:
         kind, target, count = "", self.data.field_data, 0
@@ -72,6 +73,7 @@ class _Reader:
         if not kind:
             raise self._error("contains no data set")
         check_data(self.path, self.data)
+        self.data.cell_data = {name: values[self._order] for name, values in self.data.cell_data.items()}
         return self.data
 
     def _error(self, reason: str, remedy: str = "") -> FileError:
@@ -114,8 +116,9 @@ class _Reader:
             return np.frombuffer(self.body, dtype.newbyteorder(">"), count, end).astype(dtype)
         if 2 * count > len(self.body) - self.at + 1:
             raise self._error(f"is truncated: {count} numbers do not fit into {len(self.body) - self.at} bytes")
+        words = self._words(count)
         try:
-            return parse_numbers(self._words(count), dtype)
+            return parse_numbers(words, dtype)
         except (ValueError, OverflowError) as error:
             raise self._error(f"a value is not a number of the type {kind}") from error
 
@@ -148,7 +151,8 @@ class _Reader:
             starts = self._named_numbers("OFFSETS", count)
             points = self._named_numbers("CONNECTIVITY", size)
             lengths = np.diff(starts)
-            if count and (starts[0] != 0 or starts[-1] != size or lengths.min(initial=0) < 0):
+            ends = (starts[0], starts[-1]) if count else (0, 0)
+            if ends != (0, size) or lengths.min(initial=0) < 0:
                 raise self._error("the offsets of the cells are damaged")
             return Cells(lengths, points)
         rows = self._numbers(size, "int").astype(np.int64)
@@ -182,8 +186,6 @@ class _Reader:
         if len(unknown):
             raise self._error(f"cells of the type {unknown[0]} are not supported", "Extract the surface first")
         ids = np.array([KINDS.index(_CELL_KINDS[number]) for number in types.tolist()], np.int64)
-        if (np.diff(ids) < 0).any() and self.data.cell_data:
-            raise self._error("arrays of cells of mixed types are not supported")
         for number, kind in enumerate(KINDS):
             chosen = ids == number
             self.data.cells[kind] = Cells(cells.lengths[chosen], cells.points[np.repeat(chosen, cells.lengths)])

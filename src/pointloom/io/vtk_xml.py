@@ -180,9 +180,13 @@ class _Reader:
         for number, length in enumerate(stored):
             expected = last if last and number == blocks - 1 else size
             assert self.decompressor is not None
-            part = self.decompressor().decompress(data.take(length), max(expected, 1))  # 0 has no limit
+            decompressor = self.decompressor()
+            part = decompressor.decompress(data.take(length), expected + 1)
             if len(part) != expected:
-                raise ValueError(f"block {number} has {len(part)} bytes, not {expected}")
+                size_text = f"more than {expected}" if len(part) > expected else str(len(part))
+                raise ValueError(f"block {number} has {size_text} bytes, not {expected}")
+            if not decompressor.eof:
+                raise ValueError(f"block {number} is truncated")
             parts.append(part)
         return b"".join(parts)
 

@@ -39,6 +39,22 @@ def test_many_keys_are_sorted_alike_by_numpy_and_by_the_radix_sort(min_radix_key
         assert_sorted_stably("cpu", rng.integers(0, 2**bits, 70_001, dtype=np.int64), bits)
 
 
+@pytest.mark.parametrize(("count", "blocks"), [(1, 1), (100, 1), (101, 2), (700, 7), (701, 7), (705, 7), (5000, 7)])
+def test_the_radix_sort_has_few_blocks_of_many_keys(rng, monkeypatch, count, blocks):
+    """At most 7 blocks, of at least 100 keys: the counts of digits, 1 KB a block, do not grow with the keys."""
+    monkeypatch.setattr(sort, "MIN_BLOCK_KEYS", 100)
+    monkeypatch.setattr(sort, "MAX_BLOCKS", 7)
+    launched, launch = [], sort.launch
+    monkeypatch.setattr(
+        sort, "launch", lambda kernel, n, given: (launched.append((kernel, n)), launch(kernel, n, given))
+    )
+    keys = rng.integers(0, 2**9, count, dtype=np.int64)
+    sorted_keys, order = sort.radix_argsort(upload(keys, int64, "cpu"), 9, max(1, (count - 1).bit_length()))
+    np.testing.assert_array_equal(order.numpy(), np.argsort(keys, kind="stable"))
+    np.testing.assert_array_equal(sorted_keys.numpy(), np.sort(keys))
+    assert [n for kernel, n in launched if kernel is sort.count_digits_kernel] == [blocks] * 2
+
+
 @pytest.mark.parametrize("mean", [MIN_RUN // 4, MIN_RUN, 2000])
 def test_runs_of_separate_keys_are_sorted_stably(device, mean, rng):
     sizes = rng.integers(0, 2 * mean + 1, 20)  # some may be empty

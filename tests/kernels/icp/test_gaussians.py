@@ -7,7 +7,13 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.kernels.icp.normal_distributions import NormalDistributions
-from pointloom.kernels.icp.voxel_gaussians import VoxelGaussians, cell_of, find_cell_gaussian, find_nearest_gaussian
+from pointloom.kernels.icp.voxel_gaussians import (
+    VoxelGaussians,
+    cell_of,
+    enclosing_grid,
+    find_cell_gaussian,
+    find_nearest_gaussian,
+)
 from pointloom.kernels.lang import array, float32, int32, kernel, launch, tid, vec3
 from pointloom.kernels.memory import download, empty, upload
 
@@ -83,6 +89,22 @@ def build(points, covariances, size, device, segments=None, **options):
     points = upload(np.asarray(points, np.float32).reshape(-1, 3), vec3, device)
     covariances = upload(np.asarray(covariances, np.float32).reshape(-1, 9), float32, device)
     return VoxelGaussians(points, covariances, size, segments=segments, **options)
+
+
+@pytest.mark.parametrize(("far", "size"), [(1.0, 1e-16), (-1.0, 1e-16), (2.0**53, 1.0), (-(2.0**53), 1.0)])
+def test_cells_that_float64_cannot_count_are_rejected(device, far, size):
+    points = upload(np.array([[0, 0, 0], [0, far, 0]], np.float32), vec3, device)
+    with pytest.raises(
+        ValueError, match=rf"voxel_size: {size} makes more than 2\^53 cells from the corner; take larger"
+    ):
+        enclosing_grid(points, size, 1, (0, 0, 0))
+    near = upload(np.array([[0, 0, 0], [0, far / 2**32, 0]], np.float32), vec3, device)
+    grid, bits, count = enclosing_grid(near, size, 1, (0, 0, 0))
+    assert bits == sum(int(b) for b in grid.bits) and count == 2
+    with pytest.raises(
+        ValueError, match=rf"voxel_size: {size} makes 1 grids of [\d,]+ x [\d,]+ x [\d,]+ cells, more than 2\^62"
+    ):
+        enclosing_grid(upload(np.diag([far / 2**24] * 3).astype(np.float32), vec3, device), size, 1, (0, 0, 0))
 
 
 def find(voxels, queries, segments=None, steps=-1, device="cpu"):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import struct
 from collections import Counter
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 from ...core.errors import FileError
 from ..source import open_source
@@ -17,7 +17,14 @@ from .message_chunks import Channel, Chunk, Contents, Row, number, slice_of, unp
 
 MAGIC = b"#ROSBAG V2.0\n"
 _MESSAGE_OP, _HEADER_OP, _INDEX_OP, _CHUNK_OP, _CHUNK_INFO_OP, _CONNECTION_OP = 2, 3, 4, 5, 6, 7
-_DAMAGED = (FileError, struct.error, KeyError, ValueError)
+_DAMAGED = (FileError, struct.error, ValueError)
+
+
+class _Fields(dict[bytes, bytes]):
+    """Values of a header by name."""
+
+    def __missing__(self, name: bytes) -> NoReturn:
+        raise ValueError(f"a record has no field {name.decode()!r}")
 
 
 class _Info(NamedTuple):
@@ -82,7 +89,7 @@ class _Bag:
         self.infos[number("Q", fields[b"chunk_pos"], 0)] = info
 
     def take_connection(self, fields: dict[bytes, bytes], data: bytes) -> None:
-        values, at = {}, 0
+        values, at = _Fields(), 0
         while at < len(data):
             size = number("I", data, at)
             name, _, value = slice_of(self.path, data, at + 4, size).partition(b"=")
@@ -162,7 +169,7 @@ def read_bag1(path: Path) -> Contents:
 def _record(path: Path, data: Any, offset: int) -> tuple[int, dict[bytes, bytes], int, int]:
     """Operation code, fields, and data offset and length of a record."""
     head = number("I", data, offset)
-    header, fields, at = slice_of(path, data, offset + 4, head), {}, 0
+    header, fields, at = slice_of(path, data, offset + 4, head), _Fields(), 0
     while at < len(header):
         size = number("I", header, at)
         name, _, value = slice_of(path, header, at + 4, size).partition(b"=")

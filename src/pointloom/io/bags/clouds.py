@@ -203,15 +203,17 @@ def _columns(path: Path, message: Any) -> dict[str, NDArray[Any]]:
     if dropped:
         message_text = f"{path}: fields of types that PointField does not define are left out: {', '.join(dropped)}"
         warn_of_units(message_text, RecordingWarning)
+    if not names:
+        return {}
     data = np.asarray(message.data, np.uint8).reshape(-1)
     if height > 1 and len(data) == width * height * step:
         row = width * step  # some drivers write the size of the image, or zero, for that of a row
     if height > 1 and row < width * step:
         raise FileError(path, f"a cloud has rows of {row} bytes for {width} points of {step}")
     needed = (height - 1) * row + width * step if height > 1 else width * height * step
-    if width and height and (step < 1 or needed > len(data)):
+    if width and height and needed > len(data):
         raise FileError(path, f"a cloud of {width} x {height} points needs {needed} bytes, but has {len(data)}")
-    kind = np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": max(step, 1)})
+    kind = np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": step})
     if not (width and height):
         rows = np.zeros(0, kind)
     elif height > 1:

@@ -60,7 +60,7 @@ def _plain_rows(path: Path, source: SourceFile) -> NDArray[Any]:
     if dtype.kind not in "biuf" or dtype.itemsize > 8:
         raise FileError(path, f"expected real numbers, got {dtype}")
     begin, needed = stream.tell(), math.prod(shape) * dtype.itemsize
-    if needed > len(source) - begin or min(shape, default=0) < 0:
+    if needed > len(source) - begin:
         reason = f"an array of {dtype} {list(shape)} needs {needed} bytes, but has {len(source) - begin}"
         raise FileError(path, reason, where=f"byte {begin}")
     check_end(path, source, begin + needed)

@@ -148,12 +148,17 @@ def _read_array(path: FilePath, stream: IO[bytes], name: str, size: int, where: 
     if any(isinstance(extent, bool) for extent in shape):
         raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
     needed, left = math.prod(shape) * dtype.itemsize, size - stream.tell()
-    if needed != left or min(shape, default=0) < 0 or len(shape) > MAX_AXES:
+    if needed != left or len(shape) > MAX_AXES:
         reason = f"{name}: the header's shape {list(shape)} of {dtype} needs {needed} bytes, but has {left}"
         raise FileError(path, reason, where=where)
     body = stream.read()
     if len(body) != needed:
         raise FileError(path, f"{name}: {needed - len(body)} bytes are missing", where=where)
+    if is_text:
+        try:
+            body.decode("utf-32-be" if dtype.str[0] == ">" else "utf-32-le")
+        except UnicodeDecodeError as error:
+            raise FileError(path, f"{name}: the text is damaged: {error.reason}", where=where) from error
     array = np.frombuffer(body, dtype).reshape(shape, order="F" if fortran else "C")
     return array.astype(dtype.newbyteorder("="), order="C", copy=True)
 
@@ -207,14 +212,10 @@ def _check_shape(path: FilePath, name: str, values: NDArray[Any], count: int | N
 
 
 def _unit(path: FilePath, value: NDArray[Any]) -> LengthUnit:
-    try:
-        text = str(value)
-    except ValueError as error:  # no valid characters
-        raise FileError(path, f"unit: the text is damaged: {error}") from error
-    unit = unit_of_text(text)
+    unit = unit_of_text(str(value))
     if unit is None:
         remedy = f"Use one of {', '.join(unit.name for unit in KNOWN)}, or 'name = 0.3048 m' for another one"
-        raise FileError(path, f"unit: expected the name of a unit, got {shown(text)}", remedy=remedy)
+        raise FileError(path, f"unit: expected the name of a unit, got {shown(str(value))}", remedy=remedy)
     return unit
 
 

@@ -188,7 +188,7 @@ def _stacked(items: str, name: str, values: Sequence[Any], shape: tuple[int, ...
     """The values as one float64 array, checked again since attributes may have been reassigned."""
     try:
         stack = np.array(values, np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         stack = None
     if stack is None or (stack.shape != (len(values), *shape) and len(values)):
         for i, value in enumerate(values):
