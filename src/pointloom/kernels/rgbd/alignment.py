@@ -1,8 +1,8 @@
 """Coarse-to-fine RGB-D frame alignment in one device loop, and reliability statistics.
 
 Two launches per step. All levels share arrays, and results come with one sync. On CUDA the graph is reused for frames
-of the same sizes (2.4 MB per VGA frame). Reliability uses the normal equations at a coarser level without gradients at
-noise level, since noise of normals and brightness looks like information.
+of the same cameras (2.4 MB per VGA frame). Reliability uses the normal equations at a coarser level without gradients
+at noise level, since noise of normals and brightness looks like information.
 """
 
 import contextlib
@@ -393,7 +393,7 @@ class Descent:
         self._loop.run()
 
 
-_descents: LruCache[Descent] = LruCache(MAX_CACHED)  # on GPUs, by frame sizes and rules
+_descents: LruCache[Descent] = LruCache(MAX_CACHED)  # on GPUs, by cameras and rules
 _lock = threading.Lock()
 if hasattr(os, "register_at_fork"):  # not on Windows
     os.register_at_fork(after_in_child=_lock._at_fork_reinit)  # type: ignore[attr-defined]
@@ -417,8 +417,8 @@ def _descent_of(
     if not device.is_cuda:
         yield Descent(source, target, rules, begin, is_cached=False)
         return
-    sizes = [tuple(levels.sizes.reshape(-1).tolist()) for levels in (source, target)]
-    key = (device.alias, *sizes, *vars(rules).values())
+    cameras = [table.tobytes() for levels in (source, target) for table in (levels.sizes, levels.host_lenses)]
+    key = (device.alias, *cameras, *vars(rules).values())
     with _lock:
         descent = _descents.pop(key)
     if descent is None:

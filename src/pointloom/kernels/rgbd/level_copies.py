@@ -23,9 +23,8 @@ def level_rows(levels: FrameLevels, level: int) -> Array2[float32]:
 
 @kernel
 def copy_levels_kernel(levels: FrameLevels, out: FrameLevels):
+    """Copy the images. The lenses are equal, in an array that all frames of a camera share."""
     i = tid()
     out.depth[i] = levels.depth[i]
     out.brightness[i] = levels.brightness[i]
     out.planes[i] = levels.planes[i]
-    if i < levels.lenses.shape[0]:
-        out.lenses[i] = levels.lenses[i]
