@@ -66,6 +66,7 @@ class FrameLevels:
         self.depth, self.brightness = empty(total, float32, device), empty(total, float32, device)
         self.planes = empty(total, vec4, device)
         self.device, self.total = device, total
+        self.key = device.alias, table.tobytes(), self.host_lenses.tobytes()  # the same for frames of one camera
 
     @property
     def count(self) -> int:

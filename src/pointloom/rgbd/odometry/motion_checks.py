@@ -43,7 +43,7 @@ COST_DISPLACEMENT = 0.01  # [m] displacement whose cost the eigenvalue measures,
 
 
 def judge(
-    alignment: Alignment, source: OdometryFrame, level: int, blur: float = 0.0, uses_brightness: bool = True
+    alignment: Alignment, source: OdometryFrame, blur: float = 0.0, uses_brightness: bool = True
 ) -> OdometryResult:
     v = alignment.consistency
     pixels, seen, inliers = v[at.PIXEL_COUNT], v[at.SEEN_COUNT], v[at.INLIER_COUNT]
@@ -51,7 +51,7 @@ def judge(
     smallest = smallest_eigenvalue(alignment.certainty, v)
     if not reason and smallest < MIN_EIGENVALUE:
         reason = UNDETERMINED
-    scale = source.width * source.height / float(source.levels.counts[level])
+    scale = source.width * source.height / float(source.levels.counts[alignment.level])
     shades = v[at.SHADE_COUNT]
     covariance, check_covariance = covariances_of(alignment.firm, v, (frame_noise(v, uses_brightness), model_noise(v)))
     return OdometryResult(

@@ -18,8 +18,7 @@ from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download, upload
 from ...kernels.rgbd.stream_views import CELLS_PER_ROW, StreamView, hide_cells
 from ...registration.rigid import invert_pose, rotation_vector
-from ..odometry.alignment import BRIGHTNESS_FRACTION, MAX_STEPS, OdometryMethod, descend
-from ..odometry.motion_checks import judge
+from ..odometry.alignment import OdometryMethod, align_steps
 from .frame_checks import FIRM_OVERLAP, MIN_EIGENVALUE
 from .frames import SensorFrame
 
@@ -122,8 +121,7 @@ class FixedParts:
         """T_earlier_now by the other cells. None if it is small or uncertain."""
         source = look.frame.pyramid_of(self._without(look.frame, view, hidden))
         target = earlier.frame.pyramid_of(self._without(earlier.frame, view, hidden))
-        alignment, level = descend(source, target, start, OdometryMethod.Hybrid, MAX_STEPS, BRIGHTNESS_FRACTION)
-        result = judge(alignment, source, level)
+        result = align_steps(source, target, start, OdometryMethod.Hybrid)
         T = result.transformation
         if not np.isfinite(T).all() or result.contradiction or result.smallest_eigenvalue < MIN_EIGENVALUE:
             return None

@@ -18,10 +18,11 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import eigh, norm
 from ...kernels.memory import download
 from ...kernels.rgbd import stream_views as at
+from ...kernels.rgbd.alignment import align_levels
 from ...kernels.rgbd.check_rows import EXCESS_SUM, PLANE_COUNT
 from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
 from ...registration.rigid import rotation_vector
-from ..odometry.alignment import OdometryMethod, descend
+from ..odometry.alignment import OdometryMethod, descent
 from ..odometry.frames import OdometryFrame
 from ..odometry.motion_checks import covariance_of, model_noise
 from .frames import SensorFrame
@@ -222,8 +223,8 @@ class Rotations:
 def rotations_between(now: OdometryFrame, before: OdometryFrame) -> Rotations | None:
     """The Rotations of two frames. None if an alignment failed."""
     steps = STEPS_PER_LEVEL if now.levels.count > 2 else STEPS_SMALL
-    by_color, _ = descend(now, before, np.eye(4), OdometryMethod.Intensity, steps)
-    by_depth, _ = descend(now, before, np.eye(4), OdometryMethod.PointToPlane, steps)
+    methods = OdometryMethod.Intensity, OdometryMethod.PointToPlane
+    by_color, by_depth = align_levels(*(descent(now, before, np.eye(4), method, steps) for method in methods))
     sums = by_depth.consistency
     covariance = covariance_of(by_depth.firm, sums, model_noise(sums))[:3, :3]
     poses = by_color.pose, by_depth.pose
