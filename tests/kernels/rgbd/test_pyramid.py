@@ -94,6 +94,35 @@ def test_colors_are_weighed_as_brightness(device):
         assert np.allclose(download(levels.brightness), 0.299, atol=1e-6)
 
 
+@pytest.mark.parametrize("size", [(8, 8), (33, 27), (32, 31), (47, 64), (9, 70)])
+@pytest.mark.parametrize("max_pixels", [10**6, 900])
+def test_a_level_is_the_mean_of_four_pixels_of_the_finer_one(device, rng, size, max_pixels):
+    (width, height), shade = size, rng.random((size[1], size[0])).astype(np.float32)
+    shade[rng.random(shade.shape) < 0.02] = NO_COLOR
+    levels = levels_of(np.full((height, width), 2.0, np.float32), device, shade=shade, max_pixels=max_pixels)
+    finer = shade
+    for _ in range(level_sizes(width, height, (50.0, 50.0, 15.5, 11.5), max_pixels, 4)[2]):
+        finer = halved(finer)
+    for k in range(levels.count):
+        np.testing.assert_allclose(image(levels, levels.brightness, k), finer, rtol=1e-6)
+        assert np.allclose(image(levels, levels.depth, k), 2.0)
+        finer = halved(finer)
+
+
+def halved(shade):
+    rows, columns = shade.shape[0] // 2, shade.shape[1] // 2
+    four = shade[: 2 * rows, : 2 * columns].reshape(rows, 2, columns, 2)
+    return np.where(four.min(axis=(1, 3)) < 0, np.float32(NO_COLOR), four.mean(axis=(1, 3)))
+
+
+def test_invalid_depth_and_brightness_are_none(device):
+    depth, shade = (np.full((8, 8), value, np.float32) for value in (2.0, 0.5))
+    depth[0, :4] = shade[0, :4] = np.nan, np.inf, -1.0, 2.0e6
+    levels = levels_of(depth, device, shade=shade)
+    assert (image(levels, levels.depth, 0)[0, :4] == 0.0).all()
+    assert (image(levels, levels.brightness, 0)[0, :4] == NO_COLOR).all()
+
+
 def test_without_colors_there_is_no_brightness(device):
     levels = levels_of(np.full((24, 32), 1.0, np.float32), device)
     assert (download(levels.brightness) < 0).all()

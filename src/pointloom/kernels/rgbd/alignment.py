@@ -393,13 +393,14 @@ class Descent:
 
     def result(self, values: dict[str, np.ndarray]) -> Alignment:
         """The Alignment of downloaded arrays."""
-        names = ("consistency", "certainty", "firm")
         return Alignment(
             values["pose"][0].copy(),
             int(values["counts"][2]),
             values["scales"].copy(),
             values["sums"][self._rules.first_level].copy(),
-            *(values[name][0].copy() for name in names),
+            values["consistency"][0].copy(),
+            values["certainty"][0].copy(),
+            values["firm"][0].copy(),
             self._level,
         )
 
@@ -457,11 +458,9 @@ on_give_back.append(clear_descents)
 
 def align_levels(*tasks: AlignmentTask) -> list[Alignment]:
     """The results of the tasks, whose frames are on one device, with one sync."""
-    rows: dict[int, int] = {}  # of different frames
-    pairs = [tuple(rows.setdefault(id(levels), len(rows)) for levels in (t.source, t.target)) for t in tasks]
-    frames: list[Any] = [None] * len(rows)
-    for task, (source, target) in zip(tasks, pairs, strict=True):
-        frames[source], frames[target] = task.source, task.target
+    different = {id(levels): levels for task in tasks for levels in (task.source, task.target)}
+    frames, rows = list(different.values()), {number: row for row, number in enumerate(different)}
+    pairs = [(rows[id(task.source)], rows[id(task.target)]) for task in tasks]
     key = (tuple(levels.key for levels in frames), *pairs, *(task.plan for task in tasks))
     with _lock:
         descents = _descents.pop(key)

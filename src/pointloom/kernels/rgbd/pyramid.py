@@ -5,13 +5,14 @@ the mean over the nearest surface. Holes neither count nor spread. Planes are fi
 (Holzer et al. 2012), which are linear on planes and, for stereo and structured light, uniformly noisy.
 """
 
+import math
 from collections.abc import Hashable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..array_types import AnyArray, Array2, Device, Points, Scalars
-from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT, intensity_of
+from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT
 from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i, vector
 from ..memory import empty, full, upload
 
@@ -127,20 +128,18 @@ def halved_brightness(a: float, b: float, c: float, d: float) -> float:
 
 
 @kernel
-def halve_level_kernel(
+def halve_image_kernel(
     depth: array(dtype=float32),
     brightness: array(dtype=float32),
-    first: int,
     width: int,
     columns: int,
-    out: int,
     halved_depths: array(dtype=float32),
     halved_brightnesses: array(dtype=float32),
 ):
     i = tid()
-    at = first + 2 * (i // columns) * width + 2 * (i % columns)
-    halved_depths[out + i] = halved_depth(depth[at], depth[at + 1], depth[at + width], depth[at + width + 1])
-    halved_brightnesses[out + i] = halved_brightness(
+    at = 2 * (i // columns) * width + 2 * (i % columns)
+    halved_depths[i] = halved_depth(depth[at], depth[at + 1], depth[at + width], depth[at + width + 1])
+    halved_brightnesses[i] = halved_brightness(
         brightness[at], brightness[at + 1], brightness[at + width], brightness[at + width + 1]
     )
 
@@ -168,25 +167,75 @@ def halve_colors_kernel(
     halved_brightnesses[i] = total * 0.25
 
 
+@func
+def finite_depth(z: float) -> float:
+    """A valid depth, else 0."""
+    good = 0.0
+    if z > 0.0 and z < 1.0e6:
+        good = z
+    return good
+
+
+@func
+def finite_brightness(b: float) -> float:
+    """A valid brightness, else NO_COLOR."""
+    good = float(NO_COLOR)
+    if b >= 0.0 and b < 1.0e6:
+        good = b
+    return good
+
+
+IS_FILLED, FROM_DEPTH, FROM_BRIGHTNESS, FROM_COLORS = 0, 1, 2, 3  # of the first level
+
+
 @kernel
-def take_level_kernel(
+def fill_levels_kernel(
+    kind: int,
     depth: array(dtype=float32),
     brightness: array(dtype=float32),
-    depths: array(dtype=float32),
-    brightnesses: array(dtype=float32),
+    pixels: array(dtype=uint8, ndim=2),
+    levels: FrameLevels,
 ):
-    """Copy depth and brightness. Invalid values become none."""
+    """Depth and brightness of all levels from an image, or of the coarser ones from the first level.
+
+    A thread fills the pixels of all levels that cover one pixel of the coarsest level, or would if the image continued.
+    """
     i = tid()
-    d = depth[i]
-    b = brightness[i]
-    good = 0.0
-    if d > 0.0 and d < 1.0e6:
-        good = d
-    depths[i] = good
-    shown = float(NO_COLOR)
-    if b >= 0.0 and b < 1.0e6:
-        shown = b
-    brightnesses[i] = shown
+    side = 1
+    for _k in range(levels.layout.shape[0] - 1):
+        side = 2 * side
+    size = levels.layout[0]
+    columns = (size[0] + side - 1) // side
+    u = i % columns * side
+    v = i // columns * side
+    if kind != IS_FILLED:
+        for y in range(v, min(v + side, size[1])):
+            for x in range(u, min(u + side, size[0])):
+                at = y * size[0] + x
+                shade = float(NO_COLOR)
+                if kind == FROM_BRIGHTNESS:
+                    shade = finite_brightness(brightness[at])
+                if kind == FROM_COLORS:
+                    shade = luma(at, pixels)
+                levels.depth[at] = finite_depth(depth[at])
+                levels.brightness[at] = shade
+    for level in range(1, levels.layout.shape[0]):
+        finer = levels.layout[level - 1]
+        coarser = levels.layout[level]
+        side = side // 2
+        u = u // 2
+        v = v // 2
+        for y in range(v, min(v + side, coarser[1])):
+            for x in range(u, min(u + side, coarser[0])):
+                a = finer[2] + 2 * y * finer[0] + 2 * x
+                b = a + finer[0]
+                at = coarser[2] + y * coarser[0] + x
+                levels.depth[at] = halved_depth(
+                    levels.depth[a], levels.depth[a + 1], levels.depth[b], levels.depth[b + 1]
+                )
+                levels.brightness[at] = halved_brightness(
+                    levels.brightness[a], levels.brightness[a + 1], levels.brightness[b], levels.brightness[b + 1]
+                )
 
 
 @func
@@ -363,20 +412,10 @@ def make_levels(
     device = depth.device
     sizes, lenses, halvings = level_sizes(*size, lens, max_pixels, min_side)
     levels = FrameLevels(sizes, lenses, device)
-    if brightness is None:
-        brightness = full(depth.size, NO_COLOR, float32, device)
     for step in range(halvings):
         depth, brightness = _halve(depth, brightness, size, levels if step == halvings - 1 else None)
         size = (size[0] // 2, size[1] // 2)
-    if not halvings:
-        if brightness.dtype == uint8:
-            brightness = intensity_of(brightness)
-        launch(take_level_kernel, levels.counts[0], [depth, brightness, levels.depth, levels.brightness])
-    for k in range(1, levels.count):
-        (width, _), columns = sizes[k - 1], sizes[k][0]
-        first, out = int(levels.firsts[k - 1]), int(levels.firsts[k])
-        arguments = [levels.depth, levels.brightness, first, width, columns, out, levels.depth, levels.brightness]
-        launch(halve_level_kernel, int(levels.counts[k]), arguments)
+    _fill(levels, depth, brightness, is_filled=halvings > 0)
     smoothed = empty(levels.total, float32, device)
     groups = sum(rows * -(-columns // PIXELS_PER_THREAD) for columns, rows in sizes)
     launch(fit_planes_kernel, groups, [radius, levels, levels.planes, smoothed])
@@ -388,17 +427,30 @@ def make_levels(
 
 
 def _halve(
-    depth: Scalars, brightness: Scalars | Array2[uint8], size: tuple[int, int], levels: FrameLevels | None
-) -> list[Scalars]:
+    depth: Scalars, brightness: Scalars | Array2[uint8] | None, size: tuple[int, int], levels: FrameLevels | None
+) -> tuple[Scalars, Scalars]:
     """Halve depth and brightness, into the first level of `levels` if given."""
     columns, rows = size[0] // 2, size[1] // 2
     count = columns * rows
     if levels is None:
-        halved = [empty(count, float32, depth.device) for _ in range(2)]
+        halved = empty(count, float32, depth.device), empty(count, float32, depth.device)
     else:
-        halved = [levels.depth, levels.brightness]
+        halved = levels.depth, levels.brightness
+    if brightness is None:
+        brightness = full(depth.size, NO_COLOR, float32, depth.device)
     if brightness.dtype == uint8:
         launch(halve_colors_kernel, count, [depth, brightness, size[0], columns, *halved])
     else:
-        launch(halve_level_kernel, count, [depth, brightness, 0, size[0], columns, 0, *halved])
+        launch(halve_image_kernel, count, [depth, brightness, size[0], columns, *halved])
     return halved
+
+
+def _fill(levels: FrameLevels, depth: Scalars, brightness: Scalars | Array2[uint8] | None, *, is_filled: bool) -> None:
+    """Fill levels from an image of the size of the first level. `is_filled`: that one is filled."""
+    kind, shades, pixels = FROM_BRIGHTNESS, brightness, brightness
+    if brightness is None or brightness.dtype == uint8:
+        kind, shades = FROM_DEPTH if brightness is None else FROM_COLORS, depth
+    if brightness is None or brightness.dtype == float32:
+        pixels = empty((1, 3), uint8, levels.device)
+    threads = math.prod(-(-int(extent) // 2 ** (levels.count - 1)) for extent in levels.sizes[0])
+    launch(fill_levels_kernel, threads, [IS_FILLED if is_filled else kind, depth, shades, pixels, levels])
