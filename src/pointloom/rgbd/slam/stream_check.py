@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import eigh, norm
-from ...kernels.memory import download
 from ...kernels.rgbd import stream_views as at
 from ...kernels.rgbd.alignment import align_levels
 from ...kernels.rgbd.check_rows import EXCESS_SUM, PLANE_COUNT
@@ -140,14 +139,14 @@ class StreamCheck:
         if last is None or frame.pixels is None:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             return ""
-        sums = motion_between(view, last)
+        sums = compare_views(view, last)
         is_repeated = sums[at.CHANGED_AT] == 0 and sums[at.MEASURED_AT] > MIN_CELLS * view.columns * view.rows
         if not is_repeated:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             return ""
         fresh, since = self._fresh
         assert fresh is not None
-        if has_moved(motion_between(view, fresh), view):
+        if has_moved(compare_views(view, fresh), view):
             self.stalled += 1
         age = frame.seconds_since(since)
         is_old = self.stalled > MAX_STALLED_FRAMES if math.isnan(age) else age > STALLED_SECONDS
@@ -173,12 +172,6 @@ class StreamCheck:
     def problems(self) -> str | None:
         """The time offsets of all frames. None if there are none."""
         return "; ".join(map(str, self.lag.apart)) or None
-
-
-def motion_between(now: StreamView, before: StreamView) -> Floats:
-    """The motion sums of two views, float64 [8]."""
-    sums = download(compare_views(now, before))  # sync
-    return np.asarray(sums, np.float64).reshape(-1)
 
 
 def shift_of(sums: Floats) -> Floats:
