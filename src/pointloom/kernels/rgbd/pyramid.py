@@ -5,13 +5,14 @@ the mean over the nearest surface. Holes neither count nor spread. Planes are fi
 (Holzer et al. 2012), which are linear on planes and, for stereo and structured light, uniformly noisy.
 """
 
+import functools
 import math
 from collections.abc import Hashable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..array_types import AnyArray, Array2, Device, Points, Scalars
+from ..array_types import Array2, Device, Points, Scalars
 from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT
 from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i, vector
 from ..memory import empty, full, upload
@@ -28,20 +29,31 @@ MIN_SINE = 0.08  # of the angle between surface and view: flatter ones have no r
 MIN_SUPPORT = 0.55  # fraction of a window's pixels required for a plane
 
 
-_tables: dict[Hashable, tuple[AnyArray, AnyArray]] = {}  # layouts and lenses, since all frames of a camera share them
-MAX_TABLES = 32
+class LevelSizes:
+    """Sizes and lenses of the levels of a camera, and their tables on a device."""
+
+    def __init__(self, sizes: np.ndarray, lenses: np.ndarray, device: Device) -> None:
+        self.sizes, self.lenses, self.counts = sizes, lenses, sizes[:, 0] * sizes[:, 1]
+        self.firsts = np.concatenate([[0], np.cumsum(self.counts)[:-1]])
+        self.total = int(self.counts.sum())
+        layout = np.column_stack([sizes, self.firsts, self.counts])
+        self.tables = upload(layout, vec4i, device), upload(lenses, vec4, device)
 
 
-def _tables_of(layout: np.ndarray, lenses: np.ndarray, device: Device) -> tuple[AnyArray, AnyArray]:
-    """Layout and lenses on a device, the same arrays for the same numbers. Each stream has its own."""
+_sizes: dict[Hashable, LevelSizes] = {}  # all frames of a camera share them
+MAX_CAMERAS = 32
+
+
+def _sizes_of(sizes: np.ndarray, lenses: np.ndarray, device: Device) -> LevelSizes:
+    """The same LevelSizes for the same numbers. Each stream has its own."""
     stream = device.stream.cuda_stream if device.is_cuda else 0
-    key = layout.tobytes(), lenses.tobytes(), device.alias, stream
-    tables = _tables.get(key)
-    if tables is None:
-        if len(_tables) >= MAX_TABLES:
-            _tables.clear()
-        tables = _tables[key] = upload(layout, vec4i, device), upload(lenses, vec4, device)
-    return tables
+    key = sizes.tobytes(), lenses.tobytes(), device.alias, stream
+    known = _sizes.get(key)
+    if known is None:
+        if len(_sizes) >= MAX_CAMERAS:
+            _sizes.clear()
+        known = _sizes[key] = LevelSizes(sizes.copy(), lenses.copy(), device)
+    return known
 
 
 @struct
@@ -57,21 +69,17 @@ class FrameLevels:
     planes: array(dtype=vec4)
 
     def __init__(self, sizes: ArrayLike, lenses: ArrayLike, device: Device) -> None:
-        self.sizes = np.asarray(sizes, np.int64)
-        counts = self.counts = self.sizes[:, 0] * self.sizes[:, 1]
-        self.firsts = np.concatenate([[0], np.cumsum(counts)[:-1]])
-        self.host_lenses = np.asarray(lenses, np.float64)
-        table = np.column_stack([self.sizes, self.firsts, counts])
-        self.layout, self.lenses = _tables_of(table, self.host_lenses, device)
-        total = int(counts.sum())
-        self.depth, self.brightness = empty(total, float32, device), empty(total, float32, device)
-        self.planes = empty(total, vec4, device)
-        self.device, self.total = device, total
-        self.key = device.alias, table.tobytes(), self.host_lenses.tobytes()  # the same for frames of one camera
+        known = _sizes_of(np.asarray(sizes, np.int64), np.asarray(lenses, np.float64), device)
+        self.sizes, self.counts, self.firsts, self.host_lenses = known.sizes, known.counts, known.firsts, known.lenses
+        self.layout, self.lenses = known.tables
+        self.device, self.total, self.count = device, known.total, len(known.counts)
+        self.depth, self.brightness = empty(self.total, float32, device), empty(self.total, float32, device)
+        self.planes = empty(self.total, vec4, device)
 
     @property
-    def count(self) -> int:
-        return len(self.counts)
+    def key(self) -> tuple[Hashable, ...]:
+        """The same for all frames of a camera."""
+        return self.device.alias, self.sizes.tobytes(), self.host_lenses.tobytes()
 
     def like(self) -> "FrameLevels":
         """Uninitialized levels of the same sizes."""
@@ -377,12 +385,14 @@ def take_normals_kernel(
     planes[i] = plane
 
 
+@functools.lru_cache(MAX_CAMERAS)
 def level_sizes(
     width: int, height: int, lens: tuple[float, float, float, float], max_pixels: int, min_side: int
-) -> tuple[list[tuple[int, int]], list[np.ndarray], int]:
+) -> tuple[tuple[tuple[int, int], ...], np.ndarray, int]:
     """(sizes, lenses, initial halvings to `max_pixels`) of an image's levels, finest first; sides >= `min_side`."""
-    sizes, lenses, halvings = [], [], 0
-    size, camera = (width, height), np.asarray(lens, np.float64)
+    sizes: list[tuple[int, int]] = []
+    lenses: list[np.ndarray] = []
+    size, camera, halvings = (width, height), np.asarray(lens, np.float64), 0
     while True:
         if size[0] * size[1] <= max_pixels or min(size) < 2:
             sizes.append(size)
@@ -392,7 +402,7 @@ def level_sizes(
         size = (size[0] // 2, size[1] // 2)
         camera = np.concatenate([camera[:2] / 2, (camera[2:] + 0.5) / 2 - 0.5])
         if min(size) < min_side and sizes:
-            return sizes, lenses, halvings
+            return tuple(sizes), np.array(lenses), halvings
 
 
 def make_levels(

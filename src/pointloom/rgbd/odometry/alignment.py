@@ -13,7 +13,7 @@ from ...core.errors import DeviceError
 from ...kernels.rgbd.alignment import AlignmentTask, align_levels
 from ...kernels.rgbd.alignment_rows import AlignmentRules
 from .frames import OdometryFrame
-from .motion_checks import judge
+from .motion_checks import judge, with_covariances
 from .options import OdometryMethod, check_method
 from .results import OdometryResult
 
@@ -74,7 +74,8 @@ def align_steps(
 ) -> OdometryResult:
     """As `align_frames` without checks, with maximum steps per level (coarsest first) and a brightness weight."""
     (alignment,) = align_levels(descent(source, target, start, method, steps, fraction))
-    return judge(alignment, source, target.blur, method is not OdometryMethod.PointToPlane)
+    result = judge(alignment, source, target.blur)
+    return with_covariances(result, alignment, method is not OdometryMethod.PointToPlane)
 
 
 def descent(

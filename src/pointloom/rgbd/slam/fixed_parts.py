@@ -17,9 +17,11 @@ from numpy.typing import NDArray
 from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import upload
+from ...kernels.rgbd.alignment import align_levels
 from ...kernels.rgbd.stream_views import CELLS_PER_ROW, StreamView, hide_cells
 from ...registration.rigid import invert_pose, rotation_vector
-from ..odometry.alignment import OdometryMethod, align_steps
+from ..odometry.alignment import OdometryMethod, descent
+from ..odometry.motion_checks import judge
 from .frame_checks import FIRM_OVERLAP, MIN_EIGENVALUE
 from .frames import SensorFrame
 
@@ -121,7 +123,8 @@ class FixedParts:
         """T_earlier_now by the other cells. None if it is small or uncertain."""
         depths = self._without([look.frame, earlier.frame], view, hidden)
         source, target = look.frame.pyramid_of(depths[0]), earlier.frame.pyramid_of(depths[1])
-        result = align_steps(source, target, start, OdometryMethod.Hybrid)
+        (alignment,) = align_levels(descent(source, target, start, OdometryMethod.Hybrid))
+        result = judge(alignment, source)
         T = result.transformation
         if not np.isfinite(T).all() or result.contradiction or result.smallest_eigenvalue < MIN_EIGENVALUE:
             return None
