@@ -193,7 +193,8 @@ def finite_brightness(b: float) -> float:
     return good
 
 
-IS_FILLED, FROM_DEPTH, FROM_BRIGHTNESS, FROM_COLORS = 0, 1, 2, 3  # of the first level
+# Sources of the first level. A rendered image has no brightness without depth: black would look like an edge.
+IS_FILLED, FROM_DEPTH, FROM_BRIGHTNESS, FROM_COLORS, FROM_RENDERED = 0, 1, 2, 3, 4
 
 
 @kernel
@@ -221,7 +222,7 @@ def fill_levels_kernel(
             for x in range(u, min(u + side, size[0])):
                 at = y * size[0] + x
                 shade = float(NO_COLOR)
-                if kind == FROM_BRIGHTNESS:
+                if kind == FROM_BRIGHTNESS or (kind == FROM_RENDERED and depth[at] > 0.0):
                     shade = finite_brightness(brightness[at])
                 if kind == FROM_COLORS:
                     shade = luma(at, pixels)
@@ -415,9 +416,11 @@ def make_levels(
     min_side: int,
     radius: int,
     normals: Points | None = None,
+    is_rendered: bool = False,
 ) -> FrameLevels:
     """FrameLevels of an image: depth [m], brightness 0..1 or 8-bit colors or None. `radius`: half the window of a plane
-    [px]; `normals` for the first level if it is the image itself, None fits them.
+    [px]. If the first level is the image itself: its `normals`, None fits them, and whether it `is_rendered`, so that
+    pixels without depth have no brightness.
     """
     device = depth.device
     sizes, lenses, halvings = level_sizes(*size, lens, max_pixels, min_side)
@@ -425,7 +428,7 @@ def make_levels(
     for step in range(halvings):
         depth, brightness = _halve(depth, brightness, size, levels if step == halvings - 1 else None)
         size = (size[0] // 2, size[1] // 2)
-    _fill(levels, depth, brightness, is_filled=halvings > 0)
+    _fill(levels, depth, brightness, is_filled=halvings > 0, is_rendered=is_rendered)
     smoothed = empty(levels.total, float32, device)
     groups = sum(rows * -(-columns // PIXELS_PER_THREAD) for columns, rows in sizes)
     launch(fit_planes_kernel, groups, [radius, levels, levels.planes, smoothed])
@@ -455,9 +458,16 @@ def _halve(
     return halved
 
 
-def _fill(levels: FrameLevels, depth: Scalars, brightness: Scalars | Array2[uint8] | None, *, is_filled: bool) -> None:
+def _fill(
+    levels: FrameLevels,
+    depth: Scalars,
+    brightness: Scalars | Array2[uint8] | None,
+    *,
+    is_filled: bool,
+    is_rendered: bool,
+) -> None:
     """Fill levels from an image of the size of the first level. `is_filled`: that one is filled."""
-    kind, shades, pixels = FROM_BRIGHTNESS, brightness, brightness
+    kind, shades, pixels = FROM_RENDERED if is_rendered else FROM_BRIGHTNESS, brightness, brightness
     if brightness is None or brightness.dtype == uint8:
         kind, shades = FROM_DEPTH if brightness is None else FROM_COLORS, depth
     if brightness is None or brightness.dtype == float32:
