@@ -19,7 +19,7 @@ from .language import cpu_code, cpu_pool, kernel_cache, pool_code, prepared_laun
 from .language.arguments import MAX_THREADS, checked_arguments
 from .language.compile_notices import announced, compiling
 from .language.cuda_launches import PreparedKernel, PreparedSum
-from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
+from .language.device_lock import RecordedLoop, lock, record, record_loop, replay  # noqa: F401  handed on
 from .language.module_loading import load_module
 from .language.prepared_launches import UNFIT, FlatLaunch, LaunchSequence, WarpLaunch, flatteners, record_launches
 from .language.segment_launches import PreparedSegmentSum, launch_segments
@@ -352,9 +352,9 @@ def reduce_segments(
 
 def loop_while(condition: Integers, body: Callable[[], None]) -> None:
     """Run a body of launches while `condition[0]` is not zero. On CUDA the loop is one graph with a conditional node,
-    without host synchronization. The body may only launch kernels and reductions over existing arrays. On the CPU the
-    launches of the first iteration are repeated. `condition` is an int32 device array (1) that the body's last kernel
-    sets. Raises RuntimeError for a CUDA driver before 12.4.
+    without host synchronization, or a part of the graph that `record` captures. The body may only launch kernels and
+    reductions over existing arrays. On the CPU the launches of the first iteration are repeated. `condition` is an
+    int32 device array (1) that the body's last kernel sets. Raises RuntimeError for a CUDA driver before 12.4.
     """
     DeviceLoop(condition, body).run()
 
@@ -371,6 +371,9 @@ class DeviceLoop:
         """Run the body while the condition is not zero. Raises RuntimeError for a CUDA driver before 12.4."""
         if self._condition.device.is_cuda:
             with lock:
+                if self._condition.device.captures:  # in `record`
+                    record_loop(self._condition, self._body)
+                    return
                 if self._recorded is None:
                     self._recorded = RecordedLoop(self._condition, self._body)
                 self._recorded.launch()

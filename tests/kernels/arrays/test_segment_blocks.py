@@ -24,7 +24,7 @@ from pointloom.kernels.lang import (
     uint8,
 )
 from pointloom.kernels.language import segment_launches
-from pointloom.kernels.memory import download, full, upload, zeros
+from pointloom.kernels.memory import copy, download, fill, full, upload, zeros
 
 LENGTH = 64  # of a run on the CPU
 
@@ -210,6 +210,23 @@ def test_dropping_a_cached_loop_leaves_others_unchanged(device):
     del loops[0]
     loops[0].run()
     assert [running.numpy()[0] for _, running in arrays] == [0, 0]
+
+
+def test_a_loop_among_other_launches_is_a_part_of_their_recording(device):
+    left, running, before, after = (zeros(1, int32, device) for _ in range(4))
+
+    def body():
+        fill(left, 5)
+        fill(running, 1)
+        copy(before, left, count=1)
+        lang.loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
+        copy(after, left, count=1)
+
+    recorded = lang.record(left.device, body) if left.device.is_cuda else None
+    for _ in range(3):
+        fill(after, 9)
+        body() if recorded is None else lang.replay(recorded)
+        assert (before.numpy()[0], after.numpy()[0]) == (5, 0)
 
 
 def test_a_loop_that_fails_leaves_launches_as_they_were(device):

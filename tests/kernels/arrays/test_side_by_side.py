@@ -52,6 +52,18 @@ def test_a_launch_changes_its_arrays_and_no_neighbor(device, rng):
         np.testing.assert_array_equal(result[name], values[name][0])
 
 
+def test_arrays_that_are_not_rewritten_get_their_last_values_again(device, rng):
+    values, others = values_of(rng, 7), values_of(rng, 7)
+    together = SideBySide(values, device)
+    together.rewrite({"places": others["places"]})
+    launch(raise_kernel, 7, [together.arrays["counts"], together.arrays["places"]])
+    together.rewrite({"counts": others["counts"]})
+    result = together.download()
+    for name in values:
+        expected = (others if name in ("places", "counts") else values)[name][0]
+        np.testing.assert_array_equal(result[name], expected.astype(result[name].dtype))
+
+
 def test_an_array_outlives_its_container(device):
     left = SideBySide({"a": (np.arange(5), int32), "b": (np.arange(9.0), float64)}, device).arrays["b"]
     np.testing.assert_array_equal(download(left), np.arange(9.0))

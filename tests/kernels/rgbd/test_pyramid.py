@@ -6,7 +6,7 @@ import pytest
 from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.kernels.lang import float32, uint8, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.rgbd.model_maps import colors_of, hide_unseen
+from pointloom.kernels.rgbd.model_maps import colors_of
 from pointloom.kernels.rgbd.moved_pixels import FreeSpace, hide_moved
 from pointloom.kernels.rgbd.pyramid import NO_COLOR, level_sizes, make_levels
 from pointloom.rgbd.odometry.frames import OdometryFrame
@@ -14,12 +14,13 @@ from pointloom.rgbd.odometry.frames import OdometryFrame
 from ...registration.poses import as_pose
 
 
-def levels_of(depth, device, *, shade=None, normals=None, max_pixels=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
+def levels_of(depth, device, *, shade=None, normals=None, max_pixels=10**6, lens=(50.0, 50.0, 15.5, 11.5), **options):
     height, width = depth.shape
     brightness = None if shade is None else upload(shade.reshape(-1), float32, device)
     numbers = {"max_pixels": max_pixels, "min_side": 4, "radius": 2}
     numbers["normals"] = None if normals is None else upload(normals.reshape(-1, 3), vec3, device)
-    return make_levels(upload(depth.reshape(-1), float32, device), brightness, (width, height), lens, **numbers)
+    depths = upload(depth.reshape(-1), float32, device)
+    return make_levels(depths, brightness, (width, height), lens, **numbers, **options)
 
 
 def image(levels, values, k):
@@ -94,16 +95,47 @@ def test_colors_are_weighed_as_brightness(device):
         assert np.allclose(download(levels.brightness), 0.299, atol=1e-6)
 
 
+@pytest.mark.parametrize("size", [(8, 8), (33, 27), (32, 31), (47, 64), (9, 70)])
+@pytest.mark.parametrize("max_pixels", [10**6, 900])
+def test_a_level_is_the_mean_of_four_pixels_of_the_finer_one(device, rng, size, max_pixels):
+    (width, height), shade = size, rng.random((size[1], size[0])).astype(np.float32)
+    shade[rng.random(shade.shape) < 0.02] = NO_COLOR
+    levels = levels_of(np.full((height, width), 2.0, np.float32), device, shade=shade, max_pixels=max_pixels)
+    finer = shade
+    for _ in range(level_sizes(width, height, (50.0, 50.0, 15.5, 11.5), max_pixels, 4)[2]):
+        finer = halved(finer)
+    for k in range(levels.count):
+        np.testing.assert_allclose(image(levels, levels.brightness, k), finer, rtol=1e-6)
+        assert np.allclose(image(levels, levels.depth, k), 2.0)
+        finer = halved(finer)
+
+
+def halved(shade):
+    rows, columns = shade.shape[0] // 2, shade.shape[1] // 2
+    four = shade[: 2 * rows, : 2 * columns].reshape(rows, 2, columns, 2)
+    return np.where(four.min(axis=(1, 3)) < 0, np.float32(NO_COLOR), four.mean(axis=(1, 3)))
+
+
+def test_invalid_depth_and_brightness_are_none(device):
+    depth, shade = (np.full((8, 8), value, np.float32) for value in (2.0, 0.5))
+    depth[0, :4] = shade[0, :4] = np.nan, np.inf, -1.0, 2.0e6
+    levels = levels_of(depth, device, shade=shade)
+    assert (image(levels, levels.depth, 0)[0, :4] == 0.0).all()
+    assert (image(levels, levels.brightness, 0)[0, :4] == NO_COLOR).all()
+
+
 def test_without_colors_there_is_no_brightness(device):
     levels = levels_of(np.full((24, 32), 1.0, np.float32), device)
     assert (download(levels.brightness) < 0).all()
 
 
-def test_brightness_is_none_where_there_is_no_depth(device):
-    depth, bright = np.float32([0, 1, -1, 2]), np.float32([0.1, 0.2, 0.3, 0.4])
-    brightness = upload(bright, float32, device)
-    hide_unseen(upload(depth, float32, device), brightness)
-    np.testing.assert_array_equal(download(brightness), np.where(depth > 0, bright, np.float32(NO_COLOR)))
+@pytest.mark.parametrize("is_rendered", [False, True])
+def test_a_rendered_image_has_no_brightness_without_depth(device, rng, is_rendered):
+    depth, shade = np.full((24, 32), 1.0, np.float32), rng.random((24, 32)).astype(np.float32)
+    depth[rng.random(depth.shape) < 0.2] = 0.0
+    levels = levels_of(depth, device, shade=shade, is_rendered=is_rendered)
+    expected = np.where((depth > 0) | (not is_rendered), shade, np.float32(NO_COLOR))
+    np.testing.assert_array_equal(image(levels, levels.brightness, 0), expected)
 
 
 def test_colors_are_rounded_to_nearest_even_bytes(device, rng):

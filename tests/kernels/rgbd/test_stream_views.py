@@ -28,7 +28,7 @@ def view(device, depth, color=None):
 
 
 def sums(now, before):
-    return np.asarray(download(compare_views(now, before)), np.float64).reshape(-1)
+    return compare_views(now, before)
 
 
 def test_a_cell_is_the_mean_of_its_pixels(device):
@@ -42,6 +42,17 @@ def test_a_cell_is_the_mean_of_its_pixels(device):
 
     assert np.allclose(download(stream_view.nearness), means(1 / depth.astype(np.float64)), atol=1e-6)
     assert np.allclose(download(stream_view.brightness), means(color[..., 0] / 255), atol=1e-6)
+
+
+def test_the_cells_on_the_host_are_those_of_the_device(device):
+    now, before = (view(device, *images(shift)) for shift in ((0.0, 0.0), (0.5, 0.0)))
+    first = sums(now, before)  # reads the cells of the first view, too
+    assert "host_cells" in vars(now) and "host_cells" not in vars(before)
+    for each in (now, before):
+        assert each.host_nearness.shape == (each.rows, each.columns)
+        np.testing.assert_array_equal(each.host_nearness.reshape(-1), download(each.nearness))
+        np.testing.assert_array_equal(each.host_brightness.reshape(-1), download(each.brightness))
+    np.testing.assert_array_equal(sums(now, before), first)
 
 
 def test_a_cell_that_is_measured_in_part_has_no_nearness_and_without_color_there_is_no_brightness(device):

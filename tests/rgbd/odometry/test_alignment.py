@@ -74,6 +74,14 @@ def test_frames_of_different_cameras_compare_at_levels_of_like_size(device):
     assert errors_of(result.transformation, MOTION)[0] < 0.3
 
 
+def test_frames_of_another_camera_of_the_same_size_change_no_later_result(device):
+    narrow, results = loom.PinholeCameraIntrinsic(160, 120, 190.0, 190.0, 75.0, 62.0), []
+    for camera in (CAMERA, narrow, CAMERA, narrow):
+        frames = [frame(pose, device, camera) for pose in (FIRST, SECOND)]
+        results.append(od.align_frames(*frames).transformation)
+    assert np.array_equal(results[0], results[2]) and np.array_equal(results[1], results[3])
+
+
 def test_a_result_unpacks_as_open3ds(device):
     one = frame(FIRST, device)
     success, transformation, information = od.align_frames(one, one)

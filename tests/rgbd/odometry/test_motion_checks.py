@@ -103,7 +103,7 @@ def fault_of(*, blur=0.0, **sums):
     for name, value in (good | {"EXCESS_SUM": 800.0} | sums).items():
         figures[getattr(at, name)] = value
     none = np.zeros(21)
-    alignment = Alignment(np.eye(4), 5, np.ones(4), none, figures, none, none)
+    alignment = Alignment(np.eye(4), 5, np.ones(4), none, figures, none, none, 0)
     return _first_fault(alignment, *(figures[k] for k in (at.PIXEL_COUNT, at.SEEN_COUNT, at.INLIER_COUNT)), blur)
 
 

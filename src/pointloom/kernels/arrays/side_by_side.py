@@ -1,7 +1,7 @@
 """Small arrays packed into one allocation: one copy to the device, one sync to read them back."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Hashable, Mapping, Sequence
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 import warp as wp
@@ -13,6 +13,7 @@ from ..language.device_arrays import element_kind, reinterpreted
 from ..language.device_lock import lock_for
 from ..memory import contiguous, copy, download, empty, upload, write
 
+Name = TypeVar("Name", bound=Hashable)
 ALIGNMENT_BYTES = 256  # bytes, as of separate allocations
 
 
@@ -48,34 +49,36 @@ def read_together(arrays: Sequence[AnyArray]) -> list[NDArray[Any]]:
     return results
 
 
-class SideBySide:
+class SideBySide(Generic[Name]):
     """Arrays packed into one allocation, by name with element types. Each device view keeps it alive."""
 
-    def __init__(self, values: Mapping[str, tuple[ArrayLike, Any]], device: Device) -> None:
+    def __init__(self, values: Mapping[Name, tuple[ArrayLike, Any]], device: Device) -> None:
         hosts = {name: _as_elements(*value) for name, value in values.items()}
-        self._layout: dict[str, tuple[int, int, tuple[int, ...], np.dtype]] = {}  # first byte, size, shape, type
-        self._size = 0
+        self._layout: dict[Name, tuple[int, int, tuple[int, ...], np.dtype]] = {}  # first byte, size, shape, type
+        size = 0
         for name, host in hosts.items():
-            self._layout[name] = (self._size, host.nbytes, host.shape, host.dtype)
-            self._size += -(-max(host.nbytes, 1) // ALIGNMENT_BYTES) * ALIGNMENT_BYTES
-        self._buffer = upload(self._content(hosts), uint8, device)
-        self.arrays: dict[str, DeviceArray[Any, Any]] = {}
+            self._layout[name] = (size, host.nbytes, host.shape, host.dtype)
+            size += -(-max(host.nbytes, 1) // ALIGNMENT_BYTES) * ALIGNMENT_BYTES
+        self._content = np.zeros(size, np.uint8)  # as uploaded last
+        self._set(hosts)
+        self._buffer = upload(self._content, uint8, device)
+        self.arrays: dict[Name, DeviceArray[Any, Any]] = {}
         for name, (_, dtype) in values.items():
             first, _, shape, _ = self._layout[name]
             width = len(getattr(dtype, "_shape_", ()))
             self.arrays[name] = part_of(self._buffer, first, dtype, shape[: len(shape) - width] if width else shape)
 
-    def _content(self, hosts: Mapping[str, np.ndarray]) -> np.ndarray:
-        content = np.zeros(self._size, np.uint8)
-        for name, (first, size, _, _) in self._layout.items():
-            content[first : first + size] = hosts[name].reshape(-1).view(np.uint8)
-        return content
+    def _set(self, hosts: Mapping[Name, np.ndarray]) -> None:
+        for name, host in hosts.items():
+            first, size, _, _ = self._layout[name]
+            self._content[first : first + size] = host.reshape(-1).view(np.uint8)
 
-    def rewrite(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> None:
-        """Overwrite all arrays with values of the same shapes in one copy."""
-        write(self._buffer, self._content({name: _as_elements(*value) for name, value in values.items()}))
+    def rewrite(self, values: Mapping[Name, tuple[ArrayLike, Any]]) -> None:
+        """Overwrite all arrays in one copy: with values of the same shapes, the others with their last ones."""
+        self._set({name: _as_elements(*value) for name, value in values.items()})
+        write(self._buffer, self._content)
 
-    def download(self, *names: str) -> dict[str, np.ndarray]:
+    def download(self, *names: Name) -> dict[Name, np.ndarray]:
         """The named arrays, or all, as NumPy by name: views on the CPU, one sync on a GPU."""
         buffer = download(self._buffer)  # sync
         chosen = {}

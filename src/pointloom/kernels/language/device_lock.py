@@ -145,7 +145,12 @@ class RecordedLoop(Recording):
     """A GPU loop as one graph with a conditional node: runs `body` until `condition` (int32 [1]) is zero."""
 
     def __init__(self, condition: wp.array, body: Callable[[], None]) -> None:
-        super().__init__(condition.device, lambda: wp.capture_while(condition, _stoppable(body)))
+        super().__init__(condition.device, lambda: record_loop(condition, body))
+
+
+def record_loop(condition: wp.array, body: Callable[[], None]) -> None:
+    """Add a loop to the graph that is being captured."""
+    wp.capture_while(condition, _stoppable(body))
 
 
 def record(device: Device, body: Callable[[], None]) -> Recording:

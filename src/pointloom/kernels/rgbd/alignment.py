@@ -1,16 +1,15 @@
 """Coarse-to-fine RGB-D frame alignment in one device loop, and reliability statistics.
 
-Two launches per step. All levels share arrays, and results come with one sync. On CUDA the graph is reused for frames
-of the same sizes (2.4 MB per VGA frame). Reliability uses the normal equations at a coarser level without gradients at
-noise level, since noise of normals and brightness looks like information.
+Two launches per step. All levels share arrays, and results come with one sync. On CUDA alignments are one graph, which
+is reused for frames of the same cameras (2.4 MB per VGA frame). Reliability uses the normal equations at a coarser
+level without gradients at noise level, since noise of normals and brightness looks like information.
 """
 
-import contextlib
 import dataclasses
 import os
 import threading
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Hashable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -19,8 +18,8 @@ from ..algebra.rigid_solve import small_motion, solve_system, triangle, triangle
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import (
-    DeviceLoop,
     array,
+    block_elements,
     dot,
     float32,
     float64,
@@ -28,10 +27,12 @@ from ..lang import (
     int32,
     kernel,
     launch,
+    loop_while,
     mat44d,
-    reduce,
+    record,
     reduce_segments,
-    reduction,
+    replay,
+    segment_reduction,
     sqrt,
     tid,
     vec3,
@@ -52,7 +53,7 @@ from .alignment_rows import (
     sum_alignment_rows,
 )
 from .check_rows import INLIER_LIMIT, consistency_sums, sum_consistency
-from .level_copies import copy_levels_kernel
+from .level_copies import copy_levels
 from .pyramid import FrameLevels
 from .seen_pixels import (
     SLOPE_MARGIN,
@@ -65,10 +66,6 @@ from .seen_pixels import (
     seen_brightness,
     surface_row,
 )
-
-if TYPE_CHECKING:
-    from .pyramid import FrameLevels
-
 
 certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
 MIN_SLOPE = 0.015  # of brightness [1 / px]: three 8-bit gray levels, rare as noise in means of 16 px
@@ -124,7 +121,7 @@ def is_inside(at: int, margin: int, level: int, frame: FrameLevels) -> int:
     return inside
 
 
-@reduction
+@segment_reduction
 def sum_certainty(
     source: FrameLevels,
     target: FrameLevels,
@@ -295,31 +292,34 @@ def begin_alignment_kernel(source: FrameLevels, level: int, state: AlignmentStat
     set_warps(level, source, state.pose[i], state.warps)
 
 
-MAX_CACHED = 8  # loops: 24 B per level pixel of both frames, 5 MB for VGA
-SUM_NAMES = ("consistency", "certainty", "firm")
+MAX_CACHED = 8  # of Descents: 24 B per level pixel of their frames, 5 MB for VGA
 COLUMNS_PER_MARGIN = 27.0  # 1/27 of the columns (3 px of 80): margin at surface edges, for plane windows and rounding
 
 
-@kernel
-def copy_sums_kernel(
-    consistency: array(dtype=consistency_sums),
-    certainty: array(dtype=certainty_sums),
-    firm: array(dtype=certainty_sums),
-    consistency_copy: array(dtype=consistency_sums),
-    certainty_copy: array(dtype=certainty_sums),
-    firm_copy: array(dtype=certainty_sums),
-):
-    """Copy them beside the pose for a single sync. One thread."""
-    i = tid()
-    consistency_copy[i] = consistency[i]
-    certainty_copy[i] = certainty[i]
-    firm_copy[i] = firm[i]
+@dataclasses.dataclass(frozen=True, eq=False)
+class AlignmentTask:
+    """Frames to align from the pose T_target_source: from source level `last` down to the rules' first level, with at
+    most `max_steps` per level (the finest first). Statistics are those of `check_level`.
+    """
+
+    source: FrameLevels
+    target: FrameLevels
+    pose: np.ndarray
+    rules: AlignmentRules
+    max_steps: Sequence[int]
+    last: int
+    check_level: int
+
+    @property
+    def plan(self) -> tuple[Hashable, ...]:
+        """What tasks that share a Descent have in common, besides the cameras."""
+        return (*vars(self.rules).values(), *self.max_steps, self.last, self.check_level)
 
 
 @dataclasses.dataclass
 class Alignment:
     """Result: T_target_source; `scales`: inverse variances of surface and brightness, gain, offset; `sums` of the last
-    step; `consistency` and `certainty` sums; `firm`: the latter without surface edges.
+    step; `consistency` and `certainty` sums at `level`; `firm`: the latter without surface edges.
     """
 
     pose: np.ndarray
@@ -329,26 +329,26 @@ class Alignment:
     consistency: np.ndarray
     certainty: np.ndarray
     firm: np.ndarray
+    level: int
 
 
-def first_state(
-    source: "FrameLevels", pose: np.ndarray, max_steps: Sequence[int], first_level: int, last: int
-) -> dict[str, tuple[np.ndarray, Any]]:
+def first_state(task: AlignmentTask) -> dict[str, tuple[np.ndarray, Any]]:
     """Initial arrays of the AlignmentState and results, for SideBySide."""
-    levels = source.count
+    levels = task.source.count
     live = np.zeros(levels, np.int64)
-    live[last] = 1
+    live[task.last] = 1
     steps = np.zeros(levels, np.int64)
-    steps[first_level : last + 1] = max_steps
+    steps[task.rules.first_level : task.last + 1] = task.max_steps
     return {
-        "pose": (pose[None], mat44d),
-        "counts": (np.array([last, 0, 0, 0]), int32),
+        "pose": (task.pose[None], mat44d),
+        "counts": (np.array([task.last, 0, 0, 0]), int32),
         "scales": (np.array([0.25, 400.0, 1.0, 0.0]), float32),
         "sums": (np.zeros((levels, len(row_sums(0.0)))), row_sums),
         "running": (np.array([1]), int32),
         "live": (live, int32),
         "max_steps": (steps, int32),
         "warps": (np.zeros((3, 4)), vec4),
+        "checked": (np.array([1]), int32),
         "consistency": (np.zeros((1, len(consistency_sums(0.0)))), consistency_sums),
         "certainty": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
         "firm": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
@@ -356,51 +356,99 @@ def first_state(
 
 
 class Descent:
-    """Loop over the levels of two frames. With `is_cached` it copies frames into its own, reusing the CUDA graph."""
+    """Launches of an alignment with existing arrays, for frames of the cameras of a task."""
 
-    def __init__(
-        self,
-        source: "FrameLevels",
-        target: "FrameLevels",
-        rules: AlignmentRules,
-        begin: dict[str, tuple[np.ndarray, Any]],
-        *,
-        is_cached: bool,
-    ) -> None:
-        self._is_cached = is_cached
-        self.source, self.target = (source.like(), target.like()) if is_cached else (source, target)
-        self.buffers = SideBySide(begin, source.device)
-        state = self.state = AlignmentState(self.buffers.arrays)
-        sums, blocks = self.buffers.arrays["sums"], SegmentBlocks(source.firsts, source.counts, source.device)
-        partials = blocks.partials(row_sums)
+    def __init__(self, task: AlignmentTask, arrays: dict[str, Any]) -> None:
+        source, rules, device = task.source, task.rules, task.source.device
+        self._rules, self._last, self._level = rules, task.last, task.check_level
+        self._arrays, self._state = arrays, AlignmentState(arrays)
+        self._blocks = SegmentBlocks(source.firsts, source.counts, device)
+        count = int(source.counts[self._level])
+        self._checked = SegmentBlocks([0], [count], device, block_elements(count, device))
+        self._partials = self._blocks.partials(row_sums)
+        self._check_partials = {kind: self._checked.partials(kind) for kind in (consistency_sums, certainty_sums)}
+        self._margin = max(1, round(float(source.sizes[self._level, 0]) / COLUMNS_PER_MARGIN))
+
+    def align(self, source: FrameLevels, target: FrameLevels) -> None:
+        """Align a source to a target, and compute the statistics of the result."""
+        rules, state, arrays, level = self._rules, self._state, self._arrays, self._level
 
         def iterate() -> None:
-            arguments = [self.source, self.target, rules, state]
-            reduce_segments(sum_alignment_rows, blocks, state.live, arguments, partials, sums)
-            launch(step_alignment_kernel, 1, [self.source, rules, sums, state])
+            arguments = [source, target, rules, state]
+            reduce_segments(sum_alignment_rows, self._blocks, state.live, arguments, self._partials, arrays["sums"])
+            launch(step_alignment_kernel, 1, [source, rules, arrays["sums"], state])
 
-        self._loop = DeviceLoop(state.running, iterate)
+        launch(begin_alignment_kernel, 1, [source, self._last, state])
+        loop_while(state.running, iterate)
+        launch(begin_alignment_kernel, 1, [source, level, state])
+        seen, noise = [source, target, level, level + rules.shift], [state.warps, state.scales]
+        fractions = [float(rules.surface_fraction > 0), float(rules.brightness_fraction > 0)]  # all nonzero terms
+        self._sum(sum_consistency, [*seen, *noise], "consistency", consistency_sums)
+        self._sum(sum_certainty, [*seen, *fractions, 0, *noise], "certainty", certainty_sums)
+        self._sum(sum_certainty, [*seen, *fractions, self._margin, *noise], "firm", certainty_sums)
+
+    def _sum(self, reduction: Any, arguments: list[Any], name: str, kind: Any) -> None:
+        checked, arrays = self._checked, self._arrays
+        reduce_segments(reduction, checked, arrays["checked"], arguments, self._check_partials[kind], arrays[name])
+
+    def result(self, values: dict[str, np.ndarray]) -> Alignment:
+        """The Alignment of downloaded arrays."""
+        return Alignment(
+            values["pose"][0].copy(),
+            int(values["counts"][2]),
+            values["scales"].copy(),
+            values["sums"][self._rules.first_level].copy(),
+            values["consistency"][0].copy(),
+            values["certainty"][0].copy(),
+            values["firm"][0].copy(),
+            self._level,
+        )
+
+
+class Descents:
+    """Alignments with one upload and one download. On CUDA they copy frames into their own, reusing one graph."""
+
+    def __init__(self, tasks: Sequence[AlignmentTask], frames: Sequence[FrameLevels]) -> None:
+        self._device: Any = frames[0].device
+        states = {(k, name): value for k, task in enumerate(tasks) for name, value in first_state(task).items()}
+        self._buffers = SideBySide(states, self._device)
+        self._descents = [Descent(task, _of(k, self._buffers.arrays)) for k, task in enumerate(tasks)]
+        self._own = [levels.like() for levels in frames] if self._device.is_cuda else []
+        self._recorded: Any = None
 
     def run(
-        self, source: "FrameLevels", target: "FrameLevels", begin: dict[str, tuple[np.ndarray, Any]], last: int
-    ) -> None:
-        """Align a source to a target. The pose is in `state`."""
-        if self._is_cached:
-            self.buffers.rewrite(begin)
-            for levels, own in ((source, self.source), (target, self.target)):
-                launch(copy_levels_kernel, own.total, [levels, own])
-        launch(begin_alignment_kernel, 1, [self.source, last, self.state])
-        self._loop.run()
+        self, tasks: Sequence[AlignmentTask], frames: Sequence[FrameLevels], pairs: Sequence[tuple[int, int]]
+    ) -> list[Alignment]:
+        """Align. `pairs`: rows of the source and the target of each task in `frames`, the same in all runs."""
+        self._buffers.rewrite({(k, "pose"): (task.pose[None], mat44d) for k, task in enumerate(tasks)})
+        if self._device.is_cuda:
+            copy_levels(frames, self._own)
+            if self._recorded is None:
+                self._recorded = record(self._device, lambda: self._align(self._own, pairs))
+            replay(self._recorded)
+        else:
+            self._align(frames, pairs)
+        values = self._buffers.download()  # sync
+        return [descent.result(_of(k, values)) for k, descent in enumerate(self._descents)]
+
+    def _align(self, frames: Sequence[FrameLevels], pairs: Sequence[tuple[int, int]]) -> None:
+        for descent, (source, target) in zip(self._descents, pairs, strict=True):
+            descent.align(frames[source], frames[target])
 
 
-_descents: LruCache[Descent] = LruCache(MAX_CACHED)  # on GPUs, by frame sizes and rules
+def _of(number: int, values: dict[Any, Any]) -> dict[str, Any]:
+    """The values of one of several alignments, by name."""
+    return {name: value for (k, name), value in values.items() if k == number}
+
+
+_descents: LruCache[Descents] = LruCache(MAX_CACHED)  # by cameras and plans
 _lock = threading.Lock()
 if hasattr(os, "register_at_fork"):  # not on Windows
     os.register_at_fork(after_in_child=_lock._at_fork_reinit)  # type: ignore[attr-defined]
 
 
 def clear_descents() -> None:
-    """Release GPU memory cached for further alignments: levels of two frames, MAX_CACHED times."""
+    """Release memory cached for further alignments: levels of their frames on GPUs, MAX_CACHED times."""
     with _lock:
         _descents.clear()
 
@@ -408,56 +456,17 @@ def clear_descents() -> None:
 on_give_back.append(clear_descents)
 
 
-@contextlib.contextmanager
-def _descent_of(
-    source: "FrameLevels", target: "FrameLevels", rules: AlignmentRules, begin: dict[str, tuple[np.ndarray, Any]]
-) -> Iterator[Descent]:
-    """A cached unused descent for two frames, or a new one."""
-    device = source.device
-    if not device.is_cuda:
-        yield Descent(source, target, rules, begin, is_cached=False)
-        return
-    sizes = [tuple(levels.sizes.reshape(-1).tolist()) for levels in (source, target)]
-    key = (device.alias, *sizes, *vars(rules).values())
+def align_levels(*tasks: AlignmentTask) -> list[Alignment]:
+    """The results of the tasks, whose frames are on one device, with one sync."""
+    different = {id(levels): levels for task in tasks for levels in (task.source, task.target)}
+    frames, rows = list(different.values()), {number: row for row, number in enumerate(different)}
+    pairs = [(rows[id(task.source)], rows[id(task.target)]) for task in tasks]
+    key = (tuple(levels.key for levels in frames), *pairs, *(task.plan for task in tasks))
     with _lock:
-        descent = _descents.pop(key)
-    if descent is None:
-        descent = Descent(source, target, rules, begin, is_cached=True)
-    yield descent
+        descents = _descents.pop(key)
+    if descents is None:
+        descents = Descents(tasks, frames)
+    results = descents.run(tasks, frames, pairs)
     with _lock:
-        _descents.put(key, descent)
-
-
-def align_levels(
-    source: "FrameLevels",
-    target: "FrameLevels",
-    pose: np.ndarray,
-    rules: AlignmentRules,
-    max_steps: Sequence[int],
-    last: int,
-    check_level: int,
-) -> Alignment:
-    """Align two FrameLevels from the start pose T_target_source, from source level `last` down to the first."""
-    begin = first_state(source, pose, max_steps, rules.first_level, last)
-    with _descent_of(source, target, rules, begin) as descent:
-        descent.run(source, target, begin, last)
-        state, buffers = descent.state, descent.buffers
-        launch(begin_alignment_kernel, 1, [source, check_level, state])
-        count = int(source.counts[check_level])
-        arguments = [source, target, check_level, check_level + rules.shift, state.warps, state.scales]
-        consistency = reduce(sum_consistency, count, arguments)
-        fractions = [float(rules.surface_fraction > 0), float(rules.brightness_fraction > 0)]  # all nonzero terms
-        edge = max(1, round(float(source.sizes[check_level, 0]) / COLUMNS_PER_MARGIN))
-        certainty = reduce(sum_certainty, count, [*arguments[:4], *fractions, 0, *arguments[4:]])
-        firm = reduce(sum_certainty, count, [*arguments[:4], *fractions, edge, *arguments[4:]])
-        launch(copy_sums_kernel, 1, [consistency, certainty, firm, *(buffers.arrays[name] for name in SUM_NAMES)])
-        results = buffers.download("pose", "counts", "scales", "sums", *SUM_NAMES)  # sync
-    return Alignment(
-        results["pose"][0].copy(),
-        int(results["counts"][2]),
-        results["scales"].copy(),
-        results["sums"][rules.first_level].copy(),
-        results["consistency"][0].copy(),
-        results["certainty"][0].copy(),
-        results["firm"][0].copy(),
-    )
+        _descents.put(key, descents)
+    return results

@@ -2,7 +2,7 @@
 pose. One behind it is occluded. Normals and brightness must agree where surfaces match.
 """
 
-from ..lang import array, dot, float32, float64, func, reduction, tid, vec3, vec4, vector
+from ..lang import array, dot, float32, float64, func, segment_reduction, tid, vec3, vec4, vector
 from .pyramid import FrameLevels
 from .seen_pixels import SLOPE_MARGIN, axis, depth_noise, moved_point, seen_at, seen_brightness
 
@@ -19,7 +19,7 @@ MAX_EXCESS = 16.0  # per pixel, the squared limit: pixels of thin objects must n
 MIN_AGREEING_COSINE = 0.8  # cosine between normals of one surface
 
 
-@reduction
+@segment_reduction
 def sum_consistency(
     source: FrameLevels,
     target: FrameLevels,

@@ -1,5 +1,7 @@
 """Copies of frame levels, and one level packed for the host."""
 
+from collections.abc import Sequence
+
 from ..array_types import Array2
 from ..lang import array, float32, kernel, launch, tid
 from ..memory import empty
@@ -22,10 +24,21 @@ def level_rows(levels: FrameLevels, level: int) -> Array2[float32]:
 
 
 @kernel
-def copy_levels_kernel(levels: FrameLevels, out: FrameLevels):
+def copy_levels_kernel(levels: FrameLevels, out: FrameLevels, other: FrameLevels, other_out: FrameLevels):
+    """Copy the images of two frames. The lenses are equal, in an array that all frames of a camera share."""
     i = tid()
-    out.depth[i] = levels.depth[i]
-    out.brightness[i] = levels.brightness[i]
-    out.planes[i] = levels.planes[i]
-    if i < levels.lenses.shape[0]:
-        out.lenses[i] = levels.lenses[i]
+    if i < levels.depth.shape[0]:
+        out.depth[i] = levels.depth[i]
+        out.brightness[i] = levels.brightness[i]
+        out.planes[i] = levels.planes[i]
+    if i < other.depth.shape[0]:
+        other_out.depth[i] = other.depth[i]
+        other_out.brightness[i] = other.brightness[i]
+        other_out.planes[i] = other.planes[i]
+
+
+def copy_levels(frames: Sequence[FrameLevels], copies: Sequence[FrameLevels]) -> None:
+    """Copy the images of frames, two per launch."""
+    for first in range(0, len(frames), 2):
+        a, b = first, min(first + 1, len(frames) - 1)
+        launch(copy_levels_kernel, max(frames[a].total, frames[b].total), [frames[a], copies[a], frames[b], copies[b]])

@@ -1,22 +1,8 @@
-"""Rendered model maps as a frame: no brightness without depth (black would look like an edge), and 8-bit colors."""
+"""8-bit colors of a rendered model."""
 
 from ..array_types import Array2, Scalars, Vectors
 from ..lang import array, float32, floor, func, kernel, launch, tid, uint8, vec3
 from ..memory import empty
-from .pyramid import NO_COLOR
-
-
-@kernel
-def hide_unseen_kernel(depth: array(dtype=float32), brightness: array(dtype=float32)):
-    i = tid()
-    if depth[i] <= 0.0:
-        brightness[i] = NO_COLOR
-
-
-def hide_unseen(depth: Scalars, brightness: Scalars) -> None:
-    """Clear the brightness, float32 (pixels), where the depth is 0."""
-    launch(hide_unseen_kernel, depth.size, [depth, brightness])
-
 
 EMPTY_COLOR = 0.5  # color of empty pixels
 

@@ -5,13 +5,15 @@ the mean over the nearest surface. Holes neither count nor spread. Planes are fi
 (Holzer et al. 2012), which are linear on planes and, for stereo and structured light, uniformly noisy.
 """
 
+import functools
+import math
 from collections.abc import Hashable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..array_types import AnyArray, Array2, Device, Points, Scalars
-from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT, intensity_of
+from ..array_types import Array2, Device, Points, Scalars
+from ..images.depth import BLUE_WEIGHT, GREEN_WEIGHT, RED_WEIGHT
 from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint8, vec3, vec4, vec4i, vector
 from ..memory import empty, full, upload
 
@@ -27,20 +29,31 @@ MIN_SINE = 0.08  # of the angle between surface and view: flatter ones have no r
 MIN_SUPPORT = 0.55  # fraction of a window's pixels required for a plane
 
 
-_tables: dict[Hashable, tuple[AnyArray, AnyArray]] = {}  # layouts and lenses, since all frames of a camera share them
-MAX_TABLES = 32
+class LevelSizes:
+    """Sizes and lenses of the levels of a camera, and their tables on a device."""
+
+    def __init__(self, sizes: np.ndarray, lenses: np.ndarray, device: Device) -> None:
+        self.sizes, self.lenses, self.counts = sizes, lenses, sizes[:, 0] * sizes[:, 1]
+        self.firsts = np.concatenate([[0], np.cumsum(self.counts)[:-1]])
+        self.total = int(self.counts.sum())
+        layout = np.column_stack([sizes, self.firsts, self.counts])
+        self.tables = upload(layout, vec4i, device), upload(lenses, vec4, device)
 
 
-def _tables_of(layout: np.ndarray, lenses: np.ndarray, device: Device) -> tuple[AnyArray, AnyArray]:
-    """Layout and lenses on a device, the same arrays for the same numbers. Each stream has its own."""
+_sizes: dict[Hashable, LevelSizes] = {}  # all frames of a camera share them
+MAX_CAMERAS = 32
+
+
+def _sizes_of(sizes: np.ndarray, lenses: np.ndarray, device: Device) -> LevelSizes:
+    """The same LevelSizes for the same numbers. Each stream has its own."""
     stream = device.stream.cuda_stream if device.is_cuda else 0
-    key = layout.tobytes(), lenses.tobytes(), device.alias, stream
-    tables = _tables.get(key)
-    if tables is None:
-        if len(_tables) >= MAX_TABLES:
-            _tables.clear()
-        tables = _tables[key] = upload(layout, vec4i, device), upload(lenses, vec4, device)
-    return tables
+    key = sizes.tobytes(), lenses.tobytes(), device.alias, stream
+    known = _sizes.get(key)
+    if known is None:
+        if len(_sizes) >= MAX_CAMERAS:
+            _sizes.clear()
+        known = _sizes[key] = LevelSizes(sizes.copy(), lenses.copy(), device)
+    return known
 
 
 @struct
@@ -56,20 +69,17 @@ class FrameLevels:
     planes: array(dtype=vec4)
 
     def __init__(self, sizes: ArrayLike, lenses: ArrayLike, device: Device) -> None:
-        self.sizes = np.asarray(sizes, np.int64)
-        counts = self.counts = self.sizes[:, 0] * self.sizes[:, 1]
-        self.firsts = np.concatenate([[0], np.cumsum(counts)[:-1]])
-        self.host_lenses = np.asarray(lenses, np.float64)
-        table = np.column_stack([self.sizes, self.firsts, counts])
-        self.layout, self.lenses = _tables_of(table, self.host_lenses, device)
-        total = int(counts.sum())
-        self.depth, self.brightness = empty(total, float32, device), empty(total, float32, device)
-        self.planes = empty(total, vec4, device)
-        self.device, self.total = device, total
+        known = _sizes_of(np.asarray(sizes, np.int64), np.asarray(lenses, np.float64), device)
+        self.sizes, self.counts, self.firsts, self.host_lenses = known.sizes, known.counts, known.firsts, known.lenses
+        self.layout, self.lenses = known.tables
+        self.device, self.total, self.count = device, known.total, len(known.counts)
+        self.depth, self.brightness = empty(self.total, float32, device), empty(self.total, float32, device)
+        self.planes = empty(self.total, vec4, device)
 
     @property
-    def count(self) -> int:
-        return len(self.counts)
+    def key(self) -> tuple[Hashable, ...]:
+        """The same for all frames of a camera."""
+        return self.device.alias, self.sizes.tobytes(), self.host_lenses.tobytes()
 
     def like(self) -> "FrameLevels":
         """Uninitialized levels of the same sizes."""
@@ -126,20 +136,18 @@ def halved_brightness(a: float, b: float, c: float, d: float) -> float:
 
 
 @kernel
-def halve_level_kernel(
+def halve_image_kernel(
     depth: array(dtype=float32),
     brightness: array(dtype=float32),
-    first: int,
     width: int,
     columns: int,
-    out: int,
     halved_depths: array(dtype=float32),
     halved_brightnesses: array(dtype=float32),
 ):
     i = tid()
-    at = first + 2 * (i // columns) * width + 2 * (i % columns)
-    halved_depths[out + i] = halved_depth(depth[at], depth[at + 1], depth[at + width], depth[at + width + 1])
-    halved_brightnesses[out + i] = halved_brightness(
+    at = 2 * (i // columns) * width + 2 * (i % columns)
+    halved_depths[i] = halved_depth(depth[at], depth[at + 1], depth[at + width], depth[at + width + 1])
+    halved_brightnesses[i] = halved_brightness(
         brightness[at], brightness[at + 1], brightness[at + width], brightness[at + width + 1]
     )
 
@@ -167,25 +175,76 @@ def halve_colors_kernel(
     halved_brightnesses[i] = total * 0.25
 
 
+@func
+def finite_depth(z: float) -> float:
+    """A valid depth, else 0."""
+    good = 0.0
+    if z > 0.0 and z < 1.0e6:
+        good = z
+    return good
+
+
+@func
+def finite_brightness(b: float) -> float:
+    """A valid brightness, else NO_COLOR."""
+    good = float(NO_COLOR)
+    if b >= 0.0 and b < 1.0e6:
+        good = b
+    return good
+
+
+# Sources of the first level. A rendered image has no brightness without depth: black would look like an edge.
+IS_FILLED, FROM_DEPTH, FROM_BRIGHTNESS, FROM_COLORS, FROM_RENDERED = 0, 1, 2, 3, 4
+
+
 @kernel
-def take_level_kernel(
+def fill_levels_kernel(
+    kind: int,
     depth: array(dtype=float32),
     brightness: array(dtype=float32),
-    depths: array(dtype=float32),
-    brightnesses: array(dtype=float32),
+    pixels: array(dtype=uint8, ndim=2),
+    levels: FrameLevels,
 ):
-    """Copy depth and brightness. Invalid values become none."""
+    """Depth and brightness of all levels from an image, or of the coarser ones from the first level.
+
+    A thread fills the pixels of all levels that cover one pixel of the coarsest level, or would if the image continued.
+    """
     i = tid()
-    d = depth[i]
-    b = brightness[i]
-    good = 0.0
-    if d > 0.0 and d < 1.0e6:
-        good = d
-    depths[i] = good
-    shown = float(NO_COLOR)
-    if b >= 0.0 and b < 1.0e6:
-        shown = b
-    brightnesses[i] = shown
+    side = 1
+    for _k in range(levels.layout.shape[0] - 1):
+        side = 2 * side
+    size = levels.layout[0]
+    columns = (size[0] + side - 1) // side
+    u = i % columns * side
+    v = i // columns * side
+    if kind != IS_FILLED:
+        for y in range(v, min(v + side, size[1])):
+            for x in range(u, min(u + side, size[0])):
+                at = y * size[0] + x
+                shade = float(NO_COLOR)
+                if kind == FROM_BRIGHTNESS or (kind == FROM_RENDERED and depth[at] > 0.0):
+                    shade = finite_brightness(brightness[at])
+                if kind == FROM_COLORS:
+                    shade = luma(at, pixels)
+                levels.depth[at] = finite_depth(depth[at])
+                levels.brightness[at] = shade
+    for level in range(1, levels.layout.shape[0]):
+        finer = levels.layout[level - 1]
+        coarser = levels.layout[level]
+        side = side // 2
+        u = u // 2
+        v = v // 2
+        for y in range(v, min(v + side, coarser[1])):
+            for x in range(u, min(u + side, coarser[0])):
+                a = finer[2] + 2 * y * finer[0] + 2 * x
+                b = a + finer[0]
+                at = coarser[2] + y * coarser[0] + x
+                levels.depth[at] = halved_depth(
+                    levels.depth[a], levels.depth[a + 1], levels.depth[b], levels.depth[b + 1]
+                )
+                levels.brightness[at] = halved_brightness(
+                    levels.brightness[a], levels.brightness[a + 1], levels.brightness[b], levels.brightness[b + 1]
+                )
 
 
 @func
@@ -327,12 +386,14 @@ def take_normals_kernel(
     planes[i] = plane
 
 
+@functools.lru_cache(MAX_CAMERAS)
 def level_sizes(
     width: int, height: int, lens: tuple[float, float, float, float], max_pixels: int, min_side: int
-) -> tuple[list[tuple[int, int]], list[np.ndarray], int]:
+) -> tuple[tuple[tuple[int, int], ...], np.ndarray, int]:
     """(sizes, lenses, initial halvings to `max_pixels`) of an image's levels, finest first; sides >= `min_side`."""
-    sizes, lenses, halvings = [], [], 0
-    size, camera = (width, height), np.asarray(lens, np.float64)
+    sizes: list[tuple[int, int]] = []
+    lenses: list[np.ndarray] = []
+    size, camera, halvings = (width, height), np.asarray(lens, np.float64), 0
     while True:
         if size[0] * size[1] <= max_pixels or min(size) < 2:
             sizes.append(size)
@@ -342,7 +403,7 @@ def level_sizes(
         size = (size[0] // 2, size[1] // 2)
         camera = np.concatenate([camera[:2] / 2, (camera[2:] + 0.5) / 2 - 0.5])
         if min(size) < min_side and sizes:
-            return sizes, lenses, halvings
+            return tuple(sizes), np.array(lenses), halvings
 
 
 def make_levels(
@@ -355,27 +416,19 @@ def make_levels(
     min_side: int,
     radius: int,
     normals: Points | None = None,
+    is_rendered: bool = False,
 ) -> FrameLevels:
     """FrameLevels of an image: depth [m], brightness 0..1 or 8-bit colors or None. `radius`: half the window of a plane
-    [px]; `normals` for the first level if it is the image itself, None fits them.
+    [px]. If the first level is the image itself: its `normals`, None fits them, and whether it `is_rendered`, so that
+    pixels without depth have no brightness.
     """
     device = depth.device
     sizes, lenses, halvings = level_sizes(*size, lens, max_pixels, min_side)
     levels = FrameLevels(sizes, lenses, device)
-    if brightness is None:
-        brightness = full(depth.size, NO_COLOR, float32, device)
     for step in range(halvings):
         depth, brightness = _halve(depth, brightness, size, levels if step == halvings - 1 else None)
         size = (size[0] // 2, size[1] // 2)
-    if not halvings:
-        if brightness.dtype == uint8:
-            brightness = intensity_of(brightness)
-        launch(take_level_kernel, levels.counts[0], [depth, brightness, levels.depth, levels.brightness])
-    for k in range(1, levels.count):
-        (width, _), columns = sizes[k - 1], sizes[k][0]
-        first, out = int(levels.firsts[k - 1]), int(levels.firsts[k])
-        arguments = [levels.depth, levels.brightness, first, width, columns, out, levels.depth, levels.brightness]
-        launch(halve_level_kernel, int(levels.counts[k]), arguments)
+    _fill(levels, depth, brightness, is_filled=halvings > 0, is_rendered=is_rendered)
     smoothed = empty(levels.total, float32, device)
     groups = sum(rows * -(-columns // PIXELS_PER_THREAD) for columns, rows in sizes)
     launch(fit_planes_kernel, groups, [radius, levels, levels.planes, smoothed])
@@ -387,17 +440,37 @@ def make_levels(
 
 
 def _halve(
-    depth: Scalars, brightness: Scalars | Array2[uint8], size: tuple[int, int], levels: FrameLevels | None
-) -> list[Scalars]:
+    depth: Scalars, brightness: Scalars | Array2[uint8] | None, size: tuple[int, int], levels: FrameLevels | None
+) -> tuple[Scalars, Scalars]:
     """Halve depth and brightness, into the first level of `levels` if given."""
     columns, rows = size[0] // 2, size[1] // 2
     count = columns * rows
     if levels is None:
-        halved = [empty(count, float32, depth.device) for _ in range(2)]
+        halved = empty(count, float32, depth.device), empty(count, float32, depth.device)
     else:
-        halved = [levels.depth, levels.brightness]
+        halved = levels.depth, levels.brightness
+    if brightness is None:
+        brightness = full(depth.size, NO_COLOR, float32, depth.device)
     if brightness.dtype == uint8:
         launch(halve_colors_kernel, count, [depth, brightness, size[0], columns, *halved])
     else:
-        launch(halve_level_kernel, count, [depth, brightness, 0, size[0], columns, 0, *halved])
+        launch(halve_image_kernel, count, [depth, brightness, size[0], columns, *halved])
     return halved
+
+
+def _fill(
+    levels: FrameLevels,
+    depth: Scalars,
+    brightness: Scalars | Array2[uint8] | None,
+    *,
+    is_filled: bool,
+    is_rendered: bool,
+) -> None:
+    """Fill levels from an image of the size of the first level. `is_filled`: that one is filled."""
+    kind, shades, pixels = FROM_RENDERED if is_rendered else FROM_BRIGHTNESS, brightness, brightness
+    if brightness is None or brightness.dtype == uint8:
+        kind, shades = FROM_DEPTH if brightness is None else FROM_COLORS, depth
+    if brightness is None or brightness.dtype == float32:
+        pixels = empty((1, 3), uint8, levels.device)
+    threads = math.prod(-(-int(extent) // 2 ** (levels.count - 1)) for extent in levels.sizes[0])
+    launch(fill_levels_kernel, threads, [IS_FILLED if is_filled else kind, depth, shades, pixels, levels])

@@ -3,14 +3,14 @@
 """
 
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..array_types import Array1, Array2, Device, Mask, Scalars
+from ..array_types import Array2, Device, Mask, Scalars
+from ..arrays.side_by_side import read_together
 from ..lang import array, compute, float32, float64, kernel, launch, reduce, reduction, struct, tid, uint8, vector
-from ..memory import download, empty, zeros
+from ..memory import download, empty, rows_of, zeros
 from .pyramid import NO_COLOR, luma
 
 
@@ -60,13 +60,22 @@ class StreamView:
     nearness: array(dtype=float32)
 
     def __init__(self, columns: int, rows: int, device: Device) -> None:
-        self.columns, self.rows = columns, rows
-        self.brightness, self.nearness = (empty(columns * rows, float32, device) for _ in range(2))
+        self.columns, self.rows, count = columns, rows, columns * rows
+        self.cells = empty(2 * count, float32, device)
+        self.brightness, self.nearness = rows_of(self.cells, 0, count), rows_of(self.cells, count, 2 * count)
 
     @cached_property
+    def host_cells(self) -> NDArray[np.float32]:
+        """`brightness` and `nearness` on the host, float32 (2, rows, columns); one sync for all readers of a frame."""
+        return download(self.cells).reshape(2, self.rows, self.columns)
+
+    @property
+    def host_brightness(self) -> NDArray[np.float32]:
+        return self.host_cells[0]
+
+    @property
     def host_nearness(self) -> NDArray[np.float32]:
-        """`nearness` on the host; one sync for all readers of a frame."""
-        return download(self.nearness)
+        return self.host_cells[1]
 
 
 @kernel
@@ -143,9 +152,14 @@ def view_stream(depth: Scalars, pixels: Array2[uint8] | None, width: int, height
     return view
 
 
-def compare_views(now: StreamView, before: StreamView) -> Array1[Any]:
-    """Sums of `sum_motion` over two views of one size, float64 (1, 8) on the device."""
-    return reduce(sum_motion, now.columns * now.rows, [now, before, now.columns, now.rows])
+def compare_views(now: StreamView, before: StreamView) -> NDArray[np.float64]:
+    """Sums of `sum_motion` over two views of one size, float64 (8). The sync also reads the cells of `now`."""
+    sums = reduce(sum_motion, now.columns * now.rows, [now, before, now.columns, now.rows])
+    if "host_cells" in vars(now):
+        return download(sums).reshape(-1)  # sync
+    found, cells = read_together([sums, now.cells])  # sync
+    now.host_cells = cells.reshape(2, now.rows, now.columns)
+    return found.reshape(-1)
 
 
 def hide_cells(depth: Scalars, hidden: Mask, view: StreamView, width: int) -> Scalars:

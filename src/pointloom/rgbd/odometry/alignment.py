@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_rigid
 from ...core.errors import DeviceError
-from ...kernels.rgbd.alignment import Alignment, align_levels
+from ...kernels.rgbd.alignment import AlignmentTask, align_levels
 from ...kernels.rgbd.alignment_rows import AlignmentRules
 from .frames import OdometryFrame
-from .motion_checks import judge
+from .motion_checks import judge, with_covariances
 from .options import OdometryMethod, check_method
 from .results import OdometryResult
 
@@ -73,19 +73,20 @@ def align_steps(
     fraction: float = BRIGHTNESS_FRACTION,
 ) -> OdometryResult:
     """As `align_frames` without checks, with maximum steps per level (coarsest first) and a brightness weight."""
-    alignment, checked_level = descend(source, target, start, method, steps, fraction)
-    return judge(alignment, source, checked_level, target.blur, method is not OdometryMethod.PointToPlane)
+    (alignment,) = align_levels(descent(source, target, start, method, steps, fraction))
+    result = judge(alignment, source, target.blur)
+    return with_covariances(result, alignment, method is not OdometryMethod.PointToPlane)
 
 
-def descend(
+def descent(
     source: OdometryFrame,
     target: OdometryFrame,
     start: NDArray[np.float64],
     method: OdometryMethod,
     steps: Sequence[int] = MAX_STEPS,
     fraction: float = BRIGHTNESS_FRACTION,
-) -> tuple[Alignment, int]:
-    """The final pose over all levels, and the level that was judged."""
+) -> AlignmentTask:
+    """The task of `align_steps` for `align_levels`."""
     shift = _shift_between(source, target)
     first = min(max(0, -shift), source.levels.count - 1)
     last = min(source.levels.count, target.levels.count - shift) - 1
@@ -101,7 +102,7 @@ def descend(
     checked_level = min(first + 1, last)
     used = last - first + 1
     max_steps = [steps[max(len(steps) - 1 - k, 0)] for k in range(used)]  # the finest level first
-    return align_levels(source.levels, target.levels, start, rules, max_steps, last, checked_level), checked_level
+    return AlignmentTask(source.levels, target.levels, start, rules, max_steps, last, checked_level)
 
 
 def _shift_between(source: OdometryFrame, target: OdometryFrame) -> int:

@@ -86,11 +86,15 @@ class OdometryFrame:
         max_pixels: int = MAX_PIXELS,
         *,
         normals: wp.array | None = None,
+        is_rendered: bool = False,
         blur: float = 0.0,
     ) -> Self:
-        """A frame of device arrays [pixels]: float32 depth [m], float32 brightness (< 0: none) or 8-bit colors."""
+        """A frame of device arrays [pixels]: float32 depth [m], float32 brightness (< 0: none) or 8-bit colors.
+
+        Pixels without depth have no brightness if it `is_rendered`.
+        """
         frame = cls.__new__(cls)
-        frame._make(depth, brightness, intrinsic, max_pixels, normals)
+        frame._make(depth, brightness, intrinsic, max_pixels, normals=normals, is_rendered=is_rendered)
         frame.blur = blur
         return frame
 
@@ -107,12 +111,12 @@ class OdometryFrame:
         brightness: wp.array | None,
         intrinsic: PinholeCameraIntrinsic,
         max_pixels: int = MAX_PIXELS,
-        normals: wp.array | None = None,
+        **rendered: Any,
     ) -> None:
         size, lens = (intrinsic.width, intrinsic.height), (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
         self.intrinsic, self.device, self.has_color = intrinsic, depth.device, brightness is not None
         limits = {"max_pixels": max_pixels, "min_side": MIN_SIDE, "radius": PLANE_RADIUS}
-        self.levels: FrameLevels = make_levels(depth, brightness, size, lens, normals=normals, **limits)
+        self.levels: FrameLevels = make_levels(depth, brightness, size, lens, **limits, **rendered)
         self.blur = 0.0
         self._coarsest: tuple[NDArray[np.float32], NDArray[np.float32]] | None = None
 

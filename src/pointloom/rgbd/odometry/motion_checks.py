@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 
 import numpy as np
@@ -42,18 +43,16 @@ MIN_SHADED_FRACTION = 0.3  # minimum fraction of inliers with brightness
 COST_DISPLACEMENT = 0.01  # [m] displacement whose cost the eigenvalue measures, in noise variances
 
 
-def judge(
-    alignment: Alignment, source: OdometryFrame, level: int, blur: float = 0.0, uses_brightness: bool = True
-) -> OdometryResult:
+def judge(alignment: Alignment, source: OdometryFrame, blur: float = 0.0) -> OdometryResult:
+    """The result of an alignment, without its covariances."""
     v = alignment.consistency
     pixels, seen, inliers = v[at.PIXEL_COUNT], v[at.SEEN_COUNT], v[at.INLIER_COUNT]
     reason = _first_fault(alignment, pixels, seen, inliers, blur)
     smallest = smallest_eigenvalue(alignment.certainty, v)
     if not reason and smallest < MIN_EIGENVALUE:
         reason = UNDETERMINED
-    scale = source.width * source.height / float(source.levels.counts[level])
+    scale = source.width * source.height / float(source.levels.counts[alignment.level])
     shades = v[at.SHADE_COUNT]
-    covariance, check_covariance = covariances_of(alignment.firm, v, (frame_noise(v, uses_brightness), model_noise(v)))
     return OdometryResult(
         transformation=alignment.pose,
         information=np.zeros((6, 6)) if reason else spread_information(inliers, v[MOMENT_COLUMNS]) * scale,
@@ -66,10 +65,15 @@ def judge(
         smallest_eigenvalue=smallest,
         iterations=alignment.steps,
         contradiction=_contradiction(v, blur),
-        covariance=covariance,
-        check_covariance=check_covariance,
-        unit_covariance=unit_covariance(v),
-        bias=bias_of(v),
+    )
+
+
+def with_covariances(result: OdometryResult, alignment: Alignment, uses_brightness: bool) -> OdometryResult:
+    v = alignment.consistency
+    covariance, check_covariance = covariances_of(alignment.firm, v, (frame_noise(v, uses_brightness), model_noise(v)))
+    unit, bias = unit_covariance(v), bias_of(v)
+    return dataclasses.replace(
+        result, covariance=covariance, check_covariance=check_covariance, unit_covariance=unit, bias=bias
     )
 
 

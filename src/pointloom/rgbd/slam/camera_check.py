@@ -81,7 +81,7 @@ class FocalCheck(Assessed):
 def view_of(frame: SensorFrame, view: StreamView | None = None) -> CameraView:
     """The cells of a frame."""
     cells = view or view_stream(frame.depth, frame.pixels, frame.intrinsic.width, frame.intrinsic.height)
-    return CameraView(cells.host_nearness.reshape(cells.rows, cells.columns), cell_lens(frame, cells))
+    return CameraView(cells.host_nearness, cell_lens(frame, cells))
 
 
 def spread(count: int) -> list[int]:

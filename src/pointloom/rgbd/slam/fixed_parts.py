@@ -8,6 +8,7 @@ brightness differ.
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -15,10 +16,11 @@ from numpy.typing import NDArray
 
 from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul, norm
-from ...kernels.memory import download, upload
+from ...kernels.memory import upload
+from ...kernels.rgbd.alignment import align_levels
 from ...kernels.rgbd.stream_views import CELLS_PER_ROW, StreamView, hide_cells
 from ...registration.rigid import invert_pose, rotation_vector
-from ..odometry.alignment import BRIGHTNESS_FRACTION, MAX_STEPS, OdometryMethod, descend
+from ..odometry.alignment import OdometryMethod, descent
 from ..odometry.motion_checks import judge
 from .frame_checks import FIRM_OVERLAP, MIN_EIGENVALUE
 from .frames import SensorFrame
@@ -74,8 +76,7 @@ class FixedParts:
         self._count += 1
         if frame.pixels is None:
             return None
-        size = view.rows, view.columns
-        look = Look(frame, view.host_nearness.reshape(size), download(view.brightness).reshape(size))  # sync
+        look = Look(frame, view.host_nearness, view.host_brightness)  # sync
         pose = None
         if self._looks and (self._count <= FROM_FIRST or self._count % CHECK_INTERVAL == 0):
             pose = self._search(look, view, expected)
@@ -83,7 +84,7 @@ class FixedParts:
         if pose is None:
             self._drop_changed(look)
         if self.hidden is not None:
-            frame.leave_only(self._without(frame, view, self.hidden))
+            frame.leave_only(self._without([frame], view, self.hidden)[0])
         return pose
 
     def set_pose(self, pose: Floats | None) -> None:
@@ -120,10 +121,10 @@ class FixedParts:
         self, hidden: Mask, look: Look, earlier: Look, view: StreamView, start: Floats
     ) -> Floats | None:
         """T_earlier_now by the other cells. None if it is small or uncertain."""
-        source = look.frame.pyramid_of(self._without(look.frame, view, hidden))
-        target = earlier.frame.pyramid_of(self._without(earlier.frame, view, hidden))
-        alignment, level = descend(source, target, start, OdometryMethod.Hybrid, MAX_STEPS, BRIGHTNESS_FRACTION)
-        result = judge(alignment, source, level)
+        depths = self._without([look.frame, earlier.frame], view, hidden)
+        source, target = look.frame.pyramid_of(depths[0]), earlier.frame.pyramid_of(depths[1])
+        (alignment,) = align_levels(descent(source, target, start, OdometryMethod.Hybrid))
+        result = judge(alignment, source)
         T = result.transformation
         if not np.isfinite(T).all() or result.contradiction or result.smallest_eigenvalue < MIN_EIGENVALUE:
             return None
@@ -132,9 +133,10 @@ class FixedParts:
         has_moved = norm(T[:3, 3]) > MIN_SHIFT or norm(rotation_vector(T[:3, :3])) > MIN_ROTATION
         return T if has_moved else None
 
-    def _without(self, frame: SensorFrame, view: StreamView, hidden: Mask) -> Any:
-        flags = upload(hidden.reshape(-1).astype(np.uint8), uint8, frame.device)
-        return hide_cells(frame.depth, flags, view, frame.intrinsic.width)
+    def _without(self, frames: Sequence[SensorFrame], view: StreamView, hidden: Mask) -> list[Any]:
+        """The depths of frames without cells."""
+        flags = upload(hidden.reshape(-1).astype(np.uint8), uint8, frames[0].device)
+        return [hide_cells(frame.depth, flags, view, frame.intrinsic.width) for frame in frames]
 
     def _drop_changed(self, look: Look) -> None:
         """Show cells again that changed. If most of them did, the object has gone."""

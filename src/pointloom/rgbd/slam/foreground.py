@@ -8,15 +8,17 @@ Otsu's method (1979).
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.rgbd import check_rows as at
+from ...kernels.rgbd.alignment import align_levels
 from ...kernels.rgbd.stream_views import StreamView, hide_near
 from ...registration.rigid import invert_pose, rotation_vector
-from ..odometry.alignment import BRIGHTNESS_FRACTION, MAX_STEPS, OdometryMethod, descend
+from ..odometry.alignment import OdometryMethod, descent
 from ..odometry.frames import OdometryFrame
 from ..odometry.motion_checks import MIN_EIGENVALUE, judge
 from ..odometry.results import OdometryResult
@@ -143,14 +145,18 @@ class Foreground:
         back = REFERENCE_DISTANCE if not is_far else BACK_FAR if self._count > FIRST_FRAMES else FIRST_FRAMES
         _, earlier, pose = next(entry for entry in self._earlier if entry[0] >= self._count - back)
         start = np.eye(4) if pose is None or expected is None else matmul(invert_pose(pose), expected)
-        full = _fit(frame.pyramid, earlier, start)
+
+        def beyond(at_depth: float) -> OdometryFrame:
+            return frame.pyramid_of(hide_near(frame.depth, at_depth))
+
+        full, far = _fits([frame.pyramid, beyond(self._limit if self.is_apart else limit)], earlier, start)
+        layers = Layers(full, far, pose)
+        if not self.is_apart:
+            return layers, limit
 
         def parted(at_depth: float) -> Layers:
-            return Layers(full, _fit(frame.pyramid_of(hide_near(frame.depth, at_depth)), earlier, start), pose)
+            return Layers(full, _fits([beyond(at_depth)], earlier, start)[0], pose)
 
-        if not self.is_apart:
-            return parted(limit), limit
-        layers = parted(self._limit)
         if layers.are_apart and layers.far.residual < MAX_STATIC:
             nearer = parted(self._limit / LIMIT_FACTOR)
             is_as_good = nearer.are_apart and nearer.far.residual < AS_GOOD * layers.far.residual + RESIDUAL_SLACK
@@ -182,9 +188,13 @@ def depth_between(nearness: NDArray[np.float32]) -> float:
     return float(1.0 / edges[best + 1]) if MIN_LAYER <= far[best] <= 1.0 - MIN_LAYER else 0.0
 
 
-def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> Fit:
-    alignment, level = descend(source, target, start, OdometryMethod.Hybrid, MAX_STEPS, BRIGHTNESS_FRACTION)
-    sums = alignment.consistency
-    shown = max(sums[at.SEEN_COUNT] - sums[at.BEHIND_COUNT], 1.0)
-    residual, agreement = sums[at.EXCESS_SUM] / max(sums[at.PLANE_COUNT], 1.0), sums[at.INLIER_COUNT] / shown
-    return Fit(float(residual), float(agreement), judge(alignment, source, level))
+def _fits(sources: Sequence[OdometryFrame], target: OdometryFrame, start: Pose) -> list[Fit]:
+    """Alignments of several frames with one (sync)."""
+    found = []
+    tasks = [descent(source, target, start, OdometryMethod.Hybrid) for source in sources]
+    for alignment, source in zip(align_levels(*tasks), sources, strict=True):
+        sums = alignment.consistency
+        shown = max(sums[at.SEEN_COUNT] - sums[at.BEHIND_COUNT], 1.0)
+        residual, agreement = sums[at.EXCESS_SUM] / max(sums[at.PLANE_COUNT], 1.0), sums[at.INLIER_COUNT] / shown
+        found.append(Fit(float(residual), float(agreement), judge(alignment, source)))
+    return found

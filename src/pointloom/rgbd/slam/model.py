@@ -16,7 +16,7 @@ from ...core.observers import report
 from ...core.serialized import Serialized
 from ...kernels.array_types import AnyArray
 from ...kernels.linear_algebra import inv, matmul
-from ...kernels.rgbd.model_maps import colors_of, hide_unseen
+from ...kernels.rgbd.model_maps import colors_of
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
@@ -219,9 +219,7 @@ class SlamModel(Serialized):
         is_shaded = edge >= MIN_SHADED_VOXEL and self.frame_count >= MIN_FRAMES
         limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": is_shaded}
         maps: Any = self.volume.render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
-        if maps.intensity is not None:
-            hide_unseen(maps.depth, maps.intensity)
-        surface = {"normals": maps.normals, "blur": BLUR_VOXELS * edge}
+        surface = {"normals": maps.normals, "is_rendered": True, "blur": BLUR_VOXELS * edge}
         return OdometryFrame._from_device_maps(maps.depth, maps.intensity, self._view, MAX_PIXELS, **surface)
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:

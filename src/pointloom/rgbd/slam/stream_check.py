@@ -16,12 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import eigh, norm
-from ...kernels.memory import download
 from ...kernels.rgbd import stream_views as at
+from ...kernels.rgbd.alignment import align_levels
 from ...kernels.rgbd.check_rows import EXCESS_SUM, PLANE_COUNT
 from ...kernels.rgbd.stream_views import StreamView, compare_views, view_stream
 from ...registration.rigid import rotation_vector
-from ..odometry.alignment import OdometryMethod, descend
+from ..odometry.alignment import OdometryMethod, descent
 from ..odometry.frames import OdometryFrame
 from ..odometry.motion_checks import covariance_of, model_noise
 from .frames import SensorFrame
@@ -139,14 +139,14 @@ class StreamCheck:
         if last is None or frame.pixels is None:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             return ""
-        sums = motion_between(view, last)
+        sums = compare_views(view, last)
         is_repeated = sums[at.CHANGED_AT] == 0 and sums[at.MEASURED_AT] > MIN_CELLS * view.columns * view.rows
         if not is_repeated:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             return ""
         fresh, since = self._fresh
         assert fresh is not None
-        if has_moved(motion_between(view, fresh), view):
+        if has_moved(compare_views(view, fresh), view):
             self.stalled += 1
         age = frame.seconds_since(since)
         is_old = self.stalled > MAX_STALLED_FRAMES if math.isnan(age) else age > STALLED_SECONDS
@@ -172,12 +172,6 @@ class StreamCheck:
     def problems(self) -> str | None:
         """The time offsets of all frames. None if there are none."""
         return "; ".join(map(str, self.lag.apart)) or None
-
-
-def motion_between(now: StreamView, before: StreamView) -> Floats:
-    """The motion sums of two views, float64 [8]."""
-    sums = download(compare_views(now, before))  # sync
-    return np.asarray(sums, np.float64).reshape(-1)
 
 
 def shift_of(sums: Floats) -> Floats:
@@ -222,8 +216,8 @@ class Rotations:
 def rotations_between(now: OdometryFrame, before: OdometryFrame) -> Rotations | None:
     """The Rotations of two frames. None if an alignment failed."""
     steps = STEPS_PER_LEVEL if now.levels.count > 2 else STEPS_SMALL
-    by_color, _ = descend(now, before, np.eye(4), OdometryMethod.Intensity, steps)
-    by_depth, _ = descend(now, before, np.eye(4), OdometryMethod.PointToPlane, steps)
+    methods = OdometryMethod.Intensity, OdometryMethod.PointToPlane
+    by_color, by_depth = align_levels(*(descent(now, before, np.eye(4), method, steps) for method in methods))
     sums = by_depth.consistency
     covariance = covariance_of(by_depth.firm, sums, model_noise(sums))[:3, :3]
     poses = by_color.pose, by_depth.pose

@@ -169,7 +169,7 @@ class Tracker:
         if depth_fraction(frame.pyramid) < MIN_DEPTH:
             return Attempt(np.eye(4), NO_RESULT, "lost", (BLANK,)), False
         if not self.motion.missed:
-            followed = self._follow(frame, frame.pyramid)
+            followed = self._follow(frame.pyramid, self.motion.expected(frame))
             if followed.status != "lost":
                 self._tries = 0
                 return followed, False
@@ -191,11 +191,12 @@ class Tracker:
         """Track a frame from the previous one by static pixels. None if that is not reliable."""
         if self.motion.missed or not self.model.movers:
             return None
-        depth = self.model.movers.still_depth(frame, self.motion.expected(frame))
+        expected = self.motion.expected(frame)
+        depth = self.model.movers.still_depth(frame, expected)
         still = frame.pyramid_of(depth)
         if depth_fraction(still) < MIN_DEPTH:
             return None
-        followed = self._follow(frame, still)
+        followed = self._follow(still, expected)
         if followed.status != "tracked":
             return None
         frame.keep_still(depth, still)
@@ -265,8 +266,8 @@ class Tracker:
         self._proposal = frame.pyramid, pose
         return Attempt(pose, result, "lost", ("relocalized by shape; the next frame must confirm it",))
 
-    def _follow(self, frame: SensorFrame, pyramid: OdometryFrame) -> Attempt:
-        last, expected = self.motion.pose, self.motion.expected(frame)
+    def _follow(self, pyramid: OdometryFrame, expected: Pose) -> Attempt:
+        last = self.motion.pose
         assert last is not None
         seen = self.model.seen_from(expected)
         best = self._try(pyramid, seen, expected, expected, expected)
