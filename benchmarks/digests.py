@@ -49,6 +49,7 @@ PARTS = {
     "OrientedBoundingBox": ("center", "R", "extent", "color"),
     "PoseGraph": ("nodes", "edges", "report"),
     "RGBDImage": ("color", "depth"),
+    "RayCast": ("colors", "depth", "normals", "points"),
     "RegistrationResult": (
         "transformation", "fitness", "inlier_rmse", "iterations", "converged", "degenerate_directions",
         "correspondence_set", "score",

@@ -5,7 +5,10 @@ import pytest
 import warp as wp
 
 import pointloom as loom
-from pointloom.kernels.memory import Readback
+from pointloom.kernels.arrays.prefix_sum import offsets_of
+from pointloom.kernels.arrays.sort import argsort_keys
+from pointloom.kernels.lang import int32, int64
+from pointloom.kernels.memory import Readback, download, upload
 
 from ..array_library import installed
 from ..small_scenes import ON_CLOUDS, ON_HOST, ONCE, digest
@@ -128,3 +131,21 @@ def test_readbacks_wait_for_the_callers_stream(chosen, points):
         wp.launch(move_kernel, 500, [memory, 1.0])
     np.testing.assert_array_equal(readback.read()[:, 0], points[:, 0] + np.float32(1))
     wp.synchronize_device(DEVICE)  # before the program's own array goes
+
+
+def test_scratch_of_warp_is_released_after_its_use_on_the_callers_stream(emulated, chosen, rng, monkeypatch):
+    """Warp releases scratch on the legacy stream, which does not wait for the caller's: scans use none of Warp's, and a
+    sort that needs more than those before waits for them."""
+    core, scans = wp._src.context.runtime.core, []
+    monkeypatch.setattr(core, "wp_array_scan_int_device", lambda *given: scans.append(given), raising=False)
+    waits = []
+    with wp.ScopedStream(chosen):
+        for count in (5_000, 5_000, 6_000, 5_000):
+            keys = upload(rng.integers(0, 1 << 20, count), int64, DEVICE)
+            before = emulated.findings.counts["waits"]
+            order = argsort_keys(keys, 20)[1]
+            waits.append(emulated.findings.counts["waits"] - before)
+            np.testing.assert_array_equal(download(order), np.argsort(download(keys), kind="stable"))
+        counts = rng.integers(0, 9, 5_000)
+        np.testing.assert_array_equal(download(offsets_of(upload(counts, int32, DEVICE)))[1:], np.cumsum(counts))
+    assert waits == [1, 0, 1, 0] and not scans

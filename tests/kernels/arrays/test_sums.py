@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.arrays.loop_scan import TILE_COUNTS, LoopList, LoopScan
+from pointloom.kernels.arrays.loop_scan import LoopList
 from pointloom.kernels.arrays.prefix_sum import (
     FEW_COUNTS,
     RUN_COUNTS,
@@ -20,6 +20,7 @@ from pointloom.kernels.arrays.prefix_sum import (
 from pointloom.kernels.arrays.quantiles import median_above_zero, quantiles_of
 from pointloom.kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
 from pointloom.kernels.arrays.running_sums import running_sums
+from pointloom.kernels.arrays.tile_scan import TILE_COUNTS, TileScan
 from pointloom.kernels.lang import float64, int32, uint8, vec3
 from pointloom.kernels.memory import download, empty, upload, zeros
 
@@ -90,7 +91,7 @@ def test_counts_of_two_kinds_are_scanned_together(device, rng, half):
 def test_sums_run_through_all_tiles(device, size, rng):
     warp_device = resolve_device(device)
     counts = rng.integers(0, 50, size).astype(np.int32)
-    given, sums, scan = upload(counts, int32, warp_device), empty(size, int32, warp_device), LoopScan(size, warp_device)
+    given, sums, scan = upload(counts, int32, warp_device), empty(size, int32, warp_device), TileScan(size, warp_device)
     scan.run(given, sums, size)
     np.testing.assert_array_equal(download(sums), np.cumsum(counts))
     np.testing.assert_array_equal(download(given), counts)
@@ -102,7 +103,7 @@ def test_fewer_counts_than_the_capacity(device, rng):
     warp_device, size, capacity = resolve_device(device), TILE_COUNTS + 5, 3 * TILE_COUNTS
     counts = rng.integers(0, 50, capacity).astype(np.int32)
     sums = upload(np.full(capacity, -7, np.int32), int32, warp_device)
-    LoopScan(capacity, warp_device).run(upload(counts, int32, warp_device), sums, size)
+    TileScan(capacity, warp_device).run(upload(counts, int32, warp_device), sums, size)
     np.testing.assert_array_equal(download(sums), [*np.cumsum(counts[:size]), *[-7] * (capacity - size)])
 
 

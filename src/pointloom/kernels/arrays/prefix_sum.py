@@ -10,10 +10,12 @@ from ..array_types import Array, Integers, LongIntegers
 from ..lang import array, func, int32, int64, kernel, launch, tid
 from ..language import device_copies
 from ..language.device_lock import lock_for
+from ..language.streams import is_blocking
 from ..memory import copy, download, empty, host_view, rows_of, upload, zeros
 from .row_atomics import add_long
 from .runs import Runs, elements_of, row_of
 from .side_by_side import read_together
+from .tile_scan import TILE_COUNTS, TileScan
 
 MAX_COUNT = 2**31 - 1
 RUN_COUNTS = 4096  # counts per thread on the CPU: one atomic per run
@@ -169,7 +171,14 @@ def _checked(total: int) -> int:
 
 
 def inclusive_scan(counts: Array, sums: Array) -> None:
-    """sums[i] = counts[0] + ... + counts[i] by Warp's scan on CUDA; int32 device arrays (n), which may be the same."""
+    """sums[i] = counts[0] + ... + counts[i] on CUDA; int32 device arrays (n), which may be the same.
+
+    Warp's scan releases its scratch on the legacy stream. Where that does not wait for the current stream, another
+    stream could get the memory before the scan has run, so tiles are scanned there. One tile is one launch.
+    """
+    if counts.size <= TILE_COUNTS or not is_blocking(counts.device):
+        TileScan(counts.size, counts.device).run(counts, sums, counts.size)
+        return
     with lock_for(counts.device), counts.device.context_guard:  # Warp scans on the current GPU
         if not device_copies.is_scanned(counts, sums):
             wp.utils.array_scan(counts, sums, inclusive=True)

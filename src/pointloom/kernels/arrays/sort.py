@@ -15,6 +15,7 @@ from ..array_types import Device, Indices, Integers, Keys, LongIntegers
 from ..lang import WARP, array, compute, func, int32, int64, kernel, launch, struct, tid
 from ..language import device_copies
 from ..language.device_lock import lock_for
+from ..language.streams import wait_before_larger_scratch
 from ..memory import download, empty, host_view, rows_of
 from .lanes import sum_int_of_lanes
 
@@ -232,6 +233,7 @@ def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> tup
         launch(rank_keys_kernel, count * WARP, [keys, values, WARP, *pairs])
         return pairs
     with lock_for(keys.device), keys.device.context_guard:  # Warp sorts on the current GPU
+        wait_before_larger_scratch(keys.device, count, bit_count)
         if not device_copies.is_sorted(keys, values, count, bit_count):
             wp.utils.radix_sort_pairs(keys, values, count, 0, bit_count)
     return rows_of(keys, 0, count), rows_of(values, 0, count)

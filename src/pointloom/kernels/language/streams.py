@@ -42,6 +42,7 @@ class NonBlockingStream(wp.Stream):
     def __del__(self) -> None:
         handle = self.cuda_stream
         super().__del__()
+        _sorted.pop(handle, None)
         if handle and driver is not None:
             driver().cuStreamDestroy_v2(ctypes.c_void_p(handle))
 
@@ -55,6 +56,26 @@ def note_use(device: Device) -> Any:
         is_torchs = getattr(stream, "_torch_stream", None) is not None  # which it never releases
         used[stream.cuda_stream] = device, (lambda: True) if is_torchs else weakref.ref(stream)
     return stream
+
+
+def is_blocking(device: Device) -> bool:
+    """True if the legacy stream of a GPU waits for its current stream."""
+    return note_use(device).cuda_stream not in used
+
+
+_sorted: dict[int, tuple[int, int]] = {}  # by handle of a non-blocking stream: most keys sorted there, and most bits
+
+
+def wait_before_larger_scratch(device: Device, count: int, bits: int) -> None:
+    """Wait before a sort of Warp on a non-blocking stream that needs more scratch than those before: Warp releases the
+    former scratch on the legacy stream, which could run before the sort that uses it."""
+    if is_blocking(device):
+        return
+    handle = device.stream.cuda_stream
+    known = _sorted.get(handle, (0, 0))
+    if (count > known[0] or bits > known[1]) and not _is_recorded(handle, device):
+        _check(device, driver().cuCtxSynchronize())  # sync
+        _sorted[handle] = max(count, known[0]), max(bits, known[1])
 
 
 def _blocks(stream: Any) -> bool:

@@ -12,9 +12,9 @@ import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Array1, Doubles, Points, Triangles
-from ..arrays.loop_scan import LoopScan
 from ..arrays.side_by_side import read_together
 from ..arrays.sort import positions
+from ..arrays.tile_scan import TileScan
 from ..lang import (
     INFINITY,
     NAN,
@@ -117,7 +117,7 @@ class Pieces:
         self.pieces = empty(6 * room, vec3, device) if corners is None else corners
         self.middles, self.bounds = empty(room, vec3, device), empty(room, float64, device)
         self.ranks, self.running = empty(room, int32, device), zeros(1, int32, device)
-        self._scan = LoopScan(room, device)
+        self._scan = TileScan(room, device)
 
     def bound_round(self, tree: TriangleTree, tolerance: float, *, is_ordered: bool) -> None:
         """Bound the pieces of a round and decide on the next; `is_ordered`: consecutive pieces are close."""

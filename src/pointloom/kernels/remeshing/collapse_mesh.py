@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from ..array_types import Array1, Integers, Positions, Triangles, Vectors
-from ..arrays.loop_scan import LoopScan
 from ..arrays.packed_keys import NO_KEY
+from ..arrays.tile_scan import TileScan
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid, uint8, vec2, vec2i, vec3d, vec3i
 from ..memory import clone, empty, fill, full, host_view, rows_of, upload, zeros
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, last_corner, next_corner
@@ -124,7 +124,7 @@ class CollapseMesh:
     def _find_features(self, rows: Integers, count: int) -> None:
         launch(find_features_kernel, count, [self, rows, self.flags, self.keys, self.kinds])
 
-    def join_corners(self, partners: Integers, other: "CollapseMesh", scan: LoopScan) -> None:
+    def join_corners(self, partners: Integers, other: "CollapseMesh", scan: TileScan) -> None:
         """Update corner lists. `partners`: vertex whose corners each takes over; -2 - v if v keeps its own, else -1."""
         count = self.live(VERTEX_COUNT, self.positions.size)
         counts = rows_of(other.starts, 1, other.starts.size)

@@ -11,8 +11,9 @@ from collections.abc import Sequence
 from ..algebra.transform import narrow, widen
 from ..array_types import Bytes, Indices
 from ..arrays.blocks import wait_for_block
-from ..arrays.loop_scan import LoopList, LoopScan
+from ..arrays.loop_scan import LoopList
 from ..arrays.packed_keys import NO_KEY
+from ..arrays.tile_scan import TileScan
 from ..lang import (
     DeviceLoop,
     array,
@@ -252,7 +253,7 @@ class EdgeCollapse:
         self._partners: Indices = empty(mesh.positions.size, int32, device)
         self._weighted = capacity if mesh.rows or mesh.has_uvs else 0  # edges whose corners need weights
         self._fractions, self._tips = empty(self._weighted, vec3d, device), empty(self._weighted, int32, device)
-        self._scan = LoopScan(mesh.positions.size, device)
+        self._scan = TileScan(mesh.positions.size, device)
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices) -> None:
         """Collapse independent edges (int32 half-edges), as many as in the record."""

@@ -5,7 +5,7 @@ has fixed arrays, back again. About 400 B per triangle.
 """
 
 from ..array_types import Integers
-from ..arrays.loop_scan import LoopScan
+from ..arrays.tile_scan import TileScan
 from ..lang import array, func, int32, int64, kernel, launch, tid, uint8, vec2, vec2i, vec3, vec3d, vec3i
 from ..memory import empty
 from .collapse_mesh import (
@@ -208,7 +208,7 @@ class Squeezing:
         self.ranks, self._old, self._scan = (
             empty(capacity, int32, device),
             empty(capacity, int32, device),
-            LoopScan(capacity, device),
+            TileScan(capacity, device),
         )
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh) -> None:
