@@ -171,12 +171,12 @@ def _checked(total: int) -> int:
 
 
 def inclusive_scan(counts: Array, sums: Array) -> None:
-    """sums[i] = counts[0] + ... + counts[i] on CUDA; int32 device arrays (n), which may be the same.
+    """sums[i] = counts[0] + ... + counts[i]; int32 device arrays (n), which may be the same.
 
-    Warp's scan releases its scratch on the legacy stream. Where that does not wait for the current stream, another
-    stream could get the memory before the scan has run, so tiles are scanned there. One tile is one launch.
+    On CUDA Warp's scan releases its scratch on the legacy stream. Where that does not wait for the current stream,
+    another stream could get the memory before the scan has run, so tiles are scanned there. One tile is one launch.
     """
-    if counts.size <= TILE_COUNTS or not is_blocking(counts.device):
+    if counts.device.is_cuda and (counts.size <= TILE_COUNTS or not is_blocking(counts.device)):
         TileScan(counts.size, counts.device).run(counts, sums, counts.size)
         return
     with lock_for(counts.device), counts.device.context_guard:  # Warp scans on the current GPU

@@ -233,7 +233,8 @@ def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> tup
         launch(rank_keys_kernel, count * WARP, [keys, values, WARP, *pairs])
         return pairs
     with lock_for(keys.device), keys.device.context_guard:  # Warp sorts on the current GPU
-        wait_before_larger_scratch(keys.device, count, bit_count)
+        if keys.device.is_cuda:
+            wait_before_larger_scratch(keys.device, count, bit_count)
         if not device_copies.is_sorted(keys, values, count, bit_count):
             wp.utils.radix_sort_pairs(keys, values, count, 0, bit_count)
     return rows_of(keys, 0, count), rows_of(values, 0, count)
