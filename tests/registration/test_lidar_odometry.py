@@ -310,15 +310,31 @@ def test_the_first_nonempty_scan_starts_the_map(device):
     odometry = LidarOdometry()
     for cloud in (loom.PointCloud(device=device), loom.PointCloud(device=device), wall(device), wall(device)):
         odometry.register(cloud)
-    assert [step.status for step in odometry.steps] == ["no points in range"] * 2 + ["first scan", "converged"]
+    assert [step.status for step in odometry.steps] == ["no points in range"] * 2 + ["first scan", "repeated"]
     np.testing.assert_allclose(odometry.poses, np.tile(np.eye(4), (4, 1, 1)), atol=1e-4)
+
+
+def test_a_scan_that_is_sent_twice_has_its_pose_and_changes_nothing_else(device):
+    once, twice, rng = LidarOdometry(), LidarOdometry(), np.random.default_rng(3)
+    shape = np.asarray(wall(device, 0.0).points).shape
+    for k in range(6):
+        scan = wall(device, 0.02 * k**1.3).translate(rng.normal(scale=0.003, size=(1, 3))[0])
+        points = np.asarray(scan.points) + rng.normal(scale=0.003, size=shape)
+        for odometry, times in ((once, 1), (twice, 1 + k % 2)):
+            for _ in range(times):
+                odometry.register(loom.PointCloud(points, device=device))
+    kept = [step.index for step in twice.steps if step.status != "repeated"]
+    assert [step.index for step in twice.steps if step.status == "repeated"] == [2, 5, 8]
+    np.testing.assert_allclose(twice.poses[kept], once.poses, atol=2e-3)
+    assert all((twice.poses[k] == twice.poses[k - 1]).all() for k in (2, 5, 8))
+    assert len(twice.map) == len(once.map) and twice.summary.reliable == once.summary.reliable
 
 
 def test_a_distant_scan_is_reported_and_added_to_the_map(device):
     odometry = LidarOdometry()
     for z in (0.0, 0.0, 60.0, 60.0):
         odometry.register(wall(device, z))
-    assert [step.status for step in odometry.steps] == ["first scan", "converged", "no overlap", "converged"]
+    assert [step.status for step in odometry.steps] == ["first scan", "repeated", "no overlap", "converged"]
     assert odometry.summary.predicted == (2,)
     np.testing.assert_allclose(odometry.poses[2:], odometry.poses[1:2].repeat(2, axis=0), atol=1e-3)
 

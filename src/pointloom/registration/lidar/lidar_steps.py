@@ -21,7 +21,7 @@ from .path_errors import MatchError
 Matrix = NDArray[np.float64]
 Direction = tuple[float, float, float]
 
-NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # step status
+NO_POINTS, FIRST_SCAN, REPEATED = "no points in range", "first scan", "repeated"  # step status
 
 # Disagreement above which a scan contradicts the map. The second value applies without nearby points, linear up to two
 # thirds. On synthetic drives (0 to 38 m/s) correct scans had 0.005 to 0.28, lost ones 0.29 to 0.71, scans of other
@@ -75,7 +75,8 @@ class OdometryStep(AssessedRecord):
         iterations: ICP iterations.
         converged: True if ICP converged or there was nothing to match yet.
         is_predicted: True if the pose is only the constant-velocity prediction.
-        status: "converged", "first scan", "max_iteration", "no points in range" or "no overlap".
+        status: "converged", "first scan", "max_iteration", "no points in range", "no overlap" or "repeated": the points
+            are those of the last scan, as if a driver sent it twice, so the pose is, too.
         misfit: `inlier_rmse` in voxel edges: 0.3 to 0.6 if the scan fits the map.
         disagreement: Mean point-to-plane cost (0..1): up to 0.2 if the scan fits the map.
         undetermined: Unit vectors of undetermined translations, where the pose is the predicted one.
