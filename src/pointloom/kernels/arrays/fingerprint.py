@@ -1,6 +1,6 @@
 """64-bit fingerprint of an array of points: an integer sum of hashed coordinates and positions."""
 
-from ..array_types import LongIntegers, Points
+from ..array_types import Points
 from ..lang import array, float_bits, func, int64, kernel, launch, tid, vec3
 from ..memory import download, zeros
 from .hash_table import mix_bits
@@ -28,14 +28,9 @@ def sum_words_kernel(points: array(dtype=vec3), runs: Runs, totals: array(dtype=
     add_long(totals, row_of(i, runs), total)
 
 
-def sum_words(points: Points) -> LongIntegers:
-    """Parts of the fingerprint, on the device. Their sum is the fingerprint."""
+def fingerprint(points: Points) -> int:
+    """Fingerprint of a device array of vec3, an int (one sync)."""
     runs = Runs(points.size, points.device, RUN_POINTS)
     totals = zeros(runs.rows, int64, points.device)
     launch(sum_words_kernel, runs.threads, [points, runs, totals])
-    return totals
-
-
-def fingerprint(points: Points) -> int:
-    """Fingerprint of a device array of vec3, an int (one sync)."""
-    return int(download(sum_words(points)).sum())  # sync
+    return int(download(totals).sum())  # sync

@@ -24,9 +24,9 @@ from ...core.observers import report
 from ...core.serialized import Serialized
 from ...core.time_checks import check_time
 from ...core.units import METRE, common_unit
-from ...kernels.arrays.fingerprint import sum_words
+from ...kernels.arrays.fingerprint import fingerprint
 from ...kernels.linear_algebra import matmul, norm
-from ...kernels.memory import Readback, contiguous, download
+from ...kernels.memory import contiguous, download
 from ...kernels.odometry.deskewing import bound_times
 from ...kernels.odometry.map_aligner import MapAligner
 from ...kernels.odometry.odometry_sampling import ScanSampler, first_in_voxels
@@ -312,15 +312,9 @@ class LidarOdometry(Serialized):
         if inertial is not None:
             raw = raw.with_imu(inertial)
         span = None if time is not None else raw.sent_span()
-        some = points[:: -(-len(scan) // MARK_POINTS)] if len(scan) else points
-        words = Readback(sum_words(contiguous(some)))
-        words.send()
-        downsampled = self._downsample(raw, motion)  # sync
-        mark = int(words.read(has_waited=True).sum())
-        if mark == state.mark and self._steps[-1].is_sound and len(scan):
-            self._adopt(self._repetition())
-            report("scan", odometry=self, scan=scan, step=self._steps[-1])
-            return self._steps[-1].pose.copy()
+        downsampled, mark = self._downsample(raw, motion), _mark_of(points)  # two syncs
+        if mark is not None and mark == state.mark and self._steps[-1].is_sound:
+            return self._finish(self._repetition(), scan)
         clock, gap = state.clock.next(time, None if span is None else tuple(span.read(has_waited=True)))
         is_given = has_prior or inertial_motion is not None  # the motion over the whole gap
         way = motion if gap <= 1 or is_given else motion_in(gap, motion, self._max_gap())
@@ -343,11 +337,13 @@ class LidarOdometry(Serialized):
             if state.rest is not None and state.rest.lasts_to(step):
                 alone = state.rest.scan.map_like(voxel_map, self.max_range)
                 step = replace(step, rest_change=self._far_change(downsampled, alone, state.rest.step, step))
-        self._next = self._next_state(step, downsampled, voxel_map, predicted, raw, clock, mark)
-        if inertial is not None:
-            self._next = self._next.with_imu(inertial)
-        self._next.join(self.max_range)
-        self._adopt(self._next)
+        update = self._next_state(step, downsampled, voxel_map, predicted, raw, clock, mark)
+        return self._finish(update if inertial is None else update.with_imu(inertial), scan)
+
+    def _finish(self, update: MapUpdate, scan: PointCloud) -> Matrix:
+        self._next = update
+        update.join(self.max_range)
+        self._adopt(update)
         report("scan", odometry=self, scan=scan, step=self._steps[-1])
         return self._steps[-1].pose.copy()
 
@@ -513,7 +509,7 @@ class LidarOdometry(Serialized):
         predicted: Matrix,
         raw: RawScan,
         clock: ScanClock,
-        mark: int,
+        mark: int | None,
     ) -> MapUpdate:
         """Decide whether a scan is added to the map: it must agree with the map or with the previous scan."""
         state, last_pose, dense = self._known, self._last_pose(), scan.dense
@@ -624,6 +620,11 @@ class LidarOdometry(Serialized):
             near = state.map.without_far(position, self.max_range + 2 * self.voxel_size)
             map_error = state.map_error.without_voxels(count - near.count)
             self._known = replace(state, map=near, pruned_at=position.copy(), map_error=map_error)
+
+
+def _mark_of(points: wp.array) -> int | None:
+    """Fingerprint of a part of a scan, None without points. One sync."""
+    return fingerprint(contiguous(points[:: -(-points.size // MARK_POINTS)])) if points.size else None
 
 
 def disagrees(step: OdometryStep) -> bool:
