@@ -51,7 +51,7 @@ def utm_epsg(cloud: PointCloud) -> int:
     _, _, count = _box_of(degrees)
     if not count:
         raise ValueError("cloud: expected a finite point to determine the UTM zone, got none. Pass epsg")
-    starts, ranks = (upload(numbers, int32, cloud.device) for numbers in ([0, degrees.size], [count // 2]))
+    starts, ranks = (upload(np.array(n), int32, cloud.device) for n in ([0, degrees.size], [count // 2]))
     medians = (numbers_of_ranks(coordinates, starts, ranks) for coordinates in split_degrees(degrees))
     longitude, latitude = (float(download(median)[0]) for median in medians)  # sync
     return utm_zone(latitude, longitude)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,44 +23,45 @@ Matrix = NDArray[np.float64]
 
 
 class RayCast:
-    """Rendered surface, in arrays of the frames' library. An array is copied from a GPU when it is first read.
+    """Rendered surface, in arrays of the frames' library. An array is copied from a GPU when it is first read."""
 
-    Attributes:
-        depth: float32 (h, w) along z [m]. 0 without surface.
-        points: float64 (h, w, 3), world coordinates [m]. NaN without surface.
-        normals: float32 (h, w, 3), toward the observed side. NaN without surface and at its border.
-        colors: float32 (h, w, 3) in 0..1, or None.
-    """
-
-    def __init__(
-        self, images: RayImages, camera: PinholeCameraIntrinsic, origin: NDArray[np.float64], library: str
-    ) -> None:
+    def __init__(self, images: RayImages, camera: PinholeCameraIntrinsic, origin: Matrix, library: str) -> None:
         self._images, self._origin, self._library = images, origin, library
-        self._shape = camera.height, camera.width
+        self._shape, self._read = (camera.height, camera.width), {}
 
-    @cached_property
+    @property
     def depth(self) -> NDArray[np.float32]:
-        return hand_out(self._images.depth, self._library, shape=self._shape)
+        """float32 (h, w) along z [m]. 0 without surface."""
+        return self._array("depth", lambda: self._images.depth)
 
-    @cached_property
+    @property
     def points(self) -> NDArray[np.float64]:
-        return hand_out(add_origin(self._images.points, self._origin), self._library, shape=self._shape)
+        """float64 (h, w, 3), world coordinates [m]. NaN without surface."""
+        return self._array("points", lambda: add_origin(self._images.points, self._origin))
 
-    @cached_property
+    @property
     def normals(self) -> NDArray[np.float32]:
-        return hand_out(self._images.normals, self._library, shape=self._shape)
+        """float32 (h, w, 3), toward the observed side. NaN without surface and at its border."""
+        return self._array("normals", lambda: self._images.normals)
 
-    @cached_property
+    @property
     def colors(self) -> NDArray[np.float32] | None:
-        has_colors = self._images.has_colors
-        return hand_out(self._images.colors, self._library, shape=self._shape) if has_colors else None
+        """float32 (h, w, 3) in 0..1, or None."""
+        return self._array("colors", lambda: self._images.colors if self._images.has_colors else None)
+
+    def _array(self, name: str, rendered: Callable[[], wp.array | None]) -> Any:
+        if name not in self._read:
+            values = rendered()
+            self._read[name] = None if values is None else hand_out(values, self._library, shape=self._shape)
+        return self._read[name]
 
     def __repr__(self) -> str:
         height, width = self._shape
         return f"RayCast of {width} x {height} pixels"
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: getattr(self, name) for name in ("_shape", "depth", "points", "normals", "colors")}
+        arrays = {name: getattr(self, name) for name in ("depth", "points", "normals", "colors")}
+        return {"_shape": self._shape, "_read": arrays}
 
 
 @dataclass(frozen=True)
