@@ -525,7 +525,7 @@ def test_evaluations_match_brute_force(clouds, holes, shift, distance):
 @pytest.mark.parametrize("scale", [1.01, 1.02, 0.98])
 def test_the_given_scale_is_assessed(rng, device, scale):
     """Before, a scale up to 5% of R R^T was removed, so that another pose was assessed than the one given."""
-    points, T = hills(rng, 30000, 0) + [3, 0, 0], np.diag([scale, scale, scale, 1.0])
+    points, T = hills(rng, 30000, 0) + np.array([3, 0, 0]), np.diag([scale, scale, scale, 1.0])
     source, target = (loom.PointCloud(part, device=device) for part in (points[:20000], points[10000:]))
     shrunk = loom.PointCloud(points[:20000] / scale, device=device)
     assess = loom.registration.assess_registration
