@@ -520,3 +520,30 @@ def test_evaluations_match_brute_force(clouds, holes, shift, distance):
     pair = loom.PointCloud(source), loom.PointCloud(target)
     information = reg.get_information_matrix_from_point_clouds(*pair, distance, T)
     np.testing.assert_array_equal(information[3:, 3:], paired.sum() * np.eye(3))
+
+
+@pytest.mark.parametrize("scale", [1.01, 1.02, 0.98])
+def test_the_given_scale_is_assessed(rng, device, scale):
+    """Before, a scale up to 5% of R R^T was removed, so that another pose was assessed than the one given."""
+    points, T = hills(rng, 30000, 0) + np.array([3, 0, 0]), np.diag([scale, scale, scale, 1.0])
+    source, target = (loom.PointCloud(part, device=device) for part in (points[:20000], points[10000:]))
+    shrunk = loom.PointCloud(points[:20000] / scale, device=device)
+    assess = loom.registration.assess_registration
+    assert not assess(source, target, T, 0.06).reliable
+    assert assess(shrunk, target, T, 0.06).reliable
+    method = loom.registration.TransformationEstimation.point_to_point(with_scaling=True)
+    found = loom.registration.registration_icp(shrunk, target, 0.2, estimation_method=method)
+    assert assess(shrunk, target, found.transformation, 0.06).reliable
+    sheared = T.copy()
+    sheared[0, 1] = 0.01
+    assert not assess(source, target, sheared, 0.06).reliable  # rounded rotations are accepted, and assessed as given
+
+
+@pytest.mark.parametrize("kind", ["shear", "reflection", "last row", "two scales"])
+def test_no_other_transformation_than_a_similarity_is_assessed(rng, kind):
+    cloud, T = loom.PointCloud(hills(rng, 3000)), np.eye(4)
+    T[{"shear": (0, 1), "reflection": (2, 2), "last row": (3, 0), "two scales": (2, 2)}[kind]] = (
+        -1.0 if kind == "reflection" else 0.1 if kind != "two scales" else 1.1
+    )
+    with pytest.raises(ValueError, match=r"^transformation: expected"):
+        loom.registration.assess_registration(cloud, cloud, T, 0.3)

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import sys
 
 import numpy as np
 import pytest
@@ -18,9 +19,16 @@ from pointloom.registration.lidar.lidar_steps import summarize_steps
 from pointloom.registration.pose_graphs.multiway import FragmentsResult
 from pointloom.registration.rigid import invert_pose, make_pose, rotation_of, to_local
 from pointloom.registration.stations.adjustment import Observed, adjust
-from pointloom.registration.stations.observations import ControlPoint, StationPair, TargetObservation
+from pointloom.registration.stations.observations import (
+    ControlPoint,
+    StationPair,
+    TargetObservation,
+    check_control,
+    check_scan_unit,
+    check_targets,
+)
 from pointloom.registration.stations.pair_errors import PairErrors, pair_errors
-from pointloom.registration.stations.snooping import FALSE_ALARM, snoop
+from pointloom.registration.stations.snooping import FALSE_ALARM, MAX_DIVERGED, TRIED_SUSPECTS, snoop
 from pointloom.registration.stations.stations import _check_distance, _Survey, adjust_stations
 from pointloom.registration.surfaces import surface_of
 from pointloom.visualization.render.plots import station_plan
@@ -88,6 +96,57 @@ def test_errors_match_the_standard_deviations(level, control):
     stations = len(POSITIONS) - begin
     mean, spread = seeds * stations * size, 2.58 * stations * np.sqrt(2 * size * seeds)
     assert abs(sums - mean) < spread
+
+
+@pytest.mark.parametrize("scale", [1000.0, 0.001, 100.0, 3.2808, 0.3048, 0.0254])
+def test_targets_and_control_in_another_unit_are_named(scale):
+    _, observed, _ = survey(3, level=True)
+    targets, pairs = list(observed.targets), observed.pairs
+
+    def scaled(point):
+        return dataclasses.replace(point, position=scale * np.asarray(point.position))
+
+    assert check_targets(targets, len(POSITIONS)) == targets
+    assert check_control(observed.control, targets) == list(observed.control)
+    check_scan_unit(targets, pairs)
+    with pytest.raises(ValueError, match=r"^control: expected the unit of the targets.* meters"):
+        check_control([scaled(point) for point in observed.control], targets)
+    with pytest.raises(ValueError, match=r"^targets: expected the unit of the scans.* meters"):
+        check_scan_unit([scaled(one) for one in targets], pairs)
+    corners = np.random.default_rng(0).uniform(-9, 9, (5, 3))
+    seen = [TargetObservation(i, f"T{k}", c - i) for i in range(4) for k, c in enumerate(corners)]
+    assert check_targets(seen, 4) == seen
+    with pytest.raises(ValueError, match=r"^targets: expected one unit.* station 2 .* meters"):
+        check_targets([scaled(one) if one.station == 2 else one for one in seen], 4)
+    exchanged = {"T0": "T1", "T1": "T0"}  # wrong names are no unit
+    named = [dataclasses.replace(one, name=exchanged.get(one.name, one.name)) for one in seen if one.station == 2]
+    assert len(check_targets([*named, *(one for one in seen if one.station != 2)], 4)) == len(seen)
+
+
+@pytest.mark.parametrize(
+    ("kind", "scale"),
+    [("targets", 0.001), ("control", 1000.0), pytest.param("positions", 0.001, marks=pytest.mark.slow)],
+)
+def test_the_search_for_outliers_ends_in_any_unit(monkeypatch, kind, scale):
+    """Each removal tries three adjustments. Without a limit half of the observations are removed."""
+    _, observed, first = survey(2, level=True, control=kind != "targets")
+    values = POSITIONS + FAR
+    if kind == "positions":
+        observed = dataclasses.replace(observed, positions=(scale * values, 0.02))
+    else:
+        points = [dataclasses.replace(p, position=scale * np.asarray(p.position)) for p in getattr(observed, kind)]
+        observed = dataclasses.replace(observed, **{kind: points})
+    count = []
+
+    def counted(*args, **options):
+        result = adjust(*args, **options)
+        count.append(result.converged)
+        return result
+
+    monkeypatch.setattr(sys.modules[snoop.__module__], "adjust", counted)
+    adjusted, _, outliers = snoop(first, observed, level=True, reference=0)
+    assert not adjusted.converged and len(outliers) <= MAX_DIVERGED
+    assert len(count) <= 1 + MAX_DIVERGED * TRIED_SUSPECTS
 
 
 def test_leveled_stations_stay_level():

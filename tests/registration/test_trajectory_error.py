@@ -386,7 +386,7 @@ def test_a_file_of_names_and_positions_is_read(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("a.png 1 2\n", "line 1.*name and three numbers, got 3"), ("a.png 1 2 x\n", "line 1.*not a number"),
+        ("a.png 1 2\n", "line 1.*name x y z, got 3"), ("a.png 1 2 x\n", "line 1.*not a number"),
         ("a.png 1 2 nan\n", "line 1.*finite"), ("a.png 1 2 3\na 1 2 3\n", "line 2.*'a.png' is duplicated"),
         ("b 1 2 3\n", r"line 1.*may be b.jpg or b.png"), ("", "contains no pose"),
         ("z.png 1 2 3\n", "contains no name of an image of the model.*'a.png'"),

@@ -49,7 +49,7 @@ MIN_NORMAL_COSINE: Annotated[
 MIN_MATCHES: Annotated[int, Constant("matches below which they may be chance", CHOSEN)] = 30
 SOURCE_VOXEL_FACTOR: Annotated[float, Constant("source voxel", "avoids aligned grids", "target voxels")] = 0.8
 FINE_VOXEL_FACTOR: Annotated[float, Constant("voxel of displacements", CHOSEN, "voxels of the score")] = 0.5
-MAX_DISTORTION: Annotated[float, Constant("deviation of R R^T from identity", "beyond: a scale")] = 0.05
+MAX_DISTORTION: Annotated[float, Constant("deviation of R R^T from identity", "beyond: a scale, 5 mm in 1 km")] = 1e-5
 
 # Score: agreement of all matches
 MIN_SCORE: Annotated[float, Constant("score up to which a pose is rejected", "even odds")] = 0.5

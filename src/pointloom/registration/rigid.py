@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.checks import check_rigid, check_transformation
 from ..core.quaternions import nearest_rotations
 from ..kernels.linear_algebra import cube_root, det, inv, matmul, norm
 
@@ -32,6 +33,15 @@ def rotations_of(vectors: NDArray[np.float64]) -> Matrix:
 def scale_of(T: Matrix) -> float:
     """Scale of a similarity, negative for a reflection."""
     return cube_root(float(det(T[:3, :3])))
+
+
+def check_similarity(name: str, matrix: object) -> tuple[Matrix, float]:
+    """A copy of a rigid motion with a scale, and the scale. Raises `ValueError` for a shear or a reflection."""
+    T = np.array(check_transformation(name, matrix))
+    if (scale := scale_of(T)) <= 0:
+        raise ValueError(f"{name}: expected a rotation with a scale, got a determinant of {scale**3:.3g}")
+    check_rigid(name, np.block([[T[:3, :3] / scale, T[:3, 3:]], [T[3:]]]))
+    return T, scale
 
 
 def rotation_of(vector: NDArray[np.float64]) -> Matrix:

@@ -411,7 +411,7 @@ def test_scale_bars_are_read_from_a_separate_file_with_additional_marks(written)
         (ODM.replace("bar A CHK-1", "bar A A"), r"line 8\): b: expected the names of two points"),
         (ODM.replace("bar A CHK-1 41.2 0.01", "bar A 41.2"), r"line 8\): expected `bar A B meters"),
         (ODM.replace("447040.0 5260010.0", "5260010.0 447040.0"), "x is the easting and y the northing"),
-        (CSV.replace("name,x", "point,x"), "no coordinate system|line"),
+        (CSV.replace("name,x", "code,x"), "no coordinate system|line"),
         (CSV.replace("image,column,row", "image,row"), r"line 2\): the header lacks column"),
         (CSV.replace("0.01,0.03", "0,0.03"), r"line 3\): expected standard deviations of 1e-06"),
         (CSV.replace("check", "chek"), r"line 5\): expected control or check as the use, got 'chek'"),

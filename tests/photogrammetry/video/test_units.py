@@ -115,7 +115,7 @@ def test_invalid_units_are_rejected(given, error):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("0 1 2 3\n7 1 2\n", "line 2.*a name and three numbers"),
+        ("0 1 2 3\n7 1 2\n", "line 2.*name x y z"),
         ("0 1 2 3\n7 1 2 nan\n", "line 2.*finite"),
         ("0 1 2 3\n0 1 2 4\n7 1 1 1\n", "'frame_000000.png' is duplicated"),
         ("0 1 2 3\n7 3 2 1\n", "the positions of 2 images in the model; 3 or more"),

@@ -18,13 +18,13 @@ from ...cameras.images import RGBDImage, check_intrinsic
 from ...core.checks import check_count, check_name, check_numeric, check_positive, check_progress, check_seed, shown
 from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError, FilePath
-from ...core.paths import input_path
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, failed
 from ...core.wording import few_of
 from ...io.images.image_files import read_depth
 from ...io.models.colmap import read_colmap_model
 from ...io.models.sfm_model import SfmModel
+from ...io.number_tables import TableForm, read_number_table
 from ...kernels.images.flying_pixels import drop_flying
 from ...pcd.cloud import PointCloud
 from .alignment import MAX_DISTANCES, Alignment, align_inverse_depth, align_to_distances
@@ -80,33 +80,13 @@ def _read(path: Path) -> Any:
 
 
 def read_distances(path: FilePath) -> NDArray[np.float64]:
-    """Read lines of column, row and meters, separated by spaces or commas; skips a header line and # comments."""
-    try:
-        lines = input_path(path).read_text("utf-8").splitlines()
-    except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-    except UnicodeDecodeError as error:
-        raise FileError(path, "no text", where=f"byte {error.start}") from error
-    rows: list[list[float]] = []
-    for number, line in enumerate(lines, 1):
-        words = line.split("#", 1)[0].replace(",", " ").split()
-        if not words or (not rows and [word.lower() for word in words] in _HEADS):
-            continue
-        try:
-            rows.append([float(word) for word in words])
-        except ValueError:
-            rows.append([])
-        if len(rows[-1]) != 3:
-            raise FileError(path, f"expected u v meters, got {line[:60]!r}", where=f"line {number}")
-    if not rows:
-        raise FileError(path, "contains no distances", remedy="Write one line `u v meters` for each distance")
-    return np.array(rows)
+    """Read lines of column, row and meters. A header may name them in any order; # begins a comment."""
+    rows = read_number_table(path, DISTANCES)
+    return np.array([[row.numbers[name] for name in ("u", "v", "meters")] for row in rows])
 
 
-_HEADS = [["u", "v", name] for name in ("meters", "metres", "m", "depth")] + [
-    ["x", "y", "meters"],
-    ["x", "y", "metres"],
-]
+_COLUMNS = {"u": "u x column col", "v": "v y row", "meters": "meters metres m depth distance range"}
+DISTANCES = TableForm(("u v meters",), synonyms=_COLUMNS)
 
 
 def _of_distances(array: NDArray[Any], size: tuple[int, int]) -> References:

@@ -2,32 +2,38 @@
 
 Either ODM's `gcp_list.txt`: coordinate system ("local" for none), then `x y z column row image [name]` lines; or CSV
 with `name,x,y,z,image,column,row` and optional `sigma`, `sigma_z` [m] and `use` (control, check), `# crs EPSG:25832`.
+The header of the CSV names its columns in any order. Longitude and latitude are x and y of degrees.
 Both allow `bar A B meters [sigma]` and `mark NAME image column row`. Points named "check" or "CHK" are check points.
 Columns and rows start at the upper left corner: the center of the first pixel is 0.5, 0.5.
 """
 
 from __future__ import annotations
 
-import csv
 import math
 import re
 from pathlib import Path
 from typing import Any
 
 from ...core.errors import FileError, FilePath
-from ...core.paths import input_path, path_of
+from ...core.paths import path_of
+from ...io.number_tables import DecimalMarks, Header, TableForm, fields_of, table_lines, titles_of
 from ...registration.stations.observations import ControlPoint
 from ..sfm.image_folder import check_path
+from .control_systems import is_degrees
 from .ground_control import ControlMark, GroundControl, ScaleBar
 
 CONTROL_SIGMA = 0.02  # [m] default
 SIGMA_RANGE = (1e-6, 1e3)  # [m] valid range
-MAX_BYTES = 1 << 24
 HALF_PIXEL = 0.5
 LOCAL = ("", "local", "none")
 
 _CHECK = re.compile(r"(check|chk)(?![a-z])", re.IGNORECASE)
 _COLUMNS = ("name", "image", "column", "row")
+_NUMBERS = ("x", "y", "z", "longitude", "latitude", "sigma", "sigma_z", "column", "row")
+_SYNONYMS = {"image": "image image_name file filename file_name photo", "column": "column col px pixel_x"}
+_SYNONYMS |= {"row": "row py pixel_y", "longitude": "longitude lon lng long", "latitude": "latitude lat"}
+_ORDER = "name x y z sigma sigma_z use image column row longitude latitude"
+_TABLE = TableForm((_ORDER,), _SYNONYMS, needed=_COLUMNS)
 _FORM = "Write lines `x y z column row image [name]` after a first line with the coordinate system, such as EPSG:32632"
 
 
@@ -79,31 +85,19 @@ def ground_of(control: Any, scale_bars: Any) -> GroundControl | None:
 
 
 def _read(parser: _Parser, *, is_bars: bool) -> None:
-    lines = _lines_of(parser.path)
+    lines = [(number, line.strip(" ")) for number, line in enumerate(table_lines(parser.path), start=1)]
+    lines = [(number, line if line.strip() else "") for number, line in lines]
     content = [(number, line) for number, line in lines if line and not line.startswith("#")]
     if not content:
         raise FileError(parser.path, "contains no lines", remedy=_FORM)
-    head = [word.strip().lower() for word in content[0][1].split(",")]
+    head = {_TABLE.canonical(title)[0] for title in titles_of(parser.path, content[0][1], content[0][0])}
     before = len(parser.bars)
-    if "name" in head and "image" in head:
+    if head >= {"name", "image"}:
         _parse_csv(parser, lines)
     else:
         _parse_words(parser, content)
     if is_bars and len(parser.bars) == before:
         raise FileError(parser.path, "contains no scale bar", remedy="Write lines `bar A B meters [sigma]`")
-
-
-def _lines_of(path: Path) -> list[tuple[int, str]]:
-    try:
-        if input_path(path).stat().st_size > MAX_BYTES:
-            raise FileError(path, f"is larger than {MAX_BYTES >> 20} MiB, too large for a list of control points")
-        text = path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        reason = "does not exist" if isinstance(error, FileNotFoundError) else error.strerror or "cannot be read"
-        raise FileError(path, reason) from None
-    except UnicodeDecodeError:
-        raise FileError(path, "is not UTF-8 text", remedy="Save the list as text") from None
-    return [(number, line.strip()) for number, line in enumerate(text.splitlines(), start=1)]
 
 
 class _Parser:
@@ -116,6 +110,7 @@ class _Parser:
         self.checks: dict[str, bool] = {}
         self.marks: dict[tuple[str, str], ControlMark] = {}
         self.bars: list[ScaleBar] = []
+        self.degrees_line: int | None = None  # of a header with latitude
 
     def fail(self, line: int, reason: str, remedy: str = "") -> FileError:
         return FileError(self.path, reason, where=f"line {line}", remedy=remedy)
@@ -183,6 +178,9 @@ class _Parser:
         ]
         checks = [name for name in self.positions if self.checks.get(name, bool(_CHECK.match(name)))]
         crs = self.crs or ""
+        if self.degrees_line is not None and not is_degrees(crs):
+            reason = f"expected a coordinate system in degrees for latitude and longitude, got {crs or 'none'}"
+            raise self.fail(self.degrees_line, reason, "Add the line `# crs EPSG:4326`, or name the columns x and y")
         try:
             crs = "" if crs.lower() in LOCAL else crs
             return GroundControl(points, list(self.marks.values()), self.bars, crs, checks, str(self.path))  # pyright: ignore[reportArgumentType]
@@ -217,31 +215,46 @@ def _are_numbers(words: list[str]) -> bool:
 
 
 def _parse_csv(parser: _Parser, lines: list[tuple[int, str]]) -> None:
-    head: list[str] | None = None
+    head: list[str | None] = []
+    marks = DecimalMarks(parser.path)
     for number, line in lines:
         if match := re.match(r"#\s*crs\b[\s:=]*(.*)", line, re.IGNORECASE):
             parser.crs = match[1].strip()
         if not line or line.startswith("#"):
             continue
-        try:
-            words = [word.strip() for word in next(csv.reader([line]))]
-        except csv.Error as error:
-            raise parser.fail(number, f"is not a row of a table: {error}") from None
-        if head is None:
-            head = [word.lower() for word in words]
-            if missing := [name for name in _COLUMNS if name not in head]:
-                raise parser.fail(number, f"the header lacks {', '.join(missing)}")
+        if not head:
+            head = _head_of(parser, number, line)
             continue
+        words = fields_of(parser.path, line, number)
         parts = [word for word in words if word] if len(words) > 1 else line.split()
-        if parts and parser.add_word_line(number, parts):
+        if parts and parts[0].lower() in ("bar", "mark"):
+            parts[3:] = [marks.plain(part, f"line {number}") for part in parts[3:]]
+            parser.add_word_line(number, parts)
             continue
-        row = dict(zip(head, words, strict=False))
+        row = {name: word for name, word in zip(head, words, strict=False) if name}
+        for column, name in enumerate(head, 1):
+            if name in _NUMBERS and name in row:
+                row[name] = marks.plain(row[name], f"line {number}, column {column}")
         name = row.get("name", "")
-        if len(words) > len(head) or not name:
+        if len(words) != len(head) or not name:
             raise parser.fail(
                 number, f"expected {len(head)} fields and a name among them, got {len(words)}: {line[:60]!r}"
             )
         _add_row(parser, number, name, row)
+
+
+def _head_of(parser: _Parser, line: int, text: str) -> list[str | None]:
+    titles = titles_of(parser.path, text, line)
+    known = {_TABLE.canonical(title)[0] for title in titles}
+    if missing := [name for name in _COLUMNS if name not in known]:
+        raise parser.fail(line, f"the header lacks {', '.join(missing)}")
+    names = Header(parser.path, _TABLE, titles, line).names
+    axes = known & {"x", "y", "z", "longitude", "latitude"}
+    if axes not in (set(), {"x", "y", "z"}, {"longitude", "latitude", "z"}):
+        reason = f"expected the columns x, y, z or longitude, latitude, z, got {', '.join(titles)[:200]}"
+        raise parser.fail(line, reason, "Correct the header")
+    parser.degrees_line = line if "latitude" in axes else None
+    return [{"longitude": "x", "latitude": "y"}.get(name or "", name) for name in names]
 
 
 def _add_row(parser: _Parser, number: int, name: str, row: dict[str, str]) -> None:

@@ -33,7 +33,7 @@ def to_geodetic(positions: Array, crs: str, path: str) -> Array:
         raise ValueError(f"crs: expected heights below {MAX_ELLIPSOID_HEIGHT:g} m, got {positions[:, 2].max():g}")
     if (code := utm_code(crs)) is not None:
         return from_utm(_checked(positions, crs), code)
-    if _is_degrees(crs):
+    if is_degrees(crs):
         degrees = positions[:, [1, 0, 2]]
         if (wrong := (np.abs(degrees[:, :2]) > (90.0, 180.0)).any(axis=1)).any():
             result = positions[np.flatnonzero(wrong)[0], :2].tolist()
@@ -81,7 +81,7 @@ def utm_code(crs: str) -> int | None:
     return base + int(match[1]) if 1 <= int(match[1]) <= 60 else None
 
 
-def _is_degrees(crs: str) -> bool:
+def is_degrees(crs: str) -> bool:
     text = crs.strip().lower()
     return text in ("epsg:4326", "epsg:4979", "wgs84") or "+proj=longlat" in text or "+proj=latlong" in text
 

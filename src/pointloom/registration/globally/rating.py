@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.checks import check_positive, check_transformation
+from ...core.checks import check_positive
 from ...core.quaternions import nearest_rotations
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
@@ -23,7 +23,7 @@ from ..icp.evaluation import evaluate_registration
 from ..icp.iterative import MIN_DETERMINED_EIGENVALUE, ICPOptions, IterativeRegistration
 from ..pose_errors import covariance_of, step_of
 from ..result import RegistrationResult
-from ..rigid import nearest_rotation, to_local
+from ..rigid import check_similarity, nearest_rotation, to_local
 from ..surfaces import SurfacePair, as_rigid
 from ..unobservable_motions import Localizability, judge_motions
 from ..voxel_size import choose_for
@@ -52,7 +52,8 @@ def assess_registration(
         of the rigid motion of the scaled source.
 
     Raises:
-        ValueError: A distance that is not positive or too small, or a transformation that is not invertible.
+        ValueError: A distance that is not positive or too small, or a transformation with a shear, a reflection or
+            another last row than (0, 0, 0, 1).
         TypeError: Not a PointCloud.
         DeviceError: Clouds on different devices.
 
@@ -75,7 +76,7 @@ def assess_registration(
         (True, 'full')
     """
     check_clouds(source, target)
-    T = check_transformation("transformation", transformation)
+    T, _ = check_similarity("transformation", transformation)
     moved, rigid = as_rigid(source, T)
     distance = max_correspondence_distance
     if distance is None:

@@ -28,7 +28,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.units import common_reference
 from ..correspondence_input import check_cloud, check_clouds
 from ..result import RegistrationResult
-from ..rigid import nearest_rotation, scale_of
+from ..rigid import check_similarity, nearest_rotation
 from .constraint import Constraint, constraints_of
 from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
 from .iterative import MIN_DETERMINED_EIGENVALUE, ICPOptions, IterativeRegistration
@@ -219,6 +219,10 @@ def registration_icp_batch(
     return problem.results()
 
 
+def _rigid(name: str, pose: ArrayLike) -> NDArray[np.float64]:
+    return np.array(check_rigid(name, check_transformation(name, pose)))
+
+
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
     """A rigid pose (or similarity, if the method has a scale) [4, 4] in float64, its rotation made orthonormal."""
     if pose is None:
@@ -227,13 +231,7 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
         raise TypeError(
             f"{name}: expected a pose, got {type(pose).__name__}; pass it by keyword: estimation_method=, criteria="
         )
-    scale = 1.0
-    T = np.array(check_transformation(name, pose))
-    if method.scales:
-        scale = scale_of(T)
-        if scale <= 0:
-            raise ValueError(f"{name}: expected a rotation with a scale, got a determinant of {scale**3:.3g}")
-    check_rigid(name, np.block([[T[:3, :3] / scale, T[:3, 3:]], [T[3:]]]))
+    T, scale = check_similarity(name, pose) if method.scales else (_rigid(name, pose), 1.0)
     T[:3, :3] = nearest_rotation(T[:3, :3]) * scale
     return T
 

@@ -7,18 +7,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.pose_text import parse_floats, read_lines
 from ...cameras.trajectory import read_trajectory
 from ...core.checks import check_finite, check_numeric, check_positive, check_shape, shown
 from ...core.errors import FileError, FilePath
 from ...core.time_checks import check_seconds
-from ...io.ascii_rows import check_decimal_points, is_float
+from ...io.ascii_rows import is_float
+from ...io.number_tables import TableForm, read_number_table, split_fields, table_lines
 
 Array = NDArray[np.float64]
 
 MIN_SIGMA, MAX_SIGMA = 1e-4, 1e6  # [m] below the resolution of a LiDAR; beyond the size of any map: unknown
 CORRELATION_TIME = 1.0  # [s] GNSS receivers filter their positions: faster ones repeat the error of the last
-LINE_WIDTHS, TUM_WIDTH = (4, 5, 7), 8  # columns: time and position, with one sigma, with three
+FORM = TableForm(("time x y z", "time x y z sigma", "time x y z sigma_x sigma_y sigma_z"), optional=())
+TUM_WIDTH = 8  # columns
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,29 +99,40 @@ class PositionReadings:
         """Read positions from lines of `time x y z`, `time x y z sigma` or `time x y z sigma_x sigma_y sigma_z`.
 
         Args:
-            path: The file, separated by blanks or commas, with or without a line of names; or a TUM trajectory.
+            path: The file, separated by blanks, commas, semicolons or tabs; or a TUM trajectory. A header names the
+                columns in any order: time or timestamp, x or easting, y or northing, z or height, sigma or sigma_x,
+                sigma_y, sigma_z. Unknown columns are ignored with a warning. Numbers may have decimal commas if
+                semicolons or tabs separate them.
             sigma: Standard deviation [m] for files without one.
 
         Raises:
-            FileError: Unreadable, a malformed line, or values as of the class.
+            FileError: Unreadable, a malformed line, an unknown unit or missing column in the header, or values as of
+                the class.
         """
-        lines = read_lines(path)
-        for number, words in lines:
-            check_decimal_points(path, number, " ".join(words))
-        lines = [(number, " ".join(words).replace(",", " ").split()) for number, words in lines]
-        lines = lines[1:] if lines and not is_float(lines[0][1][0]) else lines
-        width = len(lines[0][1]) if lines else 0
-        if width == TUM_WIDTH:
+        if _is_tum(path):
             trajectory = read_trajectory(path)
             times, positions = trajectory.timestamps, trajectory.poses[:, :3, 3]
-        elif width in LINE_WIDTHS:
-            values = np.array([parse_floats(path, line, width) for line in lines])
-            times, positions = values[:, 0], values[:, 1:4]
-            sigma = sigma if width == min(LINE_WIDTHS) else np.broadcast_to(values[:, 4:], positions.shape)
         else:
-            expected = "lines of 4, 5 or 7 numbers (time x y z, and one or three sigmas), or a TUM trajectory"
-            raise FileError(path, f"expected {expected}, got {f'{width} columns' if lines else 'no lines'}")
+            rows = read_number_table(path, FORM)
+            for row in rows:
+                if row.numbers.keys() != rows[0].numbers.keys():
+                    reason = f"expected {len(rows[0].numbers)} columns as in line {rows[0].line}"
+                    raise FileError(path, f"{reason}, got {len(row.numbers)}", where=f"line {row.line}")
+            columns = {name: np.array([row.numbers[name] for row in rows]) for name in rows[0].numbers}
+            times, positions = columns["time"], np.stack([columns[axis] for axis in "xyz"], axis=1)
+            if "sigma" in columns:
+                sigma = np.broadcast_to(columns["sigma"][:, None], positions.shape)
+            elif "sigma_x" in columns:
+                sigma = np.stack([columns[f"sigma_{axis}"] for axis in "xyz"], axis=1)
         try:
             return cls(times, positions, sigma)  # type: ignore[arg-type]
         except ValueError as error:
             raise FileError(path, str(error)) from error
+
+
+def _is_tum(path: FilePath) -> bool:
+    """True if the first line that is no comment has eight numbers."""
+    first = next((line for line in table_lines(path) if line.strip() and not line.lstrip().startswith("#")), "")
+    fields = split_fields(first)[0]
+    fields = fields if len(fields) == TUM_WIDTH else first.replace(",", " ").split()
+    return len(fields) == TUM_WIDTH and "\t" not in first.strip() and all(map(is_float, fields))

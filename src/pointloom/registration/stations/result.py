@@ -117,7 +117,10 @@ class StationsResult(Report, Assessed):
                 f"sigma0 is {self.sigma0:.2f}, above {self.limits[1]:.2f}: observations are less accurate than given"
             )
         if not self.converged:
-            reasons.append("the adjustment did not converge")
+            reasons.append(
+                "the adjustment did not converge: check that scans, targets, control and positions are in meters, and "
+                "the rough poses"
+            )
         if not self.redundancy and len(self.names) > 1:
             reasons.append("the observations cannot be checked: the redundancy is 0")
         return tuple(reasons)

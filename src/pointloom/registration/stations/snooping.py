@@ -16,6 +16,7 @@ FALSE_ALARM = 0.01  # probability of any false outlier in a survey
 TESTED = ("pair", "target", "control")
 MIN_PAIRS = 5  # minimum number of tested pairs to judge their sigmas
 MEDIAN_PROBABILITY = 0.5
+MAX_DIVERGED = 2  # removed outliers without convergence: then units or poses are wrong, and tests have no meaning
 TRIED_SUSPECTS = 3  # suspects tried: gross errors distort the tests
 MAX_TIED_DIFFERENCE = 1e-6  # relative difference of statistics that cannot be separated
 MAX_EXCHANGED_RATIO = 0.1  # residual ratio of two targets with exchanged names
@@ -35,7 +36,7 @@ def snoop(first: Array, observed: Observed, *, level: bool, reference: int) -> t
     """Adjust without outliers; repeated with larger standard deviations if those of the pairs prove too small."""
     adjusted, remaining, outliers = _cleaned(first, observed, level, reference)
     factor = _pair_factor(adjusted)
-    if factor > 1:
+    if factor > 1 and adjusted.converged:
         wider = dataclasses.replace(observed, pair_factor=observed.pair_factor * factor)
         adjusted, remaining, outliers = _cleaned(first, wider, level, reference)
     return adjusted, remaining, [_with_exchange(one, outliers, adjusted) for one in outliers]
@@ -44,7 +45,7 @@ def snoop(first: Array, observed: Observed, *, level: bool, reference: int) -> t
 def _cleaned(first: Array, observed: Observed, level: bool, reference: int) -> tuple[Adjusted, Observed, list[Outlier]]:
     adjusted, outliers = adjust(first, observed, level=level, reference=reference), []
     loose, max_outliers = adjusted.loose.sum(), len(adjusted.groups) // 2
-    while len(outliers) < max_outliers:
+    while len(outliers) < (max_outliers if adjusted.converged else min(max_outliers, MAX_DIVERGED)):
         suspects = _suspects(adjusted)
         tried = []
         for group in suspects[:TRIED_SUSPECTS]:

@@ -59,7 +59,16 @@ from ..surfaces import surface_of
 from ..voxel_size import choose_voxel_size
 from .adjustment import LEVEL_ROWS, Adjusted, Observed
 from .loops import loops_of
-from .observations import Array, ControlPoint, StationPair, TargetObservation, check_control, check_sigma, check_targets
+from .observations import (
+    Array,
+    ControlPoint,
+    StationPair,
+    TargetObservation,
+    check_control,
+    check_scan_unit,
+    check_sigma,
+    check_targets,
+)
 from .pair_errors import PairErrors, pair_errors
 from .result import StationsResult
 from .snooping import snoop
@@ -118,7 +127,8 @@ def register_stations(
 
     Raises:
         TypeError: Not clouds, targets or control points.
-        ValueError: No station, poses that are not rigid, not one name per station, or invalid observations.
+        ValueError: No station, poses that are not rigid, not one name per station, or invalid observations, such as
+            targets or control points in another unit.
         DeviceError: Clouds on different devices.
 
     Notes:
@@ -165,6 +175,7 @@ def register_stations(
         survey.tilt_sigma,
         None if gnss is None else (survey.positions, gnss),  # type: ignore[arg-type]
     )
+    check_scan_unit(observed.targets, [pair for pair in pairs if pair.reliable])
     return _adjust_and_refine(survey, finder, observed, pairs, reference, away, report_progress)
 
 

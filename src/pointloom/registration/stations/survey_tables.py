@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Sequence
-from pathlib import Path
+from collections.abc import Sequence
+from typing import Any
 
 from ...core.checks import check_list, check_name
 from ...core.errors import FileError, FilePath
-from ...core.paths import input_path, path_of
+from ...core.paths import path_of
 from ...core.wording import few_of
-from ...io.ascii_rows import check_decimal_points, is_float
+from ...io.number_tables import Row, TableForm, read_number_table
 from .observations import ControlPoint, TargetObservation
 
-_SEPARATOR = re.compile(r"[;,\t]")
-MAX_BYTES = 1 << 26  # a table of 500,000 points
+TARGETS = TableForm(("station name x y z", "station name x y z sigma"))
+CONTROL = TableForm(("name x y z", "name x y z sigma", "name x y z sigma_x sigma_y sigma_z"))
 
 
 def read_targets(path: FilePath, names: Sequence[str]) -> list[TargetObservation]:
@@ -22,8 +21,10 @@ def read_targets(path: FilePath, names: Sequence[str]) -> list[TargetObservation
 
     Args:
         path: Rows of station, target name, x, y, z and optionally a standard deviation [m]. A station is a name or a
-            number from 0. Columns are separated by commas, semicolons, tabs or spaces; numbers have decimal points.
-            Lines with # and a header are skipped.
+            number from 0. Columns are separated by commas, semicolons, tabs or spaces. A header names them in any
+            order: station, name, x or easting, y or northing, z or height, sigma. Unknown columns are ignored with a
+            warning. Numbers may have decimal commas if semicolons, tabs or quotes separate them. Lines with # are
+            skipped.
         names: Names of the stations, as of `loom.read_stations`.
 
     Returns:
@@ -44,16 +45,15 @@ def read_targets(path: FilePath, names: Sequence[str]) -> list[TargetObservation
     targets = []
     numbers = {name: i for i, name in enumerate(stations)}
     numbers |= {str(i): i for i in range(len(stations)) if str(i) not in numbers}
-    for line, fields in _rows(path, words=2, numbers=(3, 4)):
-        if fields[0] not in numbers:
+    for row in read_number_table(path, TARGETS):
+        station, where = row.words["station"], f"line {row.line}"
+        if station not in numbers:
             known = few_of(stations, 5)
-            raise FileError(path, f"expected one of the stations {known}, got {fields[0]!r}", where=f"line {line}")
-        x, y, z, *sigma = _numbers(path, line, fields[2:])
-        options = {"sigma": sigma[0]} if sigma else {}
+            raise FileError(path, f"expected one of the stations {known}, got {station!r}", where=where)
         try:
-            targets.append(TargetObservation(numbers[fields[0]], fields[1], [x, y, z], **options))
+            targets.append(TargetObservation(numbers[station], row.words["name"], _position(row), **_sigma(row)))
         except (TypeError, ValueError) as error:
-            raise FileError(path, str(error), where=f"line {line}") from None
+            raise FileError(path, str(error), where=where) from None
     return targets
 
 
@@ -61,7 +61,8 @@ def read_control_points(path: FilePath) -> list[ControlPoint]:
     """Read targets with known survey coordinates, from a table.
 
     Args:
-        path: Rows of target name, x, y, z and optionally one or three standard deviations [m], as of `read_targets`.
+        path: Rows of target name, x, y, z and optionally one or three standard deviations [m], as of `read_targets`. In
+            a header, the three are sigma_x, sigma_y and sigma_z.
 
     Returns:
         The points in the order of the rows, for `register_stations`.
@@ -76,48 +77,19 @@ def read_control_points(path: FilePath) -> list[ControlPoint]:
         [4471.5, 5261.25, 410.0]
     """
     points = []
-    for line, fields in _rows(path, words=1, numbers=(3, 4, 6)):
-        x, y, z, *sigma = _numbers(path, line, fields[1:])
-        options = {"sigma": sigma if len(sigma) == 3 else sigma[0]} if sigma else {}
+    for row in read_number_table(path, CONTROL):
         try:
-            points.append(ControlPoint(fields[0], [x, y, z], **options))
+            points.append(ControlPoint(row.words["name"], _position(row), **_sigma(row)))
         except (TypeError, ValueError) as error:
-            raise FileError(path, str(error), where=f"line {line}") from None
+            raise FileError(path, str(error), where=f"line {row.line}") from None
     return points
 
 
-def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tuple[int, list[str]]]:
-    """Line numbers and words of the rows of a table, without a header."""
-    try:
-        if input_path(path).stat().st_size > MAX_BYTES:
-            raise FileError(path, f"expected a table of at most {MAX_BYTES >> 20} MiB")
-        text = Path(path).read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise FileError(path, error.strerror or "cannot be read") from None
-    except UnicodeDecodeError:
-        raise FileError(path, "is not UTF-8 text", remedy="Save the table as text") from None
-    is_first, empty = True, True
-    for line, row in enumerate(text.splitlines(), start=1):
-        if not row.strip() or row.lstrip().startswith("#"):
-            continue
-        check_decimal_points(path, line, row)
-        fields = [field.strip() for field in (_SEPARATOR.split(row) if _SEPARATOR.search(row) else row.split())]
-        while fields and not fields[-1]:
-            fields.pop()
-        if len(fields) - words not in numbers:
-            expected = " or ".join(str(words + n) for n in numbers)
-            raise FileError(path, f"expected {expected} fields, got {len(fields)}", where=f"line {line}")
-        if is_first and not any(is_float(field) for field in fields[words:]):
-            is_first = False
-            continue
-        is_first, empty = False, False
-        yield line, fields
-    if empty:
-        raise FileError(path, "contains no rows", remedy="Write one row per target")
+def _position(row: Row) -> list[float]:
+    return [row.numbers[axis] for axis in "xyz"]
 
 
-def _numbers(path: FilePath, line: int, fields: Sequence[str]) -> list[float]:
-    for field in fields:
-        if not is_float(field):
-            raise FileError(path, f"expected a number, got {field!r}", where=f"line {line}")
-    return [float(field) for field in fields]
+def _sigma(row: Row) -> dict[str, Any]:
+    values = [value for name, value in row.numbers.items() if name == "sigma"]
+    values = values or [row.numbers[f"sigma_{axis}"] for axis in "xyz" if f"sigma_{axis}" in row.numbers]
+    return {"sigma": values[0] if len(values) == 1 else values} if values else {}

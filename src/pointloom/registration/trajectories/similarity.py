@@ -9,7 +9,7 @@ import itertools
 import math
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,7 +17,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.image_names import ImageNames
-from ...cameras.pose_text import parse_floats, read_lines
 from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_list, check_name, check_positive, check_seed, check_shape, shown
@@ -25,8 +24,9 @@ from ...core.errors import FileError
 from ...core.matched_counts import why_few_matched
 from ...core.paths import path_of
 from ...core.reports import AssessedRecord, failed
-from ...io.ascii_rows import check_decimal_points
+from ...io.ascii_rows import is_float
 from ...io.models.sfm_model import SfmModel
+from ...io.number_tables import SYNONYMS, TableForm, read_number_table, table_lines
 from ...kernels.linear_algebra import det, matmul, norm
 from ..rigid import fit_pose, scale_of
 
@@ -42,6 +42,8 @@ ROUND_OFF = 1e-14  # float64 rounding relative to the coordinates
 EXACT_RATIO = 1e-9  # relative to the extent: smaller errors are rounding
 
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
+_NAMES = SYNONYMS["name"] + " image image_name file filename file_name photo"
+FORM = TableForm(("name x y z",), synonyms={"name": _NAMES}, are_names_joined=True)
 
 
 @dataclass(frozen=True)
@@ -289,8 +291,10 @@ def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[s
     """Read the positions of images from a file.
 
     Args:
-        path: Lines of `name x y z` (separated by blanks or commas; names with or without folder and extension, or image
-            numbers), or a trajectory as of `read_trajectory`.
+        path: Lines of `name x y z` (separated by blanks, commas, semicolons or tabs; names with or without folder and
+            extension, or image numbers), or a trajectory as of `read_trajectory`. A header names the columns in any
+            order: name or image, x or easting, y or northing, z or height. Unknown columns are ignored with a warning.
+            Numbers may have decimal commas if semicolons or tabs separate them.
         names: Image names of the model.
 
     Returns:
@@ -312,28 +316,29 @@ def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[s
     """
     path = path_of(path)
     names = tuple(check_name(f"names[{k}]", name) for k, name in enumerate(check_list("names", names, "names")))
-    lines = [] if path.suffix.lower() in (".log", ".json") else read_lines(path)
-    widths = {len(columns) for _, columns in lines}
-    if lines and not widths <= {8} and not widths <= {12}:
-        return _named_positions(path, lines, names)
+    if path.suffix.lower() not in (".log", ".json") and not _is_trajectory(path):
+        return _named_positions(path, names)
     trajectory = read_trajectory(path)
     return _positions_of(path, trajectory, names)
 
 
-def _named_positions(
-    path: Path, lines: Iterable[tuple[int, Sequence[str]]], names: tuple[str, ...]
-) -> dict[str, NDArray[np.float64]]:
+def _is_trajectory(path: Path) -> bool:
+    """True if all lines have the 8 columns of TUM or the 12 of KITTI, or there are none."""
+    lines = [line for line in table_lines(path) if line.strip() and not line.lstrip().startswith("#")]
+    widths = {len(line.split()) for line in lines}
+    return widths <= {8} or widths <= {12}
+
+
+def _named_positions(path: Path, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
     positions: dict[str, NDArray[np.float64]] = {}
     images = ImageNames(names)
-    for number, columns in lines:
-        check_decimal_points(path, number, " ".join(columns))
-        words = " ".join(columns).replace(",", " ").split()
-        if len(words) < 4:
-            reason = f"expected a name and three numbers, got {len(words)} columns"
-            raise FileError(path, reason, where=f"line {number}", remedy="Lines are `name x y z`")
-        position = np.array(parse_floats(path, (number, words[-3:]), 3))
-        given = " ".join(words[:-3])
+    for number, words, numbers in read_number_table(path, FORM):
+        given, position = words["name"], np.array([numbers[axis] for axis in "xyz"])
         meant = [names[k] for k in images.matching(given)]
+        shorter, _, last = given.rpartition(" ")
+        if is_float(last) and images.matching(shorter) and given not in {Path(name).stem for name in meant}:
+            reason = f"expected name x y z, got {given!r} as the name"
+            raise FileError(path, reason, where=f"line {number}", remedy="Remove other columns, or add a header")
         if len(meant) > 1:
             reason = f"{given!r} may be {' or '.join(meant[:3])}"
             raise FileError(path, reason, where=f"line {number}", remedy="Write the names in full")
