@@ -110,13 +110,24 @@ def parsed(source: str) -> ast.Module:
     return ast.parse(source)
 
 
+def statements_of(node: ast.AST) -> Iterator[ast.stmt]:
+    """All statements in a tree, without the expressions, which are most of its nodes."""
+    for field in ("body", "orelse", "finalbody", "handlers", "cases"):
+        inner = getattr(node, field, None)
+        for child in inner if isinstance(inner, list) else ():
+            if isinstance(child, ast.stmt):
+                yield child
+            yield from statements_of(child)
+
+
 @cache
 def imports_of(source: str, path: str) -> list[Import]:
     """Every import in a file, inside functions and under TYPE_CHECKING too, and those by `import_module("...")`."""
     parts = ["pointloom", *Path(path).with_suffix("").parts]
     package = parts[:-1]
     imports = []
-    for node in ast.walk(parsed(source)):
+    has_calls = "import_module" in source or "__import__" in source
+    for node in ast.walk(parsed(source)) if has_calls else statements_of(parsed(source)):
         if isinstance(node, ast.Import):
             imports += [Import(node.lineno, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):

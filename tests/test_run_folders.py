@@ -37,8 +37,8 @@ def by_images(folder):
 
 
 def reconstructed(folder):
-    frames, sizes = ShortSequence(range(4)), config(n_frames_per_fragment=2)
-    report = loom.rgbd.run_reconstruction_system(frames, sizes, folder, resume=True)
+    sizes = config(n_frames_per_fragment=1, n_frames_least=1, tsdf_voxel_size=0.06)
+    report = loom.rgbd.run_reconstruction_system(ShortSequence(range(2), width=40), sizes, folder, resume=True)
     return report.used, report.mesh
 
 

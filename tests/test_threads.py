@@ -29,7 +29,7 @@ BALL = np.random.default_rng(0).normal(size=(300, 3))
 BALL /= np.linalg.norm(BALL, axis=1)[:, None]
 ROOM = room_sequence(300, width=80, height=60)
 WALK = [ROOM.read(k) for k in range(5)]
-STEPS, READERS = 6, 7
+STEPS, READERS = 6, 3
 
 
 def along(step, spacing=2.5):

@@ -85,7 +85,7 @@ pose 2e-5 reg.registration_ransac_based_on_correspondence(other, cloud, pairs, 0
 same 1e-4 reg.assess_registration(other, cloud, about(near), 0.2).alignment.displacement
 same 1e-3 reg.assess_registration(other, cloud, about(near), 0.2).covariance.sigmas
 same 1e-4 reg.assess_registration(other, cloud, about(near), 0.2).localizability.fractions
-moved 1e-3 reg.register_nonrigid(other, cloud).warped.points
+moved 1e-3 reg.register_nonrigid(other, cloud, node_spacing=0.6, max_iterations=3).warped.points
 world 1e-5 reg.register_multiway([cloud, other], voxel_size=0.1).poses[1] @ shift(1)
 world 1e-5 reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=0)).nodes[2].pose @ shift(1)
 moved 1e-5 reg.deskew_point_cloud(cloud, about(start), np.arange(len(cloud))).points

@@ -18,7 +18,7 @@ def modules():
 
 # Each kernel and function is checked at its first use, too, and by `make check-cuda`.
 @pytest.mark.parametrize(
-    "kind", [*(pytest.param(kind, marks=pytest.mark.slow) for kind in (Kernel, Func)), Reduction, Loop]
+    "kind", [*(pytest.param(kind, marks=pytest.mark.slow) for kind in (Kernel, Func, Reduction)), Loop]
 )
 def test_everything_is_in_the_language(kind):
     for value in (value for module in modules() for value in vars(module).values() if isinstance(value, kind)):

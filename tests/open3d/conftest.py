@@ -37,9 +37,9 @@ def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("tutorials")
     loom.write_point_cloud(folder / "street.pcd", loom.PointCloud(street(np.random.default_rng(1))))
     loom.write_triangle_mesh(folder / "bunny.ply", loom.datasets.object_mesh().simplify_quadric_decimation(2500))
-    frames = loom.datasets.room_frames(24, width=640, height=480)
+    frames = loom.datasets.room_frames(COUNT, width=640, height=480)
     poses = []
-    for i, frame in enumerate(frames[:COUNT]):
+    for i, frame in enumerate(frames):
         write_images(folder, i, frame)
         poses.append(frame.T_world_camera)
         if i < 2:

@@ -5,6 +5,7 @@ import pytest
 
 import pointloom as loom
 
+from ..products import few_quick
 from .made_shapes import SIZES, made_shape, two_spheres
 
 ROUND = ["sphere", "cylinder", "cone", "torus"]
@@ -64,7 +65,7 @@ def test_a_plane_of_few_accurate_points_is_reliable(device, rng, count):
         assert loom.fit_shape(loom.PointCloud(points, device=device), "plane").warnings == ()
 
 
-@pytest.mark.parametrize("count", [200, 2000])
+@few_quick(1, "count", [200, 2000])
 def test_a_round_shape_of_another_body_is_not_reliable(device, rng, count):
     for points in (
         cube(rng, count),

@@ -17,7 +17,7 @@ WIDTH, HEIGHT, FARTHEST, FAR_OF_SLAM = 96, 72, 10.0, 6.0
 @pytest.fixture(scope="module")
 def views():
     """Two frames of a synthetic room."""
-    return loom.datasets.room_frames(24, width=WIDTH, height=HEIGHT)[:2]
+    return loom.datasets.room_frames(2, width=WIDTH, height=HEIGHT)
 
 
 def images_of(package, views, device="CPU:0"):
@@ -96,7 +96,7 @@ def test_odometry_reports_what_it_cannot_use(views):
 
 @pytest.mark.slow
 def test_a_model_tracks_a_camera_as_the_example_of_dense_slam(device):
-    views = loom.datasets.room_frames(48, width=WIDTH, height=HEIGHT)[:3]
+    views = loom.datasets.room_frames(3, width=WIDTH, height=HEIGHT)
     slam, Tensor, where = bridge.t.pipelines.slam, bridge.core.Tensor, bridge.core.Device(device.upper())
     K = Tensor(np.asarray(views[0].intrinsic.matrix))
     model = slam.Model(0.03, 16, 1000, Tensor(np.eye(4)), where)

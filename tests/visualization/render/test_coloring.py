@@ -218,7 +218,7 @@ def test_bars_have_the_colors_of_the_map_and_far_values_are_left_out():
 
 
 @few_quick(
-    5,
+    3,
     "values",
     [
         [], [np.nan] * 4, [1.0, np.inf, -np.inf], [-1e30, 1e30], RNG.normal(size=99) * 1e-9, [3.0], np.full(50, 7.0),

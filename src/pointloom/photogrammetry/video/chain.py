@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 from importlib import metadata
 
 from ...core.errors import FilePath
@@ -174,6 +174,7 @@ def stage_of(stage: DeclaredStage, made: Mapping[str, StageResult], given: Mappi
     return Stage(stage.name, make, recorded, tuple(files.values()), *how)
 
 
+@cache
 def _version_of(*names: str) -> str:
     for name in names:
         with contextlib.suppress(metadata.PackageNotFoundError):
