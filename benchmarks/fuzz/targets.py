@@ -204,6 +204,10 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "io/meshes/glb.py": ("mesh .glb", "GLB"),
     "io/meshes/gltf_file.py": ("mesh .gltf", "glTF"),
     "io/meshes/obj.py": ("mesh .obj", "OBJ", "OBJ corners"),
+    "io/number_tables.py": (
+        *("control of stations", "targets of stations", "distances"),
+        *("ground control", "ground control .csv", "scale bars"),
+    ),
     "io/obj_statements.py": ("mesh .obj", "cloud .obj", "OBJ", "OBJ corners"),
     "io/meshes/off.py": ("mesh .off", "OFF"),
     "io/meshes/stl.py": ("mesh .stl", "STL"),
@@ -251,7 +255,6 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "open3d/visualization/visualizer.py": OF_PAGE,
     "pcd/geotiff.py": ("raster .tif",),
     "pcd/polygon_volume.py": ("polygon volume",),
-    "photogrammetry/depth/estimation.py": ("distances",),
     "photogrammetry/depth/network.py": NETWORK,
     "photogrammetry/depth/photos.py": ("EXIF", *IMAGES),
     "photogrammetry/mvs/depth_bundles.py": ("depth bundle",),
@@ -268,7 +271,6 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "photogrammetry/sfm/training_folder.py": LeftOut("copies images that were read before"),
     "photogrammetry/sfm/triangulation.py": OF_WRITER,
     "photogrammetry/sfm/video_files.py": VIDEOS,
-    "photogrammetry/video/control_files.py": ("ground control", "ground control .csv", "scale bars"),
     "photogrammetry/video/job.py": LeftOut(
         "only the marker of a folder (tests/photogrammetry/video/test_video_command.py)"
     ),
@@ -277,7 +279,6 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "registration/lidar/lidar_sessions.py": ("LiDAR map",),
     "registration/lidar/lidar_submaps.py": ("LiDAR submap",),
     "registration/pose_graphs/pose_graph_files.py": ("pose graph",),
-    "registration/stations/survey_tables.py": ("control of stations", "targets of stations"),
     "rgbd/reconstruction/config.py": ("configuration",),
     "rgbd/reconstruction/job_files.py": ("configuration",),
     "tiling/border_merging.py": JOB_TILES,

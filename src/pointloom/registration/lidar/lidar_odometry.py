@@ -313,7 +313,7 @@ class LidarOdometry(Serialized):
             raw = raw.with_imu(inertial)
         span = None if time is not None else raw.sent_span()
         downsampled, mark = self._downsample(raw, motion), _mark_of(points)  # two syncs
-        if mark is not None and mark == state.mark and self._steps[-1].is_sound:
+        if inertial is None and mark is not None and mark == state.mark and self._steps[-1].is_sound:
             return self._finish(self._repetition(), scan)
         clock, gap = state.clock.next(time, None if span is None else tuple(span.read(has_waited=True)))
         is_given = has_prior or inertial_motion is not None  # the motion over the whole gap

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_count, check_finite, check_list, check_numeric, check_positive, shown
 from ...core.reports import AssessedRecord
 from ...core.wording import few_of
-from ...kernels.linear_algebra import matmul
+from ...kernels.linear_algebra import matmul, norm
 
 Array = NDArray[np.float64]
 TARGET_SIGMA = 0.002  # [m] default for scanned targets
@@ -181,13 +181,13 @@ def check_scan_unit(targets: Sequence[TargetObservation], pairs: Sequence[Statio
     logs = []
     for pair in pairs:
         first, second = by_station.get(pair.source, {}), by_station.get(pair.target, {})
-        known = float(np.linalg.norm(pair.transformation[:3, 3]))
+        known = norm(pair.transformation[:3, 3])
         for name in sorted(first.keys() & second.keys()):
             offset = np.asarray(second[name].position) - matmul(
                 pair.transformation[:3, :3], np.asarray(first[name].position)
             )
             if known > MIN_BASELINE * first[name].sigma and offset.any():
-                logs.append(math.log(np.linalg.norm(offset)) - math.log(known))
+                logs.append(math.log(norm(offset)) - math.log(known))
     scale = _common_scale(np.array(logs))
     # registered scans may be wrong, as in a repetitive corridor: only ratios of units are errors of the targets
     if scale is not None and any(abs(abs(scale) - math.log(ratio)) < UNIT_TOLERANCE for ratio in UNIT_RATIOS):
