@@ -10,7 +10,7 @@ import warp as wp
 from pointloom.kernels import lang, launches, memory
 from pointloom.kernels.arrays.prefix_sum import inclusive_scan
 from pointloom.kernels.arrays.segment_blocks import SegmentBlocks
-from pointloom.kernels.arrays.sort import argsort_keys
+from pointloom.kernels.arrays.sort import MAX_RANKED_KEYS, argsort_keys
 from pointloom.kernels.language import cuda_launches, warp_parts
 
 SOURCE = """
@@ -326,8 +326,9 @@ def test_the_native_library_gets_arguments_of_its_types(kernels, where, monkeypa
     part = memory.rows_of(table, np.int64(1), np.int64(3))
     memory.copy(part, table, count=np.int64(1), offset=np.int64(1))
     memory.write(part, np.zeros(2, np.int32))
-    keys, sums = memory.zeros((n,), lang.int64, where), memory.zeros((n,), lang.int32, where)
-    assert memory.download(argsort_keys(keys, 8)[1]).tolist() == [0, 1, 2, 3]
+    many = np.int64(MAX_RANKED_KEYS + 1)  # fewer are sorted and scanned by own kernels
+    keys, sums = memory.zeros((many,), lang.int64, where), memory.zeros((many,), lang.int32, where)
+    assert memory.download(argsort_keys(keys, 8)[1]).tolist() == list(range(many))
     inclusive_scan(sums, sums)
     readback = memory.Readback(memory.clone(table))
     readback.send()
