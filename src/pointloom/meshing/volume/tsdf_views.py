@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,47 +20,44 @@ from ...kernels.volumes.tsdf_raycast import cast_rays
 
 Matrix = NDArray[np.float64]
 
+ARRAYS = ("depth", "points", "normals", "colors")  # of a RayCast
+
 
 class RayCast:
-    """Rendered surface, in arrays of the frames' library. An array is copied from a GPU when it is first read."""
+    """Rendered surface, in arrays of the frames' library. An array is copied from a GPU when it is first read.
+
+    Attributes:
+        depth: float32 (h, w) along z [m]. 0 without surface.
+        points: float64 (h, w, 3), world coordinates [m]. NaN without surface.
+        normals: float32 (h, w, 3), toward the observed side. NaN without surface and at its border.
+        colors: float32 (h, w, 3) in 0..1, or None.
+    """
+
+    depth: NDArray[np.float32]
+    points: NDArray[np.float64]
+    normals: NDArray[np.float32]
+    colors: NDArray[np.float32] | None
 
     def __init__(self, images: RayImages, camera: PinholeCameraIntrinsic, origin: Matrix, library: str) -> None:
         self._images, self._origin, self._library = images, origin, library
-        self._shape, self._read = (camera.height, camera.width), {}
+        self._shape = camera.height, camera.width
 
-    @property
-    def depth(self) -> NDArray[np.float32]:
-        """float32 (h, w) along z [m]. 0 without surface."""
-        return self._array("depth", lambda: self._images.depth)
-
-    @property
-    def points(self) -> NDArray[np.float64]:
-        """float64 (h, w, 3), world coordinates [m]. NaN without surface."""
-        return self._array("points", lambda: add_origin(self._images.points, self._origin))
-
-    @property
-    def normals(self) -> NDArray[np.float32]:
-        """float32 (h, w, 3), toward the observed side. NaN without surface and at its border."""
-        return self._array("normals", lambda: self._images.normals)
-
-    @property
-    def colors(self) -> NDArray[np.float32] | None:
-        """float32 (h, w, 3) in 0..1, or None."""
-        return self._array("colors", lambda: self._images.colors if self._images.has_colors else None)
-
-    def _array(self, name: str, rendered: Callable[[], wp.array | None]) -> Any:
-        if name not in self._read:
-            values = rendered()
-            self._read[name] = None if values is None else hand_out(values, self._library, shape=self._shape)
-        return self._read[name]
+    def __getattr__(self, name: str) -> Any:
+        """An array that has not been read before."""
+        if name not in ARRAYS:
+            raise AttributeError(f"RayCast has no attribute {name!r}, only {', '.join(ARRAYS)}")
+        values: Any = None if name == "colors" and not self._images.has_colors else getattr(self._images, name)
+        if name == "points":
+            values = add_origin(values, self._origin)
+        self.__dict__[name] = None if values is None else hand_out(values, self._library, shape=self._shape)
+        return self.__dict__[name]
 
     def __repr__(self) -> str:
         height, width = self._shape
         return f"RayCast of {width} x {height} pixels"
 
     def __getstate__(self) -> dict[str, Any]:
-        arrays = {name: getattr(self, name) for name in ("depth", "points", "normals", "colors")}
-        return {"_shape": self._shape, "_read": arrays}
+        return {"_shape": self._shape} | {name: getattr(self, name) for name in ARRAYS}
 
 
 @dataclass(frozen=True)
