@@ -149,6 +149,10 @@ def split_fields(row: str) -> tuple[list[str], str]:
     return [word.strip() for word in next(rows)], mark
 
 
+def _place(line: int, column: int | None) -> str:
+    return f"line {line}" if column is None else f"line {line}, column {column}"
+
+
 class DecimalMarks:
     """Reads the numbers of one table, whose decimals have either points or commas."""
 
@@ -156,21 +160,21 @@ class DecimalMarks:
         self.path = path
         self._lines: dict[str, int] = {}
 
-    def plain(self, word: str, where: str) -> str:
+    def plain(self, word: str, line: int, column: int | None = None) -> str:
         """The number with a decimal point. Other words are returned unchanged."""
         is_comma = len(word) > 1 and _COMMA_NUMBER.fullmatch(word) is not None
         if not is_comma and not ("." in word and is_number(word.encode())):
             return word
         mark = "," if is_comma else "."
-        self._lines.setdefault(mark, int(where.partition(",")[0].split()[1]))
+        self._lines.setdefault(mark, line)
         if len(self._lines) > 1:
             reason = f"expected decimal {'points' if is_comma else 'commas'} as in line {min(self._lines.values())}"
             remedy = "Write all numbers with decimal points, without thousands separators"
-            raise FileError(self.path, f"{reason}, got {word[:40]!r}", where=where, remedy=remedy)
+            raise FileError(self.path, f"{reason}, got {word[:40]!r}", where=_place(line, column), remedy=remedy)
         return word.replace(",", ".")
 
-    def number(self, word: str, where: str) -> float:
-        plain = self.plain(word, where)
+    def number(self, word: str, line: int, column: int) -> float:
+        plain, where = self.plain(word, line, column), _place(line, column)
         if not plain:
             raise FileError(self.path, "the column has no value", where=where, remedy="Add it, or remove the line")
         if not is_number(plain.encode()):
@@ -209,26 +213,27 @@ def read_number_table(path: FilePath, form: TableForm) -> list[Row]:
         if not text.strip():
             continue
         if not rows and header is None:
-            if not any(_is_numeric(word) for word in fields_of(path, text, line)):
+            if not any(_is_numeric(word) for word in fields_of(path, text, line)[0]):
                 header = Header(path, form, titles_of(path, text, line), line)
                 continue
-            header = _header_in_comments(path, form, comments, fields_of(path, text, line))
+            header = _header_in_comments(path, form, comments, fields_of(path, text, line)[0])
         rows.append(_row_of(path, form, header, text, line, marks))
     if not rows:
         raise FileError(path, "contains no rows", remedy=f"Write one row of {form.text} for each entry")
     return rows
 
 
-def fields_of(path: FilePath, text: str, line: int) -> list[str]:
+def fields_of(path: FilePath, text: str, line: int) -> tuple[list[str], str]:
+    """As `split_fields`. The error names the file and the line."""
     try:
-        return split_fields(text)[0]
+        return split_fields(text)
     except csv.Error as error:
         raise FileError(path, f"is not a row of a table: {error}", where=f"line {line}") from None
 
 
 def titles_of(path: FilePath, text: str, line: int) -> list[str]:
     """The titles of a header, with units that blanks separate from them, such as x [m]."""
-    titles = fields_of(path, re.sub(r"\s+(?=[\[(])", "", text), line)
+    titles = fields_of(path, re.sub(r"\s+(?=[\[(])", "", text), line)[0]
     while titles and not titles[-1]:
         titles.pop()
     return titles
@@ -254,7 +259,7 @@ def _is_numeric(word: str) -> bool:
 
 
 def _row_of(path: FilePath, form: TableForm, header: Header | None, text: str, line: int, marks: DecimalMarks) -> Row:
-    fields, mark = fields_of(path, text, line), split_fields(text)[1]
+    fields, mark = fields_of(path, text, line)
     if mark in ", ":
         check_decimal_points(path, line, text)
     orders = [order.split() for order in form.orders] if header is None else [header.names]
@@ -272,7 +277,7 @@ def _row_of(path: FilePath, form: TableForm, header: Header | None, text: str, l
         if name in WORDS:
             words[name] = word
         elif name is not None and (word or name not in form.optional):
-            numbers[name] = marks.number(word, f"line {line}, column {column}")
+            numbers[name] = marks.number(word, line, column)
     if header is None:
         _check_guess(path, form, list(zip(names, fields, strict=False)), Row(line, words, numbers), mark)
     return Row(line, words, numbers)

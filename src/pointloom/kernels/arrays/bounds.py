@@ -40,6 +40,17 @@ def ordered_bits(x: float) -> int:
     return bits ^ ((bits >> 31) & MAGNITUDE_BITS)
 
 
+def numbers_of_bits(ordered: np.ndarray) -> np.ndarray:
+    """The float32 numbers of int32 `ordered_bits`."""
+    return (ordered ^ ((ordered >> 31) & np.int32(MAGNITUDE_BITS))).view(np.float32)
+
+
+@func
+def number_of_bits(ordered: int) -> float:
+    """The float of `ordered_bits`."""
+    return bits_float(ordered ^ ((ordered >> 31) & MAGNITUDE_BITS))
+
+
 @func
 def merge_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
     """Widen a row's box by a thread's box with `count` points."""
@@ -97,7 +108,7 @@ def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
     for row in range(extremes.shape[0] // COLUMN_COUNT):
         largest = max(largest, extremes[row * COLUMN_COUNT + i])
         count = max(count, extremes[row * COLUMN_COUNT + 6])
-    end = bits_float(largest ^ ((largest >> 31) & MAGNITUDE_BITS))
+    end = number_of_bits(largest)
     if i < 3:
         end = -end
     if count == EMPTY_EXTREME or end == 0.0:  # atomics keep either zero or minus zero; `+ 0` would be optimized away
@@ -147,7 +158,7 @@ def box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
     if not count:
         return np.full(3, np.inf, np.float32), np.full(3, -np.inf, np.float32), 0
     bits = rows[0, :6] if len(rows) == 1 else rows[:, :6].max(axis=0)
-    ends = (bits ^ ((bits >> 31) & np.int32(MAGNITUDE_BITS))).view(np.float32)
+    ends = numbers_of_bits(bits)
     # + 0: normalizes minus zero
     return np.float32(0) - ends[:3], ends[3:] + np.float32(0), count
 

@@ -25,21 +25,12 @@ from ..lang import (
 )
 from ..memory import empty
 from .blocks import WARPS, block_threads
+from .bounds import MAGNITUDE_BITS, number_of_bits, ordered_bits
 
-MAGNITUDE_BITS = 0x7FFF_FFFF  # the bits below the sign
 NUMBER_BITS = 32
 DIGIT_BITS, DIGITS = 8, 256  # of a pass on the CPU
 BLOCK_DIGIT_BITS, BLOCK_DIGITS = 4, 16  # of a pass on a GPU: a lane counts the numbers of one digit
 RANK_SCRATCH = 256  # int32 of a run: counts of the digits, or of those of all warps for this pass and the next
-
-
-@func
-def flip_bits(bits: int) -> int:
-    """Bits of a float as an integer of the same order, and back."""
-    flipped = bits
-    if bits < 0:
-        flipped = bits ^ MAGNITUDE_BITS
-    return flipped
 
 
 @func
@@ -54,10 +45,10 @@ def turn_sign(number: int) -> int:
 @func
 def rank_among(j: int, first: int, last: int, values: array(dtype=float32)) -> int:
     """The rank of values[j] among those from `first` to `last`. Equal numbers count by position."""
-    own = flip_bits(float_bits(values[j]))
+    own = ordered_bits(values[j])
     rank = int(0)
     for k in range(first, last):
-        other = flip_bits(float_bits(values[k]))
+        other = ordered_bits(values[k])
         if other < own or (other == own and k < j):
             rank += 1
     return rank
@@ -102,7 +93,7 @@ def number_by_digits(
         for digit in range(DIGITS):
             counts[at + digit] = 0
         for j in range(first, last):
-            key = turn_sign(flip_bits(float_bits(values[j])))
+            key = turn_sign(ordered_bits(values[j]))
             if (key & mask) == digits:
                 own = at + ((key >> shift) & (DIGITS - 1))
                 counts[own] = counts[own] + 1
@@ -112,7 +103,7 @@ def number_by_digits(
             chosen += 1
         digits = digits | (chosen << shift)
         mask = -(1 << shift)
-    return bits_float(flip_bits(turn_sign(digits)))
+    return number_of_bits(turn_sign(digits))
 
 
 @number_by_digits.on_cuda
@@ -134,7 +125,7 @@ def number_by_digits_in_block(
             is_counted = int(0)
             digit = int(0)
             if j < last:
-                key = turn_sign(flip_bits(float_bits(values[j])))
+                key = turn_sign(ordered_bits(values[j]))
                 if (key & mask) == digits:
                     is_counted = 1
                     digit = (key >> shift) & (BLOCK_DIGITS - 1)
@@ -161,7 +152,7 @@ def number_by_digits_in_block(
                     left -= size
         digits = digits | (chosen << shift)
         mask = -(1 << shift)
-    return bits_float(flip_bits(turn_sign(digits)))
+    return number_of_bits(turn_sign(digits))
 
 
 @func

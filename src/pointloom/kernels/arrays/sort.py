@@ -79,20 +79,14 @@ def rank_by_warp(i: int, own: int, count: int, keys: array(dtype=int64)) -> int:
 
 
 @kernel
-def rank_keys_kernel(
-    keys: array(dtype=int64),
-    values: array(dtype=int32),
-    threads: int,
-    ranked: array(dtype=int64),
-    order: array(dtype=int32),
-):
-    """Sort keys with their values. `threads`: those per key, a warp on CUDA."""
+def rank_keys_kernel(keys: array(dtype=int64), threads: int, ranked: array(dtype=int64), order: array(dtype=int32)):
+    """Sort keys with their positions. `threads`: those per key, a warp on CUDA."""
     i = tid()
     own = i // threads
     rank = rank_of(i, own, ranked.shape[0], keys)
     if i % threads == 0:
         ranked[rank] = keys[own]
-        order[rank] = values[own]
+        order[rank] = own
 
 
 @struct
@@ -111,6 +105,8 @@ class SortKeys:
         """(sorted keys, order) as of `argsort_keys`. Consumes the keys."""
         if not self.device.is_cuda or not self.count:
             return argsort_keys(self.keys, bit_count, starts)
+        if self.count <= MAX_RANKED_KEYS:
+            return _rank_keys(rows_of(self.keys, 0, self.count))
         return _sort_pairs(self.keys, self.positions, self.count, bit_count)
 
 
@@ -221,17 +217,21 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
         np.bitwise_and(packed, (1 << index_bits) - 1, out=host_view(order), casting="unsafe")
         np.right_shift(packed, index_bits, out=host_view(sorted_keys))
         return sorted_keys, order
+    if device.is_cuda and count <= MAX_RANKED_KEYS:
+        return _rank_keys(keys)
     pair_keys, pair_values = empty(2 * count, int64, device), empty(2 * count, int32, device)
     launch(copy_pairs_kernel, count, [keys, pair_keys, pair_values])
     return _sort_pairs(pair_keys, pair_values, count, bit_count)
 
 
+def _rank_keys(keys: Keys) -> tuple[LongIntegers, Integers]:
+    ranked, order = empty(keys.size, int64, keys.device), empty(keys.size, int32, keys.device)
+    launch(rank_keys_kernel, keys.size * WARP, [keys, WARP, ranked, order])
+    return ranked, order
+
+
 def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> tuple[LongIntegers, Integers]:
     """The first pairs in order. The arrays have room for as many again."""
-    if keys.device.is_cuda and count <= MAX_RANKED_KEYS:
-        pairs = rows_of(keys, count, 2 * count), rows_of(values, count, 2 * count)
-        launch(rank_keys_kernel, count * WARP, [keys, values, WARP, *pairs])
-        return pairs
     with lock_for(keys.device), keys.device.context_guard:  # Warp sorts on the current GPU
         if keys.device.is_cuda:
             wait_before_larger_scratch(keys.device, count, bit_count)

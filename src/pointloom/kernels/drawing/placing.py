@@ -4,7 +4,7 @@ import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Indices, Integers, Points, Vectors
-from ..arrays.bounds import EMPTY_EXTREME, MAGNITUDE_BITS, RUN_POINTS, ordered_bits
+from ..arrays.bounds import EMPTY_EXTREME, RUN_POINTS, numbers_of_bits, ordered_bits
 from ..arrays.row_atomics import raise_int
 from ..arrays.runs import Runs, elements_of, row_of
 from ..lang import INFINITY, array, dot, int32, isfinite, kernel, launch, length, mat33d, tid, vec3, vec3d
@@ -84,7 +84,7 @@ def find_extremes(points: Points, directions: Vectors) -> np.ndarray:
     extremes = full(runs.rows * NUM_DIRECTIONS, EMPTY_EXTREME, int32, points.device)
     launch(find_extremes_kernel, runs.threads, [points, directions, runs, extremes])
     bits = download(extremes).reshape(runs.rows, NUM_DIRECTIONS).max(axis=0)  # sync
-    return (bits ^ ((bits >> 31) & np.int32(MAGNITUDE_BITS))).view(np.float32).astype(np.float64)
+    return numbers_of_bits(bits).astype(np.float64)
 
 
 def make_normal_lines(points: Points, normals: Vectors, size: float) -> tuple[Points, Indices]:

@@ -225,16 +225,16 @@ def _parse_csv(parser: _Parser, lines: list[tuple[int, str]]) -> None:
         if not head:
             head = _head_of(parser, number, line)
             continue
-        words = fields_of(parser.path, line, number)
+        words = fields_of(parser.path, line, number)[0]
         parts = [word for word in words if word] if len(words) > 1 else line.split()
         if parts and parts[0].lower() in ("bar", "mark"):
-            parts[3:] = [marks.plain(part, f"line {number}") for part in parts[3:]]
+            parts[3:] = [marks.plain(part, number) for part in parts[3:]]
             parser.add_word_line(number, parts)
             continue
         row = {name: word for name, word in zip(head, words, strict=False) if name}
         for column, name in enumerate(head, 1):
             if name in _NUMBERS and name in row:
-                row[name] = marks.plain(row[name], f"line {number}, column {column}")
+                row[name] = marks.plain(row[name], number, column)
         name = row.get("name", "")
         if len(words) != len(head) or not name:
             raise parser.fail(
