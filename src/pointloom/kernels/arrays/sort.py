@@ -106,7 +106,8 @@ class SortKeys:
         if not self.device.is_cuda or not self.count:
             return argsort_keys(self.keys, bit_count, starts)
         if self.count <= MAX_RANKED_KEYS:
-            return _rank_keys(rows_of(self.keys, 0, self.count))
+            room = rows_of(self.keys, self.count, 2 * self.count), rows_of(self.positions, 0, self.count)
+            return _rank_keys(self.keys, *room)
         return _sort_pairs(self.keys, self.positions, self.count, bit_count)
 
 
@@ -218,15 +219,14 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
         np.right_shift(packed, index_bits, out=host_view(sorted_keys))
         return sorted_keys, order
     if device.is_cuda and count <= MAX_RANKED_KEYS:
-        return _rank_keys(keys)
+        return _rank_keys(keys, empty(count, int64, device), empty(count, int32, device))
     pair_keys, pair_values = empty(2 * count, int64, device), empty(2 * count, int32, device)
     launch(copy_pairs_kernel, count, [keys, pair_keys, pair_values])
     return _sort_pairs(pair_keys, pair_values, count, bit_count)
 
 
-def _rank_keys(keys: Keys) -> tuple[LongIntegers, Integers]:
-    ranked, order = empty(keys.size, int64, keys.device), empty(keys.size, int32, keys.device)
-    launch(rank_keys_kernel, keys.size * WARP, [keys, WARP, ranked, order])
+def _rank_keys(keys: Keys, ranked: LongIntegers, order: Integers) -> tuple[LongIntegers, Integers]:
+    launch(rank_keys_kernel, order.size * WARP, [keys, WARP, ranked, order])
     return ranked, order
 
 
