@@ -30,7 +30,7 @@ from calibration import HELD_OUT, Pair  # noqa: E402
 from judged import Judged, share_in_words  # noqa: E402
 from pages import write_between  # noqa: E402
 
-from pointloom.registration.evidence import compare_surfaces, witness_of  # noqa: E402
+from pointloom.registration.evidence import compare_surfaces, witnesses_of  # noqa: E402
 from pointloom.registration.rigid import to_local  # noqa: E402
 
 Array = NDArray[np.float64]
@@ -92,7 +92,7 @@ def _refined(source: object, target: object, start: Array, pair: Pair, *, is_oth
     result = loom.registration.registration_icp(left, right, 1.5 * pair.voxel, start, plane)
     middle = np.append(pair.source.mean(axis=0), 1)
     is_right = not is_other_place and bool(np.linalg.norm((result.transformation - pair.T)[:3] @ middle) < pair.voxel)
-    a, b = (witness_of(cloud, 1.5 * pair.voxel).surface for cloud in (left, right))
+    a, b = (witness.surface for witness in witnesses_of((left, right), 1.5 * pair.voxel))
     pose = to_local(result.transformation, left.origin, right.origin)
     return Case(ICP, is_right, compare_surfaces(a, b, pose, 1.5 * pair.voxel).score_with_planes, result.reliable)
 

@@ -1,5 +1,7 @@
 """Ratings of registrations detect wrong poses, and evaluations match Open3D and brute force."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -138,7 +140,7 @@ def test_normals_point_to_the_hollow_side_for_any_rotation(device, rng):
     ball /= np.linalg.norm(ball, axis=1, keepdims=True)
     for T in (np.eye(4), as_pose([1.0, 2.0, -0.5], [5, 6, 7])):
         cloud = loom.PointCloud(moved(ball, T), device=device)
-        surface = Surface.select(cloud.arrays["points"], 0.2, 0.3)
+        surface = Surface.select_each([cloud.arrays["points"]], [0.2], [0.3])[0]
         normals = surface.normals.numpy()
         assert len(surface) == 6000 and (np.einsum("ij,ij->i", normals, -(ball @ T[:3, :3].T)) > 0.99).all()
 
@@ -148,14 +150,15 @@ def test_points_without_a_surface_are_excluded(device, rng):
     line = np.linspace(0, 1, 50)[:, None] * [1, 0, 0] + [0, 0, 10]
     points = np.r_[surface, line, [[0, 0, 20.0]], [[np.nan, 0, 0]]]
     cloud = loom.PointCloud(points, device=device)
-    result = Surface.select(cloud.arrays["points"], 0.25, 0.4)
+    result = Surface.select_each([cloud.arrays["points"]], [0.25], [0.4])[0]
     assert len(result) == 3000 and (result.points.numpy() == cloud.arrays["points"].numpy()[:3000]).all()
     normals = find_sides(result.tree, 1e-6, 1e-6).numpy()
     assert np.isnan(normals).all()
 
 
 def weigh_overlap(source, target, T, *limits, **options):
-    return overlaps.weigh_overlaps([(source, target, T)], *limits, **options)[0]
+    sums = overlaps.weigh_overlaps([(source, target, T)], *limits, **options)
+    return (sums.plain if sums.beside is None else sums.beside)[0]
 
 
 def test_the_evidence_matches_brute_force(device, rng):
@@ -205,14 +208,12 @@ def test_pairs_of_any_surfaces_have_the_sums_of_each(device, rng, rows, monkeypa
     limits = evidence.limits_of(0.15)
     for beside in (False, True):
         alone = [weigh_overlap(*pair, *limits, beside_planes=beside) for pair in pairs]
-        np.testing.assert_array_equal(overlaps.weigh_overlaps(pairs, *limits, beside_planes=beside), alone)
+        together = overlaps.weigh_overlaps(pairs, *limits, beside_planes=beside)
+        np.testing.assert_array_equal(together.beside if beside else together.plain, alone)
         assert np.any(alone) and not np.any(alone[-1])
-    noise = {"radius": 0.3, "sigmas": 3.0, "floor": 0.005}
-    for together, *each in zip(
-        overlaps.weigh_details(pairs, *limits, **noise),
-        *(overlaps.weigh_details([pair], *limits, **noise) for pair in pairs),
-        strict=True,
-    ):
+    weigh = partial(overlaps.weigh_overlaps, noise=overlaps.Noise(0.3, 3.0, 0.005))
+    one_by_one = (weigh([pair], *limits).details for pair in pairs)
+    for together, *each in zip(weigh(pairs, *limits, beside_planes=True).details, *one_by_one, strict=True):
         np.testing.assert_array_equal(together, np.concatenate(each))
 
 
@@ -246,16 +247,20 @@ def test_a_few_matches_beside_the_planes_can_be_chance(monkeypatch):
     assert few.rest == pytest.approx(0.2)
 
 
+def details_of(source, target):
+    return evidence.compare_wholly(source, target, np.eye(4)[None], 0.075)[0][2]
+
+
 @pytest.mark.slow
 def test_relief_on_planes_is_evidence(device, rng):
     source = loom.PointCloud(uneven_ground(rng, 1, -2, 1), device=device)
     same, other = (loom.PointCloud(uneven_ground(rng, k, -1, 2), device=device) for k in (1, 2))
     assert rate(source, same, np.eye(4), 0.075) > 0.7 and rate(source, other, np.eye(4), 0.075) < 0.1
     surfaces = [surface_of(cloud, 0.05) for cloud in (source, same)]
-    details = evidence.compare_details(*surfaces, np.eye(4), 0.075)
+    details = details_of(*surfaces)
     assert details.rest < 0.01 and details.relief > 0.95  # the planes explain the matches, but not the slopes
     flat = [loom.PointCloud(rng.uniform(-2, 2, (30000, 3)) * [1, 1, 0.001], device=device) for _ in range(2)]
-    assert abs(evidence.compare_details(*(surface_of(cloud, 0.05) for cloud in flat), np.eye(4), 0.075).relief) < 0.2
+    assert abs(details_of(*(surface_of(cloud, 0.05) for cloud in flat)).relief) < 0.2
 
 
 def test_points_beyond_the_border_of_the_other_surface_are_no_overlap(device, rng):
@@ -263,7 +268,7 @@ def test_points_beyond_the_border_of_the_other_surface_are_no_overlap(device, rn
     halves = a[a[:, 0] < 0.5], b[b[:, 0] > -0.5]
     source, target = (surface_of(loom.PointCloud(points, device=device), 0.05) for points in halves)
     fraction = evidence.compare_surfaces(source, target, np.eye(4), 0.075).fraction
-    assert evidence.compare_details(source, target, np.eye(4), 0.075).visible > fraction + 0.1
+    assert details_of(source, target).visible > fraction + 0.1
 
 
 def test_details_decide_where_the_usual_evidence_does_not():
@@ -312,8 +317,8 @@ def test_pairs_farther_apart_than_the_noise_contradict_a_pose(device, rng):
     def contrary(step, noise):
         clouds = [loom.PointCloud(points, device=device) for points in (wall(0, noise), wall(step, noise))]
         pairs = evidence.both_ways(*(surface_of(cloud, 0.05) for cloud in clouds), np.eye(4))
-        limits = {"radius": 0.1, "sigmas": 3.0, "floor": 0.005}
-        counts = overlaps.weigh_details(pairs, *evidence.limits_of(0.075), **limits).deviating
+        noise = overlaps.Noise(0.1, 3.0, 0.005)
+        counts = overlaps.weigh_overlaps(pairs, *evidence.limits_of(0.075), noise=noise).details.deviating
         return (counts[:, 1] / counts[:, 0]).tolist()
 
     assert max(contrary(0.0, 0.002)) < 0.01 and max(contrary(0.0, 0.02)) < 0.01

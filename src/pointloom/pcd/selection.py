@@ -29,7 +29,7 @@ from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
 from ..core.joined_parts import ESTIMATED, common_names
 from ..core.verbosity import printed_duration
-from ..kernels.arrays.bounds import bound_points
+from ..kernels.arrays.bounds import Box, bound_points
 from ..kernels.arrays.concatenation import concatenate_points
 from ..kernels.arrays.duplicates import first_occurrences
 from ..kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
@@ -398,9 +398,9 @@ class Selection(PointArrays):
             self._set_classes(cloud, groups)
         return cloud
 
-    def average_voxels(self, voxel_size: float, names: Iterable[str]) -> Self:
-        """`voxel_down_sample` of some arrays, without warnings."""
-        groups, _ = self._voxels(check_positive("voxel_size", voxel_size), None)
+    def average_voxels(self, voxel_size: float, names: Iterable[str], box: Box | None = None) -> Self:
+        """`voxel_down_sample` of some arrays, without warnings. `box`: that of the points, if it is known."""
+        groups, _ = self._voxels(check_positive("voxel_size", voxel_size), None, box=box)
         return self._means(groups, names)
 
     def voxel_down_sample_and_trace(
@@ -574,11 +574,15 @@ class Selection(PointArrays):
         return choose_farthest(self.search_tree(), count, start)
 
     def _voxels(
-        self, size: float, min_bound: NDArray[np.float64] | None, names: tuple[str, str] = ("voxel_size", "min_bound")
+        self,
+        size: float,
+        min_bound: NDArray[np.float64] | None,
+        names: tuple[str, str] = ("voxel_size", "min_bound"),
+        box: Box | None = None,
     ) -> tuple[Any, NDArray[np.float64]]:
         """Group the finite points by voxel. Also returns the grid's corner relative to the origin."""
         points = self.arrays["points"]
-        low, high, finite = bound_points(points)
+        low, high, finite = bound_points(points) if box is None else box
         low, high = (low.astype(np.float64), high.astype(np.float64)) if finite else (np.zeros(3), np.zeros(3))
         with np.errstate(over="ignore"):
             if min_bound is None:

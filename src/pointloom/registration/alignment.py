@@ -88,7 +88,7 @@ def alignment_of(step: Step | None, origin: NDArray[np.float64]) -> Alignment:
 def _support(source: Surface, target: Surface, pose: Matrix, distance: float) -> float:
     """Smallest eigenvalue of the matches' normal matrix relative to that of all near points, of the weaker way."""
     pairs, supports = [(source, target, pose), (target, source, invert_pose(pose))], []
-    for sums in weigh_overlaps(pairs, *limits_of(distance)):  # sync
+    for sums in weigh_overlaps(pairs, *limits_of(distance)).plain:  # sync
         near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
         ridge = constants.SUPPORT_RIDGE * np.trace(near) / 6 * np.eye(6)
         values, vectors = eigh(near + ridge)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import cached_property
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from ..kernels.arrays.concatenation import concatenate_rows
 from ..kernels.linear_algebra import eigh, solve
 from ..kernels.memory import download
-from ..kernels.poses.line_of_sight import Sight, find_sight
-from ..kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, weigh_details, weigh_overlaps
+from ..kernels.poses.line_of_sight import Sight, find_sights
+from ..kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, Noise, OverlapDetails, weigh_overlaps
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.cloud import PointCloud
 from . import assessment_constants as constants
 from .rigid import invert_pose, symmetric_matrices
-from .surfaces import surface_for
+from .surfaces import surfaces_for
 
 
 class Details(NamedTuple):
@@ -169,49 +169,65 @@ NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
 
 
 class Witness:
-    """The surface of a cloud, and the viewpoints from which it may have been seen."""
+    """The surface of a cloud, and the viewpoints from which it may have been seen.
+
+    `sight`: as of `find_sights`, once it `is_sight_known`; None if there is no viewpoint.
+    """
+
+    sight: Sight | None = None
+    is_sight_known = False
 
     def __init__(self, surface: Surface, voxel_size: float):
-        self.surface, self._margin = surface, constants.OCCLUSION_MARGIN * voxel_size
+        self.surface, self.margin = surface, constants.OCCLUSION_MARGIN * voxel_size
 
     def __len__(self) -> int:
         return len(self.surface)
 
-    @cached_property
-    def sight(self) -> Sight | None:
-        """As of `find_sight`, cached. None if there is no viewpoint."""
-        return find_sight(self.surface.points, self._margin)
 
-
-def witness_of(cloud: PointCloud, distance: float) -> Witness:
-    """The surface of a cloud for `rate_poses` at a match distance [m]."""
+def witnesses_of(clouds: Sequence[PointCloud], distance: float) -> list[Witness]:
+    """The surface of each cloud for `rate_poses` at a match distance [m]."""
     size = distance / constants.MATCH_VOXELS
-    return Witness(surface_for(cloud, size, distance), size)
+    return [Witness(surface, size) for surface in surfaces_for(clouds, [size] * len(clouds), distance)]
 
 
 def rate_surfaces(
+    source: Witness, target: Witness, pose: NDArray[np.float64], distance: float, *, details: bool = False
+) -> Evidence:
+    """As `rate_under`, for one pose."""
+    return rate_under(source, target, pose[None], distance, details=details)[0]
+
+
+def rate_under(
     source: Witness,
     target: Witness,
-    pose: NDArray[np.float64],
+    poses: NDArray[np.float64],
     distance: float,
     *,
     details: bool = False,
     feature_ratio: float = 0.0,
-) -> Evidence:
-    """The evidence for a pose; expensive parts only while the evidence supports it.
+    is_likely: bool = False,
+) -> list[Evidence]:
+    """The evidence for poses; expensive parts only while the evidence supports a pose.
 
     `details` accepts more poses. They are left out where no search has excluded similar places. `feature_ratio` is that
-    of Evidence.
+    of Evidence. Poses that are likely to be supported are compared at once: one sync less.
     """
-    evidence = compare_surfaces(source.surface, target.surface, pose, distance)._replace(feature_ratio=feature_ratio)
-    evidence = complete(evidence, source, target, pose, distance)
-    if not details or evidence.score_with_planes <= 0.5:
-        return evidence
-    was_rejected = evidence.score <= 0.5
-    evidence = evidence._replace(details=compare_details(source.surface, target.surface, pose, distance))
-    if was_rejected and evidence.score > 0.5 and evidence.aligned >= constants.SOME_ALIGNED:
-        evidence = evidence._replace(blocked=count_blocked(source, target, pose) / evidence.matches)
-    return evidence
+    rated, supported = [NO_EVIDENCE] * len(poses), list(range(len(poses)))
+    if not is_likely:
+        compared = compare_under(source.surface, target.surface, poses, distance)
+        rated = [evidence._replace(feature_ratio=feature_ratio) for evidence in compared]
+        supported = [k for k, evidence in enumerate(rated) if evidence.score_with_planes > 0.5]
+    wholly = compare_wholly(source.surface, target.surface, poses[supported], distance, with_details=details)
+    for k, (evidence, beside, found) in zip(supported, wholly, strict=True):
+        evidence = evidence._replace(feature_ratio=feature_ratio)
+        evidence = complete(evidence, source, target, poses[k], distance, beside)
+        if found is not None and evidence.score_with_planes > 0.5:
+            was_rejected = evidence.score <= 0.5
+            evidence = evidence._replace(details=found)
+            if was_rejected and evidence.score > 0.5 and evidence.aligned >= constants.SOME_ALIGNED:
+                evidence = evidence._replace(blocked=count_blocked(source, target, poses[k]) / evidence.matches)
+        rated[k] = evidence
+    return rated
 
 
 def complete(
@@ -238,6 +254,10 @@ def complete(
 
 def count_blocked(source: Witness, target: Witness, pose: NDArray[np.float64]) -> float:
     """Number of points that occlude the other surface, the larger of both ways, from the best possible viewpoint."""
+    if unknown := [witness for witness in (source, target) if not witness.is_sight_known]:
+        sights = find_sights([witness.surface.points for witness in unknown], [witness.margin for witness in unknown])
+        for witness, sight in zip(unknown, sights, strict=True):
+            witness.sight, witness.is_sight_known = sight, True
     counted = []
     for watched, other, T in ((target, source, pose), (source, target, invert_pose(pose))):
         if watched.sight is not None:
@@ -259,24 +279,40 @@ def compare_under(
     source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, *, beside_planes: bool = False
 ) -> list[Evidence]:
     """As `compare_surfaces`, for several poses with one host synchronization."""
-    if not len(poses):
-        return []
     pairs = [way for T in poses for way in both_ways(source, target, T)]
     sums = weigh_overlaps(pairs, *limits_of(distance), beside_planes=beside_planes)  # sync
-    return [_evidence_of(both) for both in zip(sums[0::2], sums[1::2], strict=True)]
+    return _evidences_of(sums.plain if sums.beside is None else sums.beside)
 
 
-def compare_details(source: Surface, target: Surface, pose: NDArray[np.float64], distance: float) -> Details:
-    """Evidence of details for a rigid pose about the clouds' origins, the weaker of both ways. One sync."""
-    tight = constants.MAX_NORMAL_DISTANCE * distance / constants.CONFLICT_SIGMAS
-    noise = {"radius": constants.NOISE_RADIUS * distance, "sigmas": constants.CONFLICT_SIGMAS, "floor": tight}
-    details = weigh_details(both_ways(source, target, pose), *limits_of(distance), **noise)  # sync
-    visible, rest = _evidence_of(tuple(details.visible)), _evidence_of(tuple(details.rest))
-    counts, covariances, *variances = details.reliefs.T
-    scale = np.sqrt(variances[0] * variances[1])
-    relief = float((covariances / np.maximum(scale, 1e-300)).min())
-    contrary = float(details.deviating[:, 1].max())
-    return Details(visible.fraction, rest.fraction, rest.matches, relief, float(counts.min()), contrary)
+def compare_wholly(
+    source: Surface, target: Surface, poses: NDArray[np.float64], distance: float, *, with_details: bool = True
+) -> list[tuple[Evidence, Evidence, Details | None]]:
+    """The evidence for rigid poses about the clouds' origins, that beside planes, and details. One sync."""
+    floor = constants.MAX_NORMAL_DISTANCE * distance / constants.CONFLICT_SIGMAS
+    noise = Noise(constants.NOISE_RADIUS * distance, constants.CONFLICT_SIGMAS, floor) if with_details else None
+    pairs = [way for T in poses for way in both_ways(source, target, T)]
+    plain, beside, sums = weigh_overlaps(pairs, *limits_of(distance), beside_planes=True, noise=noise)  # sync
+    assert beside is not None
+    details = [None] * len(poses) if sums is None else _details_of(sums)
+    return list(zip(_evidences_of(plain), _evidences_of(beside), details, strict=True))
+
+
+def _details_of(sums: OverlapDetails) -> list[Details]:
+    """The weaker of both ways, for each pose."""
+    found = []
+    reliefs, deviating = (values.reshape(-1, 2, values.shape[1]) for values in (sums.reliefs, sums.deviating))
+    for visible, rest, relief, apart in zip(
+        _evidences_of(sums.visible), _evidences_of(sums.rest), reliefs, deviating, strict=True
+    ):
+        counts, covariances, *variances = relief.T
+        scale = np.sqrt(variances[0] * variances[1])
+        slopes = float((covariances / np.maximum(scale, 1e-300)).min())
+        found.append(
+            Details(
+                visible.fraction, rest.fraction, rest.matches, slopes, float(counts.min()), float(apart[:, 1].max())
+            )
+        )
+    return found
 
 
 def both_ways(
@@ -288,6 +324,11 @@ def both_ways(
 def limits_of(distance: float) -> tuple[float, float, float, float]:
     near, tight = constants.SURFACE_DISTANCE * distance, constants.MAX_NORMAL_DISTANCE * distance
     return distance, near, constants.MIN_NORMAL_COSINE, tight
+
+
+def _evidences_of(sums: NDArray[np.float64]) -> list[Evidence]:
+    """The weaker of both ways, for each pose."""
+    return [_evidence_of(both) for both in zip(sums[0::2], sums[1::2], strict=True)]
 
 
 def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evidence:

@@ -10,7 +10,7 @@ from ..pcd.cloud import PointCloud
 from . import assessment_constants as constants
 from .alignment import alignment_of
 from .chance_matches import NOT_COMPARED, RIGID_SAMPLE, find_too_few
-from .evidence import Evidence, Witness, both_ways, compare_surfaces, complete, limits_of, witness_of
+from .evidence import Evidence, Witness, both_ways, compare_surfaces, complete, limits_of, witnesses_of
 from .pose_errors import step_of
 from .rigid import to_local
 from .surfaces import SurfacePair, as_rigid
@@ -33,9 +33,10 @@ def find_problem(
     is_scaled, source = rigid is not source, rigid
     try:
         distance = constants.MATCH_VOXELS * resolvable_voxel_size(source, target)
-        witnesses = witness_of(source, distance), witness_of(target, distance)
+        left, right = witnesses_of((source, target), distance)
     except ValueError:  # outliers so far away that no grid of voxels contains them
         return NOT_COMPARED
+    witnesses = left, right
     if min(map(len, witnesses)) < constants.MIN_MATCHES:
         shrunk = SHRUNK.format(len(witnesses[0]), distance / constants.MATCH_VOXELS)
         return (few := find_too_few(*moved, target, sample)) and (shrunk if is_scaled else few)
@@ -87,8 +88,8 @@ def _contradiction(evidence: Evidence, source: Witness, target: Witness, pose: M
     if evidence.score_beside_planes <= constants.MIN_SCORE:
         # three planes alone, such as an empty corner, do not contradict a pose near the initial one
         pairs = both_ways(source.surface, target.surface, pose)
-        near = weigh_overlaps(pairs, *limits_of(distance), beside_planes=True)[:, NEAR_AT].min()  # sync
-        return CROSSING if near >= constants.ENOUGH_BESIDE else ""
+        beside = weigh_overlaps(pairs, *limits_of(distance), beside_planes=True).beside  # sync
+        return CROSSING if beside is not None and beside[:, NEAR_AT].min() >= constants.ENOUGH_BESIDE else ""
     return ""
 
 

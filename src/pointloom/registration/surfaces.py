@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..kernels.arrays.bounds import bound_each
 from ..kernels.linear_algebra import det, matmul
 from ..kernels.surface.hollow_side import Surface
 from ..pcd.cloud import PointCloud
@@ -22,14 +24,25 @@ from .rigid import nearest_rotation
 
 
 def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
-    thinned = cloud.average_voxels(voxel_size, ["points"])
-    return Surface.select(thinned.arrays["points"], NORMAL_RADIUS * voxel_size, SIDE_RADIUS * voxel_size)
+    return surfaces_of([cloud], [voxel_size])[0]
 
 
-def surface_for(cloud: PointCloud, voxel_size: float, distance: float) -> Surface:
-    """As `surface_of`. Its error names the match distance [m] that the voxels were chosen for."""
+def surfaces_of(clouds: Sequence[PointCloud], voxel_sizes: Sequence[float]) -> list[Surface]:
+    """The surface of each cloud. All are on one device."""
+    boxes = bound_each([cloud.arrays["points"] for cloud in clouds])  # sync
+    points = [
+        cloud.average_voxels(size, ["points"], box).arrays["points"]  # sync
+        for cloud, size, box in zip(clouds, voxel_sizes, boxes, strict=True)
+    ]
+    return Surface.select_each(
+        points, [NORMAL_RADIUS * size for size in voxel_sizes], [SIDE_RADIUS * size for size in voxel_sizes]
+    )
+
+
+def surfaces_for(clouds: Sequence[PointCloud], voxel_sizes: Sequence[float], distance: float) -> list[Surface]:
+    """As `surfaces_of`. Its error names the match distance [m] that the voxels were chosen for."""
     try:
-        return surface_of(cloud, voxel_size)
+        return surfaces_of(clouds, voxel_sizes)
     except ValueError as error:
         raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
 
@@ -52,8 +65,8 @@ class SurfacePair:
         return self._in_voxels(FINE_VOXEL_FACTOR * self.voxel_size)
 
     def _in_voxels(self, size: float) -> tuple[Surface, Surface]:
-        source = surface_for(self.source, SOURCE_VOXEL_FACTOR * size, self.distance)
-        return source, surface_for(self.target, size, self.distance)
+        source, target = surfaces_for((self.source, self.target), (SOURCE_VOXEL_FACTOR * size, size), self.distance)
+        return source, target
 
 
 def as_rigid(source: PointCloud, T: NDArray[np.float64]) -> tuple[PointCloud, NDArray[np.float64]]:

@@ -10,7 +10,7 @@ from pointloom.kernels.lang import int32, int64, uint8, vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.poses import line_of_sight, pair_probes
 from pointloom.kernels.poses.alignment_rows import PairedSurfaces
-from pointloom.kernels.poses.line_of_sight import MAX_VIEWPOINTS, Sight, find_sight
+from pointloom.kernels.poses.line_of_sight import MAX_VIEWPOINTS, Sight, find_sights
 from pointloom.kernels.poses.main_planes import MAX_VOTERS, MainPlanes, find_main_planes, leave_out_planes
 from pointloom.kernels.poses.overlap_evidence import Overlaps
 from pointloom.kernels.poses.pair_probes import compare_pair
@@ -171,14 +171,14 @@ def test_an_object_before_a_wall_is_in_the_way(device, x, y, fraction):
 def test_a_surface_behind_another_plate_is_hidden(device):
     rows = np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0)]
     points, origin = shifted(rows, device)
-    hidden = Sight(points, EYE - origin, 0.1).count_hidden(points)[0]
+    hidden = Sight(points, EYE - origin, 0.1).count_hidden(points).numpy()[0]
     shadow = (rows[:, 0] == 2) & (np.abs(rows[:, 1:]) < 1).all(axis=1)
     assert hidden == pytest.approx(shadow.sum(), rel=0.05)
 
 
 def test_viewpoints_with_minimal_occlusion_are_selected(device):
     points, _ = shifted(np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0), plate(-2.0)], device)
-    sight = find_sight(points, 0.1)
+    sight = find_sights([points], [0.1])[0]
     assert sight is not None and 0 < sight.viewpoint_count <= MAX_VIEWPOINTS
     x = np.asarray(sight.viewpoints.numpy())[:, 0]
     assert x.min() > 0.5  # farther back the small plate hides the wall behind it
@@ -189,9 +189,12 @@ def test_a_cloud_invisible_from_every_viewpoint_has_no_sight(device, rng, monkey
     ways /= np.linalg.norm(ways, axis=1, keepdims=True)
     ways[:3000] *= 0.6  # a ball in a ball
     points, _ = shifted(ways, device)
-    assert find_sight(points, 0.1) is not None
+    assert find_sights([points], [0.1])[0] is not None
     monkeypatch.setattr(line_of_sight, "MAX_HIDDEN", 0.01)
-    assert find_sight(points, 0.1) is None and find_sight(shifted(np.empty((0, 3)), device)[0], 0.1) is None
+    assert (
+        find_sights([points], [0.1])[0] is None
+        and find_sights([shifted(np.empty((0, 3)), device)[0]], [0.1])[0] is None
+    )
 
 
 def test_moments_are_the_sums_of_coordinates_and_their_products(device, rng):

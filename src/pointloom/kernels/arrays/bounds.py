@@ -129,7 +129,10 @@ def find_box(points: Points) -> Array1[float32]:
     return compute(fold_box_kernel, 6, [find_extremes(points)], float32, points.device)
 
 
-def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
+Box = tuple[np.ndarray, np.ndarray, int]  # low and high corner, float32 (3), and the count of finite points
+
+
+def bound_points(points: Points) -> Box:
     """Box of the finite points: (low, high, count) on the host, infinite if none is finite. One sync."""
     if points.device.is_cuda:
         return bound_each([points])[0]
@@ -140,7 +143,7 @@ def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
     return box_of(host)
 
 
-def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, int]]:
+def bound_each(clouds: Sequence[Points]) -> list[Box]:
     """As `bound_points` for several arrays on one device. One sync."""
     device = clouds[0].device
     runs = [Runs(points.size, device, RUN_POINTS) for points in clouds]
@@ -152,7 +155,7 @@ def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, i
     return [box_of(extremes_of_all[end - run.rows * COLUMN_COUNT : end]) for run, end in zip(runs, ends, strict=True)]
 
 
-def box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+def box_of(extremes: np.ndarray) -> Box:
     rows = extremes.reshape(-1, COLUMN_COUNT)
     count = sum(rows[:, 6].tolist()) - EMPTY_EXTREME * len(rows)
     if not count:

@@ -5,12 +5,15 @@ the surface from all viewpoints contradict a common scene. Each view is a cube m
 only if nearer than all nine cells around it. Assumes one nearly stationary sensor.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..algebra.rigid_solve import move
 from ..algebra.transform import widen
 from ..array_types import Integers, Points
-from ..arrays.bounds import bound_points
+from ..arrays.bounds import bound_each
+from ..arrays.side_by_side import read_together
 from ..extent.hull_filter import grid_index, locate_direction
 from ..lang import (
     INFINITY,
@@ -29,7 +32,7 @@ from ..lang import (
     vec3,
     vec3d,
 )
-from ..memory import contiguous, download, full, upload, zeros
+from ..memory import contiguous, full, upload, zeros
 
 EDGE_CELLS = 40  # cells per face edge: 2.25 degrees, some 5 cm at 1.3 m
 VIEWPOINTS_PER_AXIS = 8  # viewpoints per axis of the box: 0.5 to 1 m apart in a room
@@ -59,12 +62,12 @@ class Sight:
         self.ranges = full(self.viewpoint_count * 6 * EDGE_CELLS * EDGE_CELLS, INFINITY, float32, points.device)
         launch(draw_ranges_kernel, self.viewpoint_count * points.size, [points, self, self.ranges])
 
-    def count_hidden(self, points: Points) -> np.ndarray:
-        """Points behind the surface from each viewpoint: int32 (k). One sync."""
+    def count_hidden(self, points: Points) -> Integers:
+        """Points behind the surface from each viewpoint: int32 (k)."""
         counts = zeros(self.viewpoint_count, int32, self.device)
         runs = -(-points.size // POINTS_PER_THREAD)
         launch(count_hidden_kernel, self.viewpoint_count * runs, [points, points.size, self, counts])
-        return download(counts)  # sync
+        return counts
 
     def count_occluding(self, points: Points, pose: np.ndarray) -> Integers:
         """Posed points in front of the surface from each viewpoint: int32 (k)."""
@@ -140,18 +143,31 @@ def count_occluding_kernel(
         atomic_add(counts, viewpoint, before)  # integer sum: order-independent
 
 
-def find_sight(points: Points, margin: float) -> Sight | None:
-    """Candidate viewpoints of finite points. None if none sees most of the cloud. Deterministic, two syncs."""
-    if not points.size:
-        return None
-    some = contiguous(points[:: max(1, -(-points.size // MAX_COMPARED_POINTS))])
-    low, high = (corner.astype(np.float64) for corner in bound_points(some)[:2])  # sync
+def find_sights(clouds: Sequence[Points], margins: Sequence[float]) -> list[Sight | None]:
+    """Candidate viewpoints of finite points of each cloud, or None if none sees most of it. Deterministic, two syncs.
+
+    `margins` [m]: of the surfaces.
+    """
+    sights: list[Sight | None] = [None] * len(clouds)
+    rows = [k for k, points in enumerate(clouds) if points.size]
+    if not rows:
+        return sights
+    some = [contiguous(clouds[k][:: max(1, -(-clouds[k].size // MAX_COMPARED_POINTS))]) for k in rows]
+    viewpoints = [_grid_in(low, high) for low, high, _ in bound_each(some)]  # sync
+    views = [Sight(points, grid, margins[k]) for points, grid, k in zip(some, viewpoints, rows, strict=True)]
+    hidden = read_together([view.count_hidden(points) for view, points in zip(views, some, strict=True)])  # sync
+    for k, points, grid, counts in zip(rows, some, viewpoints, hidden, strict=True):
+        fractions = counts / points.size
+        order = np.argsort(fractions, kind="stable")
+        selected = order[fractions[order] <= fractions[order[0]] + HIDDEN_TOLERANCE]
+        if fractions[order[0]] <= MAX_HIDDEN:
+            sights[k] = Sight(clouds[k], grid[selected[:: -(-len(selected) // MAX_VIEWPOINTS)]], margins[k])
+    return sights
+
+
+def _grid_in(low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """Viewpoints on a grid over a box, float64 (k, 3)."""
+    low, high = low.astype(np.float64), high.astype(np.float64)
     step = (high - low) / VIEWPOINTS_PER_AXIS
     axes = [low[k] + step[k] * (np.arange(VIEWPOINTS_PER_AXIS) + 0.5) for k in range(3)]
-    viewpoints = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
-    hidden = Sight(some, viewpoints, margin).count_hidden(some) / some.size
-    order = np.argsort(hidden, kind="stable")
-    selected = order[hidden[order] <= hidden[order[0]] + HIDDEN_TOLERANCE]
-    if hidden[order[0]] > MAX_HIDDEN:
-        return None
-    return Sight(points, viewpoints[selected[:: -(-len(selected) // MAX_VIEWPOINTS)]], margin)
+    return np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)

@@ -43,7 +43,7 @@ from ..lang import (
     vec3d,
     vector,
 )
-from ..memory import download, empty, full, rows_of, upload, zeros
+from ..memory import clone, copy, empty, fill, full, rows_of, upload, zeros
 from ..search.bucket_walk import points_within
 from ..search.nearest_point import NO_POINT, find_nearest
 from ..search.point_tree import BUCKET, PointTree
@@ -212,31 +212,42 @@ class Overlaps:
         limits = PLANE_COUNT, FITTED_DISTANCE * self.distance, ON_PLANE * self.distance, self.cosine
         return find_main_planes(self.moved, self.moved_normals, mask, *limits, self.starts)
 
-    def leave_out_planes(self, planes: MainPlanes) -> None:
-        """Remove the points on planes."""
-        slab, edge = ON_PLANE * self.distance, BENT_DISTANCE * self.distance
-        leave_out_planes(self.moved, self.moved_normals, planes, slab, self.cosine, edge, self.nearest, self.starts)
-        find_directions(planes, self.frame, self.frame_size)
-
     def weigh(self) -> Array1[Any]:
         """Evidence of each pair, evidence_sums."""
         total = self._sum(sum_near, [self.moved, self.nearest])
         launch(find_middle_kernel, self.count, [total, self])
         return self._sum(sum_evidence, [self])
 
+    def weigh_beside(self, planes: MainPlanes) -> Array1[Any]:
+        """As `weigh`, without the points on planes."""
+        nearest, slab, edge = clone(self.nearest), ON_PLANE * self.distance, BENT_DISTANCE * self.distance
+        leave_out_planes(self.moved, self.moved_normals, planes, slab, self.cosine, edge, self.nearest, self.starts)
+        find_directions(planes, self.frame, self.frame_size)
+        beside = self.weigh()
+        copy(self.nearest, nearest, count=nearest.size)
+        fill(self.frame_size, 0)
+        return beside
+
+    def weigh_details(self, planes: MainPlanes, noise: "Noise") -> list[Array1[Any]]:
+        """The arrays of OverlapDetails. Removes the points beyond the border."""
+        reliefs = self.weigh_relief(planes)
+        self.leave_out_border()
+        visible, deviating = self.weigh(), self.count_deviating(noise)
+        return [visible, self.weigh_beside(self.find_planes()), reliefs, deviating]
+
     def weigh_relief(self, planes: MainPlanes) -> Array1[Any]:
         """Slopes of the matches on planes of each pair, relief_sums."""
         return self._sum(sum_relief, [self, planes, ON_PLANE * self.distance, BENT_DISTANCE * self.distance])
 
-    def count_deviating(self, radius: float, sigmas: float, floor: float) -> Array1[Any]:
-        """Pairs of points with agreeing normals, and deviating ones, deviation_sums: arguments of `weigh_details`."""
+    def count_deviating(self, limits: "Noise") -> Array1[Any]:
+        """Pairs of points with agreeing normals, and deviating ones, deviation_sums."""
         surfaces = {id(surface): surface for pair in self.pairs for surface in pair[:2]}
-        spreads = {key: find_spreads(surface, radius) for key, surface in surfaces.items()}
+        spreads = {key: find_spreads(surface, limits.radius) for key, surface in surfaces.items()}
         noise = empty(self.moved.size, float32, self.device)
         for first, (source, target, _) in zip(self.firsts, self.pairs, strict=False):
             given = [spreads[id(source)], spreads[id(target)], first, self.nearest, noise]
             launch(add_noise_kernel, len(source), given)
-        return self._sum(sum_deviating, [self, noise, sigmas, floor])
+        return self._sum(sum_deviating, [self, noise, limits.sigmas, limits.floor])
 
 
 @kernel
@@ -478,28 +489,21 @@ def _batches(pairs: Sequence[Pair]) -> Iterator[list[int]]:
         yield batch
 
 
-def weigh_overlaps(
-    pairs: Sequence[Pair], distance: float, near: float, cosine: float, tight: float, *, beside_planes: bool = False
-) -> np.ndarray:
-    """Evidence for (source, target, pose) triples about the clouds' origins; float64 (pairs, 46). `distance` [m] and
-    `cosine` limit matches, `near` [m] the overlap. Columns: upper triangles of two normal matrices, then counts at
-    NEAR_AT, AGREEING_AT, MATCHED_AT and ALIGNED_AT (matches in the directions of removed planes). One sync for
-    MAX_ROWS points.
+class Noise(NamedTuple):
+    """Points are apart by `sigmas` standard deviations of the neighbors within `radius` [m] of both points, at least
+    `floor` [m].
     """
-    sums = np.empty((len(pairs), len(evidence_sums(0.0))))
-    for batch in _batches(pairs):
-        overlaps = Overlaps([pairs[k] for k in batch], distance, near, cosine, tight)
-        if beside_planes:
-            overlaps.leave_out_planes(overlaps.find_planes())
-        sums[batch] = download(overlaps.weigh())  # sync
-    return sums
+
+    radius: float
+    sigmas: float
+    floor: float
 
 
 class OverlapDetails(NamedTuple):
     """Sums of pairs, float64 (pairs, k).
 
-    `visible`: as of `weigh_overlaps`, without points beyond the border of the other surface; `rest`: without points on
-    the dominant planes, too. `reliefs`: number of matches on these planes, covariance of the slopes of both surfaces
+    `visible`: as `plain` of OverlapSums, without points beyond the border of the other surface; `rest`: without points
+    on the dominant planes, too. `reliefs`: number of matches on these planes, covariance of the slopes of both surfaces
     relative to the planes, and their variances, as sums. Slopes of the same uneven ground are correlated, those of two
     flat walls are noise. `deviating`: number of pairs of points with agreeing normals, and of those apart along the
     normal.
@@ -511,23 +515,42 @@ class OverlapDetails(NamedTuple):
     deviating: np.ndarray
 
 
-def weigh_details(
+class OverlapSums(NamedTuple):
+    """Sums of pairs, float64 (pairs, 46), and their details. Columns: upper triangles of two normal matrices, then
+    counts at NEAR_AT, AGREEING_AT, MATCHED_AT and ALIGNED_AT (matches in the directions of removed planes). `beside` is
+    without the points on the dominant planes.
+    """
+
+    plain: np.ndarray
+    beside: np.ndarray | None
+    details: OverlapDetails | None
+
+
+def weigh_overlaps(
     pairs: Sequence[Pair],
     distance: float,
     near: float,
     cosine: float,
     tight: float,
     *,
-    radius: float,
-    sigmas: float,
-    floor: float,
-) -> OverlapDetails:
-    """Details of one or two pairs, with arguments as of `weigh_overlaps`. Points are apart by `sigmas` standard
-    deviations of the neighbors within `radius` [m] of both points, at least `floor` [m]. One sync.
+    beside_planes: bool = False,
+    noise: Noise | None = None,
+) -> OverlapSums:
+    """Evidence for (source, target, pose) triples about the clouds' origins, with `details` for given `noise` limits.
+    `distance` [m] and `cosine` limit matches, `near` [m] the overlap, `tight` [m] the distance along the normal.
+    Nearest points are searched once. One sync for MAX_ROWS points.
     """
-    overlaps = Overlaps(pairs, distance, near, cosine, tight)
-    reliefs = overlaps.weigh_relief(overlaps.find_planes())
-    overlaps.leave_out_border()
-    visible, deviating = overlaps.weigh(), overlaps.count_deviating(radius, sigmas, floor)
-    overlaps.leave_out_planes(overlaps.find_planes())
-    return OverlapDetails(*read_together([visible, overlaps.weigh(), reliefs, deviating]))  # sync
+    orders, rows = [], []
+    for batch in _batches(pairs):
+        overlaps = Overlaps([pairs[k] for k in batch], distance, near, cosine, tight)
+        sums = [overlaps.weigh()]
+        if beside_planes or noise is not None:
+            planes = overlaps.find_planes()
+            sums += [overlaps.weigh_beside(planes)] if beside_planes else []
+            sums += overlaps.weigh_details(planes, noise) if noise is not None else []
+        orders += batch
+        rows.append(read_together(sums))  # sync
+    joined = [np.concatenate(parts)[np.argsort(orders)] for parts in zip(*rows, strict=True)]
+    joined = joined or [np.empty((0, len(evidence_sums(0.0))))] * 6
+    details = None if noise is None else OverlapDetails(*joined[-4:])
+    return OverlapSums(joined[0], joined[1] if beside_planes else None, details)

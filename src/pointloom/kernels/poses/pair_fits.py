@@ -60,16 +60,27 @@ class PairCoordinates:
     blocks: int
 
     def __init__(
-        self, source: Points, target: Points, pairs: Array2[int32], source_middle: np.ndarray, target_middle: np.ndarray
+        self,
+        source: Points,
+        target: Points,
+        pairs: Array2[int32],
+        source_middle: np.ndarray,
+        target_middle: np.ndarray,
+        *,
+        are_finite: bool = False,
     ) -> None:
-        """Select the finite correspondences `pairs` (int32 (m, 2)) of two arrays of vec3. Centers as float32 (3)."""
+        """Select the finite correspondences `pairs` (int32 (m, 2)) of two arrays of vec3. Centers as float32 (3).
+
+        No sync if all points `are_finite`.
+        """
         device = source.device
-        mask = compute(mask_finite_pairs_kernel, pairs.shape[0], [source, target, pairs], uint8, device)
-        rows = positions_of(mask)
-        self.device, self.count, self.rows = device, rows.size, pairs
-        if rows.size < pairs.shape[0]:
-            self.rows = empty((rows.size, 2), int32, device)
-            launch(gather_pairs_kernel, rows.size, [pairs, rows, self.rows])
+        self.device, self.count, self.rows = device, pairs.shape[0], pairs
+        if not are_finite:
+            mask = compute(mask_finite_pairs_kernel, pairs.shape[0], [source, target, pairs], uint8, device)
+            rows = positions_of(mask)  # sync
+            if rows.size < pairs.shape[0]:
+                self.count, self.rows = rows.size, empty((rows.size, 2), int32, device)
+                launch(gather_pairs_kernel, rows.size, [pairs, rows, self.rows])
         self.coordinates = empty(6 * self.count, float32, device)
         middles = [vec3(*source_middle), vec3(*target_middle)]
         launch(split_pairs_kernel, self.count, [source, target, *middles, self])

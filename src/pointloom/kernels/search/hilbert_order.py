@@ -5,7 +5,7 @@ Proc. 707, 2004 (AxesToTranspose). Results depend on the curve only in speed.
 import numpy as np
 
 from ..array_types import Device, Indices, Integers, LongIntegers, Points
-from ..arrays.bounds import bound_points, find_box
+from ..arrays.bounds import Box, bound_points, find_box
 from ..arrays.sort import SortKeys, positions, put_key
 from ..lang import array, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
 from ..memory import empty, rows_of
@@ -306,10 +306,13 @@ def levels_for(count: int) -> int:
 
 
 class HilbertOrder:
-    """Order of a cloud's finite points (others last) along the curve through their box, or a given one."""
+    """Order of a cloud's finite points (others last) along the curve through their box, or a given one.
 
-    def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
-        self.low, self.high, self.finite_count = bound_points(points)
+    `box`: the result of `bound_points`, if it is known.
+    """
+
+    def __init__(self, points: Points, curve: HilbertCurve | None = None, box: Box | None = None) -> None:
+        self.low, self.high, self.finite_count = bound_points(points) if box is None else box
         levels = levels_for(points.size)
         self.curve = curve or HilbertCurve(self.low, self.high, levels, is_empty=not self.finite_count)
         self.codes, self.order = encode_points(points, self.curve).sort(self.curve.code_bits)

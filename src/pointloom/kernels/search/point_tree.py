@@ -13,6 +13,7 @@ import numpy as np
 
 from ..algebra.plain_min_max import larger
 from ..array_types import Indices, Integers, Points, Scalars
+from ..arrays.bounds import Box, bound_each
 from ..arrays.duplicates import same_point
 from ..arrays.sort import SortKeys, positions
 from ..lang import (
@@ -75,14 +76,15 @@ class PointTree:
     codes: array(dtype=int64)
     curve: HilbertCurve
 
-    def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
+    def __init__(self, points: Points, curve: HilbertCurve | None = None, box: Box | None = None) -> None:
+        """One sync, or none with the known `box` of `bound_points`."""
         self.source, self.device = points, points.device
         self.is_searched_for_copies = False
         self.copies: Any = None  # as are `distinct`, of distinct_points.py
         self.distinct: Any = None
         if is_few(points) and self._is_built_of_few(points, curve):
             return
-        hilbert = HilbertOrder(points, curve)
+        hilbert = HilbertOrder(points, curve, box)
         self.low, self.high = hilbert.low, hilbert.high
         self.count, self.order, self.curve = hilbert.finite_count, hilbert.order, hilbert.curve
         sizes, first = level_sizes(-(-self.count // BUCKET))
@@ -114,6 +116,13 @@ class PointTree:
         self.curve = curve or HilbertCurve(self.low, self.high, levels)
         self.is_searched_for_copies = bool(box[7] == 0)
         return True
+
+
+def trees_of(clouds: Sequence[Points]) -> list[PointTree]:
+    """The tree of each array. All are on one device. One sync on a GPU."""
+    if not clouds or clouds[0].device.is_cpu:
+        return [PointTree(points) for points in clouds]
+    return [PointTree(points, box=box) for points, box in zip(clouds, bound_each(clouds), strict=True)]  # sync
 
 
 _ZERO = np.zeros(3, np.float32)

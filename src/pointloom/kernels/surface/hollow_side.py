@@ -4,6 +4,7 @@ The mean of a wider neighborhood is on the concave side (the sign rule of Tombar
 plane the sign is random, which does not affect features.
 """
 
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
@@ -12,12 +13,12 @@ from numpy.typing import NDArray
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
 from ..algebra.moments import add_rounded_difference, covariance_of, moments
 from ..array_types import Points, Vectors
-from ..arrays.select import gather_rows, positions_of
+from ..arrays.select import gather_rows, positions_of_each
 from ..extent.masks import mask_finite
 from ..lang import NAN, array, float64, kernel, launch, tid, vec3, vec3d
 from ..memory import contiguous, download, full
 from ..search.bucket_walk import points_within
-from ..search.point_tree import BUCKET, PointTree
+from ..search.point_tree import BUCKET, PointTree, trees_of
 from ..search.tree_search import squared_radius
 
 MIN_NEIGHBORS = 5.0  # neighbors, including the point, that determine a surface
@@ -62,15 +63,17 @@ class Surface:
     """Points with valid normals: `points`, `normals` (vec3, in the cloud's order, no NaN), and their `tree`."""
 
     @classmethod
-    def select(cls, points: Points, narrow: float, wide: float) -> "Surface":
-        """Select the points of a device array of vec3. Radii [m] as of `find_sides`."""
-        normals = find_sides(PointTree(points), narrow, wide)
-        rows = positions_of(mask_finite(normals, 1, 1))
-        return cls(gather_rows(points, rows), gather_rows(normals, rows))
+    def select_each(cls, clouds: Sequence[Points], narrow: Sequence[float], wide: Sequence[float]) -> "list[Surface]":
+        """Select the points of device arrays of vec3. Radii [m] as of `find_sides`, by array. Three syncs for all."""
+        normals = list(map(find_sides, trees_of(clouds), narrow, wide))  # sync
+        rows = positions_of_each(*(mask_finite(vectors, 1, 1) for vectors in normals))  # sync
+        points = [gather_rows(values, chosen) for values, chosen in zip(clouds, rows, strict=True)]
+        normals = [gather_rows(values, chosen) for values, chosen in zip(normals, rows, strict=True)]
+        return [cls(*parts) for parts in zip(points, normals, trees_of(points), strict=True)]  # sync
 
-    def __init__(self, points: Points, normals: Vectors) -> None:
+    def __init__(self, points: Points, normals: Vectors, tree: PointTree | None = None) -> None:
         self.points, self.normals = points, normals
-        self.tree, self.device = PointTree(points), points.device
+        self.tree, self.device = PointTree(points) if tree is None else tree, points.device
 
     def __len__(self) -> int:
         return self.points.size

@@ -28,11 +28,11 @@ from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
 from ..assessment_constants import CHANCE_FEATURES, MIN_DETAIL_MATCHES, MIN_RELIEF
 from ..correspondence_input import check_clouds, check_pairs, pairs_on_device
-from ..evidence import Evidence, Witness, compare_under, complete, rate_surfaces
+from ..evidence import Evidence, Witness, compare_under, complete, rate_under
 from ..icp.evaluation import evaluate_registration
 from ..result import Motions, Outcome, Registered, RegistrationResult
 from ..rigid import make_pose, to_world
-from ..surfaces import surface_of
+from ..surfaces import surface_of, surfaces_of
 from .level_poses import MAX_TILT, check_level, level_poses
 from .ransac import no_pose
 from .rating import moved_samples, refine_poses
@@ -128,7 +128,14 @@ def register_globally(
     check_clouds(source, target)
     size, chooser = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER), check_seed(seed)
     level = None if free is None else check_level(free)
-    return register_described(describe(source, size), describe(target, size), seed=chooser, refine=refine, free=level)
+    described = describe_each([source, target], size)
+    return register_described(*described, seed=chooser, refine=refine, free=level)
+
+
+def describe_each(clouds: Sequence[PointCloud], voxel_size: float) -> list[Description]:
+    """Surface and features of each cloud. All are on one device."""
+    surfaces = surfaces_of(clouds, [voxel_size] * len(clouds))
+    return [describe(cloud, voxel_size, surface) for cloud, surface in zip(clouds, surfaces, strict=True)]
 
 
 def describe(cloud: PointCloud, voxel_size: float, surface: Surface | None = None) -> Description:
@@ -150,7 +157,10 @@ def register_described(
                 f"{name}: expected at least {MIN_POINTS} voxels of {size:g} with a surface, got {len(surface)}", source
             )
     pairs = pair_features(left.features, right.features, mutual=True, mutual_consistency_ratio=0.0)
-    consensus = find_poses(surfaces[0].points, surfaces[1].points, pairs, NOISE_VOXELS * size, seed)
+    middles, spreads = zip(*(_middle_of(s.tree.low, s.tree.high, s.tree.count) for s in surfaces), strict=True)
+    points = surfaces[0].points, surfaces[1].points
+    coordinates = PairCoordinates(*points, pairs, *middles, are_finite=True)
+    consensus = find_poses(coordinates, middles, spreads[0], NOISE_VOXELS * size, seed)
     if not len(consensus.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
     poses, support = consensus.poses, consensus.support
@@ -220,7 +230,8 @@ def _choose(
         last = refined(result.transformation[None], distance, 1, free)[0]
         result.degenerate_directions = last.degenerate_directions
     ratio = _compare_features(source.surface, target.surface, pairs, result.transformation, candidates, distance)
-    evidence = rate_surfaces(source, target, result.transformation, distance, details=True, feature_ratio=ratio)
+    rate, pose = partial(rate_under, source, target, distance=distance, details=True), result.transformation
+    evidence = rate(pose[None], feature_ratio=ratio, is_likely=best in supported)[0]
     if evidence.score <= 0.5:
         equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
         return result, evidence, [poses[k] for k in equals]
@@ -234,8 +245,8 @@ def _choose(
         converged = refined(poses[alike], distance, FINAL_STEPS, free, MIN_EIGENVALUE_RATIO)
         poses = np.array([result.transformation, *(one.transformation for one in converged)])
         alike = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
-    others = [k for k in alike if _is_equal(rate_surfaces(source, target, poses[k], distance, details=True), evidence)]
-    return result, evidence, [poses[k] for k in others]
+    rated = dict(zip(alike, rate(poses[alike], is_likely=True), strict=True))
+    return result, evidence, [poses[k] for k in alike if _is_equal(rated[k], evidence)]
 
 
 def _compare_features(
@@ -246,12 +257,12 @@ def _compare_features(
     others: NDArray[np.float64],
     distance: float,
 ) -> float:
-    """Correspondences within the distance under a pose, relative to the best distinct pose of others. Two syncs."""
+    """Correspondences within the distance under a pose, relative to the best distinct pose of others. One sync."""
     moved, center = moved_samples(source, np.stack([pose, *others])), np.zeros(3, np.float32)
     is_distinct = ((moved[1:] - moved[0]) ** 2).sum(axis=2).mean(axis=1) > (POSE_SEPARATION * distance) ** 2
     poses = np.stack([pose, *others[is_distinct]])
     counts = zeros(len(poses), int32, source.device)
-    coordinates = PairCoordinates(source.points, target.points, pairs, center, center)
+    coordinates = PairCoordinates(source.points, target.points, pairs, center, center, are_finite=True)
     score_poses(coordinates, upload(poses, mat44d, source.device), distance, counts)
     agreeing = download(counts).astype(float)  # sync
     return float(agreeing[0] / max([CHANCE_FEATURES, *agreeing[1:]]))
@@ -359,7 +370,9 @@ def registration_robust_based_on_correspondence(
 
 
 def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:
-    consensus = find_poses(source.arrays["points"], target.arrays["points"], pairs, bound, seed)
+    points = source.arrays["points"], target.arrays["points"]
+    middles, spreads = zip(*(_middle_of(*box) for box in bound_each(points)), strict=True)  # sync
+    consensus = find_poses(PairCoordinates(*points, pairs, *middles), middles, spreads[0], bound, seed)
     if not len(consensus.poses):
         result = no_pose(f"no {MIN_CORRESPONDENCES} of {pairs.shape[0]} correspondences agree", source)
         result.score = 0.0
@@ -394,13 +407,17 @@ def rate_support(support: NDArray[np.float64]) -> float:
     return float(1 / (1 + ratio**-SUPPORT_STEEPNESS))
 
 
-def find_poses(source: wp.array, target: wp.array, pairs: wp.array, bound: float, seed: int) -> Consensus:
-    """The poses with most agreeing correspondences (int32 [m, 2] on the device) within `bound` [m]."""
-    middles, spreads = zip(*(_middle_of(*box) for box in bound_each([source, target])), strict=True)  # sync
-    coordinates = PairCoordinates(source, target, pairs, *middles)
+def find_poses(
+    coordinates: PairCoordinates,
+    middles: Sequence[NDArray[np.float32]],
+    spread: NDArray[np.float64],
+    bound: float,
+    seed: int,
+) -> Consensus:
+    """The poses with most agreeing correspondences within `bound` [m], from `_middle_of` both clouds."""
     if coordinates.count > MAX_PAIRS:
-        coordinates = coordinates.select(draw_rows(coordinates.count, MAX_PAIRS, seed, source.device))
-    poses, support = find_consensus(coordinates, bound, bound, np.vstack([spreads[0], -spreads[0]]))
+        coordinates = coordinates.select(draw_rows(coordinates.count, MAX_PAIRS, seed, coordinates.device))
+    poses, support = find_consensus(coordinates, bound, bound, np.vstack([spread, -spread]))
     a, b = (middle.astype(np.float64) for middle in middles)
     for pose in poses:
         pose[:3, 3] += b - matmul(pose[:3, :3], a)

@@ -159,7 +159,7 @@ def refine_poses(
     poses = poses.copy()
     poses[:, :3, :3] = [nearest_rotations(R[None])[0] for R in poses[:, :3, :3]]
     constraint = None if free is None else constraints_of(Constraint(free), len(poses))
-    options = ICPOptions(degeneracy=degeneracy, constraint=constraint)
+    options = ICPOptions(degeneracy=degeneracy, constraint=constraint, are_finite=True)
     problem = IterativeRegistration(left, right, poses, distance, POINT_TO_PLANE, options)
     problem.run(steps, MIN_FITNESS_CHANGE, MIN_ERROR_CHANGE * distance)
     return problem.results()

@@ -45,13 +45,17 @@ MIN_RMSE_CHANGE = 1e-6
 
 @dataclass(frozen=True)
 class ICPOptions:
-    """Options of all jobs as of `registration_icp`: selection and weights of pairs, and motions that they may move."""
+    """Options of all jobs as of `registration_icp`: selection and weights of pairs, and motions that they may move.
+
+    `are_finite`: all points and their columns are known to be finite, which saves a sync.
+    """
 
     overlap: float | None = 1.0
     max_normal_angle: float | None = None
     degeneracy: float = MIN_DETERMINED_EIGENVALUE
     constraint: JobConstraints | None = None
     weights: ArrayLike | str | None = None
+    are_finite: bool = False
 
     def checked(self, method: TransformationEstimation) -> ICPOptions:
         """Options in the types of this class. Raises as `registration_icp`."""
@@ -100,7 +104,7 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         super().__init__(source_clouds, target_clouds, distance, estimation)
         options = ICPOptions() if options is None else options
         self.degeneracy = options.degeneracy
-        sources, targets = self._sides(options.max_normal_angle is not None)
+        sources, targets = self._sides(options.max_normal_angle is not None, are_finite=options.are_finite)
         self.source_clouds = order_points(sources)
         source = _point_columns(self.source_clouds, sources.columns)
         forest, gaussians, target = None, None, PointColumns()

@@ -52,7 +52,7 @@ class MatchedClouds(Generic[Loop]):
         target_origins = np.array([cloud.arrays.origin for cloud in self._targets])
         self.origins = source_origins[self.source_of], target_origins[self.target_of]  # of each job
 
-    def _sides(self, with_normals: bool = False) -> tuple[Side, Side]:
+    def _sides(self, with_normals: bool = False, *, are_finite: bool = False) -> tuple[Side, Side]:
         sources, targets = (self._sources, self._source_names), (self._targets, self._target_names)
         source_columns = self.estimation._source_columns(*sources, self.distance)
         target_columns = self.estimation._target_columns(*targets, self.distance)
@@ -62,7 +62,7 @@ class MatchedClouds(Generic[Loop]):
                     columns["normals"] = normals_of(clouds, names, "max_normal_angle")
         given = (*sources, source_columns), (*targets, target_columns)
         left, right = (Side(*side, [cloud.arrays["points"] for cloud in side[0]]) for side in given)
-        drop_unusable_points((left, right))
+        drop_unusable_points((left, right), are_finite=are_finite)
         for side in (left, right):
             first = side.clouds[0].arrays
             if len(side.points) == 1 and side.points[0] is first["points"]:

@@ -69,9 +69,12 @@ class Side:
     tree: CachedTree | None = None
 
 
-def drop_unusable_points(sides: Sequence[Side]) -> None:
-    """Set the points to NaN with a NonFiniteWarning where a required column is not finite. Join many clouds."""
-    if any(len(side.clouds) > 1 for side in sides) and _join_usable(sides):
+def drop_unusable_points(sides: Sequence[Side], *, are_finite: bool = False) -> None:
+    """Set the points to NaN with a NonFiniteWarning where a required column is not finite. Join many clouds.
+
+    One sync, or none if all columns `are_finite`.
+    """
+    if (any(len(side.clouds) > 1 for side in sides) and _join_usable(sides, are_finite)) or are_finite:
         return
     columns = [
         [_as_rows(arrays[k]) for arrays in side.columns.values()] for side in sides for k in range(len(side.clouds))
@@ -91,11 +94,12 @@ def drop_unusable_points(sides: Sequence[Side]) -> None:
         side.points, points = points[: len(side.clouds)], points[len(side.clouds) :]
 
 
-def _join_usable(sides: Sequence[Side]) -> bool:
+def _join_usable(sides: Sequence[Side], are_finite: bool) -> bool:
     """Join the clouds of each side if all their points are usable: one launch per column instead of one per cloud."""
     joined = [joined_rows(side.points) for side in sides]
     columns = [{name: [joined_rows(arrays)] for name, arrays in side.columns.items()} for side in sides]
-    if count_unusable(joined, [[_as_rows(c[0]) for c in arrays.values()] for arrays in columns]).any():  # sync
+    rows = [[_as_rows(c[0]) for c in arrays.values()] for arrays in columns]
+    if not are_finite and count_unusable(joined, rows).any():  # sync
         return False
     for side, points, arrays in zip(sides, joined, columns, strict=True):
         side.joined, side.columns = points, arrays

@@ -44,7 +44,7 @@ SAME_SHIFT, SAME_ROTATION = 4.0, 0.05  # voxels, [rad] between poses that are eq
 class SubmapSurface(Witness):
     """The surface of a submap. It was seen from many viewpoints, so nothing is known about its free space."""
 
-    sight = None  # type: ignore[assignment]
+    is_sight_known = True
 
 
 class SubmapSurfaces(NamedTuple):

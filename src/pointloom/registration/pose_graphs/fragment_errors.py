@@ -14,7 +14,7 @@ from ...pcd.cloud import PointCloud
 from ..assessment_constants import FINE_VOXEL_FACTOR, MATCH_VOXELS, SOURCE_VOXEL_FACTOR
 from ..pose_errors import PoseCovariance, common_covariance, motions_of_source, root_of_covariance, step_between
 from ..rigid import to_local
-from ..surfaces import surface_of
+from ..surfaces import surfaces_of
 from ..unobservable_motions import judge_motions
 from .fragment_graph import Extent
 from .pose_graph import GraphArrays, PoseGraph, PoseGraphEdge, center_frames, check_pose_graph
@@ -96,9 +96,8 @@ class _Pairs:
         return matmul(to_source, step.scatter + common, to_source.T)
 
     def surfaces(self, a: int, b: int, size: float) -> tuple[Surface, Surface]:
-        return self._surface(a, SOURCE_VOXEL_FACTOR * size), self._surface(b, size)
-
-    def _surface(self, i: int, size: float) -> Surface:
-        if (i, size) not in self.known:
-            self.known[i, size] = surface_of(self.clouds[i], size)
-        return self.known[i, size]
+        ends = (a, SOURCE_VOXEL_FACTOR * size), (b, size)
+        if missing := [end for end in ends if end not in self.known]:
+            sizes = [size for _, size in missing]
+            self.known |= zip(missing, surfaces_of([self.clouds[i] for i, _ in missing], sizes), strict=True)
+        return self.known[ends[0]], self.known[ends[1]]

@@ -29,7 +29,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.units import common_reference
 from ..assessment_constants import MIN_SCORE
-from ..globally.global_registration import Description, describe, register_described
+from ..globally.global_registration import Description, describe_each, register_described
 from ..globally.level_poses import check_level
 from ..icp.constraint import MOTIONS
 from ..pose_errors import PoseCovariance
@@ -254,7 +254,7 @@ def register_multiway(
     accepted = check_known(known, len(clouds), level)
     given = {frozenset((pair.source, pair.target)) for pair in accepted}
     tried = [ends for ends in pairs_to_try(len(clouds), neighbors, pairs) if frozenset(ends) not in given]
-    described = [describe(cloud, size) for cloud in clouds]
+    described = describe_each(clouds, size)
     for done, (i, j) in enumerate(tried):
         report_progress("pairs", done, len(tried))
         pair, _ = try_pair(j, i, described[j], described[i], chooser, level)

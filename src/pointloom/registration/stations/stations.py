@@ -40,7 +40,7 @@ from ...pcd.point_arrays import check_cloud
 from ...pcd.units import common_reference
 from ..assessment_constants import MIN_SCORE
 from ..assessment_constants import SOURCE_VOXEL_FACTOR as SOURCE_FINER
-from ..evidence import Witness, witness_of
+from ..evidence import Witness, witnesses_of
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import LEVEL
 from ..globally.rating import rate_poses
@@ -668,7 +668,7 @@ class PairFinder:
 
     def _witness(self, i: int, distance: float) -> Witness:
         if (i, distance) not in self.witnesses:
-            self.witnesses[i, distance] = witness_of(self.scans[i].cloud, distance)
+            self.witnesses[i, distance] = witnesses_of([self.scans[i].cloud], distance)[0]
         return self.witnesses[i, distance]
 
     def _refined(

@@ -16,7 +16,7 @@ from ...pcd.cloud import PointCloud
 from ...registration.evidence import Witness, rate_surfaces
 from ...registration.globally.global_registration import MIN_POINTS
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
-from ...registration.surfaces import surface_of
+from ...registration.surfaces import surfaces_of
 from ..odometry.alignment import align_frames
 from ..odometry.results import OdometryResult
 from .frame_checks import FIRM_OVERLAP, MIN_OVERLAP, SURE_AGREEMENT, agreement_of, is_determined
@@ -155,7 +155,7 @@ def _rate(target: SlamMap, source: SlamMap, T: Pose) -> float:
     left, right = (_thinned(known, size) for known in (source, target))
     if min(len(left), len(right)) < MIN_POINTS:
         return 0.0
-    source_surface, target_surface = surface_of(left, size), surface_of(right, size)
+    source_surface, target_surface = surfaces_of([left, right], [size, size])
     if min(len(source_surface), len(target_surface)) < MIN_POINTS:
         return 0.0
     seen = Witness(source_surface, size), Witness(target_surface, size)
