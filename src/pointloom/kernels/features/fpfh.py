@@ -312,7 +312,7 @@ def finish_row(rank: int, histograms: array(dtype=float32, ndim=2), row: int, fe
             features[row, j] = features[row, j] * scale + histograms[rank, j]
 
 
-@kernel(max_registers=80)
+@kernel(max_registers=128)  # two blocks per SM: with 80, the loops over rows use local memory
 def sum_histograms_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
