@@ -246,6 +246,27 @@ def test_factors_of_smoothing_are_those_of_its_filter():
     assert moved[1] == pytest.approx(2 * moved[0], rel=1e-4)
 
 
+def test_smoothing_that_moves_the_surface_is_unreliable_though_the_area_is_kept(device):
+    drum = TriangleMesh.create_cylinder(0.4, 1.0, 32, 18).to(device)
+    for method, is_same in (("taubin", True), ("simple", False)):
+        smooth = loom.meshing.smooth_mesh(drum, method, 1)
+        assert smooth.area > 0.9 * smooth.area_in and smooth.reliable == is_same == (smooth.changed < 0.05)
+    assert "of the surface moved by more than 2% of its size" in smooth.warnings[0]
+    far = loom.meshing.smooth_mesh(drum.translate([5e5, 5.4e6, 120]).scale(1000, [5e5, 5.4e6, 120]), "simple", 1)
+    assert far.changed == pytest.approx(smooth.changed, abs=0.005), "in any unit and place"
+    holed = TriangleMesh(np.r_[drum.vertices, [[np.nan] * 3]], np.r_[drum.triangles, [[0, 1, len(drum.vertices)]]])
+    assert loom.meshing.smooth_mesh(holed).changed is None
+
+
+def test_merged_vertices_that_leave_the_surface_in_place_are_reliable(device):
+    ring = TriangleMesh.create_torus(0.5, 0.2, 60, 40).to(device)
+    for distance, is_same in ((0.05, True), (0.2, False)):
+        clean = loom.meshing.clean_mesh(ring, merge_distance=distance)
+        assert clean.repair.merged_vertices > 0.5 * clean.vertices_in
+        assert clean.reliable == is_same == (clean.gone < 0.01)
+    assert "merge_distance below 0.2 m" in clean.warnings[0]
+
+
 def test_a_destructive_repair_is_unreliable():
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
 from ...core.reports import Assessed, Fields, Report
+from .finite_corners import find_wrong_corner
 from .mesh import TriangleMesh
+from .mesh_metrics import fractions_beyond
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -34,6 +37,26 @@ class ChangedMesh(Report, Assessed):
             ("vertices", f"{self.mesh.arrays['vertices'].size:,} of {self.vertices_in:,}"),
             ("triangles", f"{len(self.mesh):,} of {self.triangles_in:,}"),
         ]
+
+
+# A surface has another shape if more than a twentieth of it is off by more than 2 % of its size, the rule of
+# docs/trust.md. Neither was fitted.
+SHAPE_TOLERANCE = 0.02  # of the box's diagonal
+MAX_CHANGED = 0.05  # of the area
+SHAPE_SAMPLES = 20_000  # points of each surface: a fraction of 0.05 has a standard deviation of 0.0015
+
+
+def fractions_changed(before: TriangleMesh, after: TriangleMesh) -> tuple[float, float] | None:
+    """Fractions of each surface farther than SHAPE_TOLERANCE from the other one.
+
+    None if either has no area or a corner that is not finite.
+    """
+    if find_wrong_corner(before) or find_wrong_corner(after):
+        return None
+    if not (before.get_surface_area() > 0 and after.get_surface_area() > 0):
+        return None
+    diagonal = math.dist(*before.get_axis_aligned_bounding_box())
+    return fractions_beyond(before, after, SHAPE_TOLERANCE * diagonal, SHAPE_SAMPLES)
 
 
 def sizes_before(mesh: TriangleMesh) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from ...core.progress import ReportProgress
 from ...core.reports import Fields, quality
 from ...core.units import symbol_of
 from ...core.wording import format_fraction, plain
-from .changed_mesh import ChangedMesh, sizes_before
+from .changed_mesh import ChangedMesh, fractions_changed, sizes_before
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 from .mesh_repair import MAX_LOST, MeshRepairReport
@@ -50,6 +50,8 @@ class CleanedMesh(ChangedMesh):
         removed_parts, parts: Small parts removed afterward, and remaining parts.
         is_watertight, boundary_edges, self_intersections: Of the result. Pairs of intersecting triangles.
         was_watertight, area_in: Of the input. Area of its finite triangles [m^2].
+        gone: Fraction of the input's surface that is farther than 2% of its box's diagonal from the repaired one. None
+            without an area or with a corner that is not finite.
         merge_distance, hole_size: As given [m].
         vertices_in, triangles_in: Counts of the input.
         reliable, warnings: True if all quality checks passed, and those that failed.
@@ -63,6 +65,7 @@ class CleanedMesh(ChangedMesh):
     self_intersections: int
     was_watertight: bool
     area_in: float
+    gone: float | None = None
     merge_distance: float | None = None
     hole_size: float | None = None
 
@@ -71,7 +74,8 @@ class CleanedMesh(ChangedMesh):
         if not len(self.mesh):
             return ("no triangles remain",)
         reasons, merge, fill, m = [], self.merge_distance, self.hole_size, symbol_of(self.mesh.unit)
-        if merge is not None and self.repair.merged_vertices > MAX_MERGED * self.vertices_in:
+        has_moved = self.gone is None or self.gone > MAX_LOST
+        if merge is not None and has_moved and self.repair.merged_vertices > MAX_MERGED * self.vertices_in:
             fraction = format_fraction(self.repair.merged_vertices / self.vertices_in)
             reasons.append(f"{fraction} of the vertices were merged: use a merge_distance below {merge:g} {m}")
         reasons += self._losses()
@@ -87,6 +91,7 @@ class CleanedMesh(ChangedMesh):
             1, self.triangles_in
         )
         lost_fraction = done.lost_area / self.area_in if self.area_in > 0 else 0.0
+        lost_fraction = lost_fraction if self.gone is None else self.gone
         look = "compare it with the input (compare_meshes)"
         if removed_fraction > MAX_GONE:
             losses.append(f"{format_fraction(removed_fraction)} of the triangles were removed: {look}")
@@ -116,7 +121,7 @@ class CleanedMesh(ChangedMesh):
     def _figures(self) -> dict[str, Any]:
         ends = {"is_watertight": self.is_watertight, "boundary_edges": self.boundary_edges}
         parts = {"removed_parts": self.removed_parts, "parts": self.parts}
-        ends |= {"was_watertight": self.was_watertight, "area_in": self.area_in}
+        ends |= {"was_watertight": self.was_watertight, "area_in": self.area_in, "gone": self.gone}
         return asdict(self.repair) | ends | parts | {"self_intersections": self.self_intersections}
 
 
@@ -164,6 +169,7 @@ def clean_mesh(
     small = int(((counts < min_count) | (areas < smallest_area)).sum())
     left = repaired.remove_small_components(min_count, smallest_area) if small else repaired
     report("check", 0, 0)
+    changed = fractions_changed(mesh, repaired)
     return CleanedMesh(
         mesh=left,
         **sizes_before(mesh),
@@ -175,6 +181,7 @@ def clean_mesh(
         self_intersections=len(left.get_self_intersecting_triangles()),
         was_watertight=mesh.is_closed(),
         area_in=mesh.finite_area(),
+        gone=None if changed is None else changed[0],
         merge_distance=merge_distance,
         hole_size=hole_size,
     )

@@ -89,8 +89,8 @@ class _Measured:
         return _OneWay(total / count, root_mean_square(squares, count), 100 * within / count, *bounds)
 
 
-def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: int) -> tuple[_OneWay, _OneWay]:
-    """Distances in both directions. Three syncs, rarely more."""
+def _measured(one: Any, two: Any, radii: list[float], count: int, seed: int) -> list[_Measured]:
+    """The measurements in both directions (sync)."""
     meshes = [(mesh.arrays["vertices"], mesh.arrays["triangles"]) for mesh in (one, two)]
     surfaces = [SurfaceSamples(*mesh) for mesh in meshes]
     trees, doubled = trees_over(meshes, [surface.doubled_area for surface in surfaces])  # sync
@@ -100,6 +100,12 @@ def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: 
     for mesh, other, surface, tree in ((one, two, surfaces[0], trees[1]), (two, one, surfaces[1], trees[0])):
         mesh.check_surface(surface, "compute_metrics")
         directions.append(_Measured(mesh, other, tree, surface, radii, count, seed))
+    return directions
+
+
+def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: int) -> tuple[_OneWay, _OneWay]:
+    """Distances in both directions. Three syncs, rarely more."""
+    directions = _measured(one, two, radii, count, seed)
     values = read_together([array for direction in directions for array in direction.arrays])  # sync
     parts = list(zip(values[::3], values[1::3], strict=True))
     for direction, (sums, _) in zip(directions, parts, strict=True):
@@ -109,6 +115,16 @@ def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: 
         direction.result(*part, bound) for direction, part, bound in zip(directions, parts, bounds, strict=True)
     )
     return there, back
+
+
+def fractions_beyond(one: Any, two: Any, distance: float, count: int, seed: int = 0) -> tuple[float, float]:
+    """Fraction of each surface farther than `distance` [m] from the other one, by `count` points. Two syncs."""
+    directions, beyond = _measured(one, two, [distance], count, seed), []
+    values = read_together([array for direction in directions for array in direction.arrays[:2]])  # sync
+    for direction, sums, squares in zip(directions, values[::2], values[1::2], strict=True):
+        direction.check(sums)
+        beyond.append(1 - float(direction.result(sums, squares, (0.0, 0.0)).within[0]) / 100)
+    return beyond[0], beyond[1]
 
 
 def points_about(points: wp.array, origin: NDArray[np.float64], target: NDArray[np.float64]) -> wp.array:

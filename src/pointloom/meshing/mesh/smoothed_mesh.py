@@ -13,7 +13,7 @@ from ...core.checks import check_count, check_name, check_number
 from ...core.reports import Fields, quality
 from ...core.units import symbol_of
 from ...core.wording import format_fraction, plain
-from .changed_mesh import ChangedMesh, sizes_before
+from .changed_mesh import MAX_CHANGED, SHAPE_TOLERANCE, ChangedMesh, fractions_changed, sizes_before
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 from .mesh_remeshing import MAX_PASSES
@@ -42,6 +42,8 @@ class SmoothedMesh(ChangedMesh):
         method, iterations: As given.
         moved: Displacement of the finite vertices. None if there are none.
         area_in, area: Area of triangles with finite corners, before and after [m^2].
+        changed: Fraction of the surface, before or after, that is farther than 2% of the box's diagonal from the other
+            one, the larger. None without an area or with a corner that is not finite.
         vertices_in, triangles_in: Counts of the input.
         reliable, warnings: True if all quality checks passed, and those that failed.
     """
@@ -51,6 +53,7 @@ class SmoothedMesh(ChangedMesh):
     moved: Movement | None
     area_in: float
     area: float
+    changed: float | None = None
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -59,15 +62,24 @@ class SmoothedMesh(ChangedMesh):
         change = self.area / self.area_in - 1 if self.area_in > 0 else 0.0
         if not math.isfinite(change) or (self.method == "sharpen" and change > 1):
             return (f"the area grew {self.area / self.area_in:.3g} times: use fewer iterations or a smaller strength",)
-        if self.method != "sharpen" and change < -MAX_AREA_LOSS:
-            other = "" if self.method == "taubin" else ", or method='taubin', which shrinks less"
-            return (f"{format_fraction(-change)} of the area was lost: use fewer iterations{other}",)
+        if self.method == "sharpen":
+            return ()
+        fewer = "use fewer iterations" + ("" if self.method == "taubin" else ", or method='taubin', which shrinks less")
+        if change < -MAX_AREA_LOSS:
+            return (f"{format_fraction(-change)} of the area was lost: {fewer}",)
+        if self.changed is not None and self.changed > MAX_CHANGED:
+            part = format_fraction(self.changed)
+            return (f"{part} of the surface moved by more than {SHAPE_TOLERANCE:.0%} of its size: {fewer}",)
         return ()
 
     def to_dict(self) -> dict[str, Any]:
         moved = None if self.moved is None else {"mean": self.moved.mean, "max": self.moved.max}
         how = {"method": self.method, "iterations": self.iterations, "moved": moved}
-        return plain(self.sizes_to_dict() | how | {"area_in": self.area_in, "area": self.area, **quality(self)})
+        return plain(
+            self.sizes_to_dict()
+            | how
+            | {"area_in": self.area_in, "area": self.area, "changed": self.changed, **quality(self)}
+        )
 
     def fields(self) -> Fields:
         moved, m = "no vertex is finite", symbol_of(self.mesh.unit)
@@ -126,7 +138,7 @@ def smooth_mesh(
     if colors is not None:
         smooth.vertex_colors = colors.clip(0, 1)
     moved = np.linalg.norm(smooth.vertices - mesh.vertices, axis=1)
-    moved = moved[np.isfinite(moved)]
+    moved, changed = moved[np.isfinite(moved)], fractions_changed(mesh, smooth)
     return SmoothedMesh(
         mesh=smooth,
         **sizes_before(mesh),
@@ -135,6 +147,7 @@ def smooth_mesh(
         moved=Movement(float(moved.mean()), float(moved.max())) if len(moved) else None,
         area_in=mesh.finite_area(),
         area=smooth.finite_area(),
+        changed=None if changed is None else max(changed),
     )
 
 
