@@ -166,13 +166,8 @@ def _backward(ctx, _, grad: torch.Tensor) -> tuple[torch.Tensor | None, ...]:
     Made of operators with gradients, so that second derivatives are right.
     """
     query, points, layout, indices = ctx.saved_tensors
-    if ctx.is_local:
-        rows = torch.arange(query.shape[0], device=query.device)
-        clouds = torch.searchsorted(layout[0].long(), rows, right=True) - 1
-        indices = torch.where(indices < 0, indices, indices + layout[2].long()[clouds][:, None])
-    count, k = indices.shape
-    flat = indices.reshape(-1)
-    near = gather_rows(points, flat).reshape(count, k, 3)
+    indices = _rows_of(indices, layout, ctx.is_local)
+    flat, near = indices.reshape(-1), _at(points, indices)
     weights = torch.where(indices < 0, 0, 2 * grad)[..., None]
     steps = torch.where(weights == 0, 0, query[:, None, :] - near) * weights
     grad_points = -scatter_sum(steps.reshape(-1, 3), flat, points.shape[0]) if ctx.needs_input_grad[1] else None
@@ -180,6 +175,33 @@ def _backward(ctx, _, grad: torch.Tensor) -> tuple[torch.Tensor | None, ...]:
 
 
 batch_neighbors.register_autograd(_backward, setup_context=_save)
+
+
+def _rows_of(indices: torch.Tensor, layout: torch.Tensor, is_local: bool) -> torch.Tensor:
+    """Indices among all points, of those in each query's cloud."""
+    if not is_local:
+        return indices
+    rows = torch.arange(indices.shape[0], device=indices.device)
+    clouds = torch.searchsorted(layout[0].long(), rows, right=True) - 1
+    return torch.where(indices < 0, indices, indices + layout[2].long()[clouds][:, None])
+
+
+def _at(points: torch.Tensor, indices: torch.Tensor) -> torch.Tensor:
+    """The points at indices (m, k): (m, k, 3)."""
+    return gather_rows(points, indices.reshape(-1)).reshape(*indices.shape, 3)
+
+
+def _tangents(values, tangents, found) -> tuple[None, torch.Tensor]:
+    """Of |q - p|^2: 2 (q - p) (dq - dp)."""
+    query, points, layout, is_local = *values[:3], values[-2]
+    indices = _rows_of(found[0], layout, is_local)
+    ways = [torch.zeros_like(of) if way is None else way for of, way in zip((query, points), tangents, strict=False)]
+    steps = query[:, None, :] - _at(points, indices)
+    products = steps * (ways[0][:, None, :] - _at(ways[1], indices))
+    return None, torch.where((indices < 0)[..., None], 0, 2 * products).sum(-1)
+
+
+batch_neighbors.register_tangents(_tangents)
 
 
 @batch_neighbors.register_vmap

@@ -4,6 +4,7 @@
 derivatives of every order. Neither uses float atomics: results are bitwise identical in each run.
 """
 
+import functools
 from collections.abc import Callable
 from typing import Any
 
@@ -22,12 +23,102 @@ HALF_TYPES = (torch.float16, torch.bfloat16)
 ELEMENTS = {torch.float32: float32, torch.float64: float64, torch.int32: int32, torch.int64: int64}
 
 
-def operator(function: Callable[..., Any]) -> Any:
-    """Register a function of tensors and numbers as the operator `pointloom::<name>`, which changes no argument. It
-    runs without gradients. Give it a fake implementation (`register_fake`), so that graphs of `torch.compile` include
-    it, and a formula (`register_autograd`), or `refuse_gradients`.
+Tensors = tuple[torch.Tensor | None, ...]
+
+
+class Operator:
+    """The operator `pointloom::<name>` of torch from a function of tensors and numbers, which changes no argument.
+
+    It runs without gradients. Give it a fake implementation (`register_fake`), so that graphs of `torch.compile`
+    include it, and a formula (`register_autograd`), or `refuse_gradients`. `register_tangents` takes the forward-mode
+    formula: a function of the arguments, their tangents and the result, which returns the tangents of the result, None
+    for integers. Without it, an argument with a tangent raises. Graphs contain the operator. Outside of them
+    `torch.func` needs a `torch.autograd.Function`, which has the same formulas.
     """
-    return torch.library.custom_op(f"{NAMESPACE}::{function.__name__}", function, mutates_args=())
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self.name = f"{NAMESPACE}::{function.__name__}"
+        self.made = torch.library.custom_op(self.name, function, mutates_args=())
+        self.register_fake = self.made.register_fake
+        self._backward: Any = None
+        self._save: Any = None
+        self._tangents: Any = None
+        self._vmap: Any = None
+        self._function = _function_of(self)
+
+    def register_autograd(
+        self, backward: Callable[..., Any], *, setup_context: Callable[..., None] | None = None
+    ) -> None:
+        self.made.register_autograd(backward, setup_context=setup_context)
+        self._backward, self._save = backward, setup_context
+
+    def register_vmap(self, rule: Callable[..., Any]) -> None:
+        self.made.register_vmap(rule)
+        self._vmap = rule
+
+    def register_tangents(self, formula: Callable[..., Any]) -> None:
+        self._tangents = formula
+
+    def __call__(self, *given: Any) -> Any:
+        if torch.compiler.is_compiling():
+            return self.made(*given)
+        return self._function.apply(*given)
+
+
+def _function_of(operator: Operator) -> type[torch.autograd.Function]:
+    class Function(torch.autograd.Function):
+        generate_vmap_rule = False
+
+        @staticmethod
+        def forward(*given: Any) -> Any:
+            return operator.made(*given)
+
+        @staticmethod
+        def setup_context(ctx: Any, inputs: tuple, output: Any) -> None:
+            if operator._save is not None:
+                operator._save(ctx, inputs, output)
+            results = output if isinstance(output, tuple) else (output,)
+            ctx.mark_non_differentiable(*(each for each in results if not each.is_floating_point()))
+            ctx.numbers = [None if isinstance(value, torch.Tensor) else value for value in inputs]
+            ctx.save_for_forward(*(value for value in (*inputs, *results) if isinstance(value, torch.Tensor)))
+
+        @staticmethod
+        def backward(ctx: Any, *grads: Any) -> Any:
+            return operator._backward(ctx, *grads)
+
+        @staticmethod
+        def jvp(ctx: Any, *tangents: Any) -> Any:
+            if operator._tangents is None:
+                raise NotImplementedError(
+                    f"{operator.name} has no forward-mode derivative. Use reverse mode (backward, torch.func.grad or "
+                    "jacrev), or detach its arguments"
+                )
+            saved = iter(ctx.saved_tensors)
+            values = [next(saved) if number is None else number for number in ctx.numbers]
+            results = tuple(saved)
+            return operator._tangents(values, tangents, results if len(results) > 1 else results[0])
+
+        @staticmethod
+        def vmap(info: Any, in_dims: tuple, *given: Any) -> Any:
+            rule = operator._vmap or functools.partial(_one_by_one, operator)
+            return rule(info, in_dims, *given)
+
+    return Function
+
+
+def _one_by_one(operator: Operator, info: Any, in_dims: tuple, *given: Any) -> tuple[Any, Any]:
+    """The batches of `torch.vmap` one after the other."""
+    moved = unbatched(info.batch_size, in_dims, given)
+    results: list[Any] = [
+        operator(*(value[k] if isinstance(value, torch.Tensor) else value for value in moved))
+        for k in range(info.batch_size)
+    ]
+    if isinstance(results[0], torch.Tensor):
+        return torch.stack(results), 0
+    return tuple(torch.stack(parts) for parts in zip(*results, strict=True)), (0,) * len(results[0])
+
+
+operator = Operator  # as a decorator
 
 
 def device_array(tensor: torch.Tensor, dtype: type | None = None) -> wp.array:
@@ -131,6 +222,8 @@ gather_rows.register_autograd(
 scatter_sum.register_autograd(
     lambda ctx, grad: (gather_rows(grad, ctx.saved_tensors[0]), None, None), setup_context=_save_scatter
 )
+gather_rows.register_tangents(lambda values, tangents, _: gather_rows(tangents[0], values[1]))  # both are linear
+scatter_sum.register_tangents(lambda values, tangents, _: scatter_sum(tangents[0], *values[1:]))
 
 
 def unbatched(size: int, in_dims: tuple[int | None, ...], given: tuple) -> list:

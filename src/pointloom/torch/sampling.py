@@ -12,6 +12,7 @@ from .batches import Batch, Pair, take_batch
 from .neighbors import knn
 from .operators import (
     check_floats,
+    check_tensor,
     checks_values,
     computed,
     device_array,
@@ -86,7 +87,7 @@ def farthest_points(
     if rows.dtype == torch.float64 and rows.shape[0]:
         origins = rows[starts.clamp(max=rows.shape[0] - 1)][clouds.row_labels().clamp(max=max(clouds.count - 1, 0))]
         rows = rows - torch.where(origins.isfinite(), origins, 0)
-    chosen = batch_farthest_points(rows.float(), starts, clouds.sizes(), count)
+    chosen = batch_farthest_points(rows.detach().float(), starts, clouds.sizes(), count)
     if not clouds.width:
         chosen = torch.where(chosen < 0, chosen, chosen + starts[:, None])
     return chosen[0] if len(clouds.shape) == 1 and clouds.width else chosen
@@ -268,14 +269,17 @@ def interpolate(
         >>> loom.torch.interpolate(torch.tensor([[0.5, 0, 0]]), points, features, 2).tolist()
         [[5.0]]
     """
-    found = knn(query, points, k, lengths=lengths, batch=batch, offsets=offsets, batch_size=batch_size)
+    check_tensor("query", query)
+    check_tensor("points", points)
+    layout = {"lengths": lengths, "batch": batch, "offsets": offsets, "batch_size": batch_size}
+    found = knn(computed(query), computed(points), k, **layout)
     shape = tuple(points.shape[:-1])
     rows = _feature_rows("features", features, Batch(points, None, 0, 0, shape))
     indices = found.indices
     if len(shape) == 2:
         first = torch.arange(shape[0], device=points.device) * shape[1]
         indices = torch.where(indices < 0, indices, indices + first[:, None, None])
-    weights = 1 / computed(found.sqdists).clamp(min=SMALLEST_SQDIST)
+    weights = 1 / found.sqdists.clamp(min=SMALLEST_SQDIST)
     weights = weights / weights.sum(-1, keepdim=True).clamp(min=torch.finfo(weights.dtype).tiny)
     near = gather_rows(rows, indices.reshape(-1)).reshape(*indices.shape, rows.shape[1])
     return (near * weights[..., None].to(near.dtype)).sum(-2).to(features.dtype)
