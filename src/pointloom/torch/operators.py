@@ -95,8 +95,8 @@ def _function_of(operator: Operator) -> type[torch.autograd.Function]:
                 )
             saved = iter(ctx.saved_tensors)
             values = [next(saved) if number is None else number for number in ctx.numbers]
-            results = tuple(saved)
-            return operator._tangents(values, tangents, results if len(results) > 1 else results[0])
+            results = list(saved)
+            return operator._tangents(values, tangents, tuple(results) if len(results) > 1 else results[0])
 
         @staticmethod
         def vmap(info: Any, in_dims: tuple, *given: Any) -> Any:
