@@ -73,7 +73,7 @@ class CellHeights:
         """Sums over squares of `reach` cells."""
         from scipy.ndimage import uniform_filter  # slow import
 
-        padded = np.pad(values.astype(np.float64), self.reach)
+        padded = np.pad(values.astype(np.float64), self.reach // 2 + 1)
         return uniform_filter(padded, self.reach, mode="constant") * self.reach**2
 
 
@@ -201,6 +201,7 @@ def center_heights(points: Points, window: FixedCells, max_gap: int) -> CellHeig
     gap has the height of a quadratic surface through the cells around it. Both use the smallest neighborhood that
     determines the fit.
     """
+    max_gap = min(max_gap, max(window.columns, window.rows))
     found = np.asarray(download(CellGroups(points, window).moments()))
     found = np.moveaxis(found.reshape(window.columns, window.rows, 10), 2, 0)
     count, mean_u, mean_v = found[:3]
@@ -259,7 +260,7 @@ def _gaps(known: Mask, max_gap: int) -> Mask:
     """Empty cells between measured ones that are at most `max_gap` cells apart. Cells outside are none."""
     from scipy.ndimage import binary_closing  # slow import
 
-    cells = (min(max_gap, max(known.shape)) + 1) // 2
+    cells = (max_gap + 1) // 2
     if not cells or known.all():
         return np.zeros(known.shape, bool)
     square = np.ones((2 * cells + 1, 2 * cells + 1), bool)
