@@ -114,7 +114,7 @@ def hills(x, y):
     return 0.8 * x + 0.3 * np.sin(x / 3) * np.cos(y / 4)
 
 
-@pytest.mark.parametrize("patterns", PATTERNS, ids=lambda pair: "-".join(each.__name__ for each in pair))
+@pytest.mark.parametrize("patterns", PATTERNS[1::2], ids=lambda pair: "-".join(each.__name__ for each in pair))
 @pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (EAST, NORTH, 300.0)], ids=["local", "utm"])
 def test_cells_have_the_height_of_a_curved_surface_at_their_middle(device, patterns, origin):
     def bowl(x, y):
@@ -159,12 +159,12 @@ def spread_of(changes, uncertainties):
 
 
 @pytest.mark.parametrize("patterns", PATTERNS, ids=lambda pair: "-".join(each.__name__ for each in pair))
-@pytest.mark.parametrize(("density", "cell"), [(1.5, 1.0), (10, 0.5), (6, 2.0)])
+@pytest.mark.parametrize(("density", "cell"), [(1.5, 1.0), (6, 2.0)])
 def test_uncertainties_are_those_of_repeated_surveys(patterns, density, cell):
-    found = [loom.volume_change(*surveys(seed, patterns, hills, density=density), cell) for seed in range(20)]
-    # Chi-squared distribution of 20: 0.5 and 1.45 have a probability below 0.2 %. Misfits of gaps make it smaller.
+    found = [loom.volume_change(*surveys(seed, patterns, hills, density=density), cell) for seed in range(15)]
+    # Chi-squared distribution of 15: 0.45 and 1.6 have a probability below 0.2 %. Misfits of gaps make it smaller.
     spread = spread_of([each.net for each in found], [each.net_uncertainty for each in found])
-    assert (0.5 if cell == 2.0 else 0.2) < spread < 1.45
+    assert (0.45 if cell == 2.0 else 0.2) < spread < 1.6
     cells = [(each.difference.values.ravel(), each.level_of_detection.ravel()) for each in found]
     changes, limits = (np.concatenate(each) for each in zip(*cells, strict=True))
     exceeding = np.mean(np.abs(changes[np.isfinite(changes)]) > limits[np.isfinite(changes)])
@@ -188,8 +188,7 @@ SHADOWS = {
 
 
 @pytest.mark.parametrize("shadow", SHADOWS)
-@pytest.mark.parametrize("slope", [0.0, 0.5])
-@pytest.mark.parametrize("height", [0.0, 1.5])
+@pytest.mark.parametrize(("slope", "height"), [(0.5, 0.0), (0.5, 1.5)])
 def test_the_interval_contains_the_truth_of_a_pile_with_a_shadow(shadow, slope, height):
     truth, inside = np.pi * 12 * height, 0
     for seed in range(10):
@@ -201,9 +200,8 @@ def test_the_interval_contains_the_truth_of_a_pile_with_a_shadow(shadow, slope, 
     assert inside >= 8  # 7 of 10 or fewer have a probability of 1.2 % at 95 %
 
 
-@pytest.mark.parametrize("axis", [0, 1])
-@pytest.mark.parametrize("epochs", [slice(None), slice(None, None, -1)], ids=["after", "before"])
 @pytest.mark.parametrize("limit", [11.0, 6.0])
+@pytest.mark.parametrize(("axis", "epochs"), [(0, slice(None)), (1, slice(None, None, -1))], ids=["after", "before"])
 def test_area_outside_of_the_other_epoch_is_missing(axis, epochs, limit):
     before, after = surveys(0, (even, even), lambda x, y: 0 * x, density=20, pile=1.5)
     cut = loom.PointCloud(after.points[after.points[:, axis] < limit])
@@ -215,9 +213,8 @@ def test_area_outside_of_the_other_epoch_is_missing(axis, epochs, limit):
     assert level.missing_area == 180 and level.reliable
 
 
-@pytest.mark.parametrize("pile", [0.0, 1.5, -1.5])
-@pytest.mark.parametrize("kind", ["cloud", "raster", "mesh"])
-@pytest.mark.parametrize("scale", [1.0, 1000.0])
+@pytest.mark.parametrize("pile", [0.0, -1.5])
+@pytest.mark.parametrize(("kind", "scale"), [("cloud", 1000.0), ("raster", 1.0), ("mesh", 1.0)])
 def test_a_height_offset_of_an_epoch_is_reported(pile, kind, scale):
     if kind == "mesh":
         x, y = (axis.ravel() * 0.5 for axis in np.meshgrid(np.arange(41.0), np.arange(41.0)))
@@ -237,7 +234,7 @@ def test_a_height_offset_of_an_epoch_is_reported(pile, kind, scale):
 
 
 def test_piles_of_any_outline_are_no_height_offset():
-    for seed in range(10):
+    for seed in range(5):
         before, after = surveys(seed, (even, lines), hills, density=8, pile=2.0)
         for radius in (3.0, 5.0, 7.0):
             cropped = [each.points[np.hypot(*(each.points[:, :2] - 10).T) < radius] for each in (before, after)]
