@@ -131,6 +131,7 @@ def test_cells_have_the_height_of_a_curved_surface_at_their_middle(device, patte
         np.testing.assert_allclose(found.difference.values[near], expected[near], atol=5e-3)
 
 
+@pytest.mark.both_compilers
 def test_heights_are_bitwise_the_same_on_each_device(device):
     made = [
         loom.volume_change(*surveys(3, (from_left, lines), hills, density=2, pile=1.5, device=each), 1.0)
