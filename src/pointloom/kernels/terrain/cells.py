@@ -2,9 +2,11 @@
 y. One float64 division locates a point, so all windows agree. Points of a cell keep their order.
 """
 
+from typing import Any
+
 import numpy as np
 
-from ..array_types import Doubles, Points
+from ..array_types import Array1, Doubles, Points
 from ..arrays.key_starts import find_key_starts
 from ..arrays.sort import SortKeys, put_key
 from ..lang import (
@@ -23,11 +25,13 @@ from ..lang import (
     struct,
     tid,
     vec3,
+    vector,
 )
 from ..memory import empty
 
 MAX_NUMBER = 2.0**48  # of a cell: its size is then still 32 float64 steps
 CELL_MAX, CELL_MIN, CELL_COUNT, CELL_MEAN = 0, 1, 2, 3
+moments = vector(10, float64)  # count, means u v z, sums of products of deviations uu uv vv uz vz zz
 
 
 @struct
@@ -102,6 +106,10 @@ class CellGroups:
         """CELL_MAX, CELL_MIN, CELL_COUNT or CELL_MEAN of finite values per cell, float64. NaN (count 0) if empty."""
         return compute(measure_cells_kernel, self.cells.size, [self, values, kind], float64, self.points.device)
 
+    def moments(self) -> Array1[Any]:
+        """Moments of the points of each cell, vector of 10 float64. u and v are in cells from the cell's center."""
+        return compute(measure_moments_kernel, self.cells.size, [self, self.cells], moments, self.points.device)
+
 
 @kernel
 def measure_cells_kernel(groups: CellGroups, values: array(dtype=float64), kind: int, out: array(dtype=float64)):
@@ -129,6 +137,37 @@ def measure_cells_kernel(groups: CellGroups, values: array(dtype=float64), kind:
         if kind == CELL_MEAN:
             total = total / count
     out[i] = total
+
+
+@kernel
+def measure_moments_kernel(groups: CellGroups, cells: FixedCells, out: array(dtype=moments)):
+    i = tid()
+    first = groups.starts[i]
+    end = groups.starts[i + 1]
+    x = cells.column0 + float64(i // cells.rows) + 0.5
+    y = cells.row0 + float64(i % cells.rows) + 0.5
+    found = moments(0.0)
+    for at in range(first, end):
+        p = groups.points[groups.order[at]]
+        found[1] += (float64(p[0]) - cells.x0) / cells.cell - x
+        found[2] += (float64(p[1]) - cells.y0) / cells.cell - y
+        found[3] += float64(p[2])
+    count = float64(end - first)
+    found[0] = count
+    for k in range(1, 4):
+        found[k] = found[k] / max(count, float64(1.0))
+    for at in range(first, end):
+        p = groups.points[groups.order[at]]
+        u = (float64(p[0]) - cells.x0) / cells.cell - x - found[1]
+        v = (float64(p[1]) - cells.y0) / cells.cell - y - found[2]
+        z = float64(p[2]) - found[3]
+        found[4] += u * u
+        found[5] += u * v
+        found[6] += v * v
+        found[7] += u * z
+        found[8] += v * z
+        found[9] += z * z
+    out[i] = found
 
 
 @kernel

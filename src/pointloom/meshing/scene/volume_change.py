@@ -16,22 +16,29 @@ from ...core.coordinate_systems import check_crs, common_crs
 from ...core.matched_counts import why_few_matched
 from ...core.reports import Assessed, Fields, Report, failed, with_warnings
 from ...core.units import LengthUnit, symbol_of
-from ...kernels.lang import float64
-from ...kernels.memory import download, upload
-from ...kernels.terrain.cells import CELL_COUNT, CELL_MEAN, CellGroups, heights_of
-from ...pcd.change import MIN_POINTS
+from ...pcd.cell_heights import CellHeights, center_heights
 from ...pcd.cloud import PointCloud
 from ...pcd.raster import Raster, common_cells
-from ...pcd.raster_cells import GROUND_CLASSES, check_classes, check_lengths, chosen_points, window_of
+from ...pcd.raster_cells import GROUND_CLASSES, MAX_CELLS, check_classes, check_lengths, chosen_points, window_of
 from ..mesh.mesh import TriangleMesh
 from .orthophoto import orthophoto
 
 Surface = PointCloud | TriangleMesh | Raster
 Grid = NDArray[np.float64]
+CONFIDENCE = 0.95
 CONFIDENCE_95 = 1.96  # quantile of the normal distribution for 95 % of both sides, as in M3C2
 # [cells] width of the gaps that are interpolated by default. With 4 points per cell, the least for a spread, 1.8 % of
 # the cells are empty, and 1e-7 of all blocks of 2 x 2 cells (Poisson distribution).
 GAP_CELLS = 4.0
+# Fraction of significant cells next to the missing area, from which the change probably continues there. One in
+# twenty is expected without change.
+MIN_BORDER_CHANGE = 0.2
+# Blocks along an edge for a common shift. With fewer than 9 blocks, most of them may have changed.
+MAX_BLOCKS, MIN_BLOCKS = 8, 3
+MIN_BLOCK_CELLS = 4  # per block, for a median and a spread
+MEDIAN_ERROR = 1.25  # standard deviation of the median of normal errors, in that of the mean
+# Variation of a shift over the area, as a fraction of it: more than the geoid varies over a site.
+MAX_SHIFT_VARIATION = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,13 +49,13 @@ class VolumeChange(Report, Assessed):
         cut: Volume that was removed, over all compared cells [m^3].
         fill: Volume that was added.
         net: `fill` minus `cut`. Random errors cancel in it, but add up in `cut` and `fill`.
-        cut_uncertainty, fill_uncertainty, net_uncertainty: From the spread in the cells and the registration error. NaN
-            if neither is known.
+        cut_uncertainty, fill_uncertainty, net_uncertainty: From the spread in the cells, the gaps and the registration
+            error. NaN if none is known.
         significant_cut, significant_fill: Sums over the cells whose change exceeds the level of detection. NaN if that
             is unknown.
         area: Area of the compared cells [m^2].
         interpolated_area: Part of it with a height interpolated in a gap, in one epoch at least.
-        missing_area: Area of cells with a height in one epoch only.
+        missing_area: Area of cells with a height in one epoch only, also outside of the other epoch.
         difference: Raster of the height of the later epoch minus that of the earlier one.
         level_of_detection: Significant change of each cell at 95% confidence, float64 (rows, columns).
         unit: Unit of length, or None.
@@ -68,6 +75,7 @@ class VolumeChange(Report, Assessed):
     difference: Raster
     level_of_detection: Grid
     unit: LengthUnit | None = None
+    _border_change: float = 0.0  # see `_change_at_border`
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -75,7 +83,26 @@ class VolumeChange(Report, Assessed):
         cell_area = self.difference.cell**2
         compared, missing = round(self.area / cell_area), round(self.missing_area / cell_area)
         remedy = "use larger cells or a larger max_gap, and the same area for both epochs"
-        return failed(why_few_matched(compared, compared + missing, "cells have a height in both epochs", remedy))
+        few = why_few_matched(compared, compared + missing, "cells have a height in both epochs", remedy)
+        return failed(few, self._why_cut_off(), self._why_shifted())
+
+    def _why_cut_off(self) -> str | None:
+        if not self._border_change * self.missing_area > self.net_uncertainty:
+            return None
+        return (
+            f"the cells next to the missing area changed by {self._border_change:.3g} {symbol_of(self.unit)} (mean), "
+            "so the net volume lacks a part that exceeds net_uncertainty: survey the missing area, too"
+        )
+
+    def _why_shifted(self) -> str | None:
+        shift = _common_shift(self.difference.values.astype(np.float64), self.level_of_detection / CONFIDENCE_95)
+        if abs(shift) * self.area <= (0.0 if math.isnan(self.net_uncertainty) else self.net_uncertainty):
+            return None
+        return (
+            f"the heights before and after differ by {shift:.3g} {symbol_of(self.unit)} in most of the compared area, "
+            "and net_uncertainty does not contain it: probably different height systems or a shift of one survey, not "
+            "change; register both on stable ground, and pass registration_error"
+        )
 
     def fields(self) -> Fields:
         unit = symbol_of(self.unit)
@@ -104,10 +131,10 @@ class VolumeChange(Report, Assessed):
 
 @dataclass(frozen=True, eq=False)
 class _Heights:
-    """Heights of an epoch. `variance` is that of a cell's mean height, None for a raster or mesh."""
+    """Heights of an epoch. `cells` are None for a raster or mesh."""
 
     raster: Raster
-    variance: Grid | None
+    cells: CellHeights | None
 
 
 def volume_change(
@@ -122,12 +149,22 @@ def volume_change(
 ) -> VolumeChange:
     """Volumes of cut and fill between two epochs along z, with their uncertainty.
 
-    Heights are compared on a grid of square cells. A cell of a cloud has the mean height of its points, with the
-    variance s^2 / n of that mean. A cell of a mesh has the height of its highest surface at the center. The level of
-    detection is that of `m3c2`. Spreads are independent between cells, but the registration error is common to all of
-    them, so it is multiplied by the area. Lane, Westaway and Hicks, "Estimation of erosion and deposition volumes in a
-    large, gravel-bed, braided river using synoptic remote sensing", 2003. Wheaton et al., "Accounting for uncertainty
-    in DEMs from repeat topographic surveys", 2010.
+    Heights are compared at the centers of square cells. A cell of a cloud has the mean height of its points, moved to
+    the center along the slope and curvature of its neighbors. Gaps have the height of a quadratic surface through the
+    cells around them. A cell of a mesh has the height of its highest surface at the center. The level of detection is
+    that of `m3c2`.
+
+    Errors of points are independent. Their spread about the surface is propagated through all cells that use a point,
+    so the correlation of neighbors and of interpolated cells is included. Errors of the surface in a gap are estimated
+    from the fit, and are correlated over two widths of gaps. The registration error is common to all cells, so it is
+    multiplied by the area. The result is not reliable if most of the area has the same change, which the interval does
+    not contain, or if change continues into the missing area.
+
+    References:
+        Lane, Westaway and Hicks, "Estimation of erosion and deposition volumes in a large, gravel-bed, braided river
+        using synoptic remote sensing", 2003. Wheaton et al., "Accounting for uncertainty in DEMs from repeat
+        topographic surveys", 2010. Rolstad, Haug and Denby, "Spatially integrated geodetic glacier mass balance and its
+        uncertainty based on geostatistical analysis", 2009: sums of correlated errors.
 
     Args:
         before, after: The earlier and the later epoch, z up: clouds, meshes or rasters.
@@ -154,8 +191,8 @@ def volume_change(
         >>> before, after = (rng.random((50_000, 3)) * (20, 20, 0.02) for _ in range(2))
         >>> after[after[:, 0] > 15, 2] += 0.1
         >>> found = loom.volume_change(loom.PointCloud(before), loom.PointCloud(after), 0.5)
-        >>> round(found.net, 1), round(found.significant_fill, 1), found.net_uncertainty < 0.1
-        (10.0, 10.0, True)
+        >>> round(found.net, 1), round(found.significant_fill), found.net_uncertainty < 0.1
+        (10.0, 10, True)
     """
     for name, surface in (("before", before), ("after", after)):
         if not isinstance(surface, Surface):
@@ -226,43 +263,14 @@ def _heights(
 def _heights_of_cloud(
     cloud: PointCloud, classes: tuple[int, ...] | None, side: float, corner: Grid, gap: float
 ) -> _Heights:
-    """Mean heights of the points in each cell. Cells with fewer than 4 points have the pooled variance of a point."""
     check_lengths(cloud)
     points = chosen_points(cloud, classes, is_ground=classes == GROUND_CLASSES)
     window = window_of(points, corner - cloud.origin[:2], side, None, cloud.origin)
-    groups, heights = CellGroups(points, window), heights_of(points)
-    squared = upload(np.square(download(heights)), float64, points.device)
-    count, means, squares = (
-        np.asarray(download(groups.measure(values, kind))).reshape(window.columns, window.rows).T[::-1]
-        for values, kind in ((heights, CELL_COUNT), (heights, CELL_MEAN), (squared, CELL_MEAN))
-    )
-    sums = np.maximum(squares - means**2, 0.0) * count  # of squared deviations
-    spread_cells = count >= 2
-    freedom = float((count[spread_cells] - 1).sum())
-    pooled = float(sums[spread_cells].sum()) / freedom if freedom else np.nan
-    variance = np.full(count.shape, pooled)
-    enough = count >= MIN_POINTS
-    variance[enough] = sums[enough] / (count[enough] - 1)
+    found = center_heights(points, window, math.ceil(min(gap / side, MAX_CELLS)))
     low = corner + np.array([window.column0, window.row0]) * side
-    values = (means + cloud.origin[2]).astype(np.float32)
-    raster = Raster(values, low, side, np.zeros(values.shape, bool), "mean", unit=cloud.unit)
-    return _Heights(_interpolated(raster, gap), variance / np.maximum(count, 1))
-
-
-def _interpolated(raster: Raster, gap: float) -> Raster:
-    """Interpolate gaps up to a width. Cells outside of the outline remain empty."""
-    from scipy.ndimage import binary_closing  # slow import
-
-    cells = math.ceil(min(gap / raster.cell, max(raster.values.shape)) / 2)
-    known = np.isfinite(raster.values)
-    if not cells or known.all():
-        return raster
-    square = np.ones((2 * cells + 1, 2 * cells + 1), bool)
-    closed = binary_closing(np.pad(known, cells), square)[cells:-cells, cells:-cells]
-    filled = raster.fill_gaps(math.sqrt(2) * (cells + 1) * raster.cell)
-    outside = ~(known | closed)
-    values = np.where(outside, np.float32(np.nan), filled.values)
-    return dataclasses.replace(filled, values=values, filled=filled.filled & ~outside)
+    values = np.ascontiguousarray(_rows_of(found.values + cloud.origin[2]), np.float32)
+    filled = np.ascontiguousarray(_rows_of(found.filled))
+    return _Heights(Raster(values, low, side, filled, "center", unit=cloud.unit), found)
 
 
 def _compare(before: _Heights, after: _Heights, error: float) -> VolumeChange:
@@ -270,49 +278,113 @@ def _compare(before: _Heights, after: _Heights, error: float) -> VolumeChange:
     difference = dataclasses.replace(second - first, kind="difference")
     changes = second.values.astype(np.float64) - first.values
     compared = np.isfinite(changes)
-    variances = (_variance_in(first, before), _variance_in(second, after))
-    variance = np.zeros(changes.shape)
-    for part in variances:
-        variance = variance if part is None else variance + part
-    is_unknown = error == 0 and all(part is None for part in variances)
-    limits = np.where(compared, CONFIDENCE_95 * (np.sqrt(variance) + error), np.nan)
-    if is_unknown:
-        limits = np.full(changes.shape, np.nan)
+    known = [
+        (each.cells, _window_in(part, each.raster)) for part, each in ((first, before), (second, after)) if each.cells
+    ]
+    is_unknown = error == 0 and not known
+    variance = sum((_rows_of(cells.cell_variance())[window] for cells, window in known), np.zeros(changes.shape))
+    limits = np.where(compared & ~np.bool_(is_unknown), CONFIDENCE_95 * (np.sqrt(variance) + error), np.nan)
     area = difference.cell**2
 
-    def volume(cells: NDArray[np.bool_]) -> tuple[float, float]:
+    def volume(chosen: NDArray[np.bool_]) -> tuple[float, float]:
         """Sum over some cells, and its uncertainty."""
-        random = math.sqrt(float(variance[cells].sum())) * area
-        spread = CONFIDENCE_95 * math.hypot(random, error * float(cells.sum()) * area)
-        return float(changes[cells].sum()) * area, math.nan if is_unknown else spread
+        random = 0.0
+        for cells, window in known:
+            mask = np.zeros(cells.values.shape, bool)
+            _rows_of(mask)[window] = chosen
+            random += cells.sum_variance(mask)
+        spread = CONFIDENCE_95 * math.hypot(math.sqrt(random), error * float(chosen.sum())) * area
+        return float(changes[chosen].sum()) * area, math.nan if is_unknown else spread
 
     with np.errstate(invalid="ignore"):
         lower, higher, exceeds = changes < 0, changes > 0, np.abs(changes) > limits
-    (cut, cut_error), (fill, fill_error), (net, net_error) = volume(lower), volume(higher), volume(compared)
-    in_one = np.isfinite(first.values) != np.isfinite(second.values)
+    (cut, cut_error), (fill, fill_error), (_, net_error) = volume(lower), volume(higher), volume(compared)
+    measured = sum(int(np.isfinite(each.raster.values).sum()) for each in (before, after))
     return VolumeChange(
         -cut + 0.0,
         fill,
-        net,
+        fill + cut,
         cut_error,
         fill_error,
         net_error,
-        math.nan if is_unknown else -volume(lower & exceeds)[0] + 0.0,
-        math.nan if is_unknown else volume(higher & exceeds)[0],
+        math.nan if is_unknown else -float(changes[lower & exceeds].sum()) * area + 0.0,
+        math.nan if is_unknown else float(changes[higher & exceeds].sum()) * area,
         float(compared.sum()) * area,
         float((compared & difference.filled).sum()) * area,
-        float(in_one.sum()) * area,
+        float(measured - 2 * compared.sum()) * area,
         difference,
         limits,
         difference.unit,
+        _change_at_border(before.raster, after.raster, difference, exceeds),
     )
 
 
-def _variance_in(part: Raster, heights: _Heights) -> Grid | None:
-    """Variances of the cells of a part of a raster."""
-    if heights.variance is None:
-        return None
-    raster = heights.raster
-    columns, rows = np.round((part.corner - raster.corner) / raster.cell).astype(int)
-    top = raster.values.shape[0] - rows - part.values.shape[0]
-    return heights.variance[top : top + part.values.shape[0], columns : columns + part.values.shape[1]]
+def _change_at_border(before: Raster, after: Raster, difference: Raster, exceeds: NDArray[np.bool_]) -> float:
+    """Mean significant change of the compared cells next to a missing cell. 0 if it can be chance."""
+    from scipy.ndimage import binary_dilation  # slow import
+
+    around = []
+    for raster in (before, after):
+        rows, columns = _window_in(difference, raster)
+        known = np.pad(np.isfinite(raster.values), 1)
+        around.append(known[rows.start : rows.stop + 2, columns.start : columns.stop + 2])
+    missing = binary_dilation(around[0] != around[1], np.ones((3, 3), bool))[1:-1, 1:-1]
+    border = missing & np.isfinite(difference.values)
+    significant, count = border & exceeds, max(int(border.sum()), 1)
+    chance = 1 - CONFIDENCE
+    expected = chance + 4 * math.sqrt(chance * CONFIDENCE / count)
+    is_chance = significant.sum() <= max(expected, MIN_BORDER_CHANGE) * count
+    return 0.0 if is_chance else float(np.abs(difference.values[significant]).astype(np.float64).sum()) / count
+
+
+def _common_shift(changes: Grid, errors: Grid) -> float:
+    """Change that most of the area has in common, from the medians of square blocks. 0 if there is none.
+
+    The blocks in common are those near the densest 40 % of the medians. Change elsewhere, such as a pile, is ignored.
+    `errors` are standard deviations of the changes. If they are NaN, the spread in the blocks is used.
+    """
+    edge = min(MAX_BLOCKS, math.isqrt(int(np.isfinite(changes).sum()) // MIN_BLOCK_CELLS))
+    if edge < MIN_BLOCKS:
+        return 0.0
+    strips = np.array_split(np.stack([changes, errors]), edge, axis=1)
+    parts = [part[:, np.isfinite(part[0])] for strip in strips for part in np.array_split(strip, edge, axis=2)]
+    blocks = [part for part in parts if part.shape[1] >= MIN_BLOCK_CELLS]
+    count = math.ceil(0.4 * len(blocks))
+    if count < MIN_BLOCKS:
+        return 0.0
+    if np.isnan(errors).all():
+        blocks = [np.stack([part[0], np.full_like(part[0], _spread(part[0]))]) for part in blocks]
+    errors = np.concatenate(blocks, axis=1)[1]
+    medians = np.sort([np.median(part[0]) for part in blocks])
+    error = MEDIAN_ERROR * float(np.median([math.sqrt((part[1] ** 2).mean() / part.shape[1]) for part in blocks]))
+    first = int(np.argmin(medians[count - 1 :] - medians[: len(medians) - count + 1]))
+    shift = float(medians[first : first + count].mean())
+    common = medians
+    for _ in range(5):
+        common = medians[np.abs(medians - shift) <= max(2 * error, MAX_SHIFT_VARIATION * abs(shift))]
+        if 2 * len(common) <= len(blocks):
+            return 0.0
+        shift = float(common.mean())
+    is_near = np.abs(np.concatenate(blocks, axis=1)[0] - shift) <= np.maximum(
+        CONFIDENCE_95 * errors, MAX_SHIFT_VARIATION * abs(shift)
+    )
+    limit = 3 * max(error, float(common.std())) / math.sqrt(len(common))
+    return shift if 2 * is_near.sum() > len(is_near) and abs(shift) > limit else 0.0
+
+
+def _spread(values: Grid) -> float:
+    """Standard deviation of the inner values."""
+    return float(np.diff(np.quantile(values, (0.16, 0.84)))[0]) / 2
+
+
+def _rows_of(cells: NDArray[Any]) -> NDArray[Any]:
+    """View of an array (columns, rows) from the south as raster rows from the north."""
+    return cells.T[::-1]
+
+
+def _window_in(part: Raster, raster: Raster) -> tuple[slice, slice]:
+    """Rows and columns of a part of a raster."""
+    left, bottom = np.round((part.corner - raster.corner) / raster.cell).astype(int)
+    rows, columns = part.values.shape
+    top = raster.values.shape[0] - bottom - rows
+    return slice(top, top + rows), slice(left, left + columns)
