@@ -567,7 +567,7 @@ class LidarSLAM(Serialized):
         open_count = sum(map(len, self._builder.positions.values())) if self._builder is not None else 0
         counts = PositionCounts(used, refused, len(squares) - used - refused + open_count)
         if len(squares):
-            counts = checked(counts, state.graph.priors, np.array(state.graph.poses), state.graph.reference)
+            counts = checked(counts, state.graph)
         points = [submap.point_count for submap in state.submaps]
         return summarize_slam(
             self._odometry.summary,

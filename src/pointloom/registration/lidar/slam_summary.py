@@ -8,16 +8,13 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.wording import plain
+from .lidar_graph import SubmapGraph
 from .lidar_loops import ACCEPTED, AMBIGUOUS, WAITING, LidarLoop
 from .lidar_steps import OdometrySummary
-from .position_checks import MAX_TILT, ClockError, better_axes, clock_error, tilt_of
-from .position_priors import PositionPriors
-
-Array = NDArray[np.float64]
+from .position_checks import MAX_TILT, ClockError, better_axes, clock_of_graph, tilt_of
 
 
 @dataclass(frozen=True)
@@ -153,10 +150,11 @@ MAX_LISTED = 6
 MAX_REFUSED = 0.33
 
 
-def checked(counts: PositionCounts, priors: PositionPriors, poses: Array, reference: Array | None) -> PositionCounts:
+def checked(counts: PositionCounts, graph: SubmapGraph) -> PositionCounts:
     """The numbers with the checks of the clock, and of the axes if many positions do not fit."""
+    priors, reference, poses = graph.priors, graph.reference, np.array(graph.poses)
     if reference is not None:
-        counts = replace(counts, clock=clock_error(priors, poses, reference), tilt=tilt_of(reference))
+        counts = replace(counts, clock=clock_of_graph(graph), tilt=tilt_of(reference))
     if counts.used and not counts.is_tilted and not counts.is_refused:
         return counts
     rows = priors.at(priors.nodes >= 0 if reference is None else priors.is_aligned)
