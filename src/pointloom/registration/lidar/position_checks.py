@@ -20,9 +20,8 @@ MIN_ROWS = 12  # positions that determine a clock beside the pose: 36 coordinate
 # Prior standard deviations of the corrections: rotation [rad], translation [m], and offset and drift of the clock [s].
 # They only keep undetermined ones finite, such as the offset on a straight path at constant speed.
 PRIOR_SIGMAS = np.array([0.5] * 3 + [1e4] * 3 + [100.0] * 2)
-CLOCK_SIGMAS = (
-    5.0  # standard deviations: a significant offset. 6e-7 of correct clocks with independent errors exceed it
-)
+# Standard deviations of a significant offset or drift: 6e-7 of correct clocks exceed it by independent errors.
+CLOCK_SIGMAS = 5.0
 MIN_SHIFT = 0.5  # of the median sigma, and [m]: smaller displacements by the clock are those of bends of the map
 MAX_ROUNDS = 8  # of the estimate with a graph that is bent less each time: half of the offset remained after the first
 MAX_TILT = math.radians(30)  # between the up axes of the first scan and of the positions: five sigmas of the level
