@@ -42,6 +42,15 @@ def test_ground_classifies_and_keeps_other_classes(tile, tmp_path):
     assert "classes are not written to .xyz" in refusal("ground", tile, tmp_path / "a.xyz")
 
 
+def test_ground_reports_terrain_that_may_be_steeper_than_the_slope(tmp_path, rng):
+    x, y = rng.random((2, 25_000)) * 110
+    z = 6.0 * np.floor(np.maximum(np.hypot(x - 55, y - 55) - 15, 0) / 12)
+    loom.write_point_cloud(tmp_path / "steps.ply", loom.PointCloud(np.column_stack([x, y, z])))
+    report = unreliable("ground", tmp_path / "steps.ply", tmp_path / "a.ply")
+    assert "with --slope=0.15 are ground with --slope=0.45" in report["warnings"][0]
+    assert report["points"] < answer("ground", tmp_path / "steps.ply", tmp_path / "b.ply", "--slope", 0.45)["points"]
+
+
 def test_dtm_is_the_raster_of_the_library(tile, tmp_path):
     output = tmp_path / "dtm.tif"
     assert "Run pointloom ground first" in refusal("dtm", tile, "-o", output)

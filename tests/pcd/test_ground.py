@@ -74,13 +74,35 @@ def quarry(rng, height, count=25_000):
 def test_a_quarry_whose_ground_depends_on_the_slope_warns(device, rng):
     cloud = loom.PointCloud(quarry(rng, 6.0), device=device)
     with pytest.warns(
-        UserWarning, match=r"% of the points that are not ground with slope=0.15 are ground with.*Compare"
+        UserWarning, match=r"% of the points that are not ground with slope=0.15 are ground with.*Pass slope=0.45"
     ):
-        ground = loom.classify_ground(cloud, slope=0.15)
+        ground = loom.classify_ground(cloud)
     assert ground.mean() < 0.85 and loom.classify_ground(cloud, slope=0.45).mean() > 0.95
     with pytest.warns(UserWarning, match=r"slope=0.45 was used"):
-        assert loom.classify_ground(cloud).mean() > 0.99, "a steep slope, and terrain continues beyond the border"
+        adapted = loom.classify_ground(cloud, slope=None)
+    assert adapted.mean() > 0.99, "a steep slope, and terrain continues beyond the border"
     assert loom.classify_ground(cloud, corner=(0, 0)).mean() > 0.98, "terrain continues beyond the border"
+
+
+def hall(rng, height, width, slope, count=25_000):
+    """A field of 110 m with four flat roofs or bridges, and the mask of their points."""
+    x, y = rng.random((2, count)) * 110
+    near = abs(np.abs(x - 55) - 25) < width / 2
+    roof = near & (abs(np.abs(y - 55) - 28) < max(width / 2, 10))
+    z = np.where(roof, height + slope * (55 + 25 * np.sign(x - 55)), slope * x)
+    return np.column_stack([x, y, z + rng.normal(0, 0.03, count)]), roof
+
+
+@pytest.mark.filterwarnings("ignore:.*slope=0.15:UserWarning")  # some have the pattern of terraces
+@pytest.mark.parametrize(
+    ("height", "width", "slope"),
+    [(3, 15, 0.0), (3, 20, 0.0), (4.5, 15, 0.1), (4.5, 30, 0.0), (6, 30, 0.0), (6, 20, 0.1)],
+)
+def test_low_wide_roofs_are_not_ground(device, rng, height, width, slope):
+    points, roof = hall(rng, height, width, slope)
+    for corner in (None, (0, 0)):
+        ground = loom.classify_ground(loom.PointCloud(points, device=device), corner=corner)
+        assert ground[roof].mean() < 0.1 and ground[~roof].mean() > 0.99
 
 
 @pytest.mark.parametrize("slope", [0.0, 0.1])

@@ -63,13 +63,13 @@ def street_of_equal_houses(period):
     )
 
 
-def scan_at(scene, x, device, seed, pitch=0.0):
-    """A scan of a street from a position on its middle line, with 1 cm of noise. `pitch` [rad] lifts the front."""
-    rays = sensor_rays()
+def scan_at(scene, x, device, seed, pitch=0.0, noise=0.01, beams=24):
+    """A scan of a street from a position on its middle line. `pitch` [rad] lifts the front, `noise` [m] of ranges."""
+    rays = sensor_rays(beams)
     c, s = np.cos(pitch), np.sin(pitch)
     turned = rays @ np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]]).T
     origins = np.tile([x, 0.0, 0.0], (len(rays), 1))
     t = np.asarray(scene.cast_rays(np.hstack([origins, turned]).astype(np.float32))["t_hit"])
     seen = np.isfinite(t) & (t < 40)
-    noise = np.random.default_rng(seed).normal(0, 0.01, seen.sum())
+    noise = np.random.default_rng(seed).normal(0, noise, seen.sum())
     return loom.PointCloud(rays[seen] * (t[seen] + noise)[:, None], device=device)

@@ -7,6 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.registration import LidarOdometry
+from pointloom.registration.lidar import lidar_odometry
 from pointloom.registration.lidar.deskewing import twist_of
 from pointloom.registration.lidar.gaps import MIN_GAP, ScanClock, intervals_between, motion_in, poses_after
 from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
@@ -181,3 +182,62 @@ def test_a_scan_that_fits_much_worse_is_reported():
     assert summary.doubtful == (1,) and not summary.reliable
     assert "1 of 3 scans fit the map much worse than those before (scan 1)" in summary.warnings[0]
     assert summary.to_dict()["doubtful"] == [1] and ("doubtful", "1: scan 1") in summary.fields()
+
+
+@pytest.fixture(scope="module")
+def slow_drive(made_street):
+    return made_street.drive(20, beams=16, azimuths=600, speed=4.0)
+
+
+def scans_in_turn(drive, mounts, count, device):
+    """Scans by scanners on a car, in turn, and their positions in the frame of the first.
+
+    Mounts are an angle [deg] about z, and a number of scans by which the scanner is ahead.
+    """
+    scans, poses = [], []
+    for k in range(count):
+        angle, ahead = mounts[k % len(mounts)]
+        T = as_pose([0, 0, np.radians(angle)], [0, 0, 0])
+        scans.append(loom.PointCloud(drive.scans[k + ahead] @ T[:3, :3], device=device))
+        poses.append(drive.poses[k + ahead] @ T)
+    return scans, (np.linalg.inv(poses[0]) @ poses)[:, :3, 3]
+
+
+@pytest.mark.parametrize("repeats", [1, 2])
+@pytest.mark.parametrize(
+    "mounts", [((0, 0), (90, 0)), ((0, 0), (180, 0)), ((0, 6), (0, 0)), ((0, 0), (120, 0), (240, 0)), ((0, 3), (90, 0))]
+)
+def test_scanners_in_turn_are_named_and_not_searched_for_at_each_scan(slow_drive, device, mounts, repeats, monkeypatch):
+    scans, positions = scans_in_turn(slow_drive, mounts, 14, device)
+    calls = counted(monkeypatch, "search_poses")
+    odometry = LidarOdometry(max_range=80.0, min_range=1.5)
+    for scan in scans:
+        for _ in range(repeats):
+            odometry.register(scan)
+    summary, first = odometry.summary, repeats * (2 * len(mounts) + 1)
+    assert np.abs(odometry.poses[::repeats, :3, 3] - positions).max() < 0.1
+    assert summary.scanners == len(mounts) and set(range(first, len(odometry.steps))) <= set(summary.in_turn)
+    assert not summary.reliable and "Use one LidarOdometry for each scanner" in " ".join(summary.warnings)
+    assert len(calls) <= 2 * len(mounts), "then the motion is predicted by the last scan of the same scanner"
+    assert summary.to_dict()["in_turn"] == list(summary.in_turn) and "in turn" in str(summary)
+
+
+@pytest.mark.parametrize("dropped", [(), (5,), (4, 8), (5, 6, 7)])
+def test_scans_of_one_scanner_are_not_in_turn(device, dropped):
+    scene, odometry = random_street(3), LidarOdometry(max_range=40.0, min_range=1.0)
+    for k in range(14):
+        if k not in dropped:
+            odometry.register(scan_at(scene, 0.8 * k, device, seed=k))
+    assert odometry.summary.in_turn == () and odometry.summary.scanners == 1
+
+
+def counted(monkeypatch, name):
+    """The calls of a function of the odometry."""
+    calls, function = [], getattr(lidar_odometry, name)
+
+    def call(*args, **options):
+        calls.append(name)
+        return function(*args, **options)
+
+    monkeypatch.setattr(lidar_odometry, name, call)
+    return calls

@@ -23,11 +23,12 @@ from pointloom.registration import LidarOdometry, evaluate_trajectory, run_odome
 from pointloom.registration.lidar.lidar_odometry import OdometryState
 from pointloom.registration.lidar.lidar_runs import iterate_odometry
 from pointloom.registration.lidar.lidar_steps import OdometryStep
+from pointloom.registration.lidar.raw_scan import range_noise
 from pointloom.registration.lidar.scan_matching import AdaptiveThreshold, rotated_guesses
 
 from ..interruptions import run_lines
 from ..products import few_quick
-from .drives import clouds, follow, truth_of
+from .drives import clouds, follow, random_street, scan_at, truth_of
 from .poses import as_pose
 
 
@@ -72,6 +73,34 @@ def test_a_lost_trajectory_reports_its_first_frame(device, fast_drive):
     right = follow(fast_drive, device)
     assert right.summary.strayed == ()
     assert right.summary.unsettled == tuple(step.index for step in right.steps if step.status == "max_iteration")
+
+
+@pytest.mark.parametrize(("beams", "noise"), [(16, 0.05), (16, 0.07), (16, 0.1), (32, 0.1)])
+def test_noisy_ranges_are_tracked(device, beams, noise):
+    """The voxels grow with the noise, since the points of planes within smaller ones are not flat."""
+    scene, odometry = random_street(1), LidarOdometry(max_range=40.0, min_range=1.0)
+    for k in range(6):
+        odometry.register(scan_at(scene, 1.2 * k, device, seed=k, noise=noise, beams=beams))
+    assert np.abs(odometry.poses[:, 0, 3] - 1.2 * np.arange(6)).max() < 0.1
+    assert odometry.voxel_size == pytest.approx(max(0.4, 10 * noise), rel=0.25) and odometry.voxel_size >= 0.4
+
+
+def test_a_given_voxel_size_is_kept(device):
+    odometry = LidarOdometry(voxel_size=0.4, max_range=40.0, min_range=1.0)
+    odometry.register(scan_at(random_street(1), 0.0, device, seed=0, noise=0.1))
+    assert odometry.voxel_size == 0.4
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.01, 0.05, 0.1])
+@pytest.mark.parametrize("beams", [16, 48])
+def test_the_noise_of_ranges_is_estimated_in_any_order_of_the_points(device, rng, beams, noise):
+    points = scan_at(random_street(2), 0.0, device, seed=3, noise=noise, beams=beams).points
+    for rows in (slice(None), rng.permutation(len(points))):
+        found = range_noise(upload(points[rows].astype(np.float32), vec3, resolve_device(device)), 1.0, 40.0)
+        assert found == pytest.approx(noise, rel=0.25, abs=0.002)
+    few, random = points[:500], rng.uniform(-20, 20, (5000, 3))  # of no plane
+    for cloud in (few, random):
+        assert range_noise(upload(cloud.astype(np.float32), vec3, resolve_device(device)), 1.0, 40.0) == 0.0
 
 
 def wood_scan(rng, trunks, position):

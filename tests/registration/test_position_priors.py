@@ -1,6 +1,7 @@
 """Given positions in LiDAR SLAM: noise, wrong ones, none in a tunnel, and their frame."""
 
 import dataclasses
+import itertools
 
 import numpy as np
 import pytest
@@ -9,8 +10,11 @@ import pointloom as loom
 from pointloom.registration import LidarSLAM, PositionReadings
 from pointloom.registration.lidar import lidar_slam
 from pointloom.registration.lidar.lidar_graph import MotionEdge, SubmapGraph
-from pointloom.registration.lidar.position_priors import PositionRow, align_path, heading_of
-from pointloom.registration.rigid import fit_pose, make_pose
+from pointloom.registration.lidar.position_checks import better_axes, clock_error, clock_of_graph
+from pointloom.registration.lidar.position_priors import PositionPriors, PositionRow, align_path, heading_of, path_cost
+from pointloom.registration.lidar.slam_summary import MAX_REFUSED, PositionCounts, checked
+from pointloom.registration.rigid import fit_pose, invert_pose, make_pose
+from tests.products import few_quick
 from tests.registration.test_lidar_slam import SIZES, slam_of, truth_of
 
 DRIFT = [0, 0, 0.002, 0, 0.01, 0.005]  # [rad, m] a scan: 20 degrees, 2 m in all
@@ -215,3 +219,122 @@ def test_wrong_files_of_positions_are_named(tmp_path, text):
         PositionReadings.read(path)
     with pytest.raises(loom.FileError, match="none"):
         PositionReadings.read(tmp_path / "none.txt")
+
+
+def ring_road(times, speed=10.0):
+    """Positions and velocities on a hilly road of three bends at these times."""
+
+    def at(times):
+        a = times * speed / 40
+        r = 40 * (1 + 0.2 * np.sin(3 * a))
+        return np.column_stack([r * np.cos(a), 0.7 * r * np.sin(a), 3 * np.sin(2 * a)])
+
+    return at(times), (at(times + 0.01) - at(times - 0.01)) / 0.02
+
+
+def graph_of(rng, positions_at, sigma=1.0, count=70):
+    """Aligned positions by `positions_at` times of the scans, as the graph has them with one submap."""
+    times = np.arange(count) * 0.4
+    points, velocities = ring_road(times)
+    positions = in_reference(None, positions_at(times)) - SHIFT + rng.normal(0, sigma, points.shape)
+    sigmas, ones = np.full(points.shape, sigma), np.ones(count)
+    priors = PositionPriors(
+        np.zeros(count, np.int64), points, positions, sigmas, ones, ones, np.zeros(3), times, velocities
+    )
+    found = align_path(points, positions, sigmas)
+    return SubmapGraph([np.eye(4)], [], priors, np.eye(4) if found is None else invert_pose(found))
+
+
+@pytest.mark.parametrize("offset", [-1.0, -0.3, 0.3, 1.0])
+@pytest.mark.parametrize("sigma", [0.05, 1.0])
+def test_a_clock_that_is_late_or_early_is_measured(rng, offset, sigma):
+    graph = graph_of(rng, lambda times: ring_road(times - offset)[0], sigma)
+    clock = clock_of_graph(graph)
+    assert abs(clock.offset - offset) < max(4 * clock.sigma, 0.1 * abs(offset)) and clock.sigma < 0.06
+    counts = checked(PositionCounts(70, 0, 0), graph)
+    word = f"{abs(clock.offset):.2f} s {'late' if offset > 0 else 'early'}"
+    assert word in counts.problem and f"Pass times {'-' if offset > 0 else '+'} " in counts.problem
+
+
+@pytest.mark.parametrize("rate", [0.97, 1.03])
+def test_a_clock_that_drifts_is_measured(rng, rate):
+    clock = clock_of_graph(graph_of(rng, lambda times: ring_road(times / rate)[0]))
+    assert clock.is_drifting and abs(clock.drift - (1 - 1 / rate) * 27.6) < 0.3 and "drifts" in clock.problem
+
+
+def wrong_by_reflections(positions, rng):
+    wrong = rng.permutation(len(positions))[: len(positions) // 5]
+    away = rng.normal(size=(len(wrong), 3))
+    positions[wrong] += away / np.linalg.norm(away, axis=1)[:, None] * rng.uniform(5, 30, (len(wrong), 1))
+    return positions
+
+
+def frozen(positions, rng):
+    positions[30:44] = positions[30]
+    return positions
+
+
+@pytest.mark.parametrize("change", [lambda positions, rng: positions, wrong_by_reflections, frozen])
+@pytest.mark.parametrize("sigma", [0.05, 1.0])
+@pytest.mark.parametrize("seed", range(4))
+def test_positions_of_a_right_clock_are_accepted(change, sigma, seed):
+    rng = np.random.default_rng(seed)
+    graph = graph_of(rng, lambda times: change(ring_road(times)[0], rng), sigma)
+    counts = checked(PositionCounts(56, 14, 0), graph)
+    assert counts.problem is None and abs(counts.clock.offset) < 5 * counts.clock.sigma
+
+
+def test_a_clock_is_unknown_on_a_straight_path_at_constant_speed(rng):
+    times = np.arange(70) * 0.4
+    priors = graph_of(rng, lambda times: ring_road(times)[0]).priors
+    way = np.outer(times, [10.0, 0, 0])
+    straight = dataclasses.replace(
+        priors,
+        points=way,
+        positions=way + rng.normal(0, 1, way.shape) + np.array([3.0, 0, 0]),
+        velocities=np.gradient(way, 0.4, axis=0),
+    )
+    clock = clock_error(straight, np.eye(4)[None], np.eye(4))
+    assert clock.sigma > 10 and clock.problem is None
+    assert clock_error(priors.at(np.arange(70) < 8), np.eye(4)[None], np.eye(4)) is None, "few positions"
+
+
+@few_quick(1, "order", list(itertools.permutations(range(3)))[::-1])
+def test_permuted_and_mirrored_axes_are_named(rng, order):
+    points = ring_road(np.arange(70) * 0.4)[0] + rng.normal(0, 0.3, (70, 3))
+    sigmas = np.full(points.shape, 0.3)
+    for signs in [(1, 1, 1), (1, -1, 1), (1, 1, -1), (-1, -1, -1)]:
+        positions = (points * signs)[:, order]
+        found = better_axes(points, positions, sigmas)
+        T = align_path(points, positions, sigmas)
+        if found is None:
+            assert T is not None and path_cost(T, points, positions, sigmas) < 70 * 3
+            assert np.linalg.det(np.eye(3)[list(order)] * signs) > 0 and order[2] == 2
+            continue
+        given = eval(found, {"positions": positions})
+        T = align_path(points, given, sigmas)
+        assert path_cost(T, points, given, sigmas) < 70 * 3
+
+
+def test_a_map_that_is_upside_down_is_refused_with_the_axes(rng):
+    points = ring_road(np.arange(70) * 0.4)[0]
+    graph = graph_of(rng, lambda times: ring_road(times)[0][:, [1, 0, 2]])
+    turned = invert_pose(fit_pose(points * [1, 1, 0], graph.priors.positions * [1, 1, 0]))
+    assert turned[2, 2] < -0.9
+    counts = checked(PositionCounts(70, 0, 0), SubmapGraph(graph.poses, [], graph.priors, turned))
+    assert "does not stand upright" in counts.problem and "positions[:, [1, 0, 2]]" in counts.problem
+
+
+def test_more_refused_positions_than_reflections_explain_are_reported():
+    assert PositionCounts(75, 25, 0).problem is None
+    refused = int(100 * MAX_REFUSED) + 1
+    assert f"{refused} of 100 positions contradict the map" in PositionCounts(100 - refused, refused, 0).problem
+
+
+@pytest.mark.slow
+def test_late_times_are_reported_by_the_summary(around):
+    right = readings_of(around, sigma=0.2)
+    late = dataclasses.replace(right, times=right.times + 1.5)
+    summary = mapped(around, late).summary
+    assert not summary.reliable and "s late" in str(summary.warnings)
+    assert summary.to_dict()["positions"]["clock"]["offset"] == pytest.approx(1.5, abs=0.3)

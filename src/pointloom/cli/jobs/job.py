@@ -143,7 +143,7 @@ class Job:
         clock: Seconds of the stages.
         left_out: Names of data that the outputs cannot store.
         unit: Unit of the source's coordinates after reading, if known.
-        failed_checks: Length warnings of the functions, from `assessed`.
+        failed_checks: Warnings of the functions, from `assessed`.
         form: Options of write functions.
     """
 
@@ -190,15 +190,15 @@ class Job:
         self.clock.stop(name)
 
     @contextmanager
-    def assessed(self, name: str, options: dict[str, str]) -> Iterator[None]:
-        """A stage whose length warnings are failed checks of the report. `options` are the options by argument."""
+    def assessed(self, name: str, options: dict[str, str], category: type[Warning] = UnitWarning) -> Iterator[None]:
+        """A stage whose warnings of a category are failed checks of the report. `options` are those by argument."""
         with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always", UnitWarning)
+            warnings.simplefilter("always", category)
             with self.stage(name):
                 yield
         texts = []
         for each in caught:
-            if issubclass(each.category, UnitWarning):
+            if issubclass(each.category, category):
                 texts.append(str(each.message))
             else:
                 warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)

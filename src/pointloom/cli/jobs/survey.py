@@ -29,7 +29,7 @@ from ...kernels.linear_algebra import inv
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
 from ...pcd.geotiff import ENDINGS, check_geotiff
-from ...pcd.ground import classify_ground
+from ...pcd.ground import TERRAIN_SLOPE, SlopeWarning, classify_ground
 from ...pcd.raster_cells import NoGroundError
 from ...pcd.terrain import rasterize
 from .job import Job, JobReport, Settings
@@ -57,7 +57,7 @@ def classify_ground_of_file(
     output: FilePath,
     *,
     cell_size: float,
-    slope: float | None = None,
+    slope: float = TERRAIN_SLOPE,
     max_window: float,
     **settings: Unpack[Settings],
 ) -> GroundReport:
@@ -67,7 +67,7 @@ def classify_ground_of_file(
     rows = read_rows(job)
     if not len(rows.cloud):
         raise FileError(source, "contains no points")
-    with job.stage("ground"):
+    with job.assessed("ground", {"slope": "--slope"}, SlopeWarning):
         is_ground = np.asarray(classify_ground(rows.cloud, cell_size, slope, max_window))
     classes = rows.table.attributes.get("classification", np.zeros(len(is_ground), np.uint8))
     rest = np.where(np.isin(classes, (0, GROUND_CLASS)), OTHER_CLASS, classes)

@@ -208,7 +208,9 @@ TOPIC_OPTIONS = in_order(
     ["kitti", "tum", "log"],
     "Format. Default: by extension, with kitti for .txt. Times of tum are those of a recording, or scan numbers.",
 )
-@option("--voxel voxel_size=M", LENGTH, "Voxel size of the map [m]. Default: 1% of --max-range.")
+@option(
+    "--voxel voxel_size=M", LENGTH, "Voxel size of the map [m]. Default: 1% of --max-range, more if ranges are noisy."
+)
 @RANGE_OPTIONS
 @option("--truth=FILE", FILE, "True poses of the scanner, one per scan or timed, for printing the errors.")
 @TOPIC_OPTIONS

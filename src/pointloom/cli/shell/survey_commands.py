@@ -21,7 +21,7 @@ KINDS = ["dtm", "dsm", "chm", "density", "intensity", "lowest"]
 
 @click.command(short_help="Classify the ground of a scan.")
 @option("--cell cell_size=M", LENGTH, "Edge of the grid's cells [m], about the point spacing.", default=1.0)
-@option("--slope=S", FACTOR_TYPE, "Maximum slope of the terrain, as rise over run. Default: 0.15, or 0.45 if steep.")
+@option("--slope=S", FACTOR_TYPE, "Maximum slope of the terrain, as rise over run.", default=0.15)
 @option("--window max_window=M", LENGTH, "Radius of the largest window [m].", default=18.0)
 @from_cloud_to_cloud()
 def ground(source: Path, output: Path, **options: Any) -> Answer:

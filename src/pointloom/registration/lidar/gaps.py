@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import matmul, norm
-from ..rigid import invert_pose, pose_of
+from ..rigid import invert_pose, pose_of, rotation_vector
 from .deskewing import twist_of
-from .lidar_steps import OdometryStep
+from .lidar_steps import REPEATED, OdometryStep
 
 Matrix = NDArray[np.float64]
 
@@ -35,6 +38,12 @@ MIN_COST = 0.02  # mean plane cost of a noise-free scan in its map, below which 
 # 2.9 in a handheld recording (BALM), and 3.2 and more in the streets. 2026-11-29.
 MAX_JUMP_COST_RATIO = 2.5
 GAP_OVERLAP = 0.75  # fitness relative to that scan, likewise
+MAX_SCANNERS = 3  # whose scans are recognized if they come in turn
+# Difference of the motion to the next scan from the mean motion of each scanner that shows several scanners, if it
+# repeats: a vehicle does not turn by 10 degrees or jump by 1.5 voxels (9 m/s at 10 Hz with voxels of 0.6 m) to and fro
+# with each scan. ICP covers smaller differences.
+MIN_SCANNER_ANGLE, MIN_SCANNER_VOXELS = math.radians(10), 1.5
+SAME_MOTION = 0.25  # of this difference: changes of the motion of one scanner, and errors of the poses
 
 
 @dataclass(frozen=True)
@@ -125,3 +134,43 @@ def intervals_between(last: Matrix, pose: Matrix, motion: Matrix) -> float:
     speed = float(norm(motion[:3, 3]))
     way = float(norm(matmul(invert_pose(last), pose)[:3, 3]))
     return way / speed if way >= MIN_GAP * speed > 0 else 1.0
+
+
+class ScannersInTurn(NamedTuple):
+    """The number of scanners whose scans alternate, the motion to the next scan, that of its scanner in one interval,
+    and the last step of that scanner."""
+
+    scanners: int
+    motion: Matrix
+    sweep: Matrix
+    last: OdometryStep
+
+    @property
+    def rotation(self) -> float:
+        """Angle [rad] of the motion of the scanner."""
+        return float(norm(rotation_vector(self.sweep[:3, :3])))
+
+
+def scanners_in_turn(steps: Sequence[OdometryStep], voxel_size: float) -> ScannersInTurn | None:
+    """Recognize scans of several scanners by motions that repeat after as many scans, but are not those of one."""
+    distinct = [step for step in steps[-4 * MAX_SCANNERS - 2 :] if step.status != REPEATED and step.is_sound]
+    poses, found = [step.pose for step in distinct], None
+    motions = [matmul(invert_pose(A), B) for A, B in itertools.pairwise(poses)]
+    for count in range(2, MAX_SCANNERS + 1):
+        last = motions[-2 * count :]
+        if len(last) < 2 * count:
+            break
+        own = matmul(invert_pose(poses[-count]), poses[-1], last[-count])  # to the next scan
+        sweep = pose_of(twist_of(own) / count)
+        change = max(_change(motion, sweep, voxel_size) for motion in last)
+        pairs = zip(last[:count], last[count:], strict=True)
+        if change > 1 and all(_change(A, B, voxel_size) < SAME_MOTION * change for A, B in pairs):
+            turn = ScannersInTurn(count, last[-count], sweep, distinct[-count])
+            found = turn if found is None or turn.rotation < found.rotation else found
+    return found
+
+
+def _change(A: Matrix, B: Matrix, voxel_size: float) -> float:
+    """Difference of two motions. One is the smallest that shows another scanner."""
+    angle = float(norm(rotation_vector(matmul(A[:3, :3].T, B[:3, :3]))))
+    return max(angle / MIN_SCANNER_ANGLE, float(norm(A[:3, 3] - B[:3, 3])) / (MIN_SCANNER_VOXELS * voxel_size))

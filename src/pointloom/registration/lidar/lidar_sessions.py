@@ -36,6 +36,7 @@ MAP_ARRAYS: dict[str, tuple[str, tuple[int | str, ...]]] = {
     "edge_covariances": ("f", ("m", 6, 6)), "reference": ("f", ("r", 4, 4)), "prior_nodes": ("i", ("p",)),
     "prior_points": ("f", ("p", 3)), "prior_positions": ("f", ("p", 3)), "prior_sigmas": ("f", ("p", 3)),
     "prior_shares": ("f", ("p",)), "prior_weights": ("f", ("p",)), "prior_origin": ("f", (3,)),
+    "prior_times": ("f", ("p",)), "prior_velocities": ("f", ("p", 3)),
 }  # fmt: skip
 REMEDY = "Restore the folder, or map the scans again"
 

@@ -54,7 +54,7 @@ from .place_descriptor import describe_place
 from .position_priors import MAX_PRIOR_SQUARE, PositionRow
 from .position_readings import PositionReadings
 from .raw_scan import RawScan
-from .slam_summary import LidarSLAMSummary, PositionCounts, summarize_slam
+from .slam_summary import LidarSLAMSummary, PositionCounts, checked, summarize_slam
 from .submap_pairs import SubmapSurfaces, SurfaceCache
 
 Matrix = NDArray[np.float64]
@@ -83,7 +83,8 @@ class OdometrySettings(TypedDict, total=False):
 
 @dataclass(frozen=True, eq=False)
 class NewScan:
-    """A scan that is not in a submap yet: number, time of its end, given positions since the last scan, and points.
+    """A scan that is not in a submap yet: number, time of its end, given positions since the last scan, the interval
+    [s] since then, and points.
 
     The points are those of the odometry, None until it has them. The positions are `rows` of the antenna in the frame
     of the sensor, and the fractions of the interval of their times.
@@ -92,6 +93,7 @@ class NewScan:
     number: int
     time: float | None
     rows: Sequence[tuple[float, PositionRow]] = ()
+    interval: float = 0.0
     raw: RawScan | None = None
 
     def located(self, step: OdometryStep, before: OdometryStep) -> list[PositionRow]:
@@ -100,7 +102,8 @@ class NewScan:
         for fraction, row in self.rows:
             last, point = (matmul(T[:3, :3], row.point) + T[:3, 3] for T in (before.pose, step.pose))
             if fraction == 1 or is_steady:
-                found.append(row._replace(point=last + fraction * (point - last)))
+                velocity = (point - last) / self.interval if is_steady and self.interval > 0 else np.zeros(3)
+                found.append(row._replace(point=last + fraction * (point - last), velocity=velocity))
         return found
 
 
@@ -334,8 +337,11 @@ class LidarSLAM(Serialized):
         rows = np.flatnonzero((positions.times > begin) & (positions.times <= end) | (positions.times == end))
         fractions = (positions.times[rows] - begin) / (end - begin) if end > begin else np.ones(len(rows))
         offset, sigma, shares = np.asarray(positions.offset), np.asarray(positions.sigma), positions.shares
-        given = [PositionRow(offset, positions.positions[k], sigma[k], float(shares[k])) for k in rows]
-        return NewScan(number, end, list(zip(fractions.tolist(), given, strict=True)))
+        given = [
+            PositionRow(offset, positions.positions[k], sigma[k], float(shares[k]), float(positions.times[k]))
+            for k in rows
+        ]
+        return NewScan(number, end, list(zip(fractions.tolist(), given, strict=True)), end - begin)
 
     def _finish_interrupted(self) -> None:
         """Add the scans of the odometry to the submaps, and search the loops of finished ones."""
@@ -560,6 +566,8 @@ class LidarSLAM(Serialized):
         used, refused = int((squares <= MAX_PRIOR_SQUARE).sum()), int((squares > MAX_PRIOR_SQUARE).sum())
         open_count = sum(map(len, self._builder.positions.values())) if self._builder is not None else 0
         counts = PositionCounts(used, refused, len(squares) - used - refused + open_count)
+        if len(squares):
+            counts = checked(counts, state.graph)
         points = [submap.point_count for submap in state.submaps]
         return summarize_slam(
             self._odometry.summary,

@@ -98,6 +98,7 @@ class OdometryStep(AssessedRecord):
         imu_difference: Angle [rad] between the rotations since the last scan by the gyroscope and by the scans. None if
             one of them is unknown.
         voxel_size: Voxel edge of the map [m].
+        scanners: Number of scanners whose scans appear to alternate: the motion was predicted by their last scans.
     """
 
     index: int
@@ -126,6 +127,7 @@ class OdometryStep(AssessedRecord):
     has_imu: bool = False
     imu_difference: float | None = None
     voxel_size: float = 0.0
+    scanners: int = 1
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -200,6 +202,8 @@ class OdometrySummary(Report, Assessed):
         weak: At least 15 consecutive matched scans with large standard deviations of the position in the map, so that
             small errors add up.
         weak_sigma: Root mean square of these [m].
+        in_turn: Scans whose motion alternates as if several scanners sent them.
+        scanners: Number of these scanners.
     """
 
     scan_count: int
@@ -225,6 +229,8 @@ class OdometrySummary(Report, Assessed):
     imu_differing: tuple[int, ...] = ()
     weak: tuple[int, ...] = ()
     weak_sigma: float = 0.0
+    in_turn: tuple[int, ...] = ()
+    scanners: int = 1
 
     @property
     def is_contradicted(self) -> bool:
@@ -283,6 +289,12 @@ class OdometrySummary(Report, Assessed):
                 f"the times of {len(self.out_of_order)} of {count} scans are not after those before "
                 f"({_scans(self.out_of_order)}). Sort the scans by time, and use one sensor"
             )
+        if self.in_turn:
+            reasons.append(
+                f"the motion of {len(self.in_turn)} of {count} scans alternates ({_scans(self.in_turn)}), as if "
+                f"{self.scanners} scanners sent them in turn, each with its own poses. Use one LidarOdometry for each "
+                "scanner, or merge the scans of one revolution in one frame"
+            )
         if self.is_contradicted:
             reasons.append(
                 f"the scanner appears stationary while {len(self.contradicted)} scans show surfaces that were not "
@@ -337,6 +349,7 @@ class OdometrySummary(Report, Assessed):
                 "without_imu": self.without_imu,
                 "imu_differing": self.imu_differing,
                 "weak": self.weak,
+                "in_turn": self.in_turn,
                 "last_rotation_sigma_deg": [math.degrees(sigma) for sigma in self.sigmas[:3]],
                 "last_position_sigma_m": list(self.sigmas[3:]),
                 **quality(self),
@@ -353,6 +366,7 @@ class OdometrySummary(Report, Assessed):
         rows = (
             ("fit elsewhere", self.ambiguous), ("contradicted", self.contradicted if self.is_contradicted else ()),
             ("after gaps", self.gaps), ("doubtful", self.doubtful), ("out of order", self.out_of_order),
+            ("in turn", self.in_turn),
         )  # fmt: skip
         fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
         if self.without_imu:
@@ -409,6 +423,8 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         tuple(step.index for step in steps if (step.imu_difference or 0.0) > MAX_IMU_DIFFERENCE),
         weak,
         weak_sigma,
+        tuple(step.index for step in steps if step.scanners > 1),
+        max((step.scanners for step in steps), default=1),
     )
 
 

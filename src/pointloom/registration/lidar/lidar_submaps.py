@@ -177,7 +177,10 @@ class SubmapBuilder:
     def locate(self, scan: int, rows: Sequence[PositionRow]) -> None:
         """Note the given positions of a scan, of points in the frame of the odometry."""
         T = invert_pose(self.T_odometry_submap)
-        self.positions[scan] = [row._replace(point=matmul(T[:3, :3], row.point) + T[:3, 3]) for row in rows]
+        R, t = T[:3, :3], T[:3, 3]
+        self.positions[scan] = [
+            row._replace(point=matmul(R, row.point) + t, velocity=matmul(R, row.velocity)) for row in rows
+        ]
 
     def points(self) -> NDArray[np.float32]:
         points, origin = self.map.points(np.zeros(3))

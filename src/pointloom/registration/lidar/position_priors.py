@@ -31,12 +31,17 @@ PAIR_COUNT, ROW_COUNT = 600, 500  # of positions for an alignment: two thirds wr
 
 
 class PositionRow(NamedTuple):
-    """A given position of a point [m] in some frame, with sigmas [m], and its share: see `PositionPriors`."""
+    """A given position of a point [m] in some frame, with sigmas [m], and its share: see `PositionPriors`.
+
+    `time` [s] and the `velocity` [m/s] of the point are for the check of the clock.
+    """
 
     point: Array
     position: Array
     sigma: Array
     share: float
+    time: float = 0.0
+    velocity: Array = np.zeros(3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +50,8 @@ class PositionPriors:
 
     `shares` are 1, or less for positions that follow each other faster than their errors change. `weights` are 0 until
     the submap is aligned with the reference, then the confidence 0..1. Positions are relative to `origin` [m]: a lever
-    of thousands of kilometers would cost digits.
+    of thousands of kilometers would cost digits. `times` [s], and `velocities` [m/s] of the points in the frame of the
+    submap, are for the check of the clock.
     """
 
     nodes: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
@@ -55,6 +61,8 @@ class PositionPriors:
     shares: Array = field(default_factory=lambda: np.zeros(0))
     weights: Array = field(default_factory=lambda: np.zeros(0))
     origin: Array = field(default_factory=lambda: np.zeros(3))
+    times: Array = field(default_factory=lambda: np.zeros(0))
+    velocities: Array = field(default_factory=lambda: np.zeros((0, 3)))
 
     def __len__(self) -> int:
         return len(self.nodes)
@@ -69,12 +77,13 @@ class PositionPriors:
             np.append(self.nodes, np.full(len(rows), node)), np.vstack([self.points, points]),
             np.vstack([self.positions, positions - origin]), np.vstack([self.sigmas, sigmas]),
             np.append(self.shares, [row.share for row in rows]), np.append(self.weights, np.zeros(len(rows))), origin,
+            np.append(self.times, [row.time for row in rows]),
+            np.vstack([self.velocities, [row.velocity for row in rows]]),
         )  # fmt: skip
 
     def at(self, rows: NDArray[np.bool_]) -> PositionPriors:
-        columns = (self.points, self.positions, self.sigmas, self.shares, self.weights)
-        points, positions, sigmas, shares, weights = (column[rows] for column in columns)
-        return PositionPriors(self.nodes[rows], points, positions, sigmas, shares, weights, self.origin)
+        columns = {name: values if name == "origin" else values[rows] for name, values in vars(self).items()}
+        return PositionPriors(**columns)
 
     @property
     def is_aligned(self) -> NDArray[np.bool_]:
@@ -132,6 +141,12 @@ def heading_of(direction: complex) -> Array:
 
 def alignment_cost(errors: Array) -> float:
     return float(np.minimum(errors, MAX_PRIOR_SQUARE).sum())
+
+
+def path_cost(T: Array, points: Array, positions: Array, sigmas: Array) -> float:
+    """Cost of an alignment of a path that drifts, as `align_path` minimizes it."""
+    extent = float(np.ptp(points[:, :2], axis=0).max())
+    return alignment_cost(_squares(T, points, positions, np.sqrt(sigmas**2 + (ALIGNED_DRIFT * extent) ** 2)))
 
 
 def align_path(points: Array, positions: Array, sigmas: Array) -> Array | None:

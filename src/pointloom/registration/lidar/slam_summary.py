@@ -2,34 +2,68 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
+
+import numpy as np
 
 from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.wording import plain
+from .lidar_graph import SubmapGraph
 from .lidar_loops import ACCEPTED, AMBIGUOUS, WAITING, LidarLoop
 from .lidar_steps import OdometrySummary
+from .position_checks import MAX_TILT, ClockError, better_axes, clock_of_graph, tilt_of
 
 
 @dataclass(frozen=True)
 class PositionCounts:
-    """Numbers of given positions that agree with the map, that contradict it, and that are not compared with it."""
+    """Numbers of given positions that agree with the map, that contradict it, and that are not compared with it.
+
+    Attributes:
+        used, refused, open: These numbers.
+        clock: How late the times of the positions are by the path. None if unknown.
+        tilt: Angle [rad] between the up axes of the first scan and of the positions. None if they are not aligned.
+        axes: An expression of positions whose axes fit better by far. None if the axes fit, or none do.
+    """
 
     used: int
     refused: int
     open: int
+    clock: ClockError | None = None
+    tilt: float | None = None
+    axes: str | None = None
+
+    @property
+    def is_refused(self) -> bool:
+        """True if more positions contradict the map than reflections and a frozen receiver explain."""
+        return self.refused > MAX_REFUSED * (self.used + self.refused)
+
+    @property
+    def is_tilted(self) -> bool:
+        return self.tilt is not None and self.tilt > MAX_TILT
 
     @property
     def problem(self) -> str | None:
         """Why the positions are of no use. None if they are."""
         compared = self.used + self.refused
+        remedy = "check their axes" if self.axes is None else f"their axes may be permuted: {self.axes} fit"
         if not compared and not self.open:
             return "no given position is within the times of the scans"
         if not compared:
-            return f"none of {self.open} positions could be aligned with the map: four over 10 sigmas must agree"
-        if self.refused > MAX_REFUSED * compared:
-            return f"{self.refused} of {compared} positions contradict the map: check their times, offset and sigma"
+            rule = f"none of {self.open} positions could be aligned with the map: four over 10 sigmas must agree"
+            return rule if self.axes is None else f"{rule}; {remedy}"
+        if self.is_tilted and self.tilt is not None:
+            angle = f"{math.degrees(self.tilt):.0f} degrees between their up axes"
+            return f"the map does not stand upright in the frame of the positions ({angle}): {remedy}"
+        if self.clock is not None and self.clock.problem is not None:
+            return self.clock.problem
+        if self.is_refused:
+            also = "" if self.axes is None else f"; {remedy}"
+            return (
+                f"{self.refused} of {compared} positions contradict the map: check their times, offset and sigma{also}"
+            )
         return None
 
 
@@ -111,7 +145,20 @@ class LidarSLAMSummary(Report, Assessed):
 
 
 MAX_LISTED = 6
-MAX_REFUSED = 0.5  # of the positions: more contradict the map by an error of clock, frame or sigma, not by reflections
+# Fraction of the positions: more contradict the map by an error of clock, frame or sigma. With 30 % reflections or a
+# receiver that is frozen for a fifth of the time, up to 0.30 were refused. With a clock 1 s late, it was 0.4 to 0.56.
+MAX_REFUSED = 0.33
+
+
+def checked(counts: PositionCounts, graph: SubmapGraph) -> PositionCounts:
+    """The numbers with the checks of the clock, and of the axes if many positions do not fit."""
+    priors, reference, poses = graph.priors, graph.reference, np.array(graph.poses)
+    if reference is not None:
+        counts = replace(counts, clock=clock_of_graph(graph), tilt=tilt_of(reference))
+    if counts.used and not counts.is_tilted and not counts.is_refused:
+        return counts
+    rows = priors.at(priors.nodes >= 0 if reference is None else priors.is_aligned)
+    return replace(counts, axes=better_axes(rows.world_points(poses), rows.positions, rows.sigmas))
 
 
 def _pairs(pairs: Sequence[tuple[int, int]]) -> str:

@@ -42,7 +42,7 @@ from ...kernels.segmentation.neighbor_counts import mask_crowded
 from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.change import check_radii, m3c2
 from ...pcd.features import compute_eigen_features
-from ...pcd.ground import CELL_SIZE, HEIGHT_THRESHOLD, MAX_WINDOW, SLOPE_SCALING, classify_ground
+from ...pcd.ground import CELL_SIZE, HEIGHT_THRESHOLD, MAX_WINDOW, SLOPE_SCALING, TERRAIN_SLOPE, classify_ground
 from ...pcd.raster_cells import GROUND_CLASSES, NoGroundError, check_classes
 from ...pcd.segmentation import UNLIMITED_COUNT
 from ...pcd.selection import MEAN_ROUNDING
@@ -231,8 +231,8 @@ class ClassifyGround(Step):
 
     name, searches = "classify_ground", False
     defaults: ClassVar[dict[str, Any]] = {
-        "cell_size": CELL_SIZE, "slope": 0.15, "max_window": MAX_WINDOW, "elevation_threshold": HEIGHT_THRESHOLD,
-        "scaling": SLOPE_SCALING, "corner": (0.0, 0.0),
+        "cell_size": CELL_SIZE, "slope": TERRAIN_SLOPE, "max_window": MAX_WINDOW,
+        "elevation_threshold": HEIGHT_THRESHOLD, "scaling": SLOPE_SCALING, "corner": (0.0, 0.0),
     }  # fmt: skip
 
     def check(self) -> None:
