@@ -22,7 +22,8 @@ Floats = NDArray[np.float64]
 
 MIN_ROTATION, MAX_ROTATION = math.radians(10.0), math.radians(45.0)  # of a pair
 MAX_DISTANCE = 1.0  # [m] between the cameras of a pair
-MAX_PAIRS, MIN_PAIRS = 24, 3
+MAX_PAIRS, MIN_PAIRS = 60, 3
+MAX_FACTOR_PAIRS = 24  # of the factor of the depth
 MIN_PAIR_POINTS, MIN_POINTS = 60, 300  # of a pair, of all, at every second cell of every second row
 PLANE_RADIUS = 2  # [cells] of the fitted planes
 PLANE_NOISE = 0.004  # [m] at 0 m, and [1/m] times squared depth: maximum root mean square residual of a plane
@@ -341,7 +342,7 @@ def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) 
         if is_zero and is_complete:  # no pair was moved apart by a translation that is too long
             break
         # Long translations are precise. Short ones are not confused with those to the next step of a staircase.
-        pairs = ViewPairs(views, poses, _spread_pairs(poses, 0.0, math.inf, gap))
+        pairs = ViewPairs(views, poses, _spread_pairs(poses, 0.0, math.inf, gap, MAX_FACTOR_PAIRS))
         start = pairs.poses.copy()
         start[:, :3, 3] *= not is_zero
         found = _solve(pairs, start, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
