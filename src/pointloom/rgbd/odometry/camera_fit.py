@@ -232,7 +232,7 @@ def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floa
         values = values + change
         if gate == LAST_GATE and np.abs(change).max() < MAX_LAST_CHANGE:
             break
-    found = _posed_equations(pairs, values, LAST_GATE)
+    found = _posed_equations(pairs, values, LAST_GATE, with_motion=True)
     if found is None or given is None:
         return None
     given = _posed_equations(pairs, 0.0 * values, LAST_GATE) or given
@@ -312,18 +312,21 @@ def _bias_patterns(cells: Floats, n: Floats) -> Floats:
     return along * np.stack([np.ones_like(x), x, y, x * x, x * y, y * y])
 
 
-def _posed_equations(views: ViewPairs, values: Floats, gate: float) -> _PosedEquations | None:
+def _posed_equations(
+    views: ViewPairs, values: Floats, gate: float, with_motion: bool = False
+) -> _PosedEquations | None:
+    """The equations at a camera, `with_motion` with the `mixed` products. None if too few pairs or points agree."""
     rows = views.matches(views.poses, values, gate)
     used = rows.counts > 0
     if len(rows.residuals) < views.min_points or used.sum() < MIN_PAIRS:
         return None
-    weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)
+    weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)[0 if with_motion else 6 :]
     sums = _sums_of_pairs(J * weights, J, rows.counts[used])
     cost = float(sums[:, -1, -1].sum())
     noise = COMMON_PIXELS * cost / len(weights) + 1e-12
     sums = sums / noise
-    systems, gradients = sums[:, 6:-1, 6:-1], sums[:, 6:-1, -1]
-    mixed = sums[:, :6, 6:-1]
+    camera = slice(-len(values) - 1, -1)
+    systems, gradients, mixed = sums[:, camera, camera], sums[:, camera, -1], sums[:, : camera.start, camera]
     inverse = inv(systems.sum(0) + np.diag(1.0 / POSED_PRIOR**2))
     residual = math.sqrt(cost / float(weights.sum()))
     return _PosedEquations(systems, gradients, mixed, inverse, np.array(views.pairs)[used], residual, noise, rows)
