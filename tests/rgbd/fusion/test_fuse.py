@@ -115,7 +115,8 @@ def test_noise_of_poses_is_no_depth_scale():
         frames = Turning()
         frames.poses = frames.poses.copy()
         frames.poses[:, :3, 3] += np.random.default_rng(seed).normal(0, 0.05, (10, 3))
-        assert loom.rgbd.fuse(frames, voxel_size=VOXEL).depth_factor == 1.0
+        result = loom.rgbd.fuse(frames, voxel_size=VOXEL)
+        assert result.depth_factor == 1.0 and (result.camera is None or result.camera.reliable)
 
 
 @pytest.mark.slow
@@ -204,6 +205,17 @@ def test_short_windows_of_noisy_poses_determine_no_camera_and_are_accepted(devic
         frames.poses[:, :3, 3] += np.linspace(0, 0.004, count)[:, None] * [1, -1, 1]
         result = loom.rgbd.fuse(frames, voxel_size=VOXEL, device=device)
         assert result.reliable and result.depth_factor == 1.0, (start, count, result.warnings)
+
+
+@pytest.mark.parametrize("noise", [0.005, 0.01, 0.02])
+def test_noise_of_poses_is_no_other_camera(device, noise):
+    sequence = room_loop_sequence(120, width=80, height=60)
+    for seed in range(3):
+        frames = Loop(sequence, np.arange(0, 30, 3))
+        frames.poses = frames.poses.copy()
+        frames.poses[:, :3, 3] += np.random.default_rng(seed).normal(0, noise, (10, 3))
+        result = loom.rgbd.fuse(frames, voxel_size=VOXEL, device=device)
+        assert result.depth_factor == 1.0 and (result.camera is None or result.camera.reliable), result.warnings
 
 
 @pytest.mark.parametrize(("depth", "fraction"), [(1000, 0), (1250, 1), (750, 1)])
