@@ -14,7 +14,7 @@ from ...kernels.linear_algebra import inv, matmul
 from ...kernels.rgbd.stream_views import MIN_DEPTH_FRACTION
 from ...meshing.volume.tsdf import TSDFVolume
 from ..odometry.camera_fit import CameraView, depth_factor, fit_posed_camera
-from ..slam.camera_check import FocalCheck, judge_posed_camera
+from ..slam.camera_check import MIN_RESIDUAL_RATIO, FocalCheck, judge_posed_camera
 
 Pose = NDArray[np.float64]
 
@@ -117,8 +117,9 @@ class PoseCheck:
         given = [each.given for each in self._samples]
         fit = fit_posed_camera(views, given)
         found = (None, 1.0, 0.0) if fit is None else judge_posed_camera(fit, K)
-        is_fitting = found[0] is None or found[0].reliable
-        if fit is not None and not is_off and is_fitting and found[1] == 1.0:
+        is_fitting = fit is not None and fit.residual < MIN_RESIDUAL_RATIO * fit.fitted_residual
+        is_fitting &= found[0] is None or found[0].reliable
+        if is_fitting and not is_off and found[1] == 1.0:
             return found
         if (factor := depth_factor(views, given)) == 1.0:
             return found

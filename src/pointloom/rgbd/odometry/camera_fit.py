@@ -62,6 +62,7 @@ MEDIAN_SQUARE = 0.6  # median of a squared deviation in one to three directions,
 # Noise of positions [m] that the scatter covers: a kitchen has up to 0.0045. More noise also biases the fit: it hides
 # in the depth of motions that the frames hardly contain: bias and scatter are below NOISE_FACTOR times the excess.
 USUAL_NOISE, NOISE_FACTOR = 0.004, 4.0
+MIN_INFORMATION_RATIO = 0.02  # of information without the noise of normals to that with it: less is none
 BIAS_RAY = 0.5  # ray x, y at which a pattern has its value
 
 
@@ -236,7 +237,9 @@ def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floa
     if found is None or given is None:
         return None
     given = _posed_equations(pairs, 0.0 * values, LAST_GATE) or given
+    widening = found.widening(values)
     covariance = found.scatter(values) + found.common_errors(np.array(poses), values)
+    covariance = matmul(matmul(widening, covariance), widening.T)
     to_focal_lengths = np.eye(len(values))[[0, 0, 1, 2, 3, 5]]
     to_focal_lengths[:2, 4] = 0.5, -0.5
     rows, back = found.rows, inv(to_focal_lengths)
@@ -261,6 +264,19 @@ class _PosedEquations(NamedTuple):
     residual: float
     noise: float
     rows: _Matches
+
+    def widening(self, values: Floats) -> Floats:
+        """Factor of errors where noise of the normals counts as information, at most 1 / MIN_INFORMATION_RATIO."""
+        rows = self.rows
+        first, second = (rows.jacobian(planes, values)[6:] for planes in (rows.first_planes, rows.second_planes))
+        weights, used = rows.weights() / self.noise, rows.counts[rows.counts > 0]
+        both = 0.5 * (_sums_of_pairs(first * weights, second, used) + _sums_of_pairs(second * weights, first, used))
+        prior = np.diag(1.0 / POSED_PRIOR**2)
+        counted, axes = eigh(self.systems.sum(0) + prior)
+        white = axes / np.sqrt(counted)
+        known, inner = eigh(matmul(matmul(white.T, both.sum(0)[:-1, :-1] + prior), white))
+        inner = matmul(white, inner)
+        return matmul(matmul(inner / np.maximum(known, MIN_INFORMATION_RATIO), inner.T), inv(self.inverse))
 
     def scatter(self, values: Floats) -> Floats:
         """Covariance from the solutions without any one of the views (jackknife)."""
