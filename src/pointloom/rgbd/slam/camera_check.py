@@ -34,9 +34,9 @@ MAX_CORRECTIONS, MAX_SIGMAS = np.array([0.055, 0.28, 0.28, 0.2]), 1.5
 # MIN_DISPLACEMENT (root mean square [m], three quarters of a default voxel), and reduce the residual by MIN_FALL, which
 # errors of the poses hardly do. Radial distortion is also larger than that of usual lenses. Deviations above
 # MAX_POSED_DEVIATION determine nothing, unless the residual falls by MIN_RESIDUAL_RATIO: windows of less than a second
-# of the kitchen have deviations of 0.05 and more, and ratios up to 1.9. Chosen on all its frames: of
-# 380 random windows of 4 to 140 frames at the right camera, 1 of 300 short and 2 of 80 long ones are reported. Held out:
-# sites of seeds 302 and 303, none of 28 correct walks is reported (2026-11-30).
+# of the kitchen have deviations of 0.05 and more, and ratios up to 1.9. Chosen on all its frames: of 380 random windows
+# at the right camera, 1 of 300 of 4 to 20 frames and 2 of 80 of 30 to 139 frames are reported. Held out: of walks on
+# sites of seeds 302 and 303, none of the correct ones is reported (2026-11-30).
 POSED_SIGMAS, MIN_DISPLACEMENT, MIN_FALL = 2.5, 0.015, 1.1
 MAX_POSED_DEVIATION, MIN_RESIDUAL_RATIO = 0.05, 2.5
 MIN_POSED_CORRECTIONS = np.array([0.0, 0.0, 0.0, 0.0, 0.2, 0.0])
