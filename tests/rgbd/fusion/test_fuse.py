@@ -93,7 +93,7 @@ def test_a_wrong_depth_scale_is_reported_with_a_better_factor(unit, factor):
     assert result.depth_factor == pytest.approx(factor, rel=0.02)
     assert (factor == 1.0) == result.reliable and result.to_dict()["depth_factor"] == result.depth_factor
     if factor != 1.0:
-        assert f"the depth is multiplied by about {result.depth_factor:.2g}" in str(result.warnings)
+        assert f"the depth is multiplied by about {result.depth_factor:.3g} (sigma 0." in str(result.warnings)
 
 
 def test_poses_in_millimeters_are_reported():
@@ -115,7 +115,8 @@ def test_noise_of_poses_is_no_depth_scale():
         frames = Turning()
         frames.poses = frames.poses.copy()
         frames.poses[:, :3, 3] += np.random.default_rng(seed).normal(0, 0.05, (10, 3))
-        assert loom.rgbd.fuse(frames, voxel_size=VOXEL).depth_factor == 1.0
+        result = loom.rgbd.fuse(frames, voxel_size=VOXEL)
+        assert result.depth_factor == 1.0 and (result.camera is None or result.camera.reliable)
 
 
 @pytest.mark.slow
@@ -144,6 +145,77 @@ def test_frames_that_cannot_be_refined_are_correct_on_the_surface():
 def test_a_wrong_focal_length_of_posed_frames_is_reported(focal):
     camera = loom.rgbd.fuse(Turning(focal=focal), voxel_size=VOXEL).camera
     assert camera.factor * focal == pytest.approx(1.0, abs=0.04) and not camera.reliable
+
+
+class Loop(Posed):
+    """Frames of a loop through the room, with another camera or depth unit."""
+
+    def __init__(self, sequence, numbers, fx=1.0, fy=1.0, center=(0.0, 0.0), unit=1.0):
+        super().__init__(sequence, sequence.poses[numbers])
+        self.numbers, K = numbers, self.intrinsic
+        self.depth_scale *= unit
+        shift = center[0] * K.width, center[1] * K.width
+        self.intrinsic = dataclasses.replace(K, fx=fx * K.fx, fy=fy * K.fy, cx=K.cx + shift[0], cy=K.cy + shift[1])
+
+    def read(self, index):
+        return dataclasses.replace(self.frames.read(int(self.numbers[index])), T_world_camera=self.poses[index])
+
+
+RIGHT_CAMERA = {"fx": 1.0, "fy": 1.0, "u": 0.0, "v": 0.0, "depth": 1.0}
+PIXELS = 80 * 30 / 640  # 30 px of VGA
+
+
+@pytest.mark.parametrize(
+    ("change", "better"),
+    [
+        ({}, {}),
+        ({"fx": 1.1, "fy": 1.1}, {"fx": 1 / 1.1, "fy": 1 / 1.1}),
+        ({"fx": 0.9, "fy": 0.9}, {"fx": 1 / 0.9, "fy": 1 / 0.9}),
+        ({"fx": 1.1}, {"fx": 1 / 1.1}),
+        ({"center": (30 / 640, 0.0)}, {"u": -PIXELS}),
+        ({"center": (0.0, -30 / 640)}, {"v": PIXELS}),
+        ({"unit": 1.05}, {"depth": 1.05}),
+        ({"unit": 0.95}, {"depth": 0.95}),
+    ],
+    ids=["right", "f x 1.1", "f x 0.9", "fx x 1.1", "cx + 30", "cy - 30", "unit x 1.05", "unit x 0.95"],
+)
+def test_a_slightly_wrong_camera_or_unit_is_reported_with_the_better_one(device, change, better):
+    frames = Loop(room_loop_sequence(120, width=80, height=60), np.arange(0, 60, 3), **change)
+    result = loom.rgbd.fuse(frames, voxel_size=VOXEL, device=device)
+    check = result.camera
+    fx, fy = check.factor * check.aspect**0.5, check.factor / check.aspect**0.5
+    found = dict(zip(RIGHT_CAMERA, (fx, fy, *check.center, result.depth_factor), strict=True))
+    assert found == pytest.approx(RIGHT_CAMERA | better, rel=0.02, abs=0.02 * PIXELS)
+    assert result.reliable == (not change) and len(result.warnings) == bool(change)
+    assert ("sigma" in str(result.warnings)) == bool(change)
+
+
+def test_a_wrong_camera_is_not_hidden_by_refined_poses():
+    frames = Loop(room_loop_sequence(120, width=80, height=60), np.arange(0, 60, 3), fx=1.1, fy=1.1)
+    result = loom.rgbd.fuse(frames, voxel_size=VOXEL, refine=True)
+    assert result.camera.factor * 1.1 == pytest.approx(1.0, abs=0.03) and not result.camera.reliable
+
+
+def test_short_windows_of_noisy_poses_determine_no_camera_and_are_accepted(device):
+    """Poses that drift by 4 mm: a factor of up to 1.1 of translations of 5 cm."""
+    sequence = room_loop_sequence(900, width=80, height=60)
+    for start, count in [(0, 4), (200, 8), (400, 12), (600, 20)]:
+        frames = Loop(sequence, np.arange(start, start + count))
+        frames.poses = frames.poses.copy()
+        frames.poses[:, :3, 3] += np.linspace(0, 0.004, count)[:, None] * [1, -1, 1]
+        result = loom.rgbd.fuse(frames, voxel_size=VOXEL, device=device)
+        assert result.reliable and result.depth_factor == 1.0, (start, count, result.warnings)
+
+
+@pytest.mark.parametrize("noise", [0.005, 0.01, 0.02])
+def test_noise_of_poses_is_no_other_camera(device, noise):
+    sequence = room_loop_sequence(120, width=80, height=60)
+    for seed in range(3):
+        frames = Loop(sequence, np.arange(0, 30, 3))
+        frames.poses = frames.poses.copy()
+        frames.poses[:, :3, 3] += np.random.default_rng(seed).normal(0, noise, (10, 3))
+        result = loom.rgbd.fuse(frames, voxel_size=VOXEL, device=device)
+        assert result.depth_factor == 1.0 and (result.camera is None or result.camera.reliable), result.warnings
 
 
 @pytest.mark.parametrize(("depth", "fraction"), [(1000, 0), (1250, 1), (750, 1)])

@@ -18,10 +18,11 @@ from pointloom.rgbd.odometry.camera_fit import (
     CameraView,
     ViewPairs,
     fit_camera,
+    fit_posed_camera,
     rotated_pairs,
 )
 from pointloom.rgbd.odometry.results import OdometryResult
-from pointloom.rgbd.slam.camera_check import assess_camera, view_of
+from pointloom.rgbd.slam.camera_check import assess_camera, judge_posed_camera, view_of
 from pointloom.rgbd.slam.focal_check import check_focal
 from pointloom.rgbd.slam.foreground import Fit, Layers, depth_between
 from pointloom.rgbd.slam.frame_checks import MAX_DEVIATION, judge_drift
@@ -259,6 +260,16 @@ def test_a_floor_alone_does_not_determine_the_camera():
     fit = fitted(views, poses)
     assert len(fit.pairs) >= 10 and np.isinf(fit.deviations[0]) and fit.values[0] == 0
     assert assess_camera(views, poses, K) is None
+
+
+def test_walls_along_the_path_determine_no_factor_of_the_depth():
+    """Noise of normals is no information: it fits a depth that is 10 % shorter."""
+    turns = np.arange(12)
+    views, poses, K = noisy_views(
+        0.3 + 0.02 * np.sin(1.3 * turns), 0.02 * np.cos(turns) - 0.3, 0.07, 0.004, 3, [(1, 1.2)]
+    )
+    camera, factor, _ = judge_posed_camera(fit_posed_camera(views, poses), K)
+    assert factor == 1.0 and (camera is None or camera.reliable)
 
 
 @pytest.mark.slow

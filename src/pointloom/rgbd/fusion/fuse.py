@@ -32,7 +32,7 @@ from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from ..slam.model import SlamModel
 from ..slam.volume_sizes import check_sizes
-from .pose_check import PoseCheck
+from .pose_check import MAX_OFF_SURFACE, PoseCheck
 from .refine import PoseRefinement, PoseRefiner
 from .results import FusionResult
 
@@ -109,10 +109,12 @@ def fuse(
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     mesh.up = up_of_camera(poses[0])
     clock.stop("extract")
-    camera, depth_factor = check.camera_and_factor()
+    fractions_off = check.fractions_off(fold.volume)
+    is_off = bool(fractions_off) and float(np.median(fractions_off)) > MAX_OFF_SURFACE
+    camera, depth_factor, depth_deviation = check.camera_and_factor(is_off)
     checks: dict[str, Any] = {
-        "fractions_off": check.fractions_off(fold.volume), "seen_extent": check.seen_extent(),
-        "camera": camera, "depth_factor": depth_factor,
+        "fractions_off": fractions_off, "seen_extent": check.seen_extent(),
+        "camera": camera, "depth_factor": depth_factor, "depth_deviation": depth_deviation,
         "source_warnings": (*source_warnings(frames), *check.images.warnings), "notes": check.images.notes,
     }  # fmt: skip
     clock.stop("check")

@@ -13,8 +13,8 @@ from ...cameras.frame_check import FrameCheck
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.rgbd.stream_views import MIN_DEPTH_FRACTION
 from ...meshing.volume.tsdf import TSDFVolume
-from ..odometry.camera_fit import CameraView, depth_factor
-from ..slam.camera_check import FocalCheck, assess_camera
+from ..odometry.camera_fit import CameraView, depth_factor, fit_posed_camera
+from ..slam.camera_check import MIN_RESIDUAL_RATIO, FocalCheck, judge_posed_camera
 
 Pose = NDArray[np.float64]
 
@@ -105,16 +105,27 @@ class PoseCheck:
     def _is_valid(self, z: NDArray[np.float64], depths: float = 1.0) -> NDArray[np.bool_]:
         return np.isfinite(z) & (z > 0) & (z <= depths * self.depth_max)
 
-    def camera_and_factor(self) -> tuple[FocalCheck | None, float]:
-        """Check whether the sampled frames fit better with another camera, and the factor of their depth that does.
+    def camera_and_factor(self, is_off: bool) -> tuple[FocalCheck | None, float, float]:
+        """The camera and the factor of the depth that fit the given poses better, and the deviation of the factor.
 
-        None if they do not determine the camera, and 1 without a better factor.
+        None if the frames do not determine the camera, and 1 without a better factor. A factor far from 1 is searched
+        only if the frames are off the surface (`is_off`), or do not fit: correct frames then cost one fit.
         """
         K, s, middle = self._intrinsic, self._step, float(np.mean(self._offsets))
         lens = K.fx / s, K.fy / s, (K.cx - middle) / s, (K.cy - middle) / s
         views = [CameraView(sample.nearness, lens) for sample in self._samples]
-        poses, given = [each.T_world_camera for each in self._samples], [each.given for each in self._samples]
-        return assess_camera(views, poses, self._intrinsic), depth_factor(views, given)
+        given = [each.given for each in self._samples]
+        fit = fit_posed_camera(views, given)
+        found = (None, 1.0, 0.0) if fit is None else judge_posed_camera(fit, K)
+        is_fitting = fit is not None and fit.residual < MIN_RESIDUAL_RATIO * fit.fitted_residual
+        is_fitting &= found[0] is None or found[0].reliable
+        if is_fitting and not is_off and found[1] == 1.0:
+            return found
+        if (factor := depth_factor(views, given)) == 1.0:
+            return found
+        scaled = [CameraView(view.nearness / np.float32(factor), lens) for view in views]
+        fit = fit_posed_camera(scaled, given)
+        return (None, factor, 0.0) if fit is None else judge_posed_camera(fit, K, factor)
 
     def fractions_off(self, volume: TSDFVolume) -> tuple[float, ...]:
         """Fraction of pixels off the surface by half the truncation, by frame. Empty for fewer than two frames."""

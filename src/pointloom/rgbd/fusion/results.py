@@ -37,8 +37,9 @@ class FusionResult(Assessed):
         fractions_off: Fraction of the depth of sampled frames that is off the surface. Empty if unknown.
         seen_extent: Longest side of the observed scene [m]. None if not measured.
         source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
-        camera: Whether sampled frames fit better with another camera. None if they do not determine it.
+        camera: Whether sampled frames fit the given poses better with another camera. None if they do not determine it.
         depth_factor: Factor of the depth that fits the poses better. 1 without a better one.
+        depth_deviation: Standard deviation of `depth_factor`. 0 if unknown.
         notes: Remarks that do not concern reliability: colors that are not exactly registered to depth.
 
     Example:
@@ -68,6 +69,7 @@ class FusionResult(Assessed):
     camera: FocalCheck | None = None
     depth_factor: float = 1.0
     notes: tuple[str, ...] = ()
+    depth_deviation: float = 0.0
 
     def __str__(self) -> str:
         return in_columns(with_warnings(self.fields(), self))
@@ -126,9 +128,10 @@ class FusionResult(Assessed):
     def _why_scaled(self) -> str | None:
         if self.depth_factor == 1.0:
             return None
+        sigma = f" (sigma {self.depth_deviation:.2g})" if self.depth_deviation else ""
         return (
-            f"the poses fit better if the depth is multiplied by about {self.depth_factor:.2g}; check depth_scale, and "
-            "that the poses are in meters"
+            f"the poses fit better if the depth is multiplied by about {self.depth_factor:.3g}{sigma}; check "
+            "depth_scale, and that the poses are in meters"
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -146,6 +149,7 @@ class FusionResult(Assessed):
             "seen_extent": self.seen_extent,
             "camera_check": plain(self.camera),
             "depth_factor": self.depth_factor,
+            "depth_deviation": self.depth_deviation,
             "notes": list(self.notes),
             "blocks": volume.block_count,
             "voxels": volume.block_count * BLOCK_VOXELS,

@@ -1,4 +1,4 @@
-"""Fit of a depth camera to its frames: focal length, principal point and radial distortion by self-calibration.
+"""Fit of a depth camera to its frames: focal lengths, principal point, distortion and depth by self-calibration.
 
 A wrong camera deforms the points of a frame, so frames that are rotated against each other do not fit rigidly. The
 common parameters and the pose of each pair are estimated together by point-to-plane residuals (Gauss-Newton). Planes
@@ -22,8 +22,9 @@ Floats = NDArray[np.float64]
 
 MIN_ROTATION, MAX_ROTATION = math.radians(10.0), math.radians(45.0)  # of a pair
 MAX_DISTANCE = 1.0  # [m] between the cameras of a pair
-MAX_PAIRS, MIN_PAIRS = 24, 3
-MIN_PAIR_POINTS, MIN_POINTS = 60, 300  # of a pair, of all
+MAX_PAIRS, MIN_PAIRS = 60, 3
+MAX_FACTOR_PAIRS = 24  # of the factor of the depth
+MIN_PAIR_POINTS, MIN_POINTS = 60, 300  # of a pair, of all, at every second cell of every second row
 PLANE_RADIUS = 2  # [cells] of the fitted planes
 PLANE_NOISE = 0.004  # [m] at 0 m, and [1/m] times squared depth: maximum root mean square residual of a plane
 MIN_COSINE = 0.15  # of the incidence angle
@@ -45,8 +46,25 @@ COMMON_PIXELS = 25.0  # cells of a window, whose planes have common errors
 MAX_DEVIATION_RATIO = 0.5
 FIXED_DEVIATION = 1e-9  # deviation of a parameter that is not estimated
 # Standard deviations of the parameters before the fit: log focal length, principal point by the focal length (u, v),
-# and radial distortion. They keep undetermined parameters near 0.
-PRIOR_DEVIATIONS = np.array([0.3, 0.15, 0.15, 0.3])
+# radial distortion, log fx / fy and log depth. They keep undetermined parameters near 0. Pairs of free poses determine
+# no factor of the depth, and fx / fy only together with the rotations.
+PRIOR_DEVIATIONS = np.array([0.3, 0.15, 0.15, 0.3, FIXED_DEVIATION, FIXED_DEVIATION])
+
+# Deviations before the fit of a camera to given poses.
+POSED_PRIOR = np.array([0.3, 0.15, 0.15, 0.2, 0.1, 0.3])
+MAX_POSED_PAIRS, MAX_POSED_DISTANCE, POSED_CELL_STEP = 48, 2.0, 4  # pairs, [m] between cameras, every n-th cell
+# Errors of correct recordings that all frames have in common: drift of the poses over the recording [m, rad], and depth
+# that is off by DEPTH_BIAS z^2 [1/m] in patterns of low order over the image. Both are added to the scatter of frames.
+# Poses of KinectFusion and the depth of a Kinect: without them, 75 frames of a kitchen have fitted values of up to 50
+# deviations, with them of up to 3 (chosen on frames 0-299, nothing of it is held out, 2026-11-30).
+DRIFT, ROTATION_DRIFT, DEPTH_BIAS = 0.005, 0.0025, 0.0012
+MEDIAN_SQUARE = 0.6  # median of a squared deviation in one to three directions, by its variance
+# Noise of positions [m] that the scatter covers: a kitchen has up to 0.0045. More noise also biases the fit: it hides
+# in the depth of motions that the frames hardly contain: bias and scatter are below NOISE_FACTOR times the excess
+# (chosen on sites of seed 301, verified on seeds 302 and 303, 2026-11-30).
+USUAL_NOISE, NOISE_FACTOR = 0.004, 4.0
+MIN_INFORMATION_RATIO = 0.02  # of information without the noise of normals to that with it: less is none
+BIAS_RAY = 0.5  # ray x, y at which a pattern has its value
 
 
 class CameraView(NamedTuple):
@@ -57,9 +75,10 @@ class CameraView(NamedTuple):
 
 
 class CameraFit(NamedTuple):
-    """Corrections of a camera: log focal length, principal point (u, v) in focal lengths, radial distortion of rays.
+    """Corrections of a camera: log focal length, principal point (u, v) in focal lengths, radial distortion of rays,
+    log fx / fy, and log depth.
 
-    `values` and `deviations` are float64 [4], 0 and infinite where undetermined. `residual` and `fitted_residual`: the
+    `values` and `deviations` are float64 [6], 0 and infinite where undetermined. `residual` and `fitted_residual`: the
     weighted root mean square residual [m] of the given and the fitted camera. `poses`: T_first_second of the `pairs`.
     """
 
@@ -71,13 +90,33 @@ class CameraFit(NamedTuple):
     poses: Floats
 
 
+class PosedCameraFit(NamedTuple):
+    """Corrections of a camera with given poses: log fx, log fy, principal point (u, v) in focal lengths, radial
+    distortion of rays, and log depth.
+
+    `values` and `displacements` are float64 [6], `covariance` is float64 [6, 6]. A correction of 1 moves the surface by
+    the displacement [m], the root mean square along the normals. `residual` and `fitted_residual`: as in CameraFit.
+    """
+
+    values: Floats
+    covariance: Floats
+    displacements: Floats
+    residual: float
+    fitted_residual: float
+    pair_count: int
+
+
 def rotated_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
     """Index pairs of poses that are rotated against each other and near, spread over the path."""
     return _spread_pairs(poses, MIN_ROTATION, MAX_DISTANCE, len(poses))
 
 
+def _posed_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
+    return _spread_pairs(poses, 0.0, MAX_POSED_DISTANCE, len(poses), MAX_POSED_PAIRS)
+
+
 def _spread_pairs(
-    poses: Sequence[Floats] | Floats, min_rotation: float, max_distance: float, max_gap: int
+    poses: Sequence[Floats] | Floats, min_rotation: float, max_distance: float, max_gap: int, max_pairs: int = MAX_PAIRS
 ) -> list[tuple[int, int]]:
     pairs = []
     for first in range(len(poses)):
@@ -86,7 +125,7 @@ def _spread_pairs(
             angle = norm(rotation_vector(motion[:3, :3]))
             if min_rotation <= angle < MAX_ROTATION and norm(motion[:3, 3]) < max_distance:
                 pairs.append((first, second))
-    chosen = np.unique(np.linspace(0, len(pairs) - 1, min(len(pairs), MAX_PAIRS)).astype(int)) if pairs else []
+    chosen = np.unique(np.linspace(0, len(pairs) - 1, min(len(pairs), max_pairs)).astype(int)) if pairs else []
     return [pairs[index] for index in chosen]
 
 
@@ -96,10 +135,16 @@ class ViewPairs:
     Attributes:
         pairs: Indices of the compared views.
         poses: T_first_second of the pairs at the given poses, float64 [pairs, 4, 4].
+
+    Each `cell_step`-th cell of each `cell_step`-th row of the second views is used.
     """
 
     def __init__(
-        self, views: Sequence[CameraView], poses: Sequence[Floats] | Floats, pairs: list[tuple[int, int]]
+        self,
+        views: Sequence[CameraView],
+        poses: Sequence[Floats] | Floats,
+        pairs: list[tuple[int, int]],
+        cell_step: int = 2,
     ) -> None:
         self.pairs = pairs
         motions = [matmul(invert_pose(poses[first]), poses[second]) for first, second in self.pairs]
@@ -110,7 +155,7 @@ class ViewPairs:
         starts = dict(
             zip(surfaces, np.cumsum([0] + [s.is_plane.size for s in surfaces.values()]).tolist(), strict=False)
         )
-        sampled = {k: starts[k] + np.flatnonzero(s.is_plane & s.is_sampled()) for k, s in surfaces.items()}
+        sampled = {k: starts[k] + np.flatnonzero(s.is_plane & s.is_sampled(cell_step)) for k, s in surfaces.items()}
         self._cells = np.concatenate([s.cells for s in surfaces.values()], axis=1)
         self._is_plane = np.concatenate([s.is_plane.ravel() for s in surfaces.values()])
         self._counts = np.array([len(sampled[second]) for _, second in self.pairs])
@@ -118,17 +163,20 @@ class ViewPairs:
         first = [(starts[k], *surfaces[k].is_plane.shape, *views[k].lens) for k, _ in self.pairs]
         self._first = np.repeat(np.array(first, np.float64).T, self._counts, axis=1)
         self._pair = np.repeat(np.arange(len(self.pairs)), self._counts)
+        self.min_pair_points, self.min_points = (4 * count // cell_step**2 for count in (MIN_PAIR_POINTS, MIN_POINTS))
 
     def matches(self, poses: Floats, values: Floats, gate: float) -> _Matches:
         """Points of second views that agree with the first ones, of pairs with enough of them."""
-        z, x, y = self._second[0], *_rays(self._second[4], self._second[5], values)
+        z, x, y = self._second[0] * math.exp(values[5]), *_rays(self._second[4], self._second[5], values)
         T = np.repeat(poses[:, :3].reshape(-1, 12).T, self._counts, axis=1)
         points = np.stack([(row[0] * x + row[1] * y + row[2]) * z + row[3] for row in (T[:4], T[4:8], T[8:])])
         depth = np.maximum(points[2], 1e-6)
         u, v = points[0] / depth, points[1] / depth
-        factor = math.exp(values[0]) / (1.0 + values[3] * np.minimum(u * u + v * v, 1.0))
+        factor = 1.0 / (1.0 + values[3] * np.minimum(u * u + v * v, 1.0))
+        x_scale, y_scale = _scales(values)
         start, rows, columns, fx, fy, cx, cy = self._first
-        column, row = np.rint((u * factor + values[1]) * fx + cx), np.rint((v * factor + values[2]) * fy + cy)
+        column = np.rint((u * factor * x_scale + values[1]) * fx + cx)
+        row = np.rint((v * factor * y_scale + values[2]) * fy + cy)
         is_inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows) & (points[2] > 0)
         seen = np.flatnonzero(is_inside)
         at = (start[seen] + row[seen] * columns[seen] + column[seen]).astype(int)
@@ -136,16 +184,16 @@ class ViewPairs:
         seen, at = seen[is_plane], at[is_plane]
         first, p, T = self._cells[:, at], points[:, seen], T[:, seen]
         n, m = _stretched(first[1:4], values), _stretched(self._second[1:4, seen], values)
-        x_first, y_first = _rays(first[4], first[5], values)
-        r = (p[0] - x_first * first[0]) * n[0] + (p[1] - y_first * first[0]) * n[1] + (p[2] - first[0]) * n[2]
+        z_first, x_first, y_first = first[0] * math.exp(values[5]), *_rays(first[4], first[5], values)
+        r = (p[0] - x_first * z_first) * n[0] + (p[1] - y_first * z_first) * n[1] + (p[2] - z_first) * n[2]
         back = np.stack([T[k] * n[0] + T[4 + k] * n[1] + T[8 + k] * n[2] for k in range(3)])
         forth = np.stack([T[k] * m[0] + T[k + 1] * m[1] + T[k + 2] * m[2] for k in (0, 4, 8)])
         agrees = (np.abs(r) < gate) & (back[0] * m[0] + back[1] * m[1] + back[2] * m[2] > MIN_NORMAL_COSINE)
         counts = np.bincount(self._pair[seen[agrees]], minlength=len(self.pairs))
-        is_enough = counts >= MIN_PAIR_POINTS
+        is_enough = counts >= self.min_pair_points
         keep = np.flatnonzero(agrees & is_enough[self._pair[seen]])
         at_second = np.stack([x[seen], y[seen], z[seen]])[:, keep]
-        at_first = np.stack([x_first, y_first, first[0]])[:, keep]
+        at_first = np.stack([x_first, y_first, z_first])[:, keep]
         first_planes, second_planes = np.stack([n, back])[..., keep], np.stack([forth, m])[..., keep]
         counts = np.where(is_enough, counts, 0)
         return _Matches(r[keep], p[:, keep], first_planes, second_planes, at_first, at_second, counts)
@@ -153,7 +201,7 @@ class ViewPairs:
 
 def fit_camera(views: ViewPairs) -> CameraFit | None:
     """Fit the camera to pairs of views with approximate poses. None if too few agree."""
-    given = _solve(views, views.poses, np.full(4, FIXED_DEVIATION)) if views.pairs else None
+    given = _solve(views, views.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if views.pairs else None
     if given is None:
         return None
     found = _solve(views, given.poses, PRIOR_DEVIATIONS)
@@ -166,6 +214,139 @@ def fit_camera(views: ViewPairs) -> CameraFit | None:
     values = np.where(is_known, found.values, 0.0)
     deviations = np.where(is_known, ratios * PRIOR_DEVIATIONS, math.inf)
     return CameraFit(values, deviations, given.residual, found.residual, views.pairs, found.poses)
+
+
+def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> PosedCameraFit | None:
+    """Fit the camera and the depth to views with known poses T_world_camera. None if too few agree.
+
+    The poses are not corrected: free poses hide errors of the camera, and biased depth then looks like another camera.
+    The deviations contain the scatter over frames (jackknife) and the effect of drift and biased depth.
+    """
+    pairs = ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP)
+    values = np.zeros(len(POSED_PRIOR))
+    given = found = _posed_equations(pairs, values, FIRST_GATE) if pairs.pairs else None
+    for step in range(GAUSS_NEWTON_STEPS):
+        gate = max(FIRST_GATE * GATE_FACTOR**step, LAST_GATE)
+        found = _posed_equations(pairs, values, gate) if step else given
+        if found is None:
+            return None
+        change = np.clip(-matmul(found.inverse, found.gradients.sum(0) + values / POSED_PRIOR**2), -MAX_STEP, MAX_STEP)
+        values = values + change
+        if gate == LAST_GATE and np.abs(change).max() < MAX_LAST_CHANGE:
+            break
+    found = _posed_equations(pairs, values, LAST_GATE, with_motion=True)
+    if found is None or given is None:
+        return None
+    given = _posed_equations(pairs, 0.0 * values, LAST_GATE) or given
+    widening = found.widening(values)
+    covariance = found.scatter(values) + found.common_errors(np.array(poses), values)
+    covariance = matmul(matmul(widening, covariance), widening.T)
+    to_focal_lengths = np.eye(len(values))[[0, 0, 1, 2, 3, 5]]
+    to_focal_lengths[:2, 4] = 0.5, -0.5
+    rows, back = found.rows, inv(to_focal_lengths)
+    moved = matmul(back.T, _derivatives(rows.at_first, rows.first_planes[0], values))
+    values = matmul(to_focal_lengths, values)
+    covariance = matmul(matmul(to_focal_lengths, covariance), to_focal_lengths.T)
+    displacements = np.sqrt((moved**2).mean(axis=1))
+    return PosedCameraFit(values, covariance, displacements, given.residual, found.residual, len(found.pairs))
+
+
+class _PosedEquations(NamedTuple):
+    """Normal equations of each pair by the camera and by the motion, in units of the noise, and their `mixed` products.
+
+    `inverse` is that of the matrix of all pairs and the prior.
+    """
+
+    systems: Floats
+    gradients: Floats
+    mixed: Floats
+    inverse: Floats
+    pairs: NDArray[np.int64]
+    residual: float
+    noise: float
+    rows: _Matches
+
+    def widening(self, values: Floats) -> Floats:
+        """Factor of errors where noise of the normals counts as information, at most 1 / MIN_INFORMATION_RATIO."""
+        rows = self.rows
+        first, second = (rows.jacobian(planes, values)[6:] for planes in (rows.first_planes, rows.second_planes))
+        weights, used = rows.weights() / self.noise, rows.counts[rows.counts > 0]
+        both = 0.5 * (_sums_of_pairs(first * weights, second, used) + _sums_of_pairs(second * weights, first, used))
+        prior = np.diag(1.0 / POSED_PRIOR**2)
+        counted, axes = eigh(self.systems.sum(0) + prior)
+        white = axes / np.sqrt(counted)
+        known, inner = eigh(matmul(matmul(white.T, both.sum(0)[:-1, :-1] + prior), white))
+        inner = matmul(white, inner)
+        return matmul(matmul(inner / np.maximum(known, MIN_INFORMATION_RATIO), inner.T), inv(self.inverse))
+
+    def scatter(self, values: Floats) -> Floats:
+        """Covariance from the solutions without any one of the views (jackknife)."""
+        views = np.unique(self.pairs)
+        kept = np.array([(self.pairs != view).all(axis=1) for view in views], np.float64)
+        prior = 1.0 / POSED_PRIOR**2
+        systems = matmul(kept, self.systems.reshape(len(self.pairs), -1)).reshape(-1, *self.inverse.shape)
+        gradients = matmul(kept, self.gradients) + values * prior
+        changes = -matmul(inv(systems + np.diag(prior)), gradients[..., None])[..., 0]
+        changes -= changes.mean(axis=0)
+        return (len(views) - 1) / len(views) * matmul(changes.T, changes)
+
+    def common_errors(self, poses: Floats, values: Floats) -> Floats:
+        """Covariance of drift, along each axis of the world and linear or bent over time, and of biased depth."""
+        first, second = self.pairs.T
+        time = np.arange(len(poses)) / max(len(poses) - 1, 1)
+        drift = np.stack([time, 4.0 * time * (1.0 - time)])
+        to_first = poses[first, :3, :3].transpose(0, 2, 1)
+        offset = matmul(to_first, (poses[second, :3, 3] - poses[first, :3, 3])[..., None])[..., 0]
+        (n, back), rows = self.rows.first_planes, self.rows
+        bias = DEPTH_BIAS * (_bias_patterns(rows.at_second, back) - _bias_patterns(rows.at_first, n))
+        J = rows.jacobian(rows.first_planes, values)[6:-1]
+        effects = [matmul(bias, (J * (rows.weights() / self.noise)).T)]
+        noise = NOISE_FACTOR * max(self.pose_noise() - USUAL_NOISE, 0.0)
+        for axis in range(3):
+            direction = to_first[..., axis]
+            rotation = np.hstack([direction, -np.cross(direction, offset)])
+            translation = np.hstack([0.0 * direction, direction])
+            amounts = ((rotation, ROTATION_DRIFT, 0.0), (translation, DRIFT, noise))
+            for twist, drifted, deviation in amounts:
+                shapes = np.vstack([drifted * drift, deviation * np.eye(len(poses))])
+                effect = (self.mixed * twist[..., None]).sum(axis=1)
+                effects.append(matmul(shapes[:, second] - shapes[:, first], effect))
+        moved = matmul(np.vstack(effects), self.inverse)
+        return matmul(moved.T, moved)
+
+    def pose_noise(self) -> float:
+        """Deviation of the positions [m], by axis, from the displacements that pairs would fit better with."""
+        planes = np.vstack([self.rows.first_planes[0], self.rows.residuals])
+        sums = _sums_of_pairs(planes, planes, self.rows.counts[self.rows.counts > 0])
+        squares = (sums[:, :3, 3] ** 2).sum(axis=1) / (sums[:, :3, :3] ** 2).sum(axis=(1, 2))
+        return math.sqrt(float(np.median(squares)) / MEDIAN_SQUARE / 2.0)  # two poses of a pair
+
+
+def _bias_patterns(cells: Floats, n: Floats) -> Floats:
+    """Displacements along normals [6, points] by errors of inverse depth: constant, linear and quadratic ones."""
+    x, y = cells[:2] / BIAS_RAY
+    along = (n[0] * cells[0] + n[1] * cells[1] + n[2]) * cells[2] ** 2
+    return along * np.stack([np.ones_like(x), x, y, x * x, x * y, y * y])
+
+
+def _posed_equations(
+    views: ViewPairs, values: Floats, gate: float, with_motion: bool = False
+) -> _PosedEquations | None:
+    """The equations at a camera, `with_motion` with the `mixed` products. None if too few pairs or points agree."""
+    rows = views.matches(views.poses, values, gate)
+    used = rows.counts > 0
+    if len(rows.residuals) < views.min_points or used.sum() < MIN_PAIRS:
+        return None
+    weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)[0 if with_motion else 6 :]
+    sums = _sums_of_pairs(J * weights, J, rows.counts[used])
+    cost = float(sums[:, -1, -1].sum())
+    noise = COMMON_PIXELS * cost / len(weights) + 1e-12
+    sums = sums / noise
+    camera = slice(-len(values) - 1, -1)
+    systems, gradients, mixed = sums[:, camera, camera], sums[:, camera, -1], sums[:, : camera.start, camera]
+    inverse = inv(systems.sum(0) + np.diag(1.0 / POSED_PRIOR**2))
+    residual = math.sqrt(cost / float(weights.sum()))
+    return _PosedEquations(systems, gradients, mixed, inverse, np.array(views.pairs)[used], residual, noise, rows)
 
 
 def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> float:
@@ -181,10 +362,10 @@ def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) 
         if is_zero and is_complete:  # no pair was moved apart by a translation that is too long
             break
         # Long translations are precise. Short ones are not confused with those to the next step of a staircase.
-        pairs = ViewPairs(views, poses, _spread_pairs(poses, 0.0, math.inf, gap))
+        pairs = ViewPairs(views, poses, _spread_pairs(poses, 0.0, math.inf, gap, MAX_FACTOR_PAIRS))
         start = pairs.poses.copy()
         start[:, :3, 3] *= not is_zero
-        found = _solve(pairs, start, np.full(4, FIXED_DEVIATION)) if pairs.pairs else None
+        found = _solve(pairs, start, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
         is_complete &= found is not None and bool(found.sums.used.all())
         if found is None:
             continue
@@ -235,7 +416,7 @@ class _Matches(NamedTuple):
         return 1.0 / ((1.0 + (self.residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
 
     def jacobian(self, planes: Floats, values: Floats) -> Floats:
-        """Derivatives of the residuals by the motion and the camera, and the residuals, (11, n).
+        """Derivatives of the residuals by the motion and the camera, and the residuals, (13, n).
 
         The rays at the planes are those of the moved points: their noise is nearly the same in all derivatives. The
         depth of the planes themselves would make the fitted focal length too long.
@@ -256,7 +437,7 @@ class _Solution(NamedTuple):
 
 class _Normal(NamedTuple):
     """Normal equations of the camera without the poses, and of the poses of the `used` pairs: `inverse` of their
-    matrices, the products `mixed` with the camera (6, 4), and the gradients. The sums of squares.
+    matrices, the products `mixed` with the camera (6, 6), and the gradients. The sums of squares.
     """
 
     system: Floats
@@ -273,7 +454,7 @@ class _Normal(NamedTuple):
 
 def _solve(views: ViewPairs, starts: Floats, prior: Floats) -> _Solution | None:
     """Gauss-Newton over the camera, with standard deviations `prior`, and the poses of all pairs."""
-    values, moved = np.zeros(4), starts.copy()
+    values, moved = np.zeros(len(PRIOR_DEVIATIONS)), starts.copy()
     for step in range(GAUSS_NEWTON_STEPS):
         gate = max(FIRST_GATE * GATE_FACTOR**step, LAST_GATE)
         sums = _normal_equations(views, moved, values, gate)
@@ -304,11 +485,11 @@ def _normal_equations(views: ViewPairs, poses: Floats, values: Floats, gate: flo
     """The normal equations at poses and camera. None if too few pairs or points agree."""
     rows = views.matches(poses, values, gate)
     used = rows.counts > 0
-    if len(rows.residuals) < MIN_POINTS or used.sum() < MIN_PAIRS:
+    if len(rows.residuals) < views.min_points or used.sum() < MIN_PAIRS:
         return None
     weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)
     sums = _sums_of_pairs(J * weights, J, rows.counts[used])
-    cost = float(sums[:, 10, 10].sum())
+    cost = float(sums[:, -1, -1].sum())
     return _Normal(*_without_poses(sums), used, cost, float(weights.sum()), len(weights), rows)
 
 
@@ -324,10 +505,10 @@ def _sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Fl
 def _without_poses(sums: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
     """Normal equations of the camera without the poses, and the inverse, mixed part and gradients of each pose."""
     inverse = inv(sums[:, :6, :6] + 1e-3 * np.eye(6))
-    mixed, gradients = sums[:, :6, 6:10], sums[:, :6, 10]
+    mixed, gradients = sums[:, :6, 6:-1], sums[:, :6, -1]
     by_camera = matmul(mixed.transpose(0, 2, 1), inverse)
-    system = (sums[:, 6:10, 6:10] - matmul(by_camera, mixed)).sum(0)
-    right = (sums[:, 6:10, 10] - matmul(by_camera, gradients[..., None])[..., 0]).sum(0)
+    system = (sums[:, 6:-1, 6:-1] - matmul(by_camera, mixed)).sum(0)
+    right = (sums[:, 6:-1, -1] - matmul(by_camera, gradients[..., None])[..., 0]).sum(0)
     return system, right, inverse, mixed, gradients
 
 
@@ -351,10 +532,10 @@ class _Surface(NamedTuple):
     cells: Floats
     is_plane: NDArray[np.bool_]
 
-    def is_sampled(self) -> NDArray[np.bool_]:
-        """Every second cell of every second row."""
+    def is_sampled(self, step: int) -> NDArray[np.bool_]:
+        """Each `step`-th cell of each `step`-th row."""
         chosen = np.zeros(self.is_plane.shape, bool)
-        chosen[::2, ::2] = True
+        chosen[::step, ::step] = True
         return chosen
 
 
@@ -384,24 +565,32 @@ def _window_sum(values: Floats) -> Floats:
     return sums[size:, size:] - sums[:-size, size:] - sums[size:, :-size] + sums[:-size, :-size]
 
 
+def _scales(values: Floats) -> tuple[float, float]:
+    """Factors of fx and fy."""
+    return math.exp(values[0] + 0.5 * values[4]), math.exp(values[0] - 0.5 * values[4])
+
+
 def _rays(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats]:
     """Corrected rays."""
-    x, y = (x - values[1]) * math.exp(-values[0]), (y - values[2]) * math.exp(-values[0])
+    x_scale, y_scale = _scales(values)
+    x, y = (x - values[1]) / x_scale, (y - values[2]) / y_scale
     factor = 1.0 + values[3] * (x * x + y * y)
     return x * factor, y * factor
 
 
 def _derivatives(cells: Floats, n: Floats, values: Floats) -> Floats:
-    """Derivatives of n . point by the parameters, float64 [4, points], at rays (x, y) and depth."""
+    """Derivatives of n . point by the parameters, float64 [6, points], at rays (x, y) and depth."""
     x, y, z = cells
-    inverse_focal, square = math.exp(-values[0]), x * x + y * y
-    along = (n[0] * x + n[1] * y) * z
-    return np.stack([-along, -n[0] * z * inverse_focal, -n[1] * z * inverse_focal, along * square])
+    (x_scale, y_scale), square = _scales(values), x * x + y * y
+    along_x, along_y = n[0] * x * z, n[1] * y * z
+    along = along_x + along_y
+    center = -n[0] * z / x_scale, -n[1] * z / y_scale
+    return np.stack([-along, *center, along * square, 0.5 * (along_y - along_x), along + n[2] * z])
 
 
 def _stretched(normals: Floats, values: Floats) -> Floats:
-    """Normals [3, points] of points whose rays are scaled by the focal length."""
-    if not values[0]:
+    """Normals [3, points] of points whose rays are scaled by the focal lengths."""
+    if not values[0] and not values[4]:
         return normals
-    out = normals * np.array([math.exp(values[0]), math.exp(values[0]), 1.0])[:, None]
+    out = normals * np.array([*_scales(values), 1.0])[:, None]
     return out / np.maximum(np.sqrt((out**2).sum(0)), 1e-12)

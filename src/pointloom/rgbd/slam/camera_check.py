@@ -13,7 +13,15 @@ from numpy.typing import NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.reports import Assessed, quality
 from ...kernels.rgbd.stream_views import StreamView, view_stream
-from ..odometry.camera_fit import CameraFit, CameraView, ViewPairs, fit_camera, rotated_pairs
+from ..odometry.camera_fit import (
+    MIN_DEPTH_FACTOR,
+    CameraFit,
+    CameraView,
+    PosedCameraFit,
+    ViewPairs,
+    fit_camera,
+    rotated_pairs,
+)
 from .fixed_parts import cell_lens
 from .frames import SensorFrame
 
@@ -22,11 +30,21 @@ MAX_VIEWS = 40  # compared frames, spread over the path
 # deviations of each. The kitchen, whose sensor is not calibrated, has up to 0.07 (deviation 0.03), 0.35 (0.06) and
 # 0.15. Chosen on the kitchen and two synthetic rooms, verified on synthetic sites of seeds 40 and 41 (2026-11-29).
 MAX_CORRECTIONS, MAX_SIGMAS = np.array([0.055, 0.28, 0.28, 0.2]), 1.5
+# Corrections with given poses are reported beyond POSED_SIGMAS deviations, if they move the surface by more than
+# MIN_DISPLACEMENT (root mean square [m], three quarters of a default voxel), and reduce the residual by MIN_FALL, which
+# errors of the poses hardly do. Radial distortion is also larger than that of usual lenses. Deviations above
+# MAX_POSED_DEVIATION determine nothing, unless the residual falls by MIN_RESIDUAL_RATIO: windows of less than a second
+# of the kitchen have deviations of 0.05 and more, and ratios up to 1.9. Chosen on all its frames: of 380 random windows
+# at the right camera, 1 of 300 of 4 to 20 frames and 2 of 80 of 30 to 139 frames are reported. Held out: of walks on
+# sites of seeds 302 and 303, none of the correct ones is reported (2026-11-30).
+POSED_SIGMAS, MIN_DISPLACEMENT, MIN_FALL = 2.5, 0.015, 1.1
+MAX_POSED_DEVIATION, MIN_RESIDUAL_RATIO = 0.05, 2.5
+MIN_POSED_CORRECTIONS = np.array([0.0, 0.0, 0.0, 0.0, 0.2, 0.0])
 
 
 @dataclasses.dataclass(frozen=True)
 class FocalCheck(Assessed):
-    """Camera that fits pairs of frames which are rotated against each other.
+    """Camera that fits pairs of frames: rotated against each other, or with given poses.
 
     Attributes:
         pairs: Number of aligned pairs.
@@ -36,11 +54,14 @@ class FocalCheck(Assessed):
         center: Displacement of the principal point [px]. 0 if none is clearly better.
         distortion: Radial distortion of the rays (factor of squared distance from the center, in focal lengths). 0 if
             none is clearly better.
+        aspect: Best factor of fx / fy. 1 if none is clearly better, or without given poses.
+        factor_deviation: Standard deviation of `factor`. 0 without given poses.
+        center_deviation: Standard deviations of `center` [px]. 0 without given poses.
 
     Example:
         >>> import pointloom as loom
         >>> print(loom.rgbd.FocalCheck(pairs=8, residual=0.004, factor=1.0, residual_there=0.004))
-        8 pairs of rotated frames have a residual of 4.0 mm, and no other focal length fits better
+        8 pairs of frames have a residual of 4.0 mm, and no other focal length fits better
         >>> loom.rgbd.FocalCheck(pairs=8, residual=0.012, factor=1.25, residual_there=0.004).reliable
         False
     """
@@ -51,30 +72,39 @@ class FocalCheck(Assessed):
     residual_there: float
     center: tuple[float, float] = (0.0, 0.0)
     distortion: float = 0.0
+    aspect: float = 1.0
+    factor_deviation: float = 0.0
+    center_deviation: tuple[float, float] = (0.0, 0.0)
 
     def __str__(self) -> str:
-        summary = f"{self.pairs} pairs of rotated frames have a residual of {self.residual * 1000:.1f} mm"
+        summary = f"{self.pairs} pairs of frames have a residual of {self.residual * 1000:.1f} mm"
         return "; ".join(self.warnings) or f"{summary}, and no other focal length fits better"
 
     @property
     def warnings(self) -> tuple[str, ...]:
         better = []
-        if self.factor != 1.0:
-            better.append(f"a focal length about {self.factor:.3g} times as long")
+        sigma = f" (sigma {self.factor_deviation:.2g})" if self.factor_deviation else ""
+        if self.aspect != 1.0:
+            fx, fy = self.factor * math.sqrt(self.aspect), self.factor / math.sqrt(self.aspect)
+            better.append(f"fx about {fx:.3g} times and fy about {fy:.3g} times as long{sigma}")
+        elif self.factor != 1.0:
+            better.append(f"a focal length about {self.factor:.3g} times as long{sigma}")
         if any(self.center):
-            better.append(f"a principal point moved by {self.center[0]:.0f}, {self.center[1]:.0f} px")
+            sigma = " (sigma {:.0f}, {:.0f})".format(*self.center_deviation) if any(self.center_deviation) else ""
+            better.append(f"a principal point moved by {self.center[0]:.0f}, {self.center[1]:.0f} px{sigma}")
         if self.distortion:
             better.append(f"a radial distortion of {self.distortion:.2f}; undistort the images")
         if not better:
             return ()
         return (
-            f"the camera may be wrong: rotated frames fit better with {', and '.join(better)} "
+            f"the camera may be wrong: the frames fit better with {', and '.join(better)} "
             f"({self.residual_there * 1000:.1f} mm apart, not {self.residual * 1000:.1f}); correct intrinsic",
         )
 
     def to_dict(self) -> dict[str, Any]:
         residuals = {"residual_m": self.residual, "factor": self.factor, "residual_there_m": self.residual_there}
-        other = {"center_px": list(self.center), "distortion": self.distortion}
+        other = {"center_px": list(self.center), "distortion": self.distortion, "aspect": self.aspect}
+        other |= {"factor_deviation": self.factor_deviation, "center_deviation_px": list(self.center_deviation)}
         return {"pairs": self.pairs, **residuals, **other, **quality(self)}
 
 
@@ -102,8 +132,48 @@ def assess_camera(
 def judged(fit: CameraFit | None, intrinsic: PinholeCameraIntrinsic) -> FocalCheck | None:
     if fit is None or not np.isfinite(fit.deviations[0]):
         return None
-    is_off = np.abs(fit.values) > MAX_CORRECTIONS + MAX_SIGMAS * fit.deviations
-    log_focal, u, v, distortion = np.where(is_off, fit.values, 0.0).tolist()
+    is_off = np.abs(fit.values[:4]) > MAX_CORRECTIONS + MAX_SIGMAS * fit.deviations[:4]
+    log_focal, u, v, distortion = np.where(is_off, fit.values[:4], 0.0).tolist()
     center = (u * intrinsic.fx, v * intrinsic.fy)
     there = fit.fitted_residual if is_off.any() else fit.residual
     return FocalCheck(len(fit.pairs), fit.residual, math.exp(log_focal), there, center, distortion)
+
+
+def judge_posed_camera(
+    fit: PosedCameraFit, intrinsic: PinholeCameraIntrinsic, factor: float = 1.0
+) -> tuple[FocalCheck | None, float, float]:
+    """The camera, the factor of the depth (1 without a better one) and its deviation.
+
+    The camera is None if its focal lengths are not determined. `factor` is that of `depth_factor`, by which the depth
+    of the views was scaled.
+    """
+    values, deviations = fit.values.copy(), np.sqrt(np.diag(fit.covariance))
+    values[5] += math.log(factor)
+    is_off = (np.abs(values) > MIN_POSED_CORRECTIONS + POSED_SIGMAS * deviations) & (
+        np.abs(values) * fit.displacements > MIN_DISPLACEMENT
+    )
+    is_known = (deviations < MAX_POSED_DEVIATION) | (fit.residual > MIN_RESIDUAL_RATIO * fit.fitted_residual)
+    is_off &= is_known & (fit.residual > MIN_FALL * fit.fitted_residual)
+    is_off[5] |= factor != 1.0 and abs(values[5]) > math.log(MIN_DEPTH_FACTOR)
+    mean, difference = (np.array([a, b, 0.0, 0.0, 0.0, 0.0]) for a, b in ((0.5, 0.5), (1.0, -1.0)))
+    mean_deviation, difference_deviation = (math.sqrt(row @ fit.covariance @ row) for row in (mean, difference))
+    log_focal, log_aspect = float(mean @ values), float(difference @ values)
+    is_focal = bool(is_off[:2].any())
+    is_aspect = is_focal and abs(log_aspect) > POSED_SIGMAS * difference_deviation
+    u, v, distortion, depth = np.where(is_off, values, 0.0)[2:].tolist()
+    camera = FocalCheck(
+        fit.pair_count,
+        fit.residual,
+        math.exp(log_focal) if is_focal else 1.0,
+        fit.fitted_residual if is_off.any() else fit.residual,
+        (u * intrinsic.fx, v * intrinsic.fy),
+        distortion,
+        math.exp(log_aspect) if is_aspect else 1.0,
+        math.exp(log_focal) * mean_deviation,
+        (float(deviations[2]) * intrinsic.fx, float(deviations[3]) * intrinsic.fy),
+    )
+    return (
+        camera if is_known[:2].any() or not camera.reliable else None,
+        math.exp(depth),
+        math.exp(depth) * float(deviations[5]),
+    )
