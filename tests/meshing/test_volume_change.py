@@ -292,3 +292,11 @@ def test_ground_classes_systems_and_units_are_checked(rng):
         loom.volume_change(loom.rasterize(before, 2.0, "dsm"), after, 1.0)
     report = loom.volume_change(before, after, 2.0).to_dict()
     assert report["reliable"] and "difference" not in report and report["net"] == report["fill"] - report["cut"]
+
+
+def test_a_grid_that_does_not_fit_into_memory_is_refused_before_it_is_computed(monkeypatch, rng):
+    epochs = [loom.PointCloud(rng.random((500, 3)) * (20, 20, 0.1)) for _ in range(2)]
+    monkeypatch.setattr("pointloom.pcd.raster_cells.free_bytes", lambda _: 100_000)
+    assert loom.volume_change(*epochs, 4.0).area > 0
+    with pytest.raises(MemoryError, match="cell: 1 gives 20 x 20 cells, which need"):
+        loom.volume_change(*epochs, 1.0)

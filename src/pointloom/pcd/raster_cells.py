@@ -72,7 +72,7 @@ def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -
         first, shape = cells_over(low, high, corner, side)
     else:
         first, shape = cells_within(box.reshape(2, 2) - origin[:2] - corner, side)
-    _check_room(side, shape, points.device)
+    check_grid_room(side, shape, points.device)
     check_cell_numbers(first, shape)
     return FixedCells(corner, side, first, shape)
 
@@ -91,16 +91,16 @@ def cells_within(ends: Vector, side: float) -> tuple[Vector, Vector]:
         return first, np.maximum(np.ceil(ends[1] / side - BORDER_TOLERANCE) - first, 1.0)
 
 
-def _check_room(side: float, shape: NDArray[np.float64], device: Device) -> None:
+def check_grid_room(side: float, shape: NDArray[np.float64], device: Device, cell_bytes: int = CELL_BYTES) -> None:
     with np.errstate(over="ignore"):
         cells = float(shape.prod())
     message = f"cell: {side:g} gives {shape[0]:,.0f} x {shape[1]:,.0f} cells"
     if not cells <= MAX_CELLS:
-        gigabytes = f"{cells * CELL_BYTES / 1e9:,.0f} GB"
+        gigabytes = f"{cells * cell_bytes / 1e9:,.0f} GB"
         raise ValueError(f"{message}, {gigabytes}, more than 2^28 cells. Use larger cells or tiles")
     free = free_bytes(device)
-    if free is not None and cells * CELL_BYTES > free:
-        message += f", which need {cells * CELL_BYTES / 1e9:.2f} GB, but {device} has {free / 1e9:.2f} GB free"
+    if free is not None and cells * cell_bytes > free:
+        message += f", which need {cells * cell_bytes / 1e9:.2f} GB, but {device} has {free / 1e9:.2f} GB free"
         raise MemoryError(f"{message}. Use larger cells or tiles")
 
 
@@ -167,7 +167,7 @@ def ground_heights(ground: Points, window: FixedCells, method: str, radius: floa
     shape = np.minimum(first + shape, corner + size + rim) - begin
     if (shape <= 0).any():
         return nothing
-    _check_room(window.cell, shape, ground.device)
+    check_grid_room(window.cell, shape, ground.device)
     occupied = FixedCells(np.array([window.x0, window.y0]), window.cell, begin, shape)
     return interpolate_centers(CellGroups(ground, occupied), window, count, far, rings)
 
@@ -224,7 +224,7 @@ def heights_above_ground(
     if not finite:
         return full(points.size, NAN, float64, points.device)
     first, shape = cells_over(low, high, corner, side)
-    _check_room(side, shape, points.device)
+    check_grid_room(side, shape, points.device)
     check_cell_numbers(first, shape)
     groups = CellGroups(ground, FixedCells(corner, side, first, shape))
     low, high, _ = bound_points(points)
