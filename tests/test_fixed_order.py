@@ -31,6 +31,8 @@ ALLOWED = {
     ("kernels/linear_algebra.py", "eigh"): "only the signs are used",
     ("kernels/reconstruction/octree_levels.py", "*"): "whole numbers",
     ("meshing/scene/pinhole_rays.py", "*"): DECIDES,
+    **{("pcd/cell_heights.py", name): SPARSE for name in ("cell_variance", "sum_variance", "coarser", "weights")},
+    **{("pcd/cell_heights.py", name): SPARSE for name in ("__init__", "center_heights")},
     ("registration/icp/constraint.py", "_check_prior"): DECIDES,
     ("registration/pose_graphs/pose_graph.py", "*"): DECIDES,
     ("registration/pose_graphs/pose_graph_system.py", ""): "SuperLU orders the unknowns, by whole numbers",

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..kernels.array_types import Points
+from ..kernels.linear_algebra import inv, matmul
 from ..kernels.memory import download
 from ..kernels.terrain.cells import CellGroups, FixedCells
 
@@ -282,17 +283,20 @@ def _center_fit(near: _Neighbors, values: Grid, variance: Grid) -> tuple[Grid, G
     linear = near.count / total[:, None] - u[:, None] * along_u - v[:, None] * along_v
     terms = np.stack([np.ones(near.count.shape), *near.terms], axis=2)
     weighted = terms * near.count[:, :, None]
-    normal = weighted.transpose(0, 2, 1) @ terms
+    by_term = weighted.transpose(0, 2, 1)
+    normal = matmul(by_term, terms)
     normal += RIDGE * total[:, None, None] * np.eye(6)
-    inverse = np.linalg.inv(normal)
-    weights = (weighted @ inverse[:, :, :1])[:, :, 0]
+    inverse = inv(normal)
+    weights = matmul(weighted, inverse[:, :, :1])[:, :, 0]
     scale = np.divide(weights**2, near.count, out=np.zeros(weights.shape), where=near.count > 0).sum(axis=1)
     weights /= weights.sum(axis=1, keepdims=True)
-    moved = (weights[:, None] @ terms)[:, 0, 1:]  # 0 unless the cells are in few rows, and the surface is ambiguous
+    moved = matmul(weights[:, None], terms)[
+        :, 0, 1:
+    ]  # 0 unless the cells are in few rows, and the surface is ambiguous
     accepted = (offset <= MAX_OFFSET) & (scale <= MAX_FIT_VARIANCE) & (np.abs(moved).max(axis=1) <= MAX_BIAS)
     plane = [(part * values).sum(axis=1, keepdims=True) for part in (linear, along_u, along_v)]
     flat = values - plane[0] - plane[1] * near.terms[0] - plane[2] * near.terms[1]
-    curved = values - (terms @ (inverse @ (weighted.transpose(0, 2, 1) @ values[:, :, None])))[:, :, 0]
+    curved = values - matmul(terms, matmul(inverse, matmul(by_term, values[:, :, None])))[:, :, 0]
     before, after = ((near.count * part**2).sum(axis=1) for part in (flat, curved))
     ratio = np.sqrt(np.divide(after, before, out=np.ones(len(before)), where=before > 0))
     fit_error = ((weights - linear) * values).sum(axis=1) * np.minimum(3 * ratio, 1.0)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.reports import Assessed, quality
+from ...kernels.linear_algebra import matmul
 from ...kernels.rgbd.stream_views import StreamView, view_stream
 from ..odometry.camera_fit import (
     MIN_DEPTH_FACTOR,
@@ -156,8 +157,10 @@ def judge_posed_camera(
     is_off &= is_known & (fit.residual > MIN_FALL * fit.fitted_residual)
     is_off[5] |= factor != 1.0 and abs(values[5]) > math.log(MIN_DEPTH_FACTOR)
     mean, difference = (np.array([a, b, 0.0, 0.0, 0.0, 0.0]) for a, b in ((0.5, 0.5), (1.0, -1.0)))
-    mean_deviation, difference_deviation = (math.sqrt(row @ fit.covariance @ row) for row in (mean, difference))
-    log_focal, log_aspect = float(mean @ values), float(difference @ values)
+    mean_deviation, difference_deviation = (
+        math.sqrt(float(matmul(row, fit.covariance, row))) for row in (mean, difference)
+    )
+    log_focal, log_aspect = float(matmul(mean, values)), float(matmul(difference, values))
     is_focal = bool(is_off[:2].any())
     is_aspect = is_focal and abs(log_aspect) > POSED_SIGMAS * difference_deviation
     u, v, distortion, depth = np.where(is_off, values, 0.0)[2:].tolist()
