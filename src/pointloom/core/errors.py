@@ -12,6 +12,11 @@ from .escaped_text import escaped
 MAX_NAMES = 10_000  # maximum names of a folder searched for similar ones
 _ABSENT = ("does not exist", "cannot be read: ")
 
+# How to use a file without faces where a mesh is expected.
+CLOUD_REMEDY = (
+    "Read it as a point cloud. loom.meshing.create_surface(cloud), or the command pointloom mesh, makes a mesh of it"
+)
+
 FilePath = str | os.PathLike[str]
 
 

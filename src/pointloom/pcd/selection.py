@@ -15,7 +15,6 @@ from ..core.checks import (
     check_count,
     check_finite,
     check_indices,
-    check_list,
     check_name,
     check_numeric,
     check_positive,
@@ -48,14 +47,14 @@ from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .las_attributes import with_common_las_attributes
 from .length_checks import MAX_SPARSE_FRACTION, check_order, warn_of_far, warn_of_long, warn_of_sparse
-from .point_arrays import VECTORS, PointArrays, check_cloud
+from .point_arrays import VECTORS, PointArrays, check_cloud, list_clouds
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 from .units import common_reference
 from .voxel_trace import VoxelTrace
 
 _NO_SUM = (
     "a cloud and a {} cannot be added: cloud.translate(vector) moves it, cloud.points = array sets its points, and "
-    "cloud + loom.PointCloud(array) adds points"
+    "cloud + loom.PointCloud({}) adds points"
 )
 MAX_POINTS = 2**31 - 1  # 32-bit indices
 KEYS = "an attribute's name, a slice, a mask of shape [n] or indices of shape [k]"
@@ -70,6 +69,11 @@ class SupportsDLPack(Protocol):
     def __dlpack__(self, *args: Any, **kwargs: Any) -> Any: ...
 
 
+def _no_sum(other: object) -> TypeError:
+    array = "mesh.vertices" if hasattr(other, "vertices") else "array"
+    return TypeError(_NO_SUM.format(type(other).__name__, array))
+
+
 class Selection(PointArrays):
     """Methods of PointCloud that select, sample and concatenate points."""
 
@@ -77,13 +81,13 @@ class Selection(PointArrays):
 
     def __add__(self, other: object) -> Self:
         if not isinstance(other, PointArrays):
-            raise TypeError(_NO_SUM.format(type(other).__name__))
+            raise _no_sum(other)
         return self.concatenate([self, other])
 
     def __radd__(self, other: object) -> Self:
         if isinstance(other, int) and other == 0:
             return self.copy()
-        raise TypeError(_NO_SUM.format(type(other).__name__))
+        raise _no_sum(other)
 
     @classmethod
     def concatenate(cls, clouds: Iterable[PointArrays]) -> Self:
@@ -113,7 +117,7 @@ class Selection(PointArrays):
             >>> both["ring"].tolist(), list(both.attributes), both.points[2].tolist()
             ([1, 2, 3], ['ring'], [500000.0, 5400000.0, 1.0])
         """
-        given = check_list("clouds", clouds, "point clouds")
+        given = list_clouds("clouds", clouds)
         if not given:
             raise ValueError("clouds: expected at least one cloud, got none")
         for cloud in given:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
-from ...core.errors import FileError, FilePath
+from ...core.errors import CLOUD_REMEDY, FileError, FilePath
 from ..ascii_rows import CHUNK_ROWS, write_rows
 from ..attribute_names import NameRules, is_word, split_columns
 from ..columns import (
@@ -199,7 +199,7 @@ def read_ply_mesh(path: FilePath, *, outside_files: bool = False, source: Source
     if "face" not in by_name and STRIPS not in by_name:
         if "face" in (element.name for element in header.elements):
             _corner_property(path, header.element(path, "face"))
-        raise FileError(path, "contains no faces", remedy="Read it as a point cloud")
+        raise FileError(path, "contains no faces", remedy=CLOUD_REMEDY)
     taken: dict[str, list[Property]] = {}
     for name in ("face", STRIPS):
         if name in by_name:
@@ -250,7 +250,7 @@ def _add_strips(path: Path, mesh: MeshTable, strips: Column) -> None:
     assert isinstance(strips, ListColumn)
     triangles = strip_triangles(path, strips, len(mesh.vertices))
     if not len(mesh.triangles) and not len(triangles):
-        raise FileError(path, "contains no faces: its strips have no triangle", remedy="Read it as a point cloud")
+        raise FileError(path, "contains no faces: its strips have no triangle", remedy=CLOUD_REMEDY)
     if mesh.triangle_uvs is not None or mesh.triangle_attributes:
         warn_of_loss(path, "textures and values of faces", "the strips beside them have none")
         mesh.triangle_uvs, mesh.triangle_material_ids, mesh.textures, mesh.triangle_attributes = None, None, (), {}
