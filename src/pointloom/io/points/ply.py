@@ -135,7 +135,9 @@ _COLORS: tuple[tuple[str, ...], ...] = (
 _CORNERS = ("vertex_indices", "vertex_index")
 _PACKED_SPLATS = "packed_position"
 TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
-_TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or float64, or write NPZ"
+_CONVERSION = "Convert it to an integer of at most 32 bits or to float32 or float64"
+_CLOUD_REMEDY = f"{_CONVERSION}, or write NPZ, or pass drop_unsupported=True"
+_MESH_REMEDY = f"{_CONVERSION}, or write .vtp, or delete it from mesh.vertex_attributes or mesh.triangle_attributes"
 
 
 def read_ply(path: FilePath, *, source: SourceFile | None = None) -> PointTable:
@@ -280,13 +282,15 @@ def write_ply_mesh(
         raise FileError(
             path, f"PLY's 32-bit indices cannot index {len(mesh.vertices)} vertices", remedy="Split the mesh"
         )
-    columns = _vertex_columns(path, mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
+    columns = _vertex_columns(
+        path, mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes, _MESH_REMEDY
+    )
     if mesh.triangle_uvs is None and (pair := pair_at_vertices(mesh.attributes)):
         reason = f"the attributes {', '.join(pair)} would be read as texture coordinates"
         raise FileError(path, reason, remedy="Rename one of them")
     names = image_names(path, len(mesh.textures))
     properties, values = face_columns(mesh)
-    more, more_values = attribute_columns(path, mesh.triangle_attributes, TYPES, _TYPE_REMEDY)
+    more, more_values = attribute_columns(path, mesh.triangle_attributes, TYPES, _MESH_REMEDY)
     all_comments = [*comments, *(f"TextureFile {name}" for name in names)]
     head = _header(columns, len(mesh.vertices), ascii=ascii, comments=all_comments)
     head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices"]
@@ -387,6 +391,7 @@ def _vertex_columns(
     normals: NDArray[Any] | None,
     colors: NDArray[Any] | None,
     attributes: dict[str, NDArray[Any]],
+    remedy: str = _CLOUD_REMEDY,
 ) -> dict[str, NDArray[Any]]:
     """Columns of shape (n,) by property name. Raises if a name or type would not read back."""
     columns: dict[str, NDArray[Any]] = dict(zip(_POINTS, points.T, strict=True))
@@ -395,7 +400,7 @@ def _vertex_columns(
     if colors is not None:
         columns |= dict(zip(_COLORS[0], colors_to_bytes(path, colors).T, strict=True))
     attributes = narrow_attributes(attributes)
-    check_types(path, attributes, TYPES, _TYPE_REMEDY)
+    check_types(path, attributes, TYPES, remedy)
     for name, values in attributes.items():
         check_name(path, name)
         parts = split_columns(name, values)
