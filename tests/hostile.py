@@ -116,6 +116,8 @@ def ignore_true_warnings() -> None:
     warnings.filterwarnings("ignore", "cloud: .* so no alpha gives a surface")
     warnings.filterwarnings("ignore", "mesh: triangle .* NaN or infinite")
     warnings.filterwarnings("ignore", "k: .* neighbors join each of the")
+    warnings.filterwarnings("ignore", "num_samples: expected .* points, got")
+    warnings.filterwarnings("ignore", "edge_length: expected most edges at 4/5 to 4/3")
 
 
 def warnings_of(call: Callable[[], Any]) -> list[str]:

@@ -27,6 +27,7 @@ from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
 from ..core.joined_parts import ESTIMATED, common_names
+from ..core.units import warn_of_units
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import Box, bound_points
 from ..kernels.arrays.concatenation import concatenate_points
@@ -67,6 +68,12 @@ OPEN3D_CELLS = 2**31 - 1  # Open3D counts the cells between the bounds in 32 bit
 
 class SupportsDLPack(Protocol):
     def __dlpack__(self, *args: Any, **kwargs: Any) -> Any: ...
+
+
+def _warn_of_fewer(count: int, requested: int) -> None:
+    if count < requested:
+        reason = "the other points are duplicates or not finite. Remove them before you choose a number"
+        warn_of_units(f"num_samples: expected {requested} points, got {count}, because {reason}", UserWarning)
 
 
 def _no_sum(other: object) -> TypeError:
@@ -531,6 +538,9 @@ class Selection(PointArrays):
             ValueError: If there are more samples than points, or the start is not finite.
             IndexError, TypeError: If the start is out of range, or if an argument is not an integer.
 
+        Warns:
+            UserWarning: If there are fewer distinct finite points than requested.
+
         Example:
             >>> import pointloom as loom
             >>> cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [5, 0, 0], [9, 0, 0]])
@@ -539,7 +549,9 @@ class Selection(PointArrays):
         """
         count, _ = self._check_farthest(num_samples, start_index)
         if count == len(self):
-            return self.remove_non_finite_points()
+            finite = self.remove_non_finite_points()
+            _warn_of_fewer(len(finite), count)
+            return finite
         chosen = upload(self._farthest(num_samples, start_index), int32, self.device)
         return self.select_rows(sort_rows(chosen, len(self)))
 
@@ -575,7 +587,9 @@ class Selection(PointArrays):
                 f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}; "
                 "call remove_non_finite_points() first"
             )
-        return choose_farthest(self.search_tree(), count, start)
+        chosen = choose_farthest(self.search_tree(), count, start)
+        _warn_of_fewer(len(chosen), count)
+        return chosen
 
     def _voxels(
         self,
