@@ -375,7 +375,7 @@ def test_errors_name_the_conversion(given, call, words):
 @pytest.mark.parametrize("suffix", [".ply", ".xyz", ".las", ".vtk", ".vtp"])
 def test_the_file_of_a_cloud_read_as_a_mesh_names_the_conversion(suffix, tmp_path):
     loom.write_point_cloud(tmp_path / f"cloud{suffix}", POINTS)
-    with pytest.raises(loom.FileError, match=r"Read it as a point cloud\. loom\.meshing\.create_surface\(cloud\)"):
+    with pytest.raises(loom.FileError, match=r"read_point_cloud\. loom\.meshing\.create_surface"):
         loom.read_triangle_mesh(tmp_path / f"cloud{suffix}")
 
 
