@@ -13,7 +13,10 @@ MAX_NAMES = 10_000  # maximum names of a folder searched for similar ones
 _ABSENT = ("does not exist", "cannot be read: ")
 
 # How to use a file without faces where a mesh is expected.
-CLOUD_REMEDY = "Read it as a point cloud with read_point_cloud. loom.meshing.create_surface, or the command pointloom mesh, makes a mesh"
+CLOUD_REMEDY = (
+    "Read it as a point cloud with read_point_cloud. "
+    "loom.meshing.create_surface, or the command pointloom mesh, makes a mesh"
+)
 
 # Maintained programs that convert formats which no reader or writer has.
 _CONVERTERS = dict.fromkeys(
