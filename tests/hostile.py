@@ -10,7 +10,7 @@ import shutil
 import tempfile
 import warnings
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any
@@ -116,6 +116,8 @@ def ignore_true_warnings() -> None:
     warnings.filterwarnings("ignore", "cloud: .* so no alpha gives a surface")
     warnings.filterwarnings("ignore", "mesh: triangle .* NaN or infinite")
     warnings.filterwarnings("ignore", "k: .* neighbors join each of the")
+    warnings.filterwarnings("ignore", "num_samples: expected .* points, got")
+    warnings.filterwarnings("ignore", "edge_length: expected most edges at 4/5 to 4/3")
 
 
 def warnings_of(call: Callable[[], Any]) -> list[str]:
@@ -222,6 +224,35 @@ def faults_of(
                 elif title not in accepted:
                     faults.append(f"{where}: accepted for {annotation}")
         faults += [f"{where}: {w.category.__name__}: {str(w.message)[:100]} ({w.filename}:{w.lineno})" for w in caught]
+    return faults
+
+
+# For each kind of geometry: the other one, and the conversions that an error for it may name.
+EXCHANGED: list[tuple[type, Any, tuple[str, ...]]] = [
+    (loom.PointCloud, loom.TriangleMesh.create_box(), ("mesh.vertices", "PointCloud(x.vertices)")),
+    (loom.TriangleMesh, loom.PointCloud(ARRAYS["points"]), ("create_surface(", "write_point_cloud")),
+]  # fmt: skip
+
+
+def faults_of_exchange(call: Callable[..., Any], arguments: dict[str, Any], either: Collection[str] = ()) -> list[str]:
+    """Faults of a call that is given a mesh for each cloud or array of points, and a cloud for each mesh.
+
+    The call must raise a TypeError that names the argument and a conversion. `either` are arguments that accept both.
+    """
+    faults = []
+    for name, good in arguments.items():
+        one = good[0] if isinstance(good, list | tuple) and good else good
+        is_array = isinstance(one, np.ndarray) and one.ndim == 2 and one.shape[1] == 3 and one.dtype == np.float64
+        for kind, given, conversions in () if name in either else EXCHANGED:
+            if not isinstance(one, kind) and not (is_array and kind is loom.PointCloud and "point" in name):
+                continue
+            for value in [given] if one is good else [given, [given] * len(good)]:
+                try:
+                    fault = f"accepted: {call(**(arguments | {name: value}))!r}"
+                except TypeError as error:
+                    fault = "" if any(words in str(error) for words in conversions) else str(error)
+                    fault = fault or ("" if re.search(rf"\b{name}\b", str(error)) else f"{name} is not named: {error}")
+                faults += [f"{name} = {type(given).__name__}: {fault}"] if fault else []
     return faults
 
 

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import sys
 from types import FrameType
 
 INTERRUPTED = 130
@@ -20,6 +21,12 @@ def main() -> None:
     """Run the command. Ctrl-C during loading also gives one line and exit code 130."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _leave)
+    from .kernels.language.environment import VERBOSITY, setting
+
+    try:
+        setting(VERBOSITY)  # the first import of the commands reads it
+    except ValueError as error:
+        sys.exit(f"error: {error}")
     from .cli.shell.cli import main as run  # loads click and the commands
 
     run()

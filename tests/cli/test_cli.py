@@ -3,6 +3,7 @@
 import ctypes
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -18,11 +19,13 @@ from pointloom.cli.jobs.clouds import ConvertReport
 from pointloom.cli.jobs.job import Done
 from pointloom.cli.shell import doctor
 from pointloom.cli.shell.cli import cli
-from pointloom.core import cuda_driver
+from pointloom.core import cuda_driver, verbosity
 from pointloom.core.threads import get_num_threads
 from pointloom.core.wording import format_bytes
 from pointloom.io.images.image_files import write_png
 from pointloom.io.points import ply
+from pointloom.kernels.language import cpu_archive
+from pointloom.kernels.language.environment import setting
 
 from ..sigint import sigint_enabled
 from .commands import answer, names_in, output_of, refusal, run, unreliable
@@ -161,6 +164,52 @@ def test_every_exception_is_reported_in_one_line(error, message, monkeypatch):
     assert result.exit_code == 1 and result.stderr.startswith(message) and len(result.stderr.splitlines()) == 1
 
 
+WRONG = {
+    "POINTLOOM_VERBOSITY": ("quiet", "error, warning, info or debug"),
+    "POINTLOOM_CPU_THREADS": ("abc", "a whole number from 1 to 1024"),
+    "POINTLOOM_CPU": ("gcc", "warp or taichi"),
+    "POINTLOOM_DRAW": ("file", "page or picture"),
+    "POINTLOOM_INLINE": ("yes", "0 or 1"),
+    "POINTLOOM_TRACEBACK": ("no", "0 or 1"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_environment_variable_ends_a_command_and_its_first_use(name, monkeypatch):
+    value, expected = WRONG[name]
+    monkeypatch.setenv(name, value)
+    message = f"{name}: expected {expected}, got {value!r}. Change or unset the variable"
+    result = run("info", "a.ply")
+    assert (result.exit_code, result.stderr) == (1, f"error: {message}\n")
+    with pytest.raises(ValueError, match=re.escape(message)):
+        setting(name)
+    monkeypatch.setenv(name, "")
+    assert setting(name) == "" and "a.ply" in run("info", "a.ply").stderr
+
+
+def test_a_wrong_verbosity_is_an_error_at_import(monkeypatch):
+    monkeypatch.setenv("POINTLOOM_VERBOSITY", "quiet")
+    with pytest.raises(ValueError, match="POINTLOOM_VERBOSITY: expected error, warning, info or debug, got 'quiet'"):
+        verbosity.start()
+    monkeypatch.setenv("POINTLOOM_VERBOSITY", "Warning")
+    verbosity.start()
+
+
+def test_a_missing_folder_of_compiled_kernels_is_an_error(monkeypatch, tmp_path):
+    monkeypatch.setenv("POINTLOOM_CPU_KERNELS", str(tmp_path / "none"))
+    with pytest.raises(ValueError, match="POINTLOOM_CPU_KERNELS: expected an existing folder, got"):
+        cpu_archive.folder()
+    monkeypatch.setenv("POINTLOOM_CPU_KERNELS", "")
+    assert cpu_archive.folder() is None
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_variables_with_few_values_are_read_in_one_place(name):
+    reads = re.compile(rf"""environ(\.get\(|\[)["']{name}["']""")
+    files = [path for path in (ROOT / "src").rglob("*.py") if reads.search(path.read_text(encoding="utf-8"))]
+    assert files == []
+
+
 def test_the_traceback_is_printed_on_request(monkeypatch):
     monkeypatch.setattr("pointloom.cli.jobs.clouds.convert_file", fault(IndexError("list index")))
     monkeypatch.setenv("POINTLOOM_TRACEBACK", "1")
@@ -194,6 +243,8 @@ def test_a_signal_while_writing_leaves_nothing(cloud, tmp_path, number, code):
 import time
 from pointloom.cli.shell.cli import main
 from pointloom.io.points import ply
+from pointloom.kernels.language import cpu_archive
+from pointloom.kernels.language.environment import setting
 from pointloom.io.images.image_files import write_png
 def stall(*_args, **_options):
     print("writing", file=sys.stderr, flush=True)

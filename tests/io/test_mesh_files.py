@@ -1,5 +1,6 @@
 """Triangle meshes in PLY, OBJ, OFF and STL, and faces with more than three corners."""
 
+import pickle
 import re
 import tracemalloc
 import warnings
@@ -618,3 +619,19 @@ def test_any_outline_is_covered_once(count, seed):
         assert good.all()
         parts = areas(np.c_[outline, np.zeros(count)], triangles[0])
         assert parts.min() >= -1e-15 and parts.sum() == pytest.approx(area, rel=1e-12)
+
+
+@pytest.mark.parametrize("suffix", [".fbx", ".FBX", ".usd", ".usda", ".usdc", ".usdz", ".3mf"])
+def test_formats_without_a_reader_name_a_converter(suffix, tmp_path):
+    path = tmp_path / f"scene{suffix}"
+    path.touch()
+    calls = [
+        lambda: loom.read_triangle_mesh(path),
+        lambda: loom.write_triangle_mesh(path, loom.TriangleMesh.create_box()),
+        lambda: loom.read_point_cloud(path),
+        lambda: loom.write_point_cloud(path, loom.PointCloud(np.eye(3))),
+    ]
+    for call in calls:
+        with pytest.raises(FileError, match="trimesh.load" if suffix == ".3mf" else "Blender") as error:
+            call()
+        assert ".glb" in str(error.value) and str(pickle.loads(pickle.dumps(error.value))) == str(error.value)

@@ -319,6 +319,22 @@ def test_an_attribute_of_one_column_keeps_its_name(tmp_path, suffix, name):
         assert {*cloud.attributes} == {name, "pair_0", "pair_1"}
 
 
+@pytest.mark.parametrize("of", ["vertex", "triangle"])
+@pytest.mark.parametrize("values", [np.full(3, 2**63, np.uint64), np.full(3, -(2**62)), np.ones(3, bool)])
+def test_types_of_mesh_attributes_that_ply_lacks_have_a_remedy_that_works(of, values, tmp_path):
+    mesh = loom.TriangleMesh(np.eye(3), [[0, 1, 2]] * 3)
+    attributes = getattr(mesh, f"{of}_attributes")
+    attributes["label"] = values
+    with pytest.raises(FileError, match=f"write .vtp, or delete it from .*mesh.{of}_attributes") as error:
+        loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
+    assert "drop_unsupported" not in str(error.value)
+    loom.write_triangle_mesh(tmp_path / "a.vtp", mesh)
+    read = getattr(loom.read_triangle_mesh(tmp_path / "a.vtp"), f"{of}_attributes")["label"]
+    assert read.tolist() == values.tolist()
+    del attributes["label"]
+    loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
+
+
 @pytest.mark.parametrize("suffix", [".ply", ".glb", ".vtk", ".vtp"])
 def test_mesh_attributes_of_one_column_and_of_64_bits_keep_name_and_values(tmp_path, suffix):
     values = np.arange(3)[:, None]

@@ -17,6 +17,8 @@ NORMALS = (CUBE - 0.5) / np.linalg.norm(CUBE - 0.5, axis=1, keepdims=True)
 INTENSITY = np.arange(8, dtype=np.int32)
 IMAGE = np.arange(4 * 6 * 3, dtype=np.uint8).reshape(4, 6, 3)
 
+BOX, POINTS = loom.TriangleMesh.create_box(), loom.PointCloud(CUBE)
+
 
 def full_cloud(shift=UTM):
     colors = BYTES.astype(np.float32) / 255
@@ -347,13 +349,34 @@ def test_transparency_is_an_attribute_unless_opaque():
         (stand_in("Cloud", points=CUBE), loom.PointCloud, ("loom.PointCloud(x.points)",)),
         (stand_in("Grid", points=CUBE, extract_surface=len), loom.from_any, ("x.extract_surface()",)),
         (stand_in("Grid", points=CUBE, extract_surface=len), loom.TriangleMesh, ("x.extract_surface()",)),
+        (BOX, loom.PointCloud, ("loom.PointCloud(x.vertices)", "x.sample_points_uniformly(")),
+        (BOX, loom.PointCloud.from_open3d, ("loom.PointCloud(x.vertices)",)),
+        (BOX, loom.PointCloud(CUBE).__add__, ("loom.PointCloud(mesh.vertices)",)),
+        (BOX, loom.PointCloud(CUBE).__radd__, ("loom.PointCloud(mesh.vertices)",)),
+        (BOX, loom.NearestNeighborSearch, ("mesh.vertices",)),
+        (POINTS, loom.TriangleMesh, ("loom.meshing.create_surface(x)", "loom.TriangleMesh(x.points, triangles)")),
+        (POINTS, lambda x: loom.TriangleMesh(x, TRIANGLES), ("loom.TriangleMesh(x.points, triangles)",)),
+        (POINTS, lambda x: setattr(loom.TriangleMesh(CUBE), "vertices", x), ("x.points",)),
+        (POINTS, lambda x: loom.RaycastingScene().add_triangles(x, TRIANGLES), ("x.points",)),
+        (POINTS, lambda x: loom.VoxelGrid.create_from_triangle_mesh(x, 0.1), ("create_surface(x)",)),
+        (POINTS, loom.LineSet.create_from_triangle_mesh, ("create_surface(x)",)),
+        (POINTS, loom.TriangleMesh.from_open3d, ("create_surface(x)",)),
+        (loom.LineSet(CUBE, [[0, 1]]), loom.TriangleMesh, ("create_surface(loom.PointCloud(x.points))",)),
+        (loom.PointCloud(CUBE).compute_convex_hull()[0], loom.PointCloud, ("loom.PointCloud(x.vertices)",)),
     ],
 )
 def test_errors_name_the_conversion(given, call, words):
     with pytest.raises(TypeError) as error:
         call(given)
     assert all(word in str(error.value) for word in words), str(error.value)
-    assert "expected real numbers" not in str(error.value)
+    assert "expected real numbers" not in str(error.value) or call is loom.NearestNeighborSearch
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".xyz", ".las", ".vtk", ".vtp"])
+def test_the_file_of_a_cloud_read_as_a_mesh_names_the_conversion(suffix, tmp_path):
+    loom.write_point_cloud(tmp_path / f"cloud{suffix}", POINTS)
+    with pytest.raises(loom.FileError, match=r"read_point_cloud\. loom\.meshing\.create_surface"):
+        loom.read_triangle_mesh(tmp_path / f"cloud{suffix}")
 
 
 def poly_data(faces, **arrays):

@@ -350,6 +350,39 @@ def test_triangles_become_uniform_and_stay_on_the_surface(shape, length):
     assert max(metrics.max) < 0.15 * length and not made.is_self_intersecting()
 
 
+CYLINDER = TriangleMesh.create_cylinder(1.0, 2.0, 60, 40)
+LATTICE = TriangleMesh.create_plane().subdivide_midpoint(5)
+
+
+@pytest.mark.parametrize("times", [0.7, 1.5, 3, 5])
+@pytest.mark.parametrize(
+    "mesh",
+    [
+        TriangleMesh.create_sphere(1.0, 30),
+        TriangleMesh.create_torus(1.0, 0.6),
+        LATTICE,
+        TriangleMesh.create_cylinder(1.0, 2.0, 60, 40),
+    ],
+    ids=["sphere", "torus", "lattice", "cylinder"],
+)
+def test_edges_have_the_target_length_from_any_length(mesh, times, device):
+    target = times * float(np.median(edge_lengths(mesh)))
+    made = mesh.to(device).remesh_isotropic(target)
+    lengths = edge_lengths(made) / target
+    assert ((lengths > 0.8) & (lengths < 4 / 3)).mean() > 0.8 and 0.8 < np.median(lengths) < 4 / 3
+    assert made.euler_poincare_characteristic() == mesh.euler_poincare_characteristic()
+    assert made.is_watertight() == mesh.is_watertight()
+
+
+@pytest.mark.parametrize(
+    ("mesh", "length", "iterations", "remedy"),
+    [(TriangleMesh.create_box(), 5.0, 10, "a smaller edge_length"), (LATTICE, 0.7, 3, "a smaller edge_length")],
+)
+def test_a_length_that_is_not_reached_gives_a_warning(mesh, length, iterations, remedy, device):
+    with pytest.warns(UserWarning, match=f"edge_length: expected most edges .* shorter and .* longer. Pass {remedy}"):
+        assert len(mesh.to(device).remesh_isotropic(length, iterations))
+
+
 @pytest.mark.parametrize("is_far", [False, True])
 def test_corners_and_edges_of_a_box_are_preserved(device, is_far):
     box = TriangleMesh.create_box(1, 0.5, 0.25, device=device)
@@ -421,6 +454,7 @@ ODD = {
 }
 
 
+@pytest.mark.filterwarnings("ignore:edge_length. expected most edges")  # creases of some are shorter than the target
 @pytest.mark.parametrize("name", ODD)
 def test_degenerate_meshes_keep_their_surface(name):
     mesh = TriangleMesh(*ODD[name])

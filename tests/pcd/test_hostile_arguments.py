@@ -22,13 +22,14 @@ from ..hostile import (
     calls_of_clouds,
     faults_of,
     faults_of_clouds,
+    faults_of_exchange,
     missing_from,
     public_arguments,
     read_table,
     temporary_folder,
 )
 from ..io.camera_stubs import KinectStub, RealSenseStub
-from ..recorded_calls import faults_of_recorded, has_record
+from ..recorded_calls import faults_of_recorded, has_record, valid_call
 
 # One line per call that no record of an operation contains: the function and a valid value of each argument, as
 # expressions over `things()`.
@@ -457,6 +458,7 @@ def test_every_argument_of_every_public_call_is_in_the_table_or_a_record():
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::pointloom.DroppedResultWarning", "ignore::pointloom.NormalsWarning")
+@pytest.mark.filterwarnings("ignore:edge_length. expected most edges")  # two triangles have no equal edges
 @pytest.mark.parametrize("call", TABLE)
 def test_valid_arguments_are_accepted(call):
     function, expressions = TABLE[call]
@@ -507,6 +509,24 @@ def check_arguments(call, arguments, every=True):
         of_clouds = argument in CLOUDS_ONLY and call not in TAKES_ARRAYS
         more = {"clouds": of_clouds, "finite": argument not in MAY_BE_INFINITE, "also": ALSO.get(call, "")}
         faults += faults_of(call_of(function, values), good, argument, **more, every=every)
+    assert not faults, "\n".join(faults)
+
+
+EITHER = {  # arguments that accept clouds and meshes
+    "LineSet.create_from_triangle_mesh": ["mesh"], "RaycastingScene.add_triangles": ["triangles"],
+    "from_any": ["geometry"], "volume_change": ["before", "after"],
+}  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore::pointloom.NormalsWarning")
+@pytest.mark.parametrize("call", [*TABLE, *RECORDED])
+def test_a_mesh_as_a_cloud_and_a_cloud_as_a_mesh_name_the_conversion(call):
+    if call in TABLE:
+        function, values = TABLE[call][0], dict(things())
+        called, arguments = call_of(function, values), {n: eval(good, values) for n, good in TABLE[call][1].items()}
+    else:
+        called, arguments = valid_call(call)
+    faults = faults_of_exchange(called, arguments, EITHER.get(call, ()))
     assert not faults, "\n".join(faults)
 
 

@@ -258,6 +258,7 @@ def open3d_choices(o3d, points, counts):
     return [np.asarray(cloud.farthest_point_down_sample(count).points) for count in counts]
 
 
+@pytest.mark.filterwarnings("ignore:num_samples. expected . points, got")  # of repeated positions
 def test_farthest_points_of_made_clouds_are_open3ds(device, rng, oracle):
     """Repeated positions count once; there are no near-ties, for which float32 and float64 differ."""
     repeated = np.array([[0, 0, 0], [0, 0, 0], [1, 0, 0], [1, 0, 0], [2, 0, 0.0]])
@@ -273,7 +274,10 @@ def test_farthest_points_of_made_clouds_are_open3ds(device, rng, oracle):
 
 def test_requesting_all_points_returns_the_finite_ones(device):
     cloud = loom.PointCloud([[0, 0, 0], [np.nan, 0, 0], [1, 1, 1], [1, 1, 1]], device=device, row=np.arange(4))
-    assert cloud.farthest_point_down_sample(4)["row"].tolist() == [0, 2, 3]
+    with pytest.warns(UserWarning, match="num_samples: expected 4 points, got 3, because"):
+        assert cloud.farthest_point_down_sample(4)["row"].tolist() == [0, 2, 3]
+    with pytest.warns(UserWarning, match="num_samples: expected 3 points, got 2, because"):
+        assert cloud.farthest_point_indices(3).tolist() == [0, 2]
     assert len(loom.PointCloud(device=device).farthest_point_down_sample(0)) == 0
     assert len(cloud.farthest_point_down_sample(0, 99)) == 0
 

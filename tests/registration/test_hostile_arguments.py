@@ -16,7 +16,7 @@ import pointloom as loom
 from pointloom import registration as reg
 
 from .. import hostile
-from ..recorded_calls import faults_of_recorded, has_record
+from ..recorded_calls import faults_of_recorded, has_record, valid_call
 
 # One line per call that no record of an operation contains: the function, and a valid value of each argument, as
 # expressions over `things()`.
@@ -229,4 +229,15 @@ CLOUDS = ("source", "target")
 @pytest.mark.parametrize("call", marked(hostile.calls_of_clouds(TABLE, CLOUDS), {"register_stations", *FORMS}))
 def test_a_hostile_cloud_causes_no_warning(call):
     faults = hostile.faults_of_clouds(TABLE[call], CLOUDS, things())
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize("call", [*TABLE, *RECORDED])
+def test_a_mesh_as_a_cloud_names_the_conversion(call):
+    if call in TABLE:
+        function, values = TABLE[call][0], dict(things())
+        arguments = {n: eval(good, values) for n, good in TABLE[call][1].items()}
+        faults = hostile.faults_of_exchange(hostile.call_of(function, values), arguments)
+    else:
+        faults = hostile.faults_of_exchange(*valid_call(call))
     assert not faults, "\n".join(faults)

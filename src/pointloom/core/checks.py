@@ -179,9 +179,18 @@ def check_numeric(name: str, values: object) -> NDArray[Any]:
             raise TypeError(f"{name}: expected numbers, got {given}") from error
     is_bfloat16 = array.dtype == np.uint16 and unreadable(values)  # Warp's, as its bits
     if array.dtype.kind not in "biuf" or array.dtype.isbuiltin == 2 or is_bfloat16:  # 2: float8 of jax
-        given = unreadable(values) or (type(values).__name__ if array.dtype == object else array.dtype)
+        kind = f"{type(values).__name__}{remedy_of_geometry(values)}"
+        given = unreadable(values) or (kind if array.dtype == object else array.dtype)
         raise TypeError(f"{name}: expected real numbers, got {given}")
     return array
+
+
+def remedy_of_geometry(values: object) -> str:
+    """A hint which array of a mesh, or of another object with positions, to pass, or ""."""
+    if hasattr(values, "sample_points_uniformly"):
+        return "; pass mesh.vertices, or mesh.sample_points_uniformly(100_000).points"
+    names = [name for name in ("points", "vertices") if hasattr(values, name)]
+    return f"; pass its {names[0]}" if names else ""
 
 
 def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infinite: bool = False) -> float:
@@ -264,7 +273,8 @@ def check_list(name: str, values: Any, of: str) -> list[Any]:
     try:
         return list(values)
     except TypeError as error:
-        raise TypeError(f"{name}: expected a list of {of}, got {type(values).__name__}") from error
+        remedy = "; put it into a list" if hasattr(values, "points") or hasattr(values, "vertices") else ""
+        raise TypeError(f"{name}: expected a list of {of}, got {type(values).__name__}{remedy}") from error
 
 
 def check_textures(name: str, values: object) -> tuple[NDArray[np.uint8], ...]:

@@ -12,6 +12,17 @@ from .escaped_text import escaped
 MAX_NAMES = 10_000  # maximum names of a folder searched for similar ones
 _ABSENT = ("does not exist", "cannot be read: ")
 
+# How to use a file without faces where a mesh is expected.
+CLOUD_REMEDY = (
+    "Read it as a point cloud with read_point_cloud. "
+    "loom.meshing.create_surface, or the command pointloom mesh, makes a mesh"
+)
+
+# Maintained programs that convert formats which no reader or writer has.
+_CONVERTERS = dict.fromkeys(
+    (".fbx", ".usd", ".usda", ".usdc", ".usdz"), "Blender (blender.org) imports and exports it, and .glb"
+) | {".3mf": "trimesh converts it from and to .glb: trimesh.load(source).export(target)"}
+
 FilePath = str | os.PathLike[str]
 
 
@@ -32,6 +43,8 @@ class FileError(PointloomError, ValueError):
     def __init__(self, path: FilePath, reason: str, *, where: str = "", remedy: str = ""):
         if not remedy and reason.startswith(_ABSENT):
             remedy = _near_paths(os.fspath(path))
+        elif (converter := _CONVERTERS.get(Path(os.fsdecode(path)).suffix.lower(), "")) not in remedy:
+            remedy = f"{remedy}. {converter}" if remedy else converter
         self.path, self.reason, self.where, self.remedy = os.fspath(path), *map(escaped, (reason, where, remedy))
         location = f"{escaped(self.path)} ({self.where})" if where else escaped(self.path)
         super().__init__(f"{location}: {self.reason}" + (f". {self.remedy}" if remedy else ""))

@@ -18,7 +18,7 @@ from ..kernels.language.device_lock import lock
 from ..kernels.language.streams import wait_for
 from ..kernels.memory import contiguous, download, empty
 from .array_libraries import NUMPY, form_of, library_of
-from .checks import is_on_gpu, unreadable
+from .checks import is_on_gpu, remedy_of_geometry, unreadable
 from .devices import resolve_device
 from .errors import DeviceError
 
@@ -143,8 +143,8 @@ def _shared(name: str, source: object) -> wp.array:
         if reason := unreadable(source):
             raise TypeError(f"{name}: expected real numbers, got {reason}") from error
         raise TypeError(f"{name}: {type(source).__name__} cannot be shared: {error}; {_COPY}") from error
-    given = type(source).__name__
-    raise TypeError(f"{name}: expected an array with __dlpack__ or __cuda_array_interface__, got {given}; {_COPY}")
+    given = f"{type(source).__name__}{remedy_of_geometry(source) or f'; {_COPY}'}"
+    raise TypeError(f"{name}: expected an array with __dlpack__ or __cuda_array_interface__, got {given}")
 
 
 def _share_cuda(name: str, source: Any) -> wp.array:

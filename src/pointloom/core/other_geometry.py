@@ -164,11 +164,15 @@ def read_other(given: object) -> OtherGeometry | None:
     return None if reader is None else reader(given)
 
 
-def read_or_refuse(name: str, given: object) -> OtherGeometry | None:
-    """`read_other`. Raises `TypeError` with a conversion for other objects that have points, but are no array."""
+def read_or_refuse(name: str, given: object, expected: str = "") -> OtherGeometry | None:
+    """`read_other`. Raises `TypeError` with a conversion for other objects that have points, but are no array.
+
+    `expected` is "cloud" or "mesh" if only that is accepted.
+    """
     other = read_other(given)
-    if other is None and not hasattr(given, "__array__") and (remedy := conversion_of(given)):
-        raise TypeError(f"{name}: expected an array, a cloud or a mesh, got {name_of(given)}{remedy}")
+    if other is None and not hasattr(given, "__array__") and (remedy := conversion_of(given, expected=expected)):
+        accepted = f"an array or a {expected}" if expected else "an array, a cloud or a mesh"
+        raise TypeError(f"{name}: expected {accepted}, got {name_of(given)}{remedy}")
     return other
 
 
@@ -183,19 +187,34 @@ def name_of(given: object) -> str:
     return type(given).__name__ if package in ("builtins", "__main__") else f"{package}.{type(given).__name__}"
 
 
-def conversion_of(given: object, name: str = "x") -> str:
-    """How to make an object of pointloom from one of another library, as the end of a message, or ""."""
+def conversion_of(given: object, name: str = "x", *, expected: str = "") -> str:
+    """How to make an object of pointloom from another object, as the end of a message, or "".
+
+    `expected` is "cloud" or "mesh" if only that is accepted.
+    """
     if is_other(given):
-        return f". Convert it with loom.from_any({name})"
+        own = f"loom.from_any({name})"
+        is_cloud = expected == "mesh" and hasattr(given, "estimate_normals")
+        return f". Use loom.meshing.create_surface({own})" if is_cloud else f". Convert it with {own}"
     for vertices, faces in (("vertices", "faces"), ("vertices", "triangles"), ("verts_packed", "faces_packed")):
         if hasattr(given, vertices) and hasattr(given, faces):
             call = "()" if vertices.endswith("packed") else ""
-            return f". Use loom.TriangleMesh({name}.{vertices}{call}, {name}.{faces}{call})"
+            mesh = f"loom.TriangleMesh({name}.{vertices}{call}, {name}.{faces}{call})"
+            if expected != "cloud":
+                return f". Use {mesh}"
+            is_own = hasattr(given, "sample_points_uniformly")
+            second = f"{name}.sample_points_uniformly(100_000) for its surface" if is_own else f"{mesh} for a mesh"
+            return f". Use loom.PointCloud({name}.{vertices}{call}) for its vertices, or {second}"
     if hasattr(given, "extract_surface"):
         return f". Use loom.from_any({name}.extract_surface())"
     for points in ("points", "vertices", "points_packed"):
         if hasattr(given, points):
-            return f". Use loom.PointCloud({name}.{points}{'()' if points.endswith('packed') else ''})"
+            array = f"{name}.{points}{'()' if points.endswith('packed') else ''}"
+            cloud = name if hasattr(given, "estimate_normals") else f"loom.PointCloud({array})"
+            if expected == "mesh":
+                surface = f"loom.meshing.create_surface({cloud}) for a surface through its points"
+                return f". Use {surface}, or loom.TriangleMesh({array}, triangles) for known triangles"
+            return f". Use {cloud}"
     return ""
 
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 import contextlib
 import enum
 import logging
-import os
 import time
 from collections.abc import Iterator
 from types import TracebackType
 from typing import Self
 
+from ..kernels.language.environment import setting
 from .escaped_text import escaped
 from .standard_streams import write_to_stderr
 
@@ -78,11 +78,12 @@ _lines = Lines()
 
 
 def start() -> None:
-    """Log to stderr, unless the program has configured logging."""
+    """Log to stderr, unless the program has configured logging. ValueError for a wrong value of the variable."""
+    level = _BY_NAME[setting(VARIABLE) or "info"]
     if _lines not in LOGGER.handlers:
         LOGGER.addHandler(_lines)
         if LOGGER.level == logging.NOTSET and not logging.root.handlers:
-            LOGGER.setLevel(_BY_NAME.get(os.environ.get(VARIABLE, "").lower(), logging.INFO))
+            LOGGER.setLevel(level)
 
 
 def set_verbosity_level(verbosity_level: VerbosityLevel) -> None:

@@ -176,7 +176,7 @@ def check_types(path: FilePath, attributes: dict[str, NDArray[Any]], allowed: st
             else f"attribute {name!r}: the format has no type for {values.dtype}"
             for name, values in lost.items()
         ]
-        raise FileError(path, "; ".join(reasons), remedy=f"{remedy}, or pass drop_unsupported=True")
+        raise FileError(path, "; ".join(reasons), remedy=remedy)
 
 
 def narrow_attributes(attributes: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.errors import FileError, FilePath
+from ..core.errors import CLOUD_REMEDY, FileError, FilePath
 from ..core.escaped_text import escaped
 
 # Maximum corners of a polygon: the cost is quadratic, and 10,000 take about 5 s.
@@ -272,7 +272,7 @@ def warn_of_small(path: FilePath, lengths: Indices, *, stacklevel: int = 3) -> N
         return
     if len(small) == len(lengths):
         reason = f"contains no faces: all {len(small)} have fewer than 3 corners"
-        raise FileError(path, reason, remedy="Read it as a point cloud")
+        raise FileError(path, reason, remedy=CLOUD_REMEDY)
     message = f"{path}: {len(small)} of {len(lengths)} faces are skipped, as they have fewer than 3 corners, the first"
     warnings.warn(escaped(f"{message} face {small[0]}"), UserWarning, stacklevel=stacklevel + 1)
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.coordinates import quiet
-from ..core.errors import FileError, FilePath
+from ..core.errors import CLOUD_REMEDY, FileError, FilePath
 from ..core.other_geometry import CRS, UNIT, OtherGeometry
 from ..core.to_other_libraries import COLORS, NORMALS, UVS, colors_as_bytes
 from ..core.units import text_of
@@ -81,7 +81,7 @@ def mesh_of(path: FilePath, data: VtkData) -> MeshTable:
     if len(data.cells["strips"].lengths):
         raise FileError(path, "triangle strips are not supported", remedy="Convert them with vtkTriangleFilter")
     if not len(polygons.lengths):
-        raise FileError(path, "contains no faces", remedy="Read its points with read_point_cloud")
+        raise FileError(path, "contains no faces", remedy=CLOUD_REMEDY)
     given = OtherGeometry(str(path), data.points, corners=polygons.points, lengths=polygons.lengths)
     _take(given, data)
     first = len(data.cells["vertices"].lengths) + len(data.cells["lines"].lengths)

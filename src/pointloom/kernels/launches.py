@@ -8,7 +8,6 @@ from __future__ import annotations
 import contextlib
 import contextvars
 import functools
-import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +19,7 @@ from .language.arguments import MAX_THREADS, checked_arguments
 from .language.compile_notices import announced, compiling
 from .language.cuda_launches import PreparedKernel, PreparedSum
 from .language.device_lock import RecordedLoop, lock, record, record_loop, replay  # noqa: F401  handed on
+from .language.environment import setting
 from .language.module_loading import load_module
 from .language.prepared_launches import UNFIT, FlatLaunch, LaunchSequence, WarpLaunch, flatteners, record_launches
 from .language.segment_launches import PreparedSegmentSum, launch_segments
@@ -50,7 +50,7 @@ def cpu_compiler(name: str) -> Iterator[None]:
 @functools.cache
 def compiler_of_environment() -> str:
     """POINTLOOM_CPU at the first launch, or "warp": reading it takes a quarter of a launch."""
-    return os.environ.get("POINTLOOM_CPU") or "warp"
+    return setting("POINTLOOM_CPU") or "warp"
 
 
 def current_cpu_compiler() -> str:

@@ -195,12 +195,21 @@ def unwrap(value: object, kind: type[Wrapper] | None = None, name: str = "") -> 
         prefix = f"{name}: " if name else ""
         module = type(value).__module__
         given = f"{module}.{type(value).__name__}" if module.startswith("open3d") else type(value).__name__
-        raise TypeError(f"{prefix}expected a {kind.__name__}, got {given}")
+        raise TypeError(f"{prefix}expected a {kind.__name__}, got {given}{_remedy_of(value, kind)}")
     if isinstance(value, Wrapper):
         return value.native
     if isinstance(value, list | tuple) and any(isinstance(part, Wrapper) for part in value):
         return [unwrap(part) for part in value]
     return value
+
+
+def _remedy_of(value: object, kind: type[Wrapper]) -> str:
+    """How to make a cloud of a mesh, or a mesh of a cloud, as the end of a message, or ""."""
+    if kind.__name__ == "PointCloud" and hasattr(value, "sample_points_uniformly"):
+        return "; mesh.sample_points_uniformly(100_000) returns one, PointCloud(mesh.vertices) that of its vertices"
+    if kind.__name__ == "TriangleMesh" and hasattr(value, "estimate_normals"):
+        return "; TriangleMesh.create_from_point_cloud_poisson(pcd) makes one of a cloud"
+    return ""
 
 
 def as_array(vector: ArrayLike | Vector) -> NDArray[Any]:

@@ -20,7 +20,7 @@ from ..core.devices import DeviceLike, check_same_device
 from ..core.escaped_text import escaped
 from ..core.exchange import share_numbers, share_vectors
 from ..core.gpu_arrays import device_for
-from ..core.other_geometry import OtherGeometry, read_or_refuse
+from ..core.other_geometry import OtherGeometry, conversion_of, read_or_refuse
 from ..core.pickled_arrays import device_like, pickled, unpickled, unpickling
 from ..core.to_other_libraries import import_library, to_meshio, to_pyvista, to_trimesh
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
@@ -292,7 +292,8 @@ class Conversion(Selection):
         """
         o3d = import_library("open3d")
         if not isinstance(cloud, o3d.geometry.PointCloud | o3d.t.geometry.PointCloud):
-            raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {type(cloud)}")
+            given = f"{type(cloud)}{conversion_of(cloud, expected='cloud')}"
+            raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {given}")
         make: Any = cls
         return cast(Self, make(cloud, device=device, arrays=library_for(arrays)))
 
@@ -415,7 +416,7 @@ class Conversion(Selection):
 
 def cloud_arguments(name: str, given: object) -> OtherGeometry | None:
     """The arrays of a cloud of another library. None for other objects, such as arrays."""
-    other = read_or_refuse(name, given)
+    other = read_or_refuse(name, given, "cloud")
     if other is not None and other.corners is not None:
         raise TypeError(
             f"{name}: expected an array or a cloud, got {other.source} with {other.face_count} faces. "

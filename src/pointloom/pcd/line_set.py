@@ -22,9 +22,11 @@ from ..core.checks import (
 from ..core.dropped_results import returns_new
 from ..core.exchange import on_host
 from ..core.html_tables import array_type, html_table
+from ..core.other_geometry import conversion_of
 from ..kernels.linear_algebra import inv, matmul
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .motion import Movable
+from .point_arrays import check_cloud
 
 Rows = NDArray[np.float64]
 
@@ -106,6 +108,9 @@ class LineSet(Movable):
         Args:
             mesh: A TriangleMesh, or an object with `vertices` (n, 3) [m] and `triangles` (t, 3).
         """
+        if not (hasattr(mesh, "vertices") and hasattr(mesh, "triangles")):
+            given = f"{type(mesh).__name__}{conversion_of(mesh, expected='mesh')}"
+            raise TypeError(f"mesh: expected a TriangleMesh, got {given}")
         vertices = check_rows("mesh.vertices", getattr(mesh, "vertices", None), 3, dtype=np.float64)
         triangles = check_rows("mesh.triangles", getattr(mesh, "triangles", None), 3)
         edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
@@ -133,6 +138,8 @@ class LineSet(Movable):
             raise ValueError(f"correspondences: expected integers, got {pairs.dtype}. Round them first")
         ends = []
         for name, cloud, indices in (("cloud0", cloud0, pairs[:, 0]), ("cloud1", cloud1, pairs[:, 1])):
+            if not hasattr(cloud, "points"):
+                check_cloud(name, cloud)
             points = check_rows(f"{name}.points", getattr(cloud, "points", None), 3, dtype=np.float64)
             if indices.size and (indices.min() < 0 or indices.max() >= len(points)):
                 raise ValueError(f"correspondences: expected indices of {len(points)} points of {name}, got {indices}")

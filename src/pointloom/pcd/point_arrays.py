@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..core.array_libraries import NUMPY, check_library, library_of, owned, shared_view
 from ..core.callable_bool import CallableBool
-from ..core.checks import check_colors, check_name, check_rows, is_on_gpu
+from ..core.checks import check_colors, check_list, check_name, check_rows, is_on_gpu
 from ..core.coordinates import split_origin, warn_if_coarse
 from ..core.devices import DeviceLike, resolve_device
 from ..core.dropped_results import returns_new
@@ -387,6 +387,13 @@ def check_cloud(name: str, cloud: object) -> None:
         raise TypeError(f"{name}: expected a PointCloud, got {type(cloud).__name__}; {_remedy_of(cloud)}")
 
 
+def list_clouds(name: str, clouds: Any, of: str = "point clouds") -> list[Any]:
+    """The items of a list of clouds, which are not checked. Raises `TypeError` for other objects, also one mesh."""
+    if hasattr(clouds, "sample_points_uniformly"):
+        check_cloud(name, clouds)
+    return check_list(name, clouds, of)
+
+
 def _remedy_of(value: object) -> str:
     """Hint how to create a cloud from a value of another type."""
     if isinstance(value, tuple) and value and isinstance(value[0], PointArrays):
@@ -394,5 +401,6 @@ def _remedy_of(value: object) -> str:
     if isinstance(value, str | os.PathLike):
         return "read a file with loom.read_point_cloud(path), or use loom.PointCloud(array) for an array"
     if hasattr(value, "sample_points_uniformly"):
-        return "sample a mesh with mesh.sample_points_uniformly(100_000)"
+        vertices = "or use its vertices: loom.PointCloud(mesh.vertices)"
+        return f"sample a mesh with mesh.sample_points_uniformly(100_000), {vertices}"
     return "use loom.PointCloud(array), or loom.PointCloud.from_open3d(cloud) for an Open3D cloud"

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_finite, check_numeric, check_positive, shown
 from ..core.exchange import asnumpy
+from ..core.other_geometry import conversion_of
 from .cloud import PointCloud
 from .raster import Raster
 
@@ -69,7 +70,8 @@ def profile(
         [0.5, 0.5, 1.5, 1.5, 2.5, 2.5]
     """
     if not isinstance(surface, PointCloud | Raster):
-        raise TypeError(f"surface: expected a PointCloud or Raster, got {type(surface).__name__}")
+        remedy = conversion_of(surface, expected="cloud")
+        raise TypeError(f"surface: expected a PointCloud or Raster, got {type(surface).__name__}{remedy}")
     starts, steps, lengths = _segments(line)
     if isinstance(surface, PointCloud):
         if width is None:

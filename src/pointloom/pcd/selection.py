@@ -15,7 +15,6 @@ from ..core.checks import (
     check_count,
     check_finite,
     check_indices,
-    check_list,
     check_name,
     check_numeric,
     check_positive,
@@ -28,6 +27,7 @@ from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
 from ..core.joined_parts import ESTIMATED, common_names
+from ..core.units import warn_of_units
 from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import Box, bound_points
 from ..kernels.arrays.concatenation import concatenate_points
@@ -48,14 +48,14 @@ from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .las_attributes import with_common_las_attributes
 from .length_checks import MAX_SPARSE_FRACTION, check_order, warn_of_far, warn_of_long, warn_of_sparse
-from .point_arrays import VECTORS, PointArrays, check_cloud
+from .point_arrays import VECTORS, PointArrays, check_cloud, list_clouds
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 from .units import common_reference
 from .voxel_trace import VoxelTrace
 
 _NO_SUM = (
     "a cloud and a {} cannot be added: cloud.translate(vector) moves it, cloud.points = array sets its points, and "
-    "cloud + loom.PointCloud(array) adds points"
+    "cloud + loom.PointCloud({}) adds points"
 )
 MAX_POINTS = 2**31 - 1  # 32-bit indices
 KEYS = "an attribute's name, a slice, a mask of shape [n] or indices of shape [k]"
@@ -70,6 +70,17 @@ class SupportsDLPack(Protocol):
     def __dlpack__(self, *args: Any, **kwargs: Any) -> Any: ...
 
 
+def _warn_of_fewer(count: int, requested: int) -> None:
+    if count < requested:
+        reason = "the other points are duplicates or not finite. Remove them before you choose a number"
+        warn_of_units(f"num_samples: expected {requested} points, got {count}, because {reason}", UserWarning)
+
+
+def _no_sum(other: object) -> TypeError:
+    array = "mesh.vertices" if hasattr(other, "vertices") else "array"
+    return TypeError(_NO_SUM.format(type(other).__name__, array))
+
+
 class Selection(PointArrays):
     """Methods of PointCloud that select, sample and concatenate points."""
 
@@ -77,13 +88,13 @@ class Selection(PointArrays):
 
     def __add__(self, other: object) -> Self:
         if not isinstance(other, PointArrays):
-            raise TypeError(_NO_SUM.format(type(other).__name__))
+            raise _no_sum(other)
         return self.concatenate([self, other])
 
     def __radd__(self, other: object) -> Self:
         if isinstance(other, int) and other == 0:
             return self.copy()
-        raise TypeError(_NO_SUM.format(type(other).__name__))
+        raise _no_sum(other)
 
     @classmethod
     def concatenate(cls, clouds: Iterable[PointArrays]) -> Self:
@@ -113,7 +124,7 @@ class Selection(PointArrays):
             >>> both["ring"].tolist(), list(both.attributes), both.points[2].tolist()
             ([1, 2, 3], ['ring'], [500000.0, 5400000.0, 1.0])
         """
-        given = check_list("clouds", clouds, "point clouds")
+        given = list_clouds("clouds", clouds)
         if not given:
             raise ValueError("clouds: expected at least one cloud, got none")
         for cloud in given:
@@ -527,6 +538,9 @@ class Selection(PointArrays):
             ValueError: If there are more samples than points, or the start is not finite.
             IndexError, TypeError: If the start is out of range, or if an argument is not an integer.
 
+        Warns:
+            UserWarning: If there are fewer distinct finite points than requested.
+
         Example:
             >>> import pointloom as loom
             >>> cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [5, 0, 0], [9, 0, 0]])
@@ -535,7 +549,9 @@ class Selection(PointArrays):
         """
         count, _ = self._check_farthest(num_samples, start_index)
         if count == len(self):
-            return self.remove_non_finite_points()
+            finite = self.remove_non_finite_points()
+            _warn_of_fewer(len(finite), count)
+            return finite
         chosen = upload(self._farthest(num_samples, start_index), int32, self.device)
         return self.select_rows(sort_rows(chosen, len(self)))
 
@@ -571,7 +587,9 @@ class Selection(PointArrays):
                 f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}; "
                 "call remove_non_finite_points() first"
             )
-        return choose_farthest(self.search_tree(), count, start)
+        chosen = choose_farthest(self.search_tree(), count, start)
+        _warn_of_fewer(len(chosen), count)
+        return chosen
 
     def _voxels(
         self,

@@ -25,6 +25,7 @@ from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.devices import DeviceLike, device_name, resolve_device
 from ..core.errors import DeviceError, FileError, FilePath
 from ..core.verbosity import LOGGER
+from ..kernels.language.environment import THREADS, setting
 from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, worker_lock
 
 POLL_SECONDS = 0.2  # [s] between queries for tasks that other runs may release
@@ -235,10 +236,10 @@ def _record(client: Any, path: Path, book: Book, task: Any, future: Any) -> None
 def _local_client(path: FilePath, count: int) -> Iterator[Any]:
     """Client of new local processes that end with this one."""
     distributed, config = _imported(path, "distributed"), _imported(path, "dask.config")
-    threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
+    threads = setting(THREADS) or str(max(1, (os.cpu_count() or 1) // count))
     options: dict[str, Any] = {"n_workers": count, "threads_per_worker": 1, "memory_limit": 0, "host": "127.0.0.1"}
     options |= {"dashboard_address": "127.0.0.1:0", "scheduler_kwargs": {"allowed_failures": MAX_ATTEMPTS - 1}}
-    options |= {"env": {"POINTLOOM_CPU_THREADS": threads, "RAYON_NUM_THREADS": threads}, "preload": _PRELOAD}
+    options |= {"env": {THREADS: threads, "RAYON_NUM_THREADS": threads}, "preload": _PRELOAD}
     # By default distributed sets variables in the environment of this process.
     environment = {"distributed.nanny.pre-spawn-environ": {"PYTHONHASHSEED": "random"}}
     with contextlib.ExitStack() as stack:

@@ -10,6 +10,7 @@ import torch
 
 from ..core.checks import check_count
 from ..core.devices import resolve_device
+from ..core.other_geometry import conversion_of
 from ..kernels.lang import vec3d
 from ..kernels.surface.listed_normals import fit_listed_normals
 from ..meshing.mesh.mesh import TriangleMesh
@@ -185,7 +186,8 @@ def _take_mesh(mesh: object, points: torch.Tensor) -> tuple[torch.Tensor, torch.
         corners = torch.tensor(mesh.triangles, dtype=torch.int64, device=points.device)
         mesh = torch.tensor(mesh.vertices, dtype=torch.float64, device=points.device), corners
     if not isinstance(mesh, (tuple, list)) or len(mesh) != 2:
-        raise TypeError(f"mesh: expected a pair of vertices and triangles or a TriangleMesh, got {type(mesh).__name__}")
+        given = f"{type(mesh).__name__}{conversion_of(mesh, expected='mesh')}"
+        raise TypeError(f"mesh: expected a pair of vertices and triangles or a TriangleMesh, got {given}")
     vertices, triangles = mesh
     check_floats("vertices", vertices)
     check_integers("triangles", triangles)

@@ -190,10 +190,10 @@ def _threads() -> str:
     if reason := _why_one_core():
         return reason
     threads = f"{count} thread" if count == 1 else f"{count} threads"
-    if os.environ.get(cpu_pool.VARIABLE):
-        return f"{threads} ({cpu_pool.VARIABLE})"
+    if os.environ.get(cpu_pool.THREADS):
+        return f"{threads} ({cpu_pool.THREADS})"
     if sys.platform != "linux":
-        return f"{threads}, since more are not tested on this system; set {cpu_pool.VARIABLE} to use more"
+        return f"{threads}, since more are not tested on this system; set {cpu_pool.THREADS} to use more"
     return threads
 
 

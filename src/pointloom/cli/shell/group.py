@@ -17,6 +17,7 @@ from typing import Any
 import click
 
 from ...core.escaped_text import escaped
+from ...kernels.language.environment import check_environment
 from .console import CompileNotice, OutputLostError, print_json
 
 ERROR_CODE, USAGE_CODE, UNRELIABLE_CODE, INTERRUPTED_CODE, TERMINATED_CODE = 1, 2, 3, 130, 143
@@ -69,6 +70,8 @@ class CommandLine(Commands):
         try:
             with warnings.catch_warnings(), CompileNotice():
                 warnings.showwarning = _show_warning
+                if words[:1] != ["doctor"]:  # which reports a wrong value
+                    check_environment()
                 code = super().main(words, prog_name or "pointloom", complete_var, standalone_mode=False, **extra)
         except _NoCommand as error:  # no command: show the help
             click.echo(error.ctx.get_help())
@@ -93,7 +96,7 @@ def exit_code(warnings: Iterable[str]) -> int:
 
 def report_error(error: Exception) -> str:
     """Print an error on stderr, with the traceback if requested. Returns the message."""
-    if os.environ.get(TRACEBACK, "") not in ("", "0"):
+    if os.environ.get(TRACEBACK) == "1":
         import traceback
 
         traceback.print_exception(error, file=sys.stderr)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import check_writable
 from ...core.coordinates import quiet
-from ...core.errors import FileError, FilePath
+from ...core.errors import CLOUD_REMEDY, FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, is_float, row_format, write_rows
@@ -232,7 +232,7 @@ def read_obj(path: FilePath, *, outside_files: bool = False) -> MeshTable:
     normals.check_width(0, normals.row_count, 3)
     normal_values = stack_normals(path, [*normals.numbers().reshape(-1, 3).T]) if normals.row_count else None
     if not statements.faces:
-        raise FileError(path, "contains no faces", remedy="Read its vertices with read_point_cloud")
+        raise FileError(path, "contains no faces", remedy=CLOUD_REMEDY)
     corners = read_corners(path, statements.faces, statements.face_lines, statements.before, statements.counts)
     check_extent(path, vertices)
     triangles = split_faces(path, corners.lengths, corners.vertices, vertices)

@@ -16,7 +16,7 @@ from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
-from ...pcd.point_arrays import check_cloud
+from ...pcd.point_arrays import check_cloud, list_clouds
 from ..optional_imports import foreign_errors
 from ..source import netted
 from ..table import PointTable
@@ -160,7 +160,7 @@ def write_stations(
         clouds = clouds.clouds
     if poses is None:
         raise ValueError("poses: expected one pose per cloud, got None. Only stations of read_stations have their own")
-    listed = check_list("clouds", clouds, "point clouds")
+    listed = list_clouds("clouds", clouds)
     for i, cloud in enumerate(listed):
         check_cloud(f"clouds[{i}]", cloud)
     matrices = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]

@@ -170,7 +170,7 @@ _POINTS: tuple[str, ...] = ("x", "y", "z")
 _NORMALS: tuple[str, ...] = ("normal_x", "normal_y", "normal_z")
 _CHANNELS = ("r", "g", "b")
 TYPES = "i1 u1 i2 u2 i4 u4 i8 u8 f4 f8"
-_TYPE_REMEDY = "Convert it to an integer, float32 or float64, or write NPZ"
+_TYPE_REMEDY = "Convert it to an integer, float32 or float64, or write NPZ, or pass drop_unsupported=True"
 
 
 def read_pcd(path: FilePath, *, source: SourceFile | None = None) -> PointTable:

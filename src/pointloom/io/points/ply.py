@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet
-from ...core.errors import FileError, FilePath
+from ...core.errors import CLOUD_REMEDY, FileError, FilePath
 from ..ascii_rows import CHUNK_ROWS, write_rows
 from ..attribute_names import NameRules, is_word, split_columns
 from ..columns import (
@@ -135,7 +135,9 @@ _COLORS: tuple[tuple[str, ...], ...] = (
 _CORNERS = ("vertex_indices", "vertex_index")
 _PACKED_SPLATS = "packed_position"
 TYPES = "i1 u1 i2 u2 i4 u4 f4 f8"
-_TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or float64, or write NPZ"
+_CONVERSION = "Convert it to an integer of at most 32 bits or to float32 or float64"
+_CLOUD_REMEDY = f"{_CONVERSION}, or write NPZ, or pass drop_unsupported=True"
+_MESH_REMEDY = f"{_CONVERSION}, or write .vtp, or delete it from mesh.vertex_attributes or mesh.triangle_attributes"
 
 
 def read_ply(path: FilePath, *, source: SourceFile | None = None) -> PointTable:
@@ -199,7 +201,7 @@ def read_ply_mesh(path: FilePath, *, outside_files: bool = False, source: Source
     if "face" not in by_name and STRIPS not in by_name:
         if "face" in (element.name for element in header.elements):
             _corner_property(path, header.element(path, "face"))
-        raise FileError(path, "contains no faces", remedy="Read it as a point cloud")
+        raise FileError(path, "contains no faces", remedy=CLOUD_REMEDY)
     taken: dict[str, list[Property]] = {}
     for name in ("face", STRIPS):
         if name in by_name:
@@ -250,7 +252,7 @@ def _add_strips(path: Path, mesh: MeshTable, strips: Column) -> None:
     assert isinstance(strips, ListColumn)
     triangles = strip_triangles(path, strips, len(mesh.vertices))
     if not len(mesh.triangles) and not len(triangles):
-        raise FileError(path, "contains no faces: its strips have no triangle", remedy="Read it as a point cloud")
+        raise FileError(path, "contains no faces: its strips have no triangle", remedy=CLOUD_REMEDY)
     if mesh.triangle_uvs is not None or mesh.triangle_attributes:
         warn_of_loss(path, "textures and values of faces", "the strips beside them have none")
         mesh.triangle_uvs, mesh.triangle_material_ids, mesh.textures, mesh.triangle_attributes = None, None, (), {}
@@ -280,13 +282,15 @@ def write_ply_mesh(
         raise FileError(
             path, f"PLY's 32-bit indices cannot index {len(mesh.vertices)} vertices", remedy="Split the mesh"
         )
-    columns = _vertex_columns(path, mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
+    columns = _vertex_columns(
+        path, mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes, _MESH_REMEDY
+    )
     if mesh.triangle_uvs is None and (pair := pair_at_vertices(mesh.attributes)):
         reason = f"the attributes {', '.join(pair)} would be read as texture coordinates"
         raise FileError(path, reason, remedy="Rename one of them")
     names = image_names(path, len(mesh.textures))
     properties, values = face_columns(mesh)
-    more, more_values = attribute_columns(path, mesh.triangle_attributes, TYPES, _TYPE_REMEDY)
+    more, more_values = attribute_columns(path, mesh.triangle_attributes, TYPES, _MESH_REMEDY)
     all_comments = [*comments, *(f"TextureFile {name}" for name in names)]
     head = _header(columns, len(mesh.vertices), ascii=ascii, comments=all_comments)
     head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices"]
@@ -387,6 +391,7 @@ def _vertex_columns(
     normals: NDArray[Any] | None,
     colors: NDArray[Any] | None,
     attributes: dict[str, NDArray[Any]],
+    remedy: str = _CLOUD_REMEDY,
 ) -> dict[str, NDArray[Any]]:
     """Columns of shape (n,) by property name. Raises if a name or type would not read back."""
     columns: dict[str, NDArray[Any]] = dict(zip(_POINTS, points.T, strict=True))
@@ -395,7 +400,7 @@ def _vertex_columns(
     if colors is not None:
         columns |= dict(zip(_COLORS[0], colors_to_bytes(path, colors).T, strict=True))
     attributes = narrow_attributes(attributes)
-    check_types(path, attributes, TYPES, _TYPE_REMEDY)
+    check_types(path, attributes, TYPES, remedy)
     for name, values in attributes.items():
         check_name(path, name)
         parts = split_columns(name, values)

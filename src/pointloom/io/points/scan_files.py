@@ -10,6 +10,7 @@ from pathlib import Path
 from ...core.atomic import restore_folder
 from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
+from ...core.other_geometry import conversion_of
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from .formats import CLOUD_FORMATS
@@ -66,11 +67,13 @@ def read_scans(
     try:
         each = iter(list_scans(scans) if isinstance(scans, str | os.PathLike) else scans)
     except TypeError as error:
-        raise TypeError(f"scans: expected a folder, files or clouds, got {type(scans).__name__}") from error
+        given = f"{type(scans).__name__}{conversion_of(scans, expected='cloud')}"
+        raise TypeError(f"scans: expected a folder, files or clouds, got {given}") from error
     for scan in each:
         if isinstance(scan, PointCloud):
             yield scan
         elif isinstance(scan, str | os.PathLike):
             yield read_point_cloud(scan, device=device, columns=columns)
         else:
-            raise TypeError(f"scans: expected files or clouds, got {type(scan).__name__}")
+            given = f"{type(scan).__name__}{conversion_of(scan, expected='cloud')}"
+            raise TypeError(f"scans: expected files or clouds, got {given}")

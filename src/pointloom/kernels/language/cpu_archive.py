@@ -83,6 +83,8 @@ def folder() -> Path | None:
         return None
     named = os.environ.get(VARIABLE)
     path = FOLDER if named is None else Path(named)
+    if named and not path.is_dir():
+        raise ValueError(f"{VARIABLE}: expected an existing folder, got {named!r}. Change or unset the variable")
     return path if named != "" and path.is_dir() else None
 
 

@@ -20,10 +20,9 @@ from pathlib import Path
 from typing import Any
 
 from . import cpu_code
+from .environment import MAX_THREADS, THREADS, setting
 from .pool_code import CLOSED_FLAG, LINE_BYTES, PoolCode, PoolMemory, WorkerMemory, pool_code
 
-VARIABLE = "POINTLOOM_CPU_THREADS"
-MAX_THREADS = 1024  # each is started, and more threads than cores only wait
 CHUNKS_A_THREAD = 16  # so that one slow chunk, or a busy core, does not prolong a launch much
 MAX_POLLS = 1000  # for a chunk before a worker sleeps: 10 to 50 us, longer than the host needs between launches
 STACK_BYTES = 8 << 20  # of a worker; macOS gives 512 kB, and kernels with large vectors need a part of it
@@ -118,8 +117,7 @@ class Pool:
                 self._threads.append(thread)
         except RuntimeError as error:  # the system allows no more threads, so there are fewer
             warnings.warn(
-                f"pointloom uses {len(self._threads) + 1} of {thread_count} threads: {error}; "
-                f"{VARIABLE} asks for fewer",
+                f"pointloom uses {len(self._threads) + 1} of {thread_count} threads: {error}; {THREADS} asks for fewer",
                 RuntimeWarning,
                 stacklevel=2,
             )
@@ -150,10 +148,7 @@ _is_over = False  # the program is ending
 
 def default_thread_count() -> int:
     """Number of cores of this process, or POINTLOOM_CPU_THREADS. Raises ValueError if that is not an integer >= 1."""
-    text = os.environ.get(VARIABLE, "")
-    if text:
-        if not (text.isascii() and text.isdigit() and 1 <= int(text[:9]) <= MAX_THREADS):
-            raise ValueError(f"{VARIABLE}: expected a whole number from 1 to {MAX_THREADS}, got {text[:40]!r}")
+    if text := setting(THREADS):
         return int(text)
     if sys.platform != "linux":
         return 1  # the waits of other systems are untested

@@ -7,8 +7,8 @@ creases. New vertices are sorted by edge, triangles by their original.
 from ..algebra.transform import narrow, widen
 from ..array_types import Integers
 from ..arrays.prefix_sum import scan_together
-from ..lang import array, compute, dot, float64, func, int32, kernel, launch, tid, uint8, vec3, vec3i
-from ..memory import copy, empty, zeros
+from ..lang import array, atomic_add, compute, dot, float64, func, int32, kernel, launch, tid, uint8, vec3, vec3i
+from ..memory import copy, download, empty, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .creased_mesh import CreasedMesh, is_edge
 
@@ -22,6 +22,20 @@ def mark_long_kernel(mesh: CreasedMesh, max_sqlength: float64, marks: array(dtyp
         if dot(d, d) > max_sqlength:
             mark = 1
     marks[e] = mark
+
+
+@kernel
+def count_lengths_kernel(mesh: CreasedMesh, min_sqlength: float64, max_sqlength: float64, counts: array(dtype=int32)):
+    """Numbers of edges below, within and above two lengths (integer sums)."""
+    e = tid()
+    if is_edge(mesh.edges, e) == 1:
+        d = widen(mesh.vertices[mesh.edges.highs[e]]) - widen(mesh.vertices[mesh.edges.lows[e]])
+        slot = 1
+        if dot(d, d) < min_sqlength:
+            slot = 0
+        if dot(d, d) > max_sqlength:
+            slot = 2
+        atomic_add(counts, slot, 1)
 
 
 @kernel
@@ -107,6 +121,14 @@ def write_parts_kernel(
         put_part(at + 1, vec3i(ab, b, bc), vec3i(f, f1, 0), triangles, creases)
         put_part(at + 2, vec3i(bc, c, ca), vec3i(f1, f2, 0), triangles, creases)
         put_part(at + 3, vec3i(ab, bc, ca), vec3i(0, 0, 0), triangles, creases)
+
+
+def count_lengths(mesh: CreasedMesh, shortest: float, longest: float) -> list[int]:
+    """Numbers of edges below, within and above two lengths. One sync."""
+    counts = zeros(3, int32, mesh.vertices.device)
+    launch(count_lengths_kernel, mesh.edges.count, [mesh, shortest * shortest, longest * longest, counts])
+    values: list[int] = download(counts).tolist()  # sync
+    return values
 
 
 def split_long_edges(

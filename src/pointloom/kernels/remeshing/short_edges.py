@@ -33,6 +33,7 @@ from ..memory import clone, download, full, zeros
 from ..meshes.mesh_edges import opposite_vertex
 from .creased_mesh import FREE_VERTEX, LINE_VERTEX, NO_NUMBER, CreasedMesh, after_round, is_edge, is_paired, mixed_key
 
+MANTISSA_BITS = 23  # of float32
 MIN_COSINE = 0.5  # between the normals of a triangle before and after
 
 
@@ -134,6 +135,7 @@ def price_short_kernel(
     mesh: CreasedMesh,
     min_sqlength: float64,
     max_sqlength: float64,
+    ignored_bits: int,
     ended: array(dtype=int32),
     keys: array(dtype=int64),
     lowest: array(dtype=int64),
@@ -173,7 +175,7 @@ def price_short_kernel(
     if rejected == 0:
         rejected = flips_triangle(mesh, b, a, x, max_sqlength)
     if rejected == 0:
-        key = mixed_key(float_bits(float(sqdist)), e)
+        key = mixed_key(float_bits(float(sqdist)) >> ignored_bits, e)
         keys[e] = key
         atomic_min(lowest, a, key)
         atomic_min(lowest, b, key)
@@ -236,14 +238,26 @@ def gather_creases_kernel(creases: array(dtype=uint8), rows: array(dtype=int32),
 
 
 def collapse_short_edges(
-    mesh: CreasedMesh, shortest: float, longest: float, few: float, rounds: Integers | None = None
+    mesh: CreasedMesh,
+    shortest: float,
+    longest: float,
+    few: float,
+    rounds: Integers | None = None,
+    *,
+    is_fast: bool = False,
 ) -> tuple[CreasedMesh, int | None]:
     """Collapse edges below `shortest` unless an edge exceeds `longest`. `few`, `rounds` as in `end_rounds` (no sync
-    with `rounds`). Returns (mesh, number of collapses or None). Unused vertices stay."""
+    with `rounds`). Returns (mesh, number of collapses or None). Unused vertices stay.
+
+    With `is_fast`, lengths of one power of two of their squares rank by the hash. Where lengths change slowly along the
+    surface, few edges are shorter than all others around them, and many have the lowest hash.
+    """
     device, edges = mesh.vertices.device, mesh.edges.count
     keys, lowest = full(edges, NO_NUMBER, int64, device), full(mesh.vertices.size, NO_NUMBER, int64, device)
     ended = zeros(1, int32, device) if rounds is None else rounds
-    launch(price_short_kernel, edges, [mesh, shortest * shortest, longest * longest, ended, keys, lowest])
+    ignored_bits = MANTISSA_BITS if is_fast else 0
+    limits = [shortest * shortest, longest * longest]
+    launch(price_short_kernel, edges, [mesh, *limits, ignored_bits, ended, keys, lowest])
     vertices, triangles, fixed = clone(mesh.vertices), clone(mesh.triangles), clone(mesh.fixed)
     count = zeros(1, int32, device)
     launch(collapse_short_kernel, edges, [mesh, keys, lowest, vertices, triangles, fixed, count])

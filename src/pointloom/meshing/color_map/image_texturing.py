@@ -34,6 +34,7 @@ from ...kernels.textures.seam_strips import blend_strips
 from ...kernels.textures.stacked_images import StackedImages
 from ...kernels.textures.view_labels import MAX_IMAGE_COST, LabelGraph, choose_labels, cost_views, energy_of, name_views
 from ..mesh.mesh import TriangleMesh
+from ..mesh.mesh_arrays import check_mesh
 from ..mesh.posed_images import PosedImages
 from .chart_packing import pack_charts
 from .image_sources import take_images
@@ -102,8 +103,7 @@ def texture_from_images(
         >>> found.views.tolist(), found.mesh.textures[0].shape
         ([0], (64, 64, 3))
     """
-    if not isinstance(mesh, TriangleMesh):
-        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
+    check_mesh("mesh", mesh)
     if not len(mesh):
         raise ValueError("mesh: expected triangles to texture, got none")
     if size is not None:

@@ -35,6 +35,7 @@ from ...kernels.textures.vertex_views import (
 from ...kernels.textures.warp_steps import WarpSearch
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
+from ..mesh.mesh_arrays import check_mesh
 from ..mesh.posed_images import Names, PosedImages, check_images
 from .options import ColorMapOption
 from .results import ColorMapResult, NothingSeenError
@@ -166,9 +167,8 @@ def _iterate(step: Callable[[], object], goes_on: Callable[[], bool], maximum: i
         report("colors", min(done, maximum), maximum)
 
 
-def _check_input(mesh: object, images: object, trajectory: object, intrinsic: object) -> PosedImages:
-    if not isinstance(mesh, TriangleMesh):
-        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
+def _check_input(mesh: TriangleMesh, images: object, trajectory: object, intrinsic: object) -> PosedImages:
+    check_mesh("mesh", mesh)
     if not isinstance(trajectory, Trajectory):
         kind = type(trajectory).__name__
         raise TypeError(

@@ -27,6 +27,7 @@ from ...kernels.lang import vec2
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import download, upload
 from ..mesh.mesh import TriangleMesh
+from ..mesh.mesh_arrays import check_mesh
 from ..mesh.mesh_texture import MAX_TEXELS
 from .optimizers import color_mesh
 from .options import ColorMapOption
@@ -118,9 +119,8 @@ def _digest_of(
     return digest_of_inputs([settings, names, lens], arrays, mesh.device)
 
 
-def _check(mesh: object, frames: object, method: object, size: object) -> None:
-    if not isinstance(mesh, TriangleMesh):
-        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
+def _check(mesh: TriangleMesh, frames: object, method: object, size: object) -> None:
+    check_mesh("mesh", mesh)
     if not isinstance(frames, RGBDSource):
         raise TypeError(
             f"frames: expected frames as returned by loom.open_dataset() or frames_from(), got {shown(frames)}"

@@ -34,6 +34,7 @@ from ...core.exchange import on_host
 from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.html_tables import array_type, html_table
 from ...core.joined_parts import ESTIMATED, missing_names, warn_of_missing
+from ...core.other_geometry import conversion_of
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
 from ...core.up_axis import Direction, check_up, transform_up_vector
 from ...io.table import MeshTable
@@ -418,12 +419,13 @@ class MeshArrays(StoredArrays, Movable):
             >>> both.get_volume(), len(loom.TriangleMesh.concatenate([box] * 10))
             (2.0, 120)
         """
+        if isinstance(meshes, PointArrays):
+            check_mesh("meshes", meshes)
         given = check_list("meshes", meshes, "triangle meshes")
         if not given:
             raise ValueError("meshes: expected at least one mesh, got none")
         for mesh in given:
-            if not isinstance(mesh, MeshArrays):
-                raise TypeError(f"meshes: expected TriangleMesh, got {type(mesh).__name__}")
+            check_mesh("meshes", mesh)
             check_same_device("meshes", mesh.device, given[0].device)
         parts = [mesh for mesh in given if mesh.arrays["vertices"].size] or given[:1]
         for name in ("vertices", "triangles"):
@@ -566,7 +568,8 @@ class MeshArrays(StoredArrays, Movable):
 
 def check_mesh(name: str, mesh: object) -> None:
     if not isinstance(mesh, MeshArrays):
-        raise TypeError(f"{name}: expected a TriangleMesh, got {type(mesh).__name__}")
+        given = f"{type(mesh).__name__}{conversion_of(mesh, expected='mesh')}"
+        raise TypeError(f"{name}: expected a TriangleMesh, got {given}")
 
 
 def _numbered(parts: list[MeshArrays]) -> list[Any]:

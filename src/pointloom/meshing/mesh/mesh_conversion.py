@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.devices import DeviceLike
-from ...core.other_geometry import OtherGeometry, read_or_refuse, read_other
+from ...core.other_geometry import OtherGeometry, conversion_of, read_or_refuse, read_other
 from ...core.to_other_libraries import UVS, import_library, to_meshio, to_pyvista, to_trimesh
 from ...io.meshes.glb_writer import split_seams
 from ...io.table import MeshTable
 from ...io.triangulation import split_faces
+from ...pcd.point_arrays import PointArrays
 from .mesh_arrays import MeshArrays
 
 
@@ -40,7 +41,9 @@ class MeshConversion(MeshArrays):
         """
         given = read_other(mesh)
         if given is None or given.corners is None or "open3d" not in type(mesh).__module__:
-            raise TypeError(f"mesh: expected an open3d.geometry or open3d.t.geometry TriangleMesh, got {type(mesh)}")
+            remedy = conversion_of(mesh, expected="mesh")
+            kind = "open3d.geometry or open3d.t.geometry TriangleMesh"
+            raise TypeError(f"mesh: expected an {kind}, got {type(mesh)}{remedy}")
         make: Any = cls
         result: Self = make(given, device=device, arrays=arrays)
         return result
@@ -188,13 +191,17 @@ def mesh_table(mesh: MeshArrays) -> MeshTable:
 
 def mesh_arguments(name: str, given: object) -> dict[str, Any]:
     """Arguments of `TriangleMesh` for a mesh of another library. Empty for other objects, such as arrays."""
-    other = read_or_refuse(name, given)
+    if isinstance(given, PointArrays):
+        remedy = conversion_of(given, expected="mesh")
+        raise TypeError(f"{name}: expected an array or a mesh, got {type(given).__name__}{remedy}")
+    other = read_or_refuse(name, given, "mesh")
     if other is None:
         return {}
     corners, count = other.corners, len(other.points)
     if corners is None:
         raise TypeError(
-            f"{name}: expected an array or a mesh, got {other.source} without faces. loom.PointCloud(x) makes a cloud"
+            f"{name}: expected an array or a mesh, got {other.source} without faces. loom.PointCloud(x) makes a cloud, "
+            "and loom.meshing.create_surface(cloud) a mesh of it"
         )
     if corners.size and (corners.min() < 0 or corners.max() >= count):
         wrong = corners.max() if corners.max() >= count else corners.min()

@@ -9,11 +9,12 @@ from ...core.array_libraries import library_for
 from ...core.coordinate_systems import is_in_degrees
 from ...core.coordinates import choose_origin, lengths_of_axes, warn_if_rounded
 from ...core.devices import DeviceLike, resolve_device
-from ...core.errors import FileError
+from ...core.errors import CLOUD_REMEDY, FileError
 from ...core.other_geometry import conversion_of, is_other
 from ...core.paths import path_of, recording_remedy
 from ...io.meshes.by_extension import read_mesh, write_mesh
 from ...io.meshes.mesh_formats import MESH_FORMATS, UPRIGHT
+from ...io.points.formats import CLOUD_FORMATS
 from ...io.source import content_errors
 from ...io.table import MeshTable
 from ...pcd.point_arrays import PointArrays
@@ -58,7 +59,8 @@ def read_triangle_mesh(
     suffix = path_of(path).suffix.lower()
     if suffix not in MESH_FORMATS:
         reason = f"meshes are read from {', '.join(MESH_FORMATS)}, not from {suffix or 'no extension'}"
-        raise FileError(path, reason, remedy=recording_remedy(path, "scans()"))
+        remedy = CLOUD_REMEDY if suffix in CLOUD_FORMATS else recording_remedy(path, "scans()")
+        raise FileError(path, reason, remedy=remedy)
     where, library = resolve_device(device), library_for(arrays)
     table = read_mesh(path, up=up, outside_files=outside_files)
     mesh = mesh_of(table, path, device=where, arrays=library)

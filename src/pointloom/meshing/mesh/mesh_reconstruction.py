@@ -27,6 +27,7 @@ from ...core.checks import (
 from ...core.coordinates import choose_origin
 from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.gpu_arrays import take_numbers
+from ...core.other_geometry import conversion_of
 from ...core.units import warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.array_types import AnyArray, Device, Indices
@@ -440,7 +441,8 @@ def _cube_around(points: wp.array, normals: wp.array, scale: float) -> tuple[Cub
 
 def _check_envelope(envelope: object, cloud: PointCloud) -> Envelope:
     if not isinstance(envelope, MeshMeasures):
-        raise TypeError(f"envelope: expected a TriangleMesh, got {type(envelope).__name__}")
+        given = f"{type(envelope).__name__}{conversion_of(envelope, expected='mesh')}"
+        raise TypeError(f"envelope: expected a TriangleMesh, got {given}")
     check_same_device("envelope", cloud.device, envelope.device)
     common_reference("cloud, envelope", (cloud, envelope))
     if len(envelope) > MAX_ENVELOPE:

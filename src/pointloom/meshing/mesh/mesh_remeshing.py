@@ -22,6 +22,7 @@ from ...core.checks import (
 )
 from ...core.dropped_results import returns_new
 from ...core.exchange import on_host
+from ...core.units import warn_of_units
 from ...kernels.algebra.transform import narrow_rows, widen_rows
 from ...kernels.array_types import Integers
 from ...kernels.arrays.bounds import bound_points
@@ -37,7 +38,7 @@ from ...kernels.remeshing import subdivision
 from ...kernels.remeshing.creased_mesh import CreasedMesh, crease_segments, find_features
 from ...kernels.remeshing.decimation import Decimation
 from ...kernels.remeshing.flipped_edges import flip_edges
-from ...kernels.remeshing.long_edges import split_long_edges
+from ...kernels.remeshing.long_edges import count_lengths, split_long_edges
 from ...kernels.remeshing.mesh_filters import approach_mean_kernel, average_kernel, filter_values, sharpen_kernel
 from ...kernels.remeshing.relaxed_vertices import choose_positions, move_without_flips, relaxed
 from ...kernels.remeshing.rigid_deformation import deform_rigidly, rotate_directions
@@ -62,6 +63,11 @@ ROUNDS_PER_ITERATION = 3  # of collapses and flips per iteration. Each uses inde
 MIN_CREASE = 3.0  # of the target length: shorter creases are roughness
 MAX_ITERATIONS = 1000
 TRIANGLE_BYTES = 400  # temporary memory
+MIN_WITHIN = 0.8  # fraction of the edges: of fewer within the limits, the length is not reached
+COARSE_LENGTH = (
+    3 / 2
+)  # of the target length: collapses of a lattice of right triangles with legs of 2/3 to 4/5 pass 4/3
+MAX_COARSENING = 100  # more iterations: each removes a fifth of the edges, so a mesh a million times finer ends
 MIN_CHANGED_FRACTION = 0.002  # of all edges: a round that changes fewer is the last
 MAX_CORNERS = 2**31 - 1  # 32-bit half-edge indices
 MAX_PASSES = 10_000
@@ -182,7 +188,8 @@ class MeshRemeshing(MeshMeasures):
 
         Args:
             edge_length: Target [m]. Edges become 4/5 to 4/3 of it where creases allow.
-            iterations: Number of iterations.
+            iterations: Number of iterations. More follow while most edges outside that range are too short, as those of
+                a mesh that is several times finer.
             feature_angle: Edges with a larger angle between triangles [degrees] are creases and stay, as do borders and
                 non-manifold edges. Crease paths shorter than three edges count as roughness. 180 keeps only borders.
 
@@ -195,6 +202,9 @@ class MeshRemeshing(MeshMeasures):
             ValueError, MemoryError: If the length is not positive or gives more than 2^29 triangles, the count is
                 outside 0..1000, or the angle outside 0..180, or if the triangles do not fit into memory.
             TypeError: If an argument is not a number.
+
+        Warns:
+            UserWarning: If fewer than 80% of the edges have a length in that range.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -547,7 +557,7 @@ def _remesh(surface: TriangleTree, target: float, iterations: int, angle: float)
     course = Course(mesh, (surface, lines), target)
     for _ in range(iterations):
         course.iterate()
-    return course.end()
+    return course.coarsen()
 
 
 class Course:
@@ -562,6 +572,8 @@ class Course:
         self.all_rounds = [mesh.vertices.device.is_cuda for _ in self.steps]
         self.state: Integers | None = None  # two numbers of `end_rounds` per step, then `reverted` for each relaxation
         self.before = mesh.vertices
+        self.collapse_limit, self.target = self.longest, target
+        self.is_fast = False  # collapse more edges per round
 
     def iterate(self) -> None:
         split, device = 1, self.before.device
@@ -585,6 +597,31 @@ class Course:
             self._is_converged(download(self.state).tolist())  # sync
         return self.mesh
 
+    def coarsen(self) -> CreasedMesh:
+        """End, iterate on while many edges are too short, and warn if the length is not reached."""
+        counts = self._count_lengths()
+        self.is_fast = _is_far(*counts) and counts[0] > counts[2]
+        for _ in range(MAX_COARSENING if self.is_fast else 0):
+            short, within, _ = counts
+            self.collapse_limit = (COARSE_LENGTH if short > within else SPLIT_LENGTH) * self.target
+            self.iterate()
+            counts = self._count_lengths()
+            if counts[1] <= within and counts[0] >= short:
+                break
+        if _is_far(*counts):
+            short, within, long = (f"{count / sum(counts):.0%}" for count in counts)
+            smaller = "a smaller edge_length, or a larger feature_angle if creases prevent longer edges"
+            warn_of_units(
+                f"edge_length: expected most edges at 4/5 to 4/3 of {self.target:g} m, got {within} of them, {short} "
+                f"shorter and {long} longer. Pass {smaller if counts[0] > counts[2] else 'more iterations'}",
+                UserWarning,
+            )
+        return self.mesh
+
+    def _count_lengths(self) -> list[int]:
+        self.end()
+        return count_lengths(self.mesh, self.shortest, self.longest)  # sync
+
     def _is_converged(self, counts: list[int]) -> bool:
         """Read counts of the last iteration. False if vertices moved again, so that the mesh changed."""
         if self.state is None:
@@ -600,7 +637,7 @@ class Course:
     def _collapse(
         self, mesh: CreasedMesh, few: float, rounds: Integers | None = None
     ) -> tuple[CreasedMesh, int | None]:
-        return collapse_short_edges(mesh, self.shortest, self.longest, few, rounds)
+        return collapse_short_edges(mesh, self.shortest, self.collapse_limit, few, rounds, is_fast=self.is_fast)
 
     def _make_rounds(self, k: int, step: Callable[..., tuple[CreasedMesh, int | None]], rounds: Integers) -> None:
         """Run the rounds of a step, without a host check or with one after each (sync)."""
@@ -619,6 +656,11 @@ class Course:
             on_surface, on_lines = (SurfacePositions(moved, tree).points for tree in self.trees)
             targets = choose_positions(self.mesh, on_surface, on_lines)
             move_without_flips(self.mesh, targets, None if reverted is None else reverted[k : k + 1])
+
+
+def _is_far(short: int, within: int, long: int) -> bool:
+    """True if the edges do not have the target length, from the numbers of those below, within and above its limits."""
+    return within < MIN_WITHIN * (short + within + long)
 
 
 def _names_of(scope: object) -> tuple[str, ...]:

@@ -559,8 +559,7 @@ class MeshRepair(MeshMeasures):
         return self._combine(mesh, "boolean_intersection", lambda a, b: a ^ b)
 
     def _combine(self, other: Self, name: str, operation: Any) -> Self:
-        if not isinstance(other, MeshArrays):
-            raise TypeError(f"mesh: expected a TriangleMesh, got {type(other).__name__}")
+        check_mesh("mesh", other)
         library = load_manifold(name)
         with_colors = "vertex_colors" in self.arrays and "vertex_colors" in other.arrays
         solids = [

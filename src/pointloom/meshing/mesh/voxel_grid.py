@@ -14,6 +14,7 @@ from ...core.devices import resolve_device
 from ...core.exchange import hand_back, on_host
 from ...kernels.memory import check_room
 from ...pcd.stored_arrays import read_only
+from .mesh_arrays import check_mesh
 
 
 class VoxelGrid(HintedNames):
@@ -53,6 +54,7 @@ class VoxelGrid(HintedNames):
     @classmethod
     def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> Self:
         """Voxels that a mesh touches. See `TriangleMesh.voxelize`."""
+        check_mesh("input", input)
         return input.voxelize(voxel_size)
 
     @classmethod
@@ -60,6 +62,7 @@ class VoxelGrid(HintedNames):
         cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
     ) -> Self:
         """Voxels between two corners [m] that a mesh touches. See `TriangleMesh.voxelize`."""
+        check_mesh("input", input)
         return input.voxelize(voxel_size, min_bound, max_bound)
 
     def __len__(self) -> int:

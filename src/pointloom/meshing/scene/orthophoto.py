@@ -27,6 +27,7 @@ from ...pcd.geotiff import BLOCK_CELLS, geotiff
 from ...pcd.raster import Raster
 from ...pcd.raster_cells import check_box
 from ..mesh.mesh import TriangleMesh
+from ..mesh.mesh_arrays import check_mesh
 from .plan_grid import PlanGrid, grid_over, grid_within
 
 CELLS_PER_STRIP = 2**20  # cells per batch, 24 B each on the device
@@ -122,8 +123,7 @@ def orthophoto(
         >>> loom.meshing.orthophoto(ground, 1.0).colors[1, 0].tolist()
         [0, 16, 239, 255]
     """
-    if not isinstance(mesh, TriangleMesh):
-        raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
+    check_mesh("mesh", mesh)
     side, start = check_positive("cell", cell), check_finite("corner", check_shape("corner", corner, (2,)))
     box = None if bounds is None else check_box(bounds)
     system = _check_system(mesh, frame, epsg, crs)

@@ -13,11 +13,13 @@ from ...core.checks import check_count, check_rigid, check_rows, is_on_gpu
 from ...core.coordinates import NEAR_ZERO
 from ...core.devices import DeviceLike, check_same_device, resolve_device
 from ...core.gpu_arrays import take_rows
+from ...core.other_geometry import conversion_of
 from ...core.pickled_arrays import device_like, unpickling
 from ...core.serialized import Serialized
 from ...kernels.linear_algebra import matmul
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
+from ...pcd.point_arrays import PointArrays
 from ..mesh.finite_corners import find_wrong_corner
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_arrays import check_mesh
@@ -115,8 +117,9 @@ class SceneGeometries(Serialized, KnownNames):
             check_same_device("mesh", self._device, mesh.device)
             added = mesh.copy()
         else:
-            if triangles is None:
-                raise TypeError(f"mesh: expected a TriangleMesh, or vertices and triangles, got {type(mesh).__name__}")
+            if triangles is None or isinstance(mesh, PointArrays):
+                given = f"{type(mesh).__name__}{conversion_of(mesh, expected='mesh')}"
+                raise TypeError(f"mesh: expected a TriangleMesh, or vertices and triangles, got {given}")
             vertices = take_rows("mesh", mesh, 3, self._device) if is_on_gpu(mesh) else check_rows("mesh", mesh, 3)
             added = TriangleMesh(vertices, triangles, device=self._device)
         T = np.eye(4) if pose is None else check_rigid("pose", pose)

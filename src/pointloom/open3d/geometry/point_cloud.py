@@ -47,6 +47,8 @@ class PointCloud(BoundedByBoxes):
 
     def __init__(self, points: object = ()):
         given = unwrap(points)
+        if hasattr(given, "sample_points_uniformly"):
+            unwrap(points, PointCloud, "points")
         self._wrapped, self._shared = given if isinstance(given, cloud.PointCloud) else cloud.PointCloud(), {}
         if isinstance(points, PointCloud):
             vars(self).update(vars(points.__copy__()))

@@ -329,6 +329,8 @@ class TriangleMesh(TriangleNormals):
 
     def __init__(self, vertices: Any = (), triangles: VectorLike = ()):
         given = unwrap(vertices)
+        if hasattr(given, "estimate_normals"):  # a cloud, which can be read as an array
+            unwrap(vertices, TriangleMesh, "vertices")
         self._wrapped, self._shared = given if isinstance(given, self._kind) else mesh.TriangleMesh(), {}
         if isinstance(vertices, TriangleMesh):
             vars(self).update(vars(vertices.__copy__()))

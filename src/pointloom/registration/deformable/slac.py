@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import LARGEST_NUMBER, check_count, check_fraction, check_list, check_positive, check_progress
+from ...core.checks import LARGEST_NUMBER, check_count, check_fraction, check_positive, check_progress
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.quaternions import nearest_rotations
@@ -28,7 +28,7 @@ from ...kernels.poses.fragment_steps import FragmentStep, StepSystem
 from ...kernels.poses.point_sums import count_agreeing
 from ...kernels.search.nearest_point import find_nearest
 from ...pcd.cloud import PointCloud
-from ...pcd.point_arrays import check_cloud
+from ...pcd.point_arrays import check_cloud, list_clouds
 from ...pcd.units import common_reference
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.pose_graph import GraphArrays, PoseGraph, PoseGraphNode, check_pose_graph
@@ -167,7 +167,7 @@ class _Alignment:
         self.report_progress = check_progress(progress)
         if not isinstance(graph, PoseGraph):
             raise TypeError(f"fragment_pose_graph: expected a PoseGraph, got {type(graph).__name__}")
-        self.graph, given = check_pose_graph(graph), check_list("fragments", fragments, "point clouds")
+        self.graph, given = check_pose_graph(graph), list_clouds("fragments", fragments)
         if len(given) != len(self.graph.poses) or not given:
             raise ValueError(
                 f"fragments: expected one for each of the {len(self.graph.poses)} nodes of fragment_pose_graph, "

@@ -14,7 +14,6 @@ from ...core.argument_errors import explain_argument_errors
 from ...core.checks import (
     check_callback,
     check_count,
-    check_list,
     check_numeric,
     check_positive,
     check_rigid,
@@ -25,6 +24,7 @@ from ...core.observers import report, watched
 from ...core.units import called_by_user, warn_of_units
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
+from ...pcd.point_arrays import list_clouds
 from ...pcd.units import common_reference
 from ..correspondence_input import check_cloud, check_clouds
 from ..result import RegistrationResult
@@ -262,8 +262,8 @@ def _jobs_of(
     inits: ArrayLike | None,
     method: TransformationEstimation,
 ) -> tuple[list[PointCloud], list[PointCloud], NDArray[np.float64]]:
-    left = [sources] if isinstance(sources, PointCloud) else check_list("sources", sources, "clouds")
-    right = [targets] if isinstance(targets, PointCloud) else check_list("targets", targets, "clouds")
+    left = [sources] if isinstance(sources, PointCloud) else list_clouds("sources", sources, "clouds")
+    right = [targets] if isinstance(targets, PointCloud) else list_clouds("targets", targets, "clouds")
     given = np.eye(4)[None] if inits is None else check_numeric("inits", inits)
     if given.shape[-2:] != (4, 4) or given.ndim not in (2, 3):
         raise ValueError(f"inits: expected shape [4, 4] or [jobs, 4, 4], got {list(given.shape)}")

@@ -26,7 +26,7 @@ from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, with_warnings
 from ...core.wording import few_of, plain
 from ...pcd.cloud import PointCloud
-from ...pcd.point_arrays import check_cloud
+from ...pcd.point_arrays import check_cloud, list_clouds
 from ...pcd.units import common_reference
 from ..assessment_constants import MIN_SCORE
 from ..globally.global_registration import Description, describe_each, register_described
@@ -277,7 +277,7 @@ def register_multiway(
 
 def _check_clouds(clouds: object) -> list[PointCloud]:
     """A list of point clouds on one device."""
-    checked = check_list("clouds", clouds, "point clouds")
+    checked = list_clouds("clouds", clouds)
     for i, cloud in enumerate(checked):
         check_cloud(f"clouds[{i}]", cloud)
         check_same_device(f"clouds[{i}]", checked[0].device, cloud.device)

@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.checks import check_list
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.units import LengthUnit
 from ...core.wording import plain
 from ...kernels.linear_algebra import norm
 from ...pcd.cloud import PointCloud
-from ...pcd.point_arrays import check_cloud
+from ...pcd.point_arrays import check_cloud, list_clouds
 from ..pose_errors import PoseCovariance
 from .adjustment import LEVEL_ROWS, Group
 from .loops import Loop
@@ -127,7 +126,7 @@ class StationsResult(Report, Assessed):
 
     def merge(self, stations: Sequence[PointCloud]) -> PointCloud:
         """The clouds at their poses as one cloud."""
-        clouds = check_list("stations", stations, "point clouds")
+        clouds = list_clouds("stations", stations)
         for i, cloud in enumerate(clouds):
             check_cloud(f"stations[{i}]", cloud)
         if len(clouds) != len(self.placed):

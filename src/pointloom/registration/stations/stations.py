@@ -36,7 +36,7 @@ from ...io.points.e57_stations import Stations
 from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ...pcd.point_arrays import check_cloud
+from ...pcd.point_arrays import check_cloud, list_clouds
 from ...pcd.units import common_reference
 from ..assessment_constants import MIN_SCORE
 from ..assessment_constants import SOURCE_VOXEL_FACTOR as SOURCE_FINER
@@ -270,7 +270,7 @@ class _Survey:
         level: ArrayLike | None,
         level_sigma: float | None,
     ):
-        self.clouds = check_list("stations", stations, "point clouds")
+        self.clouds = list_clouds("stations", stations)
         if not self.clouds:
             raise ValueError("stations: expected at least one, got none")
         for i, cloud in enumerate(self.clouds):

@@ -25,6 +25,7 @@ from ...core.checks import check_count, check_positive
 from ...core.errors import FileError, PointloomError
 from ...core.escaped_text import escaped
 from ...core.standard_streams import write_to_stderr
+from ...kernels.language.environment import setting
 from ..notebook_output import MAX_PAGE_BYTES as MAX_BYTES
 from ..notebook_output import MAX_WIDTH, in_notebook, ipython_shell, page_output, still_output
 from ..render.geometries import Named, named_geometries, parts_of
@@ -156,12 +157,9 @@ def draw_mode() -> str:
 
     Raises ValueError for another value.
     """
-    mode = os.environ.get("POINTLOOM_DRAW")
-    if not mode:
-        return "page" if "SSH_CONNECTION" in os.environ or _has_browser() else "file"
-    if mode not in ("page", "picture"):
-        raise ValueError(f"POINTLOOM_DRAW: expected 'page' or 'picture', got {mode!r}")
-    return mode
+    if mode := setting("POINTLOOM_DRAW"):
+        return mode
+    return "page" if "SSH_CONNECTION" in os.environ or _has_browser() else "file"
 
 
 def save_numbered(picture: Picture) -> Picture:
@@ -348,12 +346,10 @@ def wants_inline(inline: bool | None, *, notebook: bool) -> str | None:
     """The reason to embed a scene, or None. Raises ValueError if POINTLOOM_INLINE is neither 0 nor 1."""
     if inline is not None:
         return "inline, as requested" if inline else None
-    setting = os.environ.get(VARIABLE, "")
-    if setting not in ("", "0", "1"):
-        raise ValueError(f"{VARIABLE}: expected 0 or 1, got {setting!r}")
-    if not notebook or setting == "0":
+    wanted = setting(VARIABLE)
+    if not notebook or wanted == "0":
         return None
-    if setting:
+    if wanted:
         return f"inline, as {VARIABLE} specifies"
     host = hosted_notebook()
     return (
