@@ -64,9 +64,8 @@ MIN_CREASE = 3.0  # of the target length: shorter creases are roughness
 MAX_ITERATIONS = 1000
 TRIANGLE_BYTES = 400  # temporary memory
 MIN_WITHIN = 0.8  # fraction of the edges: of fewer within the limits, the length is not reached
-COARSE_LENGTH = (
-    3 / 2
-)  # of the target length: collapses of a lattice of right triangles with legs of 2/3 to 4/5 pass 4/3
+# Of the target length: collapses of a lattice of right triangles with legs of 2/3 to 4/5 pass 4/3.
+COARSE_LENGTH = 3 / 2
 MAX_COARSENING = 100  # more iterations: each removes a fifth of the edges, so a mesh a million times finer ends
 MIN_CHANGED_FRACTION = 0.002  # of all edges: a round that changes fewer is the last
 MAX_CORNERS = 2**31 - 1  # 32-bit half-edge indices
