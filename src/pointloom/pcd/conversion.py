@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any, Self, cast
 
 import numpy as np
@@ -287,11 +288,11 @@ class Conversion(Selection):
             arrays: Library of returned arrays, as of `to`. If None: "numpy".
 
         Raises:
-            TypeError, ImportError: If `cloud` is not an Open3D cloud, or if Open3D is not installed.
+            TypeError: If `cloud` is not an Open3D cloud.
             DeviceError: If the device does not exist.
         """
-        o3d = import_library("open3d")
-        if not isinstance(cloud, o3d.geometry.PointCloud | o3d.t.geometry.PointCloud):
+        o3d = sys.modules.get("open3d")  # without it, there are no objects of its classes
+        if o3d is None or not isinstance(cloud, o3d.geometry.PointCloud | o3d.t.geometry.PointCloud):
             given = f"{type(cloud)}{conversion_of(cloud, expected='cloud')}"
             raise TypeError(f"cloud: expected an open3d.geometry or open3d.t.geometry PointCloud, got {given}")
         make: Any = cls
