@@ -354,6 +354,7 @@ CYLINDER = TriangleMesh.create_cylinder(1.0, 2.0, 60, 40)
 LATTICE = TriangleMesh.create_plane().subdivide_midpoint(5)
 
 
+@pytest.mark.slow_on_emulated_cuda("sixteen remeshings; the next test runs the same kernels")
 @pytest.mark.parametrize("times", [0.7, 1.5, 3, 5])
 @pytest.mark.parametrize(
     "mesh",

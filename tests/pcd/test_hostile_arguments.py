@@ -519,6 +519,7 @@ EITHER = {  # arguments that accept clouds and meshes
 
 
 @pytest.mark.filterwarnings("ignore::pointloom.NormalsWarning")
+@pytest.mark.slow_on_emulated_cuda("checks of the host alone")
 @pytest.mark.parametrize("call", [*TABLE, *RECORDED])
 def test_a_mesh_as_a_cloud_and_a_cloud_as_a_mesh_name_the_conversion(call):
     if call in TABLE:

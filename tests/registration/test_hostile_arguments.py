@@ -232,6 +232,7 @@ def test_a_hostile_cloud_causes_no_warning(call):
     assert not faults, "\n".join(faults)
 
 
+@pytest.mark.slow_on_emulated_cuda("checks of the host alone")
 @pytest.mark.parametrize("call", [*TABLE, *RECORDED])
 def test_a_mesh_as_a_cloud_names_the_conversion(call):
     if call in TABLE:

@@ -186,8 +186,7 @@ class RegistrationJob(Job):
 
     def _describe(self, scan: int) -> Description:
         surface = self._surface(scan)
-        arrays = (surface.arrays[name] for name in ("points", "normals"))
-        return describe(surface, self.size, Surface(*arrays))
+        return describe(surface, self.size, Surface(surface.arrays["points"], surface.arrays["normals"]))
 
     def _surfaces(self, pair: FragmentPair) -> dict[int, PointCloud]:
         return {k: self._described(k).cloud for k in (pair.source, pair.target)}
