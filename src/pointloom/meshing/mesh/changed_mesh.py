@@ -9,7 +9,7 @@ from typing import Any
 from ...core.reports import Assessed, Fields, Report
 from .finite_corners import find_wrong_corner
 from .mesh import TriangleMesh
-from .mesh_metrics import fractions_beyond
+from .mesh_metrics import UnreachedError, fractions_beyond
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -49,14 +49,17 @@ SHAPE_SAMPLES = 20_000  # points of each surface: a fraction of 0.05 has a stand
 def fractions_changed(before: TriangleMesh, after: TriangleMesh) -> tuple[float, float] | None:
     """Fractions of each surface farther than SHAPE_TOLERANCE from the other one.
 
-    None if either has no area or a corner that is not finite.
+    None if either has no area or a corner that is not finite, or if they are 1.8e19 m apart.
     """
     if find_wrong_corner(before) or find_wrong_corner(after):
         return None
     if not (before.get_surface_area() > 0 and after.get_surface_area() > 0):
         return None
     diagonal = math.dist(*before.get_axis_aligned_bounding_box())
-    return fractions_beyond(before, after, SHAPE_TOLERANCE * diagonal, SHAPE_SAMPLES)
+    try:
+        return fractions_beyond(before, after, SHAPE_TOLERANCE * diagonal, SHAPE_SAMPLES)
+    except UnreachedError:
+        return None
 
 
 def sizes_before(mesh: TriangleMesh) -> dict[str, Any]:

@@ -25,6 +25,13 @@ UNREACHED = "mesh2: expected finite triangles at less than 1.8e19 m, got none"
 HAUSDORFF_PRECISION = 1e-5  # of the meshes' size: precision of the Hausdorff bounds
 
 
+class UnreachedError(ValueError):
+    """Surfaces are too far apart for float32."""
+
+    def __init__(self) -> None:
+        super().__init__(UNREACHED)
+
+
 class SurfaceMetrics(NamedTuple):
     """Distances between two surfaces.
 
@@ -68,7 +75,7 @@ class _Measured:
         seed: int,
     ) -> None:
         if not tree.count:
-            raise ValueError(UNREACHED)
+            raise UnreachedError()
         self._count, shift = count, (mesh.origin, other.origin)
         cloud = mesh.draw_samples(surface, count, False, seed)
         sampled = distances_to(points_about(cloud.arrays["points"], *shift), tree)
@@ -81,7 +88,7 @@ class _Measured:
 
     def check(self, sums: NDArray[Any]) -> None:
         if self._sums.unpack(sums)[0] < self._count:
-            raise ValueError(UNREACHED)
+            raise UnreachedError()
 
     def result(self, sums: NDArray[Any], squares: NDArray[Any], bounds: tuple[float, float]) -> _OneWay:
         _, total, _, within = self._sums.unpack(sums)
