@@ -120,13 +120,15 @@ def test_a_closed_stderr_is_ignored(monkeypatch, capsys):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("given", "level"), [("error", "Error"), ("DEBUG", "Debug"), ("loud", "Info"), ("", "Info")])
+@pytest.mark.parametrize(("given", "level"), [("error", "Error"), ("DEBUG", "Debug"), ("", "Info")])
 def test_the_environment_sets_the_verbosity(given, level):
     program = "import pointloom as loom; loom.PointCloud([[0, 0, 0]]); "
     program += "from pointloom.core.verbosity import get_verbosity_level as level; print(level().name)"
     command = [sys.executable, "-c", "from pointloom.core import verbosity; verbosity.start(); " + program]
     settings = os.environ | {"POINTLOOM_VERBOSITY": given}
     assert subprocess.run(command, capture_output=True, text=True, check=True, env=settings).stdout.strip() == level
+    wrong = subprocess.run(command, capture_output=True, text=True, env=settings | {"POINTLOOM_VERBOSITY": "loud"})
+    assert "ValueError: POINTLOOM_VERBOSITY: expected error, warning, info or debug, got 'loud'" in wrong.stderr
 
 
 def test_rows_refer_to_existing_names():
