@@ -18,6 +18,7 @@ from ..meshing.scene.raycasting_scene import RaycastingScene
 from .batches import take_batch
 from .losses import nearest_rows, root
 from .operators import (
+    Operator,
     check_device,
     check_floats,
     check_integers,
@@ -25,7 +26,6 @@ from .operators import (
     checks_values,
     device_array,
     gather_rows,
-    operator,
     refuse_gradients,
     tensor_of,
 )
@@ -233,7 +233,7 @@ def _dot(a: torch.Tensor, b: torch.Tensor) -> torch.Tensor:
     return (a * b).sum(-1, keepdim=True)
 
 
-@operator
+@Operator
 def closest_triangles(
     vertices: torch.Tensor, triangles: torch.Tensor, points: torch.Tensor, is_signed: bool
 ) -> tuple[torch.Tensor, torch.Tensor]:
@@ -252,7 +252,7 @@ def _(vertices: torch.Tensor, triangles: torch.Tensor, points: torch.Tensor, is_
     return points.new_empty(len(points), dtype=torch.int64), points.new_empty(len(points), dtype=torch.bool)
 
 
-@operator
+@Operator
 def listed_normals(points: torch.Tensor, rows: torch.Tensor) -> torch.Tensor:
     """Unit normals (m, 3), float64, of points from the rows (m, k) of their neighbors."""
     return tensor_of(fit_listed_normals(device_array(points.double(), vec3d), device_array(rows)))

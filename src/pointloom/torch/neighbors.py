@@ -10,7 +10,7 @@ from ..kernels.lang import vec3, vec3d
 from ..kernels.search.batch_neighbors import search_batch
 from ..kernels.search.cloud_batch import CloudRows
 from .batches import Batch, Pair, take_pair
-from .operators import device_array, gather_rows, operator, scatter_sum, tensor_of, unbatched
+from .operators import Operator, device_array, gather_rows, scatter_sum, tensor_of, unbatched
 
 
 class Neighbors(NamedTuple):
@@ -124,7 +124,7 @@ def layout_of(a: Batch, b: Batch) -> torch.Tensor:
     return torch.stack([a.starts(), a.sizes(), b.starts(), b.sizes()])
 
 
-@operator
+@Operator
 def batch_neighbors(
     query: torch.Tensor,
     points: torch.Tensor,

@@ -118,9 +118,6 @@ def _one_by_one(operator: Operator, info: Any, in_dims: tuple, *given: Any) -> t
     return tuple(torch.stack(parts) for parts in zip(*results, strict=True)), (0,) * len(results[0])
 
 
-operator = Operator  # as a decorator
-
-
 def device_array(tensor: torch.Tensor, dtype: type | None = None) -> wp.array:
     """A tensor as a device array. Shares its memory if it is contiguous. On CUDA it is ordered after torch's current
     stream, without a wait of the host. `dtype`: the type of elements, such as vec3 for float32 (n, 3).
@@ -178,7 +175,7 @@ def refuse_gradients(made, what: str) -> None:
     made.register_autograd(backward)
 
 
-@operator
+@Operator
 def gather_rows(values: torch.Tensor, index: torch.Tensor) -> torch.Tensor:
     """Rows `index`, int64 (n), of values (r, c): (n, c). Rows outside 0 .. r - 1 are 0."""
     rows = values.shape[0]
@@ -193,7 +190,7 @@ def _(values: torch.Tensor, index: torch.Tensor) -> torch.Tensor:
     return values.new_empty((index.shape[0], values.shape[1]))
 
 
-@operator
+@Operator
 def scatter_sum(values: torch.Tensor, index: torch.Tensor, rows: int) -> torch.Tensor:
     """Sums (rows, c) of the rows of values (n, c), float32 or float64, with each index, int64 (n). Others, such as -1,
     are skipped. Added up in float64.

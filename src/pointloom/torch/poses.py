@@ -17,7 +17,7 @@ from ..registration.icp.icp import ICPConvergenceCriteria, registration_icp_batc
 from .batches import Batch, take_pair
 from .losses import ARGUMENT_NAMES, Layout
 from .neighbors import batch_neighbors
-from .operators import check_device, check_floats, gather_rows, operator, refuse_gradients, scatter_sum
+from .operators import Operator, check_device, check_floats, gather_rows, refuse_gradients, scatter_sum
 
 # Newton steps from the pose of ICP to the minimum. Each squares the error: from 1e-2 to below 1e-16 in four steps.
 NEWTON_STEPS = 5
@@ -199,7 +199,7 @@ def skew(v: torch.Tensor) -> torch.Tensor:
     return torch.stack([zero, -z, y, z, zero, -x, -y, x, zero], 1).reshape(-1, 3, 3)
 
 
-@operator
+@Operator
 def icp_poses(
     source: torch.Tensor,
     target: torch.Tensor,
@@ -263,7 +263,7 @@ def _clouds(
     ]
 
 
-@operator
+@Operator
 def icp_gradients(
     source: torch.Tensor,
     target: torch.Tensor,

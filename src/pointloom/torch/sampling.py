@@ -11,13 +11,13 @@ from ..kernels.search.cloud_batch import CloudRows
 from .batches import Batch, Pair, take_batch
 from .neighbors import knn
 from .operators import (
+    Operator,
     check_floats,
     check_tensor,
     checks_values,
     computed,
     device_array,
     gather_rows,
-    operator,
     refuse_gradients,
     scatter_sum,
     tensor_of,
@@ -93,7 +93,7 @@ def farthest_points(
     return chosen[0] if len(clouds.shape) == 1 and clouds.width else chosen
 
 
-@operator
+@Operator
 def batch_farthest_points(
     points: torch.Tensor, starts: torch.Tensor, sizes: torch.Tensor, num_samples: int
 ) -> torch.Tensor:

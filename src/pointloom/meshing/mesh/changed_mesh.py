@@ -46,14 +46,19 @@ MAX_CHANGED = 0.05  # of the area
 SHAPE_SAMPLES = 20_000  # points of each surface: a fraction of 0.05 has a standard deviation of 0.0015
 
 
+def can_be_compared(before: TriangleMesh, after: TriangleMesh) -> bool:
+    """False if either mesh has no area or a corner that is not finite."""
+    if find_wrong_corner(before) or find_wrong_corner(after):
+        return False
+    return before.get_surface_area() > 0 and after.get_surface_area() > 0
+
+
 def fractions_changed(before: TriangleMesh, after: TriangleMesh) -> tuple[float, float] | None:
     """Fractions of each surface farther than SHAPE_TOLERANCE from the other one.
 
     None if either has no area or a corner that is not finite, or if they are 1.8e19 m apart.
     """
-    if find_wrong_corner(before) or find_wrong_corner(after):
-        return None
-    if not (before.get_surface_area() > 0 and after.get_surface_area() > 0):
+    if not can_be_compared(before, after):
         return None
     diagonal = math.dist(*before.get_axis_aligned_bounding_box())
     try:

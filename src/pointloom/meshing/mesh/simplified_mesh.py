@@ -11,8 +11,7 @@ from ...core.progress import ReportProgress
 from ...core.reports import Fields, quality
 from ...core.units import symbol_of
 from ...core.wording import plain
-from .changed_mesh import ChangedMesh, sizes_before
-from .finite_corners import find_wrong_corner
+from .changed_mesh import ChangedMesh, can_be_compared, sizes_before
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 
@@ -161,9 +160,7 @@ def _one_of(triangles: int | None, ratio: float | None, voxel_size: float | None
 
 def _shift_of(small: TriangleMesh, full: TriangleMesh) -> SurfaceShift | None:
     """Distance of the full surface to the simplified one. None if either has no area or non-finite corners."""
-    if find_wrong_corner(small) or find_wrong_corner(full):
-        return None
-    if not (small.get_surface_area() > 0 and full.get_surface_area() > 0):
+    if not can_be_compared(small, full):
         return None
     metrics = full.compute_metrics(small, n_sampled_points=DISTANCE_SAMPLES)
     return SurfaceShift(metrics.rms[0], metrics.max[0])

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.argument_errors import explain_argument_errors
 from ...core.checks import LARGEST_NUMBER, check_positive, check_seed, is_on_gpu
 from ...core.observers import report
-from ...kernels.arrays.bounds import bound_each
+from ...kernels.arrays.bounds import Box, bound_each
 from ...kernels.arrays.row_numbers import distinct_pairs
 from ...kernels.arrays.subsets import draw_rows
 from ...kernels.features.feature_matching import pair_features
@@ -157,10 +157,8 @@ def register_described(
                 f"{name}: expected at least {MIN_POINTS} voxels of {size:g} with a surface, got {len(surface)}", source
             )
     pairs = pair_features(left.features, right.features, mutual=True, mutual_consistency_ratio=0.0)
-    middles, spreads = zip(*(_middle_of(s.tree.low, s.tree.high, s.tree.count) for s in surfaces), strict=True)
-    points = surfaces[0].points, surfaces[1].points
-    coordinates = PairCoordinates(*points, pairs, *middles, are_finite=True)
-    consensus = find_poses(coordinates, middles, spreads[0], NOISE_VOXELS * size, seed)
+    points, boxes = zip(*((s.points, (s.tree.low, s.tree.high, s.tree.count)) for s in surfaces), strict=True)
+    consensus = find_poses(*points, pairs, boxes, NOISE_VOXELS * size, seed, are_finite=True)
     if not len(consensus.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
     poses, support = consensus.poses, consensus.support
@@ -371,8 +369,7 @@ def registration_robust_based_on_correspondence(
 
 def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:
     points = source.arrays["points"], target.arrays["points"]
-    middles, spreads = zip(*(_middle_of(*box) for box in bound_each(points)), strict=True)  # sync
-    consensus = find_poses(PairCoordinates(*points, pairs, *middles), middles, spreads[0], bound, seed)
+    consensus = find_poses(*points, pairs, bound_each(points), bound, seed)  # sync
     if not len(consensus.poses):
         result = no_pose(f"no {MIN_CORRESPONDENCES} of {pairs.shape[0]} correspondences agree", source)
         result.score = 0.0
@@ -408,16 +405,24 @@ def rate_support(support: NDArray[np.float64]) -> float:
 
 
 def find_poses(
-    coordinates: PairCoordinates,
-    middles: Sequence[NDArray[np.float32]],
-    spread: NDArray[np.float64],
+    source: wp.array,
+    target: wp.array,
+    pairs: wp.array,
+    boxes: Sequence[Box],
     bound: float,
     seed: int,
+    *,
+    are_finite: bool = False,
 ) -> Consensus:
-    """The poses with most agreeing correspondences within `bound` [m], from `_middle_of` both clouds."""
+    """The poses with most agreeing correspondences (int32 [m, 2] on the device) within `bound` [m].
+
+    `boxes` are those of both clouds.
+    """
+    middles, spreads = zip(*(_middle_of(*box) for box in boxes), strict=True)
+    coordinates = PairCoordinates(source, target, pairs, *middles, are_finite=are_finite)
     if coordinates.count > MAX_PAIRS:
         coordinates = coordinates.select(draw_rows(coordinates.count, MAX_PAIRS, seed, coordinates.device))
-    poses, support = find_consensus(coordinates, bound, bound, np.vstack([spread, -spread]))
+    poses, support = find_consensus(coordinates, bound, bound, np.vstack([spreads[0], -spreads[0]]))
     a, b = (middle.astype(np.float64) for middle in middles)
     for pose in poses:
         pose[:3, 3] += b - matmul(pose[:3, :3], a)

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline
 
 from ...kernels.linear_algebra import inv, matmul, solve
 from ..rigid import skews
@@ -124,6 +123,8 @@ def clock_of_graph(graph: SubmapGraph) -> ClockError | None:
 
 def _at_times(priors: PositionPriors, poses: Array, times: Array) -> PositionPriors | None:
     """The priors with the points of the path at other times, by cubic interpolation. None if the times do not grow."""
+    from scipy.interpolate import CubicHermiteSpline  # slow import
+
     R = poses[priors.nodes][:, :3, :3]
     velocities = matmul(R, priors.velocities[:, :, None])[:, :, 0]
     rows = velocities.any(axis=1)
