@@ -157,7 +157,8 @@ def register_described(
                 f"{name}: expected at least {MIN_POINTS} voxels of {size:g} with a surface, got {len(surface)}", source
             )
     pairs = pair_features(left.features, right.features, mutual=True, mutual_consistency_ratio=0.0)
-    points, boxes = zip(*((s.points, (s.tree.low, s.tree.high, s.tree.count)) for s in surfaces), strict=True)
+    boxes = [(surface.tree.low, surface.tree.high, surface.tree.count) for surface in surfaces]
+    points = surfaces[0].points, surfaces[1].points
     consensus = find_poses(*points, pairs, boxes, NOISE_VOXELS * size, seed, are_finite=True)
     if not len(consensus.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
