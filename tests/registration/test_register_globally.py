@@ -10,9 +10,9 @@ from pointloom.kernels.lang import int32
 from pointloom.kernels.memory import upload
 from pointloom.kernels.surface.hollow_side import Surface
 from pointloom.registration.assessment_constants import CHANCE_FEATURES
-from pointloom.registration.evidence import Evidence
-from pointloom.registration.globally.global_registration import _compare_features, _is_equal
+from pointloom.registration.evidence import Evidence, Witness
 from pointloom.registration.globally.pair import _feature_ratio
+from pointloom.registration.globally.pose_selection import PoseSelection, is_equal
 from pointloom.registration.result import Registered
 from pointloom.registration.rigid import to_local
 
@@ -136,12 +136,12 @@ def test_chance_fits_of_few_voxels_are_rejected(device, pairs):
 
 def test_a_rejected_pose_causes_no_ambiguity():
     best = Evidence(0.6, 0.03, 1000, rest=0.5)
-    assert _is_equal(Evidence(0.62, 0.03, 1000, rest=0.45), best)
-    assert not _is_equal(Evidence(0.62, 0.03, 1000, rest=0.45, blocked=0.1), best)
-    assert not _is_equal(Evidence(0.62, 0.03, 1000, rest=0.1), best)
-    assert not _is_equal(Evidence(0.62, 0.03, 1000, rest=0.3), best)
+    assert is_equal(Evidence(0.62, 0.03, 1000, rest=0.45), best)
+    assert not is_equal(Evidence(0.62, 0.03, 1000, rest=0.45, blocked=0.1), best)
+    assert not is_equal(Evidence(0.62, 0.03, 1000, rest=0.1), best)
+    assert not is_equal(Evidence(0.62, 0.03, 1000, rest=0.3), best)
     corner_alone = Evidence(0.6, 0.03, 1000, rest=0.0)
-    assert _is_equal(corner_alone, corner_alone) and not _is_equal(Evidence(0.4, 0.03, 1000), corner_alone)
+    assert is_equal(corner_alone, corner_alone) and not is_equal(Evidence(0.4, 0.03, 1000), corner_alone)
 
 
 STEP = np.array([0.3, 0, 0.18])  # [m]
@@ -208,9 +208,10 @@ def test_features_are_compared_with_the_best_distinct_pose(device, rng):
     same, near, far = np.eye(4), np.eye(4), np.eye(4)
     near[0, 3], far[0, 3] = 0.05, 1.0  # the first is no distinct pose
     same, near, far = (to_local(T, *middles) for T in (same, near, far))
-    ratios = [_compare_features(*surfaces, pairs, T, np.array([same, near, far]), 0.1) for T in (same, far)]
+    selection = PoseSelection(*(Witness(surface, 0.1) for surface in surfaces), 0.1, refine=True, free=None)
+    ratios = [selection.compare_features(pairs, T, np.array([same, near, far])) for T in (same, far)]
     assert ratios == [40 / 16, 16 / 40]
-    alone = _compare_features(*surfaces, pairs, same, np.array([near]), 0.1)  # no rival
+    alone = selection.compare_features(pairs, same, np.array([near]))  # no rival
     assert alone == 40 / CHANCE_FEATURES
 
 

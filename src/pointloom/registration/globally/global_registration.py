@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,39 +17,29 @@ from ...kernels.arrays.row_numbers import distinct_pairs
 from ...kernels.arrays.subsets import draw_rows
 from ...kernels.features.feature_matching import pair_features
 from ...kernels.features.fpfh import compute_features
-from ...kernels.lang import int32, mat44d
+from ...kernels.lang import int32
 from ...kernels.linear_algebra import matmul
-from ...kernels.memory import download, upload, zeros
+from ...kernels.memory import upload
 from ...kernels.poses.consensus_poses import find_consensus
 from ...kernels.poses.pair_fits import PairCoordinates
-from ...kernels.poses.pose_hypotheses import score_poses
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ..assessment_constants import CHANCE_FEATURES, MIN_DETAIL_MATCHES, MIN_RELIEF
 from ..correspondence_input import check_clouds, check_pairs, pairs_on_device
-from ..evidence import Evidence, Witness, compare_under, complete, rate_under
+from ..evidence import Witness
 from ..icp.evaluation import evaluate_registration
 from ..result import Motions, Outcome, Registered, RegistrationResult
 from ..rigid import make_pose, to_world
 from ..surfaces import surface_of, surfaces_of
 from .level_poses import MAX_TILT, check_level, level_poses
+from .pose_selection import PoseSelection
 from .ransac import no_pose
-from .rating import moved_samples, refine_poses
+from .rating import moved_samples
 
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
 NOISE_VOXELS = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
 MIN_POINTS = 10  # minimum surface points
 MAX_CANDIDATES = 8  # maximum number of refined poses
 MIN_RIVAL_SUPPORT = 0.3  # minimum relative support of a rival
-# Relative share above which evidence is equal, chosen with those of rating.py. Second poses of right results have up to
-# 0.33 beside the planes. A staircase moved by one step has 0.74.
-EQUAL_EVIDENCE_RATIO = 0.7
-EQUAL_RELIEF = 0.75  # correlation of the slopes above which ground or steps are an alternative
-POSE_SEPARATION = 2.0  # match distances between distinct poses
-# Motions with eigenvalues below this fraction of the largest are not refined. ICP leaves out those below 5e-3, such as
-# shifts along ground with slopes of 3 degrees, and 7 poses stayed 0.03 to 0.3 m off there. All converged with 1e-3.
-MIN_EIGENVALUE_RATIO = 1e-3
-FIRST_STEPS, FINAL_STEPS = 8, 30  # ICP iterations: before the comparison, and for the best pose and its alternatives
 
 
 class Description(NamedTuple):
@@ -126,10 +115,11 @@ def register_globally(
         (True, True, True)
     """
     check_clouds(source, target)
-    size, chooser = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER), check_seed(seed)
+    size = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER)
+    seed = check_seed(seed)
     level = None if free is None else check_level(free)
     described = describe_each([source, target], size)
-    return register_described(*described, seed=chooser, refine=refine, free=level)
+    return register_described(*described, seed=seed, refine=refine, free=level)
 
 
 def describe_each(clouds: Sequence[PointCloud], voxel_size: float) -> list[Description]:
@@ -148,7 +138,8 @@ def describe(cloud: PointCloud, voxel_size: float, surface: Surface | None = Non
 def register_described(
     left: Description, right: Description, *, seed: int = 0, refine: bool = True, free: Sequence[str] | None = None
 ) -> RegistrationResult:
-    source, target, size = left.cloud, right.cloud, left.voxel_size
+    source, target = left.cloud, right.cloud
+    size = left.voxel_size
     witnesses = left.witness, right.witness
     surfaces = witnesses[0].surface, witnesses[1].surface
     for name, surface in zip(("source", "target"), surfaces, strict=True):
@@ -170,9 +161,10 @@ def register_described(
             tilt = np.degrees(MAX_TILT)
             return _unknown(f"all {len(consensus.poses)} candidate poses tilt by {tilt:.0f} degrees or more", source)
     rivals = int((support >= MIN_RIVAL_SUPPORT * support[0]).sum())
-    limits = rivals, NOISE_VOXELS * size, refine, free
-    result, evidence, others = _choose(*witnesses, pairs, poses[:MAX_CANDIDATES], *limits)
-    score, equals = evidence.score, 1 + len(others)
+    selection = PoseSelection(*witnesses, NOISE_VOXELS * size, refine, free)
+    result, evidence, others = selection.select(poses[:MAX_CANDIDATES], rivals, pairs)
+    score = evidence.score
+    equals = 1 + len(others)
     origins = source.arrays.origin, target.arrays.origin
     T = to_world(result.transformation, *origins)
     pair = source.with_arrays(source.arrays, grid=source.grid), target.with_arrays(target.arrays, grid=target.grid)
@@ -195,100 +187,6 @@ def register_described(
         chosen.warnings = (_ambiguity(shifts),)
     report("registration", source=source, target=target, result=chosen)
     return chosen
-
-
-def _choose(
-    source: Witness,
-    target: Witness,
-    pairs: wp.array,
-    candidates: NDArray[np.float64],
-    rivals: int,
-    distance: float,
-    refine: bool,
-    free: Sequence[str] | None,
-) -> tuple[RegistrationResult, Evidence, list[NDArray[np.float64]]]:
-    """The refined pose with most evidence of the first candidates, its evidence, and equally good poses of all."""
-    steps, refined = FIRST_STEPS if refine else 0, partial(refine_poses, [source.surface], [target.surface])
-    first = refined(candidates[:rivals], distance, steps, free, MIN_EIGENVALUE_RATIO)
-    poses = np.array([result.transformation for result in first])
-    evidences = compare_under(source.surface, target.surface, poses, distance)
-    order = _distinct_poses(
-        source.surface, poses, np.argsort([-rated.odds for rated in evidences], kind="stable"), distance
-    )
-    likely = [k for k in order if evidences[k].score > 0.5]
-    beside = compare_under(source.surface, target.surface, poses[likely], distance, beside_planes=True)
-    rests = dict(zip(likely, beside, strict=True))
-    rated = {k: complete(evidences[k], source, target, poses[k], distance, rests.get(k)) for k in order}
-    supported = {k: rated[k].rest for k in order if rated[k].score > 0.5}
-    best = max(supported, key=supported.__getitem__, default=order[0])
-    result = first[best]
-    if refine:
-        result = refined(poses[best : best + 1], distance, FINAL_STEPS, free, MIN_EIGENVALUE_RATIO)[0]
-        result.iterations += first[best].iterations
-        # The reported free motions are those of ICP, which include weakly determined ones.
-        last = refined(result.transformation[None], distance, 1, free)[0]
-        result.degenerate_directions = last.degenerate_directions
-    ratio = _compare_features(source.surface, target.surface, pairs, result.transformation, candidates, distance)
-    rate, pose = partial(rate_under, source, target, distance=distance, details=True), result.transformation
-    evidence = rate(pose[None], feature_ratio=ratio, is_likely=best in supported)[0]
-    if evidence.score <= 0.5:
-        equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
-        return result, evidence, [poses[k] for k in equals]
-    more = refined(candidates[rivals:], distance, steps, free, MIN_EIGENVALUE_RATIO)
-    poses = np.array([result.transformation, *poses, *(one.transformation for one in more)])
-    order = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
-    totals = compare_under(source.surface, target.surface, poses[order], distance)
-    min_fraction = EQUAL_EVIDENCE_RATIO * evidence.fraction
-    alike = [k for k, total in zip(order, totals, strict=True) if total.fraction >= min_fraction]
-    if refine:  # an alternative is another minimum, not a pose on the way to the same one
-        converged = refined(poses[alike], distance, FINAL_STEPS, free, MIN_EIGENVALUE_RATIO)
-        poses = np.array([result.transformation, *(one.transformation for one in converged)])
-        alike = _distinct_poses(source.surface, poses, np.arange(len(poses)), distance)[1:]
-    rated = dict(zip(alike, rate(poses[alike], is_likely=True), strict=True))
-    return result, evidence, [poses[k] for k in alike if _is_equal(rated[k], evidence)]
-
-
-def _compare_features(
-    source: Surface,
-    target: Surface,
-    pairs: wp.array,
-    pose: NDArray[np.float64],
-    others: NDArray[np.float64],
-    distance: float,
-) -> float:
-    """Correspondences within the distance under a pose, relative to the best distinct pose of others. One sync."""
-    moved, center = moved_samples(source, np.stack([pose, *others])), np.zeros(3, np.float32)
-    is_distinct = ((moved[1:] - moved[0]) ** 2).sum(axis=2).mean(axis=1) > (POSE_SEPARATION * distance) ** 2
-    poses = np.stack([pose, *others[is_distinct]])
-    counts = zeros(len(poses), int32, source.device)
-    coordinates = PairCoordinates(source.points, target.points, pairs, center, center, are_finite=True)
-    score_poses(coordinates, upload(poses, mat44d, source.device), distance, counts)
-    agreeing = download(counts).astype(float)  # sync
-    return float(agreeing[0] / max([CHANCE_FEATURES, *agreeing[1:]]))
-
-
-def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
-    """Indices, in order, of poses that move the source differently from all earlier ones."""
-    moved, selected = moved_samples(source, poses), [int(order[0])]
-    for k in order[1:].tolist():
-        if ((moved[selected] - moved[k]) ** 2).sum(axis=2).mean(axis=1).min() > (POSE_SEPARATION * distance) ** 2:
-            selected.append(k)
-    return selected
-
-
-def _is_equal(evidence: Evidence, best: Evidence) -> bool:
-    """True if a pose has about as much evidence as the best, in total and without planes."""
-    if best.score <= 0.5:
-        return 0 < EQUAL_EVIDENCE_RATIO * best.fraction <= evidence.fraction
-    if evidence.details is not None:  # an alternative needs less proof than a result
-        unexplained = (1 - evidence.details.relief) * (1 - MIN_RELIEF) / (1 - EQUAL_RELIEF)
-        matches = max(evidence.details.matches, MIN_DETAIL_MATCHES)
-        evidence = evidence._replace(details=evidence.details._replace(relief=1 - unexplained, matches=matches))
-    return (
-        evidence.score > 0.5
-        and EQUAL_EVIDENCE_RATIO * best.fraction <= evidence.fraction
-        and EQUAL_EVIDENCE_RATIO * best.rest <= evidence.rest
-    )
 
 
 def _ambiguity(shifts: NDArray[np.float64]) -> str:
@@ -363,9 +261,10 @@ def registration_robust_based_on_correspondence(
         (True, True)
     """
     check_clouds(source, target)
-    bound, chooser = check_positive("noise_bound", noise_bound), check_seed(seed)
+    bound = check_positive("noise_bound", noise_bound)
+    seed = check_seed(seed)
     pairs = _distinct(corres, source, target)
-    return _register(source, target, pairs, bound, chooser)
+    return _register(source, target, pairs, bound, seed)
 
 
 def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:

@@ -37,8 +37,9 @@ from ..pose_check import describe_open
 from ..result import MIN_FITNESS, Registered, RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
-from .global_registration import POSE_SEPARATION, register_globally
+from .global_registration import register_globally
 from .level_poses import check_level
+from .pose_selection import POSE_SEPARATION
 from .rating import score_registration
 
 Matrix = NDArray[np.float64]
