@@ -133,8 +133,16 @@ def registration_icp(
     """
     fixed = None if constraint is None else constraints_of(constraint)
     options = ICPOptions(overlap, max_normal_angle, degeneracy, fixed, weights)
-    pair = source, target, max_correspondence_distance, init
-    return run_icp(*pair, estimation_method, criteria, callback_after_iteration, options)
+    return run_icp(
+        source,
+        target,
+        max_correspondence_distance,
+        init,
+        estimation_method,
+        criteria,
+        callback_after_iteration,
+        options,
+    )
 
 
 def run_icp(
@@ -159,7 +167,7 @@ def run_icp(
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     result = problem.results()[0]
     if result.fitness < LOW_FITNESS:
-        warn_of_low_fitness(result, source, target, poses[0], max_correspondence_distance)
+        warn_of_low_fitness(result, source, target, poses[0], distance)
     report("registration", source=source, target=target, result=result)
     return result
 
@@ -249,7 +257,7 @@ def check_rules(method: object, criteria: object) -> tuple[TransformationEstimat
 
 def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> bool:
     """Report the last evaluated pose to observers and the callback. True if there is another iteration."""
-    state, goes_on = problem.judged()
+    state, goes_on = problem.progress()
     report("icp", source=source, target=target, **state)
     if callback is not None and state["iteration_index"] > 0:
         callback(state)

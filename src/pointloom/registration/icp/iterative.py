@@ -22,11 +22,13 @@ from ...kernels.icp.voxel_gaussians import VoxelGaussians
 from ...kernels.lang import int32
 from ...kernels.memory import upload
 from ...kernels.search.many_clouds import ManyClouds
+from ...kernels.search.point_forest import PointForest
 from ...pcd.cloud import PointCloud
 from ..result import Motions, Outcome, RegistrationResult
 from ..rigid import to_local, to_world
 from .constraint import JobConstraints, make_freedom
 from .estimation import Columns, TransformationEstimation
+from .iteration import Iteration
 from .matched_clouds import MatchedClouds, grow_forest, order_points
 from .preparation import Side, point_weights
 
@@ -103,36 +105,34 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
     ):
         super().__init__(source_clouds, target_clouds, distance, estimation)
         options = ICPOptions() if options is None else options
-        self.degeneracy = options.degeneracy
+        self.degeneracy, self.constraint = options.degeneracy, options.constraint
         sources, targets = self._sides(options.max_normal_angle is not None, are_finite=options.are_finite)
         self.source_clouds = order_points(sources)
         source = _point_columns(self.source_clouds, sources.columns)
-        forest, gaussians, target = None, None, PointColumns()
-        if estimation._target_voxel_size is None:
-            forest = grow_forest(targets)
-            target = _point_columns(forest.clouds, targets.columns)
-        else:
-            gaussians = _make_gaussians(targets, estimation._target_voxel_size)
+        forest, gaussians, target = _prepare_targets(targets, estimation._target_voxel_size)
         jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
-        geometry = estimation.geometry()
         local = to_local(poses, *self.origins)
-        self.loop = RegistrationLoop(jobs, local, distance, gaussians, separate_geometry=geometry is not None)
-        self.constraint, self.freedom = options.constraint, None
-        if options.constraint is not None:
-            self.freedom = self._make_freedom(options.constraint, local)
+        geometry = estimation.geometry()
+        self.loop = loop = RegistrationLoop(jobs, local, distance, gaussians, separate_geometry=geometry is not None)
+        if gaussians is not None:
+            target = PointColumns(covariances=loop.target_covariances)
         if options.weights is not None:
             columns = point_weights(self._sources, options.weights, self._source_names)
-            self.loop.matches.weigh(self.source_clouds.gather(columns))
-        if gaussians is not None:
-            target = PointColumns(covariances=self.loop.target_covariances)
-        self._arguments = estimation.arguments(self.loop, source, target)
-        self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
-        self._rejection = None
-        if options.overlap is None or options.overlap < 1 or options.max_normal_angle is not None:
-            self._rejection = self._make_rejection(options, source, target)
+            loop.matches.weigh(self.source_clouds.gather(columns))
+        self.freedom = None if self.constraint is None else self._make_freedom(self.constraint, local)
+        self.iteration = Iteration(
+            estimation,
+            loop,
+            estimation.arguments(loop, source, target),
+            None if geometry is None else geometry.arguments(loop, source, target),
+            self._make_rejection(options, source, target),
+            self.freedom,
+        )
 
-    def _make_rejection(self, options: ICPOptions, source: PointColumns, target: PointColumns) -> PairRejection:
+    def _make_rejection(self, options: ICPOptions, source: PointColumns, target: PointColumns) -> PairRejection | None:
         overlap, angle = options.overlap, options.max_normal_angle
+        if overlap == 1 and angle is None:
+            return None
         counts, sizes = self.loop.jobs.counts, self.loop.progress.sizes if overlap is None else None
         pair_limit = None if overlap is None or overlap >= 1 else np.ceil(overlap * counts).astype(np.int32)
         normals = None if angle is None else (source.normals, target.normals, float(np.cos(angle)))
@@ -151,25 +151,15 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         watch: Callable[[], bool] | None = None,
     ) -> None:
         """Run all jobs. The default `relative_rmse` [m] is MIN_RMSE_CHANGE times each source's spread."""
-        estimation, loop = self.estimation, self.loop
         limits = (0.0, MIN_RMSE_CHANGE) if relative_rmse is None else (relative_rmse, 0.0)
         criteria = max_iteration, relative_fitness, *limits
-        rules = StepRules(estimation.method, estimation.scales, criteria, self.degeneracy)
-
-        def iterate() -> None:
-            loop.match()
-            if self._rejection is not None:
-                self._rejection.run()
-            estimation.prepare(loop)
-            loop.sum_rows(estimation.rows, self._arguments, self._plain_arguments)
-            loop.step(rules, self.freedom)
-
+        rules = StepRules(self.estimation.method, self.estimation.scales, criteria, self.degeneracy)
         if max_iteration == 0 and watch is None:  # a single iteration is not worth a graph
-            iterate()
-            return
-        loop.run(iterate, watch)
+            self.iteration.run(rules)
+        else:
+            self.loop.run(lambda: self.iteration.run(rules), watch)
 
-    def judged(self) -> tuple[dict[str, Any], bool]:
+    def progress(self) -> tuple[dict[str, Any], bool]:
         """Steps, world pose, fitness and rmse of the first job, and whether any job continues."""
         states = self.loop.states.download()  # sync
         state = {
@@ -210,6 +200,16 @@ class IterativeRegistration(MatchedClouds[RegistrationLoop]):
         for result in results if self.estimation.scales else ():
             result.check_scale()
         return results
+
+
+def _prepare_targets(
+    targets: Side, voxel_size: float | None
+) -> tuple[PointForest | None, VoxelGaussians | None, PointColumns]:
+    """Targets to search, with their columns, or voxels [m] that points are looked up in."""
+    if voxel_size is not None:
+        return None, _make_gaussians(targets, voxel_size), PointColumns()
+    forest = grow_forest(targets)
+    return forest, None, _point_columns(forest.clouds, targets.columns)
 
 
 def _make_gaussians(targets: Side, voxel_size: float) -> VoxelGaussians:

@@ -49,7 +49,7 @@ def fit_step(
     loop = problem.loop
     fill(loop.progress.iterations, iteration)
     method.prepare(loop)
-    loop.sum_rows(method.rows, problem._arguments, problem._plain_arguments)
+    loop.sum_rows(method.rows, problem.iteration.arguments, problem.iteration.unweighted_arguments)
     loop.step(StepRules(method.method, method.scales, (iteration + 1, 0.0, 0.0, 0.0), MIN_RELATIVE_EIGENVALUE))
     return matmul(problem.results()[0].transformation, invert_pose(pose))
 
@@ -62,7 +62,7 @@ def residual_rmse(source: PointCloud, target: PointCloud, corres: ArrayLike, met
     if not len(pairs):
         return 0.0
     plain.prepare(problem.loop)
-    problem.loop.sum_rows(plain.rows, problem._arguments)
+    problem.loop.sum_rows(plain.rows, problem.iteration.arguments)
     sums = download(problem.loop.progress.totals)[0]  # sync
     return float(np.sqrt(sums[RESIDUAL_AT] / max(sums[COUNT_AT], 1)))
 
