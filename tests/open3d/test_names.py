@@ -1,10 +1,12 @@
 """Modules, names and data sets of Open3D: those that are missing raise errors with the equivalents."""
 
+import inspect
 import re
 from pathlib import Path
 
 import pytest
 
+import pointloom as loom
 import pointloom.open3d as o3d
 from pointloom.core.errors import FileError
 from pointloom.core.open3d_names import BRIDGE, sections
@@ -77,6 +79,19 @@ MOVED = "registration", "integration", "odometry", "color_map"
 def test_a_missing_name_or_module_is_an_error_with_the_equivalent(line, message):
     with pytest.raises(ImportError if "import " in line else AttributeError, match=message):
         exec(line, {"o3d": o3d})
+
+
+def test_native_classes_of_registration_have_the_public_names_of_open3d():
+    """Such as `TukeyLoss`: users of Open3D type the name first, and no other call creates the object."""
+    theirs = o3d.pipelines.registration
+    classes = {name: value for name in theirs.__all__ if hasattr(value := getattr(theirs, name), "native_kind")}
+    named = [name for name, value in classes.items() if getattr(value.native_kind(), "__name__", "") == name]
+    assert len(named) >= 23
+    for name in named:
+        native = getattr(loom.registration, name)
+        assert native is classes[name].native_kind()
+        given, wanted = ([*inspect.signature(each).parameters] for each in (native, classes[name]))
+        assert given[: len(wanted)] == wanted or wanted == ["other"], name  # `other` is copied
 
 
 def test_modules_are_imported_by_any_statement():

@@ -263,8 +263,8 @@ def test_registration_takes_the_trees_that_its_clouds_keep(device, rng, builds):
     first = registration.registration_icp(source, target, 0.1)
     source = source.estimate_normals(max_nn=12)
     again = registration.registration_icp(source, target, 0.1)
-    make = registration.TransformationEstimation
-    for method in (make.colored(), make.generalized()):
+    for name in ("ForColoredICP", "ForGeneralizedICP"):
+        method = getattr(registration, f"TransformationEstimation{name}")()
         registration.registration_icp(source, target, 0.1, None, method)
     assert builds == [800, 700]
     np.testing.assert_array_equal(first.transformation, again.transformation)
