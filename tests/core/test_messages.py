@@ -183,7 +183,7 @@ MESSAGES = [
     ("cloud.voxel_down_sample(voxle_size=1)", "did you mean 'voxel_size'"),
     ("cloud.voxel_down_sample()", "PointCloud.voxel_down_sample.. is missing voxel_size"),
     ("loom.compute_fpfh_feature(cloud, 0.25, 100)", r"write compute_fpfh_feature\(cloud, radius=0\.25, max_nn=100\)"),
-    ("loom.TSDFVolume(0.02, 0.08)", r"write TSDFVolume\(voxel_size=0\.02, truncation=0\.08\)"),
+    ("loom.TSDFVolume(0.02, 0.08, True)", r"write TSDFVolume\(0\.02, 0\.08, color=True\)"),
     ("loom.PointCloud(cloud.points, cloud.points)", r"write PointCloud\(points, normals=\.\.\.\)"),
     ("loom.render(cloud, zoom=0.5)", r"a view is the second argument of render: loom\.render\(cloud, \{\"zoom\": 0\.5"),
     ("loom.draw(cloud, foo=1)", "has no argument 'foo'; it takes geometries, width, height"),

@@ -94,6 +94,25 @@ def test_native_classes_of_registration_have_the_public_names_of_open3d():
         assert given[: len(wanted)] == wanted or wanted == ["other"], name  # `other` is copied
 
 
+@pytest.mark.parametrize("name", ["write_point_cloud", "write_triangle_mesh"])
+def test_options_of_native_writers_have_the_names_of_open3d(name):
+    theirs, native = (inspect.signature(getattr(module, name)).parameters.keys() for module in (o3d.io, loom))
+    assert {option for option in theirs if option.startswith("write_")} <= native
+
+
+def test_volumes_take_the_size_of_voxels_and_the_truncation_by_position_as_in_open3d(tmp_path):
+    volumes = loom.TSDFVolume(0.05, 0.1), loom.PagedTSDFVolume(tmp_path / "pages", 0.05, 0.1)
+    assert {(volume.voxel_size, volume.truncation) for volume in volumes} == {(0.05, 0.1)}
+    assert [*inspect.signature(o3d.pipelines.integration.ScalableTSDFVolume).parameters][:2] == [
+        "voxel_length",
+        "sdf_trunc",
+    ]
+
+
+def test_features_are_in_the_module_of_open3d():
+    assert loom.registration.compute_fpfh_feature is loom.compute_fpfh_feature
+
+
 def test_modules_are_imported_by_any_statement():
     exec("""import pointloom.open3d.core as o3c
 import pointloom.open3d.t.geometry

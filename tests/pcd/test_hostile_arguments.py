@@ -1,7 +1,7 @@
 """Every argument of every public function rejects invalid values quickly, with an error that names it.
 
-The checks run on the host, so only the CPU is tested. Switches (`invert`, `ascii`, ...) are excluded, since every value
-is valid for them. Records returned by operations are excluded, too.
+The checks run on the host, so only the CPU is tested. Switches (`invert`, `write_ascii`, ...) are excluded, since every
+value is valid for them. Records returned by operations are excluded, too.
 """
 
 import contextlib

@@ -375,7 +375,7 @@ def test_a_robust_kernel_of_colored_icp_ignores_wrong_colors(rng):
 
 
 def test_a_robust_kernel_of_symmetric_icp_ignores_a_displaced_part(rng):
-    """A fifth of the source is 2 cm above the surface. Both normals count, so the kernel's scale is twice a distance."""
+    """A fifth of the source is 2 cm above the surface. Both normals count: residuals are twice a distance."""
     points = wavy(rng, 3000)
     target = loom.PointCloud(points, normals=wavy_normals(points))
     T = as_pose([0, 0, 0.01], [0.02, 0.01, 0.0])

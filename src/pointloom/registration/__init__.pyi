@@ -1,5 +1,6 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
+from ..pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
 from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker

@@ -46,8 +46,8 @@ class TransformationEstimation:
     """
 
     _internal: ClassVar[tuple[str, ...]] = (
-        "arguments", "constrainable", "geometry", "in_sensor_frame", "method", "needs_colors", "needs_normals", "prepare",
-        "residual_count", "rows", "scales", "flattens_covariances",
+        "arguments", "constrainable", "flattens_covariances", "geometry", "in_sensor_frame", "method", "needs_colors",
+        "needs_normals", "prepare", "residual_count", "rows", "scales",
     )  # fmt: skip
     rows: ClassVar[Any]
     method: ClassVar[int] = GAUSS_NEWTON
