@@ -1,5 +1,6 @@
 """Modules, names and data sets of Open3D: those that are missing raise errors with the equivalents."""
 
+import functools
 import inspect
 import re
 from pathlib import Path
@@ -107,6 +108,41 @@ def test_volumes_take_the_size_of_voxels_and_the_truncation_by_position_as_in_op
         "voxel_length",
         "sdf_trunc",
     ]
+
+
+def modules_of(package, path=""):
+    """Each module of `pointloom.open3d` with its path from the package, without data sets and tensor kernels."""
+    for name in dir(package):
+        value = getattr(package, name) if not name.startswith("_") and name not in ("data", "robust_kernel") else None
+        if inspect.ismodule(value) and value.__name__ == f"{package.__name__}.{name}":
+            yield f"{path}{name}", value
+            yield from modules_of(value, f"{path}{name}.")
+
+
+def test_paths_of_open3d_lead_to_the_names_of_pointloom():
+    packages = [loom, loom.registration, loom.rgbd, loom.meshing]
+    found = 0
+    for path, module in modules_of(o3d):
+        at = functools.reduce(getattr, path.split("."), loom)
+        for name in getattr(module, "__all__", ()):
+            native = [getattr(package, name) for package in packages if name in package.__all__]
+            if native and not inspect.ismodule(native[0]):
+                assert getattr(at, name) in native, f"{path}.{name}"
+                found += 1
+    assert found > 60
+    assert not {"io", "geometry", "core"} & {*dir(loom)}  # they repeat names
+    assert {"PointCloud", "TriangleMesh"} <= {*dir(loom.geometry)}
+
+
+def test_enumerations_and_vectors_of_open3d_are_taken_at_their_paths():
+    cloud = loom.PointCloud(loom.utility.Vector3dVector([[0, 0, 0], [1, 2, 3]]))
+    assert cloud.points.tolist() == [[0, 0, 0], [1, 2, 3]]
+    box, scope = loom.TriangleMesh.create_box(), loom.geometry.FilterScope.Vertex
+    assert (
+        box.filter_smooth_simple(1, scope).vertices.tolist() == box.filter_smooth_simple(1, "vertex").vertices.tolist()
+    )
+    kinect = loom.camera.PinholeCameraIntrinsicParameters.PrimeSenseDefault
+    assert loom.PinholeCameraIntrinsic(kinect) == loom.PinholeCameraIntrinsic.prime_sense_default()
 
 
 def test_features_are_in_the_module_of_open3d():
