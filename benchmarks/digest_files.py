@@ -16,8 +16,8 @@ from digest_scenes import Scenes, loom, pose_of, reg
 from numpy.typing import NDArray
 
 CLOUDS = {
-    "ply": {}, "ascii.ply": {"write_ascii": True}, "pcd": {}, "ascii.pcd": {"write_ascii": True}, "npz": {}, "xyz": {}, "xyzn": {},
-    "xyzrgb": {}, "pts": {}, "las": {"scale": 1e-4}, "laz": {"scale": 1e-4}, "copc.laz": {"scale": 1e-4},
+    "ply": {}, "ascii.ply": {"write_ascii": True}, "pcd": {}, "ascii.pcd": {"write_ascii": True}, "npz": {}, "xyz": {},
+    "xyzn": {}, "xyzrgb": {}, "pts": {}, "las": {"scale": 1e-4}, "laz": {"scale": 1e-4}, "copc.laz": {"scale": 1e-4},
 }  # fmt: skip
 LEFT_OUT = {
     "xyz": ("normals", "colors", "intensity", "label"), "xyzn": ("colors", "intensity", "label"),

@@ -374,6 +374,15 @@ def test_a_robust_kernel_of_colored_icp_ignores_wrong_colors(rng):
     assert errors[1] < 0.3 * errors[0]
 
 
+@pytest.mark.parametrize("name", ["PointToPoint", "PointToPlane", "Symmetric", "ForGeneralizedICP", "ForColoredICP"])
+def test_a_kernel_may_be_the_only_argument_of_an_estimator_as_in_open3d(name):
+    make = getattr(reg, f"TransformationEstimation{name}")
+    assert make(reg.TukeyLoss(0.1)) == make(kernel=reg.TukeyLoss(0.1)) != make()
+    if name.startswith("For"):
+        with pytest.raises(TypeError, match="expected a number, got TukeyLoss"):
+            make(reg.TukeyLoss(0.1), kernel=reg.HuberLoss(0.1))
+
+
 def test_a_robust_kernel_of_symmetric_icp_ignores_a_displaced_part(rng):
     """A fifth of the source is 2 cm above the surface. Both normals count: residuals are twice a distance."""
     points = wavy(rng, 3000)

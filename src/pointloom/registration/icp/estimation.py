@@ -35,6 +35,8 @@ MIN_SQUARES = L2Loss()
 class TransformationEstimation:
     """An estimator of ICP, which computes a pose from pairs: the base class of the estimators.
 
+    As in Open3D, a kernel may be the only argument: `TransformationEstimationForColoredICP(TukeyLoss(0.1))`.
+
     Raises:
         TypeError: `kernel` is not a kernel.
 
@@ -58,6 +60,11 @@ class TransformationEstimation:
     in_sensor_frame: ClassVar[bool] = False  # True if the coordinate origin must be the sensor
 
     def __post_init__(self) -> None:
+        names = [field.name for field in dataclasses.fields(self)]
+        only = getattr(self, names[0]) if names else None
+        if isinstance(only, RobustKernel) and names[0] != "kernel" and getattr(self, "kernel", None) == MIN_SQUARES:
+            object.__setattr__(self, "kernel", only)
+            object.__setattr__(self, names[0], getattr(type(self), names[0]))  # its default
         for field in dataclasses.fields(self):
             value = getattr(self, field.name)
             if field.name.endswith("kernel") and not isinstance(value, RobustKernel):
