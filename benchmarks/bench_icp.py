@@ -78,12 +78,11 @@ def street() -> Pair:
 def pointloom_iterating(name: str) -> Any:
     def prepare(scene: Pair, device: str) -> Any:
         import pointloom as loom
-        from pointloom.registration.icp import estimation
 
         reg = loom.registration
         source, target = (loom.PointCloud(p, device=device) for p in (scene.source, scene.target))
         target = target.estimate_normals(max_nn=NORMALS_NN)
-        method = getattr(estimation, f"TransformationEstimation{name}")()
+        method = getattr(reg, f"TransformationEstimation{name}")()
         rules = reg.ICPConvergenceCriteria(0, 0, ITERATIONS)
         align = waiting(lambda pair: reg.registration_icp(*pair, DISTANCE, None, method, rules), device, "warp")
         return Trial(align, setup=lambda: (anew(source), anew(target)))
@@ -176,7 +175,7 @@ def prepare_pointloom(scene: Pair, device: str) -> Any:
     reg = loom.registration
     clouds = [loom.PointCloud(p, device=device) for p in (scene.source, scene.target)]
     rules = reg.ICPConvergenceCriteria(1e-3, 1e-3 * scene.voxel_size, 20)
-    method = reg.TransformationEstimation.generalized()
+    method = reg.TransformationEstimationForGeneralizedICP()
 
     def align() -> Any:
         source, target = (c.voxel_down_sample(scene.voxel_size).estimate_normals(max_nn=COVARIANCE_NN) for c in clouds)

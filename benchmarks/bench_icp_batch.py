@@ -65,7 +65,7 @@ def prepare_pointloom(scene: Patches, device: str) -> Any:
     sources = [loom.PointCloud(p, device=device) for p in scene.sources]
     pairs = zip(scene.targets, scene.normals, strict=True)
     targets = [loom.PointCloud(p, normals=n, device=device) for p, n in pairs]
-    method = reg.TransformationEstimation.point_to_plane()
+    method = reg.TransformationEstimationPointToPlane()
     options = {"degeneracy": 0}  # some patches are nearly flat: pointloom would fix a motion, Open3D would not
     batch = reg.registration_icp_batch
     rules = reg.ICPConvergenceCriteria(

@@ -34,8 +34,8 @@ def prepare_pointloom(scene: Pair, device: str) -> Any:
     registration, size = loom.registration, scene.voxel_size
     clouds = [loom.PointCloud(points, device=device) for points in (scene.source, scene.target)]
     checkers = [
-        registration.CorrespondenceChecker.by_edge_length(0.9),
-        registration.CorrespondenceChecker.by_distance(1.5 * size),
+        registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+        registration.CorrespondenceCheckerBasedOnDistance(1.5 * size),
     ]
     limits = {"num_iterations": MAX_ITERATION, "confidence": CONFIDENCE}
 

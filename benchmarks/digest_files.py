@@ -16,14 +16,14 @@ from digest_scenes import Scenes, loom, pose_of, reg
 from numpy.typing import NDArray
 
 CLOUDS = {
-    "ply": {}, "ascii.ply": {"ascii": True}, "pcd": {}, "ascii.pcd": {"ascii": True}, "npz": {}, "xyz": {}, "xyzn": {},
-    "xyzrgb": {}, "pts": {}, "las": {"scale": 1e-4}, "laz": {"scale": 1e-4}, "copc.laz": {"scale": 1e-4},
+    "ply": {}, "ascii.ply": {"write_ascii": True}, "pcd": {}, "ascii.pcd": {"write_ascii": True}, "npz": {}, "xyz": {},
+    "xyzn": {}, "xyzrgb": {}, "pts": {}, "las": {"scale": 1e-4}, "laz": {"scale": 1e-4}, "copc.laz": {"scale": 1e-4},
 }  # fmt: skip
 LEFT_OUT = {
     "xyz": ("normals", "colors", "intensity", "label"), "xyzn": ("colors", "intensity", "label"),
     "xyzrgb": ("normals", "intensity", "label"), "pts": ("normals", "label"),
 }  # fmt: skip
-MESHES = {"ply": {}, "ascii.ply": {"ascii": True}, "obj": {}, "stl": {}, "off": {}, "glb": {}, "gltf": {}}
+MESHES = {"ply": {}, "ascii.ply": {"write_ascii": True}, "obj": {}, "stl": {}, "off": {}, "glb": {}, "gltf": {}}
 
 # Times that formats require.
 CHANGING = re.compile(rb"\d{4}-\d\d-\d\dT[\d:.]+Z?")

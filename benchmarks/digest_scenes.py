@@ -30,12 +30,6 @@ def reg() -> Any:
     return loom().registration
 
 
-def estimators() -> Any:
-    from pointloom.registration.icp import estimation
-
-    return estimation
-
-
 @dataclass(eq=False)
 class SampledSurface:
     """A surface sampled twice.

@@ -110,7 +110,7 @@ def every_name(_: None) -> list[Any]:
 
 def icp(data: tuple[Any, Any]) -> Any:
     registration = loom().registration
-    return registration.registration_icp(*data, 0.3, None, registration.TransformationEstimation.point_to_plane())
+    return registration.registration_icp(*data, 0.3, None, registration.TransformationEstimationPointToPlane())
 
 
 OPERATIONS: dict[str, FirstUse] = {

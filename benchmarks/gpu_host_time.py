@@ -144,7 +144,7 @@ def registration_operations() -> dict[str, Callable[[], Any]]:
     source = loom.PointCloud(scenes.bumpy_surface(3000, 0), device=DEVICE).to(DEVICE, arrays="warp")
     target = loom.PointCloud(scenes.bumpy_surface(3000, 1), device=DEVICE).estimate_normals(max_nn=20)
     steps = reg.ICPConvergenceCriteria(0, 0, 20)
-    plane, general = reg.TransformationEstimation.point_to_plane(), reg.TransformationEstimation.generalized()
+    plane, general = reg.TransformationEstimationPointToPlane(), reg.TransformationEstimationForGeneralizedICP()
     drive = street.drive(WARM_UP + 14, sway=0.2, azimuths=225)
     scans = [loom.PointCloud(p, device=DEVICE, time=t) for p, t in zip(drive.scans, drive.times, strict=True)]
     run = reg.LidarOdometry(voxel_size=1.0, device=DEVICE)

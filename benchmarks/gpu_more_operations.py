@@ -32,7 +32,7 @@ def _gicp(size: int) -> Call:
 
     reg, shift = loom.registration, [0.01, 0.01, 0.0]
     source, target = loom.PointCloud(surface_of(size, 1) + shift, device=DEVICE), cloud_of(size)
-    method = reg.TransformationEstimation.generalized()
+    method = reg.TransformationEstimationForGeneralizedICP()
     return lambda: reg.registration_icp(source, target, 0.1, None, method)
 
 

@@ -95,7 +95,7 @@ def _icp(size: int) -> Callable[[], Any]:
     points = (surface_of(size, 1) - T[:3, 3]) @ T[:3, :3]
     source, target = loom.PointCloud(points, device=DEVICE), cloud_of(size).estimate_normals(max_nn=20)
     reg = loom.registration
-    method = reg.TransformationEstimation.point_to_plane()
+    method = reg.TransformationEstimationPointToPlane()
 
     def align(steps: int) -> Any:
         rules = reg.ICPConvergenceCriteria(0, 0, steps)
@@ -116,7 +116,7 @@ def _ransac(samples: int) -> Callable[[], Any]:
     wrong = rng.random(count) < 0.6
     pairs[wrong, 1] = rng.integers(0, count, wrong.sum())
     reg = loom.registration
-    checkers = [reg.CorrespondenceChecker.by_edge_length(0.9), reg.CorrespondenceChecker.by_distance(1.5 * voxel)]
+    checkers = [reg.CorrespondenceCheckerBasedOnEdgeLength(0.9), reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel)]
     call = reg.registration_ransac_based_on_correspondence
     return lambda: call(source, target, pairs, 1.5 * voxel, checkers=checkers, num_iterations=samples, confidence=1.0)
 

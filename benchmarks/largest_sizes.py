@@ -64,7 +64,7 @@ class Cloud:
 
 
 def registered(c: Cloud) -> Any:
-    plane = loom.registration.TransformationEstimation.point_to_plane()
+    plane = loom.registration.TransformationEstimationPointToPlane()
     target = c.normals()
     return loom.registration.registration_icp(c.cloud, target, 3 * c.spacing, estimation_method=plane)
 

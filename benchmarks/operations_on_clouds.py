@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from digest_scenes import HEIGHT, WIDTH, SampledSurface, about, estimators, loom, pose_of, reg
+from digest_scenes import HEIGHT, WIDTH, SampledSurface, about, loom, pose_of, reg
 from operation import Operation, records
 
 
@@ -64,7 +64,7 @@ def search(p: SampledSurface) -> Any:
 
 def icp(p: SampledSurface, method: str = "PointToPoint", **options: Any) -> Any:
     """ICP with an estimator whose options are given by keyword."""
-    estimation = getattr(estimators(), f"TransformationEstimation{method}")(**options)
+    estimation = getattr(reg(), f"TransformationEstimation{method}")(**options)
     return reg().registration_icp(p.source, p.facing, p.max_distance, None, estimation)
 
 
@@ -77,7 +77,7 @@ def ndt(p: SampledSurface, **options: Any) -> Any:
 def from_poses(p: SampledSurface) -> list[Any]:
     """ICP from three poses at once."""
     starts = [about(p.middle, pose_of(degrees, np.zeros(3))) for degrees in (-1.0, 0.0, 3.0)]
-    plane = reg().TransformationEstimation.point_to_plane()
+    plane = reg().TransformationEstimationPointToPlane()
     return reg().registration_icp_batch(p.source, p.facing, p.max_distance, np.array(starts), plane)
 
 
@@ -241,7 +241,7 @@ CALLS: dict[str, Callable[[SampledSurface], Any]] = {
         p.cloud,
         p.max_distance,
         None,
-        reg().TransformationEstimation.generalized(),
+        reg().TransformationEstimationForGeneralizedICP(),
     ),
     "icp, generalized, voxels": lambda p: icp(p, "ForGeneralizedICP", voxel_size=4 * p.spacing),
     "registration_ndt": lambda p: ndt(p),

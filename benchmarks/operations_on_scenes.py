@@ -16,7 +16,7 @@ from digest_fields import FIELDS
 from digest_files import WRITTEN
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
-from digest_scenes import ROTATED, UTM, SampledSurface, Scenes, about, estimators, loom, pose_of, reg
+from digest_scenes import ROTATED, UTM, SampledSurface, Scenes, about, loom, pose_of, reg
 from digest_shapes import SHAPES
 from digest_stations import surveyed
 from digest_volumes import VOLUMES
@@ -368,21 +368,16 @@ def surface_metrics(d: Scenes) -> list[Any]:
     return [*d.ball.compute_metrics(part, [0.05], 2000), *d.ball.compute_error_map(part)]
 
 
-def kernel() -> Any:
-    return reg().RobustKernel
-
-
 def robust_kernels(scale: float = 0.02) -> dict[str, Any]:
-    loss = kernel()
-    kernels = {"Huber": loss.huber, "Cauchy": loss.cauchy, "GM": loss.geman_mcclure, "Tukey": loss.tukey}
-    kernels = {name: make(scale) for name, make in (kernels | {"Generalized": loss.general}).items()}
-    general = {f"Generalized {shape}": loss.general(scale, shape) for shape in (2.0, 0.0, -2.0, -np.inf)}
-    return kernels | general | {"L1": loss.l1(), "L2": loss.l2()}
+    names = ("Huber", "Cauchy", "GM", "Tukey", "Generalized")
+    kernels = {name: getattr(reg(), f"{name}Loss")(scale) for name in names}
+    general = {f"Generalized {shape}": reg().GeneralizedLoss(scale, shape) for shape in (2.0, 0.0, -2.0, -np.inf)}
+    return kernels | general | {"L1": reg().L1Loss(), "L2": reg().L2Loss()}
 
 
 def icp_with(p: SampledSurface, method: str = "PointToPlane", **options: Any) -> Any:
     """ICP with the given options."""
-    estimation = getattr(estimators(), f"TransformationEstimation{method}")()
+    estimation = getattr(reg(), f"TransformationEstimation{method}")()
     return reg().registration_icp(p.source, p.facing, p.max_distance, None, estimation, **options)
 
 
@@ -392,7 +387,7 @@ def icp_fixed(p: SampledSurface) -> list[Any]:
     """
     rotation = np.array([[0.8, -0.6, 0.0, 0.02], [0.6, 0.8, 0.0, 0.01], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
     known = reg().Prior(rotation, sigma_translation=0.1, sigma_rotation=0.5)
-    level, scaled = ("x", "y", "z", "yaw"), reg().TransformationEstimation.point_to_point(True)
+    level, scaled = ("x", "y", "z", "yaw"), reg().TransformationEstimationPointToPoint(True)
     weights = np.linspace(0, 1, len(p.source))
     return [
         icp_with(
@@ -427,7 +422,7 @@ def multi_scale(p: SampledSurface) -> list[Any]:
     """Multi-scale ICP, with the states passed to a callback."""
     states: list[Any] = []
     rules = [reg().ICPConvergenceCriteria(1e-4, 1e-4, 10), reg().ICPConvergenceCriteria(max_iteration=20)]
-    plane, sizes = reg().TransformationEstimation.point_to_plane(), [4 * p.spacing, -1]
+    plane, sizes = reg().TransformationEstimationPointToPlane(), [4 * p.spacing, -1]
     clouds, distances = (p.source, p.facing), [2 * p.max_distance, p.max_distance]
     watch: dict[str, Any] = {"callback_after_iteration": lambda state: states.append(dict(state))}
     return [reg().multi_scale_icp(*clouds, sizes, rules, distances, None, plane, **watch), states]
@@ -439,16 +434,16 @@ def doppler(d: Scenes, **options: Any) -> Any:
 
 
 def icp_batch(d: Scenes, method: str) -> list[Any]:
-    estimation = getattr(estimators(), f"TransformationEstimation{method}")()
+    estimation = getattr(reg(), f"TransformationEstimation{method}")()
     return reg().registration_icp_batch(*d.patches, 0.15, None, estimation, degeneracy=0)
 
 
 def checkers() -> list[Any]:
     return [
-        reg().CorrespondenceChecker.by_edge_length(0.9),
-        reg().CorrespondenceChecker.by_distance(0.12),
-        reg().CorrespondenceChecker.by_normal(0.7),
-        reg().CorrespondenceChecker.by_rotation([3.2, 3.2, 3.2]),
+        reg().CorrespondenceCheckerBasedOnEdgeLength(0.9),
+        reg().CorrespondenceCheckerBasedOnDistance(0.12),
+        reg().CorrespondenceCheckerBasedOnNormal(0.7),
+        reg().CorrespondenceCheckerBasedOnSourceRotation([3.2, 3.2, 3.2]),
     ]
 
 
@@ -580,9 +575,9 @@ CALLS: dict[str, Callable[[Scenes], Any]] = {
     "polygon to and from JSON": lambda d: polygon_file(d.far),
     "points picked": lambda d: picked(d.surface),
     "points picked, far": lambda d: picked(d.far),
-    "write and read .ply, ascii": lambda d: cloud_file(d.far.facing, ".ply", ascii=True),
+    "write and read .ply, ascii": lambda d: cloud_file(d.far.facing, ".ply", write_ascii=True),
     "write and read .pcd": lambda d: cloud_file(d.dirty.facing, ".pcd"),
-    "write and read .pcd, ascii": lambda d: cloud_file(d.far.facing, ".pcd", ascii=True),
+    "write and read .pcd, ascii": lambda d: cloud_file(d.far.facing, ".pcd", write_ascii=True),
     "write and read .xyz": lambda d: cloud_file(d.cloud(d.far.cloud.points), ".xyz"),
     "write and read .las": lambda d: cloud_file(d.far.cloud, ".las"),
     "write and read .laz": lambda d: cloud_file(d.far.cloud, ".laz", scale=1e-4),
@@ -723,7 +718,7 @@ CALLS: dict[str, Callable[[Scenes], Any]] = {
     "mesh, compute_vertex_curvature": lambda d: list(d.ball.compute_vertex_curvature()),
     "mesh, compute_geodesic_distances": lambda d: d.ball.compute_geodesic_distances([0, 77]),
     "mesh, write and read .ply": lambda d: mesh_file(d.volume.extract_triangle_mesh(0), ".ply"),
-    "mesh, write and read .ply, ascii": lambda d: mesh_file(d.ball.compute_vertex_normals(), ".ply", ascii=True),
+    "mesh, write and read .ply, ascii": lambda d: mesh_file(d.ball.compute_vertex_normals(), ".ply", write_ascii=True),
     "mesh, write .obj": lambda d: written_mesh(d.ball, ".obj"),
     "mesh, write .stl": lambda d: written_mesh(d.ball, ".stl"),
     "color_map": color_maps,
@@ -735,11 +730,11 @@ CALLS: dict[str, Callable[[Scenes], Any]] = {
         name: icp(d.surface, "PointToPlane", kernel=kernel) for name, kernel in robust_kernels().items()
     },
     "icp, point to point, scaling": lambda d: icp(d.surface, with_scaling=True),
-    "icp, point to point, Huber": lambda d: icp(d.surface, kernel=kernel().huber(0.03)),
-    "icp, symmetric, Tukey": lambda d: icp(d.surface, "Symmetric", kernel=kernel().tukey(0.1)),
-    "icp, generalized, Cauchy": lambda d: icp(d.surface, "ForGeneralizedICP", kernel=kernel().cauchy(1.0)),
+    "icp, point to point, Huber": lambda d: icp(d.surface, kernel=reg().HuberLoss(0.03)),
+    "icp, symmetric, Tukey": lambda d: icp(d.surface, "Symmetric", kernel=reg().TukeyLoss(0.1)),
+    "icp, generalized, Cauchy": lambda d: icp(d.surface, "ForGeneralizedICP", kernel=reg().CauchyLoss(1.0)),
     "icp, colored": lambda d: icp(d.surface, "ForColoredICP"),
-    "icp, colored, Huber": lambda d: icp(d.far, "ForColoredICP", lambda_geometric=0.5, kernel=kernel().huber(0.1)),
+    "icp, colored, Huber": lambda d: icp(d.far, "ForColoredICP", lambda_geometric=0.5, kernel=reg().HuberLoss(0.1)),
     "icp, overlap": lambda d: [icp_with(d.surface, method, overlap=0.7) for method in ("PointToPoint", "PointToPlane")],
     "icp, max_normal_angle": lambda d: icp_with(d.surface, max_normal_angle=0.5),
     "icp, degeneracy": lambda d: [icp_with(d.plane), icp_with(d.plane, degeneracy=0), icp_with(d.plane, "Symmetric")],
@@ -750,7 +745,7 @@ CALLS: dict[str, Callable[[Scenes], Any]] = {
     ],
     "icp, doppler": doppler,
     "icp, doppler, robust": lambda d: doppler(
-        d, reject_dynamic_outliers=True, doppler_kernel=kernel().tukey(0.5), geometric_kernel=kernel().huber(0.2)
+        d, reject_dynamic_outliers=True, doppler_kernel=reg().TukeyLoss(0.5), geometric_kernel=reg().HuberLoss(0.2)
     ),
     "registration_icp_batch, point to point": lambda d: icp_batch(d, "PointToPoint"),
     "registration_icp_batch, point to plane": lambda d: icp_batch(d, "PointToPlane"),
@@ -768,7 +763,7 @@ CALLS: dict[str, Callable[[Scenes], Any]] = {
     "ransac, features": lambda d: [ransac_features(d, mutual) for mutual in (False, True)],
     "ransac, pairs": lambda d: [ransac(d), ransac(d, ransac_n=4, checkers=checkers()[:2], seed=1)],
     "ransac, pairs, scaling": lambda d: ransac(
-        d, estimation_method=reg().TransformationEstimation.point_to_point(with_scaling=True)
+        d, estimation_method=reg().TransformationEstimationPointToPoint(with_scaling=True)
     ),
     "fast global registration": fast_global,
     "fast global registration, absolute": lambda d: fast_global(d, use_absolute_scale=True, tuple_test=False),

@@ -43,10 +43,10 @@ def estimators() -> dict[str, Any]:
 
     reg = loom.registration
     return {
-        "point-to-point ICP": reg.TransformationEstimation.point_to_point(),
-        "point-to-plane ICP": reg.TransformationEstimation.point_to_plane(),
-        "symmetric ICP": reg.TransformationEstimation.symmetric(),
-        "generalized ICP": reg.TransformationEstimation.generalized(),
+        "point-to-point ICP": reg.TransformationEstimationPointToPoint(),
+        "point-to-plane ICP": reg.TransformationEstimationPointToPlane(),
+        "symmetric ICP": reg.TransformationEstimationSymmetric(),
+        "generalized ICP": reg.TransformationEstimationForGeneralizedICP(),
     }
 
 
@@ -67,7 +67,7 @@ def our_icp(name: str, voxels: float | None = None) -> Method:
         reg = loom.registration
         estimator = estimators()[name]
         if voxels:
-            estimator = reg.TransformationEstimation.generalized(voxel_size=voxels * pair.distance)
+            estimator = reg.TransformationEstimationForGeneralizedICP(voxel_size=voxels * pair.distance)
         rules = reg.ICPConvergenceCriteria(CHANGE, CHANGE, STEPS)
         return reg.registration_icp(*our_clouds(pair), pair.distance, start, estimator, rules).transformation
 
@@ -185,8 +185,8 @@ def our_features(name: str) -> Method:
             features.append(loom.compute_fpfh_feature(clouds[-1], radius=5 * size, max_nn=100))
         if name == "RANSAC":
             checkers = [
-                reg.CorrespondenceChecker.by_edge_length(0.9),
-                reg.CorrespondenceChecker.by_distance(1.5 * size),
+                reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+                reg.CorrespondenceCheckerBasedOnDistance(1.5 * size),
             ]
             pairs = reg.correspondences_from_features(*features, mutual_filter=True)
             result = reg.registration_ransac_based_on_correspondence(

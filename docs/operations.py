@@ -340,7 +340,7 @@ def registration_icp() -> Panels:
     source = source.rotate(np.array([[0.96, -0.28, 0.0], [0.28, 0.96, 0.0], [0.0, 0.0, 1.0]])).translate(
         [0, 0.01, 0.02]
     )
-    method = loom.registration.TransformationEstimation.point_to_plane()
+    method = loom.registration.TransformationEstimationPointToPlane()
     result = loom.registration.registration_icp(source, target, 0.03, estimation_method=method)
     return {
         "before": [{"geometry": source, "color": ORANGE}, {"geometry": target, "color": BLUE}],

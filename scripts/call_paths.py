@@ -62,7 +62,7 @@ def operations() -> dict[str, Callable[[], Any]]:
             radius=0.1, max_nn=30
         ),
         "registration_icp, point to plane": lambda: registration.registration_icp(
-            source.transform(pose), with_normals, 0.1, None, registration.TransformationEstimation.point_to_plane()
+            source.transform(pose), with_normals, 0.1, None, registration.TransformationEstimationPointToPlane()
         ),
         "TSDFVolume.integrate": lambda: volume.integrate(depth, camera, np.eye(4), color),
         "voxel_down_sample": lambda: target.voxel_down_sample(0.05),

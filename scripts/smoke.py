@@ -61,7 +61,7 @@ def plane() -> None:
 def icp() -> None:
     target = loom.PointCloud(bumps()).estimate_normals(radius=0.25, max_nn=20)
     source = loom.PointCloud(bumps() + np.array([0.02, -0.01, 0.015]))
-    method = loom.registration.TransformationEstimation.point_to_plane()
+    method = loom.registration.TransformationEstimationPointToPlane()
     result = loom.registration.registration_icp(source, target, 0.2, None, method)
     assert np.allclose(np.asarray(result.transformation)[:3, 3], [-0.02, 0.01, -0.015], atol=1e-3)
 

@@ -272,7 +272,7 @@ def test_a_format_of_meshes_stores_what_its_entry_states(extension, tmp_path, re
 
 def test_formats_of_either_encoding_are_written_as_text_on_request(tmp_path):
     for extension in WITH_TEXT_FORM:
-        loom.write_point_cloud(path := tmp_path / f"a{extension}", CLOUD, ascii=True)
+        loom.write_point_cloud(path := tmp_path / f"a{extension}", CLOUD, write_ascii=True)
         assert path.read_bytes().isascii() and b"\0" not in path.read_bytes()
         loom.write_point_cloud(path, CLOUD)
         assert b"\0" in path.read_bytes()

@@ -30,10 +30,10 @@ MORE = """
 0 made(points, normals=normals).segment_shape("cylinder", 0.02, seed=1)[1]
 0 loom.detect_shapes(made(points, normals=normals), 0.02).labels
 1e-3 loom.meshing.create_surface(made(points, normals=normals)).mesh.get_surface_area()
-1e-3 reg.registration_icp(other, made(points, covariances=covariances), 0.2, start, reg.TransformationEstimation.generalized())
-1e-3 reg.registration_icp(made(points, covariances=covariances), other, 0.2, near, reg.TransformationEstimation.generalized())
+1e-3 reg.registration_icp(other, made(points, covariances=covariances), 0.2, start, reg.TransformationEstimationForGeneralizedICP())
+1e-3 reg.registration_icp(made(points, covariances=covariances), other, 0.2, near, reg.TransformationEstimationForGeneralizedICP())
 1e-3 reg.registration_icp(made(points, normals=normals, dopplers=dopplers, directions=normals), cloud, 0.2, near, reg.TransformationEstimationForDopplerICP())
-1e-3 reg.registration_icp(other, cloud, 0.2, near, reg.TransformationEstimation.point_to_plane(), constraint=reg.Constraint(prior=reg.Prior(near, information)))
+1e-3 reg.registration_icp(other, cloud, 0.2, near, reg.TransformationEstimationPointToPlane(), constraint=reg.Constraint(prior=reg.Prior(near, information)))
 1e-3 reg.registration_ransac_based_on_correspondence(other, made(points), reg.correspondences_from_features(features[0], descriptors, True), 0.15, seed=1)
 1e-3 reg.registration_fgr_based_on_correspondence(other, made(points), reg.correspondences_from_features(features[0], descriptors, True, 0.0))
 0 reg.correspondences_from_features(features[0], descriptors)

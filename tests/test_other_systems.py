@@ -45,7 +45,7 @@ cloud = loom.PointCloud(points).estimate_normals(radius=0.2, max_nn=30)
 assert 50 < len(cloud.voxel_down_sample(0.1)) < 200
 shift = np.eye(4)
 shift[:3, 3] = 0.01, -0.008, 0.005
-plane = loom.registration.TransformationEstimation.point_to_plane()
+plane = loom.registration.TransformationEstimationPointToPlane()
 result = loom.registration.registration_icp(cloud.transform(np.linalg.inv(shift)), cloud, 0.05, None, plane)
 assert abs(result.transformation - shift).max() < 1e-5
 with tempfile.TemporaryDirectory() as folder:

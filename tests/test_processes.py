@@ -215,7 +215,7 @@ def behaving() -> dict[str, tuple[object, Callable[[Any], object]]]:
     body = loom.PointCloud(rng.random((300, 3)) * [1, 1, 0.2]).estimate_normals(max_nn=10)
     moved, image = body.translate([0.01, 0, 0]), rng.integers(0, 256, (48, 64, 3)).astype(np.uint8)
     camera, depth = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5), 1500 + 9 * image[:, :, 0].astype(int)
-    planes = loom.registration.TransformationEstimation.point_to_plane()
+    planes = loom.registration.TransformationEstimationPointToPlane()
     frame = loom.rgbd.OdometryFrame(depth.astype(np.uint16), camera, image)
     return {
         "deformation": (loom.registration.register_nonrigid(body, moved).deformation, lambda x: x.transform(body)),

@@ -64,17 +64,17 @@ same 0 loom.TriangleMesh.create_from_point_cloud_alpha_shape(ball, 0.2).triangle
 same 0 loom.TriangleMesh.create_from_point_cloud_ball_pivoting(ball, [0.1, 0.2]).triangles
 moved 1e-4 volume.extract_triangle_mesh(weight_threshold=0).vertices
 moved 1e-6 loom.LineSet(points=cloud.points[:4], lines=[[0, 1], [2, 3]]).transform(about(near)).points
-pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimation.point_to_point()).transformation
-pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimation.point_to_plane()).transformation
-pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(0.05))).transformation
-pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimation.point_to_plane(), constraint=reg.Constraint(("x", "y", "z", "yaw"))).transformation
-pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimation.point_to_plane(), overlap=0.9).transformation
-pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimation.generalized()).transformation
-pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimation.generalized(voxel_size=0.5)).transformation
+pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPoint()).transformation
+pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane()).transformation
+pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.05))).transformation
+pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(), constraint=reg.Constraint(("x", "y", "z", "yaw"))).transformation
+pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationPointToPlane(), overlap=0.9).transformation
+pose 2e-6 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForGeneralizedICP()).transformation
+pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForGeneralizedICP(voxel_size=0.5)).transformation
 pose 2e-6 reg.registration_ndt(other, cloud, reg.NormalDistributionsTransformOption(0.5), about(start)).transformation
-pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimation.colored()).transformation
-pose 2e-6 reg.registration_icp_batch([other, other], cloud, 0.2, np.array([about(start), about(near)]), reg.TransformationEstimation.point_to_plane())[1].transformation
-pose 2e-5 reg.multi_scale_icp(other, cloud, [0.25, 0.125], [reg.ICPConvergenceCriteria()] * 2, [0.5, 0.25], init=about(start), estimation_method=reg.TransformationEstimation.point_to_plane()).transformation
+pose 2e-5 reg.registration_icp(other, cloud, 0.2, about(start), reg.TransformationEstimationForColoredICP()).transformation
+pose 2e-6 reg.registration_icp_batch([other, other], cloud, 0.2, np.array([about(start), about(near)]), reg.TransformationEstimationPointToPlane())[1].transformation
+pose 2e-5 reg.multi_scale_icp(other, cloud, [0.25, 0.125], [reg.ICPConvergenceCriteria()] * 2, [0.5, 0.25], init=about(start), estimation_method=reg.TransformationEstimationPointToPlane()).transformation
 same 1e-5 reg.assess_registration(other, cloud, about(near), 0.2).score
 same 1e-6 reg.evaluate_registration(other, cloud, 0.2, about(near)).inlier_rmse
 pose 1e-4 reg.register_pair(other, cloud, init=about(start)).transformation

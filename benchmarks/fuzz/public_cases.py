@@ -241,7 +241,7 @@ def write_textured(path: Path) -> None:
 
 
 def write_ascii(path: Path) -> None:
-    loom.write_triangle_mesh(path, mesh(), ascii=True)
+    loom.write_triangle_mesh(path, mesh(), write_ascii=True)
 
 
 # A triangle with its points in base64, one compressed block each.

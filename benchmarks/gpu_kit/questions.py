@@ -54,7 +54,7 @@ def pair(count: int = 20_000) -> tuple[Any, Any]:
 def icp(source: Any, target: Any) -> np.ndarray:
     from pointloom import registration
 
-    method = registration.TransformationEstimation.point_to_plane()
+    method = registration.TransformationEstimationPointToPlane()
     return registration.registration_icp(source, target, 0.1, None, method).transformation
 
 

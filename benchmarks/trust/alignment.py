@@ -101,7 +101,7 @@ def _refined(source: Scan, target: Scan, T: Array, voxel: float) -> Iterator[Arr
             loom.PointCloud(scan.points).voxel_down_sample(finer * voxel).estimate_normals(max_nn=20)
             for scan in (source, target)
         ]
-        estimation = reg.TransformationEstimation.generalized()
+        estimation = reg.TransformationEstimationForGeneralizedICP()
         yield reg.registration_icp(*clouds, 1.5 * voxel, T, estimation).transformation
 
 

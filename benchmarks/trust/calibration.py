@@ -152,9 +152,9 @@ def components(pair: Pair | sensor_pairs.SensorPair, operation: str) -> Array | 
         for points in (pair.source, pair.target)
     ]
     estimation = (
-        reg.TransformationEstimation.point_to_plane()
+        reg.TransformationEstimationPointToPlane()
         if operation == "point-to-plane"
-        else reg.TransformationEstimation.generalized()
+        else reg.TransformationEstimationForGeneralizedICP()
     )
     result = reg.registration_icp(*clouds, 1.5 * pair.voxel, off @ pair.T, estimation)
     if result.fitness < MIN_FITNESS:

@@ -87,7 +87,7 @@ def _refined(source: object, target: object, start: Array, pair: Pair, *, is_oth
     """Reliability of ICP from a start, with the agreement of all matches, the main part of the check."""
     import pointloom as loom
 
-    plane = loom.registration.TransformationEstimation.point_to_plane()
+    plane = loom.registration.TransformationEstimationPointToPlane()
     left, right = (cloud.voxel_down_sample(pair.voxel).estimate_normals(max_nn=20) for cloud in (source, target))  # type: ignore[attr-defined]
     result = loom.registration.registration_icp(left, right, 1.5 * pair.voxel, start, plane)
     middle = np.append(pair.source.mean(axis=0), 1)

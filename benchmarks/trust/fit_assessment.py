@@ -112,7 +112,7 @@ def refined(source: Array, pair: Pair, start: Array, voxels: float) -> tuple[Arr
         loom.PointCloud(points).voxel_down_sample(pair.voxel).estimate_normals(max_nn=20)
         for points in (source, pair.target)
     )
-    plane = loom.registration.TransformationEstimation.point_to_plane()
+    plane = loom.registration.TransformationEstimationPointToPlane()
     result = loom.registration.registration_icp(left, right, voxels * pair.voxel, start, plane)
     return result.transformation, result.fitness
 

@@ -41,7 +41,7 @@ REUSED = (
      "photogrammetry.DepthEstimate.to_point_cloud"),
     ("chapters/plot_09_photographs_to_a_cloud", 2, "photogrammetry.estimate_depth_maps photogrammetry.fuse_depth_maps "
      "photogrammetry.filter_depth_maps photogrammetry.DepthMaps photogrammetry.DepthBundle.fuse"),
-    ("chapters/plot_10_colored_icp", 2, "registration.TransformationEstimation.colored"),
+    ("chapters/plot_10_colored_icp", 2, "registration.TransformationEstimationForColoredICP"),
     ("gallery/clouds/plot_large_clouds", 1, "DetailTree DetailTree.sample DetailTree.from_cloud DetailTree.from_file"),
     ("gallery/clouds/plot_neighbor_search", 1, "NearestNeighborSearch NearestNeighborSearch.radius_search "
      "NearestNeighborSearch.hybrid_search"),

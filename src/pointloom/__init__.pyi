@@ -89,6 +89,7 @@ from .pcd.metrics import compute_metrics as compute_metrics
 from .pcd.polygon_volume import SelectionPolygonVolume as SelectionPolygonVolume
 from .pcd.profile import profile as profile
 from .pcd.raster import read_raster as read_raster
+from .pcd.search import KDTree as KDTree
 from .pcd.search import NearestNeighborSearch as NearestNeighborSearch
 from .pcd.shape_boxes import find_boxes as find_boxes
 from .pcd.shape_detection import detect_shapes as detect_shapes

@@ -47,6 +47,8 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
         if name == "__all__":
             return sorted(homes)
         if name not in homes:
+            if "." not in package and name in _read(OPEN3D) and name != "data":  # data sets have other names
+                return _Open3DModule(f"{package}.{name}")
             raise AttributeError(_no_module(package, name, homes) or _no_name(package, name, homes))
         module = importlib.import_module(homes[name])
         value = module if homes[name] == f"{package}.{name}" else getattr(module, name, None)
@@ -77,14 +79,57 @@ def _explained(package: str, name: str, value: Any) -> Any:
     return made
 
 
+class _Open3DModule(ModuleType):
+    """A module of Open3D, with its names that pointloom has: `loom.io.read_point_cloud` is `loom.read_point_cloud`.
+
+    It repeats names and is therefore no public name itself.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(f"module {self.__name__!r} has no attribute {name!r}")
+        theirs = self._theirs()
+        if name in dir(theirs):
+            if (place := _elsewhere(self.__name__, name)) or _is_accepted(getattr(theirs, name)):
+                return _at(place) if place else getattr(theirs, name)
+            if isinstance(getattr(theirs, name), ModuleType):
+                return _Open3DModule(f"{self.__name__}.{name}")
+        from .core.open3d_names import hint, row_of
+
+        message, own = _no_name(self.__name__, name, dir(self)), self.__name__.rpartition(".")[2]
+        raise AttributeError(message if ";" in message else message + hint(row_of(own)))
+
+    def __dir__(self) -> list[str]:
+        return [name for name in dir(self._theirs()) if _elsewhere(self.__name__, name)]
+
+    def _theirs(self) -> ModuleType:
+        return importlib.import_module(f"{OPEN3D}.{self.__name__.partition('.')[2]}")
+
+
+def _at(place: str) -> Any:
+    """The object at `loom.registration.registration_icp`."""
+    value: Any = sys.modules[OPEN3D.partition(".")[0]]
+    for name in place.split(".")[1:]:
+        value = getattr(value, name)
+    return value
+
+
+def _is_accepted(value: Any) -> bool:
+    """True for enumerations and vectors of Open3D, which functions of pointloom take, too, and for shared functions."""
+    from enum import Enum
+
+    is_vector = getattr(value, "__name__", "").endswith("Vector")
+    is_shared = not isinstance(value, ModuleType) and not getattr(value, "__module__", OPEN3D).startswith(OPEN3D)
+    return is_vector or is_shared or (isinstance(value, type) and issubclass(value, Enum))
+
+
 def private(package: str) -> Callable[[str], Any]:
-    """`__getattr__` of a private package with the name of an Open3D module: the error has the location of the name."""
+    """`__getattr__` of a private package with the name of an Open3D module, which has the names of that module."""
 
     def load(name: str) -> Any:
         if name.startswith("_") or _no_module(package, name, {}):
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
-        root, _, own = package.partition(".")
-        raise AttributeError(_no_name(root, own, _read(root)))
+        return getattr(_Open3DModule(package), name)
 
     return load
 

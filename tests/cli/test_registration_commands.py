@@ -86,7 +86,7 @@ def test_a_given_distance_is_used_for_a_single_scale(near):
     report = answer("register", *near, *VOXEL, "--init", "identity", "--distance", "0.2")
     clouds = [loom.read_point_cloud(path, device="auto").voxel_down_sample(0.06) for path in near]
     normals = clouds[1].estimate_normals(radius=3 * 0.06, max_nn=30)
-    estimation_method = loom.registration.TransformationEstimation.point_to_plane()
+    estimation_method = loom.registration.TransformationEstimationPointToPlane()
     expected = loom.registration.registration_icp(clouds[0], normals, 0.2, estimation_method=estimation_method)
     np.testing.assert_array_equal(report["transformation"], expected.transformation)
     assert report["iterations"] == expected.iterations

@@ -149,6 +149,10 @@ def test_search_results_have_the_array_type_of_the_queries(library, clouds, surf
     single = loom.NearestNeighborSearch(reference).knn_search(library.make(queries[3]), 4)
     assert_same(library, single.indices, loom.NearestNeighborSearch(reference).knn_search(queries[3], 4).indices)
     assert int(np.ravel(on_host(library, single.counts))[0]) == 4
+    tree = loom.KDTree(reference)
+    for x in (queries, queries[3]):
+        for result, expected in zip(tree.query(library.make(x), 4), tree.query(x, 4), strict=True):
+            assert_same(library, result, expected)
 
 
 def test_a_result_is_the_memory_that_the_device_wrote(library, clouds, monkeypatch):

@@ -31,7 +31,7 @@ with warnings.catch_warnings(record=True) as said:
     cloud = cloud.estimate_normals(max_nn=8)
     moved = loom.PointCloud(points + np.float32(0.01), device="cuda:0")
     icp = loom.registration.registration_icp(
-        moved, cloud, 0.2, estimation_method=loom.registration.TransformationEstimation.point_to_plane())
+        moved, cloud, 0.2, estimation_method=loom.registration.TransformationEstimationPointToPlane())
     chosen = loom.PointCloud(points, device="cuda:0").select_by_index(np.arange(0, 600, 7))
 
 found = {

@@ -34,7 +34,7 @@ def fused() -> loom.TSDFVolume:
 
 
 def icp(target):
-    method = loom.registration.TransformationEstimation.point_to_plane()
+    method = loom.registration.TransformationEstimationPointToPlane()
     moved = loom.PointCloud(SPHERE + np.float32(0.01), device="cuda:0")
     result = loom.registration.registration_icp(moved, target, 0.2, estimation_method=method)
     return [result.transformation, result.correspondence_set]

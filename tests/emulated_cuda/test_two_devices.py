@@ -18,7 +18,7 @@ first, second = (loom.PointCloud(points, device=f"cuda:{k}") for k in (0, 1))
 def results(cloud):
     normals = cloud.voxel_down_sample(0.1).estimate_normals(max_nn=8)
     moved = loom.PointCloud(points + np.float32(0.01), device=cloud.device)
-    icp = reg.registration_icp(moved, normals, 0.2, estimation_method=reg.TransformationEstimation.point_to_plane())
+    icp = reg.registration_icp(moved, normals, 0.2, estimation_method=reg.TransformationEstimationPointToPlane())
     assert str(normals.device) == str(moved.device) == str(cloud.device)
     return [a.tolist() for a in (normals.points, normals.normals, icp.transformation)]
 

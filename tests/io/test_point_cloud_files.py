@@ -66,7 +66,7 @@ def full_cloud(rng, device=None, count=150, shift=0.0):
 def test_every_attribute_survives_a_round_trip_in_its_own_type(device, extension, ascii, shift, count, rng, tmp_path):
     cloud = full_cloud(rng, device, count, shift)
     path = tmp_path / f"cloud{extension}"
-    loom.write_point_cloud(path, cloud, ascii=ascii)
+    loom.write_point_cloud(path, cloud, write_ascii=ascii)
     result = loom.read_point_cloud(path, device=device)
     assert result.device == cloud.device and sorted(result.attributes) == sorted(cloud.attributes)
     for name in ("points", "normals", "colors", *cloud.attributes):
@@ -82,7 +82,7 @@ def test_utm_coordinates_are_exact_in_every_format(extension, ascii, rng, tmp_pa
     part = full.select_by_mask(full.points[:, 0] > UTM[0] + 1500)
     for cloud, limit in ((full, 0), (part, tolerances.float32_relative * 1001)):
         path = tmp_path / f"cloud{extension}"
-        loom.write_point_cloud(path, cloud, ascii=ascii)
+        loom.write_point_cloud(path, cloud, write_ascii=ascii)
         np.testing.assert_array_equal(read_points(path).points, cloud.points)
         np.testing.assert_allclose(loom.read_point_cloud(path).points, cloud.points, rtol=0, atol=limit)
 
@@ -359,22 +359,22 @@ LINK = LengthUnit("Gunter's link", "li", 0.201168)
 def test_the_unit_survives(suffix, ascii, unit, tmp_path):
     cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], unit=unit, ring=np.int32([1, 2]))
     path = tmp_path / f"a{suffix}"
-    loom.write_point_cloud(path, cloud, ascii=ascii)
+    loom.write_point_cloud(path, cloud, write_ascii=ascii)
     back = loom.read_point_cloud(path)
     assert (back.unit, back.points.tolist(), [*back.attributes]) == (cloud.unit, cloud.points.tolist(), ["ring"])
 
 
 def test_file_without_a_unit_is_unchanged(tmp_path):
-    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), ascii=True)
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), write_ascii=True)
     assert "comment" not in (tmp_path / "a.ply").read_text()
-    loom.write_point_cloud(tmp_path / "a.pcd", loom.PointCloud([[0, 0, 0]]), ascii=True)
+    loom.write_point_cloud(tmp_path / "a.pcd", loom.PointCloud([[0, 0, 0]]), write_ascii=True)
     assert "unit" not in (tmp_path / "a.pcd").read_text()
     loom.write_point_cloud(tmp_path / "a.npz", loom.PointCloud([[0, 0, 0]]))
     assert np.load(tmp_path / "a.npz").files == ["points"]
 
 
 def test_other_comments_and_those_after_the_header_are_ignored(tmp_path):
-    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]], unit="foot"), ascii=True)
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]], unit="foot"), write_ascii=True)
     text, twice = (tmp_path / "a.ply").read_text(), "unit foot\ncomment unit metre"
     for comments in ("unit mm", "unit of the scan", "units foot", twice, "Unit foot", "unit x = 0 m"):
         (tmp_path / "a.ply").write_text(text.replace("unit foot", comments))

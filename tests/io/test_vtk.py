@@ -61,7 +61,7 @@ def test_a_mesh_keeps_all_but_its_texture(tmp_path, name, ascii):
     mesh.triangle_attributes["part"] = np.arange(len(mesh), dtype=np.int16)
     mesh.triangle_attributes["colors"] = rng.integers(0, 256, (len(mesh), 3)).astype(np.float32) / np.float32(255)
     mesh.unit, mesh.crs = "foot", 25832
-    loom.write_triangle_mesh(tmp_path / name, mesh, ascii=ascii)
+    loom.write_triangle_mesh(tmp_path / name, mesh, write_ascii=ascii)
     back = loom.read_triangle_mesh(tmp_path / name)
     for key in ("vertices", "triangles", "vertex_normals", "vertex_colors"):
         np.testing.assert_array_equal(getattr(back, key), getattr(mesh, key))

@@ -86,7 +86,7 @@ box.slice_plane([0, 0, 0], [0, 0, 1], [[0.0]], cap=True) | contour_values: expec
 field.collides([[0, 0, 0]] * 3, X) | [0.1, 0.2]; [[0.1]] * 3 | radii: expected one, or 3, one per center
 field.collides_bodies([], [eye]) | spheres: expected at least one row
 field.to_array(X) | [[0, 0, 0], [0, 1, 1]]; [[1, 1, 1], [0, 0, 0]] | bounds: expected a low corner below a high one
-loom.write_triangle_mesh("a.glb", box, ascii=True) | ascii:
+loom.write_triangle_mesh("a.glb", box, write_ascii=True) | write_ascii:
 box.voxelize(0.5, [1e300, 0, 0], [2e300, 1, 1]) | min_bound:
 loom.PagedTSDFVolume("pages", voxel_size=0.1, page_blocks=10**6) | page_blocks: expected at most
 texture(cameras=loom.SfmModel([], [], np.zeros((0, 4, 4)))) | extrinsics: expected None, because the model

@@ -1,10 +1,13 @@
 """Modules, names and data sets of Open3D: those that are missing raise errors with the equivalents."""
 
+import functools
+import inspect
 import re
 from pathlib import Path
 
 import pytest
 
+import pointloom as loom
 import pointloom.open3d as o3d
 from pointloom.core.errors import FileError
 from pointloom.core.open3d_names import BRIDGE, sections
@@ -77,6 +80,73 @@ MOVED = "registration", "integration", "odometry", "color_map"
 def test_a_missing_name_or_module_is_an_error_with_the_equivalent(line, message):
     with pytest.raises(ImportError if "import " in line else AttributeError, match=message):
         exec(line, {"o3d": o3d})
+
+
+def test_native_classes_of_registration_have_the_public_names_of_open3d():
+    """Such as `TukeyLoss`: users of Open3D type the name first, and no other call creates the object."""
+    theirs = o3d.pipelines.registration
+    classes = {name: value for name in theirs.__all__ if hasattr(value := getattr(theirs, name), "native_kind")}
+    named = [name for name, value in classes.items() if getattr(value.native_kind(), "__name__", "") == name]
+    assert len(named) >= 23
+    for name in named:
+        native = getattr(loom.registration, name)
+        assert native is classes[name].native_kind()
+        given, wanted = ([*inspect.signature(each).parameters] for each in (native, classes[name]))
+        assert given[: len(wanted)] == wanted or wanted == ["other"], name  # `other` is copied
+
+
+@pytest.mark.parametrize("name", ["write_point_cloud", "write_triangle_mesh"])
+def test_options_of_native_writers_have_the_names_of_open3d(name):
+    theirs, native = (inspect.signature(getattr(module, name)).parameters.keys() for module in (o3d.io, loom))
+    assert {option for option in theirs if option.startswith("write_")} <= native
+
+
+def test_volumes_take_the_size_of_voxels_and_the_truncation_by_position_as_in_open3d(tmp_path):
+    volumes = loom.TSDFVolume(0.05, 0.1), loom.PagedTSDFVolume(tmp_path / "pages", 0.05, 0.1)
+    assert {(volume.voxel_size, volume.truncation) for volume in volumes} == {(0.05, 0.1)}
+    assert [*inspect.signature(o3d.pipelines.integration.ScalableTSDFVolume).parameters][:2] == [
+        "voxel_length",
+        "sdf_trunc",
+    ]
+
+
+def modules_of(package, path=""):
+    """Each module of `pointloom.open3d` with its path from the package, without data sets and tensor kernels."""
+    for name in dir(package):
+        value = getattr(package, name) if not name.startswith("_") and name not in ("data", "robust_kernel") else None
+        if inspect.ismodule(value) and value.__name__ == f"{package.__name__}.{name}":
+            yield f"{path}{name}", value
+            yield from modules_of(value, f"{path}{name}.")
+
+
+def test_paths_of_open3d_lead_to_the_names_of_pointloom():
+    packages = [loom, loom.registration, loom.rgbd, loom.meshing]
+    found = 0
+    for path, module in modules_of(o3d):
+        at = functools.reduce(getattr, path.split("."), loom)
+        for name in getattr(module, "__all__", ()):
+            native = [getattr(package, name) for package in packages if name in package.__all__]
+            if native and not inspect.ismodule(native[0]):
+                assert getattr(at, name) in native, f"{path}.{name}"
+                found += 1
+    assert found > 60
+    assert not {"io", "geometry", "core"} & {*dir(loom)}  # they repeat names
+    assert {"PointCloud", "TriangleMesh"} <= {*dir(loom.geometry)}
+
+
+def test_enumerations_and_vectors_of_open3d_are_taken_at_their_paths():
+    cloud = loom.PointCloud(loom.utility.Vector3dVector([[0, 0, 0], [1, 2, 3]]))
+    assert cloud.points.tolist() == [[0, 0, 0], [1, 2, 3]]
+    box, scope = loom.TriangleMesh.create_box(), loom.geometry.FilterScope.Vertex
+    assert (
+        box.filter_smooth_simple(1, scope).vertices.tolist() == box.filter_smooth_simple(1, "vertex").vertices.tolist()
+    )
+    kinect = loom.camera.PinholeCameraIntrinsicParameters.PrimeSenseDefault
+    assert loom.PinholeCameraIntrinsic(kinect) == loom.PinholeCameraIntrinsic.prime_sense_default()
+
+
+def test_features_are_in_the_module_of_open3d():
+    assert loom.registration.compute_fpfh_feature is loom.compute_fpfh_feature
 
 
 def test_modules_are_imported_by_any_statement():

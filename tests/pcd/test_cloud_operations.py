@@ -388,7 +388,7 @@ def test_generalized_icp_ignores_the_covariances_of_the_points_before_smoothing(
     x, y = rng.random((2, 900)) * 4
     rough = loom.PointCloud(np.column_stack([x, y, 0.2 * np.sin(3 * x) + 0.02 * rng.normal(size=900)]), device=device)
     smooth = [cloud.smooth_mls(radius=0.4, max_nn=40) for cloud in (rough, rough.estimate_covariances(max_nn=20))]
-    register, step = loom.registration.registration_icp, loom.registration.TransformationEstimation.generalized()
+    register, step = loom.registration.registration_icp, loom.registration.TransformationEstimationForGeneralizedICP()
     poses = [register(one.translate([0.02, 0.01, 0.01]), one, 0.3, np.eye(4), step).transformation for one in smooth]
     np.testing.assert_array_equal(poses[0], poses[1])
 

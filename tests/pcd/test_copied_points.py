@@ -63,10 +63,10 @@ OF_ALL = {
         loom.meshing.create_surface(c, "ball", new_normals=True).mesh.get_surface_area()
     ],
     "create_surface, alpha": lambda c: [loom.meshing.create_surface(c, "alpha").support.bent],
-    "registration_icp, generalized": icp(reg.TransformationEstimation.generalized),
-    "registration_icp, colored": icp(reg.TransformationEstimation.colored),
-    "registration_icp, planes": icp(reg.TransformationEstimation.point_to_plane),
-    "registration_icp, symmetric": icp(reg.TransformationEstimation.symmetric),
+    "registration_icp, generalized": icp(reg.TransformationEstimationForGeneralizedICP),
+    "registration_icp, colored": icp(reg.TransformationEstimationForColoredICP),
+    "registration_icp, planes": icp(reg.TransformationEstimationPointToPlane),
+    "registration_icp, symmetric": icp(reg.TransformationEstimationSymmetric),
 }
 
 

@@ -1,7 +1,7 @@
 """Every argument of every public function rejects invalid values quickly, with an error that names it.
 
-The checks run on the host, so only the CPU is tested. Switches (`invert`, `ascii`, ...) are excluded, since every value
-is valid for them. Records returned by operations are excluded, too.
+The checks run on the host, so only the CPU is tested. Switches (`invert`, `write_ascii`, ...) are excluded, since every
+value is valid for them. Records returned by operations are excluded, too.
 """
 
 import contextlib
@@ -49,6 +49,8 @@ cloud.to_unit(unit="foot")
 survey.reproject(epsg=25833)
 cloud.translate(translation=three)
 loom.NearestNeighborSearch(cloud=cloud, device="cpu")
+loom.KDTree(data=points, device="cpu")
+tree.query(x=points, k=3, distance_upper_bound=0.3)
 search.knn_search(queries=points, knn=3)
 search.hybrid_search(queries=points, radius=0.3, max_nn=3)
 search.radius_search(queries=points, radius=0.3)
@@ -363,6 +365,7 @@ def things() -> dict[str, Any]:
         whole_depth=(1000 * depth).astype(np.uint16), three=np.array([0.5, 0.5, 0.5]), pose=np.eye(4), turn=np.eye(3),
         mask=row < 20, box=loom.AxisAlignedBoundingBox([0.1] * 3, [0.9] * 3),
         turned=loom.OrientedBoundingBox([0.5] * 3, np.eye(3), [1.0] * 3), search=loom.NearestNeighborSearch(cloud),
+        tree=loom.KDTree(cloud),
         rgbd=loom.RGBDImage(color, depth), volume=loom.SelectionPolygonVolume(corners, "Z", 0.0, 1.0), tsdf=tsdf,
         occupancy=occupancy, occupancy_filled=seen, tsdf_filled=filled, paged=paged, paged_filled=paged_filled,
         mapped=mapped, mesh=mesh, triangles=triangles, survey=survey, surveyed=surveyed,
@@ -384,7 +387,7 @@ def things() -> dict[str, Any]:
 HOMES = {
     "world": "WorldFrame", "raster": "Raster",
     "photo": "Orthophoto", "cloud": "PointCloud", "survey": "PointCloud", "surveyed": "TriangleMesh",
-    "search": "NearestNeighborSearch", "box": "AxisAlignedBoundingBox",
+    "search": "NearestNeighborSearch", "tree": "KDTree", "box": "AxisAlignedBoundingBox",
     "turned": "OrientedBoundingBox", "camera": "PinholeCameraIntrinsic", "volume": "SelectionPolygonVolume",
     "occupancy()": "OccupancyGrid", "occupancy_filled": "OccupancyGrid",
     "paged()": "PagedTSDFVolume", "paged_filled": "PagedTSDFVolume",
@@ -426,11 +429,12 @@ LEFT_OUT |= {  # aliases of table entries
 }
 CLOUDS_ONLY = {"target", "source", "other", "cloud"}
 TAKES_ARRAYS = {
-    "NearestNeighborSearch", "TriangleMesh.is_intersecting", "LatestFrames", "record_frames",
+    "KDTree", "KDTree.query", "NearestNeighborSearch", "TriangleMesh.is_intersecting", "LatestFrames", "record_frames",
 }  # or a mesh, or frames  # fmt: skip
-MAY_BE_INFINITE = {"invalid_fill"}
+MAY_BE_INFINITE = {"invalid_fill", "distance_upper_bound"}
 # Text that a message uses instead of the argument's name.
 ALSO = {
+    "KDTree": "points",
     "NearestNeighborSearch": "points",
     "from_any": "points",
     "PointCloud.array": "the cloud has no",

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial import KDTree
 
 import pointloom as loom
 from pointloom.core.devices import resolve_device
@@ -152,6 +153,16 @@ def test_a_radius_that_contains_all_points_lists_them_as_the_k_nearest(device, c
     np.testing.assert_array_equal(sqdists, expected.sqdists[finite].reshape(-1))
 
 
+@pytest.mark.parametrize("options", [{}, {"k": 5}, {"k": 5, "distance_upper_bound": 0.1}, {"k": 40}])
+def test_a_tree_answers_queries_as_that_of_scipy(device, rng, options):
+    points, queries = rng.random((30, 3)), rng.random((50, 3))
+    tree, theirs = loom.KDTree(points, device=device), KDTree(points)
+    for x in (queries, queries[0]):
+        for actual, expected in zip(tree.query(x, **options), theirs.query(x, **options), strict=True):
+            assert np.shape(actual) == np.shape(expected) and np.asarray(actual).dtype == np.asarray(expected).dtype
+            np.testing.assert_allclose(actual, expected, atol=1e-6)  # float32
+
+
 def test_the_boundary_of_a_radius_is_excluded_as_in_open3d(device, oracle):
     points = np.array([[0.0, 0, 0], [0.5, 0, 0], [0, 0.25, 0], [3, 4, 0]])
     search = loom.NearestNeighborSearch(points, device=device)
@@ -263,8 +274,8 @@ def test_registration_takes_the_trees_that_its_clouds_keep(device, rng, builds):
     first = registration.registration_icp(source, target, 0.1)
     source = source.estimate_normals(max_nn=12)
     again = registration.registration_icp(source, target, 0.1)
-    make = registration.TransformationEstimation
-    for method in (make.colored(), make.generalized()):
+    for name in ("ForColoredICP", "ForGeneralizedICP"):
+        method = getattr(registration, f"TransformationEstimation{name}")()
         registration.registration_icp(source, target, 0.1, None, method)
     assert builds == [800, 700]
     np.testing.assert_array_equal(first.transformation, again.transformation)

@@ -9,16 +9,16 @@ from .poses import as_pose
 
 reg = loom.registration
 
-PLANE = reg.TransformationEstimation.point_to_plane()
+PLANE = reg.TransformationEstimationPointToPlane()
 KINDS = {
-    "point": reg.TransformationEstimation.point_to_point(),
-    "scaled": reg.TransformationEstimation.point_to_point(True),
+    "point": reg.TransformationEstimationPointToPoint(),
+    "scaled": reg.TransformationEstimationPointToPoint(True),
     "plane": PLANE,
-    "robust": reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(0.1)),
-    "symmetric": reg.TransformationEstimation.symmetric(),
-    "generalized": reg.TransformationEstimation.generalized(),
-    "voxelized": reg.TransformationEstimation.generalized(voxel_size=0.1),
-    "colored": reg.TransformationEstimation.colored(),
+    "robust": reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.1)),
+    "symmetric": reg.TransformationEstimationSymmetric(),
+    "generalized": reg.TransformationEstimationForGeneralizedICP(),
+    "voxelized": reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1),
+    "colored": reg.TransformationEstimationForColoredICP(),
     "doppler": reg.TransformationEstimationForDopplerICP(),
 }
 EACH = pytest.mark.parametrize("kind", list(KINDS))

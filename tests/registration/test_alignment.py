@@ -144,12 +144,12 @@ def test_a_prior_constrains_only_free_motions(rng):
     source, target = scans("corridor", rng, noise=0.005)
     source = source.transform(np.linalg.inv(truth)).estimate_normals(max_nn=20)
     target = target.estimate_normals(max_nn=20)
-    first = reg.registration_icp(source, target, 0.25, None, reg.TransformationEstimation.point_to_plane())
+    first = reg.registration_icp(source, target, 0.25, None, reg.TransformationEstimationPointToPlane())
     actual = assess(source, target, first.transformation, 0.25).localizability
     assert actual.translations == pytest.approx(np.array([[0.0, 1.0, 0.0]]), abs=0.02)
     odometry = as_pose([0.0, 0.0, 0.03], [0.1, 0.15, 0.05])  # correct along the corridor, wrong across it
     result = reg.registration_icp(
-        source, target, 0.25, first.transformation, reg.TransformationEstimation.point_to_plane(),
+        source, target, 0.25, first.transformation, reg.TransformationEstimationPointToPlane(),
         constraint=reg.Constraint(prior=reg.Prior(odometry, information=actual.information(0.01)), pivot=actual.middle),
         degeneracy=0,
     )  # fmt: skip

@@ -10,8 +10,6 @@ import pytest
 
 import pointloom as loom
 from pointloom import open3d
-from pointloom.registration import robust_kernels
-from pointloom.registration.icp import estimation as estimators
 from pointloom.registration.icp.preparation import generalized_covariances
 from pointloom.registration.rigid import fit_pose
 
@@ -65,8 +63,7 @@ def about_pairs(pair, init):
 def method_of(module, name, arguments):
     """An estimator of pointloom or Open3D; kernels by their names."""
     kernels = WHITENED if name == "ForGeneralizedICP" else KERNELS
-    losses, module = (robust_kernels, estimators) if module is reg else (module, module)
-    made = (getattr(losses, a)(*kernels[a]) if isinstance(a, str) else a for a in arguments)
+    made = (getattr(module, a)(*kernels[a]) if isinstance(a, str) else a for a in arguments)
     return getattr(module, f"TransformationEstimation{name}")(*made)
 
 
@@ -189,7 +186,7 @@ def test_covariances_without_a_smallest_variance_are_isotropic(device):
 @pytest.mark.parametrize("voxel_size", [None, 1.0])
 def test_covariances_and_normals_of_a_street_give_the_same_accuracy(device, voxel_size):
     """Of the same 10 neighbors. Ground, walls with bays, and poles, thinned with distance, with noise of 1 cm."""
-    method = reg.TransformationEstimation.generalized(voxel_size=voxel_size)
+    method = reg.TransformationEstimationForGeneralizedICP(voxel_size=voxel_size)
     errors = []
     for seed in range(3):
         rng = np.random.default_rng(seed)
@@ -230,7 +227,7 @@ def steps_of_shapes(o3d, pair):
 def test_steps_of_general_kernels_match_open3d(device, pair, oracle, tolerances):
     answers = oracle("registration/estimation/general_kernels", steps_of_shapes, pair)
     for shape, expected in zip(SHAPES, answers, strict=True):
-        method = reg.TransformationEstimation.point_to_plane(reg.RobustKernel.general(0.02, shape))
+        method = reg.TransformationEstimationPointToPlane(reg.GeneralizedLoss(0.02, shape))
         for steps, pose in zip((1, 20), expected, strict=True):
             actual = result_after(device, pair, method, steps).transformation
             np.testing.assert_allclose(actual, pose, rtol=0, atol=tolerances.icp_pose, err_msg=f"{shape} {steps}")
@@ -238,7 +235,7 @@ def test_steps_of_general_kernels_match_open3d(device, pair, oracle, tolerances)
 
 def test_point_to_point_weights_depend_on_distance(device, pair, tolerances):
     """One weighted step against the closed form in float64."""
-    method = reg.TransformationEstimation.point_to_point(kernel=reg.RobustKernel.cauchy(0.03))
+    method = reg.TransformationEstimationPointToPoint(kernel=reg.CauchyLoss(0.03))
     result = result_after(device, pair, method, 1).transformation
     pairs = reg.evaluate_registration(pair.source, pair.target, DISTANCE).correspondence_set
     p, q = pair.source.points[pairs[:, 0]], pair.target.points[pairs[:, 1]]
@@ -247,7 +244,7 @@ def test_point_to_point_weights_depend_on_distance(device, pair, tolerances):
 
 
 def test_voxelized_gicp_matches_the_plain_form(device, pair, angle_between):
-    result = result_after(device, pair, reg.TransformationEstimation.generalized(voxel_size=0.1), 30)
+    result = result_after(device, pair, reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1), 30)
     assert angle_between(result.transformation, pair.T) < 0.1
     assert np.abs(result.transformation[:3, 3] - pair.T[:3, 3]).max() < 2e-3
     rows, voxels = result.correspondence_set.T
@@ -282,7 +279,7 @@ LOSSES = {"L2Loss": (), "TukeyLoss": (0.1,)}
 
 
 def doppler_method(rules, kernels=("L2Loss", "L2Loss"), sensor=None):
-    losses = [getattr(robust_kernels, name)(*LOSSES[name]) for name in kernels]
+    losses = [getattr(reg, name)(*LOSSES[name]) for name in kernels]
     return reg.TransformationEstimationForDopplerICP(*rules, *losses, np.eye(4) if sensor is None else sensor)
 
 
@@ -352,7 +349,7 @@ def test_doppler_resolves_motion_that_planes_cannot(device):
     rules = reg.ICPConvergenceCriteria(1e-9, 1e-9, 50)
     methods = (
         reg.TransformationEstimationForDopplerICP(lambda_doppler=0.1),
-        reg.TransformationEstimation.point_to_plane(),
+        reg.TransformationEstimationPointToPlane(),
     )
     results = (reg.registration_icp(scan, target, 1.0, None, method, rules) for method in methods)
     with_speeds, by_planes = (abs(result.transformation[0, 3] - 0.3) for result in results)
@@ -368,23 +365,47 @@ def test_a_robust_kernel_of_colored_icp_ignores_wrong_colors(rng):
     spoiled[::5] = 0
     T = as_pose([0, 0, 0.01], [0.02, 0.01, 0.0])
     source = loom.PointCloud(back(points, T), colors=spoiled)
-    rules, make = reg.ICPConvergenceCriteria(1e-10, 1e-10, 60), reg.TransformationEstimation
+    rules, make = reg.ICPConvergenceCriteria(1e-10, 1e-10, 60), reg.TransformationEstimationForColoredICP
     errors = []
-    for method in (make.colored(0.5), make.colored(0.5, kernel=reg.RobustKernel.tukey(0.15))):
+    for method in (make(0.5), make(0.5, kernel=reg.TukeyLoss(0.15))):
         result = reg.registration_icp(source, target, 0.1, None, method, rules)
         errors.append(np.abs(result.transformation - T).max())
     print(errors)
     assert errors[1] < 0.3 * errors[0]
 
 
+@pytest.mark.parametrize("name", ["PointToPoint", "PointToPlane", "Symmetric", "ForGeneralizedICP", "ForColoredICP"])
+def test_a_kernel_may_be_the_only_argument_of_an_estimator_as_in_open3d(name):
+    make = getattr(reg, f"TransformationEstimation{name}")
+    assert make(reg.TukeyLoss(0.1)) == make(kernel=reg.TukeyLoss(0.1)) != make()
+    if name.startswith("For"):
+        with pytest.raises(TypeError, match="expected a number, got TukeyLoss"):
+            make(reg.TukeyLoss(0.1), kernel=reg.HuberLoss(0.1))
+
+
+def test_a_robust_kernel_of_symmetric_icp_ignores_a_displaced_part(rng):
+    """A fifth of the source is 2 cm above the surface. Both normals count: residuals are twice a distance."""
+    points = wavy(rng, 3000)
+    target = loom.PointCloud(points, normals=wavy_normals(points))
+    T = as_pose([0, 0, 0.01], [0.02, 0.01, 0.0])
+    displaced = points + [0, 0, 0.02] * (np.arange(len(points)) % 5 == 0)[:, None]
+    source = loom.PointCloud(back(displaced, T), normals=wavy_normals(points) @ T[:3, :3])
+    rules, make = reg.ICPConvergenceCriteria(1e-10, 1e-10, 60), reg.TransformationEstimationSymmetric
+    errors = []
+    for method in (make(), make(kernel=reg.TukeyLoss(0.02))):
+        result = reg.registration_icp(source, target, 0.1, None, method, rules)
+        errors.append(np.abs(result.transformation - T).max())
+    assert errors[1] < 0.1 * errors[0], errors
+
+
 def test_generalized_icp_with_isotropic_covariances_is_point_to_point(rng):
     """With epsilon = 1 each point has the identity as covariance."""
     source, target = noisy_pair(3)
     rules = reg.ICPConvergenceCriteria(1e-12, 1e-12, 60)
-    make = reg.TransformationEstimation
+    generalized = reg.TransformationEstimationForGeneralizedICP
     results = [
         reg.registration_icp(source, target, 0.15, None, method, rules).transformation
-        for method in (make.point_to_point(), make.generalized(epsilon=1.0), make.generalized())
+        for method in (reg.TransformationEstimationPointToPoint(), generalized(epsilon=1.0), generalized())
     ]
     np.testing.assert_allclose(results[1], results[0], atol=1e-5)
     assert np.abs(results[2] - results[0]).max() > 1e-4

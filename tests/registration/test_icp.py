@@ -90,7 +90,7 @@ def test_a_collapsing_scale_is_not_converged(device, rng):
     ball, plane = rng.normal(size=(600, 3)), np.c_[rng.uniform(-2, 2, (900, 2)), np.zeros(900)]
     ball /= np.linalg.norm(ball, axis=1)[:, None]
     source, target = (loom.PointCloud(p, device=device) for p in (ball + np.array([0, 0, 3.0]), plane))
-    method = reg.TransformationEstimation.point_to_point(with_scaling=True)
+    method = reg.TransformationEstimationPointToPoint(with_scaling=True)
     wrong = np.c_[np.arange(600), rng.integers(0, 900, 600)]
     for result in (
         reg.registration_icp(source, target, 5.0, None, method, reg.ICPConvergenceCriteria(max_iteration=200)),

@@ -18,13 +18,13 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*element 'range_grid'")
 
 reg = loom.registration
 RULES = reg.ICPConvergenceCriteria(1e-6, 1e-6, 50)
-PLANE = reg.TransformationEstimation.point_to_plane()
+PLANE = reg.TransformationEstimationPointToPlane()
 KINDS = {
-    "point": reg.TransformationEstimation.point_to_point(),
+    "point": reg.TransformationEstimationPointToPoint(),
     "plane": PLANE,
-    "symmetric": reg.TransformationEstimation.symmetric(),
-    "generalized": reg.TransformationEstimation.generalized(),
-    "robust": reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(0.5)),
+    "symmetric": reg.TransformationEstimationSymmetric(),
+    "generalized": reg.TransformationEstimationForGeneralizedICP(),
+    "robust": reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.5)),
 }
 
 
@@ -157,7 +157,7 @@ def test_icp_of_a_room_matches_open3d(device, scan_set, room, o3d, to_open3d, ki
 
 def test_colored_frames_of_a_desk_end_near_open3ds_path(device, desk, o3d, to_open3d, angle_between):
     """Open3D's steps about the origin do not converge here: the error is 0.05 degrees after 200."""
-    method = reg.TransformationEstimation.colored()
+    method = reg.TransformationEstimationForColoredICP()
     first, rest = (run(device, desk, method, rules=reg.ICPConvergenceCriteria(0, 0, n)) for n in (20, 40))
     np.testing.assert_allclose(first.transformation, rest.transformation, rtol=0, atol=1e-9)
     expected = run_open3d(o3d, to_open3d, desk, "colored", rules=reg.ICPConvergenceCriteria(0, 0, 20))
@@ -198,7 +198,7 @@ def test_parts_with_a_fifth_of_overlap_stay_aligned(device, parted_kitchen, o3d,
 
 
 LEVEL = ("x", "y", "z", "yaw")
-GENERALIZED = reg.TransformationEstimation.generalized()
+GENERALIZED = reg.TransformationEstimationForGeneralizedICP()
 
 
 def thinned(points, size, device):

@@ -26,10 +26,11 @@ def cloud(shift):
     return loom.PointCloud(points + shift, colors=colors, dopplers=speeds).estimate_normals(max_nn=12)
 
 source, target = cloud(0.02), cloud(0)
-make = reg.TransformationEstimation
-methods = [make.point_to_plane(), make.symmetric(), make.colored(), reg.TransformationEstimationForDopplerICP()]
-methods += [make.point_to_point(True), make.generalized(), make.generalized(voxel_size=0.1)]
-methods += [make.point_to_plane(reg.RobustKernel.cauchy(0.02))]
+names = "PointToPlane", "Symmetric", "ForColoredICP", "ForDopplerICP", "ForGeneralizedICP"
+methods = [getattr(reg, f"TransformationEstimation{name}")() for name in names]
+methods += [reg.TransformationEstimationPointToPoint(True)]
+methods += [reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1)]
+methods += [reg.TransformationEstimationPointToPlane(reg.CauchyLoss(0.02))]
 for method in methods:
     r = reg.registration_icp(source, target, 0.1, None, method, reg.ICPConvergenceCriteria(0, 0, 4), overlap=0.9)
     show(r.transformation, r.correspondence_set, r.inlier_rmse)

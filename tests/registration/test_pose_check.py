@@ -121,7 +121,7 @@ def test_few_targets_that_match_accurately_are_reliable(device, rng, count):
     """The noise is a thousandth of the width, as of survey targets. Four targets must be more accurate."""
     for _ in range(4):
         source, target, T = scattered(rng, count, device, noise=0.0005 if count == 4 else 0.003)
-        scaled = reg.TransformationEstimation.point_to_point(with_scaling=True)
+        scaled = reg.TransformationEstimationPointToPoint(with_scaling=True)
         for method in (None, scaled):
             result = reg.registration_icp(source, target, 0.5, np.eye(4), method, RULES)
             assert np.abs(result.transformation - T).max() < 0.05 and result.warnings == ()
@@ -229,7 +229,7 @@ def test_a_pair_from_a_given_start_names_motions_that_gentle_slopes_do_not_deter
 
 @pytest.mark.parametrize("match", [1.0, 3.0])
 def test_a_source_that_shrinks_into_a_corner_is_not_reliable(device, match):
-    method, collapsed = reg.TransformationEstimation.point_to_point(with_scaling=True), 0
+    method, collapsed = reg.TransformationEstimationPointToPoint(with_scaling=True), 0
     for seed in range(8):
         rng = np.random.default_rng(seed)
         source, target = (loom.PointCloud(box(rng, count), device=device) for count in (1500, 2500))

@@ -27,7 +27,7 @@ def registered(rng, device="cpu", corner=(0.0, 0.0, 0.0), count=6000, noise=0.0,
         for _ in range(2)
     ]
     start = about(corner, as_pose([0.002, -0.001, 0.001], [0.01, -0.01, 0.01])) if start is None else start
-    return *clouds, reg.registration_icp(*clouds, 1.5 * VOXEL, start, reg.TransformationEstimation.point_to_plane())
+    return *clouds, reg.registration_icp(*clouds, 1.5 * VOXEL, start, reg.TransformationEstimationPointToPlane())
 
 
 def whitened(error, covariance):
@@ -132,7 +132,7 @@ def test_results_compute_it_only_when_it_is_read(rng):
     sent = pickle.loads(pickle.dumps(result))  # without its clouds, so it is computed before
     assert sent.covariance.sigmas == pytest.approx(result.covariance.sigmas)
     assert result.covariance is result.covariance
-    similarity = reg.TransformationEstimation.point_to_point(with_scaling=True)
+    similarity = reg.TransformationEstimationPointToPoint(with_scaling=True)
     assert reg.registration_icp(source, target, 0.15, np.eye(4), similarity).covariance is None
     assert reg.register_globally(source, target, voxel_size=VOXEL).covariance.sigmas.max() < 0.05
 

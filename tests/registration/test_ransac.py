@@ -24,7 +24,7 @@ def test_any_sample_size_recovers_the_pose(device, rng, ransac_n, angle_between)
 @pytest.mark.slow
 def test_scale_is_estimated_on_request(device, rng, angle_between):
     case = made_up(rng, outliers=0.7, scale=1.7)
-    method = reg.TransformationEstimation.point_to_point(with_scaling=True)
+    method = reg.TransformationEstimationPointToPoint(with_scaling=True)
     result = ransac(case, device, estimation_method=method)
     scale = np.cbrt(np.linalg.det(result.transformation[:3, :3]))
     assert abs(scale - 1.7) < 2e-3 and result.fitness > 0.99
@@ -78,7 +78,7 @@ def test_normal_checker_rejects_an_upside_down_mirror_image(device, rng):
     pairs = np.concatenate([np.column_stack([rows, rows]), np.repeat(np.column_stack([rows, 400 + rows]), 3, 0)])
     source = loom.PointCloud(flat, normals=normals, device=device)
     target = loom.PointCloud(both, normals=np.concatenate([normals, normals]), device=device)
-    checker = [reg.CorrespondenceChecker.by_normal(0.5)]
+    checker = [reg.CorrespondenceCheckerBasedOnNormal(0.5)]
     result = reg.registration_ransac_based_on_correspondence(source, target, pairs, 0.02, checkers=checker)
     np.testing.assert_allclose(result.transformation, np.eye(4), atol=1e-5)
     bare = loom.PointCloud(flat, device=device), loom.PointCloud(both, device=device)
@@ -91,7 +91,7 @@ def test_rotation_checker_selects_the_smaller_rotation(device, rng):
     rotated = moved(points, np.diag([-1.0, -1, 1, 1])) + np.array([4, 0, 0])
     pairs = np.concatenate([np.column_stack([np.arange(300), k * 300 + np.arange(300)]) for k in (0, 1, 1, 1)])
     case = SimpleNamespace(source=points, target=np.concatenate([points, rotated]), pairs=pairs)
-    level = reg.CorrespondenceChecker.by_rotation([0.2, 0.2, 1.0])
+    level = reg.CorrespondenceCheckerBasedOnSourceRotation([0.2, 0.2, 1.0])
     np.testing.assert_allclose(ransac(case, device, checkers=[level]).transformation, np.eye(4), atol=1e-5)
 
 
@@ -117,8 +117,8 @@ def test_another_seed_gives_other_samples(device, rng):
 
 def test_the_stricter_of_two_checkers_applies_on_the_device():
     normal, edges, distance, rotation = (
-        reg.CorrespondenceChecker.by_normal, reg.CorrespondenceChecker.by_edge_length,
-        reg.CorrespondenceChecker.by_distance, reg.CorrespondenceChecker.by_rotation,
+        reg.CorrespondenceCheckerBasedOnNormal, reg.CorrespondenceCheckerBasedOnEdgeLength,
+        reg.CorrespondenceCheckerBasedOnDistance, reg.CorrespondenceCheckerBasedOnSourceRotation,
     )  # fmt: skip
     alone = checkers.checks_of([normal(0.3), edges(0.8), distance(0.05), rotation([0.1, 2.0, 0.3])])
     assert (alone.cosine, alone.similarity, alone.distance) == (np.cos(0.3), 0.8, 0.05)
@@ -183,7 +183,7 @@ def test_kitchen_is_registered_at_least_as_well_as_by_open3d(
 ):
     pairs = reg.correspondences_from_features(featured.source.feature, featured.target.feature, True)
     given = *kitchen_clouds(featured, device), pairs, DISTANCE
-    limits = [reg.CorrespondenceChecker.by_edge_length(0.9), reg.CorrespondenceChecker.by_distance(DISTANCE)]
+    limits = [reg.CorrespondenceCheckerBasedOnEdgeLength(0.9), reg.CorrespondenceCheckerBasedOnDistance(DISTANCE)]
     result = reg.registration_ransac_based_on_correspondence(*given, checkers=limits, seed=seed)
     assert result.fitness > median_of_open3d - tolerances.ransac_fitness
     assert angle_between(result.transformation, featured.T) < tolerances.kitchen_degrees
@@ -293,7 +293,7 @@ def test_degenerate_clouds_raise_no_exception(device, rng, shape):
     }[shape]
     pairs = np.column_stack([np.arange(200)] * 2)
     case = SimpleNamespace(source=points, target=np.add(points, [1.0, 0, 0]), pairs=pairs)
-    scaled = reg.TransformationEstimation.point_to_point(True)
+    scaled = reg.TransformationEstimationPointToPoint(True)
     results = [ransac(case, device, estimation_method=method, num_iterations=3000) for method in (None, scaled)]
     results += [fgr(case, device, tuple_test=tested) for tested in (True, False)]
     for k, result in enumerate(results):

@@ -536,7 +536,7 @@ def test_the_given_scale_is_assessed(rng, device, scale):
     assess = loom.registration.assess_registration
     assert not assess(source, target, T, 0.06).reliable
     assert assess(shrunk, target, T, 0.06).reliable
-    method = loom.registration.TransformationEstimation.point_to_point(with_scaling=True)
+    method = loom.registration.TransformationEstimationPointToPoint(with_scaling=True)
     found = loom.registration.registration_icp(shrunk, target, 0.2, estimation_method=method)
     assert assess(shrunk, target, found.transformation, 0.06).reliable
     sheared = T.copy()

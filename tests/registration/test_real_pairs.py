@@ -21,7 +21,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*element 'range_grid'")
 
 reg = loom.registration
 EXACT = reg.ICPConvergenceCriteria(relative_fitness=1e-7, relative_rmse=1e-7, max_iteration=100)
-GENERALIZED = reg.TransformationEstimation.generalized()
+GENERALIZED = reg.TransformationEstimationForGeneralizedICP()
 
 
 def start_pose(seed, spread):
@@ -63,9 +63,9 @@ STREET_LIMITS = [
 ]
 STREET_ESTIMATORS = {
     "generalized": GENERALIZED,
-    "generalized, voxels": reg.TransformationEstimation.generalized(voxel_size=1.0),
-    "point-to-plane": reg.TransformationEstimation.point_to_plane(),
-    "symmetric": reg.TransformationEstimation.symmetric(),
+    "generalized, voxels": reg.TransformationEstimationForGeneralizedICP(voxel_size=1.0),
+    "point-to-plane": reg.TransformationEstimationPointToPlane(),
+    "symmetric": reg.TransformationEstimationSymmetric(),
 }
 
 
@@ -186,7 +186,7 @@ def test_a_rigid_copy_is_registered_exactly(device, dragon, angle_between, toler
 @pytest.mark.parametrize("seed", range(3))
 def test_a_rigid_copy_is_registered_from_any_pose(dragon, angle_between, tolerances, seed):
     source, target, T = dragon
-    point_to_point = reg.TransformationEstimation.point_to_point()
+    point_to_point = reg.TransformationEstimationPointToPoint()
     for method in (point_to_point, GENERALIZED):
         options = {"voxel_size": 0.5, "distance": 1.0, "start": start_pose(seed, 30.0), "method": method}
         end, result = register(source, target, **options)

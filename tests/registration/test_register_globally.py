@@ -68,7 +68,7 @@ def test_rooms_are_registered_from_any_pose(device, room_pair, tolerances, seed)
     assert result.score > 0.8
     # ICP from the true pose converges equally far away: the fragments are not rigid copies of each other.
     target = clouds[1].estimate_normals(radius=0.1, max_nn=30)
-    plane = reg.TransformationEstimation.point_to_plane()
+    plane = reg.TransformationEstimationPointToPlane()
     rests = [reg.registration_icp(clouds[0], target, 0.05, M, plane).transformation for M in (result.transformation, T)]
     angle, distance = misplacement(*rests, source)
     assert angle < tolerances.global_rest_degrees and distance < tolerances.global_rest_distance

@@ -12,7 +12,7 @@ from ..cli.surface_poses import NEAR, POSE, bumpy, colors_at, moved
 from .poses import as_pose
 
 reg = loom.registration
-PLANE = reg.TransformationEstimation.point_to_plane()
+PLANE = reg.TransformationEstimationPointToPlane()
 
 
 @pytest.fixture
@@ -38,8 +38,10 @@ def test_a_given_initial_pose_is_refined_on_three_scales(pair):
 
 
 METHODS = {
-    name: getattr(reg.TransformationEstimation, name.replace("-", "_"))()
-    for name in ("point-to-point", "symmetric", "generalized", "colored")
+    "point-to-point": reg.TransformationEstimationPointToPoint(),
+    "symmetric": reg.TransformationEstimationSymmetric(),
+    "generalized": reg.TransformationEstimationForGeneralizedICP(),
+    "colored": reg.TransformationEstimationForColoredICP(),
 }
 
 

@@ -11,9 +11,8 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels.icp.robust_weights import Loss, robust_weight
 from pointloom.kernels.lang import array, float64, kernel, launch, tid
 from pointloom.kernels.memory import empty, upload
-from pointloom.registration import robust_kernels
 
-RobustKernel = loom.registration.RobustKernel
+reg = loom.registration
 SCALES = (1e-3, 0.3, 1.0, 40.0)
 NAMED = ("HuberLoss", "CauchyLoss", "GMLoss", "TukeyLoss")
 SHAPES = (2.0, 1.999, 1.5, 1.0, 0.5, 1e-3, 0.0, -1e-3, -1.0, -2.0, -1000.0, -1e8, -math.inf)
@@ -33,8 +32,8 @@ def residuals():
 LOSSES = {
     repr(loss): loss
     for loss in (
-        RobustKernel.l2(), RobustKernel.l1(), *(getattr(robust_kernels, name)(k) for name in NAMED for k in SCALES),
-        *(RobustKernel.general(k, shape) for k in SCALES for shape in SHAPES),
+        reg.L2Loss(), reg.L1Loss(), *(getattr(reg, name)(k) for name in NAMED for k in SCALES),
+        *(reg.GeneralizedLoss(k, shape) for k in SCALES for shape in SHAPES),
     )
 }  # fmt: skip
 
@@ -64,14 +63,14 @@ def test_weights_match_open3d(oracle, tolerances):
     r = r[np.abs(r) > 2e-9]  # 1 / |r| is limited at 1e-9
     for case, expected in oracle("registration/robust_kernels", weights_of, r).items():
         name, *k = case.split()
-        loss = getattr(robust_kernels, name)(*map(float, k))
+        loss = getattr(reg, name)(*map(float, k))
         np.testing.assert_allclose(loss.weight(r), expected, rtol=tolerances.weight, err_msg=case)
 
 
 def test_the_general_weights_match_barron(tolerances):
     r = residuals()
     for k, shape in itertools.product(SCALES, (2.0, 1.0, 0.5, 0.0, -2.0, -1e3, -math.inf)):
-        result = RobustKernel.general(k, shape).weight(r)
+        result = reg.GeneralizedLoss(k, shape).weight(r)
         np.testing.assert_allclose(result, barron(r, k, shape), rtol=tolerances.weight, err_msg=f"{k}, {shape}")
 
 
@@ -81,7 +80,7 @@ def test_the_general_weights_match_barron(tolerances):
 def test_the_general_weights_are_continuous(limit, near, step):
     """The largest step is at 2: shapes within 2e-3 are treated as 2, as in Open3D."""
     r = np.linspace(0, 4, 60)
-    at_limit, beside = RobustKernel.general(1.0, limit).weight(r), RobustKernel.general(1.0, near).weight(r)
+    at_limit, beside = reg.GeneralizedLoss(1.0, limit).weight(r), reg.GeneralizedLoss(1.0, near).weight(r)
     np.testing.assert_allclose(beside, at_limit, rtol=step)
 
 
@@ -96,12 +95,10 @@ def test_device_weights_match_the_host(device, tolerances):
 
 
 def test_weights_keep_the_shape_of_residuals():
-    assert RobustKernel.huber(1).weight(np.zeros((2, 3))).shape == (2, 3)
-    assert float(RobustKernel.tukey(2).weight(3)) == 0 and RobustKernel.l2().weight([1, 2]).dtype == np.float64
+    assert reg.HuberLoss(1).weight(np.zeros((2, 3))).shape == (2, 3)
+    assert float(reg.TukeyLoss(2).weight(3)) == 0 and reg.L2Loss().weight([1, 2]).dtype == np.float64
 
 
 def test_kernels_of_one_scale_are_equal():
-    assert RobustKernel.huber(0.5) == RobustKernel.huber(0.5) != RobustKernel.huber(0.4)
-    assert (
-        RobustKernel.huber(0.5) != RobustKernel.cauchy(0.5) and len({RobustKernel.tukey(1), RobustKernel.tukey(1)}) == 1
-    )
+    assert reg.HuberLoss(0.5) == reg.HuberLoss(0.5) != reg.HuberLoss(0.4)
+    assert reg.HuberLoss(0.5) != reg.CauchyLoss(0.5) and len({reg.TukeyLoss(1), reg.TukeyLoss(1)}) == 1

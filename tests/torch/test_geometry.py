@@ -157,7 +157,7 @@ def test_poses_of_icp_are_those_of_each_pair():
     init = torch.eye(4).repeat(2, 1, 1)
     init[:, 0, 3] = 0.01
     poses = loom.torch.icp(source, target, init, max_distance=0.3, normals=normals)
-    method = loom.registration.TransformationEstimation.point_to_plane()
+    method = loom.registration.TransformationEstimationPointToPlane()
     for number in range(2):
         one = loom.torch.icp(source[number], target[number], init[number], max_distance=0.3, normals=normals[number])
         torch.testing.assert_close(one, poses[number], rtol=0, atol=1e-12)

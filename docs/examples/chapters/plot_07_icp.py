@@ -94,7 +94,7 @@ print(at_start)
 # the distances. Convergence is slow, since points on planar surfaces resist sliding along the surface.
 
 point = reg.registration_icp(
-    source, target, distance, start, reg.TransformationEstimation.point_to_point(),
+    source, target, distance, start, reg.TransformationEstimationPointToPoint(),
     reg.ICPConvergenceCriteria(max_iteration=200),
 )  # fmt: skip
 print(point)
@@ -107,7 +107,7 @@ print("error: {:.2f} degrees and {:.1f} mm".format(*(np.array(pose_error(point.t
 # slide. It requires normals of the target (chapter 2) and far fewer iterations.
 
 plane = reg.registration_icp(
-    source, target, distance, start, reg.TransformationEstimation.point_to_plane(),
+    source, target, distance, start, reg.TransformationEstimationPointToPlane(),
     reg.ICPConvergenceCriteria(max_iteration=200),
 )  # fmt: skip
 print(plane)
@@ -140,11 +140,11 @@ print(f"median distance from the other scan: {np.median(moved['distance']) * 100
 # each scale. Chapter 10 shows it.
 
 for radius in (0.01, 0.03, 0.12, 0.5, 2.0):
-    trial = reg.registration_icp(source, target, radius, start, reg.TransformationEstimation.point_to_plane())
+    trial = reg.registration_icp(source, target, radius, start, reg.TransformationEstimationPointToPlane())
     angle, step = pose_error(trial.transformation, truth)
     print(f"distance {radius:4} m: fitness {trial.fitness:.2f}, error {angle:5.2f} degrees, {step * 100:5.1f} cm")
 
-narrow = reg.registration_icp(source, target, 0.01, start, reg.TransformationEstimation.point_to_plane())
+narrow = reg.registration_icp(source, target, 0.01, start, reg.TransformationEstimationPointToPlane())
 assert pose_error(narrow.transformation, truth)[0] > pose_error(plane.transformation, truth)[0]
 
 # %%
@@ -166,7 +166,7 @@ for name, (left, right, true_pose) in room_pairs.items():
     for overlap in (1.0, None):
         trial = reg.registration_icp(
             left, right, distance, true_pose @ perturbation(5.0, (0.06, -0.04, 0.05)),
-            reg.TransformationEstimation.point_to_plane(), reg.ICPConvergenceCriteria(max_iteration=200),
+            reg.TransformationEstimationPointToPlane(), reg.ICPConvergenceCriteria(max_iteration=200),
             overlap=overlap,
         )  # fmt: skip
         all_pairs = reg.evaluate_registration(left, right, distance, trial.transformation)
@@ -204,7 +204,7 @@ assert scores["0 -> 23", 1.0] < 0.5 < scores["0 -> 23", None]
 
 wall = loom.TriangleMesh.create_plane(2.0, 1.5).compute_vertex_normals().sample_points_uniformly(4000, seed=0)
 on_wall = reg.registration_icp(
-    wall, wall, distance, perturbation(2, (0.0, 0.0, 0.02)), reg.TransformationEstimation.point_to_plane()
+    wall, wall, distance, perturbation(2, (0.0, 0.0, 0.02)), reg.TransformationEstimationPointToPlane()
 )
 print("converged:", on_wall.converged, "- not determined:", len(on_wall.degenerate_directions), "of 6 motions")
 print("in the room:", len(plane.degenerate_directions))
@@ -226,7 +226,7 @@ assert information.shape == (6, 6) and information[5, 5] == len(plane.correspond
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 with loom.record(folder / "icp.html", max_points=40_000, title="Point-to-plane ICP") as recording:
-    reg.registration_icp(source, target, distance, start, reg.TransformationEstimation.point_to_plane())
+    reg.registration_icp(source, target, distance, start, reg.TransformationEstimationPointToPlane())
 page = folder / "icp.html"
 
 # %%
@@ -249,7 +249,7 @@ assert lost.fitness == 0.0
 # degrees:
 
 far = reg.registration_icp(source, target, distance, truth @ perturbation(35.0, (0.2, 0, 0)),
-                           reg.TransformationEstimation.point_to_plane())  # fmt: skip
+                           reg.TransformationEstimationPointToPlane())  # fmt: skip
 print(far)
 print("error: {:.0f} degrees, {:.2f} m".format(*pose_error(far.transformation, truth)))
 assert max(pose_error(far.transformation, truth)[0] / 10, pose_error(far.transformation, truth)[1] / 0.5) > 1
@@ -262,7 +262,7 @@ assert far.fitness < plane.fitness
 #
 # What to change
 # --------------
-# - The estimation: ``TransformationEstimation.generalized()`` instead of point to plane. Is it more accurate?
+# - The estimation: ``TransformationEstimationForGeneralizedICP()`` instead of point to plane. Is it more accurate?
 # - The initial rotation [degrees]: 20, 30 and 40. At which value does ICP fail?
 # - ``max_correspondence_distance`` [m]: a smaller value is more accurate but needs a better initial pose.
 #

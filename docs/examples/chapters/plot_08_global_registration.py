@@ -101,8 +101,8 @@ distance = 1.5 * VOXEL
 pairs = reg.correspondences_from_features(source_features, target_features, mutual_filter=True)
 ransac = reg.registration_ransac_based_on_correspondence(
     source_down, target_down, pairs, distance,
-    reg.TransformationEstimation.point_to_point(False), 3,
-    [reg.CorrespondenceChecker.by_edge_length(0.9), reg.CorrespondenceChecker.by_distance(distance)],
+    reg.TransformationEstimationPointToPoint(False), 3,
+    [reg.CorrespondenceCheckerBasedOnEdgeLength(0.9), reg.CorrespondenceCheckerBasedOnDistance(distance)],
     num_iterations=100_000, confidence=0.999, seed=0,
 )  # fmt: skip
 print(ransac)
@@ -146,7 +146,7 @@ assert pose_error(global_result.transformation, truth)[0] < 2 and pose_error(glo
 # Global registration uses downsampled clouds, so its result is approximate. ICP on denser clouds refines it.
 
 fine = [cloud.voxel_down_sample(0.02).estimate_normals(radius=0.06, max_nn=30) for cloud in (source, target)]
-refined = reg.registration_icp(*fine, 0.05, global_result.transformation, reg.TransformationEstimation.point_to_plane())
+refined = reg.registration_icp(*fine, 0.05, global_result.transformation, reg.TransformationEstimationPointToPlane())
 print("error after ICP: {:.2f} degrees and {:.1f} cm".format(*pose_error(refined.transformation, truth)))
 assert pose_error(refined.transformation, truth)[0] < 1.0 and pose_error(refined.transformation, truth)[1] < 3
 

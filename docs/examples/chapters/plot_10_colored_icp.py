@@ -59,7 +59,7 @@ before = loom.render([source, target], view, (960, 640))
 # Point-to-plane ICP aligns the height of the two planes. It reports that three motions are not determined: two
 # translations and one rotation.
 
-shape = reg.registration_icp(source, target, 0.06, np.eye(4), reg.TransformationEstimation.point_to_plane())
+shape = reg.registration_icp(source, target, 0.06, np.eye(4), reg.TransformationEstimationPointToPlane())
 print(shape)
 print("undetermined:", len(shape.degenerate_directions), "of 6 motions")
 print("error: {:.2f} degrees and {:.0f} mm".format(*pose_error(shape.transformation, truth)))
@@ -87,7 +87,7 @@ for voxel_size, iterations in ((0.08, 50), (0.04, 30), (0.02, 20)):
         for cloud in (source, target)
     ]
     result = reg.registration_icp(
-        *thin, voxel_size, T, reg.TransformationEstimation.colored(lambda_geometric=0.968),
+        *thin, voxel_size, T, reg.TransformationEstimationForColoredICP(lambda_geometric=0.968),
         reg.ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=iterations),
     )  # fmt: skip
     T = result.transformation
@@ -107,7 +107,7 @@ after = loom.render([source.transform(T), target], view, (960, 640))
 rules = [reg.ICPConvergenceCriteria(max_iteration=count) for count in (50, 30, 20)]
 at_once = reg.multi_scale_icp(
     source.without("normals"), target.without("normals"), [0.08, 0.04, 0.02], rules, [0.08, 0.04, 0.02], np.eye(4),
-    reg.TransformationEstimation.colored(), estimate_normals=True,
+    reg.TransformationEstimationForColoredICP(), estimate_normals=True,
 )  # fmt: skip
 print("multi_scale_icp: error {:.2f} degrees and {:.0f} mm".format(*pose_error(at_once.transformation, truth)))
 assert pose_error(at_once.transformation, truth)[1] < 10
@@ -123,7 +123,7 @@ errors, fractions = {}, {}
 for shift in (0.05, 0.1, 0.3, 0.7):
     trial = reg.multi_scale_icp(
         source.without("normals"), target.without("normals"), [0.08, 0.04, 0.02], rules, [0.08, 0.04, 0.02],
-        truth @ perturbation(0, (0, shift, 0)), reg.TransformationEstimation.colored(), estimate_normals=True,
+        truth @ perturbation(0, (0, shift, 0)), reg.TransformationEstimationForColoredICP(), estimate_normals=True,
     )  # fmt: skip
     errors[shift], fractions[shift] = pose_error(trial.transformation, truth)[1], trial.fitness
     print(f"initial error {shift * 100:2.0f} cm, final error {errors[shift] / 10:5.1f} cm, fitness {trial.fitness:.2f}")
@@ -144,7 +144,7 @@ with loom.record(folder / "colors.html", automatic=False, max_points=60_000, tit
             cloud.voxel_down_sample(voxel_size).estimate_normals(radius=2 * voxel_size, max_nn=30)
             for cloud in (source, target)
         ]
-        by_color = reg.TransformationEstimation.colored()
+        by_color = reg.TransformationEstimationForColoredICP()
         for count in range(8):
             one = reg.ICPConvergenceCriteria(max_iteration=3)
             T = reg.registration_icp(*thin, voxel_size, T, by_color, one).transformation
@@ -159,7 +159,7 @@ page = folder / "colors.html"
 # **Missing colors** or normals raise an error that names them:
 
 try:
-    bare, method = source.without("colors"), reg.TransformationEstimation.colored()
+    bare, method = source.without("colors"), reg.TransformationEstimationForColoredICP()
     reg.registration_icp(bare, target, 0.05, None, method)
 except ValueError as error:
     message = str(error)

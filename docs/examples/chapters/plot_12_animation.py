@@ -42,12 +42,12 @@ source = scans.scans[9].transform(to_first @ scans.poses[9]).voxel_down_sample(0
 print("source", source, "target", target)
 
 with loom.record(folder / "icp.html", title="ICP of two scans") as recording:
-    result = reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimation.point_to_plane())
+    result = reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimationPointToPlane())
 print(result)
 print(len(recording.timeline.frames), "frames: the initial pose, and one for each iteration")
 assert len(recording.timeline.frames) == result.iterations + 1
 
-without_recording = reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimation.point_to_plane())
+without_recording = reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimationPointToPlane())
 assert np.array_equal(result.transformation, without_recording.transformation), "recording does not change the result"
 
 # %%
@@ -71,7 +71,7 @@ small = loom.View.from_open3d(
     height=240,
 )
 with loom.record(folder / "icp.gif", fps=5, size=(320, 240), view=small):
-    reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimation.point_to_plane())
+    reg.registration_icp(source, target, 0.02, np.eye(4), reg.TransformationEstimationPointToPlane())
 print("icp.gif:", (folder / "icp.gif").stat().st_size // 1000, "kB")
 assert (folder / "icp.gif").stat().st_size > 1000
 
@@ -96,7 +96,7 @@ with loom.record(folder / "by_hand.html", automatic=False, title="ICP, step by s
         recording.plot("median distance [mm]", history[-1])
         recording.step(f"step {k}")
         T = reg.registration_icp(
-            source, target, 0.02, T, reg.TransformationEstimation.point_to_plane(), one
+            source, target, 0.02, T, reg.TransformationEstimationPointToPlane(), one
         ).transformation
 page = folder / "by_hand.html"
 print(f"median distance {history[0]:.1f} mm at the start, {history[-1]:.1f} mm at the end")

@@ -115,30 +115,30 @@ def pose_error(T: np.ndarray) -> tuple[float, float]:
 # ===================================== ====================================================
 # kernel                                cost of a correspondence at distance r
 # ===================================== ====================================================
-# ``l2()``                              r^2: distant pairs dominate
-# ``huber(k)``                          proportional to r beyond k
-# ``cauchy(k)``, ``geman_mcclure(k)``   increases more and more slowly beyond k
-# ``tukey(k)``                          constant beyond k
+# ``L2Loss()``                          r^2: distant pairs dominate
+# ``HuberLoss(k)``                      proportional to r beyond k
+# ``CauchyLoss(k)``, ``GMLoss(k)``      increases more and more slowly beyond k
+# ``TukeyLoss(k)``                      constant beyond k
 # ===================================== ====================================================
 #
 # ``k`` is the largest distance that is still considered noise, two to three times its standard deviation. Here the
-# noise is 1 mm, so k is 3 mm. For ``geman_mcclure``, k is the square of this distance, as in Open3D. If the noise is
+# noise is 1 mm, so k is 3 mm. For ``GMLoss``, k is the square of this distance, as in Open3D. If the noise is
 # unknown, estimate it from the distances along the normals, as below. The kernels are those of Open3D's
 # ``pipelines.registration``.
 
 DISTANCE = 0.04
 kernels = {
-    "L2": reg.RobustKernel.l2(),
-    "Huber": reg.RobustKernel.huber(0.003),
-    "Cauchy": reg.RobustKernel.cauchy(0.003),
-    "GM": reg.RobustKernel.geman_mcclure(0.003**2),
-    "Tukey": reg.RobustKernel.tukey(0.003),
+    "L2": reg.L2Loss(),
+    "Huber": reg.HuberLoss(0.003),
+    "Cauchy": reg.CauchyLoss(0.003),
+    "GM": reg.GMLoss(0.003**2),
+    "Tukey": reg.TukeyLoss(0.003),
 }
 rules = reg.ICPConvergenceCriteria(max_iteration=100)
-start = reg.registration_icp(source, target, DISTANCE, np.eye(4), reg.TransformationEstimation.point_to_plane(), rules)
+start = reg.registration_icp(source, target, DISTANCE, np.eye(4), reg.TransformationEstimationPointToPlane(), rules)
 pose_errors = {}
 for name, kernel in kernels.items():
-    method = reg.TransformationEstimation.point_to_plane(kernel)
+    method = reg.TransformationEstimationPointToPlane(kernel)
     result = reg.registration_icp(source, target, DISTANCE, start.transformation, method, rules)
     pose_errors[name] = pose_error(result.transformation)
     print(f"{name:7} {pose_errors[name][0]:5.2f} degrees, {pose_errors[name][1]:5.2f} mm; fitness {result.fitness:.2f}")
@@ -152,7 +152,7 @@ assert pose_errors["Cauchy"][1] < pose_errors["L2"][1] and pose_errors["GM"][1] 
 # With least squares, all points have an error.
 
 best = reg.registration_icp(
-    source, target, DISTANCE, start.transformation, reg.TransformationEstimation.point_to_plane(kernels["Tukey"]), rules
+    source, target, DISTANCE, start.transformation, reg.TransformationEstimationPointToPlane(kernels["Tukey"]), rules
 )
 panels = {}
 for k, (name, T) in enumerate({"L2": start.transformation, "Tukey": best.transformation}.items()):
@@ -175,7 +175,7 @@ errors = loom.render(
 # that of least squares. Begin with a large k and decrease it to three times the noise.
 
 for k in (0.0001, 0.001, 0.003, 0.01, 0.1):
-    method = reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(k))
+    method = reg.TransformationEstimationPointToPlane(reg.TukeyLoss(k))
     result = reg.registration_icp(source, target, DISTANCE, start.transformation, method, rules)
     print(f"Tukey with k {k * 1000:6.1f} mm: error {pose_error(result.transformation)[1]:5.2f} mm")
 
@@ -211,7 +211,7 @@ assert 0.0005 < noise(best.transformation) < 0.002 < point_to_point_noise
 T = start.transformation
 for _ in range(4):
     k = 3 * noise(T)
-    method = reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(k))
+    method = reg.TransformationEstimationPointToPlane(reg.TukeyLoss(k))
     T = reg.registration_icp(source, target, DISTANCE, T, method, rules).transformation
     print(f"k {1000 * k:4.1f} mm: error {pose_error(T)[1]:.2f} mm")
 assert pose_error(T)[1] < 0.5 and k < 0.008
@@ -255,14 +255,14 @@ for wrong in (
         raise AssertionError("accepted")
 
 # %%
-# **A kernel for point-to-point ICP** is available as ``TransformationEstimation.point_to_point(with_scaling=False,
+# **A kernel for point-to-point ICP** is available as ``TransformationEstimationPointToPoint(with_scaling=False,
 # kernel=...)``. Its distances contain the point spacing, so k must be larger than the spacing. Otherwise correct
 # correspondences have no influence.
 
 spacing = float(np.median(target.compute_nearest_neighbor_distance()))
 pose_errors = {}
 for k in (1.5 * spacing, 5 * spacing):
-    method = reg.TransformationEstimation.point_to_point(with_scaling=False, kernel=reg.RobustKernel.tukey(k))
+    method = reg.TransformationEstimationPointToPoint(with_scaling=False, kernel=reg.TukeyLoss(k))
     T = reg.registration_icp(source, target, DISTANCE, start.transformation, method, rules).transformation
     pose_errors[k] = pose_error(T)[1]
     print(f"point to point, k {1000 * k:.1f} mm, {k / spacing:.1f} spacings: error {pose_errors[k]:.2f} mm")

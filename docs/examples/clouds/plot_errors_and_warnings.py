@@ -35,7 +35,7 @@ def print_error(what, call):
         raise AssertionError(f"{what}: expected an error")
 
 
-plane = loom.registration.TransformationEstimation.point_to_plane()
+plane = loom.registration.TransformationEstimationPointToPlane()
 print_error("normals missing", lambda: loom.registration.registration_icp(cloud, cloud, 0.1, estimation_method=plane))
 print_error("(3, n) instead of (n, 3)", lambda: loom.PointCloud(np.zeros((3, 5000))))
 print_error(

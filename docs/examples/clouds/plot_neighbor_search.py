@@ -35,6 +35,11 @@ expected = np.sort(((room.points - query) ** 2).sum(axis=1))[:5]
 assert np.allclose(np.ravel(row.sqdists), expected, rtol=1e-4)
 
 # %%
+# ``KDTree`` has the call and the results of ``scipy.spatial.KDTree``: distances that are not squared, and indices.
+distances, rows = loom.KDTree(room).query(query, 5)
+assert np.allclose(np.ravel(distances) ** 2, expected, rtol=1e-4)
+
+# %%
 # Radius search
 # -------------
 # The number of neighbors within a radius varies, so ``radius_search`` returns one array with all indices, and

@@ -30,7 +30,7 @@ print(scans[0])
 # once. Converged registrations cause no further cost.
 sources, targets = scans[1:], scans[:-1]
 inits = np.tile(step, (len(sources), 1, 1))
-estimation = reg.TransformationEstimation.generalized()
+estimation = reg.TransformationEstimationForGeneralizedICP()
 results = reg.registration_icp_batch(sources, targets, 1.0, inits, estimation)
 for k, result in enumerate(results[:3]):
     print(
@@ -63,7 +63,7 @@ offsets = np.linspace(-4, 4, 9)
 starts = np.tile(results[0].transformation, (81, 1, 1))
 starts[:, :2, 3] += np.array([[x, y] for x in offsets for y in offsets])
 batch_results = reg.registration_icp_batch(
-    sources[0], targets[0], 2.0, starts, reg.TransformationEstimation.point_to_plane()
+    sources[0], targets[0], 2.0, starts, reg.TransformationEstimationPointToPlane()
 )
 final_positions = np.array([result.transformation[:3, 3] for result in batch_results])
 is_correct = np.linalg.norm(final_positions - results[0].transformation[:3, 3], axis=1) < 0.1

@@ -111,7 +111,7 @@ assert determined_count["bare"] < 7 and determined_count["furnished"] > 10
 # ``degenerate_directions`` lists motions that are not determined at all, as for a single wall. Noisy normals at the
 # edges of the corridor are sufficient to hide the degeneracy. Fitness does not measure reliability.
 target, source = (scan.voxel_down_sample(0.1).estimate_normals(max_nn=15) for scan in bare_scans[:2])
-plane = reg.TransformationEstimation.point_to_plane()
+plane = reg.TransformationEstimationPointToPlane()
 result = reg.registration_icp(source, target, 0.5, np.eye(4), plane)
 print(
     f"corridor: fitness {result.fitness:.3f}, {result.transformation[0, 3]:.3f} m along x, "

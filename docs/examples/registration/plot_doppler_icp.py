@@ -53,7 +53,7 @@ print(first)
 # Geometry only
 # -------------
 # Every point has a correspondence and the rmse is that of the noise, but the translation has an error of meters.
-plane = reg.registration_icp(first, target, 1.0, np.eye(4), reg.TransformationEstimation.point_to_plane())
+plane = reg.registration_icp(first, target, 1.0, np.eye(4), reg.TransformationEstimationPointToPlane())
 print(
     f"point to plane: {plane.transformation[0, 3]:+.3f} m along the tunnel, fitness {plane.fitness:.3f}, "
     f"rmse {plane.inlier_rmse:.3f} m"

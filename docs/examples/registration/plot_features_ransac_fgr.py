@@ -62,9 +62,9 @@ assert 0.03 < is_correct.mean() < 0.9
 # length, or inconsistent normals. FGR minimizes the distances of all matches with a robust kernel that becomes
 # narrower. The robust method selects matches with consistent pairwise distances and is not random.
 checkers = [
-    reg.CorrespondenceChecker.by_edge_length(0.9),
-    reg.CorrespondenceChecker.by_distance(1.5 * voxel),
-    reg.CorrespondenceChecker.by_normal(np.radians(40)),
+    reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+    reg.CorrespondenceCheckerBasedOnDistance(1.5 * voxel),
+    reg.CorrespondenceCheckerBasedOnNormal(np.radians(40)),
 ]
 option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=1.5 * voxel)
 results = {
@@ -93,7 +93,7 @@ refined = reg.registration_icp(
     normals,
     2 * voxel,
     results["robust"].transformation,
-    reg.TransformationEstimation.point_to_plane(),
+    reg.TransformationEstimationPointToPlane(),
     overlap=None,
 )
 print(f"after ICP: {pose_error(refined.transformation)[0]:.3f} degrees, {pose_error(refined.transformation)[1]:.2f} mm")
@@ -102,9 +102,10 @@ assert pose_error(refined.transformation)[0] < 0.5
 # %%
 # Upright scans
 # -------------
-# If both scans are upright, ``CorrespondenceChecker.by_rotation`` rejects poses with a tilt, and RANSAC only searches
-# for the rotation about the vertical axis. These cameras are not upright, so the script only tests the checker.
-rotation_checker = reg.CorrespondenceChecker.by_rotation([np.radians(10), np.radians(10), np.pi])
+# If both scans are upright, ``CorrespondenceCheckerBasedOnSourceRotation`` rejects poses with a tilt, and RANSAC only
+# searches for the rotation about the vertical axis. These cameras are not upright, so the script only tests the
+# checker.
+rotation_checker = reg.CorrespondenceCheckerBasedOnSourceRotation([np.radians(10), np.radians(10), np.pi])
 assert rotation_checker.Check(*downsampled, pairs[:3], np.eye(4)) and not rotation_checker.Check(
     *downsampled, pairs[:3], np.diag([1.0, -1, -1, 1])
 )

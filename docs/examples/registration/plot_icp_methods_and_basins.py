@@ -51,11 +51,11 @@ def pose_error(T):
 # surfaces of both clouds. Symmetric ICP is suitable for curved surfaces. Colored ICP helps if the geometry does not
 # determine all motions.
 methods = {
-    "point to point": reg.TransformationEstimation.point_to_point(),
-    "point to plane": reg.TransformationEstimation.point_to_plane(),
-    "generalized": reg.TransformationEstimation.generalized(),
-    "symmetric": reg.TransformationEstimation.symmetric(),
-    "colored": reg.TransformationEstimation.colored(),
+    "point to point": reg.TransformationEstimationPointToPoint(),
+    "point to plane": reg.TransformationEstimationPointToPlane(),
+    "generalized": reg.TransformationEstimationForGeneralizedICP(),
+    "symmetric": reg.TransformationEstimationSymmetric(),
+    "colored": reg.TransformationEstimationForColoredICP(),
 }
 distance = 0.15 * size  # maximum distance of a pair [m]: a larger value extends the range and reduces the accuracy
 angles = np.array([0, 20, 40, 60, 90, 120])

@@ -45,7 +45,7 @@ def pose_error(T):
 # -----------------------
 # The correspondence distance determines how many wrong pairs are used. The script compares all pairs (``overlap=1.0``,
 # as in other libraries), a given fraction, and the estimated fraction (``overlap=None``).
-method = reg.TransformationEstimation.generalized()
+method = reg.TransformationEstimationForGeneralizedICP()
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 errors = {}
 for distance in (0.16, 0.4, 1.0):
@@ -68,7 +68,7 @@ rules = [reg.ICPConvergenceCriteria(max_iteration=60)] * 2
 coarse_to_fine = {}
 for first in (0.16, 0.48):
     multi_scale = reg.multi_scale_icp(
-        source, target, [0.08, -1], rules, [first, 0.12], start, reg.TransformationEstimation.point_to_plane()
+        source, target, [0.08, -1], rules, [first, 0.12], start, reg.TransformationEstimationPointToPlane()
     )
     coarse_to_fine[first] = pose_error(multi_scale.transformation)
     print(f"two scales from {first} m: {coarse_to_fine[first][0]:.3f} degrees, {coarse_to_fine[first][1]:.1f} mm")

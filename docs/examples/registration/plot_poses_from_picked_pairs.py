@@ -60,7 +60,7 @@ def pose_of(pairs, source=source, with_scaling=False):
     """Return the T_target_source that minimizes the distances of the pairs."""
     source_points, target_points = source.select_by_index(pairs[:, 0]), target.select_by_index(pairs[:, 1])
     rows_of_pairs = np.column_stack([np.arange(len(pairs))] * 2).astype(np.int32)
-    method = reg.TransformationEstimation.point_to_point(with_scaling)
+    method = reg.TransformationEstimationPointToPoint(with_scaling)
     return reg.registration_ransac_based_on_correspondence(
         source_points, target_points, rows_of_pairs, size, method, len(pairs)
     )
@@ -114,7 +114,7 @@ assert 2 * pose_error(robust.transformation)[0] < pose_error(plain)[0] and pose_
 # correspondence, and its rmse.
 before = reg.evaluate_registration(source, target, 0.03 * size, first[5])
 result = reg.registration_icp(
-    source, target.estimate_normals(max_nn=20), 0.08 * size, first[5], reg.TransformationEstimation.point_to_plane()
+    source, target.estimate_normals(max_nn=20), 0.08 * size, first[5], reg.TransformationEstimationPointToPlane()
 )
 after = reg.evaluate_registration(source, target, 0.03 * size, result.transformation)
 print(

@@ -50,19 +50,19 @@ def pose_error(T):
 # loss contains all of them as special cases. The k of Geman-McClure is a squared length, as in Open3D.
 k = 0.02
 kernels = {
-    "L2 (least squares)": reg.RobustKernel.l2(),
-    "L1": reg.RobustKernel.l1(),
-    "Huber": reg.RobustKernel.huber(k),
-    "Cauchy": reg.RobustKernel.cauchy(k),
-    "Geman-McClure": reg.RobustKernel.geman_mcclure(k**2),
-    "Tukey": reg.RobustKernel.tukey(3 * k),
-    "generalized, -2": reg.RobustKernel.general(k, shape=-2.0),
+    "L2 (least squares)": reg.L2Loss(),
+    "L1": reg.L1Loss(),
+    "Huber": reg.HuberLoss(k),
+    "Cauchy": reg.CauchyLoss(k),
+    "Geman-McClure": reg.GMLoss(k**2),
+    "Tukey": reg.TukeyLoss(3 * k),
+    "generalized, -2": reg.GeneralizedLoss(k, shape=-2.0),
 }
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 error, poses = {}, {}
 for name, kernel in kernels.items():
     result = reg.registration_icp(
-        scan, target, 0.4, np.eye(4), reg.TransformationEstimation.point_to_plane(kernel), criteria
+        scan, target, 0.4, np.eye(4), reg.TransformationEstimationPointToPlane(kernel), criteria
     )
     error[name], poses[name] = pose_error(result.transformation), result.transformation
     print(f"{name:20} {error[name][0]:.3f} degrees, {1000 * error[name][1]:5.1f} mm, {result.iterations} iterations")

@@ -1,4 +1,4 @@
-"""Helpful errors for unknown names: equivalents of names of other libraries, and misspellings."""
+"""Helpful errors for unknown names: the equivalents of names of other libraries, and the nearest known names."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def nearest_name(name: str, known: Iterable[str]) -> str:
 class HintedClass(type):
     """Metaclass with helpful errors for unknown class attributes: `TriangleMesh.create_half_edge_mesh`."""
 
-    if not TYPE_CHECKING:  # it detects misspelled names by itself
+    if not TYPE_CHECKING:  # type checkers detect misspelled names themselves
 
         def __getattr__(cls, name: str) -> Any:  # called only for missing attributes
             if name in vars(cls).get("__annotations__", ()):  # a field: `dataclass` looks for its default
@@ -61,7 +61,7 @@ class HintedNames(metaclass=HintedClass):
 class KnownNames(HintedNames):
     """A class that rejects assignments to undeclared attributes, with the nearest name."""
 
-    _how_to_add = ""  # other possible meanings of an unknown attribute
+    _how_to_add = ""  # how to add an attribute, for the error of an unknown one
 
     if not TYPE_CHECKING:
 
@@ -80,7 +80,7 @@ def internal_names(kind: type) -> frozenset[str]:
     return frozenset(name for base in kind.__mro__ for name in vars(base).get("_internal", ()))
 
 
-_declared: set[tuple[type, str]] = set()  # cached: a class does not lose a name
+_declared: set[tuple[type, str]] = set()  # cache of (class, name): a declared name stays declared
 
 
 def _declares(kind: type, name: str) -> bool:
@@ -110,7 +110,7 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
     is_shape = any("get_center" in vars(base) for base in kind.__mro__)
     common = [f"{COMMON}.{each}" for each in (*classes, *(["Shape"] if is_shape else []))]
     row = hint(row_of(name, (*own, *classes, SHAPES, *([] if own else common))))
-    fields = [field for base in kind.__mro__ for field in _annotated(base)]  # names without default are not in dir()
+    fields = [field for base in kind.__mro__ for field in _annotated(base)]  # dir() lacks fields without a default
     near = "" if row else nearest_name(name, sorted({*dir(kind), *fields} - internal_names(kind)))
     if how_to_add:
         return message + (f"{row}; {how_to_add}" if row else f"{near} {how_to_add}" if near else f"; {how_to_add}")
@@ -123,7 +123,7 @@ def _in_bridge(kind: type) -> bool:
 
 
 def _others(kind: type, name: str) -> str:
-    """`; TriangleMesh has it` if other loaded classes, of pointloom or of its Open3D names, have the name."""
+    """`; TriangleMesh has it` if other loaded classes have the name: of pointloom, or of `pointloom.open3d`."""
     names, waiting = set(), [HintedNames]
     while waiting:
         base = waiting.pop()

@@ -1,4 +1,4 @@
-"""Standard streams, which may be None, closed or of any class in services and programs without a console."""
+"""Access to standard streams. In services and programs without a console they may be None, closed or of any class."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ def write_to_stderr(text: str) -> None:
         return
     with contextlib.suppress(OSError, ValueError):
         stream.write(f"{text}\n")
-        if hasattr(stream, "flush"):  # consoles of some programs only have write()
+        if hasattr(stream, "flush"):  # the consoles of some programs have only write()
             stream.flush()
 
 
 def is_terminal(stream: Any) -> bool:
     try:
         return bool(stream.isatty())
-    except (AttributeError, ValueError):  # None, of a class without it, or closed
+    except (AttributeError, ValueError):  # the stream is None, has no isatty(), or is closed
         return False

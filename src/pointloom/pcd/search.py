@@ -17,8 +17,8 @@ from ..core.coordinates import split_origin
 from ..core.devices import DeviceLike, check_same_device
 from ..core.gpu_arrays import take_numbers, take_points
 from ..kernels.arrays.row_numbers import run_lengths
-from ..kernels.lang import vec3
-from ..kernels.memory import upload
+from ..kernels.lang import float64, int64, vec3
+from ..kernels.memory import download, upload
 from ..kernels.search.tree_search import search_nearest, search_within
 from .cloud import PointCloud
 from .point_arrays import PointArrays, check_cloud
@@ -73,6 +73,8 @@ class NearestNeighborSearch(HintedNames):
         ([[1, 0]], [2])
     """
 
+    _internal = ("distances",)
+
     def __init__(self, cloud: PointCloud | ArrayLike, *, device: DeviceLike = None):
         if not isinstance(cloud, PointCloud):
             rows = cloud if is_on_gpu(cloud) else check_rows("cloud", cloud, 3)
@@ -121,7 +123,7 @@ class NearestNeighborSearch(HintedNames):
             DeviceError: If the cloud is on another device.
         """
         search_radius = check_positive("radius", radius)
-        batch = self._queries(queries)
+        batch = self._queries("queries", queries)
 
         def search(points: Any) -> tuple[Any, ...]:
             indices, sqdists, offsets = search_within(self._tree, points, search_radius)
@@ -130,8 +132,24 @@ class NearestNeighborSearch(HintedNames):
         indices, sqdists, counts = self._search_all(batch, search)
         return Neighbors(indices, sqdists, _only(counts) if batch.is_single else counts)
 
+    def distances(self, queries: PointCloud | ArrayLike, k: int, bound: float) -> Any:
+        """The results of `KDTree.query`."""
+        count = self._check_neighbors("k", k)
+        radius = check_positive("distance_upper_bound", bound, allow_infinite=True)
+        batch, device = self._queries("x", queries), self.cloud.device
+
+        def search(points: Any) -> tuple[Any, ...]:
+            indices, sqdists, _ = map(download, search_nearest(self._tree, points, count, radius))  # sync
+            if count == 1:
+                indices, sqdists = indices[:, 0], sqdists[:, 0]
+            rows = np.where(indices < 0, len(self.cloud), indices)
+            return upload(np.sqrt(sqdists.astype(np.float64)), float64, device), upload(rows, int64, device)
+
+        distances, rows = self._search_all(batch, search)
+        return (_only(distances), _only(rows)) if batch.is_single else (distances, rows)
+
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
-        batch = self._queries(queries)
+        batch = self._queries("queries", queries)
         neighbors = Neighbors(*self._search_all(batch, lambda points: search_nearest(self._tree, points, k, radius)))
         return Neighbors(*map(_only, neighbors)) if batch.is_single else neighbors
 
@@ -151,18 +169,66 @@ class NearestNeighborSearch(HintedNames):
         reason = f"the cloud has {len(self.cloud):,} points, and each neighbor takes 8 B per query"
         return check_count(name, count, maximum=max_count, because=reason)
 
-    def _queries(self, queries: PointArrays | ArrayLike) -> _Queries:
+    def _queries(self, name: str, queries: PointArrays | ArrayLike) -> _Queries:
         device, origin = self.cloud.device, self.cloud.origin
         if isinstance(queries, PointArrays):
-            check_same_device("queries", queries.device, device)
+            check_same_device(name, queries.device, device)
             return _Queries(queries.arrays.about(origin), False, Form(queries.array_library, False))
         form = form_of(queries)
         if is_on_gpu(queries):
-            rows = take_numbers("queries", queries, device)
+            rows = take_numbers(name, queries, device)
             is_single = tuple(rows.shape) == (3,)
             rows = view_as(rows, rows.dtype, (1, 3)) if is_single else rows
-            return _Queries(take_points("queries", rows, origin, device)[0], is_single, form)
-        rows = check_numeric("queries", queries)
+            return _Queries(take_points(name, rows, origin, device)[0], is_single, form)
+        rows = check_numeric(name, queries)
         is_single = rows.shape == (3,)
-        local, _ = split_origin(check_rows("queries", rows[None] if is_single else rows, 3), origin)
+        local, _ = split_origin(check_rows(name, rows[None] if is_single else rows, 3), origin)
         return _Queries(upload(local, vec3, device, copied=False), is_single, form)
+
+
+class KDTree(HintedNames):
+    """Exact neighbor search with the call and the results of `scipy.spatial.KDTree`.
+
+    Uses the tree of `NearestNeighborSearch`, which also searches within a radius.
+
+    Args:
+        data: Points of shape (n, 3), or a PointCloud.
+        device: Device for an array.
+
+    Raises:
+        ValueError: As of `NearestNeighborSearch`.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> tree = loom.KDTree(np.array([[0.0, 0, 0], [1, 0, 0], [3, 0, 0]]))
+        >>> distances, indices = tree.query(np.array([[0.5, 0, 0], [3, 0, 2]]))
+        >>> distances.tolist(), indices.tolist()
+        ([0.5, 2.0], [0, 2])
+    """
+
+    def __init__(self, data: PointCloud | ArrayLike, *, device: DeviceLike = None):
+        is_usable = isinstance(data, PointCloud) or is_on_gpu(data)
+        self._search = NearestNeighborSearch(data if is_usable else check_rows("data", data, 3), device=device)
+
+    def __repr__(self) -> str:
+        return f"KDTree({len(self._search.cloud):,} points, {self._search.cloud.device})"
+
+    def query(
+        self, x: PointCloud | ArrayLike, k: int = 1, *, distance_upper_bound: float = np.inf
+    ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """Find the `k` nearest points of each query that are closer than a bound.
+
+        Args:
+            x: A cloud on the same device, or an array of shape (m, 3) or (3,).
+            k: Number of neighbors, up to the number of points plus 1024.
+            distance_upper_bound: Exclusive search radius [m].
+
+        Returns:
+            (distances, indices) of shape (m, k), for k = 1 (m,), float64 [m] and int64. Missing neighbors have infinite
+            distance and the index n.
+
+        Raises:
+            ValueError, DeviceError: If an argument is out of range, the shape is wrong, or the cloud is on another
+                device.
+        """
+        return self._search.distances(x, k, distance_upper_bound)

@@ -1,8 +1,13 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
+from ..pcd.features import compute_fpfh_feature as compute_fpfh_feature
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
 from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker
+from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
+from .globally.checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength
+from .globally.checkers import CorrespondenceCheckerBasedOnNormal as CorrespondenceCheckerBasedOnNormal
+from .globally.checkers import CorrespondenceCheckerBasedOnSourceRotation as CorrespondenceCheckerBasedOnSourceRotation
 from .globally.fast_global import FastGlobalRegistrationOption as FastGlobalRegistrationOption
 from .globally.fast_global import registration_fgr_based_on_correspondence as registration_fgr_based_on_correspondence
 from .globally.global_registration import register_globally as register_globally
@@ -15,7 +20,12 @@ from .globally.rating import assess_registration as assess_registration
 from .icp.constraint import Constraint as Constraint
 from .icp.constraint import Prior as Prior
 from .icp.estimation import TransformationEstimation as TransformationEstimation
+from .icp.estimation import TransformationEstimationForColoredICP as TransformationEstimationForColoredICP
 from .icp.estimation import TransformationEstimationForDopplerICP as TransformationEstimationForDopplerICP
+from .icp.estimation import TransformationEstimationForGeneralizedICP as TransformationEstimationForGeneralizedICP
+from .icp.estimation import TransformationEstimationPointToPlane as TransformationEstimationPointToPlane
+from .icp.estimation import TransformationEstimationPointToPoint as TransformationEstimationPointToPoint
+from .icp.estimation import TransformationEstimationSymmetric as TransformationEstimationSymmetric
 from .icp.evaluation import evaluate_registration as evaluate_registration
 from .icp.evaluation import get_information_matrix_from_point_clouds as get_information_matrix_from_point_clouds
 from .icp.icp import ICPConvergenceCriteria as ICPConvergenceCriteria
@@ -43,7 +53,14 @@ from .pose_graphs.pose_graph_optimization import (
 )
 from .pose_graphs.pose_graph_optimization import GlobalOptimizationOption as GlobalOptimizationOption
 from .pose_graphs.pose_graph_optimization import global_optimization as global_optimization
+from .robust_kernels import CauchyLoss as CauchyLoss
+from .robust_kernels import GeneralizedLoss as GeneralizedLoss
+from .robust_kernels import GMLoss as GMLoss
+from .robust_kernels import HuberLoss as HuberLoss
+from .robust_kernels import L1Loss as L1Loss
+from .robust_kernels import L2Loss as L2Loss
 from .robust_kernels import RobustKernel as RobustKernel
+from .robust_kernels import TukeyLoss as TukeyLoss
 from .stations.observations import ControlPoint as ControlPoint
 from .stations.observations import TargetObservation as TargetObservation
 from .stations.stations import register_stations as register_stations

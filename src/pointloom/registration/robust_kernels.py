@@ -19,57 +19,18 @@ MIN_RESIDUAL = robust_weights.MIN_RESIDUAL
 
 @dataclasses.dataclass(frozen=True)
 class RobustKernel:
-    """A robust kernel, which maps a residual to a weight. The static methods create the kernels.
+    """A robust kernel, which maps a residual to a weight: the base class of the kernels.
 
     The scale `k` has the residual's unit: meters for point-to-plane, none for generalized ICP.
 
     Example:
         >>> import pointloom as loom
-        >>> loom.registration.RobustKernel.huber(0.5).weight([0.1, 1.0, 2.0]).tolist()
+        >>> loom.registration.HuberLoss(0.5).weight([0.1, 1.0, 2.0]).tolist()
         [1.0, 0.5, 0.25]
     """
 
     kind: ClassVar[int] = robust_weights.L2_LOSS
-    _internal: ClassVar[tuple[str, ...]] = ("loss",)
-
-    @staticmethod
-    def l2() -> RobustKernel:
-        """Least squares: all weights are 1."""
-        return L2Loss()
-
-    @staticmethod
-    def l1() -> RobustKernel:
-        """Least absolute residuals: `1 / |r|`, clamped at 1e-9."""
-        return L1Loss()
-
-    @staticmethod
-    def huber(k: float) -> RobustKernel:
-        """`k / max(|r|, k)`: least squares up to k, absolute residuals beyond."""
-        return HuberLoss(k)
-
-    @staticmethod
-    def cauchy(k: float) -> RobustKernel:
-        """`1 / (1 + (r / k)^2)`."""
-        return CauchyLoss(k)
-
-    @staticmethod
-    def geman_mcclure(k: float) -> RobustKernel:
-        """`k / (k + r^2)^2`, as in Open3D: k is a squared residual."""
-        return GMLoss(k)
-
-    @staticmethod
-    def tukey(k: float) -> RobustKernel:
-        """`(1 - (r / k)^2)^2` up to k, zero beyond."""
-        return TukeyLoss(k)
-
-    @staticmethod
-    def general(k: float, shape: float = 1.0) -> RobustKernel:
-        """Barron's general kernel with the scale k, where weights begin to fall, and a shape of at most 2.
-
-        The shape 2 is least squares, 1 pseudo-Huber, 0 Cauchy, -2 Geman-McClure, -inf Welsch (Barron, "A general and
-        adaptive robust loss function", CVPR 2019).
-        """
-        return GeneralizedLoss(k, shape)
+    _internal: ClassVar[tuple[str, ...]] = ("kind", "loss", "parameters")
 
     @property
     def parameters(self) -> tuple[int, float, float]:

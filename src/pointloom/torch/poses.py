@@ -12,7 +12,7 @@ import torch
 from ..core.checks import check_count, check_positive
 from ..core.devices import resolve_device
 from ..pcd.cloud import PointCloud
-from ..registration.icp.estimation import TransformationEstimation
+from ..registration.icp.estimation import TransformationEstimationPointToPlane, TransformationEstimationPointToPoint
 from ..registration.icp.icp import ICPConvergenceCriteria, registration_icp_batch
 from .batches import Batch, take_pair
 from .losses import ARGUMENT_NAMES, Layout
@@ -217,11 +217,8 @@ def icp_poses(
     """
     sources = _clouds(source, None, *layout[:2].tolist())
     targets = _clouds(target, normals if len(normals) else None, *layout[2:].tolist())
-    of = TransformationEstimation
-    method, rules = (
-        of.point_to_plane() if len(normals) else of.point_to_point(),
-        ICPConvergenceCriteria(max_iteration=max_iterations),
-    )
+    method = TransformationEstimationPointToPlane() if len(normals) else TransformationEstimationPointToPoint()
+    rules = ICPConvergenceCriteria(max_iteration=max_iterations)
     found = registration_icp_batch(sources, targets, max_distance, init.cpu().numpy(), method, rules)
     poses = torch.tensor([result.transformation.tolist() for result in found], dtype=torch.float64).to(source.device)
     labels = _labels(len(source), layout[0].long(), layout[1])

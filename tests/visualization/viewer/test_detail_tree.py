@@ -209,7 +209,7 @@ def test_a_sample_of_a_compressed_file_is_of_each_chunk(tmp_path, rng):
 
 def test_files_that_are_read_completely_give_no_sample(tmp_path):
     loom.write_point_cloud(tmp_path / "a.xyz", loom.PointCloud([[0, 0, 0]]))
-    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), ascii=True)
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), write_ascii=True)
     assert sample_file(tmp_path / "a.xyz", 10) is None
     assert sample_file(tmp_path / "a.ply", 10) is None
     assert DetailTree.from_file(tmp_path / "a.ply").count == 1

@@ -304,7 +304,7 @@ def write_point_cloud(
     path: FilePath,
     cloud: PointCloud,
     *,
-    ascii: bool = False,
+    write_ascii: bool = False,
     overwrite: bool = True,
     drop_unsupported: bool = False,
     scale: ArrayLike | None = None,
@@ -322,7 +322,7 @@ def write_point_cloud(
         path: The file (formats: docs/files.md). A .csv (commas) or .txt (blanks) has a header and all attributes; an
             attribute (n, c) with c > 1 has columns name_0, name_1, ...
         cloud: The cloud. Or one of another library, see `from_any`.
-        ascii: Write text instead of binary, for formats of either encoding, such as .ply.
+        write_ascii: Write text instead of binary, for formats of either encoding, such as .ply.
         overwrite: Replace an existing file.
         drop_unsupported: Leave out colors, normals and attributes that the format cannot store, instead of an error.
         scale: Coordinate step [m], for .las and .laz: a number or one per axis. If None: 0.001, or finer on axes where
@@ -370,8 +370,8 @@ def write_point_cloud(
     header = None if like is None else open_las(like).header
     offset = cloud.origin if cloud.origin.any() and header is None else None
     options = WriteOptions(
-        ascii=ascii, overwrite=overwrite, drop_unsupported=drop_unsupported, scale=scale, offset=offset, like=header,
-        device=cloud.device,
+        ascii=write_ascii, overwrite=overwrite, drop_unsupported=drop_unsupported, scale=scale, offset=offset,
+        like=header, device=cloud.device,
     )  # fmt: skip
     system = common_crs("crs, cloud", (check_crs("crs", crs), cloud.crs))
     write_table(path, replace(table_of(cloud), crs=system), options)

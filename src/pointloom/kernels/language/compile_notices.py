@@ -12,14 +12,14 @@ import time
 from collections.abc import Iterator
 
 LOGGER = logging.getLogger("pointloom")
-COMPILES = {"compiles": True}  # of a record, for handlers
+COMPILES = {"compiles": True}  # attribute of the record, for logging handlers
 NOTICE_DELAY = 1.0  # [s] shorter waits are not reported
 
-_current = threading.local()  # first launch in progress on this thread, if any
+_current = threading.local()  # the first launch in progress on this thread, if there is one
 
 
 class FirstLaunch:
-    """First launch of a kernel: logs a compilation that takes long."""
+    """The first launch of a kernel. Logs its compilation if it lasts longer than `NOTICE_DELAY`."""
 
     def __init__(self, name: str):
         self._name, self._began = name, 0.0
@@ -33,7 +33,7 @@ class FirstLaunch:
     def compiling(self) -> None:
         if not self._began:
             self._began = time.monotonic()
-            with contextlib.suppress(RuntimeError):  # the system refuses a thread: the record comes afterward
+            with contextlib.suppress(RuntimeError):  # no thread can start: `end` logs the compilation
                 self._timer.start()
 
     def end(self) -> None:
@@ -57,7 +57,7 @@ def announced(name: str) -> Iterator[bool]:
 
 
 def compiling() -> None:
-    """Note that the current kernel is compiled, not loaded from a cache."""
+    """Report that the current kernel is being compiled instead of loaded from a cache."""
     launch = getattr(_current, "launch", None)
     if launch is not None:
         launch.compiling()

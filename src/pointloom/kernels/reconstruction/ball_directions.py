@@ -12,20 +12,20 @@ CELL_LANES = 8  # cells tested together
 eight_numbers = vector(8, float32)
 eight_cells = vector(8, int32)  # 12 bits each: the halves of three faces, and the opposite halves
 ALL_CELLS = 0xFFF
-FIRST_HALF, SECOND_HALF = 1, 2  # bits of the first half, the others follow
+FIRST_HALF, SECOND_HALF = 1, 2  # bits of a half and its opposite half; those of the other halves follow
 # Unit vectors (1, a, b) / |(1, a, b)| for a, b of 0.19696 (near) and 0.67575 (far). Cells end at 0, 0.41514 and 1
-INNER_AXIS, INNER_SIDE = 0.9633271, 0.1897378  # both near
-MIXED_AXIS, MIXED_NEAR, MIXED_FAR = 0.8177445, 0.1610637, 0.5525870  # one of each
-OUTER_AXIS, OUTER_SIDE = 0.7229572, 0.4885350  # both far
+INNER_AXIS, INNER_SIDE = 0.9633271, 0.1897378  # both coordinates near
+MIXED_AXIS, MIXED_NEAR, MIXED_FAR = 0.8177445, 0.1610637, 0.5525870  # one coordinate near, the other far
+OUTER_AXIS, OUTER_SIDE = 0.7229572, 0.4885350  # both coordinates far
 CONE_COSINE, CONE_SINE = 0.9593273, 0.2822961  # of a cone's half-angle, 16.4 degrees, with a margin of 0.05 degrees
-# |q|^2 / (2 r)^2 up to which caps are tested: those of farther neighbors rarely contain another cell
+# Caps are tested up to this |q|^2 / (2 r)^2: the caps of farther neighbors rarely contain a further cell
 NEAR_FRACTION = 0.25
 MIN_SQUARE = 1e-30  # [m^2] smaller squares lose digits
 
 
 @func
 def offsets_along(x: float, y: float, z: float) -> eight_numbers:
-    """Products of the centers of the cells of half a face with a vector, whose x is along the face's normal."""
+    """Dot products of a vector with the centers of the cells of half a face. Its x is along the normal of the face."""
     axis = eight_numbers(INNER_AXIS, INNER_AXIS, MIXED_AXIS, MIXED_AXIS, MIXED_AXIS, MIXED_AXIS, OUTER_AXIS, OUTER_AXIS)
     a = eight_numbers(INNER_SIDE, INNER_SIDE, MIXED_NEAR, MIXED_NEAR, MIXED_FAR, MIXED_FAR, OUTER_SIDE, OUTER_SIDE)
     b = eight_numbers(INNER_SIDE, -INNER_SIDE, MIXED_FAR, -MIXED_FAR, MIXED_NEAR, -MIXED_NEAR, OUTER_SIDE, -OUTER_SIDE)
@@ -48,7 +48,7 @@ def cover_half(cells: eight_cells, x: float, y: float, z: float, limit: float, s
 
 @func
 def any_cell(cells: eight_cells) -> int:
-    """Bits of the halves of faces with an open cell."""
+    """Bits of the halves of faces that have an open cell."""
     halves = 0
     for j in range(CELL_LANES):
         halves = halves | cells[j]
@@ -57,14 +57,14 @@ def any_cell(cells: eight_cells) -> int:
 
 @func
 def cap_limit(sqdist: float, diameter: float, cosine: float, sine: float) -> float:
-    """|q| times the cosine of the angle of a neighbor's cap less (sine > 0) or plus (sine < 0) that of a cone."""
+    """|q| times the cosine of an angle: of a neighbor's cap, minus (sine > 0) or plus (sine < 0) that of a cone."""
     along = sqdist / diameter
     return along * cosine + sqrt(max(sqdist - along * along, 0.0)) * sine
 
 
 @func
 def cover_cells(cells: eight_cells, halves: int, q: vec3, limit: float) -> eight_cells:
-    """The cells that the cap of a neighbor does not contain. `halves`: the result of `any_cell`."""
+    """Remove the cells that the cap of a neighbor contains. `halves`: the result of `any_cell`."""
     left = cells
     if (halves & 3) != 0:
         left = cover_half(left, q[0], q[1], q[2], limit, 0)
@@ -94,7 +94,7 @@ def touch_half(cells: eight_cells, x: float, y: float, z: float, limit: float, s
 
 @func
 def touches_cells(cells: eight_cells, halves: int, q: vec3, limit: float) -> int:
-    """0 if the rim of a neighbor's cap certainly touches no open cell. `halves`: the result of `any_cell`."""
+    """Nonzero if the rim of a neighbor's cap may touch an open cell. `halves`: the result of `any_cell`."""
     touched = 0
     if (halves & 3) != 0:
         touched = touched | touch_half(cells, q[0], q[1], q[2], limit, 0)

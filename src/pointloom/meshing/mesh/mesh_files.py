@@ -98,7 +98,7 @@ def write_triangle_mesh(
     path: str | os.PathLike[str],
     mesh: TriangleMesh,
     *,
-    ascii: bool = False,
+    write_ascii: bool = False,
     overwrite: bool = True,
     write_vertex_normals: bool = True,
     write_vertex_colors: bool = True,
@@ -116,7 +116,7 @@ def write_triangle_mesh(
             warning: STL has no vertex data, STL and OFF no textures, and only .ply, .vtk and .vtp all attributes (.glb
             and .gltf those of vertices, .off triangle colors). GLB duplicates vertices at texture seams and sorts
             triangles by material.
-        ascii: Text instead of binary, for .ply and .vtk. Files of .obj, .off and .gltf are always text.
+        write_ascii: Text instead of binary, for .ply and .vtk. Files of .obj, .off and .gltf are always text.
         overwrite: Allow replacing existing files.
         write_vertex_normals, write_vertex_colors: Write these arrays if the mesh has them.
         write_triangle_uvs: Write texture coordinates, material ids and textures.
@@ -141,8 +141,8 @@ def write_triangle_mesh(
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}{remedy or conversion_of(mesh)}")
     if suffix not in MESH_FORMATS:
         raise FileError(path, f"meshes are written to {', '.join(MESH_FORMATS)}, not to {suffix or 'no extension'}")
-    if ascii and MESH_FORMATS[suffix].encoding == "binary":
-        raise ValueError(f"ascii: {MESH_FORMATS[suffix].name} has only one encoding")
+    if write_ascii and MESH_FORMATS[suffix].encoding == "binary":
+        raise ValueError(f"write_ascii: {MESH_FORMATS[suffix].name} has only one encoding")
     table = mesh_table(mesh)
     if not write_vertex_normals:
         table.vertex_normals = None
@@ -150,4 +150,4 @@ def write_triangle_mesh(
         table.vertex_colors = None
     if not write_triangle_uvs:
         table.triangle_uvs, table.triangle_material_ids, table.textures = None, None, ()
-    write_mesh(path, table, ascii=ascii, overwrite=overwrite, up=up)
+    write_mesh(path, table, ascii=write_ascii, overwrite=overwrite, up=up)

@@ -72,9 +72,9 @@ class PagedTSDFVolume(Serialized, HintedNames):
     def __init__(
         self,
         folder: FilePath,
-        *,
         voxel_size: float,
         truncation: float | None = None,
+        *,
         color: bool = True,
         max_blocks: int = 100_000,
         page_blocks: int = 16,

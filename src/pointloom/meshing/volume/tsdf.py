@@ -97,7 +97,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
 
     @explain_argument_errors
     def __init__(
-        self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: DeviceLike = None
+        self, voxel_size: float, truncation: float | None = None, *, color: bool = True, device: DeviceLike = None
     ):
         edge = check_voxel_size(voxel_size)
         limit = 4 * edge

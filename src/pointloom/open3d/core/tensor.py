@@ -43,7 +43,7 @@ class Tensor(TensorMethods, HintedNames):
     __hash__ = None  # type: ignore[assignment]  # compares elementwise
 
     array: Any
-    is_number: bool  # a tensor without axes on a GPU, where `array` has one element
+    is_number: bool  # True for a tensor without axes on a GPU, whose `array` has one element
 
     @as_tensor_error
     def __init__(self, np_array: TensorLike | None, dtype: Dtype | None = None, device: Device | str | None = None):
@@ -123,7 +123,7 @@ class Tensor(TensorMethods, HintedNames):
         dtype: Dtype | None = None,
         device: DeviceLike | None = None,
     ) -> Tensor:
-        """Numbers from `start` (0 if it is the only one) to below `stop`: Int64, or Float64 if one is a float."""
+        """Numbers from `start` to below `stop`: Int64, or Float64 if an argument is a float. One argument is `stop`."""
         first, end, step = (0, start, 1) if stop is None else (start, stop, 1 if step is None else step)
         if step == 0:
             raise TensorError("step: expected a number other than 0, got 0")
@@ -188,8 +188,8 @@ class Tensor(TensorMethods, HintedNames):
 
     @property
     def strides(self) -> SizeVector:
-        """Distances of neighbors along each axis, in elements."""
-        if not self.num_elements():  # NumPy's are zero
+        """Step in memory from an element to the next one along each axis, in elements."""
+        if not self.num_elements():  # Open3D's strides are those of sizes of at least 1, NumPy's are zero
             return SizeVector([int(np.prod(np.maximum(self._shape[i + 1 :], 1))) for i in range(self.ndim)])
         return SizeVector([n // self._numpy_dtype.itemsize for n in self.array.strides[: self.ndim]])
 
@@ -376,7 +376,7 @@ class Tensor(TensorMethods, HintedNames):
         return self._like(elementwise.binary(name, left.numpy(), right.numpy())) if result is None else result
 
     def _on_device(self, function: str, *arguments: Any) -> Tensor | None:
-        """The result of a function of `device_functions`. None on the CPU, and for what is left to the host."""
+        """The result of a function of `device_functions`. None on the CPU and for operations that run on the host."""
         if self.is_cpu:
             return None
         from . import device_functions
@@ -416,7 +416,7 @@ class Tensor(TensorMethods, HintedNames):
         return self._like(np.stack(found)) if as_tuple else [self._like(part) for part in found]
 
     def append(self, values: Tensor, axis: int | None = None) -> Tensor:
-        """This tensor and another along an axis. Axis None joins flat tensors."""
+        """Join this tensor and another along an axis. Axis None joins flattened tensors."""
         return concatenate((self, values), axis)
 
 
@@ -461,7 +461,7 @@ def _copy_into(tensor: Tensor, source: Tensor) -> None:
 
 
 def concatenate(tensors: Tensor | Iterable[Tensor], axis: int | None = 0) -> Tensor:
-    """Tensors one after another along an axis. A single tensor is split along its first axis. None joins flat ones."""
+    """Join tensors along an axis. A single tensor is split along its first axis. Axis None joins flattened tensors."""
     parts = [tensors] if isinstance(tensors, Tensor) else list(tensors)
     if not parts:
         raise TensorError("tensors: expected one or more tensors, got none")

@@ -73,7 +73,7 @@ def write_point_cloud(
         return _not_written(filename, "the cloud is empty")
     columns = TEXT_COLUMNS.get(suffix)
     left_out = [] if columns is None else [name for name in cloud.arrays if name not in ("points", *columns)]
-    point_cloud.write_point_cloud(filename, cloud.without(*left_out), ascii=write_ascii)
+    point_cloud.write_point_cloud(filename, cloud.without(*left_out), write_ascii=write_ascii)
     return True
 
 
@@ -120,7 +120,7 @@ def write_triangle_mesh(
     mesh_files.write_triangle_mesh(
         filename,
         native,
-        ascii=write_ascii,
+        write_ascii=write_ascii,
         write_vertex_normals=write_vertex_normals,
         write_vertex_colors=write_vertex_colors,
         write_triangle_uvs=write_triangle_uvs,

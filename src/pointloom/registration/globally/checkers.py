@@ -17,46 +17,15 @@ from ..correspondence_input import check_clouds, check_pairs
 
 
 class CorrespondenceChecker:
-    """A test that rejects wrong samples of RANSAC before scoring. The static methods create the checkers.
+    """A test that rejects wrong samples of RANSAC before scoring: the base class of the checkers.
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> checker = loom.registration.CorrespondenceChecker.by_distance(0.5)
+        >>> checker = loom.registration.CorrespondenceCheckerBasedOnDistance(0.5)
         >>> a, b = loom.PointCloud([[0, 0, 0]]), loom.PointCloud([[0, 0, 0.4], [0, 0, 0.6]])
         >>> checker.Check(a, b, [[0, 0]], np.eye(4)), checker.Check(a, b, [[0, 1]], np.eye(4))
         (True, False)
     """
-
-    @staticmethod
-    def by_edge_length(similarity_threshold: float = 0.9) -> CorrespondenceChecker:
-        """Distances between the sampled points must be similar in both clouds. Not for poses with scale.
-
-        Args:
-            similarity_threshold: Minimum ratio of the shorter to the longer, 0 (loose) to 1 (strict).
-        """
-        return CorrespondenceCheckerBasedOnEdgeLength(similarity_threshold)
-
-    @staticmethod
-    def by_distance(distance_threshold: float) -> CorrespondenceChecker:
-        """The sampled points must be within a distance [m] under the pose."""
-        return CorrespondenceCheckerBasedOnDistance(distance_threshold)
-
-    @staticmethod
-    def by_normal(normal_angle_threshold: float) -> CorrespondenceChecker:
-        """The normals at the sampled points must be within an angle [rad] under the pose. Clouds without normals pass.
-
-        Opposite normals do not agree: orient them first. The scale of a pose is ignored, unlike in Open3D.
-        """
-        return CorrespondenceCheckerBasedOnNormal(normal_angle_threshold)
-
-    @staticmethod
-    def by_rotation(rotation_threshold: ArrayLike) -> CorrespondenceChecker:
-        """The pose must not rotate the source too far about its axes.
-
-        Args:
-            rotation_threshold: Maximum absolute angles x, y, z [rad] of the rotation Rz Ry Rx, shape [3].
-        """
-        return CorrespondenceCheckerBasedOnSourceRotation(rotation_threshold)
 
     def Check(self, source: PointCloud, target: PointCloud, corres: ArrayLike, transformation: ArrayLike) -> bool:
         """True if correspondences and a pose pass.

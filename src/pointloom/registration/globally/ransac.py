@@ -54,7 +54,7 @@ def registration_ransac_based_on_correspondence(
         corres: Indices (source, target), shape [m, 2], as from `correspondences_from_features`. Non-finite points are
             ignored.
         max_correspondence_distance: Exclusive match distance [m]; typically 1.5 voxels.
-        estimation_method: `TransformationEstimation.point_to_point`, with or without scaling; None: without. Its kernel
+        estimation_method: `TransformationEstimationPointToPoint`, with or without scaling; None: without. Its kernel
             is ignored.
         ransac_n: Correspondences per sample, at least 3.
         checkers: Tests that a sample and its pose must pass before scoring.
@@ -120,7 +120,7 @@ def _check_settings(
     method = TransformationEstimationPointToPoint() if method is None else method
     if not isinstance(method, TransformationEstimationPointToPoint):
         raise TypeError(
-            "estimation_method: expected TransformationEstimation.point_to_point(), which fits a pose to point pairs, "
+            "estimation_method: expected TransformationEstimationPointToPoint(), which fits a pose to point pairs, "
             f"got {type(method).__name__}. Use that in registration_icp to refine the result"
         )
     sample_size = check_count("ransac_n", ransac_n, minimum=MIN_SAMPLE)

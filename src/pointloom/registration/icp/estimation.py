@@ -33,7 +33,9 @@ MIN_SQUARES = L2Loss()
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimation:
-    """An estimator of ICP, which computes a pose from pairs. The static methods create the estimators.
+    """An estimator of ICP, which computes a pose from pairs: the base class of the estimators.
+
+    As in Open3D, a kernel may be the only argument: `TransformationEstimationForColoredICP(TukeyLoss(0.1))`.
 
     Raises:
         TypeError: `kernel` is not a kernel.
@@ -41,10 +43,14 @@ class TransformationEstimation:
     Example:
         >>> import pointloom as loom
         >>> reg = loom.registration
-        >>> reg.TransformationEstimation.point_to_plane(reg.RobustKernel.tukey(0.1)).kernel.k
+        >>> reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.1)).kernel.k
         0.1
     """
 
+    _internal: ClassVar[tuple[str, ...]] = (
+        "arguments", "constrainable", "flattens_covariances", "geometry", "in_sensor_frame", "method", "needs_colors",
+        "needs_normals", "prepare", "residual_count", "rows", "scales",
+    )  # fmt: skip
     rows: ClassVar[Any]
     method: ClassVar[int] = GAUSS_NEWTON
     residual_count: ClassVar[int] = 1  # rows per pair
@@ -54,69 +60,15 @@ class TransformationEstimation:
     in_sensor_frame: ClassVar[bool] = False  # True if the coordinate origin must be the sensor
 
     def __post_init__(self) -> None:
+        names = [field.name for field in dataclasses.fields(self)]
+        only = getattr(self, names[0]) if names else None
+        if isinstance(only, RobustKernel) and names[0] != "kernel" and getattr(self, "kernel", None) == MIN_SQUARES:
+            object.__setattr__(self, "kernel", only)
+            object.__setattr__(self, names[0], getattr(type(self), names[0]))  # its default
         for field in dataclasses.fields(self):
             value = getattr(self, field.name)
             if field.name.endswith("kernel") and not isinstance(value, RobustKernel):
-                raise TypeError(
-                    f"{field.name}: expected a robust kernel such as RobustKernel.tukey(0.1), got {value!r}"
-                )
-
-    @staticmethod
-    def point_to_point(
-        with_scaling: bool = False, kernel: RobustKernel = MIN_SQUARES
-    ) -> TransformationEstimationPointToPoint:
-        """Minimize squared point distances in closed form (Horn 1987). With scale as Umeyama 1991.
-
-        Args:
-            with_scaling: Estimate a scale.
-            kernel: Weighs pairs by their distance [m]. Open3D has none here.
-        """
-        return TransformationEstimationPointToPoint(with_scaling, kernel)
-
-    @staticmethod
-    def point_to_plane(kernel: RobustKernel = MIN_SQUARES) -> TransformationEstimation:
-        """Minimize squared distances of source points from the target planes (Chen and Medioni 1991).
-
-        Args:
-            kernel: Weighs pairs by that distance [m].
-        """
-        return TransformationEstimationPointToPlane(kernel)
-
-    @staticmethod
-    def symmetric(kernel: RobustKernel = MIN_SQUARES) -> TransformationEstimation:
-        """Symmetric point-to-plane ICP (Rusinkiewicz 2019): exact on spheres, fewer steps.
-
-        Args:
-            kernel: Weighs pairs by (p - q) . (n_p + n_q), about twice a distance [m].
-        """
-        return TransformationEstimationSymmetric(kernel)
-
-    @staticmethod
-    def generalized(
-        epsilon: float = 1e-3, kernel: RobustKernel = MIN_SQUARES, voxel_size: float | None = None
-    ) -> TransformationEstimation:
-        """Generalized ICP: plane-to-plane with thin Gaussians (Segal, Haehnel and Thrun 2009).
-
-        Planes are those of the cloud's covariances (across their smallest variance) if present, else of its normals,
-        else of 20 neighbors.
-
-        Args:
-            epsilon: Variance across a plane, relative to 1 along it.
-            kernel: Weighs each of the three rows of a pair by its dimensionless residual.
-            voxel_size: Match to Gaussians of target voxels of this edge [m] instead of points (Koide et al. 2021):
-                faster, without search. Open3D has no such form.
-        """
-        return TransformationEstimationForGeneralizedICP(epsilon, kernel, voxel_size)
-
-    @staticmethod
-    def colored(lambda_geometric: float = 0.968, kernel: RobustKernel = MIN_SQUARES) -> TransformationEstimation:
-        """Colored ICP: point-to-plane and photometric terms (Park, Zhou and Koltun 2017).
-
-        Args:
-            lambda_geometric: Weight of the geometric term, 0..1.
-            kernel: Weighs the geometric and the photometric row of a pair, each by its residual.
-        """
-        return TransformationEstimationForColoredICP(lambda_geometric, kernel)
+                raise TypeError(f"{field.name}: expected a robust kernel such as TukeyLoss(0.1), got {value!r}")
 
     @property
     def scales(self) -> bool:
@@ -153,7 +105,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
 
     Args:
         with_scaling: Estimate a scale.
-        kernel: Weighs pairs by their distance. Open3D has none here.
+        kernel: Weighs pairs by their distance [m]. Open3D has none here.
     """
 
     with_scaling: bool = False

@@ -89,7 +89,7 @@ def registration_icp(
         max_correspondence_distance: Correspondences must be closer than this [m].
         init: Initial T_target_source, 4x4; None: the identity. A rotation that is orthonormal within 0.02 is made
             orthonormal.
-        estimation_method: The estimator; None: `TransformationEstimation.point_to_point()`.
+        estimation_method: The estimator; None: `TransformationEstimationPointToPoint()`.
         criteria: Stopping criteria; None: ICPConvergenceCriteria().
         overlap: Fraction of source points whose nearest pairs are kept, in (0, 1] (trimmed ICP, Chetverikov et al.
             2002). None: estimated in each iteration by the fractional RMSD (Phillips et al. 2007), for an overlap below
@@ -127,7 +127,7 @@ def registration_icp(
         >>> target = loom.PointCloud(points).estimate_normals(max_nn=20)
         >>> source = loom.PointCloud(points + [0.01, -0.02, 0.01])
         >>> reg = loom.registration
-        >>> result = reg.registration_icp(source, target, 0.1, np.eye(4), reg.TransformationEstimation.point_to_plane())
+        >>> result = reg.registration_icp(source, target, 0.1, np.eye(4), reg.TransformationEstimationPointToPlane())
         >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reliable
         (np.True_, True)
     """
@@ -248,7 +248,7 @@ def check_rules(method: object, criteria: object) -> tuple[TransformationEstimat
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = DEFAULT_CRITERIA if criteria is None else criteria
     if not isinstance(method, TransformationEstimation):
-        remedy = "such as loom.registration.TransformationEstimation.point_to_plane()"
+        remedy = "such as loom.registration.TransformationEstimationPointToPlane()"
         raise TypeError(f"estimation_method: expected an object {remedy}, got {shown(method)}")
     if not isinstance(criteria, ICPConvergenceCriteria):
         raise TypeError(f"criteria: expected ICPConvergenceCriteria, got {type(criteria).__name__}")

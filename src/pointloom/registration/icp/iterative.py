@@ -87,7 +87,7 @@ def check_constrainable(method: TransformationEstimation) -> None:
     if not method.constrainable:
         raise ValueError(
             f"constraint: {type(method).__name__} cannot be constrained. "
-            "Use TransformationEstimation.point_to_plane() or another one that can"
+            "Use TransformationEstimationPointToPlane() or another one that can"
         )
 
 

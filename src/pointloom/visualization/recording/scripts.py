@@ -1,4 +1,4 @@
-"""Recording of each algorithm: from reported events to frames."""
+"""Scripts that convert the reported events of each algorithm into frames of a recording."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Scripts:
 
     @property
     def look(self) -> Look | None:
-        """View direction and up from the first algorithm. None before."""
+        """View direction and up axis, from the first algorithm. None before its first event."""
         return None if self._first is None else self._first.look
 
     def finish(self) -> None:
@@ -66,7 +66,7 @@ class Scripts:
 
 
 class Registration(Script):
-    """Two clouds: target blue, source orange under each pose."""
+    """A registration of two clouds: the target in blue, and the source in orange at each pose."""
 
     def __init__(self, stage: Stage):
         super().__init__(stage)
@@ -88,7 +88,7 @@ class Registration(Script):
         self._at(data["transformation"], f"ICP{voxels}, iteration {iteration_index}", fit)
 
     def registration(self, source: PointCloud, target: PointCloud, result: Any, **data: Any) -> None:
-        """Result of a registration, unless ICP's last iteration showed it already."""
+        """Show the result of a registration, unless the last iteration of ICP has the same pose."""
         if self._pose is not None and np.array_equal(self._pose, result.transformation):
             return
         if self._pair is None or self._pair[0] is not source or self._pair[1] is not target:
@@ -115,7 +115,7 @@ MAX_CLUSTER_FRAMES = 100  # maximum number of frames in which clusters appear
 
 
 class Clusters(Script):
-    """Clusters that are colored one after another by number, although the algorithm has no such steps."""
+    """Clusters, colored one after another by number. The algorithm itself has no such steps."""
 
     def events(self) -> dict[str, Callable[..., None]]:
         return {"clusters": self.clusters}
@@ -146,7 +146,7 @@ class Clusters(Script):
 
 
 class Planes(Script):
-    """Planes that are colored when found."""
+    """Planes, colored in the order in which they are found."""
 
     def __init__(self, stage: Stage):
         super().__init__(stage)
@@ -157,7 +157,7 @@ class Planes(Script):
         return {"plane": self.plane}
 
     def plane(self, cloud: PointCloud, inliers: object, model: Any, number: int | None = None, **_: Any) -> None:
-        """Points of a plane. Without a number it is the only plane."""
+        """Color the points of a plane. Without a number it is the only plane."""
         if cloud is not self._cloud or not number:
             self._cloud, self._inliers = cloud, []
             self.look = self.look or look_at(cloud)
@@ -179,7 +179,7 @@ class Planes(Script):
 
 
 class Fragments(Script):
-    """Clouds of one scene, merged into one frame one after another."""
+    """Clouds of one scene, moved one after another into the common coordinate system."""
 
     def events(self) -> dict[str, Callable[..., None]]:
         return {"fragments": self.fragments}
@@ -201,14 +201,12 @@ def _painted(cloud: PointCloud, colors: NDArray[np.float64]) -> PointCloud:
 
 
 PATH_COLOR = (0.1, 0.35, 0.75)
-SURFACE_EVERY, MAX_EVEN_SURFACES = (
-    5,
-    20,
-)  # frames between two surfaces. After MAX_EVEN_SURFACES of them the interval doubles
+# Frames between two surfaces. After MAX_EVEN_SURFACES surfaces the interval doubles.
+SURFACE_EVERY, MAX_EVEN_SURFACES = 5, 20
 SURFACE_FRACTION, SCAN_FRACTION = 8, 4  # divisors of max_points for each intermediate surface and each scan
-MAX_CORNERS = 2_000  # of a path
-MIN_DIRECTION_SUM = 0.3  # of the number of cameras: a shorter sum of their directions is meaningless
-VIEW_TILT = (0.35, 0.55)  # of a view over the shoulder: to the right, down
+MAX_CORNERS = 2_000  # maximum number of corners of a drawn path
+MIN_DIRECTION_SUM = 0.3  # relative to the number of cameras: a shorter sum of their directions has no meaning
+VIEW_TILT = (0.35, 0.55)  # tilt of the view over the shoulder: to the right and down
 
 
 class Travel(Script):
@@ -265,7 +263,7 @@ class Fusion(Travel):
             self.stage.step(f"frame {self._count}", {"blocks": volume.block_count})
 
     def track(self, slam: Any, result: Any, **_: Any) -> None:
-        """A frame was tracked or lost."""
+        """Show a frame that was tracked or lost."""
         if slam is not self._slam:
             self._slam = slam
             self._begin(slam.model.volume)
@@ -275,7 +273,7 @@ class Fusion(Travel):
         self.stage.step(f"frame {result.index}: {result.status}", values)
 
     def loops(self, slam: Any, closure: Any, **_: Any) -> None:
-        """A loop closure corrected path and model."""
+        """Show the path and the model after a loop closure."""
         if not closure.loops:
             return
         if slam is not self._slam:
@@ -289,7 +287,7 @@ class Fusion(Travel):
         self.stage.step(f"{count} loop{'' if count == 1 else 's'} closed")
 
     def odometry(self, source: Any, target: RGBDImage, intrinsic: Any, result: Any, **_: Any) -> None:
-        """A frame was aligned with another. The path continues if that was the last one."""
+        """Show a frame that was aligned with another. The path continues if the other is the last one of the path."""
         if target is not self._image:
             self._pose = np.eye(4)
             if self._volume is None:  # otherwise the volume defines the path
@@ -333,7 +331,7 @@ class Fusion(Travel):
 
 
 class Drive(Travel):
-    """LiDAR odometry: the scan orange on the gray map."""
+    """LiDAR odometry: the scan in orange on the map in gray."""
 
     def __init__(self, stage: Stage):
         super().__init__(stage)
@@ -370,7 +368,7 @@ class Drive(Travel):
 
 
 def look_over(axes: Matrix, last: Matrix) -> Look:
-    """View over the shoulder of cameras, from the sum of their axes. From the last one if they look all around."""
+    """View over the shoulder of the cameras, from the sum of their axes. Of the last one if they look everywhere."""
     (_, down, forward), count = axes.T, np.linalg.norm(axes, axis=0).max()
     if (
         np.linalg.norm(forward) < MIN_DIRECTION_SUM * count

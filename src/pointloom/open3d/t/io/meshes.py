@@ -70,7 +70,7 @@ def write_triangle_mesh(
     mesh_files.write_triangle_mesh(
         filename,
         native,
-        ascii=write_ascii,
+        write_ascii=write_ascii,
         write_vertex_normals=write_vertex_normals,
         write_vertex_colors=write_vertex_colors,
         write_triangle_uvs=write_triangle_uvs,
