@@ -108,7 +108,7 @@ def all_steps(day: datetime.date, root: Path = ROOT) -> list[Step]:
     """The steps of `make nightly`."""
     versions, fuzz = (
         (PYTHON, "scripts/test_versions.py"),
-        (PYTHON, "benchmarks/fuzz/run.py", "--count", "200", "--seed"),
+        (PYTHON, "tests/fuzz/run.py", "--count", "200", "--seed"),
     )
     return [
         Step("mutants", ("make", "mutants", f"ARGS={MUTANTS} --seed {day}"), 13, is_daily=True),

@@ -1,4 +1,4 @@
-"""Damaged files are rejected or read correctly: a short run of benchmarks/fuzz, its list of readers, its oracles."""
+"""Damaged files are rejected or read correctly: a short run of tests/fuzz, its list of readers, its oracles."""
 
 import importlib.util
 import shutil
@@ -13,7 +13,7 @@ import pytest
 import pointloom as loom
 import pointloom.open3d as o3d
 
-FOLDER = Path(__file__).resolve().parents[2] / "benchmarks" / "fuzz"
+FOLDER = Path(__file__).resolve().parents[2] / "tests" / "fuzz"
 NAMES = ("run", "cases", "folder_cases", "job_cases", "mutations", "open3d_cases", "oracles", "other_cases")
 NAMES += ("ply_oracle", "media_cases", "public_cases", "stage_cases", "targets")
 CASES = ("OBJ", "OBJ corners", "OFF", "STL", "PLY mesh, text", "PLY mesh, binary", "PCD")

@@ -1,4 +1,4 @@
-"""Kill processes while they write: `python benchmarks/fuzz/kill_writers.py --count 200 --seed 1`.
+"""Kill processes while they write: `python tests/fuzz/kill_writers.py --count 200 --seed 1`.
 
 A child process writes two versions of a file alternately over each other and is killed by SIGKILL at a random time.
 Then each file must be complete, no other visible file may exist, the result must be readable, and the next write must

@@ -1,4 +1,4 @@
-"""Attack the viewer's server from the network: `python benchmarks/fuzz/attack_viewer.py`.
+"""Attack the viewer's server from the network: `python tests/fuzz/attack_viewer.py`.
 
 Each attack runs against one server process. Afterward a page with the token must be answered within 5 s, and the
 process must have no more threads or open files than before, and at most 64 MiB more memory. The exit code is 1 if an

@@ -1,4 +1,4 @@
-"""Fuzz the readers with damaged files: `python benchmarks/fuzz/run.py --count 3000 --seed 1`.
+"""Fuzz the readers with damaged files: `python tests/fuzz/run.py --count 3000 --seed 1`.
 
 A reader rejects a damaged file with a FileError that names it, or reads the file's contents. Each reader of
 cases.py gets

@@ -1,4 +1,4 @@
-"""Kill runs of a tile job at random times: `python benchmarks/fuzz/kill_jobs.py --count 30 --seed 1`.
+"""Kill runs of a tile job at random times: `python tests/fuzz/kill_jobs.py --count 30 --seed 1`.
 
 Each job is killed (SIGKILL to the run; its workers exit on their own) until a run completes. Then the result must be
 bitwise identical to that of an undisturbed job, and the files beside the job must be unchanged. The exit code is 1 if
