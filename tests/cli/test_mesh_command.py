@@ -269,6 +269,14 @@ def test_a_part_without_a_poisson_surface_counts_by_area_and_outliers_do_not(ang
             assert support.missed < 0.06 and (is_lost or support.lost < 0.02)
 
 
+@pytest.mark.parametrize("count", [60, 120, 250, 500])
+def test_few_points_on_a_poisson_surface_are_not_lost(count):
+    """The mean of ten neighbors is inside a curved surface."""
+    ball = TriangleMesh.create_sphere(1.0, 60)
+    _, support = _find_fit(ball.sample_points_poisson_disk(count, seed=1), ball, "poisson")
+    assert support.lost == support.missed == 0
+
+
 @pytest.mark.parametrize("scale", [1e-3, 1e4])
 @pytest.mark.parametrize("shape", [TriangleMesh.create_sphere, TriangleMesh.create_box], ids=["sphere", "box"])
 def test_a_poisson_surface_that_follows_the_noise_is_rough(shape, scale):

@@ -44,7 +44,7 @@ ADJUGATE_SQUARINGS = 6  # of an adjugate: the 64th power
 MIN_COSINE = 0.6  # of the angle between the surface and a tangent plane
 ONE_SIDED = 0.7  # distance to the mean of the 10 nearest points along the surface, relative to their mean distance
 ROUGH_NEIGHBORS, MIN_ROUGH_POINTS = 100, 2_000  # 5% of these points or less, so that the plane follows the shape
-MAX_ROUGH_POINTS = 10_000  # 1% of these points or more, so that their planes are wider than the noise
+ROUGH_POINTS = 10_000  # as many to twice as many of a larger cloud, so that the planes are wider than the noise
 MIN_FLATNESS = 0.08  # thickness of 10 neighbors relative to the distance of the farthest: a thicker group is isolated
 # points, if it is also wider than MAX_SPACINGS
 NOISE_DEVIATIONS = 3.0
@@ -271,7 +271,7 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[Poin
         missed=around.fraction(is_missed) if method == "alpha" else float(np.mean(is_missed)),
         outer=float(np.mean((nearest > near) & (to_mean > ONE_SIDED * lengths.mean(axis=1)))),
         noise=float(np.median(around.thickness / around.spacing)),
-        lost=around.fraction(distances_of(around.means) > noisy, ~around.is_isolated),
+        lost=around.fraction((distances > near) & (distances_of(around.means) > noisy), ~around.is_isolated),
         rough=_rough_fraction(samples, points),
     )
     return PointsOff(median, size, points.unit, float(np.quantile(distances, 0.9, method="higher"))), support
@@ -283,7 +283,7 @@ def _turned_fraction(samples: PointCloud, tangents: NDArray[np.float64]) -> floa
 
 def _rough_fraction(samples: PointCloud, points: PointCloud) -> float:
     """`rough` of `Support`."""
-    host = points.points[:: max(1, 2 * len(points) // MAX_ROUGH_POINTS)]
+    host = points.points[:: max(1, len(points) // ROUGH_POINTS)]
     if len(host) < MIN_ROUGH_POINTS:
         return 0.0
     search = NearestNeighborSearch(PointCloud(host, device=points.device))
