@@ -26,6 +26,7 @@ COUNTS = 60, 6000  # points of a cloud
 NOISES = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.002, 0.005, 0.01, 0.03)  # fractions of the diagonal
 POOL = 20_000  # points from which a cloud is drawn
 SCANNED = "cheburashka", "stanford-bunny", "abc part"
+CHOOSING_SCANS = "nefertiti", "fandisk", "blocks", "nefertiti", "fandisk", "balls"  # 357 cases of seed 7
 SCAN_COUNTS, SCAN_ROWS = (1000, 10_000), 110  # points, rays of a side
 SCAN_NOISES = 0.0, 0.0, 0.01, 0.02  # fractions of the diagonal
 
@@ -113,6 +114,19 @@ def waves(rng: Random) -> Any:
     ways, phases = rng.normal(0, rng.uniform(1, 4), (4, 2)), rng.uniform(0, 2 * math.pi, 4)
     height = rng.uniform(0.02, 0.15)
     return _sheet(lambda x, y: height * sum(np.sin(u * x + v * y + p) for (u, v), p in zip(ways, phases, strict=True)))
+
+
+def pockets(rng: Random) -> Any:
+    """A block with one to three deep pockets, in which scans have few points."""
+    half = rng.uniform(0.35, 0.75, 3)
+    holes = []
+    for _ in range(rng.integers(1, 4)):
+        width, depth = rng.uniform(0.1, 0.25, 3) * 2 * half.min(), rng.uniform(0.5, 0.9) * 2 * half[2]
+        center = np.append(rng.uniform(-0.6, 0.6, 2) * half[:2], half[2])
+        holes.append((center, np.append(width[:2], depth)))
+    return _mesh_of(
+        lambda p: np.maximum(_box(p, np.zeros(3), half), -np.min([_box(p, *hole) for hole in holes], axis=0))
+    )
 
 
 def tall_box(rng: Random) -> Any:
@@ -224,6 +238,7 @@ CHOOSING: dict[str, Callable[[Random], Any]] = {
     "nefertiti": _file(COMMON.format("nefertiti")),
     "fandisk": _file(COMMON.format("fandisk")),
 }
+POCKETS: dict[str, Callable[[Random], Any]] = {"pockets": pockets}  # scanned: 150 cases of seed 7
 HELD_OUT: dict[str, Callable[[Random], Any]] = {
     "star": star,
     "machined": machined,
@@ -295,13 +310,15 @@ def _sample(name: str, truth: Any, rng: Random) -> Sampled:
     return Sampled(f"{name}, {', '.join(words)}", truth, points, given, alpha, present)
 
 
-def scanned(cases: Iterable[int], seed: int) -> Iterator[Sampled]:
-    """Scans of the real objects of `HELD_OUT` from 4 to 12 sides, with noise of 0 to 2 %, holes and outliers."""
+def scanned(
+    cases: Iterable[int], seed: int, names: tuple[str, ...] = SCANNED, shapes: dict[str, Any] = HELD_OUT
+) -> Iterator[Sampled]:
+    """Scans of shapes from 4 to 12 sides, with noise of 0 to 2 %, holes and outliers."""
     for k in cases:
-        name = SCANNED[k % len(SCANNED)]
+        name = names[k % len(names)]
         rng = np.random.default_rng([seed, 1, k])
         try:
-            truth = HELD_OUT[name](rng)
+            truth = shapes[name](rng)
         except DataMissingError:
             continue
         yield _scan(f"{name} {seed + k}", truth, rng)

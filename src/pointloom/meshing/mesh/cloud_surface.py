@@ -25,17 +25,7 @@ from .mesh import TriangleMesh
 from .mesh_metrics import points_about
 from .mesh_reconstruction import MIN_DEPTH, NormalsWarning, why_flat
 from .mesh_summary import describe_surface
-from .surface_result import (
-    MADE_UP,
-    MAX_OUTER_AREA,
-    MAX_SPARSE_AREA,
-    NEAR_DISTANCE,
-    MadeUp,
-    NormalsUsed,
-    PointsOff,
-    Support,
-    SurfaceResult,
-)
+from .surface_result import MADE_UP, NEAR_DISTANCE, MadeUp, NormalsUsed, PointsOff, Support, SurfaceResult
 
 Cut = Callable[[float], TriangleMesh]
 
@@ -53,6 +43,10 @@ MAX_GAP = 0.6  # times the distance of a point to its 10th neighbor
 ADJUGATE_SQUARINGS = 6  # of an adjugate: the 64th power
 MIN_COSINE = 0.6  # of the angle between the surface and a tangent plane
 ONE_SIDED = 0.7  # distance to the mean of the 10 nearest points along the surface, relative to their mean distance
+ROUGH_NEIGHBORS, MIN_ROUGH_POINTS = 100, 2_000  # 5% of these points or less, so that the plane follows the shape
+ROUGH_POINTS = 10_000  # as many to twice as many of a larger cloud, so that the planes are wider than the noise
+MIN_FLATNESS = 0.08  # thickness of 10 neighbors relative to the distance of the farthest: a thicker group is isolated
+# points, if it is also wider than MAX_SPACINGS
 NOISE_DEVIATIONS = 3.0
 NOISE_MEDIANS = NOISE_DEVIATIONS / 0.6745  # three standard deviations of normal errors, in medians of their magnitudes
 PROPOSED_QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # the first that removes the extrapolated surface is proposed
@@ -228,8 +222,8 @@ def _made_up_fraction(search: NearestNeighborSearch, mesh: TriangleMesh, far: fl
 
 def _with_remedy(points: PointCloud, cut: Cut, made_up: MadeUp, support: Support, quantile: float) -> MadeUp:
     """`made_up` with the smallest larger quantile that makes the surface agree with its points, if any."""
-    is_within = support.sparse <= MAX_SPARSE_AREA and support.outer <= MAX_OUTER_AREA
-    if made_up.fraction is None or made_up.far is None or (made_up.fraction <= MADE_UP and is_within):
+    can_cut = support.largest_stray == "outer" and support.problem("poisson", None, None) is not None
+    if made_up.fraction is None or made_up.far is None or (made_up.fraction <= MADE_UP and not can_cut):
         return made_up
     search = NearestNeighborSearch(points)
     for larger in (tried for tried in PROPOSED_QUANTILES if tried > quantile):
@@ -245,14 +239,18 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[Poin
     if not mesh.get_surface_area() > 0:
         return PointsOff(), Support()
     host, search = points.points, NearestNeighborSearch(points)
-    probes = PointCloud(host[:: max(1, len(host) // POINT_SAMPLES)], device=points.device)
     tree = TriangleTree(mesh.arrays["vertices"], mesh.arrays["triangles"])
-    distances = download(distances_to(points_about(probes.arrays["points"], probes.origin, mesh.origin), tree))
+
+    def distances_of(positions: NDArray[np.float64]) -> NDArray[np.float32]:
+        cloud = PointCloud(positions, device=points.device)
+        return download(distances_to(points_about(cloud.arrays["points"], cloud.origin, mesh.origin), tree))
+
+    probes = host[:: max(1, len(host) // POINT_SAMPLES)]
+    distances = distances_of(probes)
     size = math.dist(points.get_min_bound(), points.get_max_bound())
     near, median = NEAR_DISTANCE * size, float(np.median(distances))
-    missed, noise = _find_missed(search, probes.points, host, distances, near)
-    if method != "alpha":
-        missed = float(np.mean(distances > max(near, NOISE_MEDIANS * median if method == "poisson" else 0.0)))
+    noisy = max(near, NOISE_MEDIANS * median if method == "poisson" else 0.0)
+    around = _Neighborhoods.of(search, probes, host)
     samples = mesh.sample_points_uniformly(SUPPORT_SAMPLES, use_triangle_normal=True)
     indices, sqdists, _ = search.knn_search(samples, min(SPACING_NEIGHBORS, len(host)))
     nearest = np.sqrt(sqdists[:, 0])
@@ -264,35 +262,67 @@ def _find_fit(points: PointCloud, mesh: TriangleMesh, method: str) -> tuple[Poin
     spacing = np.sqrt(neighbors.sqdists[:, -1])[owners]
     tangents = _normals_of(host[neighbors.indices])[owners]
     heights = np.abs(np.sum((samples.points - host[rows][owners]) * tangents, axis=1))
-    cosines = np.abs(np.sum(samples.normals * tangents, axis=1))
+    is_missed = distances > (np.maximum(near, NOISE_DEVIATIONS * around.thickness) if method == "alpha" else noisy)
     support = Support(
         near=near,
         sparse=float(np.mean(nearest > np.maximum(near, MAX_GAP * spacing))),
         bent=float(np.mean(heights > near)),
-        turned=float(np.mean(cosines < MIN_COSINE)),
-        missed=missed,
+        turned=_turned_fraction(samples, tangents),
+        missed=around.fraction(is_missed) if method == "alpha" else float(np.mean(is_missed)),
         outer=float(np.mean((nearest > near) & (to_mean > ONE_SIDED * lengths.mean(axis=1)))),
-        noise=noise,
+        noise=float(np.median(around.thickness / around.spacing)),
+        lost=around.fraction((distances > near) & (distances_of(around.means) > noisy), ~around.is_isolated),
+        rough=_rough_fraction(samples, points),
     )
     return PointsOff(median, size, points.unit, float(np.quantile(distances, 0.9, method="higher"))), support
 
 
-def _find_missed(
-    search: NearestNeighborSearch,
-    probes: NDArray[np.float64],
-    host: NDArray[np.float64],
-    distances: NDArray[np.float32],
-    near: float,
-) -> tuple[float, float]:
-    """`missed` of an alpha shape, and `noise`, of `Support`."""
-    neighbors = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(host)))
-    groups, spacing = host[neighbors.indices], np.sqrt(neighbors.sqdists[:, -1])
-    groups = groups - groups.mean(axis=1, keepdims=True)
-    heights = np.sum(groups * _normals_of(groups)[:, None], axis=2)
-    thickness = np.nan_to_num(np.sqrt(np.mean(heights * heights, axis=1)))  # NaN for points on one line
-    areas = np.minimum(spacing, MAX_SPACINGS * float(np.median(spacing))) ** 2
-    is_missed = distances > np.maximum(near, NOISE_DEVIATIONS * thickness)
-    return float(areas[is_missed].sum() / areas.sum()), float(np.median(thickness / spacing))
+def _turned_fraction(samples: PointCloud, tangents: NDArray[np.float64]) -> float:
+    return float(np.mean(np.abs(np.sum(samples.normals * tangents, axis=1)) < MIN_COSINE))
+
+
+def _rough_fraction(samples: PointCloud, points: PointCloud) -> float:
+    """`rough` of `Support`."""
+    host = points.points[:: max(1, len(points) // ROUGH_POINTS)]
+    if len(host) < MIN_ROUGH_POINTS:
+        return 0.0
+    search = NearestNeighborSearch(PointCloud(host, device=points.device))
+    return _turned_fraction(samples, _normals_of(host[search.knn_search(samples, ROUGH_NEIGHBORS).indices]))
+
+
+@dataclass(frozen=True)
+class _Neighborhoods:
+    """Points and their 10 neighbors: means, distances to the farthest, root mean square distances to their planes."""
+
+    means: NDArray[np.float64]
+    spacing: NDArray[np.float64]
+    thickness: NDArray[np.float64]
+
+    @classmethod
+    def of(
+        cls, search: NearestNeighborSearch, probes: NDArray[np.float64], host: NDArray[np.float64]
+    ) -> _Neighborhoods:
+        neighbors = search.knn_search(probes, min(SPACING_NEIGHBORS + 1, len(host)))
+        groups = host[neighbors.indices]
+        means = groups.mean(axis=1)
+        groups = groups - means[:, None]
+        heights = np.sum(groups * _normals_of(groups)[:, None], axis=2)
+        thickness = np.nan_to_num(np.sqrt(np.mean(heights * heights, axis=1)))  # NaN for points on one line
+        return cls(means, np.sqrt(neighbors.sqdists[:, -1]), thickness)
+
+    @property
+    def max_spacing(self) -> float:
+        return MAX_SPACINGS * float(np.median(self.spacing))
+
+    @property
+    def is_isolated(self) -> NDArray[np.bool_]:
+        """True for points far from others and not on a plane with them: outliers."""
+        return (self.spacing > self.max_spacing) & (self.thickness >= MIN_FLATNESS * self.spacing)
+
+    def fraction(self, chosen: NDArray[np.bool_], valid: NDArray[np.bool_] | bool = True) -> float:
+        """Fraction of the points, each with the weight of its squared distance to the 10th neighbor."""
+        areas = np.minimum(self.spacing, self.max_spacing) ** 2 * valid
+        return float(areas[chosen].sum() / areas.sum()) if areas.any() else 0.0
 
 
 def _normals_of(groups: NDArray[np.float64]) -> NDArray[np.float64]:
