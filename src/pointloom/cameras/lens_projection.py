@@ -65,7 +65,7 @@ class Lens:
     @property
     def is_pinhole(self) -> bool:
         """True if there is no distortion."""
-        return self.kind == PERSPECTIVE and self.is_symmetric and not any((*self.radial, *self.rational))
+        return self.kind == PERSPECTIVE and self.is_plain
 
     @cached_property
     def chord(self) -> float:
