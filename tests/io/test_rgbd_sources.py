@@ -16,7 +16,7 @@ from pointloom.core.errors import CameraError, DatasetError
 from pointloom.io.frames import recordings
 from pointloom.io.frames.dataset_layouts import FRAME_TIMES
 from pointloom.io.frames.datasets import Frame
-from pointloom.io.frames.depth_cameras import LensMap, distort, recording_path
+from pointloom.io.frames.depth_cameras import LensMap, recording_path
 from pointloom.io.frames.frame_times import MAX_REMARKS, TimeWatch
 from pointloom.io.frames.frames import check_frames
 from pointloom.io.frames.recordings import FrameRecorder
@@ -470,16 +470,18 @@ def test_a_kinect_that_is_not_there_is_an_error(kinect):
         loom.AzureKinectCamera(file="empty.mkv")
 
 
+def lens_of(k) -> loom.CameraModel:
+    """The camera of `bent_scene` with OpenCV's coefficients."""
+    return loom.CameraModel("FULL_OPENCV", 160, 120, [140.0, 140.0, 80.5, 59.5, *k, *[0.0] * (8 - len(k))])
+
+
 def bent_scene(lens_coefficients):
     """Depth and color of a plane through a lens, and through a pinhole, at 160 x 120."""
     camera = loom.PinholeCameraIntrinsic(160, 120, 140.0, 140.0, 80.0, 59.0)
     v, u = np.mgrid[:120, :160].astype(float)
     x, y = (u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy
-    k = np.zeros(8)
-    k[: len(lens_coefficients)] = lens_coefficients
-    ideal = np.stack([x, y])
-    for _ in range(60):  # ideal position of each pixel of the lens
-        ideal = ideal - (distort(ideal, k) - np.stack([x, y]))
+    pixels = np.stack([u.ravel(), v.ravel()], axis=1)
+    ideal = lens_of(lens_coefficients).unproject(pixels)[:, :2].T.reshape(2, 120, 160)
 
     def scene(a, b):
         return (2000 + 400 * a + 300 * b).astype(np.uint16), (127 + 80 * np.sin(6 * a) * np.cos(5 * b)).astype(np.uint8)
@@ -503,11 +505,9 @@ def test_inverse_distortion_inverts_the_model():
     camera = loom.PinholeCameraIntrinsic(160, 120, 140.0, 140.0, 80.0, 59.0)
     k = (0.1, -0.1, 0.001, 0.001, 0.02)
     lens = LensMap(camera, k, inverse=True)
-    coordinates = np.stack([(lens.positions[0] - camera.cx) / camera.fx, (lens.positions[1] - camera.cy) / camera.fy])
-    back = distort(coordinates, np.array([*k, 0, 0, 0]))
-    v, u = np.mgrid[:120, :160]
-    assert np.abs(back[0] * camera.fx + camera.cx - u).max() < 1e-6
-    assert np.abs(back[1] * camera.fy + camera.cy - v).max() < 1e-6
+    rays = (np.stack(lens.positions, axis=2) - [camera.cx, camera.cy]) / 140.0
+    back = lens_of(k).project(np.insert(rays.reshape(-1, 2), 2, 1.0, axis=1))
+    assert np.abs(back - np.stack(np.mgrid[:120, :160][::-1], axis=2).reshape(-1, 2)).max() < 1e-6
 
 
 def test_frames_of_a_distorting_camera_are_undistorted(kinect):

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
-PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = range(5)
+from ..kernels.images.undistortion import DIVISION, EQUIDISTANT, FIELD_OF_VIEW, PERSPECTIVE, UNIFIED
 
 Array = NDArray[np.float64]
 
@@ -65,7 +65,13 @@ class Lens:
     @property
     def is_pinhole(self) -> bool:
         """True if there is no distortion."""
-        return self.kind == PERSPECTIVE and self.is_symmetric and not any((*self.radial, *self.rational))
+        return self.kind == PERSPECTIVE and self.is_plain
+
+    @cached_property
+    def chord(self) -> float:
+        """2 tan(omega / 2) of a FOV lens. 0 if omega is so small that the lens is computed as a series."""
+        omega = self.shape[0]
+        return 2.0 * math.tan(omega / 2.0) if self.kind == FIELD_OF_VIEW and omega * omega >= MIN_SQUARED_OMEGA else 0.0
 
     @cached_property
     def max_radius(self) -> float:
@@ -115,10 +121,9 @@ def _shortening(lens: Lens, r: Array) -> Array:
         return np.where(below > 0, 1.0 / below, np.nan)
     if lens.kind == EQUIDISTANT:
         return np.where(r > 0, np.arctan(r) / r, 1.0)
-    if first * first < MIN_SQUARED_OMEGA:
+    if not lens.chord:
         return first * first * (r * r / 3.0 - 1.0 / 12.0) + 1.0
-    wide = 2.0 * math.tan(first / 2.0)
-    return np.where(r > 0, np.arctan(r * wide) / (r * first), wide / first)
+    return np.where(r > 0, np.arctan(r * lens.chord) / (r * first), lens.chord / first)
 
 
 def _lengthening(lens: Lens, r: Array) -> Array:
@@ -135,10 +140,11 @@ def _lengthening(lens: Lens, r: Array) -> Array:
         return np.where(z > 0, 1.0 / z, np.nan)
     if lens.kind == EQUIDISTANT:
         return np.where(r < math.pi / 2, np.where(r > 0, np.tan(r) / r, 1.0), np.nan)
-    if first * first < MIN_SQUARED_OMEGA:
+    if not lens.chord:
         return _thin_lengthening(first * first, r)
-    wide, angle = 2.0 * math.tan(first / 2.0), r * first
-    return np.where(angle < math.pi / 2, np.where(r > 0, np.tan(angle) / (r * wide), first / wide), np.nan)
+    angle = r * first
+    solution = np.where(r > 0, np.tan(angle) / (r * lens.chord), first / lens.chord)
+    return np.where(angle < math.pi / 2, solution, np.nan)
 
 
 def _thin_lengthening(square: float, r: Array) -> Array:

@@ -15,12 +15,11 @@ from ..core.devices import DeviceLike, resolve_device
 from ..core.gpu_arrays import device_for, take_numbers
 from ..core.pickled_arrays import device_like, unpickling
 from ..kernels.array_types import Device
-from ..kernels.images.undistortion import LensOptics, find_lens_positions, mask_visible, sample_image
+from ..kernels.images.undistortion import find_lens_positions, mask_visible, sample_image
 from ..kernels.lang import uint8
 from ..kernels.memory import download, upload
 from .camera import PinholeCameraIntrinsic
 from .camera_models import CameraModel
-from .lens_projection import FIELD_OF_VIEW, MIN_SQUARED_OMEGA
 
 MAX_SIDE = 1024  # maximum side of averaged squares [px]: their sums stay within 32 bits
 
@@ -73,12 +72,9 @@ class Undistortion:
 
     def _prepare(self, camera: CameraModel, intrinsic: PinholeCameraIntrinsic, device: Device) -> None:
         self.camera, self.intrinsic, self.device = camera, intrinsic, device
-        lens, (width, height) = camera._lens, (camera.width, camera.height)
-        thin = lens.kind == FIELD_OF_VIEW and lens.shape[0] ** 2 < MIN_SQUARED_OMEGA
-        wide = 2.0 * math.tan(lens.shape[0] / 2.0) if lens.kind == FIELD_OF_VIEW and not thin else 0.0
-        optics = LensOptics(lens, width, height, lens.max_radius, wide, int(thin))
-        self._source_pixels = find_lens_positions(optics, self.intrinsic, self.device)
-        steps = (lens.focal[0] / self.intrinsic.fx, lens.focal[1] / self.intrinsic.fy)
+        lens = camera._lens
+        self._source_pixels = find_lens_positions(lens, camera.width, camera.height, intrinsic, device)
+        steps = (lens.focal[0] / intrinsic.fx, lens.focal[1] / intrinsic.fy)
         self._side = min(max(1, math.floor(min(steps) + 1e-9)), MAX_SIDE)  # lens pixels per pinhole pixel
 
     def __getstate__(self) -> dict[str, Any]:

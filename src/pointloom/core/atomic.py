@@ -307,6 +307,20 @@ def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool 
         raise
 
 
+@contextlib.contextmanager
+def part_folder(part: Path) -> Iterator[None]:
+    """A new folder that the block fills and renames. Removed at the end if not renamed. FileError if unwritable."""
+    try:
+        part.mkdir(parents=True)
+        yield
+    except FileError:
+        raise
+    except OSError as error:
+        raise FileError(part, f"cannot be written: {error.strerror or error}") from error
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
 def _fill_folder(part: Path, target: Path, marker: str) -> None:
     """Move the entries of a folder into an empty one, which is empty again on failure."""
     names = sorted((path.name for path in part.iterdir()), key=marker.__eq__)

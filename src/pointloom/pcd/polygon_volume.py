@@ -23,6 +23,7 @@ from ..kernels.arrays.select import invert_mask, positions_of
 from ..kernels.extent.polygons import mask_polygon
 from ..kernels.lang import float64, vec2d, vec3d
 from ..kernels.memory import cast, upload
+from .bounding_box import BoundingBox
 from .point_arrays import PointArrays, check_cloud
 
 # Coordinates u and v of the polygon's plane, and the axis.
@@ -181,6 +182,16 @@ def mask_volume(volume: SelectionPolygonVolume, points: wp.array, origin: NDArra
     axes = AXIS_ORDERS[volume.orthogonal_axis]
     corners = upload(volume.bounding_polygon[:, axes[:2]], vec2d, points.device)
     return mask_polygon(points, origin, corners, axes, volume.axis_min, volume.axis_max)
+
+
+def mask_cropped(bounding_box: object, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
+    """`mask_volume` of a box or a volume. TypeError for others."""
+    if isinstance(bounding_box, BoundingBox):
+        return bounding_box.mask_points(points, origin)
+    if isinstance(bounding_box, SelectionPolygonVolume):
+        return mask_volume(bounding_box, points, origin)
+    remedy = "create one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
+    raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
 
 
 def _check_number(path: str | os.PathLike[str], value: object, key: str) -> None:

@@ -44,12 +44,11 @@ from ..kernels.sampling.voxel_traces import commonest_rows, nearest_to_means, ne
 from ..kernels.search.neighbor_distances import average_distances, mask_up_to, mean_and_deviation
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from .attribute_columns import concatenate_columns
-from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .las_attributes import with_common_las_attributes
 from .length_checks import MAX_SPARSE_FRACTION, check_order, warn_of_far, warn_of_long, warn_of_sparse
 from .point_arrays import VECTORS, PointArrays, check_cloud, list_clouds
-from .polygon_volume import SelectionPolygonVolume, mask_volume
+from .polygon_volume import SelectionPolygonVolume, mask_cropped
 from .units import common_reference
 from .voxel_trace import VoxelTrace
 
@@ -243,15 +242,7 @@ class Selection(PointArrays):
             >>> len(cloud.crop(loom.AxisAlignedBoundingBox([0.5] * 3, [2] * 3)))
             2
         """
-        points = self.arrays["points"]
-        if isinstance(bounding_box, BoundingBox):
-            mask = bounding_box.mask_points(points, self.arrays.origin)
-        elif isinstance(bounding_box, SelectionPolygonVolume):
-            mask = mask_volume(bounding_box, points, self.arrays.origin)
-        else:
-            remedy = "create one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
-            raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
-        cropped = self.select_mask(mask, invert)
+        cropped = self.select_mask(mask_cropped(bounding_box, self.arrays["points"], self.arrays.origin), invert)
         if len(self) and not len(cropped) and not invert and not isinstance(bounding_box, SelectionPolygonVolume):
             self._warn_of_box(bounding_box)
         return cropped

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.atomic import atomic_write
+from ..core.atomic import atomic_write, part_folder
 from ..core.checks import MAX_COUNT
 from ..core.errors import FileError
 from ..core.json_files import check_keys, json_count, read_json_object
@@ -86,19 +86,10 @@ def join_step(folder: Path, number: int, step: Any, left: BorderData, owner: str
     part = done.with_name(f"{done.name}.{owner}.part")
     for old in (done, *done.parent.glob(f"{done.name}.*.part")):
         shutil.rmtree(old, ignore_errors=True)
-    try:
-        part.mkdir(parents=True)
+    with part_folder(part):
         count = step.join(left, part)
         (part / SUMMARY).write_text(json.dumps({"count": count}), encoding="utf-8")
         part.rename(done)
-    except OSError as error:
-        shutil.rmtree(part, ignore_errors=True)
-        if isinstance(error, FileError):
-            raise
-        raise FileError(part, f"cannot be written: {error.strerror or error}") from error
-    except BaseException:
-        shutil.rmtree(part, ignore_errors=True)
-        raise
     return Joined(count)
 
 

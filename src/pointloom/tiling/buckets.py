@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.atomic import part_folder
 from ..core.errors import FileError
 from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.las import COLORS, LasFile, open_las
@@ -68,25 +69,15 @@ def fill_buckets(plan: TilePlan, folder: Path, number: int, owner: str) -> Fille
         other = old.name.split(".")[1]
         if not other.startswith(REMOTE) and is_dead(folder, other):
             shutil.rmtree(old, ignore_errors=True)
-    try:
-        part.mkdir(parents=True)
+    with part_folder(part):
         filled = _fill(plan, file, part)
         index = filled._asdict() | {"tiles": {str(tile): rows for tile, rows in sorted(filled.tiles.items())}}
         (part / INDEX).write_text(json.dumps(index), encoding="utf-8")
         try:
             part.rename(done)
         except OSError:
-            if not (done / INDEX).is_file():
+            if not (done / INDEX).is_file():  # else another worker finished the same rows
                 raise
-            shutil.rmtree(part, ignore_errors=True)  # another worker finished the same rows
-    except OSError as error:
-        shutil.rmtree(part, ignore_errors=True)
-        if isinstance(error, FileError):
-            raise
-        raise FileError(part, f"cannot be written: {error.strerror or error}") from error
-    except BaseException:
-        shutil.rmtree(part, ignore_errors=True)
-        raise
     return filled
 
 

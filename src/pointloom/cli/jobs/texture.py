@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Unpack
+from typing import Any, ClassVar, Unpack
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
 from ...cameras.depth_range import DEPTH_MAX
@@ -18,6 +18,7 @@ from ...core.timing import peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
 from ...io.frames.datasets import RGBDDataset, open_dataset
 from ...io.meshes.mesh_formats import storing
+from ...meshing.color_map.image_texture_result import ImageTextureResult
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
 from ...meshing.color_map.texturing import texture_mesh
@@ -31,8 +32,6 @@ from .job import Job, Settings
 WITH_ATLAS = tuple(extension for extension in storing("textures") if extension != ".ply")  # that gets vertex colors
 WRITTEN = (".ply", *WITH_ATLAS)
 DEFAULT_TEXTURE_SIZE = 2048  # texels per side: 3 mm each on the walls of a room
-
-_NOTHING = "no frame shows the mesh, and nothing was written; are both in the same coordinate frame?"
 
 
 def texture_folder(
@@ -100,6 +99,7 @@ class Task:
     method: str
     frame_count: int
     depth_max: float
+    nothing: ClassVar[str] = "no frame shows the mesh, and nothing was written; are both in the same coordinate frame?"
 
     def to_dict(self) -> dict[str, Any]:
         files = {"command": "texture", "mesh": self.mesh, "dataset": self.dataset, "layout": self.layout}
@@ -107,30 +107,35 @@ class Task:
         sizes = {"vertices": self.shape.arrays["vertices"].size, "triangles": len(self.shape)}
         return files | how | {"depth_max": self.depth_max} | sizes
 
+    def figures(self) -> dict[str, Any]:
+        return {}
+
+    def fields(self) -> Fields:
+        return task_fields(self.shape, self.frame_count, self.depth_max)
+
 
 @dataclass(frozen=True)
 class TextureReport(Report, Assessed):
-    """Report of `texture_folder`; `result` is None if no frame shows the mesh."""
+    """Report of `texture_folder` and `texture_model`; `result` is None if no image shows the mesh."""
 
-    task: Task
-    result: TexturedMesh | None
+    task: Any  # Task or ModelTask
+    result: TexturedMesh | ImageTextureResult | None
     seconds: dict[str, float]
     files: list[str]
     peak_bytes: int = field(default_factory=peak_bytes)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return (_NOTHING,) if self.result is None else self.result.warnings
+        return (self.task.nothing,) if self.result is None else self.result.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        figures = {} if self.result is None else self.result.to_dict()
+        figures = self.task.figures() if self.result is None else self.result.to_dict()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
         return plain(self.task.to_dict() | figures | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
-        task = self.task
         return [
-            *(self.result.fields() if self.result else task_fields(task.shape, task.frame_count, task.depth_max)),
+            *(self.result or self.task).fields(),
             ("seconds", format_seconds(self.seconds)),
             ("memory", f"{format_bytes(self.peak_bytes)} at most"),
             ("files", ", ".join(self.files) or "none"),

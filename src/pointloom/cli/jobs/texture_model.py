@@ -3,32 +3,46 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Unpack
+from typing import Any, ClassVar, Unpack
 
 from ...cameras.depth_range import UNLIMITED_DEPTH
 from ...core.errors import FileError, FilePath
 from ...core.kept_arrays import check_kept_arrays, remove_kept_arrays
 from ...core.outputs import check_output
-from ...core.reports import Assessed, Fields, Report, quality
-from ...core.timing import peak_bytes
-from ...core.wording import format_bytes, format_seconds, plain
+from ...core.reports import Fields
 from ...io.models.colmap import is_colmap_model, read_colmap_model
-from ...meshing.color_map.image_texture_result import ImageTextureResult
 from ...meshing.color_map.image_texturing import texture_from_images
 from ...meshing.color_map.options import ImageTextureOption
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 from .job import Job, Settings
-from .texture import WITH_ATLAS, work_folder_of
+from .texture import WITH_ATLAS, TextureReport, work_folder_of
 
 WRITTEN = WITH_ATLAS
 SCALED_MODEL = Path("mesh")  # of a video's work folder: the model in the units of its mesh
 STRAIGHT = Path("undistorted") / "images"  # and its images
 IMAGES = "images"  # as in COLMAP projects
 
-_NOTHING = "no image shows the mesh, and nothing was written; are both in the same coordinate frame?"
+
+@dataclass(frozen=True)
+class ModelTask:
+    """Input of the texture."""
+
+    mesh: str
+    folder: str
+    image_count: int
+    nothing: ClassVar[str] = "no image shows the mesh, and nothing was written; are both in the same coordinate frame?"
+
+    def to_dict(self) -> dict[str, Any]:
+        return {"command": "texture", "mesh": self.mesh, "dataset": self.folder, "layout": "model"}
+
+    def figures(self) -> dict[str, Any]:
+        return {"images": self.image_count}
+
+    def fields(self) -> Fields:
+        return [("images", str(self.image_count))]
 
 
 def is_model_folder(folder: FilePath) -> bool:
@@ -45,7 +59,7 @@ def texture_model(
     size: int | None = None,
     depth_max: float = UNLIMITED_DEPTH,
     **settings: Unpack[Settings],
-) -> ModelTextureReport:
+) -> TextureReport:
     """Write a mesh with a texture from the images of a model. The output is checked before the work.
 
     `folder` is a COLMAP project with images in `images`, or the work folder of `pointloom video`; `output` an .obj,
@@ -77,38 +91,7 @@ def texture_model(
         files.append(os.fspath(output))
         clock.stop("write")
     remove_kept_arrays(work)
-    return ModelTextureReport(os.fspath(mesh), os.fspath(folder), len(model), result, clock.seconds, files)
-
-
-@dataclass(frozen=True)
-class ModelTextureReport(Report, Assessed):
-    """Report of `texture_model`; `result` is None if no image shows the mesh."""
-
-    mesh: str
-    folder: str
-    picture_count: int
-    result: ImageTextureResult | None
-    seconds: dict[str, float]
-    files: list[str]
-    peak_bytes: int = field(default_factory=peak_bytes)
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        return (_NOTHING,) if self.result is None else self.result.warnings
-
-    def to_dict(self) -> dict[str, Any]:
-        given = {"command": "texture", "mesh": self.mesh, "dataset": self.folder, "layout": "model"}
-        figures = {"images": self.picture_count} if self.result is None else self.result.to_dict()
-        cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return plain(given | figures | cost | {"files": self.files, **quality(self)})
-
-    def fields(self) -> Fields:
-        return [
-            *(self.result.fields() if self.result else [("images", str(self.picture_count))]),
-            ("seconds", format_seconds(self.seconds)),
-            ("memory", f"{format_bytes(self.peak_bytes)} at most"),
-            ("files", ", ".join(self.files) or "none"),
-        ]
+    return TextureReport(ModelTask(os.fspath(mesh), os.fspath(folder), len(model)), result, clock.seconds, files)
 
 
 def _open(folder: Path) -> tuple[Any, Path]:

@@ -1,7 +1,7 @@
 """Common code of depth camera drivers: frame checks, error messages, undistortion.
 
 Undistortion uses the nearest pixel for depth, which must not be mixed, and bilinear interpolation for color. Unseen
-pixels are 0. Brown 1966. The rational form with k4 to k6 as in OpenCV, "Camera calibration and 3D reconstruction".
+pixels are 0.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.lens_projection import PERSPECTIVE, Lens, bend
 from ...core.checks import check_positive, shown
 from ...core.errors import CameraError
 from ...core.interrupts import signal_exception
@@ -37,14 +38,14 @@ class LensMap:
     positions, as RealSense's "inverse Brown-Conrady"."""
 
     def __init__(self, intrinsic: PinholeCameraIntrinsic, coefficients: Any, *, inverse: bool = False):
-        k = np.zeros(8)
+        k, focal, center = np.zeros(8), (intrinsic.fx, intrinsic.fy), (intrinsic.cx, intrinsic.cy)
         k[: len(coefficients)] = coefficients
-        v, u = np.mgrid[: intrinsic.height, : intrinsic.width].astype(np.float64)
-        ideal = np.stack([(u - intrinsic.cx) / intrinsic.fx, (v - intrinsic.cy) / intrinsic.fy])
-        mapped = _undistort(ideal, k) if inverse else distort(ideal, k)
-        height, width = u.shape
-        mapped_u, mapped_v = mapped[0] * intrinsic.fx + intrinsic.cx, mapped[1] * intrinsic.fy + intrinsic.cy
-        self.positions = np.stack([mapped_u, mapped_v])
+        terms: Any = {"radial": (k[0], k[1], k[4], 0.0), "rational": k[5:], "tangential": k[2:4]}
+        lens, (height, width) = Lens(PERSPECTIVE, focal, center, 0.0, **terms), (intrinsic.height, intrinsic.width)
+        v, u = np.mgrid[:height, :width].astype(np.float64)
+        ideal = (np.stack([u, v], axis=2).reshape(-1, 2) - center) / focal
+        mapped = _undistort(lens, ideal) if inverse else bend(lens, ideal)
+        self.positions = mapped_u, mapped_v = (mapped * focal + center).T.reshape(2, height, width)
         self.shift = float(np.hypot(mapped_u - u, mapped_v - v).max())
         self._outside = ~((mapped_u >= 0) & (mapped_v >= 0) & (mapped_u <= width - 1) & (mapped_v <= height - 1))
         mapped_u, mapped_v = np.clip(mapped_u, 0, width - 1), np.clip(mapped_v, 0, height - 1)
@@ -79,21 +80,10 @@ class LensMap:
         return straight
 
 
-def distort(positions: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Distorted positions of ideal positions x, y at depth 1, shape (2, ...)."""
-    x, y = positions
-    r2 = x * x + y * y
-    radial = (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) / (1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])))
-    return np.stack([
-        x * radial + 2 * k[2] * x * y + k[3] * (r2 + 2 * x * x),
-        y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y,
-    ])  # fmt: skip
-
-
-def _undistort(positions: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
+def _undistort(lens: Lens, positions: NDArray[np.float64]) -> NDArray[np.float64]:
     estimate = positions.copy()
     for _ in range(INVERSE_ITERATIONS):
-        estimate = estimate - (distort(estimate, k) - positions)
+        estimate = estimate - (bend(lens, estimate) - positions)
     return estimate
 
 

@@ -33,6 +33,7 @@ from ..lang import (
     int32,
     kernel,
     launch,
+    loop,
     sqrt,
     tid,
     uint8,
@@ -334,12 +335,11 @@ def count_plane(cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, nea
     return count
 
 
-@func
-def count_round(
-    cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, near: float, cosine: float
-) -> int:
-    """Points of a run on a cylinder, or on a sphere if the direction is zero."""
-    count = 0
+@loop
+def points_about(
+    cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3
+) -> tuple[int, float, float, float, float, float]:
+    """Points of a run by index, with x, y, z of their offset from an axis, height along it and distance from it."""
     for j in range(first, last):
         x = cloud.xs[j] - c[0]
         y = cloud.ys[j] - c[1]
@@ -349,6 +349,16 @@ def count_round(
         y = y - h * a[1]
         z = z - h * a[2]
         q = sqrt(x * x + y * y + z * z)
+        yield j, x, y, z, h, q
+
+
+@func
+def count_round(
+    cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, near: float, cosine: float
+) -> int:
+    """Points of a run on a cylinder, or on a sphere if the direction is zero."""
+    count = 0
+    for j, x, y, z, h, q in points_about(cloud, first, last, c, a):
         if abs(q - r) < near and abs(x * cloud.us[j] + y * cloud.vs[j] + z * cloud.ws[j]) >= cosine * q:
             count += 1
     return count
@@ -359,15 +369,7 @@ def count_cone(
     cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, s: float, near: float, cosine: float
 ) -> int:
     count = 0
-    for j in range(first, last):
-        x = cloud.xs[j] - c[0]
-        y = cloud.ys[j] - c[1]
-        z = cloud.zs[j] - c[2]
-        h = a[0] * x + a[1] * y + a[2] * z
-        x = x - h * a[0]
-        y = y - h * a[1]
-        z = z - h * a[2]
-        q = sqrt(x * x + y * y + z * z)
+    for j, x, y, z, h, q in points_about(cloud, first, last, c, a):
         n = a[0] * cloud.us[j] + a[1] * cloud.vs[j] + a[2] * cloud.ws[j]
         facing = r * (x * cloud.us[j] + y * cloud.vs[j] + z * cloud.ws[j]) - s * n * q
         if abs(q * r - h * s) < near and q * s + h * r >= 0.0 and abs(facing) >= cosine * q:
@@ -380,15 +382,7 @@ def count_torus(
     cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, s: float, near: float, cosine: float
 ) -> int:
     count = 0
-    for j in range(first, last):
-        x = cloud.xs[j] - c[0]
-        y = cloud.ys[j] - c[1]
-        z = cloud.zs[j] - c[2]
-        h = a[0] * x + a[1] * y + a[2] * z
-        x = x - h * a[0]
-        y = y - h * a[1]
-        z = z - h * a[2]
-        q = sqrt(x * x + y * y + z * z)
+    for j, x, y, z, h, q in points_about(cloud, first, last, c, a):
         m = q - r
         rho = sqrt(m * m + h * h)
         n = a[0] * cloud.us[j] + a[1] * cloud.vs[j] + a[2] * cloud.ws[j]

@@ -44,10 +44,9 @@ from ...kernels.meshes.holes import spread_corners
 from ...kernels.meshes.level_cut import LevelCut
 from ...kernels.meshes.mesh_components import Parts
 from ...kernels.meshes.trim import mask_trimmed
-from ...pcd.bounding_box import BoundingBox
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.line_set import LineSet
-from ...pcd.polygon_volume import SelectionPolygonVolume, mask_volume
+from ...pcd.polygon_volume import SelectionPolygonVolume, mask_cropped
 from .flat_polygons import fill_loops, load_manifold, loops_to_reverse
 from .mesh_arrays import MeshArrays
 from .mesh_attributes import each
@@ -380,14 +379,7 @@ class MeshSelection(MeshArrays):
             [[0, 1, 2]]
         """
         vertices = self.arrays["vertices"]
-        if isinstance(bounding_box, BoundingBox):
-            mask = bounding_box.mask_points(vertices, self.arrays.origin)
-        elif isinstance(bounding_box, SelectionPolygonVolume):
-            mask = mask_volume(bounding_box, vertices, self.arrays.origin)
-        else:
-            remedy = "build one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
-            raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
-        inside = positions_of(mask)  # sync
+        inside = positions_of(mask_cropped(bounding_box, vertices, self.arrays.origin))  # sync
         return self._select_vertices(other_rows(inside, vertices.size) if invert else inside, True)
 
     def _rows_of(self, name: str, indices: ArrayLike, count: int, of: str) -> wp.array:

@@ -410,10 +410,7 @@ class Features(Step):
 
     def check(self) -> None:
         radius, count = check_search(self.params["radius"], self.params["max_nn"])
-        if math.isfinite(radius):
-            self.radius = radius
-        else:
-            self.neighbors = count
+        self.radius, self.neighbors = (radius, None) if math.isfinite(radius) else (0.0, count)
         names = self.params["names"]
         names = [names] if isinstance(names, str) else names
         if not isinstance(names, list | tuple) or not names:
@@ -458,10 +455,7 @@ class EstimateNormals(Step):
 
     def check(self) -> None:
         radius, count = check_search(self.params["radius"], self.params["max_nn"])
-        if math.isfinite(radius):
-            self.radius = radius
-        else:
-            self.neighbors = count
+        self.radius, self.neighbors = (radius, None) if math.isfinite(radius) else (0.0, count)
         orient = self.params["orient"]
         if isinstance(orient, str) and orient != "up":
             raise ValueError(f"steps: orient: expected 'up', a direction or None, got {shown(orient)}")

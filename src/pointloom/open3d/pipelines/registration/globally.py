@@ -96,15 +96,9 @@ def registration_ransac_based_on_feature_matching(
         raise TypeError(f"mutual_filter: expected True or False, got {mutual_filter!r}; {remedy}")
     pair = clouds_of(source, target)
     features = rows_of(source_feature, "source_feature"), rows_of(target_feature, "target_feature")
-    result = ransac.registration_ransac_based_on_correspondence(
-        *pair,
-        match_clouds(*pair, *features, bool(mutual_filter), MIN_MUTUAL_FRACTION),
-        max_correspondence_distance,
-        *_rules(estimation_method, ransac_n, checkers),
-        **_limits(criteria),
-        seed=next_seed(),
-    )
-    return RegistrationResult.from_native(result)
+    matches = match_clouds(*pair, *features, bool(mutual_filter), MIN_MUTUAL_FRACTION)
+    given = max_correspondence_distance, estimation_method, ransac_n, checkers, criteria
+    return _by_ransac(pair, matches, *given)
 
 
 @as_runtime_errors
@@ -118,15 +112,8 @@ def registration_ransac_based_on_correspondence(
     checkers: Sequence[Any] = (),
     criteria: RANSACConvergenceCriteria | None = None,
 ) -> RegistrationResult:
-    result = ransac.registration_ransac_based_on_correspondence(
-        *clouds_of(source, target),
-        as_array(corres),
-        max_correspondence_distance,
-        *_rules(estimation_method, ransac_n, checkers),
-        **_limits(criteria),
-        seed=next_seed(),
-    )
-    return RegistrationResult.from_native(result)
+    given = max_correspondence_distance, estimation_method, ransac_n, checkers, criteria
+    return _by_ransac(clouds_of(source, target), as_array(corres), *given)
 
 
 @as_runtime_errors
@@ -163,18 +150,25 @@ def _option(option: FastGlobalRegistrationOption | None) -> Any:
     return unwrap(default if option is None else option, FastGlobalRegistrationOption, "option")
 
 
-def _rules(method: TransformationEstimation | None, ransac_n: int, checkers: Sequence[Any]) -> tuple[Any, int, Any]:
+def _by_ransac(
+    pair: tuple[Any, Any],
+    matches: Any,
+    max_distance: float,
+    method: TransformationEstimation | None,
+    ransac_n: int,
+    checkers: Sequence[Any],
+    criteria: Any,
+) -> RegistrationResult:
     if not isinstance(checkers, Sequence):
         given = type(checkers).__name__
         raise TypeError(f"checkers: expected a list of CorrespondenceCheckers, got {given}; criteria follows it")
     method = TransformationEstimationPointToPoint() if method is None else method
-    return unwrap(method), ransac_n, unwrap(list(checkers))
-
-
-def _limits(criteria: Any) -> dict[str, Any]:
+    rules = unwrap(method), ransac_n, unwrap(list(checkers))
     chosen = RANSACConvergenceCriteria() if criteria is None else criteria
     limits = unwrap(chosen, RANSACConvergenceCriteria, "criteria")
-    return {"num_iterations": limits.max_iteration, "confidence": limits.confidence}
+    options: dict[str, Any] = {"num_iterations": limits.max_iteration, "confidence": limits.confidence}
+    search = ransac.registration_ransac_based_on_correspondence
+    return RegistrationResult.from_native(search(*pair, matches, max_distance, *rules, **options, seed=next_seed()))
 
 
 class ICPConvergenceCriteria(Settings, of=icp):
