@@ -261,6 +261,23 @@ def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floa
     return PosedCameraFit(values, covariance, displacements, given.residual, found.residual, len(found.pairs))
 
 
+def displacements_of_poses(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> Floats:
+    """Displacement of the surface [m] by the error of the poses T_world_camera of each pair: root mean square along the
+    normals, of the pairs that can be aligned.
+    """
+    pairs = ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP, POSED_PLANE_RADIUS)
+    found = _solve(pairs, pairs.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
+    if found is None:
+        return np.empty(0)
+    rows, used = found.sums.rows, found.sums.used
+    counts, p, n = rows.counts[used], rows.points, rows.first_planes[0]
+    change = np.array([matmul(a, invert_pose(b)) for a, b in zip(pairs.poses[used], found.poses[used], strict=True)])
+    T = np.repeat((change - np.eye(4))[:, :3].reshape(-1, 12).T, counts, axis=1)
+    moved = [row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3] for row in (T[:4], T[4:8], T[8:])]
+    squares = (moved[0] * n[0] + moved[1] * n[1] + moved[2] * n[2]) ** 2
+    return np.sqrt(np.add.reduceat(squares, np.cumsum(counts) - counts) / counts)
+
+
 class _PosedEquations(NamedTuple):
     """Normal equations of each pair by the camera and by the motion, in units of the noise, and their `mixed` products.
 
