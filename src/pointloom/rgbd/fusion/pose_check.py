@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +15,14 @@ from ...cameras.frame_check import FrameCheck
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.rgbd.stream_views import MIN_DEPTH_FRACTION
 from ...meshing.volume.tsdf import TSDFVolume
-from ..odometry.camera_fit import CameraView, depth_factor, displacements_of_poses, fit_posed_camera
+from ..odometry.camera_fit import (
+    CameraView,
+    ViewPairs,
+    depth_factor,
+    displacements_of_poses,
+    fit_posed_camera,
+    posed_pairs,
+)
 from ..slam.camera_check import MIN_RESIDUAL_RATIO, FocalCheck, judge_posed_camera
 
 Pose = NDArray[np.float64]
@@ -125,9 +133,17 @@ class PoseCheck:
         lens = K.fx / s, K.fy / s, (K.cx - middle) / s, (K.cy - middle) / s
         return [CameraView(sample.nearness, lens) for sample in self._samples.values()]
 
+    @cached_property
+    def _given_pairs(self) -> ViewPairs:
+        """The pairs at the given poses, after the last frame."""
+        return posed_pairs(self._views, [each.given for each in self._samples.values()])
+
     def fraction_displaced(self, voxel_size: float) -> float:
         """Fraction of the pairs whose poses displace the surface by MAX_DISPLACEMENT and by a voxel. 0 if unknown."""
-        found = displacements_of_poses(self._views, [each.T_world_camera for each in self._samples.values()])
+        samples, pairs = self._samples.values(), self._given_pairs
+        if any(each.T_world_camera is not each.given for each in samples):
+            pairs = posed_pairs(self._views, [each.T_world_camera for each in samples])
+        found = displacements_of_poses(pairs)
         return float((found > max(MAX_DISPLACEMENT, voxel_size)).mean()) if len(found) else 0.0
 
     def camera_and_factor(self, is_off: bool) -> tuple[FocalCheck | None, float, float]:
@@ -138,7 +154,7 @@ class PoseCheck:
         """
         views, K = self._views, self._intrinsic
         given = [each.given for each in self._samples.values()]
-        fit = fit_posed_camera(views, given)
+        fit = fit_posed_camera(views, given, self._given_pairs)
         found = (None, 1.0, 0.0) if fit is None else judge_posed_camera(fit, K)
         is_fitting = fit is not None and fit.residual < MIN_RESIDUAL_RATIO * fit.fitted_residual
         is_fitting &= found[0] is None or found[0].reliable

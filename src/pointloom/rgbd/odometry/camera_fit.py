@@ -224,13 +224,20 @@ def fit_camera(views: ViewPairs) -> CameraFit | None:
     return CameraFit(values, deviations, given.residual, found.residual, views.pairs, found.poses)
 
 
-def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> PosedCameraFit | None:
-    """Fit the camera and the depth to views with known poses T_world_camera. None if too few agree.
+def posed_pairs(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> ViewPairs:
+    """Pairs of views with known poses T_world_camera."""
+    return ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP, POSED_PLANE_RADIUS)
+
+
+def fit_posed_camera(
+    views: Sequence[CameraView], poses: Sequence[Floats] | Floats, pairs: ViewPairs | None = None
+) -> PosedCameraFit | None:
+    """Fit the camera and the depth to views with known poses T_world_camera. None if too few agree. `pairs`: theirs.
 
     The poses are not corrected: free poses hide errors of the camera, and biased depth then looks like another camera.
     The deviations contain the scatter over frames (jackknife) and the effect of drift and biased depth.
     """
-    pairs = ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP, POSED_PLANE_RADIUS)
+    pairs = posed_pairs(views, poses) if pairs is None else pairs
     values = np.zeros(len(POSED_PRIOR))
     given = found = _posed_equations(pairs, values, FIRST_GATE) if pairs.pairs else None
     for step in range(GAUSS_NEWTON_STEPS):
@@ -261,11 +268,11 @@ def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floa
     return PosedCameraFit(values, covariance, displacements, given.residual, found.residual, len(found.pairs))
 
 
-def displacements_of_poses(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> Floats:
-    """Displacement of the surface [m] by the error of the poses T_world_camera of each pair: root mean square along the
-    normals, of the pairs that can be aligned.
+def displacements_of_poses(pairs: ViewPairs) -> Floats:
+    """Displacement of the surface [m] by the error of the poses of each pair that can be aligned.
+
+    It is the root mean square along the normals.
     """
-    pairs = ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP, POSED_PLANE_RADIUS)
     found = _solve(pairs, pairs.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
     if found is None:
         return np.empty(0)
