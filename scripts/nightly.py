@@ -106,10 +106,7 @@ class Step:
 
 def all_steps(day: datetime.date, root: Path = ROOT) -> list[Step]:
     """The steps of `make nightly`."""
-    versions, fuzz = (
-        (PYTHON, "scripts/test_versions.py"),
-        (PYTHON, "tests/fuzz/run.py", "--count", "200", "--seed"),
-    )
+    versions, fuzz = ((PYTHON, "scripts/test_versions.py"), (PYTHON, "tests/fuzz/run.py", "--count", "200", "--seed"))
     return [
         Step("mutants", ("make", "mutants", f"ARGS={MUTANTS} --seed {day}"), 13, is_daily=True),
         Step("fuzz", (*fuzz, str(day.toordinal())), 10, is_daily=True),

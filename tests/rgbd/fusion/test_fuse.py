@@ -12,7 +12,7 @@ from pointloom.core.errors import FileError
 from pointloom.datasets.scenes.room import room_sequence, surface_errors
 from pointloom.io.frames.frames import READ_AHEAD
 from pointloom.meshing.volume.surface_weights import FRAME_THRESHOLDS
-from pointloom.rgbd.fusion.pose_check import PoseCheck
+from pointloom.rgbd.fusion.pose_check import MAX_DISPLACED, MAX_FRAMES, PoseCheck
 
 from ...products import few_quick
 from .walls import Wall
@@ -207,6 +207,20 @@ def test_short_windows_of_noisy_poses_determine_no_camera_and_are_accepted(devic
         assert result.reliable and result.depth_factor == 1.0, (start, count, result.warnings)
 
 
+@pytest.mark.parametrize(
+    ("count", "every", "degrees"), [(12, 2, 3.0), (40, 2, 3.0), (40, 2, -6.0), (40, 4, 6.0), (40, 3, 4.0), (40, 2, 0.0)]
+)
+def test_poses_of_which_a_part_is_rotated_are_reported(device, count, every, degrees):
+    """The mean surface is between both parts, and sampling every second frame shows one of them."""
+    frames = Loop(room_loop_sequence(240, width=80, height=60), np.arange(0, 2 * count, 2))
+    frames.poses, c, s = frames.poses.copy(), np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    frames.poses[::every, :3, :3] = frames.poses[::every, :3, :3] @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+    result = loom.rgbd.fuse(frames, voxel_size=VOXEL, device=device)
+    assert result.reliable == (degrees == 0.0), result.warnings
+    assert (result.fraction_displaced > MAX_DISPLACED) == (degrees != 0.0)
+    assert result.to_dict()["fraction_displaced"] == result.fraction_displaced
+
+
 @pytest.mark.parametrize("noise", [0.005, 0.01, 0.02])
 def test_noise_of_poses_is_no_other_camera(device, noise):
     sequence = room_loop_sequence(120, width=80, height=60)
@@ -232,7 +246,12 @@ def test_frames_spread_over_a_long_sequence_are_checked_against_the_surface(sequ
     check = PoseCheck(sequence.intrinsic, 1000.0, 4.0)
     for k in range(200):
         check.add(np.full((120, 160), k, np.uint16), None, np.eye(4), np.eye(4))
-    assert [int(sample.depth[0, 0]) for sample in check._samples] == list(range(0, 200, 16))
+    numbers = [int(sample.depth[0, 0]) for sample in check._samples.values()]
+    assert len(numbers) == MAX_FRAMES and numbers == list(check._samples)
+    assert np.diff([0, *numbers, 200]).max() <= 21 and np.diff(numbers).min() >= 5
+    for period in (2, 3, 4):  # errors with a period are in some sampled frames
+        counts = np.bincount(np.array(numbers) % period, minlength=period)
+        assert counts.min() > 1
     assert check._samples[0].depth.shape == (60, 80)
 
 

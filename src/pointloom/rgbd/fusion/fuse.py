@@ -114,6 +114,7 @@ def fuse(
     camera, depth_factor, depth_deviation = check.camera_and_factor(is_off)
     checks: dict[str, Any] = {
         "fractions_off": fractions_off, "seen_extent": check.seen_extent(),
+        "fraction_displaced": check.fraction_displaced(edge),
         "camera": camera, "depth_factor": depth_factor, "depth_deviation": depth_deviation,
         "source_warnings": (*source_warnings(frames), *check.images.warnings), "notes": check.images.notes,
     }  # fmt: skip

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import itertools
+import math
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,12 +15,22 @@ from ...cameras.frame_check import FrameCheck
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.rgbd.stream_views import MIN_DEPTH_FRACTION
 from ...meshing.volume.tsdf import TSDFVolume
-from ..odometry.camera_fit import CameraView, depth_factor, fit_posed_camera
+from ..odometry.camera_fit import (
+    CameraView,
+    ViewPairs,
+    depth_factor,
+    displacements_of_poses,
+    fit_posed_camera,
+    posed_pairs,
+)
 from ..slam.camera_check import MIN_RESIDUAL_RATIO, FocalCheck, judge_posed_camera
 
 Pose = NDArray[np.float64]
 
 MAX_FRAMES = 16  # sampled frames
+# The frames n with the smallest fractions of n times this are spread evenly, at distances of Fibonacci numbers: some of
+# them, and not all, have the errors of every second or every fourth pose.
+GOLDEN_RATIO = 0.5 * (math.sqrt(5.0) - 1.0)
 SAMPLED_WIDTH = 80  # [px] of the sampled depth maps
 AVERAGED_SIDE = 4  # pixels of a cell of the sampled inverse depth, per side
 CAMERA_RANGE = 2.0  # farthest inverse depth in depth_max: depth in a unit that is too small is farther than that
@@ -30,6 +42,11 @@ MAX_OFF_SURFACE, MAX_OFF_OF_FRAME, MAX_OFF_FRAMES = 0.15, 0.5, 0.1
 # ... of all frames, up to which poses are correct though they could not be refined: 0.02 in two walks through a tunnel,
 # 0.11 and more in 72 of 73 with such poses and a wrong surface (2026-11-29).
 MAX_OFF_UNREFINED = 0.05
+# Displacement of the surface [m] by the error of a pair of poses, but at least a voxel, and accepted fraction of the
+# pairs. Pairs of right poses of the kitchen are never above, with 20 mm of noise 0.26 and less are. Every second pose
+# rotated by 5 degrees displaces 0.51 to 0.75 of the pairs, less where a floor is nearly all (sites of seeds 330 to 333,
+# on which both were chosen, 2026-11-30).
+MAX_DISPLACEMENT, MAX_DISPLACED = 0.03, 1.0 / 3.0
 
 
 class _Sample(NamedTuple):
@@ -39,6 +56,10 @@ class _Sample(NamedTuple):
     nearness: NDArray[np.float32]
     T_world_camera: Pose
     given: Pose
+
+
+def _order(number: int) -> float:
+    return number * GOLDEN_RATIO % 1.0
 
 
 class PoseCheck:
@@ -54,20 +75,21 @@ class PoseCheck:
         rows, columns = (len(range(0, n, self._step)) for n in (intrinsic.height, intrinsic.width))
         K, s = intrinsic, self._step
         self._camera = PinholeCameraIntrinsic(columns, rows, K.fx / s, K.fy / s, K.cx / s, K.cy / s)
-        self._samples: list[_Sample] = []
-        self._every, self._count = 1, 0
+        self._samples: dict[int, _Sample] = {}  # by the numbers of the frames, in their order
+        self._count = 0
         self.images = FrameCheck(intrinsic, depth_unit)
 
     def add(self, depth: ArrayLike, color: ArrayLike | None, T_world_camera: Pose, given: Pose) -> None:
         self.images.add(depth, color)
-        if self._count % self._every == 0:
-            if len(self._samples) == MAX_FRAMES:
-                self._samples = self._samples[::2]
-                self._every *= 2
-            image = np.asarray(depth)
-            small = np.array(image[:: self._step, :: self._step])
-            self._samples.append(_Sample(small, self._mean_nearness(image), T_world_camera, given))
-        self._count += 1
+        number, self._count = self._count, self._count + 1
+        if len(self._samples) == MAX_FRAMES:
+            last = max(self._samples, key=_order)
+            if _order(last) < _order(number):
+                return
+            del self._samples[last]
+        image = np.asarray(depth)
+        small = np.array(image[:: self._step, :: self._step])
+        self._samples[number] = _Sample(small, self._mean_nearness(image), T_world_camera, given)
 
     @property
     def _offsets(self) -> range:
@@ -90,7 +112,7 @@ class PoseCheck:
     def seen_extent(self) -> float:
         """Longest side of the bounding box of the sampled frames [m]. 0 if empty."""
         K, ends = self._camera, []
-        for depth, _, pose, _ in self._samples:
+        for depth, _, pose, _ in self._samples.values():
             z = self._in_meters(depth)
             v, u = np.nonzero(self._is_valid(z))
             rays = np.stack([(u - K.cx) / K.fx, (v - K.cy) / K.fy, np.ones(len(u))], axis=1)
@@ -105,17 +127,34 @@ class PoseCheck:
     def _is_valid(self, z: NDArray[np.float64], depths: float = 1.0) -> NDArray[np.bool_]:
         return np.isfinite(z) & (z > 0) & (z <= depths * self.depth_max)
 
+    @property
+    def _views(self) -> list[CameraView]:
+        K, s, middle = self._intrinsic, self._step, float(np.mean(self._offsets))
+        lens = K.fx / s, K.fy / s, (K.cx - middle) / s, (K.cy - middle) / s
+        return [CameraView(sample.nearness, lens) for sample in self._samples.values()]
+
+    @cached_property
+    def _given_pairs(self) -> ViewPairs:
+        """The pairs at the given poses, after the last frame."""
+        return posed_pairs(self._views, [each.given for each in self._samples.values()])
+
+    def fraction_displaced(self, voxel_size: float) -> float:
+        """Fraction of the pairs whose poses displace the surface by MAX_DISPLACEMENT and by a voxel. 0 if unknown."""
+        samples, pairs = self._samples.values(), self._given_pairs
+        if any(each.T_world_camera is not each.given for each in samples):
+            pairs = posed_pairs(self._views, [each.T_world_camera for each in samples])
+        found = displacements_of_poses(pairs)
+        return float((found > max(MAX_DISPLACEMENT, voxel_size)).mean()) if len(found) else 0.0
+
     def camera_and_factor(self, is_off: bool) -> tuple[FocalCheck | None, float, float]:
         """The camera and the factor of the depth that fit the given poses better, and the deviation of the factor.
 
         None if the frames do not determine the camera, and 1 without a better factor. A factor far from 1 is searched
         only if the frames are off the surface (`is_off`), or do not fit: correct frames then cost one fit.
         """
-        K, s, middle = self._intrinsic, self._step, float(np.mean(self._offsets))
-        lens = K.fx / s, K.fy / s, (K.cx - middle) / s, (K.cy - middle) / s
-        views = [CameraView(sample.nearness, lens) for sample in self._samples]
-        given = [each.given for each in self._samples]
-        fit = fit_posed_camera(views, given)
+        views, K = self._views, self._intrinsic
+        given = [each.given for each in self._samples.values()]
+        fit = fit_posed_camera(views, given, self._given_pairs)
         found = (None, 1.0, 0.0) if fit is None else judge_posed_camera(fit, K)
         is_fitting = fit is not None and fit.residual < MIN_RESIDUAL_RATIO * fit.fitted_residual
         is_fitting &= found[0] is None or found[0].reliable
@@ -123,14 +162,14 @@ class PoseCheck:
             return found
         if (factor := depth_factor(views, given)) == 1.0:
             return found
-        scaled = [CameraView(view.nearness / np.float32(factor), lens) for view in views]
+        scaled = [CameraView(view.nearness / np.float32(factor), view.lens) for view in views]
         fit = fit_posed_camera(scaled, given)
         return (None, factor, 0.0) if fit is None else judge_posed_camera(fit, K, factor)
 
     def fractions_off(self, volume: TSDFVolume) -> tuple[float, ...]:
         """Fraction of pixels off the surface by half the truncation, by frame. Empty for fewer than two frames."""
         fractions = []
-        for depth, _, pose, _ in self._samples:
+        for depth, _, pose, _ in self._samples.values():
             z = self._in_meters(depth)
             seen = self._is_valid(z)
             if not seen.any():

@@ -15,7 +15,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
 from ..slam.camera_check import FocalCheck
-from .pose_check import MAX_OFF_FRAMES, MAX_OFF_OF_FRAME, MAX_OFF_SURFACE, MAX_OFF_UNREFINED
+from .pose_check import MAX_DISPLACED, MAX_OFF_FRAMES, MAX_OFF_OF_FRAME, MAX_OFF_SURFACE, MAX_OFF_UNREFINED
 from .refine import PoseRefinement
 
 MAX_VOXEL_FRACTION = 0.05  # of the seen extent: larger voxels show no shape
@@ -40,6 +40,8 @@ class FusionResult(Assessed):
         camera: Whether sampled frames fit the given poses better with another camera. None if they do not determine it.
         depth_factor: Factor of the depth that fits the poses better. 1 without a better one.
         depth_deviation: Standard deviation of `depth_factor`. 0 if unknown.
+        fraction_displaced: Fraction of the pairs of sampled frames whose poses displace the surface by more than 3 cm
+            and a voxel. 0 if unknown.
         notes: Remarks that do not concern reliability: colors that are not exactly registered to depth.
 
     Example:
@@ -70,6 +72,7 @@ class FusionResult(Assessed):
     depth_factor: float = 1.0
     notes: tuple[str, ...] = ()
     depth_deviation: float = 0.0
+    fraction_displaced: float = 0.0
 
     def __str__(self) -> str:
         return in_columns(with_warnings(self.fields(), self))
@@ -122,6 +125,13 @@ class FusionResult(Assessed):
             )
         if off_count > max(1, MAX_OFF_FRAMES * count):
             return f"{off_count} of {count} sampled frames are off the fused surface: their poses are wrong"
+        is_camera_right = self.depth_factor == 1.0 and (self.camera is None or self.camera.reliable)
+        if self.fraction_displaced > MAX_DISPLACED and is_camera_right:
+            return (
+                f"{format_fraction(self.fraction_displaced)} of the pairs of sampled frames contradict each other by "
+                "more than 3 cm: some of their poses are wrong; check that each pose belongs to its frame, or pass "
+                "refine=True"
+            )
         return None
 
     @property
@@ -146,6 +156,7 @@ class FusionResult(Assessed):
             "depth_fraction": self.depth_fraction,
             "used_fraction": self.used_fraction,
             "fraction_off": self.fraction_off,
+            "fraction_displaced": self.fraction_displaced,
             "seen_extent": self.seen_extent,
             "camera_check": plain(self.camera),
             "depth_factor": self.depth_factor,

@@ -15,17 +15,22 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...kernels.linear_algebra import eigh, inv, matmul, norm, solve
-from ...registration.rigid import invert_pose, rotation_vector, rotations_of
+from ...kernels.linear_algebra import eigh, inv, matmul, solve
+from ...registration.rigid import invert_pose, rotations_of
 
 Floats = NDArray[np.float64]
 
 MIN_ROTATION, MAX_ROTATION = math.radians(10.0), math.radians(45.0)  # of a pair
 MAX_DISTANCE = 1.0  # [m] between the cameras of a pair
 MAX_PAIRS, MIN_PAIRS = 60, 3
+MAX_POSES = 2000  # poses among which pairs are chosen
 MAX_FACTOR_PAIRS = 24  # of the factor of the depth
 MIN_PAIR_POINTS, MIN_POINTS = 60, 300  # of a pair, of all, at every second cell of every second row
-PLANE_RADIUS = 2  # [cells] of the fitted planes
+# [cells] of the fitted planes, with free and with given poses. Planes of 5 x 5 cells smooth rough ground and hide small
+# surfaces: a forest then has a focal length 0.10 too short (log), 0.03 with 3 x 3 cells. The last 150 frames of a
+# kitchen have 0.07 and 0.04. Given poses need the larger planes: with the smaller ones, 14 instead of 11 of 60 wrong
+# cameras of the kitchen are accepted (chosen on the kitchen and on sites of seeds 500 and 501, 2026-11-30).
+PLANE_RADIUS, POSED_PLANE_RADIUS = 1, 2
 PLANE_NOISE = 0.004  # [m] at 0 m, and [1/m] times squared depth: maximum root mean square residual of a plane
 MIN_COSINE = 0.15  # of the incidence angle
 # [m], [1/m]: the expected residual is DEPTH_NOISE + DEPTH_NOISE_GROWTH z^2
@@ -118,15 +123,19 @@ def _posed_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
 def _spread_pairs(
     poses: Sequence[Floats] | Floats, min_rotation: float, max_distance: float, max_gap: int, max_pairs: int = MAX_PAIRS
 ) -> list[tuple[int, int]]:
-    pairs = []
-    for first in range(len(poses)):
-        for second in range(first + 1, min(first + max_gap + 1, len(poses))):
-            motion = matmul(invert_pose(poses[first]), poses[second])
-            angle = norm(rotation_vector(motion[:3, :3]))
-            if min_rotation <= angle < MAX_ROTATION and norm(motion[:3, 3]) < max_distance:
-                pairs.append((first, second))
-    chosen = np.unique(np.linspace(0, len(pairs) - 1, min(len(pairs), max_pairs)).astype(int)) if pairs else []
-    return [pairs[index] for index in chosen]
+    T = np.array(poses, np.float64).reshape(-1, 4, 4)
+    sampled = np.linspace(0, len(T) - 1, min(len(T), MAX_POSES)).astype(int)
+    T, found = T[sampled], [np.empty((0, 2), int)]
+    for first in range(len(T)):
+        others = T[first + 1 : first + max_gap + 1]
+        cosine = ((others[:, :3, :3] * T[first, :3, :3]).sum(axis=(1, 2)) - 1.0) / 2.0
+        distance = np.sqrt(((others[:, :3, 3] - T[first, :3, 3]) ** 2).sum(axis=1))
+        angle = np.arccos(np.clip(cosine, -1.0, 1.0))
+        near = np.flatnonzero((angle >= min_rotation) & (angle < MAX_ROTATION) & (distance < max_distance))
+        found.append(np.column_stack([np.full(len(near), first), first + 1 + near]))
+    pairs = sampled[np.concatenate(found)]
+    chosen = np.unique(np.linspace(0, len(pairs) - 1, min(len(pairs), max_pairs)).astype(int)) if len(pairs) else []
+    return [(first, second) for first, second in pairs[chosen].tolist()]
 
 
 class ViewPairs:
@@ -136,7 +145,7 @@ class ViewPairs:
         pairs: Indices of the compared views.
         poses: T_first_second of the pairs at the given poses, float64 [pairs, 4, 4].
 
-    Each `cell_step`-th cell of each `cell_step`-th row of the second views is used.
+    Each `cell_step`-th cell of each `cell_step`-th row of the second views is used. Planes have `radius` [cells].
     """
 
     def __init__(
@@ -145,13 +154,16 @@ class ViewPairs:
         poses: Sequence[Floats] | Floats,
         pairs: list[tuple[int, int]],
         cell_step: int = 2,
+        radius: int = PLANE_RADIUS,
     ) -> None:
         self.pairs = pairs
         motions = [matmul(invert_pose(poses[first]), poses[second]) for first, second in self.pairs]
         self.poses = np.array(motions).reshape(-1, 4, 4)
         if not self.pairs:
             return
-        surfaces = {index: _surface_of(views[index]) for index in sorted({i for pair in self.pairs for i in pair})}
+        surfaces = {
+            index: _surface_of(views[index], radius) for index in sorted({i for pair in self.pairs for i in pair})
+        }
         starts = dict(
             zip(surfaces, np.cumsum([0] + [s.is_plane.size for s in surfaces.values()]).tolist(), strict=False)
         )
@@ -183,7 +195,7 @@ class ViewPairs:
         is_plane = self._is_plane[at]
         seen, at = seen[is_plane], at[is_plane]
         first, p, T = self._cells[:, at], points[:, seen], T[:, seen]
-        n, m = _stretched(first[1:4], values), _stretched(self._second[1:4, seen], values)
+        n, m = _corrected_normals(first, values), _corrected_normals(self._second[:, seen], values)
         z_first, x_first, y_first = first[0] * math.exp(values[5]), *_rays(first[4], first[5], values)
         r = (p[0] - x_first * z_first) * n[0] + (p[1] - y_first * z_first) * n[1] + (p[2] - z_first) * n[2]
         back = np.stack([T[k] * n[0] + T[4 + k] * n[1] + T[8 + k] * n[2] for k in range(3)])
@@ -207,22 +219,25 @@ def fit_camera(views: ViewPairs) -> CameraFit | None:
     found = _solve(views, given.poses, PRIOR_DEVIATIONS)
     if found is None:
         return None
-    # Relative to the prior. Eigenvalues below 0 are noise.
-    known, axes = eigh(_information(found) * (PRIOR_DEVIATIONS[:, None] * PRIOR_DEVIATIONS) / _noise(found.sums))
-    ratios = np.sqrt((axes**2 / (1.0 + np.maximum(known, 0.0))).sum(axis=1))
-    is_known = ratios < MAX_DEVIATION_RATIO
-    values = np.where(is_known, found.values, 0.0)
-    deviations = np.where(is_known, ratios * PRIOR_DEVIATIONS, math.inf)
+    deviations = _deviations(found, np.array(views.pairs)[found.sums.used])
+    values = np.where(np.isfinite(deviations), found.values, 0.0)
     return CameraFit(values, deviations, given.residual, found.residual, views.pairs, found.poses)
 
 
-def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> PosedCameraFit | None:
-    """Fit the camera and the depth to views with known poses T_world_camera. None if too few agree.
+def posed_pairs(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> ViewPairs:
+    """Pairs of views with known poses T_world_camera."""
+    return ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP, POSED_PLANE_RADIUS)
+
+
+def fit_posed_camera(
+    views: Sequence[CameraView], poses: Sequence[Floats] | Floats, pairs: ViewPairs | None = None
+) -> PosedCameraFit | None:
+    """Fit the camera and the depth to views with known poses T_world_camera. None if too few agree. `pairs`: theirs.
 
     The poses are not corrected: free poses hide errors of the camera, and biased depth then looks like another camera.
     The deviations contain the scatter over frames (jackknife) and the effect of drift and biased depth.
     """
-    pairs = ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP)
+    pairs = posed_pairs(views, poses) if pairs is None else pairs
     values = np.zeros(len(POSED_PRIOR))
     given = found = _posed_equations(pairs, values, FIRST_GATE) if pairs.pairs else None
     for step in range(GAUSS_NEWTON_STEPS):
@@ -239,7 +254,9 @@ def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floa
         return None
     given = _posed_equations(pairs, 0.0 * values, LAST_GATE) or given
     widening = found.widening(values)
-    covariance = found.scatter(values) + found.common_errors(np.array(poses), values)
+    covariance = _scatter(found.pairs, found.systems, found.gradients, values, POSED_PRIOR) + found.common_errors(
+        np.array(poses), values
+    )
     covariance = matmul(matmul(widening, covariance), widening.T)
     to_focal_lengths = np.eye(len(values))[[0, 0, 1, 2, 3, 5]]
     to_focal_lengths[:2, 4] = 0.5, -0.5
@@ -249,6 +266,23 @@ def fit_posed_camera(views: Sequence[CameraView], poses: Sequence[Floats] | Floa
     covariance = matmul(matmul(to_focal_lengths, covariance), to_focal_lengths.T)
     displacements = np.sqrt((moved**2).mean(axis=1))
     return PosedCameraFit(values, covariance, displacements, given.residual, found.residual, len(found.pairs))
+
+
+def displacements_of_poses(pairs: ViewPairs) -> Floats:
+    """Displacement of the surface [m] by the error of the poses of each pair that can be aligned.
+
+    It is the root mean square along the normals.
+    """
+    found = _solve(pairs, pairs.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
+    if found is None:
+        return np.empty(0)
+    rows, used = found.sums.rows, found.sums.used
+    counts, p, n = rows.counts[used], rows.points, rows.first_planes[0]
+    change = np.array([matmul(a, invert_pose(b)) for a, b in zip(pairs.poses[used], found.poses[used], strict=True)])
+    T = np.repeat((change - np.eye(4))[:, :3].reshape(-1, 12).T, counts, axis=1)
+    moved = [row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3] for row in (T[:4], T[4:8], T[8:])]
+    squares = (moved[0] * n[0] + moved[1] * n[1] + moved[2] * n[2]) ** 2
+    return np.sqrt(np.add.reduceat(squares, np.cumsum(counts) - counts) / counts)
 
 
 class _PosedEquations(NamedTuple):
@@ -273,22 +307,7 @@ class _PosedEquations(NamedTuple):
         weights, used = rows.weights() / self.noise, rows.counts[rows.counts > 0]
         both = 0.5 * (_sums_of_pairs(first * weights, second, used) + _sums_of_pairs(second * weights, first, used))
         prior = np.diag(1.0 / POSED_PRIOR**2)
-        counted, axes = eigh(self.systems.sum(0) + prior)
-        white = axes / np.sqrt(counted)
-        known, inner = eigh(matmul(matmul(white.T, both.sum(0)[:-1, :-1] + prior), white))
-        inner = matmul(white, inner)
-        return matmul(matmul(inner / np.maximum(known, MIN_INFORMATION_RATIO), inner.T), inv(self.inverse))
-
-    def scatter(self, values: Floats) -> Floats:
-        """Covariance from the solutions without any one of the views (jackknife)."""
-        views = np.unique(self.pairs)
-        kept = np.array([(self.pairs != view).all(axis=1) for view in views], np.float64)
-        prior = 1.0 / POSED_PRIOR**2
-        systems = matmul(kept, self.systems.reshape(len(self.pairs), -1)).reshape(-1, *self.inverse.shape)
-        gradients = matmul(kept, self.gradients) + values * prior
-        changes = -matmul(inv(systems + np.diag(prior)), gradients[..., None])[..., 0]
-        changes -= changes.mean(axis=0)
-        return (len(views) - 1) / len(views) * matmul(changes.T, changes)
+        return _widening(self.systems.sum(0) + prior, both.sum(0)[:-1, :-1] + prior)
 
     def common_errors(self, poses: Floats, values: Floats) -> Floats:
         """Covariance of drift, along each axis of the world and linear or bent over time, and of biased depth."""
@@ -297,10 +316,9 @@ class _PosedEquations(NamedTuple):
         drift = np.stack([time, 4.0 * time * (1.0 - time)])
         to_first = poses[first, :3, :3].transpose(0, 2, 1)
         offset = matmul(to_first, (poses[second, :3, 3] - poses[first, :3, 3])[..., None])[..., 0]
-        (n, back), rows = self.rows.first_planes, self.rows
-        bias = DEPTH_BIAS * (_bias_patterns(rows.at_second, back) - _bias_patterns(rows.at_first, n))
+        rows = self.rows
         J = rows.jacobian(rows.first_planes, values)[6:-1]
-        effects = [matmul(bias, (J * (rows.weights() / self.noise)).T)]
+        effects = [matmul(rows.biased(), (J * (rows.weights() / self.noise)).T)]
         noise = NOISE_FACTOR * max(self.pose_noise() - USUAL_NOISE, 0.0)
         for axis in range(3):
             direction = to_first[..., axis]
@@ -327,6 +345,27 @@ def _bias_patterns(cells: Floats, n: Floats) -> Floats:
     x, y = cells[:2] / BIAS_RAY
     along = (n[0] * cells[0] + n[1] * cells[1] + n[2]) * cells[2] ** 2
     return along * np.stack([np.ones_like(x), x, y, x * x, x * y, y * y])
+
+
+def _widening(counted: Floats, known: Floats) -> Floats:
+    """Factor of errors where noise of the normals counts as information, at most 1 / MIN_INFORMATION_RATIO."""
+    information, axes = eigh(counted)
+    white = axes / np.sqrt(information)
+    ratios, inner = eigh(matmul(matmul(white.T, known), white))
+    inner = matmul(white, inner)
+    return matmul(matmul(inner / np.maximum(ratios, MIN_INFORMATION_RATIO), inner.T), counted)
+
+
+def _scatter(
+    pairs: NDArray[np.int64], systems: Floats, gradients: Floats, values: Floats, prior_deviations: Floats
+) -> Floats:
+    """Covariance from the solutions without any one of the views (jackknife)."""
+    views, prior = np.unique(pairs), 1.0 / prior_deviations**2
+    kept = np.array([(pairs != view).all(axis=1) for view in views], np.float64)
+    remaining = matmul(kept, systems.reshape(len(pairs), -1)).reshape(-1, *systems.shape[1:])
+    changes = -matmul(inv(remaining + np.diag(prior)), (matmul(kept, gradients) + values * prior)[..., None])[..., 0]
+    changes -= changes.mean(axis=0)
+    return (len(views) - 1) / len(views) * matmul(changes.T, changes)
 
 
 def _posed_equations(
@@ -362,7 +401,8 @@ def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) 
         if is_zero and is_complete:  # no pair was moved apart by a translation that is too long
             break
         # Long translations are precise. Short ones are not confused with those to the next step of a staircase.
-        pairs = ViewPairs(views, poses, _spread_pairs(poses, 0.0, math.inf, gap, MAX_FACTOR_PAIRS))
+        chosen = _spread_pairs(poses, 0.0, math.inf, gap, MAX_FACTOR_PAIRS)
+        pairs = ViewPairs(views, poses, chosen, radius=POSED_PLANE_RADIUS)
         start = pairs.poses.copy()
         start[:, :3, 3] *= not is_zero
         found = _solve(pairs, start, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
@@ -426,6 +466,12 @@ class _Matches(NamedTuple):
         there = np.stack([p[0] / p[2], p[1] / p[2], p[2]])
         of_camera = _derivatives(self.at_second, back, values) - _derivatives(there, n, values)
         return np.stack([*turned, *n, *of_camera, self.residuals])
+
+    def biased(self) -> Floats:
+        """Residuals by errors of inverse depth, float64 [6, points]: constant, linear and quadratic ones."""
+        return DEPTH_BIAS * (
+            _bias_patterns(self.at_second, self.first_planes[1]) - _bias_patterns(self.at_first, self.first_planes[0])
+        )
 
 
 class _Solution(NamedTuple):
@@ -504,7 +550,7 @@ def _sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Fl
 
 def _without_poses(sums: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
     """Normal equations of the camera without the poses, and the inverse, mixed part and gradients of each pose."""
-    inverse = inv(sums[:, :6, :6] + 1e-3 * np.eye(6))
+    inverse = _pose_inverse(sums)
     mixed, gradients = sums[:, :6, 6:-1], sums[:, :6, -1]
     by_camera = matmul(mixed.transpose(0, 2, 1), inverse)
     system = (sums[:, 6:-1, 6:-1] - matmul(by_camera, mixed)).sum(0)
@@ -512,18 +558,61 @@ def _without_poses(sums: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats
     return system, right, inverse, mixed, gradients
 
 
-def _information(found: _Solution) -> Floats:
-    """The matrix of the camera from products of derivatives at planes of the one and of the other view.
+def _deviations(found: _Solution, pairs: NDArray[np.int64]) -> Floats:
+    """Standard deviations of the camera, infinite where the frames do not determine it.
 
-    Their noise is independent. In the normal equations, noise of the normals counts as information: a floor alone
-    would determine the camera.
+    They contain the scatter over frames and the effect of biased depth, as those of posed frames. They are not smaller
+    than those by the information.
     """
-    rows = found.sums.rows
-    counts = rows.counts[found.sums.used]
-    first, second = (rows.jacobian(planes, found.values) for planes in (rows.first_planes, rows.second_planes))
-    weights = rows.weights()
-    both = _sums_of_pairs(first * weights, second, counts) + _sums_of_pairs(second * weights, first, counts)
-    return _without_poses(0.5 * both)[0]
+    systems, known, rights = _camera_equations(found)
+    deviations, total = np.full(len(PRIOR_DEVIATIONS), math.inf), systems.sum(0)
+    size = len(total)
+    prior = PRIOR_DEVIATIONS[:size]
+    information, axes = eigh(known.sum(0) * (prior[:, None] * prior))  # relative to the prior; below 0: noise
+    ratios = np.sqrt((axes**2 / (1.0 + np.maximum(information, 0.0))).sum(axis=1))
+    pull = np.diag(1.0 / prior**2)
+    widening = _widening(total + pull, known.sum(0) + pull)
+    effects = matmul(inv(total + pull), rights[..., 1:].sum(0))
+    covariance = _scatter(pairs, systems, rights[..., 0], found.values[:size], prior) + matmul(effects, effects.T)
+    spread = np.sqrt(np.diag(matmul(matmul(widening, covariance), widening.T)))
+    largest = np.maximum(spread, ratios * prior)
+    deviations[:size] = np.where(largest < MAX_DEVIATION_RATIO * prior, largest, math.inf)
+    return deviations
+
+
+def _camera_equations(found: _Solution) -> tuple[Floats, Floats, Floats]:
+    """Normal equations of each pair by the estimated parameters without the poses, in units of the noise.
+
+    The matrices, those without the noise of normals, and the products with the residuals and the patterns of biased
+    depth. In the first matrices, noise of the normals counts as information: a floor alone would determine the camera.
+    The second ones contain products of derivatives at planes of the one and of the other view, whose noise is
+    independent. In both, the first ones remove the poses: matrices of poses without noise may be singular, and one such
+    pair of 60 spoils the sum.
+    """
+    rows, noise = found.sums.rows, _noise(found.sums)
+    counts, weights = rows.counts[found.sums.used], rows.weights()
+    size = 6 + int((PRIOR_DEVIATIONS > FIXED_DEVIATION).sum())
+    views = [rows.jacobian(planes, found.values)[:size] for planes in (rows.first_planes, rows.second_planes)]
+    sums = [_sums_of_pairs(J * weights, J, counts) for J in views]
+    removals = [
+        np.concatenate([-matmul(_pose_inverse(s), s[:, :6, 6:]), np.tile(np.eye(size - 6), (len(s), 1, 1))], axis=1)
+        for s in sums
+    ]
+    left = removals[0].transpose(0, 2, 1)
+    known = matmul(matmul(left, _products_of_pairs(views[0] * weights, views[1], counts)), removals[1])
+    causes = np.vstack([rows.residuals, rows.biased()])
+    rights = matmul(left, _products_of_pairs(views[0] * weights, causes, counts))
+    systems = matmul(matmul(left, sums[0]), removals[0])
+    return systems / noise, 0.5 * (known + known.transpose(0, 2, 1)) / noise, rights / noise
+
+
+def _products_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
+    """Matrices [pairs, n, m] of the products of rows, left (n, points) and right (m, points)."""
+    return np.add.reduceat(left[:, None] * right, np.cumsum(counts) - counts, axis=2).transpose(2, 0, 1)
+
+
+def _pose_inverse(sums: Floats) -> Floats:
+    return inv(sums[:, :6, :6] + 1e-3 * np.eye(6))
 
 
 class _Surface(NamedTuple):
@@ -539,16 +628,19 @@ class _Surface(NamedTuple):
         return chosen
 
 
-def _surface_of(view: CameraView) -> _Surface:
+def _surface_of(view: CameraView, radius: int) -> _Surface:
     """Fit planes to the inverse depth in windows of cells."""
     q, (fx, fy, cx, cy) = view.nearness.astype(np.float64), view.lens
     v, u = np.mgrid[: q.shape[0], : q.shape[1]].astype(np.float64)
-    n = (2 * PLANE_RADIUS + 1) ** 2
-    spread = n * PLANE_RADIUS * (PLANE_RADIUS + 1) / 3.0
-    middle, square = _window_sum(q) / n, _window_sum(q * q)
-    a, b = (_window_sum(q * u) - u * n * middle) / spread, (_window_sum(q * v) - v * n * middle) / spread
+    n = (2 * radius + 1) ** 2
+    spread = n * radius * (radius + 1) / 3.0
+    middle, square = _window_sum(q, radius) / n, _window_sum(q * q, radius)
+    a, b = (
+        (_window_sum(q * u, radius) - u * n * middle) / spread,
+        (_window_sum(q * v, radius) - v * n * middle) / spread,
+    )
     residual = np.sqrt(np.maximum(square / n - middle**2 - spread / n * (a * a + b * b), 0.0))
-    is_full = _window_sum((q > 0).astype(np.float64)) > n - 0.5
+    is_full = _window_sum((q > 0).astype(np.float64), radius) > n - 0.5
     z = np.where(is_full, 1.0 / np.maximum(middle, 1e-6), 0.0)
     normals = np.stack([a * fx, b * fy, middle - a * (u - cx) - b * (v - cy)])
     normals /= np.maximum(np.sqrt((normals**2).sum(0)), 1e-12)
@@ -558,10 +650,10 @@ def _surface_of(view: CameraView) -> _Surface:
     return _Surface(np.stack([z, *normals, x, y]).reshape(6, -1), is_plane)
 
 
-def _window_sum(values: Floats) -> Floats:
+def _window_sum(values: Floats, radius: int) -> Floats:
     """Sum over the windows of cells; windows end at the border."""
-    size = 2 * PLANE_RADIUS + 1
-    sums = np.cumsum(np.cumsum(np.pad(values, [(PLANE_RADIUS + 1, PLANE_RADIUS)] * 2), axis=0), axis=1)
+    size = 2 * radius + 1
+    sums = np.cumsum(np.cumsum(np.pad(values, [(radius + 1, radius)] * 2), axis=0), axis=1)
     return sums[size:, size:] - sums[:-size, size:] - sums[size:, :-size] + sums[:-size, :-size]
 
 
@@ -588,9 +680,19 @@ def _derivatives(cells: Floats, n: Floats, values: Floats) -> Floats:
     return np.stack([-along, *center, along * square, 0.5 * (along_y - along_x), along + n[2] * z])
 
 
-def _stretched(normals: Floats, values: Floats) -> Floats:
-    """Normals [3, points] of points whose rays are scaled by the focal lengths."""
-    if not values[0] and not values[4]:
-        return normals
-    out = normals * np.array([*_scales(values), 1.0])[:, None]
+def _corrected_normals(cells: Floats, values: Floats) -> Floats:
+    """Normals [3, points] of cells of a _Surface whose rays are corrected.
+
+    Along x and y, the gradient of n . ray changes with the rays. Its value at the cell is kept.
+    """
+    if not values[:5].any():
+        return cells[1:4]
+    (x_scale, y_scale), n, (x, y) = _scales(values), cells[1:4], cells[4:6]
+    level = n[0] * x + n[1] * y + n[2]
+    x, y = (x - values[1]) / x_scale, (y - values[2]) / y_scale
+    a, b, square = n[0] * x_scale, n[1] * y_scale, x * x + y * y
+    factor = 1.0 + values[3] * square
+    radial = 2.0 * values[3] * (a * x + b * y) / (factor + 2.0 * values[3] * square)
+    a, b = (a - radial * x) / factor, (b - radial * y) / factor
+    out = np.stack([a, b, level - factor * (a * x + b * y)])
     return out / np.maximum(np.sqrt((out**2).sum(0)), 1e-12)

@@ -26,10 +26,11 @@ from ..odometry.camera_fit import (
 from .fixed_parts import cell_lens
 from .frames import SensorFrame
 
-MAX_VIEWS = 40  # compared frames, spread over the path
 # Largest accepted log focal length, principal point (u, v, in focal lengths) and radial distortion, besides MAX_SIGMAS
-# deviations of each. The kitchen, whose sensor is not calibrated, has up to 0.07 (deviation 0.03), 0.35 (0.06) and
-# 0.15. Chosen on the kitchen and two synthetic rooms, verified on synthetic sites of seeds 40 and 41 (2026-11-29).
+# deviations of each. Windows of the kitchen, whose sensor is not calibrated, have up to 0.04 (deviation 0.02), 0.11
+# (0.03) and 0.11. Chosen on the kitchen and two synthetic rooms, verified on synthetic sites of seeds 40 and 41
+# (2026-11-29), and with other deviations on sites of seed 502: 0 of 21 windows with the right camera are reported
+# (2026-11-30).
 MAX_CORRECTIONS, MAX_SIGMAS = np.array([0.055, 0.28, 0.28, 0.2]), 1.5
 # Corrections with given poses are reported beyond POSED_SIGMAS deviations, if they move the surface by more than
 # MIN_DISPLACEMENT (root mean square [m], three quarters of a default voxel), and reduce the residual by MIN_FALL, which
@@ -56,8 +57,8 @@ class FocalCheck(Assessed):
         distortion: Radial distortion of the rays (factor of squared distance from the center, in focal lengths). 0 if
             none is clearly better.
         aspect: Best factor of fx / fy. 1 if none is clearly better, or without given poses.
-        factor_deviation: Standard deviation of `factor`. 0 without given poses.
-        center_deviation: Standard deviations of `center` [px]. 0 without given poses.
+        factor_deviation: Standard deviation of `factor`.
+        center_deviation: Standard deviations of `center` [px]. 0 if unknown.
 
     Example:
         >>> import pointloom as loom
@@ -115,19 +116,11 @@ def view_of(frame: SensorFrame, view: StreamView | None = None) -> CameraView:
     return CameraView(cells.host_nearness, cell_lens(frame, cells))
 
 
-def spread(count: int) -> list[int]:
-    """Indices of at most MAX_VIEWS of `count` frames."""
-    return np.unique(np.linspace(0, count - 1, min(count, MAX_VIEWS)).round().astype(int)).tolist() if count else []
-
-
 def assess_camera(
     views: Sequence[CameraView], poses: Sequence[NDArray[np.float64]], intrinsic: PinholeCameraIntrinsic
 ) -> FocalCheck | None:
-    """Assess a camera by views with poses T_world_camera, at most MAX_VIEWS. None if they do not determine it."""
-    chosen = spread(len(poses))
-    their_poses = [poses[index] for index in chosen]
-    pairs = ViewPairs([views[index] for index in chosen], their_poses, rotated_pairs(their_poses))
-    return judged(fit_camera(pairs), intrinsic)
+    """Assess a camera by views with poses T_world_camera. None if they do not determine it."""
+    return judged(fit_camera(ViewPairs(views, poses, rotated_pairs(poses))), intrinsic)
 
 
 def judged(fit: CameraFit | None, intrinsic: PinholeCameraIntrinsic) -> FocalCheck | None:
@@ -135,9 +128,20 @@ def judged(fit: CameraFit | None, intrinsic: PinholeCameraIntrinsic) -> FocalChe
         return None
     is_off = np.abs(fit.values[:4]) > MAX_CORRECTIONS + MAX_SIGMAS * fit.deviations[:4]
     log_focal, u, v, distortion = np.where(is_off, fit.values[:4], 0.0).tolist()
-    center = (u * intrinsic.fx, v * intrinsic.fy)
-    there = fit.fitted_residual if is_off.any() else fit.residual
-    return FocalCheck(len(fit.pairs), fit.residual, math.exp(log_focal), there, center, distortion)
+    sizes, deviations = (
+        (intrinsic.fx, intrinsic.fy),
+        np.where(np.isfinite(fit.deviations), fit.deviations, 0.0).tolist(),
+    )
+    return FocalCheck(
+        len(fit.pairs),
+        fit.residual,
+        math.exp(log_focal),
+        fit.fitted_residual if is_off.any() else fit.residual,
+        (u * sizes[0], v * sizes[1]),
+        distortion,
+        factor_deviation=math.exp(log_focal) * deviations[0],
+        center_deviation=(deviations[1] * sizes[0], deviations[2] * sizes[1]),
+    )
 
 
 def judge_posed_camera(

@@ -278,8 +278,10 @@ class DenseSLAM(Serialized):
             self._unchecked.append(fused)
         is_new = self.keyframes.is_new_view(result.pose)
         if is_new:
-            self.keyframes.add(prepared.pyramid, result.pose, result.index, view_of(prepared, self.stream.view))
+            self.keyframes.add(prepared.pyramid, result.pose, result.index)
             self._tracker.drift.keep(prepared.pyramid)
+        if self.keyframes.views.is_new(result.pose):
+            self.keyframes.views.add(result.pose, result.index, view_of(prepared, self.stream.view))
         self.results[-1] = dataclasses.replace(result, fused=True)
         if self._maps.others and not self._maps.is_on_trial:
             with unwatched():
@@ -366,13 +368,13 @@ class DenseSLAM(Serialized):
             return self._joining.search()
 
     def check_camera(self) -> FocalCheck | None:
-        """Check whether the keyframes of the largest map fit better with another camera. See `check_focal`.
+        """Check whether stored views of the largest map fit better with another camera. See `check_focal`.
 
         Returns:
             None if the camera rotated too little, or the surfaces do not determine its focal length.
         """
-        keyframes = self._largest.keyframes
-        return assess_camera(keyframes.views, keyframes.poses, self._intrinsic)
+        views = self._largest.keyframes.views
+        return assess_camera(views.cells, views.poses, self._intrinsic)
 
     def render(self, T_world_camera: ArrayLike) -> RayCast:
         """Render the current map from a pose in that map. See `SlamModel.render`."""
@@ -536,7 +538,8 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
     for i, result in enumerate(results):
         if result.pose is not None and result.map == known.number:
             results[i] = with_pose(result, corrected(result.pose, result.index))
-    keyframes.poses = [corrected(T, n) for T, n in zip(keyframes.poses, keyframes.numbers, strict=True)]
+    for views in (keyframes, keyframes.views):
+        views.poses = [corrected(T, n) for T, n in zip(views.poses, views.numbers, strict=True)]
     if motion.pose is not None:
         motion.pose = corrected(motion.pose, len(results))
     recorder.submaps = [

@@ -14,7 +14,8 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.errors import FileError
 from ...io.frames.frames import FrameSource, can_read, check_frames, depth_unit
 from ...io.frames.rgbd_sources import RGBDSource
-from .camera_check import FocalCheck, assess_camera, spread, view_of
+from ..odometry.camera_fit import rotated_pairs
+from .camera_check import FocalCheck, assess_camera, view_of
 from .frames import SensorFrame
 from .tracking import track
 
@@ -47,7 +48,7 @@ def check_focal(
         DeviceError: No such device.
 
     Notes:
-        At most 40 frames are read. Bitwise reproducible. A wrong depth scale cannot be detected.
+        At most 60 pairs of frames are read. Bitwise reproducible. A wrong depth scale cannot be detected.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -70,7 +71,7 @@ def check_focal(
     else:
         raise TypeError(f"trajectory: expected a Trajectory or None, got {type(trajectory).__name__}")
     poses, numbers = _sure(path, uncertain_frames)
-    chosen = spread(len(poses))
+    chosen = sorted({index for pair in rotated_pairs(poses) for index in pair})
     read = _reader(frames, {int(numbers[index]) for index in chosen})
     views, their_poses = [], []
     for index in chosen:

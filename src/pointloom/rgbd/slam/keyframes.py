@@ -20,23 +20,52 @@ Pose = NDArray[np.float64]
 
 MIN_KEYFRAME_DISTANCE = 0.25  # [m] minimum distance to the nearest keyframe, or ...
 MIN_ROTATION = np.deg2rad(18.0)  # ... minimum rotation of a new view
+# Minimum distance of two views for the check of the camera, in distances of keyframes: 150 frames of a kitchen have 6
+# keyframes and 9 rotated pairs, or 12 views and 34 pairs.
+MIN_VIEW_DISTANCE = 0.5
 MIN_COMMON = 0.15  # minimum fraction of tests valid in both frames
 
 
+class CameraViews:
+    """Views for the check of the camera, with correctable `poses` T_world_camera, and frame `numbers`."""
+
+    def __init__(self) -> None:
+        self.poses: list[Pose] = []
+        self.numbers: list[int] = []
+        self.cells: list[CameraView] = []
+
+    def is_new(self, pose: Pose) -> bool:
+        return all(view_distance(pose, other) > MIN_VIEW_DISTANCE for other in reversed(self.poses))
+
+    def add(self, pose: Pose, number: int, cells: CameraView) -> None:
+        self.poses.append(pose.copy())
+        self.numbers.append(number)
+        self.cells.append(cells)
+
+    def extend(self, others: CameraViews, T: Pose) -> None:
+        """Add the views of others, whose poses T transforms."""
+        self.poses += [matmul(T, pose) for pose in others.poses]
+        self.numbers += others.numbers
+        self.cells += others.cells
+
+
 class Keyframes:
-    """Views from which frames can be recognized, with correctable `poses` T_world_camera, and frame `numbers`."""
+    """Views from which frames can be recognized, with correctable `poses` T_world_camera, and frame `numbers`.
+
+    The check of the camera has `views` of its own.
+    """
 
     def __init__(self, device: wp.Device, seed: int = 0):
         self.device, self.seed = device, seed
         self.poses: list[Pose] = []
         self.numbers: list[int] = []
-        self.views: list[CameraView] = []  # for the check of the camera
+        self.views = CameraViews()
         self.codes: Any = zeros(64 * FERN_COUNT, uint8, device)
 
     def __len__(self) -> int:
         return len(self.poses)
 
-    def add(self, frame: OdometryFrame, pose: Pose, number: int, view: CameraView) -> int:
+    def add(self, frame: OdometryFrame, pose: Pose, number: int) -> int:
         index = len(self.poses)
         if (index + 1) * FERN_COUNT > self.codes.size:
             larger: Any = zeros(2 * self.codes.size, uint8, self.device)
@@ -45,7 +74,6 @@ class Keyframes:
         self._encode(frame, self.codes, index)
         self.poses.append(pose.copy())
         self.numbers.append(number)
-        self.views.append(view)
         return index
 
     def extend(self, others: Keyframes, T: Pose) -> None:
@@ -59,7 +87,7 @@ class Keyframes:
         copy(self.codes, others.codes, count=len(others) * FERN_COUNT, offset=count * FERN_COUNT)
         self.poses += [matmul(T, pose) for pose in others.poses]
         self.numbers += others.numbers
-        self.views += others.views
+        self.views.extend(others.views, T)
 
     def is_new_view(self, pose: Pose) -> bool:
         return all(view_distance(pose, other) > 1.0 for other in reversed(self.poses))

@@ -57,7 +57,7 @@ class TrackedPath(Assessed):
         other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
             lost for long.
         source_warnings: Failed checks of the frames: an assumed or implausible camera, or mostly unpaired images.
-        camera: Whether the keyframes fit better with another camera. None if they do not determine it.
+        camera: Whether stored views fit better with another camera. None if they do not determine it.
         joins: A MapJoin for each two maps with a relative pose: the evidence, and the reason if rejected.
     """
 
