@@ -259,6 +259,7 @@ def _read(package: str) -> dict[str, str]:
 def _stub(package: str) -> str:
     import pkgutil
 
+    importlib.import_module(package)  # `get_data` alone would not make it an attribute of its parent
     try:
         stub = pkgutil.get_data(package, "__init__.pyi")
     except OSError:

@@ -3,6 +3,8 @@
 import functools
 import inspect
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -80,6 +82,11 @@ MOVED = "registration", "integration", "odometry", "color_map"
 def test_a_missing_name_or_module_is_an_error_with_the_equivalent(line, message):
     with pytest.raises(ImportError if "import " in line else AttributeError, match=message):
         exec(line, {"o3d": o3d})
+
+
+def test_an_unknown_name_does_not_hide_the_package_from_a_later_import():
+    lines = "import pointloom", "hasattr(pointloom, 'x')", "import pointloom.open3d", "pointloom.open3d.geometry"
+    subprocess.run([sys.executable, "-c", "; ".join(lines)], check=True)
 
 
 def test_native_classes_of_registration_have_the_public_names_of_open3d():
