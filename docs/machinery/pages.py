@@ -28,12 +28,14 @@ BROUGHT = {
     "SECURITY.md": "project/security",
     "src/pointloom/kernels/README.md": "project/kernels",
     "benchmarks/README.md": "project/benchmarks",
+    "docs/machinery/README.md": "project/pages",
+    "tests/README.md": "project/tests",
     "tests/emulated_cuda/README.md": "project/emulated-cuda",
 }
 # Pages that the site contains in another form.
 REPLACED = {"README.md": "index", "docs/README.md": "guides"}
 INDEX = "<!-- index of README.md -->"  # in guides.md: the tables of docs/README.md follow
-PROJECT_PAGES = ("changelog", "contributing", "security", "kernels", "benchmarks", "emulated-cuda")
+PROJECT_PAGES = ("changelog", "contributing", "security", "kernels", "tests", "pages", "benchmarks", "emulated-cuda")
 
 _LINK = re.compile(r"(!?)\[([^\]]*)\]\((?![a-z]+:|#)([^)\s#]*)(#[^)\s]*)?\)")
 # In a table cell: the lists of all formats follow in the site, instead of some examples.
@@ -49,7 +51,8 @@ def bring(docs: Path) -> None:
             content = content.replace("\n\n", f"\n\nContact: <{LOCATION['security']}>\n\n", 1)
         write_if_changed(docs / f"{page}.md", content)
     text = titled("Project") + "Build instructions, changes, and decisions with their reasons.\n\n"
-    text += ".. toctree::\n   :maxdepth: 1\n\n   ../versions\n" + "".join(f"   {name}\n" for name in PROJECT_PAGES)
+    names = ("../versions", "../architecture", *PROJECT_PAGES)
+    text += ".. toctree::\n   :maxdepth: 1\n\n" + "".join(f"   {name}\n" for name in names)
     text += "\n.. toctree::\n   :maxdepth: 1\n   :caption: Decisions\n\n   ../adr/README\n"
     text += "".join(f"   ../adr/{path.stem}\n" for path in sorted((docs / "adr").glob("[0-9]*.md")))
     write_if_changed(docs / "project" / "index.rst", text)

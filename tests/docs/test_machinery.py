@@ -56,7 +56,9 @@ def test_the_page_of_a_command_contains_its_help(name):
 
 
 def test_every_page_is_listed_in_the_site():
-    lists = (DOCS / "guides.md").read_text() + (DOCS / "index.md").read_text() + "versions\nREADME\nindex\n"
+    lists = (
+        (DOCS / "guides.md").read_text() + (DOCS / "index.md").read_text() + "versions\narchitecture\nREADME\nindex\n"
+    )
     assert {path.stem for path in DOCS.glob("*.md")} - set(re.findall(r"^[\w-]+$", lists, flags=re.MULTILINE)) == set()
 
 
