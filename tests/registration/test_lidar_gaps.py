@@ -203,6 +203,7 @@ def scans_in_turn(drive, mounts, count, device):
     return scans, (np.linalg.inv(poses[0]) @ poses)[:, :3, 3]
 
 
+@pytest.mark.slow_on_emulated_cuda("5 s a case of host decisions; drives of one scanner run there")
 @pytest.mark.parametrize("repeats", [1, 2])
 @pytest.mark.parametrize(
     "mounts", [((0, 0), (90, 0)), ((0, 0), (180, 0)), ((0, 6), (0, 0)), ((0, 0), (120, 0), (240, 0)), ((0, 3), (90, 0))]

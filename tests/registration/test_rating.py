@@ -527,6 +527,7 @@ def test_evaluations_match_brute_force(clouds, holes, shift, distance):
     np.testing.assert_array_equal(information[3:, 3:], paired.sum() * np.eye(3))
 
 
+@pytest.mark.slow_on_emulated_cuda("12 s a scale; assessments of other poses run there")
 @pytest.mark.parametrize("scale", [1.01, 1.02, 0.98])
 def test_the_given_scale_is_assessed(rng, device, scale):
     """Before, a scale up to 5% of R R^T was removed, so that another pose was assessed than the one given."""
