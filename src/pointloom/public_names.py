@@ -231,14 +231,12 @@ def _elsewhere(package: str, name: str) -> str:
 
 def _package_of(module: str, home: str) -> str:
     """Package of a public name that has public names itself, or ""."""
-    import pkgutil
+    from contextlib import suppress
 
     for full_name in (home, f"{home}.{module}"):
-        try:
-            if full_name.endswith(f".{module}") and pkgutil.get_data(full_name, "__init__.pyi"):
+        with suppress(ImportError):
+            if full_name.endswith(f".{module}") and _read(full_name):
                 return full_name
-        except (ImportError, OSError):
-            continue
     return ""
 
 

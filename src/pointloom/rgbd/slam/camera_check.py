@@ -128,10 +128,8 @@ def judged(fit: CameraFit | None, intrinsic: PinholeCameraIntrinsic) -> FocalChe
         return None
     is_off = np.abs(fit.values[:4]) > MAX_CORRECTIONS + MAX_SIGMAS * fit.deviations[:4]
     log_focal, u, v, distortion = np.where(is_off, fit.values[:4], 0.0).tolist()
-    sizes, deviations = (
-        (intrinsic.fx, intrinsic.fy),
-        np.where(np.isfinite(fit.deviations), fit.deviations, 0.0).tolist(),
-    )
+    sizes = intrinsic.fx, intrinsic.fy
+    deviations = np.where(np.isfinite(fit.deviations), fit.deviations, 0.0).tolist()
     return FocalCheck(
         len(fit.pairs),
         fit.residual,
