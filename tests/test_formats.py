@@ -26,6 +26,8 @@ from pointloom.io.points import formats
 from pointloom.io.points.formats import CLOUD_FORMATS, WITH_NAMED_COLUMNS, WRITTEN
 from pointloom.io.points.scan_files import list_scans
 from pointloom.io.splats.splat_files import EXTENSIONS as SPLATS
+from pointloom.pcd.contour_files import write_contour_file
+from pointloom.pcd.geotiff import ENDINGS as RASTERS
 from pointloom.visualization.recording.extensions import RECORDINGS
 from pointloom.visualization.viewer.view_files import read_geometry
 
@@ -103,6 +105,7 @@ def test_pipes_have_the_formats_of_the_tables():
 CLOUD = loom.PointCloud(np.eye(3))
 MESH = loom.TriangleMesh.create_box()
 TRACK = loom.Trajectory(np.eye(4)[None])
+LINES = loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]])
 SPLAT = loom.GaussianSplats([[0, 0, 1]], [[0.1, 0.1, 0.01]], [[1, 0, 0, 0]], [0.9], [[1, 0, 0]])
 OUTPUTS = loom.photogrammetry.VideoOutputs
 # Call with a file of an unknown extension -> the extensions that its error lists.
@@ -122,8 +125,9 @@ CALLS = {
     "VideoOutputs.mesh": (lambda path: OUTPUTS(mesh=path).check(overwrite=True), MESH_FORMATS),
     "VideoOutputs.cloud": (lambda path: OUTPUTS(cloud=path).check(overwrite=True), WRITTEN),
     "VideoOutputs.trajectory": (lambda path: OUTPUTS(trajectory=path).check(overwrite=True), NUMBERED),
-    "info": (describe, {*READ, *IMAGES, *TRAJECTORY_FORMATS, ".xml"}),
-    "view": (read_geometry, {*READ, *TRAJECTORY_FORMATS}),
+    "info": (describe, {*READ, *IMAGES, *RASTERS, *TRAJECTORY_FORMATS, ".xml"}),
+    "view": (read_geometry, {*READ, *RASTERS, *TRAJECTORY_FORMATS}),
+    "write_contours": (lambda path: write_contour_file(path, LINES, None, overwrite=True), paths.CONTOURS),
     "list_scans": (lambda path: list_scans(path.parent), CLOUD_FORMATS),
 }
 

@@ -20,7 +20,19 @@ PACKAGES = frozenset(
     (
         *(__name__.partition(".")[0], "numpy", "scipy", "warp", "taichi", "PIL", "websockets", "manifold3d", "xatlas"),
         *("laspy", "lazrs", "pye57", "DracoPy", "meshoptimizer", "pycolmap", "cv2", "pi_heif", "rawpy", "onnxruntime"),
-        *("onnx", "pyrealsense2", "pyk4a", "pooch", "pyproj", "rasterio", "distributed", "dask", "rosbags", "lz4"),
+        *(
+            "onnx",
+            "pyrealsense2",
+            "pyk4a",
+            "pooch",
+            "pyproj",
+            "rasterio",
+            "pyogrio",
+            "distributed",
+            "dask",
+            "rosbags",
+            "lz4",
+        ),
         *("backports", "zstandard", "matplotlib", "open3d", "torch", "cupy", "jax", "rich", "click"),
     )
 )

@@ -32,10 +32,10 @@ from .commands import answer, names_in, output_of, refusal, run, unreliable
 
 ROOT = Path(__file__).resolve().parents[2]
 COMMANDS = (
-    "change", "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth",
-    "docs", "doctor", "downsample", "dtm", "evaluate", "fuse", "ground", "info", "map", "merge", "mesh", "multiway",
-    "normals", "odometry", "plane", "reconstruct", "register", "sample-mesh", "simplify", "smooth-mesh", "split",
-    "stations", "texture", "tile", "track", "transform", "video", "view",
+    "change", "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "contours", "convert", "crop",
+    "demo", "depth", "docs", "doctor", "downsample", "dtm", "evaluate", "fuse", "ground", "info", "map", "merge",
+    "mesh", "multiway", "normals", "odometry", "plane", "reconstruct", "register", "sample-mesh", "simplify",
+    "smooth-mesh", "split", "stations", "texture", "tile", "track", "transform", "video", "view", "volume",
 )  # fmt: skip
 
 

@@ -553,6 +553,8 @@ def test_scans_are_written_with_their_poses_and_a_report(files):
     assert "STATIONS" in (files / "report" / "report.txt").read_text()
     assert json.loads((files / "report" / "report.json").read_text())["redundancy"] == report["redundancy"]
     assert read_color(files / "report" / "plan.png").shape[:2] == (960, 1280)
+    page = (files / "report" / "report.html").read_text()
+    assert "STATIONS" in page and page.count("<img") == 1
     refused = run("stations", files / "scans.e57", "-o", files / "new.e57", "--report", files / "report")
     assert "--force" in refused.stderr
 

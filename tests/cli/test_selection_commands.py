@@ -421,8 +421,10 @@ def test_two_clouds_are_compared_by_m3c2(files, device):
 
 
 def test_default_lengths_are_derived_from_the_points(files):
-    words = ["--cores", "1", "--painted", files / "p.ply", "--picture", files / "c.png"]
+    words = ["--cores", "1", "--painted", files / "p.ply", "--picture", files / "c.png", "--report", files / "c.html"]
     report = answer("change", files / "before.npz", files / "after.npz", *words)
+    page = (files / "c.html").read_text()
+    assert f"{report['significant']:,} of {report['known']:,} points" in page and page.count("<img") == 1
     radius = report["lengths"]["cylinder_radius"]
     assert 2 * np.median(survey().compute_nearest_neighbor_distance()) < radius < 1
     assert report["lengths"]["normal_radii"] == pytest.approx([radius, 2 * radius, 4 * radius])

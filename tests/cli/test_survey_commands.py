@@ -1,4 +1,4 @@
-"""ground, dtm, merge, transform, split: results agree with the library, and errors name the remedy."""
+"""Commands of surveyors: results agree with the library, and errors name the remedy."""
 
 import warnings
 from contextlib import nullcontext
@@ -69,6 +69,53 @@ def test_dtm_is_the_raster_of_the_library(tile, tmp_path):
     assert "has no classification. Run pointloom ground first" in refusal(
         "dtm", tmp_path / "bare.ply", "-o", output, "--force"
     )
+
+
+def test_a_raster_is_described_shown_and_drawn_as_contours(tile, tmp_path):
+    output_of("dtm", tile, "-o", dtm := tmp_path / "dtm.tif", "--kind", "lowest", "--cell", 2)
+    raster = loom.read_raster(dtm)
+    (facts,) = answer("info", dtm)["files"]
+    assert (facts["kind"], facts["coordinate_system"], facts["cell"]) == ("raster", "EPSG:25832", 2.0)
+    assert facts["heights"]["highest"] == float(np.nanmax(raster.values))
+    assert f"{np.isfinite(raster.values).sum()} points" in output_of("view", dtm, "--screenshot", tmp_path / "dtm.png")
+    pytest.importorskip("pyogrio")
+    report = answer("contours", dtm, "-o", tmp_path / "lines.gpkg", "--interval", 0.5)
+    levels = np.unique(raster.contour_lines(0.5).points[:, 2])
+    assert (report["levels"], report["lowest"], report["highest"]) == (len(levels), levels[0], levels[-1])
+    assert "exists already" in refusal("contours", dtm, "-o", tmp_path / "lines.gpkg", "--interval", 0.5)
+    assert "is not a GeoTIFF" in refusal("contours", tile, "-o", tmp_path / "b.gpkg", "--interval", 0.5)
+    (raster + 3.0).write(tmp_path / "high.tif")
+    assert unreliable("contours", tmp_path / "high.tif", "-o", tmp_path / "c.gpkg", "--interval", 1e3)["lines"] == 0
+
+
+def test_volume_is_that_of_the_library_from_clouds_meshes_and_rasters(tmp_path, rng):
+    before, after = (rng.uniform(0, 20, (20_000, 3)) * (1, 1, 0.001) for _ in range(2))
+    after[:, 2] += np.maximum(0, 2 - np.hypot(after[:, 0] - 10, after[:, 1] - 10))  # a cone of 8.38 m^3
+    clouds = [loom.PointCloud(each, unit="metre", classification=np.full(20_000, 2)) for each in (before, after)]
+    for name, cloud in zip(("a.ply", "b.ply"), clouds, strict=True):
+        loom.write_point_cloud(tmp_path / name, cloud)
+    outputs = {name: tmp_path / f"change.{name}" for name in ("tif", "png", "html")}
+    words = ["volume", tmp_path / "a.ply", tmp_path / "b.ply", "--cell", 0.5]
+    options = ["-o", outputs["tif"], "--picture", outputs["png"], "--report", outputs["html"]]
+    report = answer(*words, *options)
+    expected = loom.volume_change(*clouds, 0.5)
+    assert report["net"] == expected.net == pytest.approx(8 * np.pi / 3, abs=report["net_uncertainty"])
+    np.testing.assert_array_equal(loom.read_raster(outputs["tif"]).values, expected.difference.values)
+    page = outputs["html"].read_text()
+    assert page.count("<img") == 1 and f"{expected.net:,.2f}" in page and "All quality checks passed" in page
+    assert loom.read_color(outputs["png"]).shape[2] == 3
+
+    output_of("dtm", tmp_path / "b.ply", "-o", tmp_path / "b.tif", "--cell", 0.5)
+    mixed = answer("volume", tmp_path / "a.ply", tmp_path / "b.tif")
+    assert mixed["net"] == pytest.approx(report["net"], abs=0.6)
+    assert "Pass --cell" in refusal(*words[:3])
+    assert "--cell: expected 0.5, that of " in refusal("volume", tmp_path / "b.tif", tmp_path / "b.ply", "--cell", 2)
+    assert run(*words, "--picture", outputs["png"], "--report", outputs["png"], "--force").exit_code == 2
+    loom.write_point_cloud(tmp_path / "high.ply", clouds[0].translate([0, 0, 0.3]))
+    high = unreliable(
+        "volume", tmp_path / "a.ply", tmp_path / "high.ply", "--cell", 0.5, "--report", outputs["html"], "--force"
+    )
+    assert "pass --registration-error" in high["warnings"][0] and "Unreliable result" in outputs["html"].read_text()
 
 
 def test_merge_concatenates_and_reports_dropped_attributes(tile, tmp_path):

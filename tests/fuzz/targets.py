@@ -253,6 +253,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "open3d/t/io/meshes.py": ("open3d tensor mesh .npz",),
     "open3d/visualization/render_option.py": ("open3d options",),
     "open3d/visualization/visualizer.py": OF_PAGE,
+    "pcd/contour_files.py": OF_WRITER,
     "pcd/geotiff.py": ("raster .tif",),
     "pcd/polygon_volume.py": ("polygon volume",),
     "photogrammetry/depth/network.py": NETWORK,

@@ -436,6 +436,7 @@ WRITERS = {
     "grid.npz": lambda path: occupied().save(path),
     "field.npz": save_field,
     "terrain.tif": write_raster,
+    "contours.gpkg": lambda path: loom.rasterize(cloud(), 0.25, kind="dsm").write_contours(path, 0.5),
     "record.html": record,
     "record.gif": record,
     "o.ply": lambda path: o3d.io.write_triangle_mesh(path, BRIDGE),
@@ -476,8 +477,8 @@ def test_files_that_are_replaced_together_follow_the_rules_of_open(tmp_path, acc
 
 @pytest.mark.parametrize("name", WRITERS)
 def test_every_writer_follows_the_rules_of_open(name, tmp_path, access):
-    if name.endswith(".tif"):
-        pytest.importorskip("rasterio")
+    if name.endswith((".tif", ".gpkg")):
+        pytest.importorskip("rasterio" if name.endswith(".tif") else "pyogrio")
     write_file, suffix = WRITERS[name], name[name.index(".") :]
     write_file(tmp_path / name)
     expected = {path.suffix for path in tmp_path.iterdir()}
@@ -521,8 +522,8 @@ def test_every_writer_follows_the_rules_of_open(name, tmp_path, access):
 @pytest.mark.parametrize("name", WRITERS)
 def test_a_name_without_extension_is_written_or_the_error_lists_the_extensions(name, exists, tmp_path):
     """A writer either accepts any name, or names the extension that the format has in WRITERS."""
-    if name.endswith(".tif"):
-        pytest.importorskip("rasterio")
+    if name.endswith((".tif", ".gpkg")):
+        pytest.importorskip("rasterio" if name.endswith(".tif") else "pyogrio")
     path = tmp_path / "output"
     if exists:
         path.write_bytes(b"old")

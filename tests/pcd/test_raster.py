@@ -6,12 +6,14 @@ import sys
 
 import contourpy
 import numpy as np
+import pyproj
 import pytest
 import rasterio
 
 import pointloom as loom
 from pointloom.core.units import UnitWarning
 from pointloom.pcd import geotiff
+from pointloom.pcd.contour_files import joined_lines
 from pointloom.pcd.contours import trace_contours
 
 EAST, NORTH = 412_300.0, 5_651_200.0
@@ -206,6 +208,65 @@ def test_contour_lines_have_float64_coordinates_and_close_around_a_hill():
             raster.contour_lines(**options)
     empty = dataclasses.replace(raster, values=np.full((5, 5), np.nan, np.float32), filled=np.zeros((5, 5), bool))
     assert not len(empty.contour_lines(1.0).lines)
+
+
+@pytest.mark.parametrize("ending", [".gpkg", ".geojson", ".dxf"])
+def test_files_of_contours_have_one_line_per_contour_and_its_height(ending, tmp_path):
+    pyogrio = pytest.importorskip("pyogrio")
+    x, y = np.mgrid[0:40, 0:30].reshape(2, -1) + 0.5
+    hill = loom.PointCloud(np.column_stack([EAST + x, NORTH + y, 50 - np.hypot(x - 20, y - 15)]))
+    raster = loom.rasterize(hill, 1.0, "lowest", crs="EPSG:25832")
+    path = raster.write_contours(tmp_path / f"lines{ending}", 5.0)
+    first = path.read_bytes()
+    assert raster.write_contours(path, 5.0).read_bytes() == first  # reproducible, and replaced
+    with pytest.raises(loom.FileError, match="exists already"):
+        raster.write_contours(path, 5.0, overwrite=False)
+
+    meta, _, geometries, fields = pyogrio.raw.read(path)
+    lines = [np.frombuffer(each[9:], "<f8").reshape(-1, 3) for each in geometries]
+    expected = joined_lines(raster.contour_lines(5.0))
+    assert [len(line) for line in lines] == [len(line) for line in expected]
+    assert {line[0, 2] for line in lines} == {30.0, 35.0, 40.0, 45.0}
+    rings = [line for line in lines if (line[0] == line[-1]).all()]
+    assert sorted(line[0, 2] for line in rings) == [40.0, 45.0]  # the lower ones end at the border
+    if ending != ".dxf":
+        np.testing.assert_array_equal(fields[0], [line[0, 2] for line in lines])
+    if ending == ".geojson":
+        east, north = pyproj.Transformer.from_crs("EPSG:25832", "EPSG:4326", always_xy=True).transform(
+            *np.concatenate(expected)[:, :2].T
+        )
+        np.testing.assert_allclose(np.concatenate(lines)[:, :2], np.column_stack([east, north]), atol=1e-9)
+    else:
+        digits = 1e-8 if ending == ".dxf" else 0  # DXF has 15 digits
+        np.testing.assert_allclose(np.concatenate(lines), np.concatenate(expected), rtol=0, atol=digits)
+    assert meta["crs"] == {".gpkg": "EPSG:25832", ".geojson": meta["crs"], ".dxf": None}[ending]
+
+
+def test_joined_lines_contain_each_segment_once(rng):
+    for _ in range(30):
+        heights = np.round(rng.normal(size=rng.integers(2, 12, 2)) * 2) / 2  # ties: nodes with three and four lines
+        lines = trace_contours(heights, np.zeros(2), 1.0, np.array([-0.5, 0.0, 0.5]))
+        found = [
+            tuple(sorted([tuple(a), tuple(b)])) for line in joined_lines(lines) for a, b in itertools.pairwise(line)
+        ]
+        segments = [tuple(sorted(map(tuple, lines.points[pair]))) for pair in lines.lines]
+        assert sorted(found) == sorted(segments)
+
+
+def test_contours_name_the_remedy_if_they_cannot_be_written(tmp_path, monkeypatch):
+    raster = loom.rasterize(loom.PointCloud(np.random.default_rng(0).random((99, 3))), 0.25, "lowest")
+    for name in ("lines.shp", "lines", "lines.json"):
+        with pytest.raises(loom.FileError, match=r"expected \.gpkg, \.geojson, \.dxf"):
+            raster.write_contours(tmp_path / name, 0.1)
+    pytest.importorskip("pyogrio")
+    with pytest.raises(loom.FileError, match="is unknown"):
+        dataclasses.replace(raster, crs="EPSG:1").write_contours(tmp_path / "lines.gpkg", 0.1)
+    assert not [*tmp_path.iterdir()]
+    empty = dataclasses.replace(raster, values=np.full_like(raster.values, np.nan))
+    assert empty.write_contours(tmp_path / "empty.gpkg", 0.1).stat().st_size
+    monkeypatch.setitem(sys.modules, "pyogrio", None)
+    with pytest.raises(loom.FileError, match=r'needs the package pyogrio\. pip install "pointloom\[geo\]"'):
+        raster.write_contours(tmp_path / "lines.gpkg", 0.1)
 
 
 def test_profile_of_a_raster_is_bilinear(rng):

@@ -12,6 +12,7 @@ from typing import Any
 from .errors import FileError
 
 RECORDINGS = (".bag", ".mcap", ".db3")  # of robots
+CONTOURS = {".gpkg": "GPKG", ".geojson": "GeoJSON", ".dxf": "DXF"}  # of contour lines: GDAL's name of the format
 # The specification of Git LFS: a pointer is smaller than 1,024 bytes, and its first line is the version.
 _MAX_POINTER_BYTES = 1024
 _POINTER_STARTS = (b"version https://git-lfs.github.com/spec/", b"version https://hawser.github.com/spec/")

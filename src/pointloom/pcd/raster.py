@@ -21,6 +21,7 @@ from ..kernels.lang import vec3
 from ..kernels.memory import download, upload
 from ..kernels.terrain.cells import CellGroups, FixedCells
 from ..kernels.terrain.inverse_distance import interpolate_centers
+from .contour_files import check_contour_file, write_contour_file
 from .contours import trace_contours
 from .geotiff import geotiff, read_geotiff
 from .line_set import LineSet
@@ -169,6 +170,31 @@ class Raster:
         if len(chosen) > MAX_LEVELS:
             raise ValueError(f"levels: expected at most {MAX_LEVELS:,}, got {len(chosen):,}")
         return trace_contours(heights, self.corner + self.cell / 2, self.cell, chosen)
+
+    def write_contours(
+        self, path: FilePath, interval: float | None = None, *, levels: ArrayLike | None = None, overwrite: bool = True
+    ) -> Path:
+        """Write contour lines for maps atomically, each as a polyline with its height as z and attribute `elevation`.
+
+        Args:
+            path: A .gpkg (GeoPackage), .geojson or .dxf file. GeoJSON has degrees of WGS 84, as its standard demands,
+                if the `crs` is known. DXF stores no coordinate system.
+            interval, levels: As in `contour_lines`.
+            overwrite: Allow replacing an existing file.
+
+        Raises:
+            ValueError: As `contour_lines`.
+            FileError: If the file cannot be written, pyogrio is missing, or the `crs` is unknown to it.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> x, y = np.mgrid[0:20, 0:20].reshape(2, -1) + 0.5
+            >>> hill = loom.PointCloud(np.column_stack([x, y, 5 - 0.5 * np.hypot(x - 10, y - 10)]))
+            >>> loom.rasterize(hill, 1.0, "lowest", crs="EPSG:26910").write_contours("hill.gpkg", 1.0).name
+            'hill.gpkg'
+        """
+        check_contour_file(path, overwrite=overwrite)
+        return write_contour_file(path, self.contour_lines(interval, levels=levels), self.crs, overwrite=overwrite)
 
     def write(self, path: FilePath, *, overwrite: bool = True) -> Path:
         """Write a compressed float32 GeoTIFF atomically. The second band is 1 in filled cells.

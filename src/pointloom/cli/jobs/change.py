@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, NamedTuple, Unpack
 
 import numpy as np
@@ -30,6 +31,7 @@ from ...pcd.units import common_reference
 from ...visualization.change.pictures import draw_change, paint_change
 from ...visualization.render.picture_files import check_picture
 from .job import Job, JobReport, Settings, in_words_of_command
+from .report_page import check_report_page, write_report_page
 from .rows import with_positions
 
 CYLINDER_POINTS = 20  # points of the first epoch in a cylinder of the default radius
@@ -62,6 +64,9 @@ class ChangeReport(JobReport):
     registration_error: float
 
     def fields(self) -> Fields:
+        return [*self.figures(), *self.closing(self.device)]
+
+    def figures(self) -> Fields:
         m, fraction = self.m, self.significant / max(self.known, 1)
         changed = f"{self.significant:,} of {self.known:,} points with a distance, {format_fraction(fraction)}"
         if self.median is not None:
@@ -76,7 +81,6 @@ class ChangeReport(JobReport):
             ("changed", changed),
             ("noise", level),
             ("measured", f"{self.method} at {self.cores:,} points, {lengths or 'point by point'} {m}".rstrip()),
-            *self.closing(self.device),
         ]
 
 
@@ -88,12 +92,14 @@ class ChangeOutputs:
         points: Core points with distance and level of detection as attributes.
         painted: Core points in the colors of the image.
         picture: A .png or .webp file: change from blue to red, gray if not significant.
+        report: An HTML page with the figures, the failed checks and the picture.
         limit: Distance of the darkest colors [m]. None fits them to the changes.
     """
 
     points: FilePath | None = None
     painted: FilePath | None = None
     picture: FilePath | None = None
+    report: FilePath | None = None
     limit: float | None = None
 
 
@@ -132,6 +138,7 @@ def change_files(
     job.check(outputs.painted, storing("colors"), what="colors")
     if outputs.picture is not None:
         check_picture(outputs.picture, overwrite=job.form["overwrite"])
+    check_report_page(outputs.report, overwrite=job.form["overwrite"])
     with job.stage("read"):
         stored, first, after = _read(job, earlier, later, settings.get("columns"))
     if isinstance(first, PointCloud):
@@ -139,6 +146,8 @@ def change_files(
     else:
         compared, searched = _with_mesh(job, first, after, measure), after
     _write(job, compared, outputs, stored if measure.cores is None else stored[_thinned_rows(searched, measure.cores)])
+    if outputs.report is not None:
+        _write_page(job, outputs.report, later, compared, outputs.limit, measure.registration_error)
     return _report(job, later, compared, measure.registration_error)
 
 
@@ -231,6 +240,19 @@ def _write(job: Job, compared: Compared, outputs: ChangeOutputs, stored: NDArray
         with job.stage("picture"):
             draw_change(where, result, outputs.picture, limit=limit, overwrite=job.form["overwrite"])
         job.wrote(outputs.picture)
+
+
+def _write_page(
+    job: Job, page: FilePath, later: FilePath, compared: Compared, limit: float | None, error: float
+) -> None:
+    with job.stage("report"):
+        picture = draw_change(compared.where, compared.result, limit=limit)
+        report = _report(job, later, compared, error)
+        fields: Fields = [("before", os.fspath(job.source)), ("after", os.fspath(later)), *report.figures()]
+        title = f"Change, {Path(job.source).name} to {Path(later).name}"
+        pictures = [("Distances at the core points. Gray: below the level of detection at 95%", picture)]
+        write_report_page(page, title, fields, report.warnings, pictures, overwrite=job.form["overwrite"])
+    job.wrote(page)
 
 
 def _report(job: Job, later: FilePath, compared: Compared, registration_error: float) -> ChangeReport:

@@ -160,6 +160,24 @@ class Las(Shape):
 
 
 @dataclass(frozen=True)
+class Heights(Facts):
+    """A raster of a GeoTIFF: columns x rows, minimum, median and maximum of the cells with a value."""
+
+    KIND = "raster"
+    SPARE = ("values", "unit")
+
+    size: str
+    cell: float
+    values: str | None
+    coordinate_system: str | None
+    unit: LengthUnit | None
+    known_fraction: float
+    filled_fraction: float
+    heights: dict[str, float]
+    bounds: Bounds
+
+
+@dataclass(frozen=True)
 class Picture(Facts):
     """An image; `size` is width x height."""
 

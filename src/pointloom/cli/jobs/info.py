@@ -47,6 +47,8 @@ from ...io.points.las_units import units_of
 from ...io.points.ptx import describe_ptx
 from ...io.points.scan_files import natural_key
 from ...io.table import MeshTable, PointTable
+from ...pcd.geotiff import ENDINGS as RASTERS
+from ...pcd.raster import read_raster
 from .facts import (
     Camera,
     CameraMatrix,
@@ -57,6 +59,7 @@ from .facts import (
     DataSet,
     DepthMap,
     Facts,
+    Heights,
     Las,
     Mesh,
     MetashapeCameras,
@@ -163,6 +166,8 @@ def _describe_file(path: Path) -> Facts:
         return _measure_depth(read_depth(path))
     if suffix != ".txt" and (suffix in CLOUD_FORMATS or suffix in MESH_FORMATS):
         return _describe_table(path)
+    if suffix in RASTERS:
+        return _describe_raster(path)
     if suffix in IMAGES:
         return _describe_picture(path)
     if suffix == ".json":
@@ -171,7 +176,7 @@ def _describe_file(path: Path) -> Facts:
         return describe_metashape_file(path)
     if suffix in TRAJECTORY_FORMATS:
         return _describe_text(path)
-    known = " ".join(dict.fromkeys([*CLOUD_FORMATS, *MESH_FORMATS, *IMAGES, ".xml", *TRAJECTORY_FORMATS]))
+    known = " ".join(dict.fromkeys([*CLOUD_FORMATS, *MESH_FORMATS, *IMAGES, *RASTERS, ".xml", *TRAJECTORY_FORMATS]))
     raise FileError(path, f"unknown file type {suffix!r}", remedy=f"Expected one of {known}, or a folder of frames")
 
 
@@ -282,6 +287,26 @@ def _describe_picture(path: Path) -> Picture | DepthMap:
         return _measure_depth(read_depth(path))
     read_color(path)  # checks that it is complete
     return Picture(header.kind.upper(), f"{header.width} x {header.height}", header.channels)
+
+
+def _describe_raster(path: Path) -> Heights:
+    raster = read_raster(path)
+    known = raster.values[np.isfinite(raster.values)]
+    ends: dict[str, float] = {}
+    if known.size:
+        ends = {"lowest": float(known.min()), "median": float(np.median(known)), "highest": float(known.max())}
+    x0, y0, x1, y1 = raster.bounds
+    return Heights(
+        size=f"{raster.values.shape[1]:,} x {raster.values.shape[0]:,}",
+        cell=raster.cell,
+        values=raster.kind or None,
+        coordinate_system=raster.crs,
+        unit=raster.unit,
+        known_fraction=known.size / raster.values.size,
+        filled_fraction=float(raster.filled.mean()),
+        heights=ends,
+        bounds={"min": [x0, y0, ends["lowest"]], "max": [x1, y1, ends["highest"]]} if ends else None,
+    )
 
 
 def _measure_depth(depth: NDArray[Any]) -> DepthMap:

@@ -21,8 +21,9 @@ from ...registration.stations.survey_tables import read_control_points, read_tar
 from ...visualization.render.picture_files import write_image
 from ...visualization.render.plots import station_plan
 from .job import Job, JobReport, Settings
+from .report_page import write_report_page
 
-REPORT = {"text": "report.txt", "json": "report.json", "plan": "plan.png"}
+REPORT = {"text": "report.txt", "json": "report.json", "plan": "plan.png", "page": "report.html"}
 E57 = (".e57",)
 
 
@@ -61,8 +62,8 @@ def register_scans(
     """Register the scans of an E57 file and write them with their poses.
 
     `targets` and `control` are tables (`read_targets`, `read_control_points`), `report` a folder for report.txt,
-    report.json and plan.png. `free` are the degrees of freedom of stations: "x", "y", "z" and "yaw" (default), or all
-    six. See `register_stations` for the other options.
+    report.json, plan.png and report.html. `free` are the degrees of freedom of stations: "x", "y", "z" and "yaw"
+    (default), or all six. See `register_stations` for the other options.
     """
     job = Job("stations", source, **settings)
     job.check(output, E57, what="stations")
@@ -131,6 +132,10 @@ def _write_report(job: Job, paths: dict[str, Path], result: StationsResult) -> N
         for kind, text in texts.items():
             with atomic_write(paths[kind], overwrite=overwrite) as file:
                 file.write(text.encode())
-        write_image(paths["plan"], station_plan(result), overwrite=overwrite)
+        plan = station_plan(result)
+        write_image(paths["plan"], plan, overwrite=overwrite)
+        title, pictures = f"Stations of {Path(job.source).name}", [("Plan with error ellipses", plan)]
+        checks = result.warnings
+        write_report_page(paths["page"], title, result.fields(), checks, pictures, texts["text"], overwrite=overwrite)
     for path in paths.values():
         job.wrote(path)

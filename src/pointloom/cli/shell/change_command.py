@@ -22,6 +22,7 @@ _MEASURE = ("cores", "normal_radii", "cylinder_radius", "max_distance", "registr
 @click.argument("later", type=FILE, metavar="B")
 @option("-o --output=OUT", FILE, "Write the core points with their distances.")
 @option("--picture=PNG", FILE, "Render the distances: blue to red, gray if not significant.")
+@option("--report=HTML", FILE, "Page with the figures, the failed checks and the picture.")
 @option("--painted=FILE", FILE, "Write the points in the colors of --picture.")
 @option("--cores=M", LENGTH, "Cell size of core points [m]. Default: all points.")
 @option("--normals normal_radii=M,...", Lengths(), "Radii of normal estimation [m].")
@@ -49,10 +50,12 @@ def change(earlier: Path, later: Path, as_json: bool, force: bool, **options: An
     """
     if not any(options["orientation"]):
         refuse("--toward: expected a direction, got 0 0 0")
-    refuse_same(**{name: options[name] for name in ("output", "picture", "painted")})
+    refuse_same(**{name: options[name] for name in ("output", "picture", "painted", "report")})
     from ..jobs.change import ChangeMeasure, ChangeOutputs, change_files
 
-    options["outputs"] = ChangeOutputs(*(options.pop(name) for name in ("output", "painted", "picture", "limit")))
+    options["outputs"] = ChangeOutputs(
+        *(options.pop(name) for name in ("output", "painted", "picture", "report", "limit"))
+    )
     options["measure"] = ChangeMeasure(**{name: options.pop(name) for name in _MEASURE})
     with Progress() as progress:
         report = change_files(earlier, later, overwrite=force, progress=progress, **options)

@@ -81,6 +81,8 @@ def cli() -> None:
     pointloom split tile.laz -o parts --by classification  split by an attribute or by cells
     pointloom ground tile.laz ground.laz                   classify the ground
     pointloom dtm ground.laz -o dtm.tif --cell 0.5         terrain model as GeoTIFF
+    pointloom contours dtm.tif -o lines.gpkg --interval 1  contour lines
+    pointloom volume before.laz after.laz --cell 1         volumes of cut and fill
 
     \b
     pointloom register scan2.ply scan1.ply -o T.txt        register two clouds, from any pose

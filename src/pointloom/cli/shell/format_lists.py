@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ...cameras.trajectory_formats import NUMBERED, TRAJECTORY_FORMATS
-from ...core.paths import IN_FOLDERS, RECORDINGS
+from ...core.paths import CONTOURS, IN_FOLDERS, RECORDINGS
 from ...io.images.image_formats import DEPTHS, IMAGES, PICTURES
 from ...io.meshes.mesh_formats import MESH_FORMATS, storing
 from ...io.points.formats import CLOUD_FORMATS, WITH_SCANS, WRITTEN
@@ -29,6 +29,7 @@ LISTS = {
     "{trajectories}": TRAJECTORY_FORMATS,
     "{recordings}": RECORDINGS,
     "{recordings in folders}": IN_FOLDERS,
+    "{contours}": CONTOURS,
     "{images}": IMAGES,
     "{depth maps}": DEPTHS,
 }

@@ -20,7 +20,7 @@ LEVEL, ALL = "x,y,z,yaw", "x,y,z,roll,pitch,yaw"
 @option("-o --output=E57", FILE, "Write the scans with the estimated poses.", required=True)
 @option("--targets=CSV", FILE, "Observed targets: station, name, x, y, z, sigma.")
 @option("--control=CSV", FILE, "Control points: name, x, y, z, sigma. They define the coordinate frame.")
-@option("--report=DIR", FILE, "Folder for report.txt, report.json and plan.png.")
+@option("--report=DIR", FILE, "Folder for report.html, report.txt, report.json and plan.png.")
 @option("--free=LIST", str, f"Free motions of each station; {ALL} if scans are not level.", default=LEVEL)
 @option("--no-poses", bool, "Ignore the poses of the file, and search all pairs globally.")
 @option("--rough=M", LENGTH, "Maximum error of the poses of the file [m]. Default: 2.")

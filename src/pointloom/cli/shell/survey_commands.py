@@ -1,4 +1,4 @@
-"""The commands ground, dtm, merge, transform and split. Nothing expensive is imported here."""
+"""The commands ground, dtm, contours, volume, merge, transform and split. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -12,7 +12,24 @@ from ...io.points.formats import WRITTEN
 from .answer import answer_with
 from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
-from .options import ASCII, COLUMNS, DEVICE, FILE, FORCE, JSON, LENGTH, UP, Number, check_up, in_order, option, refuse
+from .format_lists import with_lists
+from .options import (
+    ASCII,
+    COLUMNS,
+    DEVICE,
+    FILE,
+    FORCE,
+    JSON,
+    LENGTH,
+    UP,
+    Number,
+    check_up,
+    in_order,
+    option,
+    refuse,
+    refuse_same,
+)
+from .registration_commands import RANGE_TYPE
 from .toolbox import FACTOR_TYPE
 
 ANY = Number("a finite number", math.isfinite)
@@ -65,6 +82,60 @@ def dtm(source: Path, output: Path, as_json: bool, force: bool, **options: Any) 
 
     report = rasterize_file(source, output, overwrite=force, **options)
     return answer_with(report, str(source), as_json)
+
+
+@click.command(short_help="Make contour lines of a terrain model.")
+@click.argument("source", type=FILE, metavar="IN.TIF")
+@option("-o --output=OUT", FILE, "The lines.", required=True)
+@option("--interval=M", LENGTH, "Height difference of the lines [m], which are at its multiples.", required=True)
+@in_order(JSON, FORCE)
+@with_lists
+def contours(source: Path, output: Path, interval: float, as_json: bool, force: bool) -> int:
+    """Make contour lines of the GeoTIFF IN.TIF, such as a terrain model of `pointloom dtm`, as {contours}.
+
+    Each line has its height as z, and as the attribute elevation of .gpkg and .geojson. Lines end at empty cells.
+    GeoJSON has degrees of WGS 84 if the coordinate system is known. Requires the extra pointloom[geo].
+
+    \b
+    pointloom contours dtm.tif -o contours.gpkg --interval 1
+    pointloom contours dtm.tif -o contours.dxf --interval 0.25
+    """
+    from ..jobs.rasters import contours_of_file
+
+    report = contours_of_file(source, output, interval=interval, overwrite=force)
+    return answer_with(report, str(source), as_json)
+
+
+@click.command(short_help="Measure cut and fill between two surveys.")
+@click.argument("before", type=FILE, metavar="A")
+@click.argument("after", type=FILE, metavar="B")
+@option("--cell=M", LENGTH, "Edge of a cell [m], for 4 or more points. Default: that of a GeoTIFF.")
+@option("--registration-error=M", RANGE_TYPE, "Standard deviation of the height offset [m].", default=0.0)
+@option("--max-gap=M", LENGTH, "Maximum width of interpolated gaps [m]. Default: 4 cells.")
+@option("-o --output difference=TIF", FILE, "GeoTIFF of the height differences.")
+@option("--picture=PNG", FILE, "Render the differences: blue to red, gray if not significant.")
+@option("--report=HTML", FILE, "Page with the volumes, the failed checks and the picture.")
+@option("--limit=M", LENGTH, "Limit of the color scale [m]. Default: from the data.")
+@in_order(COLUMNS, DEVICE, JSON, FORCE)
+def volume(before: Path, after: Path, as_json: bool, force: bool, **options: Any) -> int:
+    """Measure the volumes of cut and fill from A to B along z, with 95% intervals.
+
+    A and B are clouds, meshes or GeoTIFF files, z up. Only ground points count if a cloud has any. For a stockpile, A
+    is the ground without it. Interpolated and missing areas are listed.
+
+    The exit code is 3 if less than half of the area is compared, if change continues into the missing area, or if most
+    of the area changed by the same height, as with two height systems. Outputs are still written.
+
+    \b
+    pointloom volume 2023.laz 2024.laz --cell 0.5 --registration-error 0.01 --report change.html
+    pointloom volume ground.tif pile.laz -o difference.tif
+    """
+    refuse_same(**{name: options[name] for name in ("difference", "picture", "report")})
+    from ..jobs.rasters import VolumeOutputs, change_of_volume
+
+    outputs = VolumeOutputs(*(options.pop(name) for name in ("difference", "picture", "report", "limit")))
+    report = change_of_volume(before, after, outputs, overwrite=force, **options)
+    return answer_with(report, f"{before} to {after}", as_json)
 
 
 @click.command(short_help="Merge clouds into one file.")
@@ -145,4 +216,4 @@ def split(source: Path, by: str | None, cell: float | None, as_json: bool, force
     return answer_with(report, str(source), as_json)
 
 
-COMMANDS = (ground, dtm, merge, transform, split)
+COMMANDS = (ground, dtm, contours, volume, merge, transform, split)

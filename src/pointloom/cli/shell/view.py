@@ -69,6 +69,7 @@ def view(
     clouds        {clouds}
     meshes        {meshes}
     trajectories  {trajectories}
+    rasters       .tif of pointloom dtm: the centers of their cells
     volumes       .npz of TSDFVolume.save, .json of SelectionPolygonVolume
     recordings    {recordings} and folders of them: the first cloud, or all clouds with --frame
 

@@ -33,7 +33,9 @@ from ...kernels.memory import upload
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
+from ...pcd.geotiff import ENDINGS as RASTERS
 from ...pcd.polygon_volume import SelectionPolygonVolume
+from ...pcd.raster import Raster, read_raster
 from ..render.geometries import Named, named_geometries
 from ..render.styles import Style
 from .copc_tree import CopcTree
@@ -126,8 +128,18 @@ def read_geometry(
         return read_triangle_mesh(path, device=device)
     if suffix in CLOUD_FORMATS:
         return read_point_cloud(path, device=device)
-    known = " ".join(dict.fromkeys([*CLOUD_FORMATS, *MESH_FORMATS, *TRAJECTORY_FORMATS]))
+    if suffix in RASTERS:
+        return cells_of_raster(read_raster(path), device)
+    known = " ".join(dict.fromkeys([*CLOUD_FORMATS, *MESH_FORMATS, *TRAJECTORY_FORMATS, *RASTERS]))
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Supported: {known}")
+
+
+def cells_of_raster(raster: Raster, device: DeviceLike = None) -> PointCloud:
+    """The centers of the cells with a value, at their heights."""
+    rows, columns = np.nonzero(np.isfinite(raster.values))
+    x = raster.corner[0] + raster.cell * (columns + 0.5)
+    y = raster.corner[1] + raster.cell * (len(raster.values) - 0.5 - rows)
+    return PointCloud(np.column_stack([x, y, raster.values[rows, columns]]), unit=raster.unit, device=device)
 
 
 def read_recording(path: Path, topic: str | None, frame: str | None, *, device: DeviceLike = None) -> PointCloud:
