@@ -11,7 +11,7 @@ from ...kernels.meshes.sheets import MIN_VOLUME_RATIO
 from .mesh_nesting import Parts, find_enclosing
 
 if TYPE_CHECKING:
-    from .mesh_selection import MeshSelection
+    from .mesh_arrays import MeshArrays
 
 
 MIN_OPEN_BULGE = 0.02  # the same for an open part: a fifth of a sphere's
@@ -40,7 +40,7 @@ def find_doubled(copies: Copies, names: NDArray[np.int32], loose: NDArray[np.boo
 
 
 def find_covered(
-    mesh: MeshSelection, copies: Copies, names: NDArray[np.int32], twins: NDArray[np.int32]
+    mesh: MeshArrays, copies: Copies, names: NDArray[np.int32], twins: NDArray[np.int32]
 ) -> NDArray[np.bool_]:
     """Triangles of parts covered by others, bool (t,). One of each pair of sides stays. A part is covered if all its
     triangles have copies in kept parts. Solids and walls of hollows are covered only by copies of the same orientation.

@@ -13,10 +13,10 @@ from ...kernels.lang import float64, int32, vec2, vec3i
 from ...kernels.memory import download, full, upload
 from ...kernels.meshes.corner_vertices import find_doubled_edges
 from ...kernels.meshes.mixed_rows import with_vertices_on_edges
+from .mesh_arrays import MeshArrays
 from .mesh_attributes import each
-from .mesh_selection import MeshSelection
 
-MeshType = TypeVar("MeshType", bound=MeshSelection)
+MeshType = TypeVar("MeshType", bound=MeshArrays)
 
 
 def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:

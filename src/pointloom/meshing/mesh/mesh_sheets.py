@@ -25,9 +25,11 @@ from ...kernels.meshes.part_votes import keep_alone
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
 from .doubled_edges import part_doubled_edges
-from .mesh_selection import MeshSelection
+from .measures import get_surface_area
+from .mesh_arrays import MeshArrays
+from .selection import remove_degenerate_triangles
 
-MeshType = TypeVar("MeshType", bound=MeshSelection)
+MeshType = TypeVar("MeshType", bound=MeshArrays)
 MAX_PASSES = 8
 SUMMED = "copies", "copied_area", "crowding", "halved", "merged", "unused", "degenerate"
 
@@ -83,7 +85,7 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
     return result
 
 
-def find_flips(mesh: MeshSelection) -> Mask:
+def find_flips(mesh: MeshArrays) -> Mask:
     """uint8 [t]: 1 for triangles oriented against most of their part."""
     orientation = Orientation(mesh.arrays["triangles"], mesh.arrays.vertex_count)
     orientation.follow_majority()
@@ -101,7 +103,7 @@ def flipped_mesh(mesh: MeshType, flips: Mask) -> MeshType:
 
 
 def _stitch_once(mesh: MeshType) -> Stitched[MeshType]:
-    clean = mesh.remove_degenerate_triangles()
+    clean = remove_degenerate_triangles(mesh, zero_area=False)
     vertices, triangles = clean.arrays["vertices"], clean.arrays["triangles"]
     owners = find_equal_points(vertices)
     merged_triangles = merge_vertices.rename_corners(triangles, owners, positions(vertices.size, vertices.device))
@@ -146,7 +148,7 @@ def _sew(
     )
 
 
-def _find_worthless(mesh: MeshSelection, merged_triangles: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
+def _find_worthless(mesh: MeshArrays, merged_triangles: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
     """Rows of loose triangles: degenerate, duplicate, duplicate in either orientation."""
     rows = positions_of(loose)  # sync
     candidates = gather_rows(merged_triangles, rows)
@@ -163,7 +165,7 @@ def _find_worthless(mesh: MeshSelection, merged_triangles: Triangles, loose: Mas
 
 
 def _find_parts_to_drop(
-    mesh: MeshSelection, sheets: Sheets, merged_triangles: Triangles, loose: Mask
+    mesh: MeshArrays, sheets: Sheets, merged_triangles: Triangles, loose: Mask
 ) -> tuple[Indices, Indices]:
     """(rows of parts that copy others, rows of single triangles without a partner)."""
     count, device = merged_triangles.size, merged_triangles.device
@@ -198,4 +200,4 @@ def _joined(first: Indices, second: Indices) -> Indices:
 
 
 def _area_of(mesh: Any, rows: Indices) -> float:
-    return mesh.with_arrays(**mesh.arrays.triangles_at(rows)).get_surface_area() if rows.size else 0.0
+    return get_surface_area(mesh.with_arrays(**mesh.arrays.triangles_at(rows))) if rows.size else 0.0

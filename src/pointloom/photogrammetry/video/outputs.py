@@ -21,7 +21,7 @@ from ...io.points.formats import WRITTEN
 from ...io.points.ply import write_ply, write_ply_mesh
 from ...io.points.point_cloud import table_of
 from ...meshing.mesh.mesh import TriangleMesh
-from ...meshing.mesh.mesh_conversion import mesh_table
+from ...meshing.mesh.conversion import mesh_table
 from ...meshing.scene.orthophoto import orthophoto
 from ...meshing.scene.plan_grid import grid_over
 from ...pcd.cloud import PointCloud
