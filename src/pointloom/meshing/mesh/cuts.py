@@ -30,10 +30,9 @@ from ...kernels.meshes.holes import spread_corners
 from ...kernels.meshes.level_cut import LevelCut
 from ...kernels.meshes.trim import mask_trimmed
 from ...pcd.line_set import LineSet
-from .flat_polygons import fill_loops, load_manifold, loops_to_reverse
 from .mesh_arrays import Mesh, MeshArrays
-from .mesh_attributes import each
-from .section_paths import join_lines, lines_in_plane, outline, run_alike
+from .mesh_store import each
+from .outlines import fill_loops, join_lines, lines_in_plane, load_manifold, loops_to_reverse, outline, run_alike
 from .selection import drop_triangles, keep_triangles
 
 

@@ -22,11 +22,10 @@ from ...kernels.meshes.surface_samples import triangle_areas
 from ...kernels.surface.orientation import normalize_vectors
 from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.cloud import PointCloud
-from .finite_corners import check_finite_corners
 from .mesh_arrays import Mesh, MeshArrays
-from .mesh_seams import sew
+from .mesh_checks import check_finite_corners, check_finite_vertices, check_vertices
 from .topology import check_solid
-from .vertex_numbers import check_finite_vertices, check_vertices
+from .value_transfer import sew
 
 SAME_NORMAL = 1e-3  # rounding of float32 normals
 

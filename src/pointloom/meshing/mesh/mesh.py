@@ -23,11 +23,10 @@ from ...pcd.cloud import PointCloud
 from ...pcd.extent_text import reference_text
 from . import conversion, primitives, reconstruction, sweeps
 from .conversion import mesh_arguments
-from .mesh_attributes import assign_all, listed
 from .mesh_changes import MeshChanges
 from .mesh_parts import MeshParts
 from .mesh_queries import MeshQueries
-from .mesh_store import MeshStore
+from .mesh_store import MeshStore, assign_all, listed
 
 
 class TriangleMesh(MeshQueries, MeshParts, MeshChanges):

@@ -53,10 +53,21 @@ from ...pcd.point_arrays import PointArrays, place_points
 from ...pcd.point_store import sample_about
 from ...pcd.stored_arrays import StoredArrays, read_only
 from ...pcd.units import common_reference, crs_under, unit_under
-from .finite_corners import check_finite_corners
-from .mesh_attributes import MeshAttributes, each, listed
-from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
-from .mesh_store import MeshStore, Textures
+from .mesh_checks import check_finite_corners
+from .mesh_store import (
+    ATTRIBUTES,
+    PER_TRIANGLE,
+    PER_VERTEX,
+    TEXTURE,
+    MeshAttributes,
+    MeshStore,
+    Textures,
+    as_triples,
+    check_attributes,
+    each,
+    kind_and_count,
+    listed,
+)
 
 Mesh = TypeVar("Mesh", bound="MeshArrays")  # a mesh and the result of an operation on it
 

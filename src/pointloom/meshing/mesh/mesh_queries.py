@@ -16,10 +16,10 @@ from ...kernels.meshes.mesh_topology import Topology
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.stored_arrays import read_only
-from . import conversion, measures, mesh_metrics, sampling, solids, topology, voxel_grid
+from . import conversion, measures, metrics, sampling, solids, topology, voxel_grid
 from .measures import MeshCurvature
 from .mesh_arrays import MeshArrays
-from .mesh_metrics import SurfaceMetrics
+from .metrics import SurfaceMetrics
 from .voxel_grid import VoxelGrid
 
 
@@ -257,7 +257,7 @@ class MeshQueries(MeshArrays):
             >>> found.chamfer, found.hausdorff, found.fscore.tolist()
             (4.0, 2.0, [0.0, 100.0])
         """
-        return mesh_metrics.compute_metrics(self, mesh2, fscore_radius, n_sampled_points, seed=seed)
+        return metrics.compute_metrics(self, mesh2, fscore_radius, n_sampled_points, seed=seed)
 
     @returns_new
     def compute_error_map(
@@ -286,7 +286,7 @@ class MeshQueries(MeshArrays):
             >>> distances.tolist(), colored.vertex_colors[2].round(2).tolist()
             ([0.0, 1.0, 3.0], [0.9900000095367432, 0.9100000262260437, 0.14000000059604645])
         """
-        return mesh_metrics.compute_error_map(self, mesh2, max_distance)
+        return metrics.compute_error_map(self, mesh2, max_distance)
 
     def compute_vertex_curvature(self) -> MeshCurvature:
         """Estimate mean, Gaussian and principal curvatures at each vertex.

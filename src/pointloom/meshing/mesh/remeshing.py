@@ -29,11 +29,9 @@ from ...kernels.remeshing.short_edges import collapse_short_edges
 from ...kernels.remeshing.vertex_clustering import cluster_vertices
 from ...kernels.remeshing.vertex_values import narrow_directions
 from .mesh_arrays import Mesh
-from .mesh_attributes import each
-from .mesh_rows import TEXTURE
-from .mesh_seams import Sewn, sew
+from .mesh_store import TEXTURE, each
 from .selection import drop_degenerate_triangles, drop_invalid_triangles, remove_unreferenced_vertices
-from .surface_values import with_attributes_of, with_vectors_of
+from .value_transfer import Sewn, sew, with_attributes_of, with_vectors_of
 
 CONTRACTIONS = ("average", "quadric")
 MAX_TRIANGLES = 2**29  # 32-bit half-edge indices, also of the result

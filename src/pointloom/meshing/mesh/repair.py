@@ -21,11 +21,11 @@ from ...kernels.meshes.mesh_components import has_marked
 from ...kernels.meshes.mesh_edges import find_split_vertices, mask_counts
 from ...kernels.meshes.mesh_edits import count_unlike
 from ...kernels.meshes.orientation import Orientation
+from .closed_parts import Parts, choose_sides, find_enclosing
 from .measures import finite_area, get_surface_area
 from .mesh_arrays import Mesh
-from .mesh_nesting import Parts, choose_sides, find_enclosing
-from .mesh_sheets import cut_and_stitch, find_flips, flipped_mesh
 from .selection import drop_triangles, merge_close
+from .sheets import cut_and_stitch, find_flips, flipped_mesh
 from .topology import is_watertight, unique_edges
 
 AREA_ROUNDING = 1e-9  # relative, of area sums

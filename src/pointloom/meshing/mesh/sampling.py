@@ -11,8 +11,8 @@ from ...kernels.meshes.poisson_disk import CrowdedError, eliminate_samples
 from ...kernels.meshes.surface_samples import SurfaceSamples
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from .finite_corners import check_finite_corners
 from .mesh_arrays import MeshArrays
+from .mesh_checks import check_finite_corners
 
 SAMPLE_BYTES = 64  # per sampled point, with triangle, weights, normal and color
 MAX_SAMPLES = 2**24  # initial points of Poisson disk sampling: about 4 GB with neighbors

@@ -18,9 +18,9 @@ from ...kernels.remeshing.rigid_deformation import deform_rigidly, rotate_direct
 from ...kernels.remeshing.vertex_values import narrow_directions
 from .measures import finite_area
 from .mesh_arrays import Mesh
-from .mesh_rows import PER_VERTEX
-from .mesh_seams import sew
-from .vertex_numbers import check_finite_vertices, check_vertices
+from .mesh_checks import check_finite_vertices, check_vertices
+from .mesh_store import PER_VERTEX
+from .value_transfer import sew
 
 MAX_PASSES = 10_000
 SCOPES = {"all": tuple(PER_VERTEX), "vertex": ("vertices",), "normal": ("vertex_normals",), "color": ("vertex_colors",)}

@@ -19,13 +19,13 @@ from ...kernels.meshes.mesh_edits import shift_triangles
 from ...kernels.rays.cutting_triangles import find_meeting_pairs
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...pcd.units import common_reference
-from .finite_corners import REMEDY, check_finite_corners, find_wrong_corner
-from .flat_polygons import LIBRARY, load_manifold
 from .measures import compute_vertex_normals, signed_volume
 from .mesh_arrays import Mesh, MeshArrays, check_mesh
-from .mesh_rows import TEXTURE
-from .surface_values import with_attributes_of
+from .mesh_checks import REMEDY, check_finite_corners, find_wrong_corner
+from .mesh_store import TEXTURE
+from .outlines import LIBRARY, load_manifold
 from .topology import edge_topology
+from .value_transfer import with_attributes_of
 
 
 def is_self_intersecting(mesh: MeshArrays) -> bool:

@@ -23,10 +23,10 @@ from ...core.devices import DeviceLike
 from ...kernels.lang import int32, vec3, vec3i
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import upload
-from .flat_polygons import fill_loops, loops_to_reverse, signed_area
 from .measures import compute_vertex_normals
 from .mesh_arrays import Mesh
-from .mesh_rows import TEXTURE
+from .mesh_store import TEXTURE
+from .outlines import fill_loops, loops_to_reverse, signed_area
 from .primitives import check_vertex_count, mesh_of_shape
 from .shape_arrays import Shape
 

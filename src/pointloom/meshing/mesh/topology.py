@@ -19,8 +19,8 @@ from ...kernels.meshes.mesh_edits import count_referenced
 from ...kernels.meshes.mesh_topology import Topology, find_topology, topology_of
 from ...kernels.meshes.orientation import Orientation
 from ...kernels.meshes.vertex_neighbors import VertexNeighbors
-from .finite_corners import check_finite_corners
 from .mesh_arrays import Mesh, MeshArrays
+from .mesh_checks import check_finite_corners
 
 MAX_INT32 = 2**31 - 1
 TRIANGLES_PER_EDGE = 2  # triangles per edge of a closed surface

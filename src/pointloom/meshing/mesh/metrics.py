@@ -25,8 +25,8 @@ from ...kernels.rays.surface_hausdorff import (
 )
 from ...kernels.rays.triangle_tree import TriangleTree, trees_over
 from ...pcd.units import common_reference
-from .finite_corners import check_finite_corners
 from .mesh_arrays import Mesh, MeshArrays, check_mesh
+from .mesh_checks import check_finite_corners
 from .sampling import check_surface, draw_samples
 
 UNREACHED = "mesh2: expected finite triangles at less than 1.8e19 m, got none"
