@@ -27,8 +27,7 @@ from .measures import compute_vertex_normals
 from .mesh_arrays import Mesh
 from .mesh_store import TEXTURE
 from .outlines import fill_loops, loops_to_reverse, signed_area
-from .primitives import check_vertex_count, mesh_of_shape
-from .shape_arrays import Shape
+from .primitives import Shape, check_vertex_count, mesh_of_shape
 
 SAME_AREA = 1e-6  # of a polygon's area: tolerance of its triangulation
 LARGEST_STEP = 1e30  # [m] or factor: float32 ends at 3e38
