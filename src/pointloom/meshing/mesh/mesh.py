@@ -1,4 +1,9 @@
-"""TriangleMesh: shared vertices and triangles on one device, and how it is made."""
+"""TriangleMesh: shared vertices and triangles on one device, and how meshes are made.
+
+Its other methods are inherited: those that return values from mesh_queries.py, parts from mesh_parts.py, changed meshes
+from mesh_changes.py. Its arrays are in mesh_arrays.py. Each method is a signature, a docstring and a call of a function
+in the module of its topic, which contains the code. One class would have 2,300 lines, most of them docstrings.
+"""
 
 from __future__ import annotations
 

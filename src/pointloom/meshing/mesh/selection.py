@@ -107,21 +107,6 @@ def merge_close(mesh: Mesh, name: str, distance: float) -> Mesh:
     return mesh.with_arrays(triangles=triangles, **arrays)
 
 
-def drop_triangles_and_vertices(mesh: Mesh, removed: Mask, used: Mask) -> Mesh:
-    """Remove masked triangles, and vertices outside the mask `used`. One sync."""
-    rows, vertices = positions_of_each(invert_mask(removed), used)  # sync
-    arrays = mesh.arrays.triangles_at(rows) | mesh.arrays.vertices_at(vertices)
-    new_indices = mesh_edits.mask_and_index(vertices, used.size)[1]
-    arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
-    return mesh.with_arrays(**arrays)
-
-
-def drop_triangles(mesh: Mesh, mask: wp.array) -> Mesh:
-    """Remove masked triangles. All vertices stay."""
-    rows = mesh_edits.unmarked_rows(mask)  # sync
-    return mesh.with_arrays(**({} if rows.size == mask.size else mesh.arrays.triangles_at(rows)))
-
-
 def remove_triangles_by_index(mesh: Mesh, triangle_indices: ArrayLike) -> Mesh:
     """As `TriangleMesh.remove_triangles_by_index`."""
     rows = _rows_of(mesh, "triangle_indices", triangle_indices, len(mesh), "triangles")
@@ -172,11 +157,48 @@ def select_faces_by_mask(mesh: Mesh, mask: ArrayLike) -> Mesh:
     return remove_unreferenced_vertices(drop_triangles(mesh, rows))
 
 
+def drop_triangles(mesh: Mesh, mask: wp.array) -> Mesh:
+    """Remove masked triangles. All vertices stay."""
+    rows = mesh_edits.unmarked_rows(mask)  # sync
+    return mesh.with_arrays(**({} if rows.size == mask.size else mesh.arrays.triangles_at(rows)))
+
+
+def drop_triangles_and_vertices(mesh: Mesh, removed: Mask, used: Mask) -> Mesh:
+    """Remove masked triangles, and vertices outside the mask `used`. One sync."""
+    rows, vertices = positions_of_each(invert_mask(removed), used)  # sync
+    arrays = mesh.arrays.triangles_at(rows) | mesh.arrays.vertices_at(vertices)
+    new_indices = mesh_edits.mask_and_index(vertices, used.size)[1]
+    arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
+    return mesh.with_arrays(**arrays)
+
+
 def drop_degenerate_triangles(mesh: Mesh) -> Mesh:
     """Remove fully degenerate triangles and unused vertices. One sync."""
     triangles, count = mesh.arrays["triangles"], mesh.arrays.vertex_count
     removed = clean_triangles.mask_degenerate(mesh.arrays["vertices"], triangles, zero_area=False)
     return drop_triangles_and_vertices(mesh, removed, clean_triangles.mask_used(triangles, removed, count))
+
+
+def drop_invalid_triangles(mesh: Mesh) -> Mesh:
+    """Remove non-finite, degenerate and duplicate triangles and unused vertices."""
+    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
+    removed = clean_triangles.join_masks(
+        clean_triangles.mask_repeats(triangles),
+        clean_triangles.mask_degenerate(vertices, triangles, zero_area=False),
+        clean_triangles.mask_not_finite(vertices, triangles),
+    )
+    return drop_triangles_and_vertices(mesh, removed, clean_triangles.mask_used(triangles, removed, vertices.size))
+
+
+def keep_triangles(mesh: Mesh, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
+    """Select by a uint8 mask: (mesh, triangle rows, rows of used vertices, positions of other masks). One sync."""
+    count = mesh.arrays["vertices"].size
+    used = mesh_edits.mark_chosen(mesh.arrays["triangles"], mask, count)
+    rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
+    arrays = mesh.arrays.triangles_at(rows) | mesh.arrays.vertices_at(vertices)
+    new_indices = mesh_edits.mask_and_index(vertices, count)[1]
+    arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
+    return mesh.with_arrays(**arrays), rows, vertices, *positions
 
 
 def _keep_vertices(mesh: Mesh, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Mesh:
@@ -194,17 +216,6 @@ def _inverse_mask(mesh: MeshArrays, mask: ArrayLike, count: int, of: str) -> wp.
     if is_on_gpu(mask):
         return invert_mask(take_mask("mask", mask, mesh.device, count))
     return upload(~_check_mask(mask, count, of), uint8, mesh.device)
-
-
-def drop_invalid_triangles(mesh: Mesh) -> Mesh:
-    """Remove non-finite, degenerate and duplicate triangles and unused vertices."""
-    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
-    removed = clean_triangles.join_masks(
-        clean_triangles.mask_repeats(triangles),
-        clean_triangles.mask_degenerate(vertices, triangles, zero_area=False),
-        clean_triangles.mask_not_finite(vertices, triangles),
-    )
-    return drop_triangles_and_vertices(mesh, removed, clean_triangles.mask_used(triangles, removed, vertices.size))
 
 
 def _rows_of(mesh: MeshArrays, name: str, indices: ArrayLike, count: int, of: str) -> wp.array:
@@ -237,17 +248,6 @@ def _at_vertices(mesh: Mesh, rows: wp.array) -> Mesh:
 
 def _parts(mesh: MeshArrays) -> Parts:
     return Parts(mesh.arrays["vertices"], mesh.arrays["triangles"])
-
-
-def keep_triangles(mesh: Mesh, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
-    """Select by a uint8 mask: (mesh, triangle rows, rows of used vertices, positions of other masks). One sync."""
-    count = mesh.arrays["vertices"].size
-    used = mesh_edits.mark_chosen(mesh.arrays["triangles"], mask, count)
-    rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
-    arrays = mesh.arrays.triangles_at(rows) | mesh.arrays.vertices_at(vertices)
-    new_indices = mesh_edits.mask_and_index(vertices, count)[1]
-    arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
-    return mesh.with_arrays(**arrays), rows, vertices, *positions
 
 
 def _check_mask(mask: ArrayLike, count: int, of: str) -> NDArray[np.bool_]:

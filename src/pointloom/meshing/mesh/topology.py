@@ -125,15 +125,6 @@ def compute_adjacency_list(mesh: MeshArrays) -> tuple[NDArray[np.int32], NDArray
     return mesh.arrays.hand_out(neighbors.starts), mesh.arrays.hand_out(view_as(neighbors.vertices, int32, (used,)))
 
 
-def _has_two_per_edge(topology: Topology) -> bool:
-    return not (topology.has_boundary or topology.has_crowded_edge)
-
-
-def _ends(mesh: MeshArrays, edges: mesh_edges.UniqueKeys, mask: Mask) -> NDArray[np.int32]:
-    ends = mesh_edges.edge_ends(edges, positions_of(mask), mesh.arrays["vertices"].size)
-    return mesh.arrays.hand_out(ends)
-
-
 def unique_edges(mesh: Mesh, padded: bool = False) -> mesh_edges.UniqueKeys:
     return mesh_edges.find_edges(mesh.arrays["triangles"], mesh.arrays["vertices"].size, padded)
 
@@ -145,3 +136,12 @@ def count_edges(mesh: MeshArrays) -> EdgeCounts:
         for limits in ((1, 1), (TRIANGLES_PER_EDGE + 1, MAX_INT32))
     )
     return EdgeCounts(edges.count, boundary, crowded)
+
+
+def _has_two_per_edge(topology: Topology) -> bool:
+    return not (topology.has_boundary or topology.has_crowded_edge)
+
+
+def _ends(mesh: MeshArrays, edges: mesh_edges.UniqueKeys, mask: Mask) -> NDArray[np.int32]:
+    ends = mesh_edges.edge_ends(edges, positions_of(mask), mesh.arrays["vertices"].size)
+    return mesh.arrays.hand_out(ends)
