@@ -45,6 +45,13 @@ def compute_vertex_normals(mesh: Mesh) -> Mesh:
     return mesh.with_arrays(vertex_normals=mesh_measures.vertex_normals(vertices, triangles))
 
 
+def normalize_normals(mesh: Mesh) -> Mesh:
+    """As `TriangleMesh.normalize_normals`."""
+    if "vertex_normals" not in mesh.arrays:
+        return mesh.copy()
+    return mesh.with_arrays(vertex_normals=normalize_vectors(mesh.arrays["vertex_normals"]))
+
+
 def compute_triangle_normals(mesh: MeshArrays) -> NDArray[np.float32]:
     """As `TriangleMesh.compute_triangle_normals`."""
     return mesh.arrays.hand_out(mesh_measures.triangle_normals(mesh.arrays["vertices"], mesh.arrays["triangles"]))
@@ -59,10 +66,20 @@ def check_triangle_normals(mesh: MeshArrays, values: ArrayLike) -> None:
         )
 
 
+def compute_triangle_areas(mesh: MeshArrays) -> NDArray[np.float64]:
+    """As `TriangleMesh.compute_triangle_areas`."""
+    return mesh.arrays.hand_out(triangle_areas(mesh.arrays["vertices"], mesh.arrays["triangles"]))
+
+
 def get_surface_area(mesh: MeshArrays) -> float:
     """As `TriangleMesh.get_surface_area`."""
     check_finite_corners("get_surface_area", mesh)
     return finite_area(mesh)
+
+
+def finite_area(mesh: MeshArrays) -> float:
+    """Area of the triangles with finite corners [m^2]."""
+    return mesh_measures.measure(mesh.arrays["vertices"], mesh.arrays["triangles"])[0]
 
 
 def get_volume(mesh: MeshArrays) -> float:
@@ -71,13 +88,28 @@ def get_volume(mesh: MeshArrays) -> float:
     return abs(signed_volume(mesh))
 
 
-def finite_area(mesh: MeshArrays) -> float:
-    """Area of the triangles with finite corners [m^2]."""
-    return mesh_measures.measure(mesh.arrays["vertices"], mesh.arrays["triangles"])[0]
-
-
 def signed_volume(mesh: MeshArrays) -> float:
     return mesh_measures.measure(mesh.arrays["vertices"], mesh.arrays["triangles"])[1]
+
+
+def mass(mesh: MeshArrays, name: str) -> tuple[float, NDArray[np.float64], NDArray[np.float64]]:
+    """Volume, center relative to the origin, and second moments; positive for an inward-facing mesh, too."""
+    check_solid(mesh, name)
+    if not len(mesh):
+        raise ValueError(f"{name}: expected triangles that enclose a volume, got none")
+    volume, center, second = integrate_volume(mesh.arrays["vertices"], mesh.arrays["triangles"])
+    if volume == 0 or not np.isfinite(center).all():
+        raise ValueError(
+            f"{name}: expected a mesh that encloses a volume, got {volume:g}. "
+            "Orient separate parts outward with orient_triangles(outward=True)"
+        )
+    return abs(volume), center, second if volume > 0 else -second
+
+
+def moment_of_inertia(mesh: MeshArrays) -> NDArray[np.float64]:
+    """As `TriangleMesh.moment_of_inertia`."""
+    second = mass(mesh, "moment_of_inertia")[2]
+    return np.eye(3) * np.trace(second) - second
 
 
 def get_axis_aligned_bounding_box(mesh: MeshArrays) -> AxisAlignedBoundingBox:
@@ -89,6 +121,12 @@ def get_axis_aligned_bounding_box(mesh: MeshArrays) -> AxisAlignedBoundingBox:
     return AxisAlignedBoundingBox(low.astype(np.float64) + origin, high.astype(np.float64) + origin)
 
 
+def corner_cloud(mesh: MeshArrays) -> PointCloud:
+    """Vertices as a cloud that shares memory."""
+    own = mesh.arrays
+    return PointCloud.from_device_arrays({"points": own["vertices"]}, own.origin, own.library)
+
+
 def compute_convex_hull(mesh: Mesh, joggle_inputs: bool) -> tuple[Mesh, NDArray[np.int64]]:
     """As `TriangleMesh.compute_convex_hull`."""
     hull, indices = corner_cloud(mesh).compute_convex_hull(joggle_inputs)
@@ -96,13 +134,6 @@ def compute_convex_hull(mesh: Mesh, joggle_inputs: bool) -> tuple[Mesh, NDArray[
     made = make(hull.vertices, hull.triangles, device=mesh.device, origin=mesh.arrays.origin)
     made.arrays.library, made.unit, made.crs = mesh.arrays.library, mesh.unit, mesh.crs
     return made, indices
-
-
-def normalize_normals(mesh: Mesh) -> Mesh:
-    """As `TriangleMesh.normalize_normals`."""
-    if "vertex_normals" not in mesh.arrays:
-        return mesh.copy()
-    return mesh.with_arrays(vertex_normals=normalize_vectors(mesh.arrays["vertex_normals"]))
 
 
 def compute_vertex_curvature(mesh: MeshArrays) -> MeshCurvature:
@@ -124,34 +155,3 @@ def compute_geodesic_distances(mesh: MeshArrays, sources: ArrayLike) -> NDArray[
     sewn = sew(mesh)
     arrays, rows = sewn.mesh.arrays, rows if sewn.sewn_indices is None else gather_rows(sewn.sewn_indices, rows)
     return mesh.arrays.hand_out(sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], rows)))
-
-
-def moment_of_inertia(mesh: MeshArrays) -> NDArray[np.float64]:
-    """As `TriangleMesh.moment_of_inertia`."""
-    second = mass(mesh, "moment_of_inertia")[2]
-    return np.eye(3) * np.trace(second) - second
-
-
-def compute_triangle_areas(mesh: MeshArrays) -> NDArray[np.float64]:
-    """As `TriangleMesh.compute_triangle_areas`."""
-    return mesh.arrays.hand_out(triangle_areas(mesh.arrays["vertices"], mesh.arrays["triangles"]))
-
-
-def corner_cloud(mesh: MeshArrays) -> PointCloud:
-    """Vertices as a cloud that shares memory."""
-    own = mesh.arrays
-    return PointCloud.from_device_arrays({"points": own["vertices"]}, own.origin, own.library)
-
-
-def mass(mesh: MeshArrays, name: str) -> tuple[float, NDArray[np.float64], NDArray[np.float64]]:
-    """Volume, center relative to the origin, and second moments; positive for an inward-facing mesh, too."""
-    check_solid(mesh, name)
-    if not len(mesh):
-        raise ValueError(f"{name}: expected triangles that enclose a volume, got none")
-    volume, center, second = integrate_volume(mesh.arrays["vertices"], mesh.arrays["triangles"])
-    if volume == 0 or not np.isfinite(center).all():
-        raise ValueError(
-            f"{name}: expected a mesh that encloses a volume, got {volume:g}. "
-            "Orient separate parts outward with orient_triangles(outward=True)"
-        )
-    return abs(volume), center, second if volume > 0 else -second

@@ -19,186 +19,6 @@ class MeshParts(MeshArrays):
     """Methods of TriangleMesh that select, remove and cut parts."""
 
     @returns_new
-    def remove_unreferenced_vertices(self) -> Self:
-        """Remove vertices that no triangle uses. The others keep their order."""
-        return selection.remove_unreferenced_vertices(self)
-
-    @returns_new
-    def remove_vertices_by_mask(self, mask: ArrayLike) -> Self:
-        """Remove masked vertices and the triangles that use them.
-
-        Args:
-            mask: Booleans of shape (m,).
-
-        Returns:
-            The remaining mesh in order. Vertices without triangles stay: see `remove_unreferenced_vertices`.
-
-        Raises:
-            ValueError: If the mask is not boolean or has another shape.
-
-        Example:
-            >>> import pointloom as loom
-            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
-            >>> mesh.remove_vertices_by_mask(mesh.vertices[:, 0] + mesh.vertices[:, 1] < 0.5).triangles.tolist()
-            [[1, 0, 2]]
-        """
-        return selection.remove_vertices_by_mask(self, mask)
-
-    @returns_new
-    def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
-        """Remove masked triangles. All vertices stay.
-
-        Args:
-            mask: Booleans of shape (t,).
-
-        Raises:
-            ValueError: If the mask is not boolean or has another shape.
-
-        Example:
-            >>> import pointloom as loom
-            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
-            >>> mesh.remove_triangles_by_mask([True, False])
-            TriangleMesh(4 vertices, 1 triangles, cpu)
-        """
-        return selection.remove_triangles_by_mask(self, mask)
-
-    @returns_new
-    def remove_degenerate_triangles(self, *, zero_area: bool = False) -> Self:
-        """Remove triangles with a repeated vertex. All vertices stay.
-
-        Triangles with a corner that is not finite stay. Bitwise identical on every device.
-
-        Args:
-            zero_area: Also remove triangles with collinear corners (float64 cross product of zero).
-
-        Example:
-            >>> import pointloom as loom
-            >>> corners = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0]]
-            >>> mesh = loom.TriangleMesh(corners, [[0, 1, 3], [0, 0, 1], [0, 1, 2]])
-            >>> mesh.remove_degenerate_triangles().triangles.tolist()
-            [[0, 1, 3], [0, 1, 2]]
-            >>> mesh.remove_degenerate_triangles(zero_area=True).triangles.tolist()
-            [[0, 1, 3]]
-        """
-        return selection.remove_degenerate_triangles(self, zero_area=zero_area)
-
-    @returns_new
-    def remove_duplicated_triangles(self) -> Self:
-        """Remove triangles with the same vertices in the same cyclic order as an earlier one.
-
-        Triangles of opposite orientation are not duplicates.
-
-        Example:
-            >>> import pointloom as loom
-            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2], [1, 2, 0], [0, 2, 1]])
-            >>> mesh.remove_duplicated_triangles().triangles.tolist()
-            [[0, 1, 2], [0, 2, 1]]
-        """
-        return selection.remove_duplicated_triangles(self)
-
-    @returns_new
-    def remove_duplicated_vertices(self) -> Self:
-        """Merge vertices at equal positions into the first one, which keeps its attributes.
-
-        Compares the three float32 coordinates. Zero equals minus zero, NaN equals nothing. Triangles are renumbered and
-        may become degenerate: see `remove_degenerate_triangles`. Texture stays at the corners.
-
-        Example:
-            >>> import pointloom as loom
-            >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
-            >>> mesh = loom.TriangleMesh(corners, [[0, 1, 2], [3, 4, 5]]).remove_duplicated_vertices()
-            >>> mesh.triangles.tolist(), len(mesh.vertices)
-            ([[0, 1, 2], [1, 3, 2]], 4)
-        """
-        return selection.remove_duplicated_vertices(self)
-
-    @returns_new
-    def merge_close_vertices(self, eps: float) -> Self:
-        """Merge vertices that are closer than a distance, in index order.
-
-        A vertex joins the first earlier kept vertex closer than `eps`. Else it is kept itself. Each group becomes one
-        vertex with the mean position and color, the normalized mean normal, and the other attributes of its first
-        member. Open3D makes the same groups. O(m) time, about 130 B per vertex. Bitwise identical on every device.
-
-        Args:
-            eps: Exclusive maximum distance [m].
-
-        Returns:
-            All triangles. Some may be degenerate or duplicated now: see `remove_degenerate_triangles` and
-            `remove_duplicated_triangles`.
-
-        Raises:
-            ValueError: If `eps` is not finite and positive, or below the resolution of the coordinates.
-
-        Example:
-            >>> import pointloom as loom
-            >>> mesh = loom.TriangleMesh([[0, 0, 0], [0.5, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 2, 3], [1, 2, 3]])
-            >>> merged = mesh.merge_close_vertices(1)
-            >>> merged.vertices[0].tolist(), merged.triangles.tolist()
-            ([0.25, 0.0, 0.0], [[0, 1, 2], [0, 1, 2]])
-        """
-        return selection.merge_close(self, "eps", eps)
-
-    @returns_new
-    def remove_non_manifold_edges(self) -> Self:
-        """Remove the smallest triangles at edges of more than two triangles. All vertices stay.
-
-        Triangles with a repeated vertex are removed first. The others are visited by area, then index, and removed if
-        one of their edges still has more than two triangles. Areas are compared in float32. About 50 B of memory per
-        half-edge. Bitwise identical on every device.
-
-        Returns:
-            A mesh with `is_edge_manifold()`. Open3D visits edges in hash order and may remove others.
-
-        Example:
-            >>> import pointloom as loom
-            >>> corners = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [-2, 0, 0], [0, 3, 0]]
-            >>> mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
-            >>> mesh.remove_non_manifold_edges().triangles.tolist()
-            [[0, 1, 3], [0, 1, 4]]
-        """
-        return selection.remove_non_manifold_edges(self)
-
-    @returns_new
-    def remove_triangles_by_index(self, triangle_indices: ArrayLike) -> Self:
-        """Remove triangles by index. All vertices stay.
-
-        Args:
-            triangle_indices: In -t..t-1, in any order. Repeats count once.
-
-        Raises:
-            IndexError, TypeError: If an index is out of range (Open3D warns), or if the indices are not integers.
-
-        Example:
-            >>> import pointloom as loom
-            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
-            >>> mesh.remove_triangles_by_index([0]).triangles.tolist()
-            [[2, 1, 3]]
-        """
-        return selection.remove_triangles_by_index(self, triangle_indices)
-
-    @returns_new
-    def remove_vertices_by_index(self, vertex_indices: ArrayLike) -> Self:
-        """Remove vertices by index, and the triangles that use them.
-
-        Args:
-            vertex_indices: In -m..m-1, in any order. Repeats count once.
-
-        Returns:
-            The remaining mesh in order. Vertices without triangles stay: see `remove_unreferenced_vertices`.
-
-        Raises:
-            IndexError, TypeError: If an index is out of range (Open3D warns), or if the indices are not integers.
-
-        Example:
-            >>> import pointloom as loom
-            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
-            >>> mesh.remove_vertices_by_index([0]).triangles.tolist()
-            [[1, 0, 2]]
-        """
-        return selection.remove_vertices_by_index(self, vertex_indices)
-
-    @returns_new
     def select_by_index(self, indices: ArrayLike, cleanup: bool = True) -> Self:
         """Select vertices by index, in the given order, and the triangles between them.
 
@@ -219,6 +39,24 @@ class MeshParts(MeshArrays):
             [[1, 2, 0]]
         """
         return selection.select_by_index(self, indices, cleanup)
+
+    @returns_new
+    def select_faces_by_mask(self, mask: ArrayLike) -> Self:
+        """Select triangles by mask, with their vertices.
+
+        Args:
+            mask: Booleans of shape (t,).
+
+        Raises:
+            ValueError: If the mask is not boolean or has another shape.
+
+        Example:
+            >>> import pointloom as loom
+            >>> box = loom.TriangleMesh.create_box()
+            >>> box.select_faces_by_mask(box.compute_triangle_normals()[:, 2] > 0.5)
+            TriangleMesh(4 vertices, 2 triangles, cpu)
+        """
+        return selection.select_faces_by_mask(self, mask)
 
     @returns_new
     def crop(
@@ -286,6 +124,186 @@ class MeshParts(MeshArrays):
             TriangleMesh(4 vertices, 2 triangles, cpu)
         """
         return selection.remove_small_components(self, min_triangles, min_area)
+
+    @returns_new
+    def remove_vertices_by_mask(self, mask: ArrayLike) -> Self:
+        """Remove masked vertices and the triangles that use them.
+
+        Args:
+            mask: Booleans of shape (m,).
+
+        Returns:
+            The remaining mesh in order. Vertices without triangles stay: see `remove_unreferenced_vertices`.
+
+        Raises:
+            ValueError: If the mask is not boolean or has another shape.
+
+        Example:
+            >>> import pointloom as loom
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
+            >>> mesh.remove_vertices_by_mask(mesh.vertices[:, 0] + mesh.vertices[:, 1] < 0.5).triangles.tolist()
+            [[1, 0, 2]]
+        """
+        return selection.remove_vertices_by_mask(self, mask)
+
+    @returns_new
+    def remove_vertices_by_index(self, vertex_indices: ArrayLike) -> Self:
+        """Remove vertices by index, and the triangles that use them.
+
+        Args:
+            vertex_indices: In -m..m-1, in any order. Repeats count once.
+
+        Returns:
+            The remaining mesh in order. Vertices without triangles stay: see `remove_unreferenced_vertices`.
+
+        Raises:
+            IndexError, TypeError: If an index is out of range (Open3D warns), or if the indices are not integers.
+
+        Example:
+            >>> import pointloom as loom
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
+            >>> mesh.remove_vertices_by_index([0]).triangles.tolist()
+            [[1, 0, 2]]
+        """
+        return selection.remove_vertices_by_index(self, vertex_indices)
+
+    @returns_new
+    def remove_unreferenced_vertices(self) -> Self:
+        """Remove vertices that no triangle uses. The others keep their order."""
+        return selection.remove_unreferenced_vertices(self)
+
+    @returns_new
+    def remove_duplicated_vertices(self) -> Self:
+        """Merge vertices at equal positions into the first one, which keeps its attributes.
+
+        Compares the three float32 coordinates. Zero equals minus zero, NaN equals nothing. Triangles are renumbered and
+        may become degenerate: see `remove_degenerate_triangles`. Texture stays at the corners.
+
+        Example:
+            >>> import pointloom as loom
+            >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+            >>> mesh = loom.TriangleMesh(corners, [[0, 1, 2], [3, 4, 5]]).remove_duplicated_vertices()
+            >>> mesh.triangles.tolist(), len(mesh.vertices)
+            ([[0, 1, 2], [1, 3, 2]], 4)
+        """
+        return selection.remove_duplicated_vertices(self)
+
+    @returns_new
+    def merge_close_vertices(self, eps: float) -> Self:
+        """Merge vertices that are closer than a distance, in index order.
+
+        A vertex joins the first earlier kept vertex closer than `eps`. Else it is kept itself. Each group becomes one
+        vertex with the mean position and color, the normalized mean normal, and the other attributes of its first
+        member. Open3D makes the same groups. O(m) time, about 130 B per vertex. Bitwise identical on every device.
+
+        Args:
+            eps: Exclusive maximum distance [m].
+
+        Returns:
+            All triangles. Some may be degenerate or duplicated now: see `remove_degenerate_triangles` and
+            `remove_duplicated_triangles`.
+
+        Raises:
+            ValueError: If `eps` is not finite and positive, or below the resolution of the coordinates.
+
+        Example:
+            >>> import pointloom as loom
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [0.5, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 2, 3], [1, 2, 3]])
+            >>> merged = mesh.merge_close_vertices(1)
+            >>> merged.vertices[0].tolist(), merged.triangles.tolist()
+            ([0.25, 0.0, 0.0], [[0, 1, 2], [0, 1, 2]])
+        """
+        return selection.merge_close(self, "eps", eps)
+
+    @returns_new
+    def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
+        """Remove masked triangles. All vertices stay.
+
+        Args:
+            mask: Booleans of shape (t,).
+
+        Raises:
+            ValueError: If the mask is not boolean or has another shape.
+
+        Example:
+            >>> import pointloom as loom
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
+            >>> mesh.remove_triangles_by_mask([True, False])
+            TriangleMesh(4 vertices, 1 triangles, cpu)
+        """
+        return selection.remove_triangles_by_mask(self, mask)
+
+    @returns_new
+    def remove_triangles_by_index(self, triangle_indices: ArrayLike) -> Self:
+        """Remove triangles by index. All vertices stay.
+
+        Args:
+            triangle_indices: In -t..t-1, in any order. Repeats count once.
+
+        Raises:
+            IndexError, TypeError: If an index is out of range (Open3D warns), or if the indices are not integers.
+
+        Example:
+            >>> import pointloom as loom
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
+            >>> mesh.remove_triangles_by_index([0]).triangles.tolist()
+            [[2, 1, 3]]
+        """
+        return selection.remove_triangles_by_index(self, triangle_indices)
+
+    @returns_new
+    def remove_degenerate_triangles(self, *, zero_area: bool = False) -> Self:
+        """Remove triangles with a repeated vertex. All vertices stay.
+
+        Triangles with a corner that is not finite stay. Bitwise identical on every device.
+
+        Args:
+            zero_area: Also remove triangles with collinear corners (float64 cross product of zero).
+
+        Example:
+            >>> import pointloom as loom
+            >>> corners = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0]]
+            >>> mesh = loom.TriangleMesh(corners, [[0, 1, 3], [0, 0, 1], [0, 1, 2]])
+            >>> mesh.remove_degenerate_triangles().triangles.tolist()
+            [[0, 1, 3], [0, 1, 2]]
+            >>> mesh.remove_degenerate_triangles(zero_area=True).triangles.tolist()
+            [[0, 1, 3]]
+        """
+        return selection.remove_degenerate_triangles(self, zero_area=zero_area)
+
+    @returns_new
+    def remove_duplicated_triangles(self) -> Self:
+        """Remove triangles with the same vertices in the same cyclic order as an earlier one.
+
+        Triangles of opposite orientation are not duplicates.
+
+        Example:
+            >>> import pointloom as loom
+            >>> mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2], [1, 2, 0], [0, 2, 1]])
+            >>> mesh.remove_duplicated_triangles().triangles.tolist()
+            [[0, 1, 2], [0, 2, 1]]
+        """
+        return selection.remove_duplicated_triangles(self)
+
+    @returns_new
+    def remove_non_manifold_edges(self) -> Self:
+        """Remove the smallest triangles at edges of more than two triangles. All vertices stay.
+
+        Triangles with a repeated vertex are removed first. The others are visited by area, then index, and removed if
+        one of their edges still has more than two triangles. Areas are compared in float32. About 50 B of memory per
+        half-edge. Bitwise identical on every device.
+
+        Returns:
+            A mesh with `is_edge_manifold()`. Open3D visits edges in hash order and may remove others.
+
+        Example:
+            >>> import pointloom as loom
+            >>> corners = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [-2, 0, 0], [0, 3, 0]]
+            >>> mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+            >>> mesh.remove_non_manifold_edges().triangles.tolist()
+            [[0, 1, 3], [0, 1, 4]]
+        """
+        return selection.remove_non_manifold_edges(self)
 
     @returns_new
     def trim(self, vertex_values: ArrayLike, level: float, *, island_ratio: float = 0.001) -> Self:
@@ -406,21 +424,3 @@ class MeshParts(MeshArrays):
             (9, True, [0.25, 0.25])
         """
         return cuts.section_loops(self, point, normal)
-
-    @returns_new
-    def select_faces_by_mask(self, mask: ArrayLike) -> Self:
-        """Select triangles by mask, with their vertices.
-
-        Args:
-            mask: Booleans of shape (t,).
-
-        Raises:
-            ValueError: If the mask is not boolean or has another shape.
-
-        Example:
-            >>> import pointloom as loom
-            >>> box = loom.TriangleMesh.create_box()
-            >>> box.select_faces_by_mask(box.compute_triangle_normals()[:, 2] > 0.5)
-            TriangleMesh(4 vertices, 2 triangles, cpu)
-        """
-        return selection.select_faces_by_mask(self, mask)

@@ -31,98 +31,16 @@ from .mesh_arrays import Mesh, MeshArrays
 MIN_CELL_RATIO = 2.0**-45  # of the largest coordinate: float64 cannot resolve smaller cells
 
 
-def remove_unreferenced_vertices(mesh: Mesh) -> Mesh:
-    """As `TriangleMesh.remove_unreferenced_vertices`."""
-    triangles = mesh.arrays["triangles"]
-    return _keep_vertices(mesh, triangles, mesh_edits.mark_referenced(triangles, mesh.arrays["vertices"].size))
-
-
-def remove_vertices_by_mask(mesh: Mesh, mask: ArrayLike) -> Mesh:
-    """As `TriangleMesh.remove_vertices_by_mask`."""
-    used = cast(_inverse_mask(mesh, mask, mesh.arrays["vertices"].size, "vertices"), int32)
-    arrays = mesh.arrays.triangles_at(mesh_edits.complete_triangles(mesh.arrays["triangles"], used))
-    return _keep_vertices(mesh, arrays.pop("triangles"), used, **arrays)
-
-
-def remove_triangles_by_mask(mesh: Mesh, mask: ArrayLike) -> Mesh:
-    """As `TriangleMesh.remove_triangles_by_mask`."""
-    rows = positions_of(_inverse_mask(mesh, mask, len(mesh), "triangles"))  # sync
-    return mesh.with_arrays(**mesh.arrays.triangles_at(rows))
-
-
-def remove_degenerate_triangles(mesh: Mesh, *, zero_area: bool) -> Mesh:
-    """As `TriangleMesh.remove_degenerate_triangles`."""
-    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
-    return drop_triangles(mesh, clean_triangles.mask_degenerate(vertices, triangles, zero_area=zero_area))
-
-
-def remove_duplicated_triangles(mesh: Mesh) -> Mesh:
-    """As `TriangleMesh.remove_duplicated_triangles`."""
-    return drop_triangles(mesh, clean_triangles.mask_repeats(mesh.arrays["triangles"]))
-
-
-def remove_duplicated_vertices(mesh: Mesh) -> Mesh:
-    """As `TriangleMesh.remove_duplicated_vertices`."""
-    owners = find_equal_points(mesh.arrays["vertices"])
-    new_indices, count = merge_vertices.number_owners(owners)  # sync
-    owner_rows = merge_vertices.list_owners(owners, new_indices, count)
-    triangles = merge_vertices.rename_corners(mesh.arrays["triangles"], owners, new_indices)
-    return mesh.with_arrays(triangles=triangles, **mesh.arrays.vertices_at(owner_rows))
-
-
-def remove_non_manifold_edges(mesh: Mesh) -> Mesh:
-    """As `TriangleMesh.remove_non_manifold_edges`."""
-    crowded = crowded_edges.CrowdedTriangles(mesh.arrays["triangles"], mesh.arrays.vertex_count)
-    if not crowded.rows.size:
-        return mesh.with_arrays()
-    plain = mesh
-    if crowded.plain.size < len(mesh):
-        plain = mesh.with_arrays(**mesh.arrays.triangles_at(crowded.plain))
-        crowded = crowded_edges.CrowdedTriangles(plain.arrays["triangles"], mesh.arrays.vertex_count)
-    vertices, triangles = plain.arrays["vertices"], plain.arrays["triangles"]
-    return drop_triangles(plain, crowded_edges.mask_crowding(vertices, triangles, crowded))
-
-
-def merge_close(mesh: Mesh, name: str, distance: float) -> Mesh:
-    """`merge_close_vertices`; `name` is the argument named in errors."""
-    radius, vertices = check_positive(name, distance), mesh.arrays["vertices"]
-    low, high, count = bound_points(vertices)
-    extent = float(np.abs([low, high]).max()) if count else 0.0
-    if radius < MIN_CELL_RATIO * extent or radius * radius == 0:
-        raise ValueError(
-            f"{name}: {radius:g} m is too small for coordinates up to {extent:g} m. Use remove_duplicated_vertices "
-            "to merge vertices at one position"
-        )
-    owners = positions(vertices.size, mesh.device)
-    find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True), count), radius, owners)
-    new_indices, count = merge_vertices.number_owners(owners)  # sync
-    rows = mesh.arrays.per_vertex()
-    unit = [name == "vertex_normals" for name in rows]
-    means = merge_vertices.average_members(rows.values(), unit, owners, new_indices, count)
-    triangles = merge_vertices.rename_corners(mesh.arrays["triangles"], owners, new_indices)
-    arrays: dict[str, Any] = dict(zip(rows, means, strict=True))
-    if mesh.arrays.attributes["vertex_attributes"]:
-        owner_rows = merge_vertices.list_owners(owners, new_indices, count)
-        arrays |= mesh.arrays.attributes_at("vertex_attributes", owner_rows)
-    return mesh.with_arrays(triangles=triangles, **arrays)
-
-
-def remove_triangles_by_index(mesh: Mesh, triangle_indices: ArrayLike) -> Mesh:
-    """As `TriangleMesh.remove_triangles_by_index`."""
-    rows = _rows_of(mesh, "triangle_indices", triangle_indices, len(mesh), "triangles")
-    return mesh.with_arrays(**mesh.arrays.triangles_at(other_rows(rows, len(mesh))))
-
-
-def remove_vertices_by_index(mesh: Mesh, vertex_indices: ArrayLike) -> Mesh:
-    """As `TriangleMesh.remove_vertices_by_index`."""
-    rows = _rows_of(mesh, "vertex_indices", vertex_indices, mesh.arrays.vertex_count, "vertices")
-    return _at_vertices(mesh, other_rows(rows, mesh.arrays.vertex_count))
-
-
 def select_by_index(mesh: Mesh, indices: ArrayLike, cleanup: bool) -> Mesh:
     """As `TriangleMesh.select_by_index`."""
     rows = _rows_of(mesh, "indices", indices, mesh.arrays.vertex_count, "vertices")
     return _select_vertices(mesh, mesh_edits.first_listed(rows, mesh.arrays.vertex_count), cleanup)
+
+
+def select_faces_by_mask(mesh: Mesh, mask: ArrayLike) -> Mesh:
+    """As `TriangleMesh.select_faces_by_mask`."""
+    rows = _inverse_mask(mesh, mask, len(mesh), "triangles")
+    return remove_unreferenced_vertices(drop_triangles(mesh, rows))
 
 
 def crop(
@@ -151,10 +69,92 @@ def remove_small_components(mesh: Mesh, min_triangles: int, min_area: float) -> 
     return keep_triangles(mesh, _parts(mesh).mask_large(count, area))[0]  # sync
 
 
-def select_faces_by_mask(mesh: Mesh, mask: ArrayLike) -> Mesh:
-    """As `TriangleMesh.select_faces_by_mask`."""
-    rows = _inverse_mask(mesh, mask, len(mesh), "triangles")
-    return remove_unreferenced_vertices(drop_triangles(mesh, rows))
+def remove_vertices_by_mask(mesh: Mesh, mask: ArrayLike) -> Mesh:
+    """As `TriangleMesh.remove_vertices_by_mask`."""
+    used = cast(_inverse_mask(mesh, mask, mesh.arrays["vertices"].size, "vertices"), int32)
+    arrays = mesh.arrays.triangles_at(mesh_edits.complete_triangles(mesh.arrays["triangles"], used))
+    return _keep_vertices(mesh, arrays.pop("triangles"), used, **arrays)
+
+
+def remove_vertices_by_index(mesh: Mesh, vertex_indices: ArrayLike) -> Mesh:
+    """As `TriangleMesh.remove_vertices_by_index`."""
+    rows = _rows_of(mesh, "vertex_indices", vertex_indices, mesh.arrays.vertex_count, "vertices")
+    return _at_vertices(mesh, other_rows(rows, mesh.arrays.vertex_count))
+
+
+def remove_unreferenced_vertices(mesh: Mesh) -> Mesh:
+    """As `TriangleMesh.remove_unreferenced_vertices`."""
+    triangles = mesh.arrays["triangles"]
+    return _keep_vertices(mesh, triangles, mesh_edits.mark_referenced(triangles, mesh.arrays["vertices"].size))
+
+
+def remove_duplicated_vertices(mesh: Mesh) -> Mesh:
+    """As `TriangleMesh.remove_duplicated_vertices`."""
+    owners = find_equal_points(mesh.arrays["vertices"])
+    new_indices, count = merge_vertices.number_owners(owners)  # sync
+    owner_rows = merge_vertices.list_owners(owners, new_indices, count)
+    triangles = merge_vertices.rename_corners(mesh.arrays["triangles"], owners, new_indices)
+    return mesh.with_arrays(triangles=triangles, **mesh.arrays.vertices_at(owner_rows))
+
+
+def merge_close(mesh: Mesh, name: str, distance: float) -> Mesh:
+    """`merge_close_vertices`; `name` is the argument named in errors."""
+    radius, vertices = check_positive(name, distance), mesh.arrays["vertices"]
+    low, high, count = bound_points(vertices)
+    extent = float(np.abs([low, high]).max()) if count else 0.0
+    if radius < MIN_CELL_RATIO * extent or radius * radius == 0:
+        raise ValueError(
+            f"{name}: {radius:g} m is too small for coordinates up to {extent:g} m. Use remove_duplicated_vertices "
+            "to merge vertices at one position"
+        )
+    owners = positions(vertices.size, mesh.device)
+    find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True), count), radius, owners)
+    new_indices, count = merge_vertices.number_owners(owners)  # sync
+    rows = mesh.arrays.per_vertex()
+    unit = [name == "vertex_normals" for name in rows]
+    means = merge_vertices.average_members(rows.values(), unit, owners, new_indices, count)
+    triangles = merge_vertices.rename_corners(mesh.arrays["triangles"], owners, new_indices)
+    arrays: dict[str, Any] = dict(zip(rows, means, strict=True))
+    if mesh.arrays.attributes["vertex_attributes"]:
+        owner_rows = merge_vertices.list_owners(owners, new_indices, count)
+        arrays |= mesh.arrays.attributes_at("vertex_attributes", owner_rows)
+    return mesh.with_arrays(triangles=triangles, **arrays)
+
+
+def remove_triangles_by_mask(mesh: Mesh, mask: ArrayLike) -> Mesh:
+    """As `TriangleMesh.remove_triangles_by_mask`."""
+    rows = positions_of(_inverse_mask(mesh, mask, len(mesh), "triangles"))  # sync
+    return mesh.with_arrays(**mesh.arrays.triangles_at(rows))
+
+
+def remove_triangles_by_index(mesh: Mesh, triangle_indices: ArrayLike) -> Mesh:
+    """As `TriangleMesh.remove_triangles_by_index`."""
+    rows = _rows_of(mesh, "triangle_indices", triangle_indices, len(mesh), "triangles")
+    return mesh.with_arrays(**mesh.arrays.triangles_at(other_rows(rows, len(mesh))))
+
+
+def remove_degenerate_triangles(mesh: Mesh, *, zero_area: bool) -> Mesh:
+    """As `TriangleMesh.remove_degenerate_triangles`."""
+    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
+    return drop_triangles(mesh, clean_triangles.mask_degenerate(vertices, triangles, zero_area=zero_area))
+
+
+def remove_duplicated_triangles(mesh: Mesh) -> Mesh:
+    """As `TriangleMesh.remove_duplicated_triangles`."""
+    return drop_triangles(mesh, clean_triangles.mask_repeats(mesh.arrays["triangles"]))
+
+
+def remove_non_manifold_edges(mesh: Mesh) -> Mesh:
+    """As `TriangleMesh.remove_non_manifold_edges`."""
+    crowded = crowded_edges.CrowdedTriangles(mesh.arrays["triangles"], mesh.arrays.vertex_count)
+    if not crowded.rows.size:
+        return mesh.with_arrays()
+    plain = mesh
+    if crowded.plain.size < len(mesh):
+        plain = mesh.with_arrays(**mesh.arrays.triangles_at(crowded.plain))
+        crowded = crowded_edges.CrowdedTriangles(plain.arrays["triangles"], mesh.arrays.vertex_count)
+    vertices, triangles = plain.arrays["vertices"], plain.arrays["triangles"]
+    return drop_triangles(plain, crowded_edges.mask_crowding(vertices, triangles, crowded))
 
 
 def drop_triangles(mesh: Mesh, mask: wp.array) -> Mesh:

@@ -34,11 +34,9 @@ class EdgeCounts(NamedTuple):
     crowded: int
 
 
-def is_edge_manifold(mesh: MeshArrays, allow_boundary_edges: bool) -> bool:
-    """As `TriangleMesh.is_edge_manifold`."""
-    check_finite_corners("is_edge_manifold", mesh)
-    topology = edge_topology(mesh)
-    return not topology.has_crowded_edge and (allow_boundary_edges or not topology.has_boundary)
+def edge_topology(mesh: MeshArrays) -> Topology:
+    """Count triangles per edge on the device; basis of `is_watertight` and related checks."""
+    return topology_of(download(find_topology(mesh.arrays["triangles"], mesh.arrays["vertices"].size)))  # sync
 
 
 def is_watertight(mesh: MeshArrays) -> bool:
@@ -62,18 +60,23 @@ def check_solid(mesh: MeshArrays, name: str) -> None:
         raise ValueError(f"{name}: expected consistently oriented triangles. Call orient_triangles() first")
 
 
-def edge_topology(mesh: MeshArrays) -> Topology:
-    """Count triangles per edge on the device; basis of `is_watertight` and related checks."""
-    return topology_of(download(find_topology(mesh.arrays["triangles"], mesh.arrays["vertices"].size)))  # sync
+def is_edge_manifold(mesh: MeshArrays, allow_boundary_edges: bool) -> bool:
+    """As `TriangleMesh.is_edge_manifold`."""
+    check_finite_corners("is_edge_manifold", mesh)
+    topology = edge_topology(mesh)
+    return not topology.has_crowded_edge and (allow_boundary_edges or not topology.has_boundary)
 
 
-def get_non_manifold_edges(mesh: MeshArrays, allow_boundary_edges: bool) -> NDArray[np.int32]:
-    """As `TriangleMesh.get_non_manifold_edges`."""
-    edges = unique_edges(mesh)
-    mask = mesh_edges.mask_counts(edges, TRIANGLES_PER_EDGE + 1, MAX_INT32)
-    if not allow_boundary_edges:
-        mask = mesh_edges.mask_other_counts(edges, TRIANGLES_PER_EDGE)
-    return _ends(mesh, edges, mask)
+def is_vertex_manifold(mesh: MeshArrays) -> bool:
+    """As `TriangleMesh.is_vertex_manifold`."""
+    check_finite_corners("is_vertex_manifold", mesh)
+    return len(get_non_manifold_vertices(mesh)) == 0
+
+
+def is_orientable(mesh: MeshArrays) -> bool:
+    """As `TriangleMesh.is_orientable`."""
+    check_finite_corners("is_orientable", mesh)
+    return Orientation(mesh.arrays["triangles"], mesh.arrays["vertices"].size).orientable
 
 
 def get_boundary_edges(mesh: MeshArrays) -> NDArray[np.int32]:
@@ -92,29 +95,19 @@ def get_boundaries(mesh: MeshArrays) -> list[NDArray[np.int32]]:
     return [vertices[first:end] for first, end in pairwise(ends)]
 
 
+def get_non_manifold_edges(mesh: MeshArrays, allow_boundary_edges: bool) -> NDArray[np.int32]:
+    """As `TriangleMesh.get_non_manifold_edges`."""
+    edges = unique_edges(mesh)
+    mask = mesh_edges.mask_counts(edges, TRIANGLES_PER_EDGE + 1, MAX_INT32)
+    if not allow_boundary_edges:
+        mask = mesh_edges.mask_other_counts(edges, TRIANGLES_PER_EDGE)
+    return _ends(mesh, edges, mask)
+
+
 def get_non_manifold_vertices(mesh: MeshArrays) -> NDArray[np.int32]:
     """As `TriangleMesh.get_non_manifold_vertices`."""
     mask = mesh_edges.find_split_vertices(mesh.arrays["triangles"], mesh.arrays["vertices"].size)
     return mesh.arrays.hand_out(positions_of(mask))
-
-
-def is_vertex_manifold(mesh: MeshArrays) -> bool:
-    """As `TriangleMesh.is_vertex_manifold`."""
-    check_finite_corners("is_vertex_manifold", mesh)
-    return len(get_non_manifold_vertices(mesh)) == 0
-
-
-def is_orientable(mesh: MeshArrays) -> bool:
-    """As `TriangleMesh.is_orientable`."""
-    check_finite_corners("is_orientable", mesh)
-    return Orientation(mesh.arrays["triangles"], mesh.arrays["vertices"].size).orientable
-
-
-def euler_poincare_characteristic(mesh: MeshArrays) -> int:
-    """As `TriangleMesh.euler_poincare_characteristic`."""
-    check_finite_corners("euler_poincare_characteristic", mesh)
-    used = count_referenced(mesh.arrays["triangles"], mesh.arrays["vertices"].size)
-    return used - unique_edges(mesh).count + len(mesh)
 
 
 def compute_adjacency_list(mesh: MeshArrays) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
@@ -123,6 +116,13 @@ def compute_adjacency_list(mesh: MeshArrays) -> tuple[NDArray[np.int32], NDArray
     neighbors = VertexNeighbors(mesh_edges.MeshEdges(mesh.arrays["triangles"], count), count)
     used = int(download(neighbors.starts[count:])[0])  # sync
     return mesh.arrays.hand_out(neighbors.starts), mesh.arrays.hand_out(view_as(neighbors.vertices, int32, (used,)))
+
+
+def euler_poincare_characteristic(mesh: MeshArrays) -> int:
+    """As `TriangleMesh.euler_poincare_characteristic`."""
+    check_finite_corners("euler_poincare_characteristic", mesh)
+    used = count_referenced(mesh.arrays["triangles"], mesh.arrays["vertices"].size)
+    return used - unique_edges(mesh).count + len(mesh)
 
 
 def unique_edges(mesh: Mesh, padded: bool = False) -> mesh_edges.UniqueKeys:
