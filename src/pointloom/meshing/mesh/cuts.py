@@ -162,7 +162,7 @@ def _cut_by(mesh: Mesh, plane: _Plane) -> tuple[LevelCut, wp.array, Mesh]:
     return cut, plane_cut.find_sides(cut_mesh.arrays["vertices"], cut.pieces, cut.sides, plane.normal), cut_mesh
 
 
-def _section_at(mesh: Mesh, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+def _section_at(mesh: MeshArrays, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """(points (n, 3) [m], lines (k, 2))."""
     cut, sides, cut_mesh = _cut_by(mesh, plane)
     rows = positions_of(plane_cut.mark_in_plane(cut))  # sync

@@ -23,7 +23,7 @@ from ...kernels.meshes.mesh_edits import count_unlike
 from ...kernels.meshes.orientation import Orientation
 from .closed_parts import Parts, choose_sides, find_enclosing
 from .measures import finite_area, get_surface_area
-from .mesh_arrays import Mesh
+from .mesh_arrays import Mesh, MeshArrays
 from .selection import drop_triangles, merge_close
 from .sheets import cut_and_stitch, find_flips, flipped_mesh
 from .topology import is_watertight, unique_edges
@@ -177,7 +177,7 @@ def _nested(mesh: Mesh, flipped: Mask) -> tuple[Mesh, bool]:
     return flipped_mesh(mesh, orientation.flips), orientation.orientable
 
 
-def _findings(mesh: Mesh) -> dict[str, Any]:
+def _findings(mesh: MeshArrays) -> dict[str, Any]:
     """Remaining defects, by the field names of MeshRepairReport."""
     vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
     boundary, split, empty = positions_of_each(  # sync

@@ -190,7 +190,7 @@ def drop_invalid_triangles(mesh: Mesh) -> Mesh:
     return drop_triangles_and_vertices(mesh, removed, clean_triangles.mask_used(triangles, removed, vertices.size))
 
 
-def keep_triangles(mesh: Mesh, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
+def keep_triangles(mesh: Mesh, mask: wp.array, *others: wp.array) -> tuple[Mesh, *tuple[wp.array, ...]]:
     """Select by a uint8 mask: (mesh, triangle rows, rows of used vertices, positions of other masks). One sync."""
     count = mesh.arrays["vertices"].size
     used = mesh_edits.mark_chosen(mesh.arrays["triangles"], mask, count)

@@ -19,7 +19,7 @@ from ...kernels.meshes.mesh_edits import count_referenced
 from ...kernels.meshes.mesh_topology import Topology, find_topology, topology_of
 from ...kernels.meshes.orientation import Orientation
 from ...kernels.meshes.vertex_neighbors import VertexNeighbors
-from .mesh_arrays import Mesh, MeshArrays
+from .mesh_arrays import MeshArrays
 from .mesh_checks import check_finite_corners
 
 MAX_INT32 = 2**31 - 1
@@ -125,7 +125,7 @@ def euler_poincare_characteristic(mesh: MeshArrays) -> int:
     return used - unique_edges(mesh).count + len(mesh)
 
 
-def unique_edges(mesh: Mesh, padded: bool = False) -> mesh_edges.UniqueKeys:
+def unique_edges(mesh: MeshArrays, padded: bool = False) -> mesh_edges.UniqueKeys:
     return mesh_edges.find_edges(mesh.arrays["triangles"], mesh.arrays["vertices"].size, padded)
 
 
