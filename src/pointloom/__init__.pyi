@@ -64,8 +64,8 @@ from .io.splats.splat_files import write_splats as write_splats
 from .meshing.mesh.mesh import TriangleMesh as TriangleMesh
 from .meshing.mesh.mesh_files import read_triangle_mesh as read_triangle_mesh
 from .meshing.mesh.mesh_files import write_triangle_mesh as write_triangle_mesh
-from .meshing.mesh.mesh_reconstruction import NormalsWarning as NormalsWarning
 from .meshing.mesh.other_objects import from_any as from_any
+from .meshing.mesh.reconstruction import NormalsWarning as NormalsWarning
 from .meshing.mesh.voxel_grid import VoxelGrid as VoxelGrid
 from .meshing.scene.raycasting_scene import RaycastingScene as RaycastingScene
 from .meshing.scene.volume_change import volume_change as volume_change

@@ -231,14 +231,7 @@ def test_errors_from_within_stay_as_they_are():
 
 
 # Modules whose warnings contain no path and no name of a file, or are escaped by `listed`.
-WITHOUT_NAMES = {
-    "dropped_results.py",
-    "ground.py",
-    "mesh_arrays.py",
-    "mesh_remeshing.py",
-    "mesh_selection.py",
-    "scene_geometries.py",
-}
+WITHOUT_NAMES = {"dropped_results.py", "ground.py", "scene_geometries.py"}
 EVIL = "a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\r\x00b"
 SHOWN = r"a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\x0d\x00b"
 

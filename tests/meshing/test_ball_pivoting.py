@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom import PointCloud, TriangleMesh
-from pointloom.meshing.mesh import mesh_reconstruction
+from pointloom.meshing.mesh import reconstruction
 
 pivot = loom.TriangleMesh.create_from_point_cloud_ball_pivoting
 UP = (0.0, 0.0, 1.0)
@@ -188,7 +188,7 @@ def test_too_small_or_too_large_balls_are_no_error(device, rng):
 
 
 def test_a_search_of_hours_is_rejected_with_its_size(rng, monkeypatch):
-    monkeypatch.setattr(mesh_reconstruction, "MAX_NEIGHBORS", 50_000)
+    monkeypatch.setattr(reconstruction, "MAX_NEIGHBORS", 50_000)
     cloud = sphere(1000, rng)
     assert len(pivot(cloud, 0.1)) > 0
     with pytest.raises(ValueError, match="radii:"):

@@ -1,5 +1,7 @@
 """TriangleMesh: Open3D's normals, areas, volumes and manifold tests; exact far from zero; no in-place changes."""
 
+import ast
+import inspect
 import itertools
 import pickle
 
@@ -236,3 +238,16 @@ def test_images_are_upright(cone):
     posed = loom.render({"geometry": cone, "pose": rotation}, None, (120, 120))
     rows, columns = np.nonzero((posed != 255).any(axis=2))
     assert np.ptp(rows) > 2 * np.ptp(columns)
+
+
+@pytest.mark.parametrize("kind", TriangleMesh.__mro__[:4], ids=lambda kind: kind.__name__)
+def test_the_public_methods_are_docstrings_and_calls_of_functions_of_their_topics(kind):
+    source = ast.parse(inspect.getsource(inspect.getmodule(kind)))
+    [body] = [node.body for node in source.body if isinstance(node, ast.ClassDef)]
+    methods = [node for node in body if isinstance(node, ast.FunctionDef) and not node.name.startswith("__")]
+    statements = {each.name: sum(not is_text(node) for node in each.body) for each in methods}
+    assert len(statements) > 15 and {name for name, count in statements.items() if count > 1} == set()
+
+
+def is_text(node):
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)

@@ -11,7 +11,7 @@ import pointloom as loom
 from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
 from pointloom.kernels.meshes import geodesics
-from pointloom.meshing.mesh import mesh_measures
+from pointloom.meshing.mesh import sampling
 
 from .open3d_meshes import in_open3d
 from .shape_scenes import eight_vertices, hostile_triangles, icosphere, shaken_grid
@@ -361,7 +361,7 @@ def test_more_points_than_poisson_disk_sampling_supports_are_rejected(device, mo
     mesh = TriangleMesh(*SQUARE, device=device)
     with pytest.raises(ValueError, match="pcl:"):
         mesh.sample_points_poisson_disk(4, pcl=loom.PointCloud([*SQUARE[0][:3], [0, np.nan, 0]]))
-    monkeypatch.setattr(mesh_measures, "MAX_SAMPLES", 3)
+    monkeypatch.setattr(sampling, "MAX_SAMPLES", 3)
     with pytest.raises(ValueError, match="pcl:"):
         mesh.sample_points_poisson_disk(2, pcl=loom.PointCloud(SQUARE[0]))
 

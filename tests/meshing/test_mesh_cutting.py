@@ -99,6 +99,15 @@ def test_a_face_in_the_plane_belongs_to_the_adjacent_body(device, normal):
     np.testing.assert_array_equal(complete.triangle_attributes["row"], np.arange(12))  # and no new cap is added
 
 
+@pytest.mark.parametrize("method", ["clip_plane", "slice_plane"])
+def test_the_warning_of_an_open_mesh_refers_to_the_line_of_the_user(method):
+    box = TriangleMesh.create_box()
+    opened = TriangleMesh(box.vertices, box.triangles[1:])
+    with pytest.warns(UserWarning, match="1 outlines are not closed") as caught:
+        getattr(opened, method)([0.5, 0.5, 0.5], [0.3, 0.2, 1], cap=True)
+    assert [each.filename for each in caught] == [__file__]
+
+
 def test_cavities_are_preserved():
     plane = ([0.0, 0.0, 0.1], [0.0, 0.2, 1.0])
     parts = [hollow().clip_plane(plane[0], np.multiply(plane[1], way), cap=True) for way in (1, -1)]

@@ -22,10 +22,10 @@ from .color_map.image_texture_result import ImageTextureResult as ImageTextureRe
 from .color_map.results import ColorMapResult as ColorMapResult
 from .color_map.textured_mesh import TexturedMesh as TexturedMesh
 from .mesh.cleaned_mesh import CleanedMesh as CleanedMesh
+from .mesh.measures import MeshCurvature as MeshCurvature
 from .mesh.mesh_comparison import MeshComparison as MeshComparison
-from .mesh.mesh_measures import MeshCurvature as MeshCurvature
-from .mesh.mesh_metrics import SurfaceMetrics as SurfaceMetrics
-from .mesh.mesh_repair import MeshRepairReport as MeshRepairReport
+from .mesh.metrics import SurfaceMetrics as SurfaceMetrics
+from .mesh.repair import MeshRepairReport as MeshRepairReport
 from .mesh.simplified_mesh import SimplifiedMesh as SimplifiedMesh
 from .mesh.smoothed_mesh import SmoothedMesh as SmoothedMesh
 from .mesh.surface_result import SurfaceResult as SurfaceResult

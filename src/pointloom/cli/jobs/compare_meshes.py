@@ -13,10 +13,10 @@ from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality
 from ...core.wording import plain
 from ...io.meshes.mesh_formats import storing
-from ...meshing.mesh.finite_corners import find_wrong_corner
+from ...meshing.mesh.conversion import mesh_table
 from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_checks import find_wrong_corner
 from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
-from ...meshing.mesh.mesh_conversion import mesh_table
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from ...visualization.render.error_picture import draw_errors
 from ...visualization.render.picture_files import write_image

@@ -268,7 +268,7 @@ class Job:
 
     def write_mesh(self, mesh: TriangleMesh, output: FilePath) -> None:
         """Write a mesh atomically, unless it has no triangles."""
-        from ...meshing.mesh.mesh_conversion import mesh_table
+        from ...meshing.mesh.conversion import mesh_table
 
         if len(mesh):
             with self.stage("write"):

@@ -7,7 +7,7 @@ from typing import Unpack
 
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
-from ...meshing.mesh.finite_corners import find_wrong_corner
+from ...meshing.mesh.mesh_checks import find_wrong_corner
 from .job import Job, JobReport, Settings
 
 

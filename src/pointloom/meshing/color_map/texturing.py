@@ -28,7 +28,7 @@ from ...kernels.linear_algebra import inv
 from ...kernels.memory import download, upload
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_arrays import check_mesh
-from ..mesh.mesh_texture import MAX_TEXELS
+from ..mesh.texture import MAX_TEXELS, with_albedo
 from .optimizers import color_mesh
 from .options import ColorMapOption
 from .results import ColorMapResult
@@ -213,7 +213,7 @@ def _paint_atlas(
     kept.report("texture", 0, 0)
     images = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
     extrinsics = [inv(pose) for pose in colors.trajectory.poses]
-    textured, fraction = mesh.with_albedo(images, camera, extrinsics, size)
+    textured, fraction = with_albedo(mesh, images, camera, extrinsics, size)
     return textured.with_arrays(vertex_colors=None), fraction  # viewers multiply texture and vertex colors
 
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...core.reports import Assessed, Fields, Report
-from .finite_corners import find_wrong_corner
 from .mesh import TriangleMesh
-from .mesh_metrics import UnreachedError, fractions_beyond
+from .mesh_checks import find_wrong_corner
+from .metrics import UnreachedError, fractions_beyond
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -11,9 +11,11 @@ from ...core.reports import Fields, quality
 from ...core.units import symbol_of
 from ...core.wording import format_fraction, plain
 from .changed_mesh import ChangedMesh, fractions_changed, sizes_before
+from .measures import finite_area
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
-from .mesh_repair import MAX_LOST, MeshRepairReport
+from .repair import MAX_LOST, MeshRepairReport
+from .topology import is_closed
 
 MAX_GONE = 0.02  # fraction of triangles without a partner: above, parts of the surface may be missing
 MAX_MERGED = 0.5  # fraction of the vertices: above, the merge distance probably has another unit
@@ -179,8 +181,8 @@ def clean_mesh(
         is_watertight=left.is_watertight() if small else done.is_watertight,
         boundary_edges=len(left.get_boundary_edges()) if small else done.boundary_edges,
         self_intersections=len(left.get_self_intersecting_triangles()),
-        was_watertight=mesh.is_closed(),
-        area_in=mesh.finite_area(),
+        was_watertight=is_closed(mesh),
+        area_in=finite_area(mesh),
         gone=None if changed is None else changed[0],
         merge_distance=merge_distance,
         hole_size=hole_size,

@@ -22,9 +22,9 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.search import NearestNeighborSearch
 from .mesh import TriangleMesh
-from .mesh_metrics import points_about
-from .mesh_reconstruction import MIN_DEPTH, NormalsWarning, why_flat
 from .mesh_summary import describe_surface
+from .metrics import points_about
+from .reconstruction import MIN_DEPTH, NormalsWarning, why_flat
 from .surface_result import MADE_UP, NEAR_DISTANCE, MadeUp, NormalsUsed, PointsOff, Support, SurfaceResult
 
 Cut = Callable[[float], TriangleMesh]

@@ -6,7 +6,7 @@ from typing import Any
 
 from ...core.array_libraries import library_for
 from .mesh import TriangleMesh
-from .mesh_reconstruction import extract_level
+from .reconstruction import extract_level
 
 
 def marching_cubes(

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Self
+from typing import Any, Self, TypeVar
 
 import numpy as np
 import warp as wp
@@ -36,6 +35,7 @@ from ...core.html_tables import array_type, html_table
 from ...core.joined_parts import ESTIMATED, missing_names, warn_of_missing
 from ...core.other_geometry import conversion_of
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
+from ...core.units import warn_of_units
 from ...core.up_axis import Direction, check_up, transform_up_vector
 from ...io.table import MeshTable
 from ...kernels.algebra.transform import transform_directions, transform_points
@@ -53,10 +53,23 @@ from ...pcd.point_arrays import PointArrays, place_points
 from ...pcd.point_store import sample_about
 from ...pcd.stored_arrays import StoredArrays, read_only
 from ...pcd.units import common_reference, crs_under, unit_under
-from .finite_corners import check_finite_corners
-from .mesh_attributes import MeshAttributes, each, listed
-from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
-from .mesh_store import MeshStore, Textures
+from .mesh_checks import check_finite_corners
+from .mesh_store import (
+    ATTRIBUTES,
+    PER_TRIANGLE,
+    PER_VERTEX,
+    TEXTURE,
+    MeshAttributes,
+    MeshStore,
+    Textures,
+    as_triples,
+    check_attributes,
+    each,
+    kind_and_count,
+    listed,
+)
+
+Mesh = TypeVar("Mesh", bound="MeshArrays")  # a mesh and the result of an operation on it
 
 MAX_INT32 = 2**31 - 1  # 32-bit indices
 
@@ -170,7 +183,7 @@ class MeshArrays(StoredArrays, Movable):
         remaining = {name: values for name, values in merged.items() if values is not None}
         for kind, of in ATTRIBUTES.items():
             if self.arrays.attributes[kind] and kind not in arrays and remaining[of].size != self.arrays[of].size:
-                warnings.warn(f"{kind} {listed(remaining.pop(kind))}: dropped, because the {of} changed", stacklevel=3)
+                warn_of_units(f"{kind} {listed(remaining.pop(kind))}: dropped, because the {of} changed", UserWarning)
         new_origin = self.arrays.origin if origin is None else origin
         textures = () if "triangle_uvs" in self.arrays and "triangle_uvs" not in remaining else self.arrays.textures
         mesh = self.from_device_arrays(remaining, new_origin, self.arrays.library, textures=textures)

@@ -11,10 +11,10 @@ from ...core.checks import check_count, check_numeric, check_positive, check_see
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_fraction, plain
-from .finite_corners import check_finite_corners
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
-from .mesh_metrics import SurfaceMetrics
+from .mesh_checks import check_finite_corners
+from .metrics import SurfaceMetrics
 
 F_SCORE_DISTANCE = 0.01  # of the second mesh's diagonal: default distance of the F-score
 MAX_MEAN_DISTANCE = 0.05  # of the diagonal: a larger mean distance suggests another unit or frame

@@ -18,8 +18,8 @@ from ...io.points.formats import CLOUD_FORMATS
 from ...io.source import content_errors
 from ...io.table import MeshTable
 from ...pcd.point_arrays import PointArrays
+from .conversion import mesh_table
 from .mesh import TriangleMesh
-from .mesh_conversion import mesh_table
 
 
 def read_triangle_mesh(

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from .mesh import TriangleMesh
-from .mesh_repair import count_edges
+from .topology import count_edges
 
 MAX_ISLAND_AREA = 0.01  # of the area: a part below it is an island, a larger one may be an object
 Corner = tuple[float, float, float]

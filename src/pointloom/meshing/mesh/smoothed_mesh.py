@@ -14,9 +14,10 @@ from ...core.reports import Fields, quality
 from ...core.units import symbol_of
 from ...core.wording import format_fraction, plain
 from .changed_mesh import MAX_CHANGED, SHAPE_TOLERANCE, ChangedMesh, fractions_changed, sizes_before
+from .measures import finite_area
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
-from .mesh_remeshing import MAX_PASSES
+from .smoothing import MAX_PASSES
 
 METHODS = ("taubin", "laplacian", "simple", "sharpen")
 MAX_AREA_LOSS = 0.1  # of the area: a larger loss is reported
@@ -145,8 +146,8 @@ def smooth_mesh(
         method=method,
         iterations=count,
         moved=Movement(float(moved.mean()), float(moved.max())) if len(moved) else None,
-        area_in=mesh.finite_area(),
-        area=smooth.finite_area(),
+        area_in=finite_area(mesh),
+        area=finite_area(smooth),
         changed=None if changed is None else max(changed),
     )
 

@@ -9,8 +9,8 @@ from ...core.reports import Assessed, Fields, Report, failed, in_columns, qualit
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_bounds, format_fraction, plain
 from .mesh import TriangleMesh
-from .mesh_reconstruction import FLAT_REMEDY, MAX_OPPOSED_FRACTION
 from .mesh_summary import SurfaceSummary
+from .reconstruction import FLAT_REMEDY, MAX_OPPOSED_FRACTION
 
 # Thresholds of the quality checks.
 MAX_BOUNDARY_FRACTION = 0.1  # fraction of boundary edges: 4% for 30 x 30 squares, 30% if the ball falls through gaps

@@ -9,12 +9,22 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.attribute_hints import HintedNames
-from ...core.checks import check_finite, check_rows, check_shape
+from ...core.checks import check_finite, check_positive, check_rows, check_shape
 from ...core.devices import resolve_device
 from ...core.exchange import hand_back, on_host
-from ...kernels.memory import check_room
+from ...kernels.arrays.bounds import box_of, find_extremes
+from ...kernels.arrays.concatenation import concatenate_rows
+from ...kernels.arrays.side_by_side import read_together
+from ...kernels.memory import check_room, download
+from ...kernels.meshes.mesh_topology import Topology, find_topology, topology_of
+from ...kernels.rays.solid_voxels import crossed_columns, inner_voxels
+from ...kernels.rays.triangle_voxels import VoxelFrame, read_counts, touched_columns, touched_voxels, voxels_of
 from ...pcd.stored_arrays import read_only
-from .mesh_arrays import check_mesh
+from .mesh_arrays import MeshArrays, check_mesh
+
+MAX_COORDINATE = 1e30  # [m] limit of coordinates
+MAX_KEYS = 2**62
+MAX_CELLS = 2**30  # along an axis
 
 
 class VoxelGrid(HintedNames):
@@ -125,3 +135,86 @@ class VoxelGrid(HintedNames):
     def _cells_of(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         with np.errstate(invalid="ignore", over="ignore"):
             return np.floor((points - self.origin) / self.voxel_size)
+
+
+def voxelize(
+    mesh: MeshArrays, voxel_size: float, min_bound: ArrayLike | None, max_bound: ArrayLike | None, *, solid: bool
+) -> VoxelGrid:
+    """As `TriangleMesh.voxelize`."""
+    size = check_positive("voxel_size", voxel_size, maximum=MAX_COORDINATE)
+    extremes, findings = _examined(mesh, solid)  # sync
+    low, high = _bounds_of_voxels(mesh, box_of(extremes), size, min_bound, max_bound)
+    with np.errstate(over="ignore"):
+        size_in_voxels = np.floor((high - low) / size + 0.5)
+    if not (size_in_voxels < MAX_CELLS).all():
+        raise ValueError(
+            "voxel_size, min_bound, max_bound: expected fewer than 2^30 voxels along an axis, got "
+            f"{size_in_voxels.max():g}. Use larger voxels"
+        )
+    counts = (int(size_in_voxels[0]), int(size_in_voxels[1]), int(size_in_voxels[2]))
+    if math.prod(counts) >= MAX_KEYS:
+        raise ValueError(
+            f"voxel_size: a grid of {' x '.join(map(str, counts))} has more than 2^62 voxels. Use larger voxels"
+        )
+    if solid:
+        _check_closed(mesh, topology_of(findings), box_of(extremes)[2])
+    cells = np.empty((0, 3), np.int32)
+    if min(counts) > 0 and len(mesh):
+        vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
+        frame = VoxelFrame(low, size, counts)
+        columns = [touched_columns(vertices, triangles, frame)]
+        if solid:
+            columns.append(crossed_columns(vertices, triangles, frame))
+        read_counts(columns)  # sync
+        keys = touched_voxels(columns[0])
+        if solid:
+            keys = concatenate_rows([keys, inner_voxels(columns[1], frame)])  # sync
+        cells = download(voxels_of(keys, frame)).reshape(-1, 3).astype(np.int32)
+    return VoxelGrid(low + mesh.arrays.origin, size, counts, cells)
+
+
+def _examined(mesh: MeshArrays, solid: bool) -> list[NDArray[Any]]:
+    """Download the bounds of the vertices and, for solids, the topology. One sync."""
+    vertices, triangles = mesh.arrays["vertices"], mesh.arrays["triangles"]
+    arrays: list[Any] = [find_extremes(vertices)]
+    if solid:
+        arrays.append(find_topology(triangles, vertices.size))
+    return [*read_together(arrays), np.ones(4)][:2]  # sync
+
+
+def _bounds_of_voxels(
+    mesh: MeshArrays,
+    box: tuple[NDArray[Any], NDArray[Any], int],
+    size: float,
+    min_bound: ArrayLike | None,
+    max_bound: ArrayLike | None,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Corners of the grid relative to the mesh's origin."""
+    low, high, count = box
+    at_low = low.astype(np.float64) - size * 0.5 if count else -np.full(3, size * 0.5)
+    at_high = high.astype(np.float64) + size * 0.5 if count else np.full(3, size * 0.5)
+    if min_bound is not None:
+        at_low = _check_corner("min_bound", min_bound) - mesh.arrays.origin
+    if max_bound is not None:
+        at_high = _check_corner("max_bound", max_bound) - mesh.arrays.origin
+    if not (at_low <= at_high).all():
+        shown = f"{(at_low + mesh.arrays.origin).tolist()} and {(at_high + mesh.arrays.origin).tolist()}"
+        raise ValueError(f"min_bound, max_bound: expected the lower corner first, got {shown}")
+    return at_low, at_high
+
+
+def _check_closed(mesh: MeshArrays, topology: Topology, finite_count: int) -> None:
+    if not len(mesh) or topology.has_boundary or topology.has_crowded_edge:
+        raise ValueError(
+            "voxelize: solid=True requires a closed mesh, with two triangles at every edge. Merge vertices "
+            "or fill holes first"
+        )
+    if finite_count < mesh.arrays["vertices"].size:
+        raise ValueError("voxelize: solid=True requires finite vertices, got NaN or infinite ones")
+
+
+def _check_corner(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    corner = check_finite(name, check_shape(name, values, (3,)))
+    if np.abs(corner).max() > MAX_COORDINATE:
+        raise ValueError(f"{name}: expected coordinates up to {MAX_COORDINATE:g} m, got {corner.tolist()}")
+    return corner

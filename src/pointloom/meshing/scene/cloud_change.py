@@ -25,9 +25,9 @@ from ...pcd.change import MIN_POINTS, why_shifted
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ...pcd.units import common_reference
-from ..mesh.finite_corners import check_finite_corners
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_arrays import check_mesh
+from ..mesh.mesh_checks import check_finite_corners
 
 ALIGN = "align the cloud with the mesh"
 

@@ -20,9 +20,9 @@ from ...kernels.linear_algebra import matmul
 from ...kernels.rays.scene_trees import SceneTrees
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...pcd.point_arrays import PointArrays
-from ..mesh.finite_corners import find_wrong_corner
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_arrays import check_mesh
+from ..mesh.mesh_checks import find_wrong_corner
 
 
 class SceneGeometries(Serialized, KnownNames):

@@ -20,8 +20,8 @@ from ...io.meshes.tables import write_cloud_table, write_mesh_table
 from ...io.points.formats import WRITTEN
 from ...io.points.ply import write_ply, write_ply_mesh
 from ...io.points.point_cloud import table_of
+from ...meshing.mesh.conversion import mesh_table
 from ...meshing.mesh.mesh import TriangleMesh
-from ...meshing.mesh.mesh_conversion import mesh_table
 from ...meshing.scene.orthophoto import orthophoto
 from ...meshing.scene.plan_grid import grid_over
 from ...pcd.cloud import PointCloud

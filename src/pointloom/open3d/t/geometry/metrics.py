@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....core.checks import check_count
-from ....meshing.mesh.mesh_metrics import SurfaceMetrics
+from ....meshing.mesh.metrics import SurfaceMetrics
 
 
 class Metric(enum.Enum):

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ....core.checks import check_number
 from ....kernels.meshes import mesh_measures
-from ....meshing.mesh.surface_values import with_attributes_of
+from ....meshing.mesh.value_transfer import with_attributes_of
 from ....pcd.motion import map_about
 from ... import geometry as legacy
 from ...argument_types import DeviceLike, TensorLike, VectorLike

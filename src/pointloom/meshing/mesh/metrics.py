@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...core.checks import check_count, check_numeric, check_positive, check_seed
+from ...core.devices import check_same_device
 from ...kernels.arrays.concatenation import concatenate_points
 from ...kernels.arrays.side_by_side import read_together
-from ...kernels.extent.distance_sums import DistanceSums
+from ...kernels.extent.distance_sums import DistanceSums, summarize_distances
 from ...kernels.meshes.surface_samples import SurfaceSamples
+from ...kernels.rays.distance_colors import color_distances
 from ...kernels.rays.surface_hausdorff import (
     FarthestSearch,
     distances_to,
@@ -20,6 +24,10 @@ from ...kernels.rays.surface_hausdorff import (
     sum_squares,
 )
 from ...kernels.rays.triangle_tree import TriangleTree, trees_over
+from ...pcd.units import common_reference
+from .mesh_arrays import Mesh, MeshArrays, check_mesh
+from .mesh_checks import check_finite_corners
+from .sampling import check_surface, draw_samples
 
 UNREACHED = "mesh2: expected finite triangles at less than 1.8e19 m, got none"
 HAUSDORFF_PRECISION = 1e-5  # of the meshes' size: precision of the Hausdorff bounds
@@ -77,7 +85,7 @@ class _Measured:
         if not tree.count:
             raise UnreachedError()
         self._count, shift = count, (mesh.origin, other.origin)
-        cloud = mesh.draw_samples(surface, count, False, seed)
+        cloud = draw_samples(mesh, surface, count, False, seed)
         sampled = distances_to(points_about(cloud.arrays["points"], *shift), tree)
         self._sums = DistanceSums(sampled, radii)
         vertices = points_about(mesh.arrays["vertices"], *shift)
@@ -105,7 +113,7 @@ def _measured(one: Any, two: Any, radii: list[float], count: int, seed: int) -> 
         surface.area = surface.area_of(values)
     directions = []
     for mesh, other, surface, tree in ((one, two, surfaces[0], trees[1]), (two, one, surfaces[1], trees[0])):
-        mesh.check_surface(surface, "compute_metrics")
+        check_surface(mesh, surface, "compute_metrics")
         directions.append(_Measured(mesh, other, tree, surface, radii, count, seed))
     return directions
 
@@ -137,3 +145,43 @@ def fractions_beyond(one: Any, two: Any, distance: float, count: int, seed: int 
 def points_about(points: wp.array, origin: NDArray[np.float64], target: NDArray[np.float64]) -> wp.array:
     shift = origin - target
     return concatenate_points([points], [shift]) if shift.any() else points
+
+
+def compute_metrics(
+    mesh: MeshArrays, mesh2: MeshArrays, fscore_radius: Sequence[float], n_sampled_points: int, *, seed: int
+) -> SurfaceMetrics:
+    """As `TriangleMesh.compute_metrics`."""
+    check_mesh("mesh2", mesh2)
+    check_same_device("mesh2", mesh.device, mesh2.device)
+    common_reference("mesh, mesh2", (mesh, mesh2))
+    given = check_numeric("fscore_radius", fscore_radius).reshape(-1).tolist()
+    radii = [check_positive("fscore_radius", radius) for radius in given]
+    count, seed = check_count("n_sampled_points", n_sampled_points), check_seed(seed)
+    there, back = measure_both_ways(mesh, mesh2, radii, count, seed)
+    both = there.within + back.within
+    fscore = np.divide(2 * there.within * back.within, both, out=np.zeros_like(both), where=both > 0)
+    return SurfaceMetrics(
+        there.mean + back.mean,
+        max(there.lower, back.lower),
+        fscore,
+        max(there.upper, back.upper),
+        (there.mean, back.mean),
+        (there.rms, back.rms),
+        (there.lower, back.lower),
+    )
+
+
+def compute_error_map(mesh: Mesh, mesh2: MeshArrays, max_distance: float | None) -> tuple[Mesh, NDArray[np.float32]]:
+    """As `TriangleMesh.compute_error_map`."""
+    check_mesh("mesh2", mesh2)
+    check_same_device("mesh2", mesh.device, mesh2.device)
+    common_reference("mesh, mesh2", (mesh, mesh2))
+    check_finite_corners("compute_error_map: mesh2", mesh2)
+    largest = None if max_distance is None else check_positive("max_distance", max_distance)
+    points = points_about(mesh.arrays["vertices"], mesh.arrays.origin, mesh2.origin)
+    tree = TriangleTree(mesh2.arrays["vertices"], mesh2.arrays["triangles"])
+    distances = distances_to(points, tree)
+    if largest is None:
+        largest = float(np.float32(summarize_distances(distances, [])[2]))  # sync
+    colored = mesh.with_arrays(vertex_colors=color_distances(distances, largest))
+    return colored, mesh.arrays.hand_out(distances, dtype=np.float32)
