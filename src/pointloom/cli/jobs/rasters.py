@@ -12,6 +12,7 @@ import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
+from ...core.units import symbol_of
 from ...io.meshes import tables
 from ...io.points.by_extension import columns_of
 from ...io.points.point_cloud import cloud_of
@@ -96,7 +97,11 @@ def change_of_volume(
     warnings = in_words_of_command(result.warnings, OPTIONS)
     if outputs.report is not None and picture is not None:
         fields = [("before", os.fspath(before)), ("after", os.fspath(after)), *_figures(result)]
-        fields += [("cell", f"{result.difference.cell:g}"), ("registration error", f"{registration_error:g}")]
+        unit = symbol_of(result.unit)
+        fields += [
+            ("cell", f"{result.difference.cell:g} {unit}"),
+            ("registration error", f"{registration_error:g} {unit}"),
+        ]
         caption = "Heights after minus before. Gray: below the level of detection at 95%"
         title = f"Change of volume, {Path(before).name} to {Path(after).name}"
         write_report_page(outputs.report, title, fields, warnings, [(caption, picture)], overwrite=overwrite)
