@@ -414,6 +414,16 @@ def test_map_takes_positions_and_continues_a_map(drive, tmp_path):
     assert report["positions"]["used"] >= 4 and report["joined"] and str(submaps) in report["files"]
     T = np.array(report["T_reference_world"])
     np.testing.assert_allclose(T[:3, 3], [100, 200, 5], atol=0.05)
+    local, trajectory = loom.read_point_cloud(cloud), tmp_path / "path.tum"
+    words = ["map", drive, "-o", cloud, "--submap-length", 0.1, *INDOORS, "--force"]
+    placed = answer(*words, "--positions", positions, "--crs", "EPSG:25832", "--trajectory", trajectory)
+    there = loom.read_point_cloud(cloud)
+    np.testing.assert_allclose(there.points, local.transform(T).points, atol=1e-4)
+    assert there.crs == 25832 and placed["T_reference_world"] == report["T_reference_world"]
+    np.testing.assert_allclose(loom.read_trajectory(trajectory).poses[0], T, atol=1e-6)
+    assert "--crs is the coordinate system of --positions" in run(*words, "--crs", "EPSG:25832").stderr
+    assert "--crs" in refusal(*words, "--positions", positions, "--crs", "nothing")
+    words = ["map", drive, "-o", cloud, "--submap-length", 0.1, *INDOORS, "--submaps", submaps]
     result = run("map", drive, "-o", cloud, "--continue", submaps, "--force", "--positions", positions)
     assert "session" in result.stdout and "2, joined" in result.stdout and "the first scan is at" in result.stdout
     assert (result.exit_code, report["sessions"]) == (0, 1)

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 from ...cameras.trajectory import Trajectory, write_trajectory
+from ...core.coordinate_systems import check_crs
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
+from ...kernels.linear_algebra import matmul
 from ...registration.lidar.lidar_slam import LidarSLAM
 from ...registration.lidar.position_readings import PositionReadings
 from ...registration.lidar.slam_summary import LidarSLAMSummary
@@ -37,13 +39,15 @@ class MapOutputs(NamedTuple):
 class MapInputs(NamedTuple):
     """Data besides the scans: topics as of `odometry_of_folder`, a file of positions, and the folder of a map.
 
-    `positions` is as of `PositionReadings.read`, with the sigma [m] for files without. `earlier` is the `folder` of
-    earlier sessions, which is continued with the sizes of its map.
+    `positions` is as of `PositionReadings.read`, with the sigma [m] for files without. `crs` is their coordinate
+    system, in which the cloud and the path are then written. `earlier` is the `folder` of earlier sessions, which is
+    continued with the sizes of its map.
     """
 
     topics: tuple[str | None, str | None] = (None, None)
     positions: FilePath | None = None
     position_sigma: float = 1.0
+    crs: str | None = None
     earlier: FilePath | None = None
 
 
@@ -124,6 +128,7 @@ def map_of_scans(
 
         check_plot(picture, overwrite=job.form["overwrite"])
     positions = inputs.positions
+    system = check_crs("--crs", inputs.crs)
     readings = None if positions is None else PositionReadings.read(positions, inputs.position_sigma)
     topic, imu = inputs.topics
     scans = ScanSource.open(
@@ -139,19 +144,27 @@ def map_of_scans(
     with contextlib.nullcontext() if viewer is None else viewer.follow(slam):
         points, times = register_scans(job, slam, scans, readings)
         slam.finish()
-    summary, cloud = slam.summary, slam.map
+    summary, cloud, poses, T = slam.summary, slam.map, slam.poses, slam.T_reference_world
+    undetermined = None
+    if system is not None and T is not None:
+        cloud, poses = cloud.transform(T), matmul(T, poses)
+        cloud.crs = system
+    elif system is not None:
+        undetermined = (
+            "the positions do not determine the pose of the map: it has the frame of the first scan, no --crs"
+        )
     if summary.odometry.has_seen:
         job.write_cloud(cloud, output)
         if trajectory is not None:
             with job.stage("write", reported=False):
-                path = Trajectory(slam.poses, times)
+                path = Trajectory(poses, times)
                 write_trajectory(trajectory, path, format=form, overwrite=job.form["overwrite"])
             job.wrote(trajectory)
         if picture is not None:
             _draw(job, slam, picture)
         if slam.folder is not None:
             job.wrote(slam.folder)
-    done, used, T = job.done(*summary.warnings), slam.odometry, slam.T_reference_world
+    done, used = job.done(*summary.warnings, undetermined), slam.odometry
     settings_used = used.voxel_size, used.max_range, used.min_range, slam.submap_length
     reference = None if T is None else T.tolist()
     return MapReport(done, str(job.device), *settings_used, summary, points, len(cloud), reference)

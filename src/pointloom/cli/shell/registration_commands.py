@@ -262,6 +262,9 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @option("--continue earlier=DIR", FILE, "Continue the map of --submaps with a new session, and write it there.")
 @option("--positions=FILE", FILE, "Positions of GNSS: lines of time x y z [sigma], or a TUM trajectory.")
 @option("--position-sigma=M", LENGTH, "Standard deviation of positions without one [m].", default=1.0)
+@option(
+    "--crs=SYSTEM", str, "Coordinate system of --positions, such as EPSG:25832. MAP and POSES are then written in it."
+)
 @option("--show", bool, "Show the map in the browser while it grows. The command then ends with the page.")
 @TOPIC_OPTIONS
 @record_option("each scan with the map and the trajectory of the odometry")
@@ -274,7 +277,8 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     that only look alike are reported and not used.
 
     Times of --positions are those of the recording [s], or the numbers of the scans in a folder, from 0. Their frame is
-    level and of their own: its pose is estimated. Positions that contradict the map are refused.
+    level and of their own: its pose is estimated. Positions that contradict the map are refused. The map has the frame
+    of the first scan, or that of the positions with --crs.
 
     --continue maps a second drive in the frame of the first, with its sizes, if three submaps recognize their place.
 
@@ -286,7 +290,7 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     pointloom map velodyne -o map.ply --show
     pointloom map run.mcap -o map.laz --trajectory path.tum --picture map.png
     pointloom map velodyne -o map.ply --max-range 80
-    pointloom map first.bag -o first.laz --submaps submaps --positions gnss.csv
+    pointloom map first.bag -o first.laz --submaps submaps --positions gnss.csv --crs EPSG:25832
     pointloom map second.bag -o both.laz --continue submaps
     """
     earlier = options.pop("earlier")
@@ -298,6 +302,8 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
             refuse(f"--{given[0].removesuffix('_size').replace('_', '-')} is that of the map to --continue")
     if options["min_range"] >= options["max_range"]:
         refuse(f"--min-range {options['min_range']:g} leaves nothing within --max-range {options['max_range']:g}")
+    if options["crs"] is not None and options["positions"] is None:
+        refuse("--crs is the coordinate system of --positions, which is missing")
     refuse_same(
         **{name: options[name] for name in ("trajectory", "picture")}, output=output, record=options["record_as"]
     )
@@ -306,7 +312,9 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
 
     outputs = MapOutputs(output, *(options.pop(name) for name in ("trajectory", "picture", "submaps")))
     topics = options.pop("topic"), options.pop("imu")
-    options["inputs"] = MapInputs(topics, options.pop("positions"), options.pop("position_sigma"), earlier)
+    options["inputs"] = MapInputs(
+        topics, *(options.pop(name) for name in ("positions", "position_sigma", "crs")), earlier
+    )
     with _viewer(folder.name) if options.pop("show") else contextlib.nullcontext() as viewer:
         with Progress(rates=True) as progress:
             options |= {"overwrite": force, "progress": progress, "viewer": viewer}
