@@ -312,9 +312,8 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
 
     outputs = MapOutputs(output, *(options.pop(name) for name in ("trajectory", "picture", "submaps")))
     topics = options.pop("topic"), options.pop("imu")
-    options["inputs"] = MapInputs(
-        topics, *(options.pop(name) for name in ("positions", "position_sigma", "crs")), earlier
-    )
+    given = {name: options.pop(name) for name in ("positions", "position_sigma", "crs")}
+    options["inputs"] = MapInputs(topics, **given, earlier=earlier)
     with _viewer(folder.name) if options.pop("show") else contextlib.nullcontext() as viewer:
         with Progress(rates=True) as progress:
             options |= {"overwrite": force, "progress": progress, "viewer": viewer}
