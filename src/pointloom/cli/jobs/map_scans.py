@@ -5,14 +5,18 @@ from __future__ import annotations
 import contextlib
 import math
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...core.coordinate_systems import check_crs
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
-from ...kernels.linear_algebra import matmul
+from ...kernels.linear_algebra import inv, matmul
 from ...registration.lidar.lidar_slam import LidarSLAM
 from ...registration.lidar.position_readings import PositionReadings
 from ...registration.lidar.slam_summary import LidarSLAMSummary
@@ -22,6 +26,9 @@ from .scan_source import ScanSource
 
 if TYPE_CHECKING:
     from ...visualization.viewer.viewer import Viewer
+
+
+Rows = NDArray[np.float64]
 
 
 class MapOutputs(NamedTuple):
@@ -161,7 +168,8 @@ def map_of_scans(
                 write_trajectory(trajectory, path, format=form, overwrite=job.form["overwrite"])
             job.wrote(trajectory)
         if picture is not None:
-            _draw(job, slam, picture)
+            frame = "first scan" if cloud.crs is None else cloud.crs.name
+            _draw(job, slam, picture, cloud.points, poses, frame)
         if slam.folder is not None:
             job.wrote(slam.folder)
     done, used = job.done(*summary.warnings, undetermined), slam.odometry
@@ -175,13 +183,15 @@ def _shown_pose(T: list[list[float]]) -> str:
     return f"the first scan is at {position} m, heading {math.degrees(math.atan2(T[1][0], T[0][0])):.1f} degrees"
 
 
-def _draw(job: Job, slam: LidarSLAM, picture: FilePath) -> None:
+def _draw(job: Job, slam: LidarSLAM, picture: FilePath, points: Rows, poses: Rows, frame: str) -> None:
+    """`points` and `poses` of the map and the path are in the named frame."""
     from ...visualization.render.picture_files import write_image
     from ...visualization.render.plots import map_plan
 
     with job.stage("draw"):
-        poses = [submap.T_world_submap[:3, 3] for submap in slam.submaps]
-        loops = [(poses[loop.source], poses[loop.target]) for loop in slam.loops if loop.reliable]
-        image = map_plan(slam.map.points, slam.poses[:, :3, 3], loops)
-        write_image(picture, image, overwrite=job.form["overwrite"])
+        T = matmul(poses[0], inv(slam.poses[0]))  # to the frame of the picture
+        places = [matmul(T, submap.T_world_submap)[:3, 3] for submap in slam.submaps]
+        loops = [(places[loop.source], places[loop.target]) for loop in slam.loops if loop.reliable]
+        title = f"{Path(job.source).name}: {len(poses):,} scans, frame: {frame}"
+        write_image(picture, map_plan(points, poses[:, :3, 3], loops, title), overwrite=job.form["overwrite"])
     job.wrote(picture)

@@ -178,6 +178,7 @@ def map_plan(
     points: NDArray[np.float64],
     path: NDArray[np.float64],
     loops: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]],
+    title: str,
 ) -> Picture:
     """Plot a map from above, the path (n, 3) through it, and lines between the positions of each loop [m]."""
     figure = new_figure(*PLOT_SIZE)
@@ -199,6 +200,8 @@ def map_plan(
         label = f"{len(loops)} loops" if k == 0 else None
         axes.plot([start[0], end[0]], [start[1], end[1]], color=LOOP_COLOR, linewidth=1.5, label=label)
     _set_plan(axes, "x", "y")
+    axes.ticklabel_format(useOffset=False, style="plain")  # coordinates of maps have seven digits
+    axes.set_title(title, parse_math=False)
     if len(path):
         axes.legend(loc="upper right")
     return to_picture(figure)
