@@ -70,6 +70,11 @@ def test_the_panel_and_the_legend_are_beside_the_image(program, visit):
     page.keyboard.press("t")
     expect(page.locator("#side")).to_be_hidden()
     page.keyboard.press("t")
+    width = boxes(page, "#keys")[0]["width"]
+    bar.remove()
+    bar = program.pages.gui.add_colorbar("distance to the planned surface [m]", [(0.0, "0"), (1.0, "9")], RAMP)
+    ready(page)
+    assert boxes(page, "#keys")[0]["width"] == width  # a long title is wrapped
     bar.remove()
     ready(page)
     assert page.locator(".colorbar").count() == 0

@@ -84,6 +84,22 @@ def test_a_recorded_registration_opens_from_disk_and_plays(open_saved, tmp_path)
     assert page.visit.requests == [(tmp_path / "icp.html").as_uri()]
 
 
+def test_a_saved_page_has_the_color_bar_of_its_values(open_saved, tmp_path):
+    cloud = loom.PointCloud(np.random.default_rng(0).random((500, 3)))
+    entry = {"geometry": cloud, "color_by": "height", "limits": (0.0, 1.0)}
+    with loom.Viewer(port=0) as viewer:
+        viewer.add("cloud", **entry)
+        viewer.save_html(tmp_path / "scene.html")
+    page = open_saved(tmp_path / "scene.html")
+    assert page.get_attribute("#key", "alt") == "height [m], colors from 0 to 1"
+    box = page.locator("#key").bounding_box()
+    assert box["width"] < 100 and 300 < box["height"] < 500
+    area = stage(page)[
+        round(box["y"]) : round(box["y"] + box["height"]), round(box["x"]) : round(box["x"] + box["width"])
+    ]
+    assert (area.max(axis=-1) - area.min(axis=-1) > 100).mean() > 0.1  # colors of the bar
+
+
 def test_a_page_plays_from_disk_with_a_separate_player_file(open_page, tmp_path):
     (tmp_path / "recordings").mkdir()
     write_page(tmp_path / "whole.html", two_clouds())

@@ -129,8 +129,11 @@ def test_a_page_refers_to_nothing_external_and_runs_only_its_scripts(written):
 
 def test_hostile_titles_labels_and_names_stay_text(rng, write):
     frame = Frame({HOSTILE: Placement((0,))}, HOSTILE, {HOSTILE: 1.0})
-    page = write(Timeline(np.zeros(3), [points(rng)], [frame], title=HOSTILE))
-    assert "img" not in {tag for tag, _ in page.elements}
+    key = HOSTILE, np.zeros((4, 6, 3), np.uint8)
+    page = write(Timeline(np.zeros(3), [points(rng)], [frame], title=HOSTILE), key=key)
+    images = [attributes for tag, attributes in page.elements if tag == "img"]
+    assert images == [{"id": "key", "alt": "", "hidden": None}]  # filled by the player
+    assert (page.description["key"]["text"], page.description["key"]["width"]) == (HOSTILE, 3.0)
     assert page.description["items"] == [HOSTILE]
     assert page.title == HOSTILE.replace("\u2028", "\\u2028")
     texts = page.description

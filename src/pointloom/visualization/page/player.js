@@ -11,10 +11,11 @@ const at = (id) => document.getElementById(id);
 class Player {
   constructor() {
     this.description = JSON.parse(at("description").textContent);
-    const { title, background, items, series, frames, bounds, camera, arrays, block } = this.description;
+    const { title, background, items, series, frames, bounds, camera, arrays, block, key } = this.description;
     document.documentElement.style.setProperty("--background", `rgb(${background.map((v) => Math.round(255 * v)).join(" ")})`);
     at("title").textContent = title;
     at("title").hidden = title === "";
+    if (key) Object.assign(at("key"), { src: key.image, alt: key.text, width: key.width, hidden: false });
     this.engine = new Engine(at("scene"), at("overlay"), { margin: 1e-3, scaleBar: false, onLost: () => this.fill() });
     this.engine.setBackground(background);
     this.engine.setBounds(...bounds);

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_positive, check_rows, check_shape
 from ...core.escaped_text import escaped
+from ...io.images.image_files import encode_png
 from ...kernels.linear_algebra import matmul
 from ..page.sources import hash_of, player_script, player_style, read_source
 from ..render.view import Triple, View, fit_view
@@ -43,12 +44,14 @@ def write_page(
     background: Triple = (1.0, 1.0, 1.0),
     point_size: float | None = None,
     overwrite: bool = True,
+    key: tuple[str, NDArray[np.uint8]] | None = None,
 ) -> None:
     """Write a recording as one HTML file without external resources. Raises TypeError, ValueError or FileError.
 
     `view` is relative to the timeline's origin [m]. None shows all frames. `point_size` [px] overrides that of the
-    shapes. Written atomically and reproducibly. Requires WebGL 2 (Chromium, Firefox, Safari since 2023). The page's
-    policy forbids connections and other scripts. Surfaces have vertex colors. Textures are not drawn.
+    shapes. `key` is the text and image of a color bar. Written atomically and reproducibly. Requires WebGL 2 (Chromium,
+    Firefox, Safari since 2023). The page's policy forbids connections and other scripts. Surfaces have vertex colors.
+    Textures are not drawn.
 
     Example:
         >>> import tempfile, numpy as np
@@ -69,6 +72,10 @@ def write_page(
         point_size = check_positive("point_size", point_size)
     arrays: list[NDArray[Any]] = []
     description = _describe(timeline, arrays, view, _check_background(background), point_size)
+    if key is not None:
+        text, image = key
+        source = f"data:image/png;base64,{base64.b64encode(encode_png(image)).decode()}"
+        description["key"] = {"text": text, "image": source, "width": image.shape[1] / 2}
     with atomic_write(path, overwrite=overwrite) as file:
         _write(file, description, arrays, timeline.name or timeline.title or path.stem)
 

@@ -18,6 +18,7 @@ from ...kernels.lang import int32
 from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download, upload
 from ...meshing.mesh.mesh import TriangleMesh
+from ..render.coloring import Coloring
 from ..render.geometries import parts_of
 from ..render.parts import Lines, Matrix, Part, Points, Triangles
 from ..render.styles import Style
@@ -33,7 +34,7 @@ MAX_ATTEMPTS = 24
 class Sketch:
     """Recorded form of a geometry: shapes relative to `origin` [m], and its pose (geometry to world, 4x4, or None).
 
-    `drawn` of `total` points or vertices were kept.
+    `drawn` of `total` points or vertices were kept. `coloring` is the meaning of their colors, if these have one.
     """
 
     shapes: list[Shape]
@@ -42,6 +43,7 @@ class Sketch:
     drawn: int
     total: int
     device: Any = None
+    coloring: Coloring | None = None
 
 
 def sketch(geometry: object, style: Style, max_points: int) -> Sketch:
@@ -52,7 +54,10 @@ def sketch(geometry: object, style: Style, max_points: int) -> Sketch:
     total = sum(part.positions.size for part in parts if not isinstance(part, Lines))
     drawn = sum(len(shape.positions) for shape in shapes if shape.kind != "lines")
     device = parts[0].positions.device if parts else None
-    return Sketch(shapes, np.asarray(origin, np.float64), parts[0].pose if parts else None, drawn, total, device)
+    colorings = (part.coloring for part in parts if not isinstance(part, Lines))
+    coloring = next((each for each in colorings if each is not None and each.kind != "rgb"), None)
+    pose = parts[0].pose if parts else None
+    return Sketch(shapes, np.asarray(origin, np.float64), pose, drawn, total, device, coloring)
 
 
 def pose_about(pose: Matrix | None, shape_origin: NDArray[np.float64], origin: NDArray[np.float64]) -> Matrix | None:

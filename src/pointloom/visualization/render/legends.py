@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...core.checks import check_list
 from .canvas import DARK_COLOR, LIGHT_COLOR, Canvas, Color
@@ -21,6 +22,7 @@ _CORNERS = ("upper left", "upper right", "lower left", "lower right")
 _LINE_PITCH = 1.5  # line height over font size
 END_ROOM = 1.3  # minimum distance of ticks to the ends over font size
 _DOT_RADIUS = 2.5  # [px]
+KEY_CANVAS = (2100, 1600)  # [px] at half of the size on a page, its letters have 12 px and the bar has 400
 _MAX_WIDTH_FRACTION = 0.45  # of the image width: longer names are shortened
 
 
@@ -152,6 +154,18 @@ def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
         row = top + panel.height - pad - size // 2
         canvas.rectangle(left + pad, row - size // 2, bar, size, fill=MISSING_COLOR, outline=FRAME_COLOR)
         canvas.text("none", left + pad + bar + size // 2, row, size=size)
+
+
+def key_of(coloring: Coloring) -> tuple[str, NDArray[np.uint8]]:
+    """The color bar or legend of a coloring as a text and an image by itself, at twice its size on a page."""
+    canvas = Canvas.blank(*KEY_CANVAS)
+    draw_color_bar(canvas, coloring)
+    picture = canvas.to_numpy()
+    rows, columns = (np.flatnonzero((picture < 255).any(axis=axis)) for axis in ((1, 2), (0, 2)))
+    text = coloring.title
+    if coloring.limits is not None:
+        text = f"{text}, colors from {coloring.limits[0]:.4g} to {coloring.limits[1]:.4g}"
+    return text, np.ascontiguousarray(picture[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1])
 
 
 def paint_bar(canvas: Canvas, x: int, y: int, width: int, height: int, colormap: str, ticks: Any, size: int) -> None:

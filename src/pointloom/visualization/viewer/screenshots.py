@@ -62,7 +62,7 @@ def write_geometries(
     overwrite: bool = True,
     up: Triple | None = None,
 ) -> dict[str, tuple[int, int]]:
-    """Write geometries as a standalone .html page.
+    """Write geometries as a standalone .html page, with the color bar of the first one that has a coloring.
 
     `max_points` is shared by all. Returns the displayed and total number of points and vertices of each name. Without a
     view, everything is shown with `up` (None: that of the first mesh that defines one, else z).
@@ -71,6 +71,7 @@ def write_geometries(
     from ..recording.page import write_page
     from ..recording.shapes import ShapeStore, pose_about, sketch
     from ..recording.timeline import Frame, Placement, Timeline
+    from ..render.legends import key_of
 
     store, shown = ShapeStore(), {}
     sketches = {name: sketch(geometry, style, max_points) for name, geometry, style in named}
@@ -88,7 +89,9 @@ def write_geometries(
     look = look_of(((geometry, style.pose) for _, geometry, style in named), up)
     if view is None and look != DEFAULT_LOOK:
         view = view_frames(timeline, look, *VIEW_SIZE)
-    write_page(path, timeline, view=view, background=tuple(background), overwrite=overwrite)
+    coloring = next((drawn.coloring for drawn in sketches.values() if drawn.coloring is not None), None)
+    key = None if coloring is None else key_of(coloring)
+    write_page(path, timeline, view=view, background=tuple(background), overwrite=overwrite, key=key)
     return {name: (drawn.drawn, drawn.total) for name, drawn in sketches.items()}
 
 
