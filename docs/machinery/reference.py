@@ -67,11 +67,11 @@ def index_page() -> str:
     for module in modules:
         about = first_sentence(public_modules()[module].__doc__)
         text += f"   * - :doc:`loom.{module.removeprefix('pointloom.')} <{module}>`\n     - {plain(about)}\n"
-    text += "\n" + _toctree(modules)
+    text += "\n" + _toctree(modules, "Modules")
     for group in [*ORDER, OTHER]:
         if group in sections:
-            text += titled(group, "-") + _table(sections[group])
-    return text + "Coverage of these names by examples: :doc:`coverage`.\n\n" + _toctree(["coverage"])
+            text += titled(group, "-") + _table(sections[group], group)
+    return text + "Coverage of these names by examples: :doc:`coverage`.\n\n" + _toctree(["coverage"], "Coverage")
 
 
 def module_page(module: str) -> str:
@@ -79,13 +79,13 @@ def module_page(module: str) -> str:
     text = titled(f"loom.{module.removeprefix('pointloom.')}") + f".. automodule:: {module}\n   :no-members:\n\n"
     names = list(names_of(module).values())
     if module != "pointloom.registration":
-        return text + titled("Names", "-") + _table(names)
+        return text + titled("Names", "-") + _table(names, "Names")
     sections: dict[str, list[PublicName]] = {}
     for name in names:
         subpackage = name.home.removeprefix(f"{module}.").split(".")[0]
         sections.setdefault(SUBPACKAGES.get(subpackage, "Results and files"), []).append(name)
     for title in dict.fromkeys([*SUBPACKAGES.values(), "Results and files"]):
-        text += titled(title, "-") + _table(sections.get(title, []))
+        text += titled(title, "-") + _table(sections.get(title, []), title)
     return text
 
 
@@ -104,12 +104,14 @@ def page_of(public: PublicName) -> str:
     return text
 
 
-def _table(names: list[PublicName]) -> str:
+def _table(names: list[PublicName], caption: str) -> str:
+    """Names in alphabetical order, and below the caption in the side bar."""
     if not names:
         return ""
+    names = sorted(names, key=lambda public: public.name.lower())
     rows = "".join(f"   {_within(public)}\n" for public in names)
     return f".. currentmodule:: {names[0].module}\n\n.. autosummary::\n   :nosignatures:\n\n{rows}\n" + _toctree(
-        [public.name for public in names]
+        [public.name for public in names], caption
     )
 
 
@@ -118,8 +120,8 @@ def _within(public: PublicName) -> str:
     return public.name.removeprefix(f"{public.module}.")
 
 
-def _toctree(pages: list[str]) -> str:
-    return ".. toctree::\n   :hidden:\n\n" + "".join(f"   {page}\n" for page in pages) + "\n"
+def _toctree(pages: list[str], caption: str) -> str:
+    return f".. toctree::\n   :hidden:\n   :caption: {caption}\n\n" + "".join(f"   {page}\n" for page in pages) + "\n"
 
 
 def examples_of(name: str) -> list[str]:
