@@ -18,7 +18,8 @@ import click
 
 from ...core.escaped_text import escaped
 from ...kernels.language.environment import check_environment
-from .console import CompileNotice, OutputLostError, print_json
+from .console import Notices, OutputLostError, is_quiet, print_json
+from .options import VERBOSITY
 
 ERROR_CODE, USAGE_CODE, UNRELIABLE_CODE, INTERRUPTED_CODE, TERMINATED_CODE = 1, 2, 3, 130, 143
 
@@ -42,6 +43,13 @@ _NoCommand: Any = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.
 
 
 class Commands(click.Group):
+    """A click group of commands with the options -q and -v."""
+
+    def add_command(self, cmd: click.Command, name: str | None = None) -> None:
+        if not isinstance(cmd, click.Group):
+            VERBOSITY(cmd)
+        super().add_command(cmd, name)
+
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
@@ -68,7 +76,7 @@ class CommandLine(Commands):
     ) -> Any:
         words = list(sys.argv[1:] if args is None else args)
         try:
-            with warnings.catch_warnings(), CompileNotice():
+            with warnings.catch_warnings(), Notices():
                 warnings.showwarning = _show_warning
                 if words[:1] != ["doctor"]:  # which reports a wrong value
                     check_environment()
@@ -184,6 +192,8 @@ def _message(error: Exception) -> str:
 def _show_warning(
     message: Warning | str, category: Any, filename: str, lineno: int, file: Any = None, line: str | None = None
 ) -> None:
+    if is_quiet():
+        return
     click.echo(escaped(f"warning: {_in_options(str(message))}", lines=True), err=True)
 
 
