@@ -349,7 +349,7 @@ def _measure_path(poses: NDArray[np.float64]) -> CameraPath:
 
 
 def _describe_dataset(folder: Path, layout: str) -> DataSet:
-    dataset = open_frames(folder, layout=layout)
+    dataset = open_frames(folder, layout=layout, resize_color=True)
     first = dataset.read(0)
     depth = _measure_depth(first.depth)
     poses = [frame.T_world_camera for frame in dataset.frames if frame.T_world_camera is not None]

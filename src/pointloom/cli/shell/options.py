@@ -128,8 +128,12 @@ COLUMNS = option(
 )
 
 
+COMMAND = "pointloom.command"  # key of the context of the command
+
+
 def _set_level(context: click.Context, parameter: click.Parameter, is_set: bool) -> None:
-    """Set the level of the library's logger until the command ends."""
+    """Set the level of the library's logger until the command ends, and store the context of the command."""
+    context.meta[COMMAND] = context
     if is_set and context.meta.setdefault("pointloom.verbosity", parameter.name) != parameter.name:
         refuse("-q excludes -v")
     if is_set:
