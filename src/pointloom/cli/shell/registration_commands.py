@@ -206,7 +206,8 @@ TOPIC_OPTIONS = in_order(
 @option(
     "--format",
     ["kitti", "tum", "log"],
-    "Format. Default: by extension, with kitti for .txt. Times of tum are those of a recording, or scan numbers.",
+    "Format. Default: by extension, with kitti for .txt. Times of tum are those of a recording or of times.txt, or "
+    "scan numbers.",
 )
 @option(
     "--voxel voxel_size=M", LENGTH, "Voxel size of the map [m]. Default: 1% of --max-range, more if ranges are noisy."
@@ -221,6 +222,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     """Register the scans of DIR in sequence, and write the pose of each: T_first_scan.
 
     Scans are .bin files (KITTI's columns, unless --columns is given) or clouds, in natural order (scan2 before scan10).
+    DIR may be a sequence of KITTI with the folder velodyne, whose times.txt has the times.
     Scans with point times are deskewed. Indoors use a smaller --max-range and --min-range 0.5.
 
     The exit code is 3 if a scan did not overlap the earlier ones (its pose is then extrapolated with constant
@@ -273,8 +275,8 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     submaps closes a loop if their surfaces agree in one pose only, and if the drift of the path explains it. Places
     that only look alike are reported and not used.
 
-    Times of --positions are those of the recording [s], or the numbers of the scans in a folder, from 0. Their frame is
-    level and of their own: its pose is estimated. Positions that contradict the map are refused.
+    Times of --positions are those of the recording [s] or of times.txt, or the numbers of the scans in a folder, from
+    0. Their frame is level and of their own: its pose is estimated. Positions that contradict the map are refused.
 
     --continue maps a second drive in the frame of the first, with its sizes, if three submaps recognize their place.
 
