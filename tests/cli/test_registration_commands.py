@@ -318,7 +318,7 @@ def test_a_job_gives_the_poses_of_one_process_and_the_status_of_each_pair(views,
     written = (tmp_path / "job.log").stat().st_mtime_ns
     assert unreliable(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)["tried"] == report["tried"]
     assert (tmp_path / "job.log").stat().st_mtime_ns > written
-    assert "voxel_size 0.2" in refusal(*how, tmp_path / "other.log", "--job", tmp_path / "job", "--voxel", 0.2)
+    assert "--voxel 0.2" in refusal(*how, tmp_path / "other.log", "--job", tmp_path / "job", "--voxel", 0.2)
 
 
 def test_an_unreadable_scan_stops_a_job_that_the_same_command_resumes(views, tmp_path):

@@ -12,10 +12,10 @@ from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
 from ...registration.lidar.lidar_slam import LidarSLAM
-from ...registration.lidar.position_readings import PositionReadings
 from ...registration.lidar.slam_summary import LidarSLAMSummary
 from .job import Job, JobReport, Settings
 from .odometry import check_poses_output, register_scans
+from .recorded_positions import read_positions
 from .scan_source import ScanSource
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ class MapOutputs(NamedTuple):
 class MapInputs(NamedTuple):
     """Data besides the scans: topics as of `odometry_of_folder`, a file of positions, and the folder of a map.
 
-    `positions` is as of `PositionReadings.read`, with the sigma [m] for files without. `earlier` is the `folder` of
+    `positions` is as of `read_positions`, with the sigma [m] for files without. `earlier` is the `folder` of
     earlier sessions, which is continued with the sizes of its map.
     """
 
@@ -63,6 +63,7 @@ class MapReport(JobReport):
     points: int
     map_points: int
     T_reference_world: list[list[float]] | None
+    position_notes: tuple[str, ...] = ()
 
     @property
     def scans_per_second(self) -> float:
@@ -90,7 +91,7 @@ class MapReport(JobReport):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        return (*super().notes, *self.result.notes)
+        return (*super().notes, *self.result.notes, *self.position_notes)
 
 
 def map_of_scans(
@@ -123,11 +124,10 @@ def map_of_scans(
         from ...visualization.render.plots import check_plot
 
         check_plot(picture, overwrite=job.form["overwrite"])
-    positions = inputs.positions
-    readings = None if positions is None else PositionReadings.read(positions, inputs.position_sigma)
     topic, imu = inputs.topics
+    given = read_positions(inputs.positions, inputs.position_sigma, folder, topic)
     scans = ScanSource.open(
-        folder, topic, settings.get("columns"), job.device, imu=imu, is_numbered=positions is not None
+        folder, topic, settings.get("columns"), job.device, imu=imu, is_numbered=given.readings is not None
     )
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
@@ -137,7 +137,7 @@ def map_of_scans(
     else:
         slam = LidarSLAM.open(inputs.earlier, device=job.device)
     with contextlib.nullcontext() if viewer is None else viewer.follow(slam):
-        points, times = register_scans(job, slam, scans, readings)
+        points, times = register_scans(job, slam, scans, given.readings)
         slam.finish()
     summary, cloud = slam.summary, slam.map
     if summary.odometry.has_seen:
@@ -154,7 +154,7 @@ def map_of_scans(
     done, used, T = job.done(*summary.warnings), slam.odometry, slam.T_reference_world
     settings_used = used.voxel_size, used.max_range, used.min_range, slam.submap_length
     reference = None if T is None else T.tolist()
-    return MapReport(done, str(job.device), *settings_used, summary, points, len(cloud), reference)
+    return MapReport(done, str(job.device), *settings_used, summary, points, len(cloud), reference, given.notes)
 
 
 def _shown_pose(T: list[list[float]]) -> str:

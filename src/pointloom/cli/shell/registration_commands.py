@@ -262,7 +262,11 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @option("--submap-length=M", LENGTH, "Path length of a submap [m]. Default: 30% of --max-range.")
 @option("--submaps=DIR", FILE, "Write the submaps and their graph to a new folder, for --continue.")
 @option("--continue earlier=DIR", FILE, "Continue the map of --submaps with a new session, and write it there.")
-@option("--positions=FILE", FILE, "Positions of GNSS: lines of time x y z [sigma], or a TUM trajectory.")
+@option(
+    "--positions=FILE",
+    FILE,
+    "Positions of GNSS: lines of time x y z [sigma], a TUM trajectory, a recording of NavSatFix, or a topic of these.",
+)
 @option("--position-sigma=M", LENGTH, "Standard deviation of positions without one [m].", default=1.0)
 @option("--show", bool, "Show the map in the browser while it grows. The command then ends with the page.")
 @TOPIC_OPTIONS
@@ -277,6 +281,8 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
 
     Times of --positions are those of the recording [s] or of times.txt, or the numbers of the scans in a folder, from
     0. Their frame is level and of their own: its pose is estimated. Positions that contradict the map are refused.
+    Those of NavSatFix have the times of their headers, their covariances, and a frame of east, north and up. Their
+    antenna is where the static transforms of the recording place it.
 
     --continue maps a second drive in the frame of the first, with its sizes, if three submaps recognize their place.
 
@@ -289,6 +295,7 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     pointloom map run.mcap -o map.laz --trajectory path.tum --picture map.png
     pointloom map velodyne -o map.ply --max-range 80
     pointloom map first.bag -o first.laz --submaps submaps --positions gnss.csv
+    pointloom map run.mcap -o map.laz --positions /gps/fix
     pointloom map second.bag -o both.laz --continue submaps
     """
     earlier = options.pop("earlier")
