@@ -195,3 +195,10 @@ def test_a_coordinate_system_that_is_not_in_the_file_is_given(tmp_path):
 def test_arguments_are_options_of_the_command_or_of_another(command, text, printed):
     with click.Context(cli.commands[command]):
         assert in_options(text) == printed
+
+
+@pytest.mark.parametrize("name", ["pose", "scale=3.txt", "from_crs"])
+def test_a_file_with_the_name_of_an_option_keeps_its_name(tmp_path, monkeypatch, name):
+    monkeypatch.chdir(tmp_path)
+    loom.write_point_cloud("a.ply", loom.PointCloud(np.zeros((3, 3))))
+    assert f"error: {name}: " in run("transform", "a.ply", "b.ply", "--pose", name).stderr

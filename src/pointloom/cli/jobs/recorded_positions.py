@@ -22,7 +22,7 @@ _UNKNOWN = 0  # type of a covariance
 
 
 class GivenPositions(NamedTuple):
-    """The `readings`, and what the report says about them."""
+    """The `readings`, and notes for the report."""
 
     readings: PositionReadings | None
     notes: tuple[str, ...] = ()

@@ -15,6 +15,7 @@ from typing import Any
 
 import click
 
+from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...kernels.language.environment import check_environment
 from .command_words import in_options
@@ -181,7 +182,8 @@ def _message(error: Exception) -> str:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
     is_own_error = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")
     if is_own_error or isinstance(error, ValueError | TypeError | OSError):
-        return in_options(str(error) or type(error).__name__)
+        text, name = str(error) or type(error).__name__, escaped(error.path) if isinstance(error, FileError) else ""
+        return name + in_options(text.removeprefix(name))  # a file keeps its name
     return (
         f"unexpected {type(error).__name__}: {error}. This is a bug in pointloom; "
         f"set {TRACEBACK}=1 and report the error with the traceback"
