@@ -70,7 +70,7 @@ _PHRASES = [
     (r"expected a camera pose \(T_world_camera\), got None", "expected a camera pose, got none"),
     (r"Read one file at a time: sorted\(pathlib\.Path\(folder\)\.glob\(pattern\)\) lists them",
      "Leave the pattern to the shell, without quotes"),
-    (r"Give format= one of .*$", "Give a name that ends in .tum, .log or .kitti"),
+    (r"Give format= one of .*$", "Give a name with the extension of its format"),
     (r"; to rate a pose, use evaluate_registration\(\)", ""),
     (r"Pass drop_invalid=True to read_splats to leave them out", "Write the splats again without them"),
     (r", or pass drop_unsupported=True|; drop the others with drop_unsupported=True", ""),
